@@ -1,0 +1,166 @@
+"""The same outputs as the kernels', written by hand: one function each, as one would write it for this alone.
+
+Plain NumPy takes an array of angles and gives a tuple of arrays; Numba loops over the angles and fills a table, a row
+per angle. Both reuse what they can, and know what a kernel cannot: that the rocker's pivot stands still.
+"""
+
+import numpy as np
+from numba import njit
+
+SLIDER_CRANK_COLUMNS = 14
+CRANK_ROCKER_COLUMNS = 22
+
+
+def slider_crank_numpy(angle, crank_radius, rod_length, offset):
+    """Pin, slider and rod of a slider-crank: x, x', x'', y, y', y'', s, s', s'', θ, θ', θ'', cos θ, sin θ."""
+    x = crank_radius * np.cos(angle)
+    y = crank_radius * np.sin(angle)
+    minus_x = -x
+    minus_y = -y
+    drop = offset - y
+    reach = np.sqrt((rod_length - drop) * (rod_length + drop))
+    turn = minus_x / reach
+    rate = (y + drop * turn * turn) / reach
+    return (
+        x,
+        minus_y,
+        minus_x,
+        y,
+        x,
+        minus_y,
+        x + reach,
+        -(y + drop * turn),
+        x * turn - (x + drop * rate),
+        np.arctan2(drop, reach),
+        turn,
+        rate,
+        reach / rod_length,
+        drop / rod_length,
+    )
+
+
+def crank_rocker_numpy(angle, crank_radius, rod_length, rocker_length, ground_length, side):
+    """Pin, joint, rod and rocker: (x, x', x'', y, y', y'') of both points, (θ, θ', θ'', cos θ, sin θ) of both links."""
+    x = crank_radius * np.cos(angle)
+    y = crank_radius * np.sin(angle)
+    minus_x = -x
+    minus_y = -y
+    dx = ground_length - x
+    square = dx * dx + y * y
+    longest = (rod_length + rocker_length) ** 2
+    shortest = (rod_length - rocker_length) ** 2
+    cross = 0.5 * side * np.sqrt((longest - square) * (square - shortest))
+    along = 0.5 + 0.5 * (rod_length**2 - rocker_length**2) / square
+    across = cross / square
+    qx = along * dx + across * y
+    qy = across * dx - along * y
+    tx = qx - dx
+    ty = qy + y
+    rod_turn = (y * tx - x * ty) / cross
+    rocker_turn = (y * qx - x * qy) / cross
+    rod_square = rod_turn * rod_turn
+    rocker_square = rocker_turn * rocker_turn
+    kx = x + rod_square * qx - rocker_square * tx
+    ky = y + rod_square * qy - rocker_square * ty
+    rod_rate = (kx * tx + ky * ty) / cross
+    rocker_rate = (kx * qx + ky * qy) / cross
+    return (
+        x,
+        minus_y,
+        minus_x,
+        y,
+        x,
+        minus_y,
+        x + qx,
+        -ty * rocker_turn,
+        -(ty * rocker_rate + tx * rocker_square),
+        y + qy,
+        tx * rocker_turn,
+        tx * rocker_rate - ty * rocker_square,
+        np.arctan2(qy, qx),
+        rod_turn,
+        rod_rate,
+        qx / rod_length,
+        qy / rod_length,
+        np.arctan2(ty, tx),
+        rocker_turn,
+        rocker_rate,
+        tx / rocker_length,
+        ty / rocker_length,
+    )
+
+
+@njit(error_model="numpy")
+def slider_crank_numba(angles, crank_radius, rod_length, offset, table):
+    """Fill `table`, a row per angle, with the columns of `slider_crank_numpy`."""
+    for i in range(angles.size):
+        x = crank_radius * np.cos(angles[i])
+        y = crank_radius * np.sin(angles[i])
+        drop = offset - y
+        reach = np.sqrt((rod_length - drop) * (rod_length + drop))
+        turn = -x / reach
+        rate = (y + drop * turn * turn) / reach
+        table[i, 0] = x
+        table[i, 1] = -y
+        table[i, 2] = -x
+        table[i, 3] = y
+        table[i, 4] = x
+        table[i, 5] = -y
+        table[i, 6] = x + reach
+        table[i, 7] = -(y + drop * turn)
+        table[i, 8] = x * turn - (x + drop * rate)
+        table[i, 9] = np.arctan2(drop, reach)
+        table[i, 10] = turn
+        table[i, 11] = rate
+        table[i, 12] = reach / rod_length
+        table[i, 13] = drop / rod_length
+
+
+@njit(error_model="numpy")
+def crank_rocker_numba(angles, crank_radius, rod_length, rocker_length, ground_length, side, table):
+    """Fill `table`, a row per angle, with the columns of `crank_rocker_numpy`."""
+    longest = (rod_length + rocker_length) ** 2
+    shortest = (rod_length - rocker_length) ** 2
+    middle = 0.5 * (rod_length**2 - rocker_length**2)
+    for i in range(angles.size):
+        x = crank_radius * np.cos(angles[i])
+        y = crank_radius * np.sin(angles[i])
+        dx = ground_length - x
+        square = dx * dx + y * y
+        cross = 0.5 * side * np.sqrt((longest - square) * (square - shortest))
+        along = 0.5 + middle / square
+        across = cross / square
+        qx = along * dx + across * y
+        qy = across * dx - along * y
+        tx = qx - dx
+        ty = qy + y
+        rod_turn = (y * tx - x * ty) / cross
+        rocker_turn = (y * qx - x * qy) / cross
+        rod_square = rod_turn * rod_turn
+        rocker_square = rocker_turn * rocker_turn
+        kx = x + rod_square * qx - rocker_square * tx
+        ky = y + rod_square * qy - rocker_square * ty
+        rod_rate = (kx * tx + ky * ty) / cross
+        rocker_rate = (kx * qx + ky * qy) / cross
+        table[i, 0] = x
+        table[i, 1] = -y
+        table[i, 2] = -x
+        table[i, 3] = y
+        table[i, 4] = x
+        table[i, 5] = -y
+        table[i, 6] = x + qx
+        table[i, 7] = -ty * rocker_turn
+        table[i, 8] = -(ty * rocker_rate + tx * rocker_square)
+        table[i, 9] = y + qy
+        table[i, 10] = tx * rocker_turn
+        table[i, 11] = tx * rocker_rate - ty * rocker_square
+        table[i, 12] = np.arctan2(qy, qx)
+        table[i, 13] = rod_turn
+        table[i, 14] = rod_rate
+        table[i, 15] = qx / rod_length
+        table[i, 16] = qy / rod_length
+        table[i, 17] = np.arctan2(ty, tx)
+        table[i, 18] = rocker_turn
+        table[i, 19] = rocker_rate
+        table[i, 20] = tx / rocker_length
+        table[i, 21] = ty / rocker_length

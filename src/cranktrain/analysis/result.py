@@ -1,0 +1,140 @@
+"""The result: every quantity by name, its facts, checks, what is missing, and sentences that answer."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from cranktrain.analysis.stages import Missing
+from cranktrain.catalogue import Entry, entries
+from cranktrain.checks import Check
+from cranktrain.engine.layout import CrankAngle
+from cranktrain.machine import Machine
+from cranktrain.motion import Array
+from cranktrain.quantities import shown
+
+if TYPE_CHECKING:
+    import xarray
+
+
+class Fact(NamedTuple):
+    """A quantity that stands for the whole cycle: its catalogue entry, and its array in the entry's unit."""
+
+    entry: Entry
+    value: Array
+
+
+@dataclass(frozen=True)
+class Result:
+    """What a machine does, as far as its file says.
+
+    Every quantity of `catalogue` is an attribute: an array in the unit of its entry, the same numbers as in a file or
+    dataset, with the entry's dimensions (and `design` before them where several machines were run).
+
+    Attributes
+    ----------
+    machines : tuple of Machine
+    has_designs : bool
+        Whether arrays have the leading dimension `design`.
+    grid : CrankAngle
+    labels : mapping of dimension to names
+    gifts : tuple of result objects
+        One from each stage, in SI and radians, always with the design axis.
+    missing : tuple of Missing
+    """
+
+    machines: tuple[Machine, ...]
+    has_designs: bool
+    grid: CrankAngle
+    labels: Mapping[str, tuple[str, ...]]
+    gifts: tuple[object, ...]
+    missing: tuple[Missing, ...]
+
+    @cached_property
+    def _homes(self) -> dict[str, tuple[Entry, object]]:
+        """Entry and stage result of every quantity."""
+        return {entry.name: (entry, gift) for gift in self.gifts for entry in entries(type(gift))}
+
+    @property
+    def catalogue(self) -> dict[str, Entry]:
+        """What there is, by name."""
+        return {name: entry for name, (entry, _gift) in self._homes.items()}
+
+    @property
+    def crank_angle(self) -> Array:
+        """Crank angles of the grid, shape (crank_angle,). [deg]"""
+        return np.rint(np.asarray(shown(self.grid.shown, "deg")) * 1e6) / 1e6
+
+    def __getattr__(self, name: str) -> Array:
+        """Give a quantity by name, in the unit of its entry."""
+        if name.startswith("_"):
+            raise AttributeError(name)
+        if name not in self._homes:
+            raise AttributeError(f"this result has no {name}; it has {', '.join(self._homes)}")
+        entry, gift = self._homes[name]
+        values = getattr(gift, name)
+        values = np.asarray(shown(values, "deg")) if entry.unit == "deg" else values
+        return values if self.has_designs else values[0]
+
+    def __dir__(self) -> list[str]:
+        """List the quantities too, for completion in a notebook."""
+        return [*super().__dir__(), *self._homes]
+
+    @property
+    def facts(self) -> dict[str, Fact]:
+        """Quantities that stand for the whole cycle."""
+        return {
+            name: Fact(entry, getattr(self, name)) for name, entry in self.catalogue.items() if entry.is_fact
+        }
+
+    @property
+    def checks(self) -> tuple[Check, ...]:
+        """Identities that can fail, with their residuals."""
+        return tuple(check for gift in self.gifts for check in getattr(gift, "checks", ()))
+
+    @property
+    def flags(self) -> tuple[str, ...]:
+        """Warnings of the stages: a textbook form outside its source's range, and the like."""
+        return tuple(flag for gift in self.gifts for flag in getattr(gift, "flags", ()))
+
+    def answers(self, design: int = 0) -> Iterator[str]:
+        """Give the stages' answer sentences for one design."""
+        for gift in self.gifts:
+            answer = getattr(gift, "answer", None)
+            sentence = answer(self.labels, design) if answer is not None else None
+            if sentence:
+                yield sentence
+
+    def summary(self, design: int = 0) -> str:
+        """Say in sentences what was found."""
+        return "\n".join(self.answers(design))
+
+    def labels_of(self, entry: Entry) -> dict[str, tuple[str, ...]]:
+        """Names along each dimension of a quantity, but for the crank angle."""
+        return {dimension: self.labels[dimension] for dimension in entry.dimensions if dimension != "crank_angle"}
+
+    @cached_property
+    def dataset(self) -> "xarray.Dataset":
+        """All quantities as an xarray dataset, with units, symbols, sentences and sources as attributes."""
+        import xarray
+
+        design = ("design",) if self.has_designs else ()
+        variables: dict[str, Any] = {
+            name: (
+                (*design, *entry.dimensions),
+                getattr(self, name),
+                {
+                    "units": entry.unit,
+                    "symbol": entry.symbol,
+                    "long_name": entry.sentence,
+                    "source": entry.source,
+                },
+            )
+            for name, entry in self.catalogue.items()
+        }
+        used = {dimension for dimensions, *_rest in variables.values() for dimension in dimensions}
+        coordinates: dict[str, Any] = {name: list(words) for name, words in self.labels.items() if name in used}
+        coordinates["crank_angle"] = ("crank_angle", self.crank_angle, {"units": "deg", "symbol": "φ"})
+        return xarray.Dataset(variables, coordinates, {"name": self.machines[0].name})

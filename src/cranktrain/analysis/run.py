@@ -1,0 +1,134 @@
+"""From a machine to its result: layout, then every stage that the machine allows."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from cranktrain.analysis.result import Result
+from cranktrain.analysis.stages import STAGES, Stage, run_stages
+from cranktrain.catalogue import entries
+from cranktrain.engine.layout import CrankAngle, Mechanisms, Pistons, Rockers
+from cranktrain.engine.points import LinkPoints
+from cranktrain.engine.volumes import Chambers
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.machine import Machine, Parts, layout
+from cranktrain.mechanisms import KINDS
+
+_FINEST, _COARSEST = 0.01, 90.0
+
+
+def run(
+    machine: Machine | Sequence[Machine],
+    *,
+    step_degrees: float = 1.0,
+    partial: bool = False,
+    quantities: Iterable[str] | None = None,
+    stages: Sequence[Stage] = STAGES,
+) -> Result:
+    """Compute all that a machine file allows.
+
+    Parameters
+    ----------
+    machine : Machine, or a sequence of machines
+        Several designs of one machine give a leading dimension `design`.
+    step_degrees : float
+        Of the crank-angle grid; the cycle must be a whole number of steps. [deg]
+    partial : bool
+        Compute where the links close and give NaN where they do not, instead of refusing the machine.
+    quantities : iterable of str, optional
+        Names from the catalogue; only the stages that these need are run. All unless given.
+    stages : sequence of Stage
+        In order; `STAGES` unless given.
+
+    Returns
+    -------
+    Result
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong with the machine, the step or the names.
+
+    Examples
+    --------
+    >>> result = run(Machine(mechanism={"kind": "slider_crank", "stroke": "80 mm", "rod_length": "136 mm"}))
+    >>> result.stroke
+    array([0.08])
+    """
+    machines = (machine,) if isinstance(machine, Machine) else tuple(machine)
+    if not machines:
+        raise InputError([Problem("", None, _("there must be at least one machine"))])
+    parts = layout(machines, step=_step(step_degrees), partial=partial)
+    chosen = stages if quantities is None else _needed(stages, tuple(quantities))
+    gifts, missing = run_stages(chosen, parts)
+    return Result(
+        machines=machines,
+        has_designs=not isinstance(machine, Machine),
+        grid=_part(parts, CrankAngle),
+        labels=_labels(parts, machines, gifts),
+        gifts=tuple(gifts.values()),
+        missing=missing,
+    )
+
+
+def _step(degrees: float) -> float:
+    """Step in radians, if it divides a turn."""
+    if _FINEST <= degrees <= _COARSEST:
+        n_steps = 360 / degrees
+        if abs(n_steps - round(n_steps)) < 1e-9 * n_steps:
+            return 2 * np.pi / round(n_steps)
+    allowed = _("must be from {least} to {most} degrees, a whole number of which make a turn")
+    raise InputError([Problem("step", f"{degrees:g} deg", allowed.format(least=_FINEST, most=f"{_COARSEST:g}"))])
+
+
+def _needed(stages: Sequence[Stage], names: Sequence[str]) -> tuple[Stage, ...]:
+    """Those stages that the named quantities need, in order."""
+    by_gift = {stage.gives: stage for stage in stages}
+    home = {entry.name: stage for stage in stages for entry in entries(stage.gives)}
+    unknown = [name for name in names if name not in home]
+    if unknown:
+        from cranktrain.quantities import nearest  # only after a mistake
+
+        raise InputError(
+            Problem(
+                "quantities",
+                name,
+                _("is not a quantity of the catalogue; `cranktrain list results` names them"),
+                _("did you mean {name}?").format(name=close) if (close := nearest(name, home)) else None,
+            )
+            for name in unknown
+        )
+    wanted: set[type] = set()
+    open_ends = [home[name].gives for name in names]
+    while open_ends:
+        gift = open_ends.pop()
+        if gift in by_gift and gift not in wanted:
+            wanted.add(gift)
+            open_ends += by_gift[gift].needs.values()
+    return tuple(stage for stage in stages if stage.gives in wanted)
+
+
+def _part(parts: Parts, kind: type[Any]) -> Any:  # noqa: ANN401
+    """The part of that type, which every layout has."""
+    return parts[kind]
+
+
+def _labels(
+    parts: Parts, machines: Sequence[Machine], gifts: Mapping[type, object]
+) -> dict[str, tuple[str, ...]]:
+    """Names along each dimension."""
+    labels: dict[str, tuple[str, ...]] = {"design": tuple(str(i + 1) for i in range(len(machines)))}
+    for kind in (Mechanisms, Pistons, Rockers):
+        if kind in parts:
+            labels[kind.dimension] = _part(parts, kind).names
+    if Chambers in parts:
+        chambers = _part(parts, Chambers)
+        labels |= {"chamber": chambers.names, "bank": tuple(dict.fromkeys(chambers.banks))}
+    if LinkPoints in parts:
+        labels["point"] = _part(parts, LinkPoints).names
+    labels |= {kind.name: _part(parts, kind.members).names for kind in KINDS if kind.members in parts}
+    for gift in gifts.values():
+        labels |= getattr(gift, "labels", {})
+    return labels

@@ -1,0 +1,124 @@
+"""Stages: functions whose parameter types are their needs and whose return type is their gift."""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from graphlib import TopologicalSorter
+from types import NoneType
+from typing import Any, get_args, get_type_hints
+
+from cranktrain.catalogue import entries
+from cranktrain.engine.closing import closing
+from cranktrain.engine.firing import firing
+from cranktrain.engine.motion import dead_centres, piston_motion, piston_speeds
+from cranktrain.engine.points import point_motion
+from cranktrain.engine.rockers import dead_positions, load_motion, rocker_motion, rocker_speeds
+from cranktrain.engine.volumes import chamber_volumes, swept_volumes
+from cranktrain.language import translated
+from cranktrain.mechanisms import KINDS
+
+
+@dataclass(frozen=True)
+class Stage:
+    """One step of the computation.
+
+    Attributes
+    ----------
+    function : callable
+    needs : mapping of parameter name to type
+    optional : set of str
+        Parameters that may be None: never reported as missing.
+    gives : type
+    """
+
+    function: Callable[..., Any]
+    needs: dict[str, type]
+    optional: frozenset[str]
+    gives: type
+
+
+@dataclass(frozen=True)
+class Missing:
+    """Results that a machine file does not allow yet: their names, and what the file would have to say."""
+
+    results: tuple[str, ...]
+    needs: tuple[str, ...]
+
+
+def stage(function: Callable[..., Any]) -> Stage:
+    """Read a stage's needs and gift from its annotations; a need may be `X | None`."""
+    hints = get_type_hints(function)
+    gives = hints.pop("return")
+    needs: dict[str, type] = {}
+    optional: set[str] = set()
+    for name, hint in hints.items():
+        choices = [choice for choice in get_args(hint) if choice is not NoneType]
+        if NoneType in get_args(hint):
+            optional.add(name)
+            needs[name] = choices[0]
+        else:
+            needs[name] = hint
+    return Stage(function, needs, frozenset(optional), gives)
+
+
+def ordered(stages: Iterable[Stage]) -> tuple[Stage, ...]:
+    """Put stages in an order in which every need comes before its use."""
+    by_gift = {one.gives: one for one in stages}
+    graph = {one.gives: [need for need in one.needs.values() if need in by_gift] for one in by_gift.values()}
+    return tuple(by_gift[gift] for gift in TopologicalSorter(graph).static_order())
+
+
+STAGES: tuple[Stage, ...] = ordered(
+    stage(function)
+    for function in (
+        dead_centres,
+        piston_motion,
+        piston_speeds,
+        swept_volumes,
+        chamber_volumes,
+        firing,
+        dead_positions,
+        rocker_motion,
+        rocker_speeds,
+        load_motion,
+        point_motion,
+        closing,
+        *(function for kind in KINDS for function in kind.stages),
+    )
+)
+
+
+def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict[type, object], tuple[Missing, ...]]:
+    """Run every stage whose needs are met.
+
+    Parameters
+    ----------
+    stages : sequence of Stage
+        In order.
+    parts : mapping of type to object
+        What the machine declares.
+
+    Returns
+    -------
+    gifts : mapping of type to object
+    missing : tuple of Missing
+        In words, for the stages that lack something that a machine file could say; a stage for another kind of
+        machine is not spoken of.
+    """
+    known = dict(parts)
+    gifts: dict[type, object] = {}
+    lacking: dict[type, frozenset[type]] = {}
+    missing: dict[tuple[str, ...], list[str]] = {}
+    for one in stages:
+        roots: set[type] = set()
+        for name, need in one.needs.items():
+            if need not in known and name not in one.optional:
+                roots |= lacking.get(need, frozenset({need}))
+        if not roots:
+            gift = one.function(**{name: known.get(need) for name, need in one.needs.items()})
+            known[one.gives] = gifts[one.gives] = gift
+            continue
+        lacking[one.gives] = frozenset(roots)
+        words = tuple(sorted(translated(getattr(root, "needs", "")) for root in roots))
+        if all(words):
+            missing.setdefault(words, []).extend(entry.name for entry in entries(one.gives))
+    return gifts, tuple(Missing(tuple(results), needs) for needs, results in missing.items())

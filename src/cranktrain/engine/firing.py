@@ -1,0 +1,112 @@
+"""Firing: when each piston fires, at what intervals, and whether its true dead centre is there."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.catalogue import quantity
+from cranktrain.engine.layout import CrankAngle, Pistons
+from cranktrain.engine.motion import DeadCentres
+from cranktrain.language import N_, _
+from cranktrain.motion import Array
+from cranktrain.wording import Names, shared
+
+_PISTON = ("piston",)
+_THEORY = "docs/conventions"
+_SAME = 1e-9
+"""Firings closer than this are simultaneous. [rad]"""
+
+
+@dataclass(frozen=True)
+class FiringOrder:
+    """Pistons in the order in which they fire, as indices, shape (piston,)."""
+
+    needs: ClassVar[str] = N_("[cylinder] firing_order and cycle")
+
+    order: NDArray[np.intp]
+
+
+@dataclass(frozen=True)
+class Firing:
+    """When each piston fires, nominally (crank along its cylinder), and how long until the next one does."""
+
+    firing_angle: Array = quantity(
+        "φ_f", "deg", _PISTON, N_("Crank angle of nominal firing, the crank along the cylinder"), _THEORY
+    )
+    firing_dead_centre: Array = quantity(
+        "φ_fT", "deg", _PISTON, N_("Crank angle of the true top dead centre at firing"), _THEORY
+    )
+    firing_interval: Array = quantity(
+        "Δφ_f", "deg", _PISTON, N_("From this piston's firing to the next one in the order"), _THEORY
+    )
+    order: tuple[int, ...] = ()
+
+    def answer(self, names: Names, design: int) -> str:
+        """Say the order and the intervals."""
+        pistons = names["piston"]
+        order = "-".join(pistons[i] for i in self.order)
+        intervals = self.firing_interval[design]
+        if np.ptp(intervals) < _SAME:
+            even = shared(("",), intervals[:1], "deg")
+            return _("Firing order {order}, evenly every {interval}.").format(order=order, interval=even)
+        written = shared([pistons[i] for i in self.order], intervals[list(self.order)], "deg")
+        return _("Firing order {order}, unevenly: {intervals} to the next.").format(order=order, intervals=written)
+
+
+def firing(order: FiringOrder, pistons: Pistons, crank_angle: CrankAngle, dead_centres: DeadCentres) -> Firing:
+    """Firing angles in the turn that makes the order true."""
+    nominal = np.mod(pistons.nominal_top[..., 0], 2 * np.pi)
+    angles = np.empty_like(nominal)
+    for design, tops in enumerate(nominal):
+        found = firing_angles(tops[order.order], crank_angle.cycle)
+        angles[design, order.order] = np.nan if found is None else found
+    counted = crank_angle.counted(angles[..., np.newaxis], crank_angle.cycle)[..., 0]
+    in_order = angles[:, order.order]
+    interval = np.empty_like(angles)
+    following = np.append(in_order[:, 1:], in_order[:, :1] + crank_angle.cycle, axis=1)
+    interval[:, order.order] = following - in_order
+    true = crank_angle.counted((angles + dead_centres.top_shift)[..., np.newaxis], crank_angle.cycle)[..., 0]
+    return Firing(
+        firing_angle=counted, firing_dead_centre=true, firing_interval=interval, order=tuple(map(int, order.order))
+    )
+
+
+def firing_angles(tops: Array, cycle: float) -> Array | None:
+    """Choose the turn in which each piston fires, so that the order is true and the intervals are most even.
+
+    Parameters
+    ----------
+    tops : Array, shape (piston,)
+        Crank angle in [0, 2π) at which each piston is nominally at its top, in firing order. [rad]
+    cycle : float
+        2π or 4π. [rad]
+
+    Returns
+    -------
+    Array, shape (piston,), or None
+        Angles that rise from the first piston's, within one cycle; None where the crank pins stand so that no choice
+        of turns gives this order. Pistons may fire at the same time only where they cannot fire otherwise.
+    """
+    apart = _chosen(tops, cycle, least=_SAME)
+    return apart if apart is not None else _chosen(tops, cycle, least=-_SAME)
+
+
+def _chosen(tops: Array, cycle: float, least: float) -> Array | None:
+    """Choose among the turns by the smallest sum of squared intervals; None where the order cannot rise."""
+    start = float(tops[0])
+    # For each possible angle of the piston reached so far: the sum of squares and the angles that led there.
+    ways: list[tuple[float, list[float]]] = [(0.0, [start])]
+    for top in tops[1:]:
+        first = start + float(np.mod(top - start, 2 * np.pi))
+        first = start if first > start + 2 * np.pi - _SAME else first
+        options = [first + 2 * np.pi * turn for turn in range(round(cycle / (2 * np.pi)))]
+        ways = [
+            min((cost + (angle - path[-1]) ** 2, [*path, angle]) for cost, path in reachable)
+            for angle in options
+            if (reachable := [way for way in ways if angle - way[1][-1] > least])
+        ]
+        if not ways:
+            return None
+    return np.array(min((cost + (start + cycle - path[-1]) ** 2, path) for cost, path in ways)[1])

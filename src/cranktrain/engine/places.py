@@ -1,0 +1,171 @@
+"""Places: every mechanism of a machine, by name, with its axis, its throw and its geometry."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from cranktrain.engine.specs import BankSpec, ShaftSpec
+from cranktrain.errors import Problem
+from cranktrain.language import _
+from cranktrain.mechanisms import Kind, MechanismSpec, kind_named
+from cranktrain.mechanisms.articulated_rod import ArticulatedRodSpec
+from cranktrain.mechanisms.kind import Master, mirrored
+
+
+@dataclass(frozen=True)
+class Place:
+    """One mechanism of a machine.
+
+    Attributes
+    ----------
+    name, bank : str
+        `2L`, and its bank `L`.
+    throw : int
+        Which throw of the shaft, from 0.
+    axis : float
+        Direction of the mechanism's x from the first bank's, in the sense of running. [rad]
+    throw_angle : float
+        Of its throw ahead of throw 1, in the sense of running. [rad]
+    phase : float
+        Angle of the kernel's crank where φ is 0; a slave's kernel counts from its master's axis. [rad]
+    kind : Kind
+    spec : MechanismSpec
+    geometry : NamedTuple of floats
+        Mirrored where the machine runs astern.
+    path : str
+        Of the mechanism's table in the machine file.
+    """
+
+    name: str
+    bank: str
+    throw: int
+    axis: float
+    throw_angle: float
+    phase: float
+    kind: Kind
+    spec: MechanismSpec
+    geometry: Any
+    path: str
+
+    @property
+    def nominal_top(self) -> float:
+        """φ at which the crank points along the mechanism's x. [rad]"""
+        return self.axis - self.throw_angle
+
+
+@dataclass(frozen=True)
+class _Slot:
+    """A place before its geometry is known: bank and throw by index, angle of its axis from Y in the file's sense."""
+
+    name: str
+    bank: str
+    throw: int
+    angle: float
+    spec: MechanismSpec
+    path: str
+
+
+def places_of(
+    shaft: ShaftSpec, banks: Mapping[str, BankSpec], *, astern: bool, prefix: str = "bank."
+) -> tuple[tuple[Place, ...], tuple[Problem, ...]]:
+    """Arrange a machine's mechanisms.
+
+    Parameters
+    ----------
+    shaft : ShaftSpec
+    banks : mapping of name to BankSpec
+        One bank of any name gives places `1`, `2`, …; more give `1L`, `2L`, …
+    astern : bool
+        The same metal at −φ: all that counts in the sense of rotation or toward +y is mirrored.
+    prefix : str
+        Of the banks' paths in the file; empty for a bare `[mechanism]`.
+
+    Returns
+    -------
+    tuple of Place, tuple of Problem
+        Places in the order of the file. With problems, no places.
+    """
+    slots, problems = _slots(shaft, banks, prefix)
+    if problems:
+        return (), problems
+    sense = -1.0 if astern else 1.0
+    throws = [angle.si for angle in shaft.throws]
+    places: list[Place] = []
+    for slot in slots:
+        master = _master_of(slot, slots)
+        if isinstance(master, Problem):
+            problems = (*problems, master)
+            continue
+        kind = kind_named(slot.spec.kind)
+        hung = None
+        if master is not None:
+            master_kind = kind_named(master.spec.kind)
+            hung = Master(master_kind.geometry(master.spec, None), slot.angle - master.angle)
+        geometry = kind.geometry(slot.spec, hung)
+        kernel_axis = (master or slot).angle - slots[0].angle
+        throw_angle = throws[slot.throw] - throws[0]
+        places.append(
+            Place(
+                name=slot.name,
+                bank=slot.bank,
+                throw=slot.throw,
+                axis=sense * (slot.angle - slots[0].angle),
+                throw_angle=sense * throw_angle,
+                phase=sense * (throw_angle - kernel_axis),
+                kind=kind,
+                spec=slot.spec,
+                geometry=mirrored(geometry) if astern else geometry,
+                path=slot.path,
+            )
+        )
+    return (() if problems else tuple(places)), problems
+
+
+def _slots(
+    shaft: ShaftSpec, banks: Mapping[str, BankSpec], prefix: str
+) -> tuple[tuple[_Slot, ...], tuple[Problem, ...]]:
+    """Name every place, throw by throw through the bank's angles; problems where a throw does not exist."""
+    slots: list[_Slot] = []
+    problems: list[Problem] = []
+    n_throws = len(shaft.throws)
+    for bank, spec in banks.items():
+        path = f"{prefix}{bank}." if prefix else ""
+        throws = spec.throws or range(1, n_throws + 1)
+        for i, throw in enumerate(throws):
+            if not 1 <= throw <= n_throws or throw in tuple(throws)[:i]:
+                problems.append(
+                    Problem(
+                        f"{path}throws[{i}]",
+                        str(throw),
+                        _("must be one of the shaft's throws, 1 to {n}, each once").format(n=n_throws),
+                    )
+                )
+        suffix = bank if len(banks) > 1 else ""
+        pairs = [(throw, k) for throw in throws for k in range(len(spec.angle))]
+        slots += [
+            _Slot(f"{number}{suffix}", bank, throw - 1, spec.angle[k].si, spec.mechanism[k], f"{path}mechanism")
+            for number, (throw, k) in enumerate(pairs, start=1)
+        ]
+    return tuple(slots), tuple(problems)
+
+
+def _master_of(slot: _Slot, slots: Sequence[_Slot]) -> _Slot | Problem | None:
+    """Find the slider-crank on the same throw that a slave hangs on; None for a mechanism that needs none."""
+    spec = slot.spec
+    if not isinstance(spec, ArticulatedRodSpec):
+        return None
+    path = f"{slot.path}.master"
+    candidates = [other for other in slots if other.bank == spec.master]
+    if not candidates:
+        banks = ", ".join(dict.fromkeys(other.bank for other in slots if other.bank != slot.bank and other.bank))
+        return Problem(path, spec.master, _("must be the name of a bank: {banks}").format(banks=banks or _("none yet")))
+    if any(other.spec.kind != "slider_crank" for other in candidates):
+        return Problem(path, spec.master, _("must be a bank of slider-cranks; a slave rod cannot carry another"))
+    on_throw = [other for other in candidates if other.throw == slot.throw]
+    if len(on_throw) != 1:
+        return Problem(
+            path,
+            spec.master,
+            _("must have one cylinder on throw {throw}; it has {n}").format(throw=slot.throw + 1, n=len(on_throw)),
+        )
+    return on_throw[0]

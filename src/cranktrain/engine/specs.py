@@ -1,0 +1,128 @@
+"""Shaft, banks and cylinders: their tables of the machine file."""
+
+from collections.abc import Mapping
+from typing import Annotated, Any, Literal, TypeVar, cast
+
+from pydantic import BeforeValidator, Field, model_validator
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.mechanisms import AnyMechanism
+from cranktrain.quantities import (
+    Angle,
+    Dimension,
+    Given,
+    Length,
+    NonNegativeLength,
+    PositiveLength,
+    PositiveSpeed,
+    Quantity,
+)
+from cranktrain.spec import Refused, Spec
+
+Item = TypeVar("Item")
+
+
+def _listed(data: object) -> object:
+    """Take one value for a list of one."""
+    return data if isinstance(data, list | tuple) else (data,)
+
+
+OneOrMany = Annotated[tuple[Item, ...], BeforeValidator(_listed), Field(min_length=1)]
+"""One value, or a list of them."""
+
+
+class ShaftSpec(Spec):
+    """A crankshaft: throw angles ahead of throw 1, gaps between throws along it, speed."""
+
+    throws: tuple[Angle, ...] = Field(default=(Given(0.0, "0 deg"),), min_length=1)
+    spacing: OneOrMany[NonNegativeLength] | None = None
+    speed: PositiveSpeed | None = None
+
+    @model_validator(mode="after")
+    def _spaced(self) -> "ShaftSpec":
+        """Refuse a list of gaps that does not fit the number of throws."""
+        gaps = len(self.throws) - 1
+        if self.spacing is not None and len(self.spacing) not in (1, gaps):
+            raise Refused(
+                _("must be one length, or {gaps} of them, one for each gap between {throws} throws").format(
+                    gaps=gaps, throws=len(self.throws)
+                ),
+                path="spacing",
+            )
+        return self
+
+
+class ShaftsSpec(Spec):
+    """The shafts by name."""
+
+    main: ShaftSpec = ShaftSpec()
+
+
+class BankSpec(Spec):
+    """Cylinders in one direction, or a star of them where `angle` is a list: one mechanism for each angle.
+
+    angle counts from Y; throws are the throws that the bank works on, counted from 1 (all unless given); stagger moves
+    the bank along Z toward the flywheel.
+    """
+
+    angle: OneOrMany[Angle] = (Given(0.0, "0 deg"),)
+    mechanism: tuple[AnyMechanism, ...]
+    throws: tuple[int, ...] | None = Field(default=None, min_length=1)
+    stagger: Length = Given(0.0, "0 mm")
+
+    @model_validator(mode="before")
+    @classmethod
+    def _one_mechanism_for_each_angle(cls, data: object) -> object:
+        """Give each angle its own table: a field of the mechanism that is a list gives one item to each."""
+        if not isinstance(data, Mapping):
+            return data
+        table = cast(Mapping[str, Any], data)
+        mechanism, angles = table.get("mechanism"), table.get("angle")
+        if not isinstance(mechanism, Mapping):
+            return table
+        fields = cast(Mapping[str, Any], mechanism)
+        n_angles = len(cast(list[Any], angles)) if isinstance(angles, list) else 1
+        wrong = {name: len(value) for name, value in fields.items() if isinstance(value, list) and len(value) != n_angles}
+        if wrong:
+            allowed = _("a list there gives one item to each angle of the bank: {n} of them").format(n=n_angles)
+            raise InputError(
+                Problem(f"mechanism.{name}", _("{n} items").format(n=length), allowed) for name, length in wrong.items()
+            )
+        return {
+            **table,
+            "mechanism": [
+                {name: value[i] if isinstance(value, list) else value for name, value in fields.items()}
+                for i in range(n_angles)
+            ],
+        }
+
+
+class CylinderSpec(Spec):
+    """One cylinder's own dimensions; what it does not give, the cylinder above it gives."""
+
+    bore: PositiveLength | None = None
+    compression_ratio: Annotated[Given, Quantity(Dimension.RATIO, above=1.0)] | None = None
+    chambers: tuple[Literal["head", "crank"], ...] | None = Field(default=None, min_length=1, max_length=2)
+    piston_rod: PositiveLength | None = None
+
+
+class CylindersSpec(CylinderSpec):
+    """All cylinders: their common dimensions, cycle and firing order, and `overrides` by bank or piston."""
+
+    cycle: Literal["two-stroke", "four-stroke"] | None = None
+    firing_order: str | None = None
+    numbers: Mapping[str, str] = {}
+    overrides: Mapping[str, CylinderSpec] = {}
+
+    @model_validator(mode="before")
+    @classmethod
+    def _tables_are_overrides(cls, data: object) -> object:
+        """Take `[cylinder.R]` and `[cylinder.2L]` as what bank R and piston 2L have of their own."""
+        if not isinstance(data, Mapping):
+            return data
+        table = cast(Mapping[str, Any], data)
+        own = {
+            name: value for name, value in table.items() if isinstance(value, Mapping) and name not in cls.model_fields
+        }
+        return {name: value for name, value in table.items() if name not in own} | {"overrides": own}

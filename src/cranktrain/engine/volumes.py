@@ -1,0 +1,131 @@
+"""Volumes: what each chamber sweeps, holds and compresses; V = V₀ + Σ A x with a signed area for each piston."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.catalogue import quantity
+from cranktrain.checks import Check
+from cranktrain.engine.layout import Pistons
+from cranktrain.engine.motion import DeadCentres, PistonMotion
+from cranktrain.language import N_, _
+from cranktrain.motion import Array
+from cranktrain.wording import Names, shared
+
+_CHAMBER = ("chamber",)
+_THEORY = "docs/conventions"
+
+
+@dataclass(frozen=True)
+class Chambers:
+    """The working chambers.
+
+    Attributes
+    ----------
+    names : tuple of str
+        `1L`, or `1L.head` and `1L.crank` of a double-acting cylinder.
+    banks : tuple of str
+        Bank of each.
+    areas : Array, shape (design, piston, chamber)
+        Signed: a chamber's volume grows by the area for each metre of piston displacement. [m²]
+    """
+
+    needs: ClassVar[str] = N_("[cylinder] bore")
+
+    names: tuple[str, ...]
+    banks: tuple[str, ...]
+    areas: Array
+
+
+@dataclass(frozen=True)
+class CompressionRatios:
+    """Compression ratio of each chamber, shape (design, chamber); NaN where the deck decides it.
+
+    leader : array of int, shape (chamber,)
+        The chamber whose clearance height a chamber without a ratio of its own shares.
+    """
+
+    needs: ClassVar[str] = N_("[cylinder] compression_ratio")
+
+    value: Array
+    leader: NDArray[np.intp]
+
+
+@dataclass(frozen=True)
+class SweptVolumes:
+    """What the pistons sweep between their true dead centres."""
+
+    swept_volume: Array = quantity("V_h", "m^3", _CHAMBER, N_("Swept volume of the chamber, by the true stroke"), _THEORY)
+    bank_swept_volume: Array = quantity("V_b", "m^3", ("bank",), N_("Swept volume of the bank"), _THEORY)
+    displacement: Array = quantity("V_H", "m^3", (), N_("Swept volume of all chambers"), _THEORY)
+
+    def answer(self, names: Names, design: int) -> str:
+        """Say displacement, in all and by bank."""
+        total = shared(("",), self.displacement[design : design + 1], "L")
+        if len(names["bank"]) == 1:
+            return _("Displacement {total}.").format(total=total)
+        banks = shared(names["bank"], self.bank_swept_volume[design], "L")
+        return _("Displacement {total}; by bank: {banks}.").format(total=total, banks=banks)
+
+
+def swept_volumes(chambers: Chambers, dead_centres: DeadCentres) -> SweptVolumes:
+    """Swept volumes from piston areas and true strokes."""
+    swept = np.sum(np.abs(chambers.areas) * dead_centres.stroke[..., np.newaxis], axis=1)
+    banks = tuple(dict.fromkeys(chambers.banks))
+    by_bank = [np.sum(swept[:, [of == bank for of in chambers.banks]], axis=1) for bank in banks]
+    return SweptVolumes(
+        swept_volume=swept, bank_swept_volume=np.stack(by_bank, axis=1), displacement=np.sum(swept, axis=1)
+    )
+
+
+@dataclass(frozen=True)
+class ChamberVolumes:
+    """Volume of every chamber, and what is left of it at its smallest."""
+
+    chamber_volume: Array = quantity("V", "m^3", ("chamber", "crank_angle"), N_("Volume of the chamber"), _THEORY)
+    clearance_volume: Array = quantity("V_c", "m^3", _CHAMBER, N_("Smallest volume of the chamber"), _THEORY)
+    compression_ratio: Array = quantity(
+        "ε", "1", _CHAMBER, N_("Geometric compression ratio, largest volume over smallest"), _THEORY
+    )
+    checks: tuple[Check, ...] = ()
+
+    def answer(self, names: Names, design: int) -> str:
+        """Say the compression ratios."""
+        return _("Compression ratio {ratios}.").format(
+            ratios=shared(names["chamber"], self.compression_ratio[design], "1")
+        )
+
+
+def chamber_volumes(
+    pistons: Pistons,
+    chambers: Chambers,
+    ratios: CompressionRatios,
+    dead_centres: DeadCentres,
+    swept: SweptVolumes,
+    motion: PistonMotion,
+) -> ChamberVolumes:
+    """Volume of every chamber over the cycle.
+
+    Notes
+    -----
+    A chamber with a ratio of its own has V_c = V_h/(ε − 1). One without shares deck and chamber with its leader, so
+    that its clearance height is c = c_leader + H_leader − H, where H is the height of the piston pin at its top: the
+    ratios of articulated rods differ by stroke *and* by pin height.
+    """
+    area = np.sum(np.abs(chambers.areas), axis=1)
+    height = np.einsum("dpc,dp->dc", np.abs(chambers.areas), dead_centres.top_position) / area
+    own = swept.swept_volume / (ratios.value - 1) / area
+    clearance_height = np.where(
+        np.isnan(ratios.value), own[:, ratios.leader] + height[:, ratios.leader] - height, own
+    )
+    clearance = clearance_height * area
+    # A chamber on the shaft's side (area < 0) is smallest where its piston is at the bottom.
+    at_bottom = np.einsum("dpc,dp->dc", np.maximum(-chambers.areas, 0.0), dead_centres.stroke)
+    volume = (clearance + at_bottom)[..., np.newaxis] + np.einsum(
+        "dpc,dpn->dcn", chambers.areas, motion.piston_displacement
+    )
+    return ChamberVolumes(
+        chamber_volume=volume, clearance_volume=clearance, compression_ratio=1 + swept.swept_volume / clearance
+    )

@@ -1,0 +1,64 @@
+"""What is wrong with an input, as data: where, what was given, what is allowed, how to mend it."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+
+@dataclass(frozen=True)
+class Position:
+    """A place in a text file: line and column count from 1."""
+
+    file: str
+    line: int | None = None
+    column: int | None = None
+
+    def __str__(self) -> str:
+        """Write the place as editors understand it, `file:line:column`."""
+        return ":".join(str(part) for part in (self.file, self.line, self.column) if part is not None)
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One thing that is wrong with an input.
+
+    Attributes
+    ----------
+    path : str
+        Dotted path of the value in the machine file, e.g. `bank.R.mechanism.rod_length`; empty for the file itself.
+    given : str or None
+        What was given, as the user wrote it; None where nothing was.
+    allowed : str
+        What is allowed there, as a clause: "must be more than 50 mm, or the crank cannot turn".
+    repair : str or None
+        What to write instead, where one thing is the likely cure.
+    position : Position or None
+        Where it stands.
+    """
+
+    path: str
+    given: str | None
+    allowed: str
+    repair: str | None = None
+    position: Position | None = None
+
+    def at(self, position: Position | None) -> "Problem":
+        """Place the problem, unless it already has a line."""
+        return self if position is None else replace(self, position=position)
+
+    def under(self, prefix: str) -> "Problem":
+        """Prefix the path, for a problem found in a part of the whole."""
+        return replace(self, path=".".join(part for part in (prefix, self.path) if part))
+
+    def __str__(self) -> str:
+        """Say it in one line: `file:line:column  path = given: allowed; repair`."""
+        subject = self.path if self.given is None else f"{self.path} = {self.given}" if self.path else self.given
+        said = ": ".join(part for part in (subject, self.allowed) if part)
+        return (f"{self.position}  " if self.position else "") + said + (f"; {self.repair}" if self.repair else "")
+
+
+class InputError(ValueError):
+    """All that is wrong with one input, at once."""
+
+    def __init__(self, problems: Iterable[Problem]) -> None:
+        self.problems: Sequence[Problem] = tuple(problems)
+        super().__init__("\n".join(str(problem) for problem in self.problems))

@@ -1,0 +1,127 @@
+"""Writing a file whole or not at all."""
+
+import errno
+import os
+import secrets
+import stat
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+
+from cranktrain.errors import InputError, Position, Problem
+from cranktrain.language import N_, _
+
+STANDARD_OUTPUT = ("-", "/dev/stdout")
+
+_FAILURES = {
+    errno.ENOENT: (N_("the folder is not there"), N_("make it first, or name another")),
+    errno.ENOTDIR: (N_("what should be its folder is a file"), N_("name another folder")),
+    errno.EACCES: (N_("may not be written"), N_("choose a folder that is yours, or change the permissions")),
+    errno.EPERM: (N_("may not be written"), N_("choose a folder that is yours, or change the permissions")),
+    errno.EROFS: (N_("may not be written: this disk is read-only"), N_("choose another place")),
+    errno.ENAMETOOLONG: (N_("the name is too long"), N_("choose a shorter one")),
+    errno.ENOSPC: (N_("does not fit: the disk is full"), N_("make room, or choose another place")),
+    errno.EDQUOT: (N_("does not fit: your share of the disk is full"), N_("make room, or choose another place")),
+    errno.EFBIG: (N_("does not fit: it would be larger than files may be here"), N_("raise the limit (ulimit -f)")),
+    errno.ELOOP: (N_("is a link that leads back to itself"), N_("choose another name")),
+}
+
+
+def write_whole(path: "str | os.PathLike[str]", chunks: str | Iterable[str], *, force: bool) -> None:
+    """Write a text file that appears whole or not at all.
+
+    Parameters
+    ----------
+    path : str or path-like
+        `-` is the standard output; a device or pipe is written as it comes. A link is followed.
+    chunks : str or iterable of str
+        The text; an exception raised in the middle, Ctrl-C too, leaves all as it was and passes on.
+    force : bool
+        Replace a file that is there; it keeps its mode.
+
+    Raises
+    ------
+    InputError
+        If a file is there and `force` is not given, or the file cannot be written; nothing has changed then.
+    """
+    pieces = (chunks,) if isinstance(chunks, str) else chunks
+    name = os.fspath(path)
+    if name in STANDARD_OUTPUT:
+        sys.stdout.writelines(pieces)
+        sys.stdout.flush()
+        return
+    try:
+        old = _status(Path(name))
+        if old is not None and not stat.S_ISREG(old.st_mode) and not stat.S_ISDIR(old.st_mode):
+            with Path(name).open("w", encoding="utf-8", newline="") as file:
+                file.writelines(pieces)
+            return
+        target = Path(os.path.realpath(name))
+        _check(name, target, old, force=force)
+        _write(target, pieces, None if old is None else stat.S_IMODE(old.st_mode))
+    except FileExistsError:
+        raise _already_there(name) from None
+    except BrokenPipeError:  # its reader has had enough: no fault of the input
+        raise
+    except OSError as error:
+        allowed, repair = _FAILURES.get(error.errno or 0, (N_("cannot be written: {reason}"), None))
+        raise _refusal(name, _(allowed).format(reason=error.strerror), repair and _(repair)) from None
+
+
+def _status(target: Path) -> os.stat_result | None:
+    """Give what is there, or None."""
+    try:
+        return target.stat()
+    except FileNotFoundError:
+        return None
+
+
+def _check(name: str, target: Path, old: os.stat_result | None, *, force: bool) -> None:
+    """Refuse what would fail, before the text is made."""
+    if (old is not None and stat.S_ISDIR(old.st_mode)) or name.endswith(("/", os.sep)):
+        raise _refusal(name, _("is a folder"), _("name a file in it"))
+    if old is None:
+        target.parent.stat()
+    elif not force:
+        raise _already_there(name)
+    elif not old.st_mode & 0o222 or not os.access(target, os.W_OK):
+        raise _refusal(name, _("is read-only"), _("make it writable, or choose another name"))
+
+
+def _write(target: Path, pieces: Iterable[str], mode: int | None) -> None:
+    """Write beside the target and put the file in its place; over a file that is there if it has a mode to keep."""
+    beside = target.with_name(f".cranktrain-{secrets.token_hex(8)}.tmp")
+    try:
+        with beside.open("x", encoding="utf-8", newline="") as file:
+            if mode is not None:
+                beside.chmod(mode)
+            file.writelines(pieces)
+            file.flush()
+            os.fsync(file.fileno())
+        if mode is not None:
+            beside.replace(target)
+        else:
+            _place_new(beside, target)
+    finally:
+        beside.unlink(missing_ok=True)
+
+
+def _place_new(beside: Path, target: Path) -> None:
+    """Give the file its name, which nobody else may have taken meanwhile."""
+    try:
+        target.hardlink_to(beside)
+    except FileExistsError:
+        raise
+    except OSError:  # a disk without hard links, such as FAT: an empty file holds the name for a moment
+        target.touch(exist_ok=False)
+        beside.replace(target)
+
+
+def _already_there(name: str) -> InputError:
+    return _refusal(name, _("is there already"), _("choose another name, or replace it with --force"))
+
+
+def _refusal(name: str, allowed: str, repair: str | None) -> InputError:
+    """Give the error that says why nothing was written."""
+    shown = name.encode(errors="backslashreplace").decode()
+    return InputError([Problem("", None, allowed, repair, Position(shown))])

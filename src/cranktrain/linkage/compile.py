@@ -1,0 +1,46 @@
+"""The same kernels, compiled: for sweeps, transients and whatever calls them a million times."""
+
+from collections.abc import Callable
+from functools import cache
+from types import FunctionType
+from typing import ParamSpec, TypeVar, cast
+
+Parameters = ParamSpec("Parameters")
+Outcome = TypeVar("Outcome")
+
+
+def compiled(kernel: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
+    """Compile a kernel and every kernel that it calls with Numba.
+
+    Parameters
+    ----------
+    kernel : function
+        Any kernel of `linkage` or `mechanisms`. Elementwise: compiled, it takes numbers or arrays, and can be called
+        from other compiled code, a loop over designs or the right-hand side of a differential equation.
+
+    Returns
+    -------
+    function
+        With the kernel's signature. Its first call compiles; the same kernel gives the same compiled function.
+
+    Raises
+    ------
+    ImportError
+        Where Numba is not installed: `pip install 'cranktrain[fast]'`.
+    """
+    return cast(Callable[Parameters, Outcome], _compiled(kernel))
+
+
+@cache
+def _compiled(kernel: FunctionType) -> object:
+    """Compile a copy of the kernel whose globals hold compiled callees."""
+    import numba
+
+    callees = {
+        name: _compiled(called)
+        for name in kernel.__code__.co_names
+        if isinstance(called := kernel.__globals__.get(name), FunctionType)
+    }
+    copy = FunctionType(kernel.__code__, {**kernel.__globals__, **callees}, kernel.__name__)
+    # As NumPy: what cannot close is NaN, not an exception.
+    return numba.njit(error_model="numpy")(copy)

@@ -1,0 +1,75 @@
+"""Points: on a link (knuckle pin, coupler point, centre of mass), fixed in the frame, or seen in turned axes."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.motion import Array, Coefficient, Link, Point
+
+
+class LinkPoint(NamedTuple):
+    """A point fixed on a link: radius from its first pin [m], angle from the link's direction [rad]."""
+
+    radius: Array
+    angle: Array
+
+
+def point(link: Link, geometry: LinkPoint) -> Point:
+    """Point that a link carries with it, and its derivatives by the crank angle.
+
+    Parameters
+    ----------
+    link : Link, coefficients of shape (..., n)
+    geometry : LinkPoint, fields broadcastable to (..., 1)
+
+    Returns
+    -------
+    Point, shape (..., n). [m, m/rad, m/rad²]
+
+    Notes
+    -----
+    p = o + ρ, ρ = r(cos(θ + ζ), sin(θ + ζ)); p′ = o′ + θ′ρ⊥, p″ = o″ + θ″ρ⊥ − θ′²ρ. Exact; docs/theory/groups.
+    """
+    cos = np.cos(geometry.angle)
+    sin = np.sin(geometry.angle)
+    x = geometry.radius * (cos * link.cos - sin * link.sin)
+    y = geometry.radius * (cos * link.sin + sin * link.cos)
+    turn = link.angle.first
+    rate = link.angle.second
+    square = turn * turn
+    origin = link.origin
+    return Point(
+        Coefficient(origin.x.value + x, origin.x.first - y * turn, origin.x.second - (y * rate + x * square)),
+        Coefficient(origin.y.value + y, origin.y.first + x * turn, origin.y.second + (x * rate - y * square)),
+    )
+
+
+def fixed(x: Array, y: Array) -> Point:
+    """Point that stands still in the frame. [m]"""
+    return Point(Coefficient(x, 0.0 * x, 0.0 * x), Coefficient(y, 0.0 * y, 0.0 * y))
+
+
+def turned(moving: Point, angle: Array) -> Point:
+    """Give the same point in axes turned by `angle` in the sense of rotation, as a guide elsewhere needs it.
+
+    Parameters
+    ----------
+    moving : Point, coefficients of shape (..., n)
+    angle : Array, broadcastable to (..., 1). [rad]
+
+    Returns
+    -------
+    Point, shape (..., n). [m, m/rad, m/rad²]
+    """
+    cos = np.cos(angle)
+    sin = np.sin(angle)
+    x = moving.x
+    y = moving.y
+    return Point(
+        Coefficient(
+            cos * x.value + sin * y.value, cos * x.first + sin * y.first, cos * x.second + sin * y.second
+        ),
+        Coefficient(
+            cos * y.value - sin * x.value, cos * y.first - sin * x.first, cos * y.second - sin * x.second
+        ),
+    )

@@ -1,0 +1,22 @@
+"""Mechanisms: one folder for each kind, with its spec, kernels, drawing and README; a new kind is one line here."""
+
+from typing import Annotated
+
+from pydantic import Field
+
+from cranktrain.mechanisms import articulated_rod, crank_rocker, slider_crank
+from cranktrain.mechanisms.kind import Kind, MechanismSpec
+
+__all__ = ["KINDS", "AnyMechanism", "Kind", "MechanismSpec", "kind_named"]
+
+KINDS: tuple[Kind, ...] = (slider_crank.KIND, crank_rocker.KIND, articulated_rod.KIND)
+
+AnyMechanism = Annotated[
+    slider_crank.SliderCrankSpec | crank_rocker.CrankRockerSpec | articulated_rod.ArticulatedRodSpec,
+    Field(discriminator="kind"),
+]
+
+
+def kind_named(name: str) -> Kind:
+    """Give the kind of that name."""
+    return next(kind for kind in KINDS if kind.name == name)

@@ -1,0 +1,69 @@
+"""Kinematics of the articulated rod: a slave rod on a knuckle pin of the master rod, in a cylinder of its own."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.linkage import AHEAD, LinkPoint, Slide, point, slide, slide_gap, turned
+from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank, slider_crank_gap
+from cranktrain.motion import Array, Coefficient, Link, Point
+
+
+class ArticulatedRod(NamedTuple):
+    """The master, and the slave on it.
+
+    knuckle_radius: crank pin to knuckle pin [m]; articulation_angle ζ: from the master rod to the knuckle radius [rad];
+    bank_angle γ: from the master cylinder's axis to the slave's [rad]; rod_length, offset: of the slave, in its own
+    cylinder's axes [m].
+    """
+
+    master: SliderCrank
+    knuckle_radius: Array
+    articulation_angle: Array
+    bank_angle: Array
+    rod_length: Array
+    offset: Array
+
+
+class ArticulatedRodMotion(NamedTuple):
+    """The master's crank pin and rod in the master's axes; knuckle pin, slider and rod in the slave cylinder's."""
+
+    pin: Point
+    master_rod: Link
+    knuckle: Point
+    slider: Coefficient
+    rod: Link
+
+
+def articulated_rod(angle: Array, geometry: ArticulatedRod) -> ArticulatedRodMotion:
+    """Slave piston on an articulated rod, and its derivatives by the crank angle.
+
+    Parameters
+    ----------
+    angle : Array, shape (..., n)
+        Crank angle from the *master* cylinder's axis. [rad]
+    geometry : ArticulatedRod, fields broadcastable to (..., 1)
+
+    Returns
+    -------
+    ArticulatedRodMotion, shape (..., n)
+        NaN where master or slave cannot close.
+
+    Notes
+    -----
+    s = P + √(l² − Q²), P = R cos(α − γ) + r cos(ζ − γ − β), Q = R sin(α − γ) + r sin(ζ − γ − β). Exact;
+    docs/theory/articulated-rod; (I.13) of [Bolotin] is its two-harmonic form.
+    """
+    master = slider_crank(angle, geometry.master)
+    knuckle = turned(
+        point(master.rod, LinkPoint(geometry.knuckle_radius, geometry.articulation_angle)), geometry.bank_angle
+    )
+    slave = slide(knuckle, Slide(geometry.rod_length, geometry.offset, AHEAD))
+    return ArticulatedRodMotion(master.pin, master.rod, knuckle, slave.slider, slave.rod)
+
+
+def articulated_rod_gap(angle: Array, geometry: ArticulatedRod) -> Array:
+    """By how much the shorter of master and slave rod is long enough; negative where the links cannot close. [m]"""
+    knuckle = articulated_rod(angle, geometry).knuckle
+    slave = slide_gap(knuckle, Slide(geometry.rod_length, geometry.offset, AHEAD))
+    return np.fmin(slider_crank_gap(angle, geometry.master), slave)

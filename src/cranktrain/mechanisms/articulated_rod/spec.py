@@ -1,0 +1,45 @@
+"""The articulated rod's table of the machine file."""
+
+from typing import Literal
+
+import numpy as np
+
+from cranktrain.language import _
+from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
+from cranktrain.mechanisms.kind import Master, MechanismSpec
+from cranktrain.numerics import turn_grid
+from cranktrain.quantities import Angle, Given, Length, NonNegativeLength, PositiveLength
+from cranktrain.wording import precise
+
+
+class ArticulatedRodSpec(MechanismSpec):
+    """A slave rod on a knuckle pin of the master rod that works on the same throw in bank `master`."""
+
+    kind: Literal["articulated_rod"]
+    master: str
+    knuckle_radius: NonNegativeLength
+    rod_length: PositiveLength
+    articulation_angle: Angle
+    offset: Length = Given(0.0, "0 mm")
+
+
+def articulated_rod_geometry(spec: ArticulatedRodSpec, master: Master | None) -> ArticulatedRod:
+    """Geometry of master and slave in SI; the slave's axis counts from the master's."""
+    assert master is not None  # the layout finds the master or refuses the machine
+    return ArticulatedRod(
+        master.geometry,
+        spec.knuckle_radius.si,
+        spec.articulation_angle.si,
+        master.bank_angle,
+        spec.rod_length.si,
+        spec.offset.si,
+    )
+
+
+def articulated_rod_advice(geometry: ArticulatedRod) -> str:
+    """Say how long the slave rod must be, unless it is the master that cannot close."""
+    knuckle = articulated_rod(turn_grid(3600), geometry).knuckle
+    least = float(np.max(np.abs(knuckle.y.value - geometry.offset)))
+    if np.isnan(least):
+        return _("the master rod must close first")
+    return _("rod_length must be more than {least}").format(least=precise(least))

@@ -1,0 +1,46 @@
+"""Crank-rocker: the four-bar linkage of pumping units, jaw crushers, tilting tables and shakers."""
+
+from cranktrain.language import N_
+from cranktrain.mechanisms.crank_rocker.drawing import crank_rocker_drawing
+from cranktrain.mechanisms.crank_rocker.facts import CrankRockers, transmission
+from cranktrain.mechanisms.crank_rocker.kinematics import (
+    CrankRocker,
+    CrankRockerMotion,
+    crank_rocker,
+    crank_rocker_gap,
+)
+from cranktrain.mechanisms.crank_rocker.spec import CrankRockerSpec, crank_rocker_advice, crank_rocker_geometry
+from cranktrain.mechanisms.kind import Kind
+
+__all__ = ["KIND", "CrankRocker", "CrankRockerMotion", "CrankRockerSpec", "crank_rocker"]
+
+KIND = Kind(
+    name="crank_rocker",
+    title=N_("crank-rocker, a four-bar linkage"),
+    spec=CrankRockerSpec,
+    geometry=crank_rocker_geometry,
+    motion=crank_rocker,
+    gap=crank_rocker_gap,
+    lengths=("crank_radius", "rod_length", "rocker_length", "ground_length"),
+    output="rocker",
+    links=("rod", "rocker"),
+    drawing=crank_rocker_drawing,
+    closing_advice=crank_rocker_advice,
+    members=CrankRockers,
+    stages=(transmission,),
+    example="""\
+[mechanism]
+kind = "crank_rocker"
+crank_radius = "100 mm"
+rod_length = "360 mm"
+rocker_length = "280 mm"
+ground_length = "400 mm"          # shaft centre to the rocker's pivot
+side = "left"                     # joint left or right of the line from crank pin to pivot, seen in the sense of rotation
+# load_radius = "500 mm"          # radius about the pivot at which the load is carried
+
+# [mechanism.points.bucket]       # a coupler point to follow
+# link = "rod"
+# along = "180 mm"
+# across = "60 mm"
+""",
+)

@@ -1,0 +1,111 @@
+"""What is asked of a crank-rocker alone: its Grashof class and its transmission angle."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.checks import Check
+from cranktrain.language import N_, _
+from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
+from cranktrain.mechanisms.kind import Members
+from cranktrain.motion import Array
+from cranktrain.numerics import largest, smallest
+from cranktrain.wording import Names, shared
+
+_LINKAGE = ("crank_rocker",)
+_THEORY = "docs/theory/crank-rocker"
+
+CLASSES = (
+    N_("crank-rocker: the crank turns, the rocker swings"),
+    N_("double crank: crank and rocker both turn"),
+    N_("double rocker: only the rod can turn against the others"),
+    N_("rocker-crank: the driven link can turn, the crank only swings"),
+    N_("change point: the links can lie in one line, and the branch is undefined there"),
+    N_("non-Grashof: no link can turn"),
+)
+"""Classes of the four-bar linkage by which link is shortest; `grashof_class` counts them from 0."""
+
+
+@dataclass(frozen=True)
+class CrankRockers(Members):
+    """The crank-rockers of a machine."""
+
+    geometry: CrankRocker
+
+
+@dataclass(frozen=True)
+class Transmission:
+    """Class of the linkage and extremes of the angle between rod and rocker."""
+
+    grashof_class: Array = quantity(
+        "", "1", _LINKAGE, N_("Grashof class: 0 crank-rocker, 1 double crank, 2 double rocker, 3 rocker-crank, 4 change point, 5 non-Grashof"), _THEORY
+    )
+    smallest_transmission_angle: Array = quantity(
+        "μ_min", "rad", _LINKAGE, N_("Smallest angle between rod and rocker"), _THEORY
+    )
+    largest_transmission_angle: Array = quantity(
+        "μ_max", "rad", _LINKAGE, N_("Largest angle between rod and rocker"), _THEORY
+    )
+    checks: tuple[Check, ...] = ()
+
+    def answer(self, names: Names, design: int) -> str:
+        """Say the class and the transmission angle's range."""
+        linkages = names["crank_rocker"]
+        kinds = sorted({int(value) for value in self.grashof_class[design]})
+        return _("{classes}. Transmission angle from {least} to {most}.").format(
+            classes="; ".join(_(CLASSES[kind]) for kind in kinds).capitalize(),
+            least=shared(linkages, self.smallest_transmission_angle[design], "deg"),
+            most=shared(linkages, self.largest_transmission_angle[design], "deg"),
+        )
+
+
+def transmission(linkages: CrankRockers) -> Transmission:
+    """Grashof class and extremes of the transmission angle, refined on the kernel."""
+    geometry = linkages.geometry
+
+    def angle(phi: Array) -> Array:
+        motion = crank_rocker(phi, geometry)
+        cross = motion.rod.cos * motion.rocker.sin - motion.rod.sin * motion.rocker.cos
+        return np.arctan2(np.abs(cross), motion.rod.cos * motion.rocker.cos + motion.rod.sin * motion.rocker.sin)
+
+    least, most = smallest(angle), largest(angle)
+    return Transmission(
+        grashof_class=grashof_class(geometry)[..., 0],
+        smallest_transmission_angle=least.value[..., 0],
+        largest_transmission_angle=most.value[..., 0],
+        checks=(_cosine_rule_check(geometry, least.value, most.value),),
+    )
+
+
+def grashof_class(geometry: CrankRocker) -> Array:
+    """Class of each linkage, as an index of `CLASSES`, by its shortest link."""
+    links = np.stack(
+        np.broadcast_arrays(
+            geometry.crank_radius, geometry.ground_length, geometry.rod_length, geometry.rocker_length
+        )
+    )
+    shortest = np.argmin(links, axis=0)
+    slack = np.sum(links, axis=0) - 2 * (np.min(links, axis=0) + np.max(links, axis=0))
+    rounding = 4 * np.finfo(float).eps * np.max(links, axis=0)
+    return np.where(slack > rounding, shortest, np.where(slack < -rounding, 5, 4)).astype(float)
+
+
+def _cosine_rule_check(geometry: CrankRocker, least: Array, most: Array) -> Check:
+    """Compare the extremes with the cosine rule where the crank lies along the ground line."""
+    rod, rocker, ground, crank = (
+        geometry.rod_length,
+        geometry.rocker_length,
+        geometry.ground_length,
+        geometry.crank_radius,
+    )
+    expected = [
+        np.arccos((rod**2 + rocker**2 - (ground + sign * crank) ** 2) / (2 * rod * rocker)) for sign in (-1, 1)
+    ]
+    residual = np.maximum(np.abs(least - expected[0]), np.abs(most - expected[1]))
+    return Check(
+        "transmission_angle",
+        _("extremes of the transmission angle against the cosine rule with the crank along the ground line, in rad"),
+        np.max(residual, axis=(1, 2)),
+        1e-12,
+    )

@@ -1,0 +1,59 @@
+"""Kinematics of the crank-rocker: crank and RRR group on a fixed pivot."""
+
+from typing import NamedTuple
+
+from cranktrain.linkage import Crank, Ends, Pin, crank, fixed, pin, pin_gap
+from cranktrain.motion import Array, Link, Point
+
+
+class CrankRocker(NamedTuple):
+    """Lengths of crank, rod, rocker and ground (shaft centre to the rocker's pivot, along x) [m].
+
+    side is +1 where the joint of rod and rocker lies left of the line from crank pin to pivot, −1 where it lies right.
+    """
+
+    crank_radius: Array
+    rod_length: Array
+    rocker_length: Array
+    ground_length: Array
+    side: Array
+
+
+class CrankRockerMotion(NamedTuple):
+    """Crank pin, joint of rod and rocker [m]; the rod from crank pin to joint, the rocker from pivot to joint."""
+
+    pin: Point
+    joint: Point
+    rod: Link
+    rocker: Link
+
+
+def crank_rocker(angle: Array, geometry: CrankRocker) -> CrankRockerMotion:
+    """Four-bar linkage driven by its crank, and its derivatives by the crank angle.
+
+    Parameters
+    ----------
+    angle : Array, shape (..., n)
+        Crank angle from x, the direction from the shaft centre to the rocker's pivot. [rad]
+    geometry : CrankRocker, fields broadcastable to (..., 1)
+
+    Returns
+    -------
+    CrankRockerMotion, shape (..., n)
+        NaN where the links cannot close. Angles are principal values in (−π, π].
+
+    Notes
+    -----
+    Exact; docs/theory/crank-rocker.
+    """
+    crank_pin = crank(angle, Crank(geometry.crank_radius))
+    pivot = fixed(geometry.ground_length, 0.0 * geometry.ground_length)
+    motion = pin(Ends(crank_pin, pivot), Pin(geometry.rod_length, geometry.rocker_length, geometry.side))
+    return CrankRockerMotion(crank_pin, motion.joint, motion.rod, motion.rocker)
+
+
+def crank_rocker_gap(angle: Array, geometry: CrankRocker) -> Array:
+    """By how much rod and rocker can meet at each angle; negative where the links cannot close. [m]"""
+    crank_pin = crank(angle, Crank(geometry.crank_radius))
+    pivot = fixed(geometry.ground_length, 0.0 * geometry.ground_length)
+    return pin_gap(Ends(crank_pin, pivot), Pin(geometry.rod_length, geometry.rocker_length, geometry.side))

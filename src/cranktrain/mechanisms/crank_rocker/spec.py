@@ -1,0 +1,46 @@
+"""The crank-rocker's table of the machine file."""
+
+from typing import Literal
+
+from cranktrain.language import _
+from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker
+from cranktrain.mechanisms.kind import Master, MechanismSpec
+from cranktrain.quantities import PositiveLength
+from cranktrain.wording import precise
+
+_SIDES = {"left": 1.0, "right": -1.0}
+
+
+class CrankRockerSpec(MechanismSpec):
+    """Four lengths, and the side of the line from crank pin to rocker pivot on which the joint lies.
+
+    load_radius is the radius about the rocker's pivot at which the load is carried, such as the horsehead of a beam
+    pumping unit: with it the travel of the load is known.
+    """
+
+    kind: Literal["crank_rocker"]
+    crank_radius: PositiveLength
+    rod_length: PositiveLength
+    rocker_length: PositiveLength
+    ground_length: PositiveLength
+    side: Literal["left", "right"] = "left"
+    load_radius: PositiveLength | None = None
+
+
+def crank_rocker_geometry(spec: CrankRockerSpec, master: Master | None = None) -> CrankRocker:
+    """Lengths in SI and the side as a sign."""
+    del master
+    return CrankRocker(
+        spec.crank_radius.si, spec.rod_length.si, spec.rocker_length.si, spec.ground_length.si, _SIDES[spec.side]
+    )
+
+
+def crank_rocker_advice(geometry: CrankRocker) -> str:
+    """Say how long the rod must be for the crank to turn, if any rod lets it."""
+    farthest = geometry.ground_length + geometry.crank_radius
+    nearest = abs(geometry.ground_length - geometry.crank_radius)
+    least = max(farthest - geometry.rocker_length, geometry.rocker_length - nearest)
+    most = geometry.rocker_length + nearest
+    if least >= most:
+        return _("no rod_length lets the crank turn: the crank or the ground must be the shortest link")
+    return _("rod_length must lie between {least} and {most}").format(least=precise(least), most=precise(most))

@@ -1,0 +1,181 @@
+"""What every kind of mechanism gives: its spec, geometry, kernel, drawing, and the lengths that let it close."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal, NamedTuple, TypeVar, cast
+
+import numpy as np
+
+from cranktrain.motion import Array, Point
+from cranktrain.quantities import Angle, Length
+from cranktrain.spec import Spec
+
+Geometry = TypeVar("Geometry", bound=tuple[Any, ...])
+
+_MIRRORED = frozenset({"offset", "articulation_angle", "bank_angle", "side"})
+"""Geometry that changes sign when the mechanism's y is mirrored: what counts toward +y or in the sense of rotation."""
+
+
+class LinkPointSpec(Spec):
+    """A point fixed on a link, to be followed: `link`, how far `along` it from its first pin, how far `across`."""
+
+    link: str
+    along: Length
+    across: Length
+
+
+class MechanismSpec(Spec):
+    """What every mechanism of a machine file may declare."""
+
+    kind: str
+    points: Mapping[str, LinkPointSpec] = {}
+
+
+class Master(NamedTuple):
+    """What a slave mechanism hangs on: the master's geometry, and the slave's axis ahead of the master's. [rad]"""
+
+    geometry: Any
+    bank_angle: float
+
+
+class DrawnLink(NamedTuple):
+    """A link to draw: its name and the names of its pins, in order."""
+
+    name: str
+    pins: tuple[str, ...]
+
+
+class Guide(NamedTuple):
+    """A straight guide to draw: the pin that slides in it, and the guide's direction from x. [rad]"""
+
+    pin: str
+    direction: float
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A mechanism to draw: where its pins are at each crank angle, in its own axes, and what joins them.
+
+    Attributes
+    ----------
+    pins : mapping of name to (x, y)
+        Arrays of shape (..., n). [m]
+    links : sequence of DrawnLink
+    guides : sequence of Guide
+    fixed : sequence of str
+        Pins that stand still.
+    paths : sequence of str
+        Pins whose path is worth drawing.
+    """
+
+    pins: Mapping[str, tuple[Array, Array]]
+    links: Sequence[DrawnLink]
+    guides: Sequence[Guide]
+    fixed: Sequence[str]
+    paths: Sequence[str]
+
+
+@dataclass(frozen=True)
+class Members:
+    """The mechanisms of one kind in a machine: their names and geometry.
+
+    A kind whose stage asks for its members subclasses this, so that the stage's need is a type of its own.
+
+    Attributes
+    ----------
+    names : tuple of str
+    geometry : NamedTuple of arrays, shape (design, member, 1)
+    phase : Array, shape (design, member, 1)
+        Angle of the mechanism's crank when the machine's crank angle φ is 0. [rad]
+    """
+
+    names: tuple[str, ...]
+    geometry: Any
+    phase: Array
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of mechanism, as data.
+
+    Attributes
+    ----------
+    name, title : str
+        Name in the machine file; title for people.
+    spec : type of MechanismSpec
+        Its table of the machine file.
+    geometry : callable (spec, master or None) → NamedTuple of floats
+        SI geometry of the kernel.
+    motion : kernel (angle, geometry) → NamedTuple
+        Has `slider` or `rocker`, as `output` says, and the links in `links`.
+    gap : kernel (angle, geometry) → Array
+        By how much the links can close. [m]
+    lengths : tuple of str
+        Geometry fields that are lengths; of the slave alone, where there is a master.
+    output : "slider" or "rocker"
+        What load and gas act on.
+    links : tuple of str
+        Links that can carry points.
+    drawing : callable (angle, geometry) → Drawing
+    closing_advice : callable (geometry) → str
+        What would let links close that cannot, as a clause: "rod_length must be more than 100 mm".
+    members : type of Members
+        What the kind's own stages ask for.
+    stages : tuple of stages
+        The kind's own results; see cranktrain.analysis.
+    example : str
+        A commented `[mechanism]` table to start from.
+    """
+
+    name: str
+    title: str
+    spec: type[MechanismSpec]
+    geometry: Callable[[Any, Master | None], Any]
+    motion: Callable[[Array, Any], Any]
+    gap: Callable[[Array, Any], Array]
+    lengths: tuple[str, ...]
+    output: Literal["slider", "rocker"]
+    links: tuple[str, ...]
+    drawing: Callable[[Array, Any], Drawing]
+    closing_advice: Callable[[Any], str]
+    members: type[Members]
+    stages: tuple[Callable[..., object], ...]
+    example: str
+
+
+def mirrored(geometry: Geometry) -> Geometry:
+    """Give the same metal seen with y reversed, as a machine that runs astern sees it."""
+    named = cast(Any, geometry)
+    return named._replace(
+        **{
+            name: mirrored(value) if isinstance(value, tuple) else -value if name in _MIRRORED else value
+            for name, value in named._asdict().items()
+        }
+    )
+
+
+def stacked(geometries: Sequence[Sequence[Geometry]]) -> Geometry:
+    """Stack geometries [design][member] of floats into one of arrays, shape (design, member, 1)."""
+    first = cast(Any, geometries[0][0])
+    columns = {
+        name: [[getattr(member, name) for member in design] for design in geometries] for name in first._fields
+    }
+    return first._replace(
+        **{
+            name: stacked(column) if isinstance(column[0][0], tuple) else np.array(column, dtype=float)[..., np.newaxis]
+            for name, column in columns.items()
+        }
+    )
+
+
+def scaled(geometry: Geometry, length: str, factor: Array) -> Geometry:
+    """Give the geometry with one length, named by its dotted path, multiplied by a factor."""
+    name, _, rest = length.partition(".")
+    named = cast(Any, geometry)
+    part = getattr(named, name)
+    return named._replace(**{name: scaled(part, rest, factor) if rest else part * factor})
+
+
+def pin_positions(**points: Point) -> dict[str, tuple[Array, Array]]:
+    """Give the positions of points by name, as a drawing wants them."""
+    return {name: (point.x.value, point.y.value) for name, point in points.items()}

@@ -1,0 +1,42 @@
+"""Slider-crank: piston engines, compressors, pumps, presses, eccentrics; central or offset."""
+
+from cranktrain.language import N_
+from cranktrain.mechanisms.kind import Kind, Members
+from cranktrain.mechanisms.slider_crank.drawing import slider_crank_drawing
+from cranktrain.mechanisms.slider_crank.kinematics import (
+    SliderCrank,
+    SliderCrankMotion,
+    slider_crank,
+    slider_crank_gap,
+)
+from cranktrain.mechanisms.slider_crank.spec import SliderCrankSpec, slider_crank_advice, slider_crank_geometry
+
+__all__ = ["KIND", "SliderCrank", "SliderCrankMotion", "SliderCrankSpec", "slider_crank"]
+
+KIND = Kind(
+    name="slider_crank",
+    title=N_("slider-crank, central or offset"),
+    spec=SliderCrankSpec,
+    geometry=slider_crank_geometry,
+    motion=slider_crank,
+    gap=slider_crank_gap,
+    lengths=("crank_radius", "rod_length", "offset"),
+    output="slider",
+    links=("rod",),
+    drawing=slider_crank_drawing,
+    closing_advice=slider_crank_advice,
+    members=Members,
+    stages=(),
+    example="""\
+[mechanism]
+kind = "slider_crank"
+crank_radius = "40 mm"            # or stroke = "80 mm"
+rod_length = "136 mm"             # or crank_to_rod_ratio = 0.294, or rod_to_crank_ratio = 3.4
+# offset = "0 mm"                 # > 0: the line of stroke lies toward +y
+
+# [mechanism.points.balance]      # a point on the rod to follow
+# link = "rod"
+# along = "36 mm"
+# across = "0 mm"
+""",
+)

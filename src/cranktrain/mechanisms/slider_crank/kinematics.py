@@ -1,0 +1,51 @@
+"""Kinematics of the slider-crank: crank and RRP group."""
+
+from typing import NamedTuple
+
+from cranktrain.linkage import AHEAD, Crank, Slide, crank, slide, slide_gap
+from cranktrain.motion import Array, Coefficient, Link, Point
+
+
+class SliderCrank(NamedTuple):
+    """Crank radius, rod length, offset of the line of stroke toward +y. [m]"""
+
+    crank_radius: Array
+    rod_length: Array
+    offset: Array
+
+
+class SliderCrankMotion(NamedTuple):
+    """Crank pin, slider along x from the shaft centre [m], and the rod from crank pin to slider."""
+
+    pin: Point
+    slider: Coefficient
+    rod: Link
+
+
+def slider_crank(angle: Array, geometry: SliderCrank) -> SliderCrankMotion:
+    """Slider-crank, central or offset, and its derivatives by the crank angle.
+
+    Parameters
+    ----------
+    angle : Array, shape (..., n)
+        Crank angle from x, the line of stroke's direction away from the shaft. [rad]
+    geometry : SliderCrank, fields broadcastable to (..., 1)
+
+    Returns
+    -------
+    SliderCrankMotion, shape (..., n)
+        NaN where the rod cannot reach.
+
+    Notes
+    -----
+    s = R cos φ + √(l² − (R sin φ − e)²). Exact; docs/theory/slider-crank.
+    """
+    pin = crank(angle, Crank(geometry.crank_radius))
+    motion = slide(pin, Slide(geometry.rod_length, geometry.offset, AHEAD))
+    return SliderCrankMotion(pin, motion.slider, motion.rod)
+
+
+def slider_crank_gap(angle: Array, geometry: SliderCrank) -> Array:
+    """By how much the rod is long enough at each angle; negative where the links cannot close. [m]"""
+    pin = crank(angle, Crank(geometry.crank_radius))
+    return slide_gap(pin, Slide(geometry.rod_length, geometry.offset, AHEAD))

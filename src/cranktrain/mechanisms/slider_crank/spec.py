@@ -1,0 +1,105 @@
+"""The slider-crank's table of the machine file."""
+
+from math import sqrt
+from typing import Literal
+
+from pydantic import model_validator
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.mechanisms.kind import Master, MechanismSpec
+from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
+from cranktrain.quantities import Given, Length, PositiveLength, PositiveRatio
+from cranktrain.spec import Refused
+from cranktrain.wording import precise
+
+
+class SliderCrankSpec(MechanismSpec):
+    """Slider-crank: crank by its radius or the true stroke, rod by its length or either ratio to the crank."""
+
+    kind: Literal["slider_crank"]
+    crank_radius: PositiveLength | None = None
+    stroke: PositiveLength | None = None
+    rod_length: PositiveLength | None = None
+    crank_to_rod_ratio: PositiveRatio | None = None
+    rod_to_crank_ratio: PositiveRatio | None = None
+    offset: Length = Given(0.0, "0 mm")
+
+    @model_validator(mode="after")
+    def _sized_once(self) -> "SliderCrankSpec":
+        """Refuse a crank or a rod that is given twice or not at all, and a stroke that no crank can make."""
+        wrong = [
+            problem
+            for names in (("crank_radius", "stroke"), ("rod_length", "crank_to_rod_ratio", "rod_to_crank_ratio"))
+            if (problem := _not_once(self, names)) is not None
+        ]
+        if wrong:
+            raise InputError(wrong)
+        if self.stroke is not None and _radius_from_stroke(self) is None:
+            raise Refused(
+                _("no crank makes this stroke with this rod and offset: the stroke can be at most 2√(L(L − |e|))"),
+                path="stroke",
+            )
+        return self
+
+
+def _not_once(spec: SliderCrankSpec, names: tuple[str, ...]) -> Problem | None:
+    """Refuse fields of which not exactly one is given."""
+    given = [name for name in names if getattr(spec, name) is not None]
+    if not given:
+        return Problem(names[0], None, _("is missing; give one of {names}").format(names=", ".join(names)))
+    if len(given) > 1:
+        return Problem(given[1], None, _("must not stand beside {other}; give one of them").format(other=given[0]))
+    return None
+
+
+def slider_crank_geometry(spec: SliderCrankSpec, master: Master | None = None) -> SliderCrank:
+    """Crank radius, rod length and offset in SI, whichever way they were given; docs/theory/slider-crank."""
+    del master
+    radius = spec.crank_radius.si if spec.crank_radius is not None else _radius_from_stroke(spec)
+    assert radius is not None  # the spec refuses a stroke that no crank makes
+    return SliderCrank(radius, _rod_length(spec, radius), spec.offset.si)
+
+
+def _rod_length(spec: SliderCrankSpec, radius: float) -> float:
+    """Rod length from whichever of its three forms the file gives."""
+    if spec.rod_length is not None:
+        return spec.rod_length.si
+    if spec.crank_to_rod_ratio is not None:
+        return radius / spec.crank_to_rod_ratio.si
+    assert spec.rod_to_crank_ratio is not None  # the spec asks for exactly one
+    return radius * spec.rod_to_crank_ratio.si
+
+
+def _radius_from_stroke(spec: SliderCrankSpec) -> float | None:
+    """Crank radius that makes the true stroke S = √((L + R)² − e²) − √((L − R)² − e²); None where none does."""
+    assert spec.stroke is not None
+    stroke, offset = spec.stroke.si, spec.offset.si
+    if offset == 0.0:
+        return stroke / 2
+    if spec.rod_length is not None:
+        rod = spec.rod_length.si
+        return _root(
+            stroke**2 * (4 * rod**2 - 4 * offset**2 - stroke**2) / (4 * (4 * rod**2 - stroke**2))
+            if 4 * rod**2 > stroke**2
+            else -1.0
+        )
+    ratio = spec.rod_to_crank_ratio.si if spec.rod_to_crank_ratio is not None else None
+    if ratio is None:
+        assert spec.crank_to_rod_ratio is not None
+        ratio = 1 / spec.crank_to_rod_ratio.si
+    # 16 ν² R⁴ − 4 S² (1 + ν²) R² + S² (4 e² + S²) = 0; the larger root in R², as L > R.
+    middle = stroke**2 * (1 + ratio**2)
+    inside = middle**2 - 4 * ratio**2 * stroke**2 * (4 * offset**2 + stroke**2)
+    return _root((middle + sqrt(inside)) / (8 * ratio**2)) if inside >= 0 else None
+
+
+def _root(square: float) -> float | None:
+    """Square root, or None where there is none."""
+    return sqrt(square) if square > 0 else None
+
+
+def slider_crank_advice(geometry: SliderCrank) -> str:
+    """Say how long the rod must be for the crank to turn."""
+    least = geometry.crank_radius + abs(geometry.offset)
+    return _("rod_length must be more than crank_radius + |offset| = {least}").format(least=precise(least))

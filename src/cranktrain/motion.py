@@ -1,0 +1,36 @@
+"""Kinematic coefficients: a moving thing's position and its first two derivatives by the crank angle.
+
+A mechanism with one degree of freedom moves by geometry alone; speed enters last:
+velocity q′ω, acceleration q″ω² + q′ε.
+"""
+
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array: TypeAlias = NDArray[np.float64]
+
+
+class Coefficient(NamedTuple):
+    """A coordinate and its derivatives by the crank angle: [unit, unit/rad, unit/rad²]."""
+
+    value: Array
+    first: Array
+    second: Array
+
+
+class Point(NamedTuple):
+    """A moving point in the mechanism's axes. [m]"""
+
+    x: Coefficient
+    y: Coefficient
+
+
+class Link(NamedTuple):
+    """A moving rigid link: its first pin, its direction from that pin to its second, and the direction's cosines."""
+
+    origin: Point
+    angle: Coefficient
+    cos: Array
+    sin: Array

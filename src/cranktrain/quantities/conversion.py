@@ -1,0 +1,85 @@
+"""Exact conversion of units to SI and back; pint says what a unit means."""
+
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple, cast, overload
+
+from cranktrain.language import _
+from cranktrain.quantities.dimensions import Dimension, Unit, plain, spellings
+from cranktrain.quantities.refusal import QuantityError
+
+if TYPE_CHECKING:
+    import pint
+
+    from cranktrain.motion import Array
+
+
+class Conversion(NamedTuple):
+    """SI value = scale · number + offset, exactly."""
+
+    scale: Fraction
+    offset: Fraction
+
+
+@cache
+def _registry() -> "pint.UnitRegistry[Any]":
+    """Load our own definitions; pint's default is neither closed nor exact, and takes 500 ms."""
+    import pint  # a terminal that only lists and helps does without
+
+    definitions = str(Path(__file__).with_name("units.txt"))
+    return pint.UnitRegistry(definitions, non_int_type=cast("type[float]", Fraction), cache_folder=None)
+
+
+@cache
+def conversion(unit: Unit) -> Conversion:
+    """Scale and offset of a unit."""
+
+    def in_si(number: int) -> Fraction:
+        return cast(Fraction, _registry().Quantity(Fraction(number), unit.meaning).to_root_units().magnitude)
+
+    return Conversion(scale=in_si(1) - in_si(0), offset=in_si(0))
+
+
+@overload
+def shown(si: float, unit: str) -> float: ...
+@overload
+def shown(si: "Array", unit: str) -> "Array": ...
+def shown(si: "float | Array", unit: str) -> "float | Array":
+    """Express an SI value in a unit of the list, for output.
+
+    Parameters
+    ----------
+    si : float or array of any shape
+        In SI and radians; a pressure absolute, a flywheel moment as GD² in kg·m².
+    unit : str
+        Any unit of any dimension, in any of its spellings.
+
+    Returns
+    -------
+    float or array of the same shape
+
+    Raises
+    ------
+    QuantityError
+        If the unit is not of the list.
+
+    Examples
+    --------
+    >>> shown(0.0635, "in"), shown(101325.0, "ati")
+    (2.5, 0.0)
+    """
+    scale, offset = conversion(_unit_called(unit))
+    # Multiply or divide by whichever of the two is exact in binary, so that 0.07 m are 70 mm and not 70.00000000000001.
+    per_unit = float(1 / scale)
+    return (si - float(offset)) * per_unit if Fraction(per_unit) == 1 / scale else (si - float(offset)) / float(scale)
+
+
+def _unit_called(name: str) -> Unit:
+    """Find a unit in the whole list."""
+    key = plain(name)
+    for dimension in Dimension:
+        if key in spellings(dimension):
+            return spellings(dimension)[key][0]
+    every = dict.fromkeys(unit.name for dimension in Dimension for unit in dimension.units)
+    raise QuantityError(name, _("must be one of the units {units}").format(units=", ".join(every)))

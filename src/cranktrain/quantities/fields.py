@@ -1,0 +1,32 @@
+"""The annotations of quantities in specs; each field holds a `Given`.
+
+A field with a range of its own is annotated `Annotated[Given, Quantity(Dimension.ANGLE, above=0.0, below=pi)]`.
+"""
+
+from typing import Annotated, TypeAlias
+
+from cranktrain.quantities.dimensions import Dimension
+from cranktrain.quantities.given import Given, Quantity
+
+Ratio: TypeAlias = Annotated[Given, Quantity(Dimension.RATIO)]
+PositiveRatio: TypeAlias = Annotated[Given, Quantity(Dimension.RATIO, above=0.0)]
+Length: TypeAlias = Annotated[Given, Quantity(Dimension.LENGTH)]
+PositiveLength: TypeAlias = Annotated[Given, Quantity(Dimension.LENGTH, above=0.0)]
+NonNegativeLength: TypeAlias = Annotated[Given, Quantity(Dimension.LENGTH, at_least=0.0)]
+Area: TypeAlias = Annotated[Given, Quantity(Dimension.AREA)]
+Volume: TypeAlias = Annotated[Given, Quantity(Dimension.VOLUME)]
+PositiveVolume: TypeAlias = Annotated[Given, Quantity(Dimension.VOLUME, above=0.0)]
+Angle: TypeAlias = Annotated[Given, Quantity(Dimension.ANGLE)]
+Speed: TypeAlias = Annotated[Given, Quantity(Dimension.SPEED)]
+PositiveSpeed: TypeAlias = Annotated[Given, Quantity(Dimension.SPEED, above=0.0)]
+Velocity: TypeAlias = Annotated[Given, Quantity(Dimension.VELOCITY)]
+Force: TypeAlias = Annotated[Given, Quantity(Dimension.FORCE)]
+Torque: TypeAlias = Annotated[Given, Quantity(Dimension.TORQUE)]
+Pressure: TypeAlias = Annotated[Given, Quantity(Dimension.PRESSURE, at_least=0.0)]  # absolute
+Mass: TypeAlias = Annotated[Given, Quantity(Dimension.MASS)]
+PositiveMass: TypeAlias = Annotated[Given, Quantity(Dimension.MASS, above=0.0)]
+Inertia: TypeAlias = Annotated[Given, Quantity(Dimension.INERTIA)]
+FlywheelMoment: TypeAlias = Annotated[Given, Quantity(Dimension.FLYWHEEL_MOMENT)]
+Power: TypeAlias = Annotated[Given, Quantity(Dimension.POWER)]
+Stiffness: TypeAlias = Annotated[Given, Quantity(Dimension.STIFFNESS)]
+Temperature: TypeAlias = Annotated[Given, Quantity(Dimension.TEMPERATURE, above=0.0)]

@@ -1,0 +1,164 @@
+"""A quantity as a field of a spec: what was given, in SI, with where it is from."""
+
+import operator
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, Literal, TypeAlias, cast, get_args
+
+from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import CoreSchema, core_schema
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.quantities.conversion import shown
+from cranktrain.quantities.dimensions import Dimension, expected
+from cranktrain.quantities.number import PATTERN
+from cranktrain.quantities.reading import Reading, reading
+from cranktrain.quantities.refusal import QuantityError, unknown_key, unlisted, written
+
+Status: TypeAlias = Literal["published", "derived", "assumed", "fitted"]
+
+_KEYS = ("value", "status", "note", "source")
+
+
+@dataclass(frozen=True)
+class Given:
+    """A quantity as it was given.
+
+    Attributes
+    ----------
+    si : float
+        Its value in SI and radians.
+    text : str
+        What was written, e.g. "180 mm" or "7 1/16 in".
+    status, note, source : str or None
+        How the number came about, in which sense, and from where.
+    """
+
+    si: float
+    text: str
+    status: Status | None = None
+    note: str | None = None
+    source: str | None = None
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """Annotation of a `Given` field: its dimension and the range that is allowed, in SI.
+
+    `Annotated[Given, Quantity(Dimension.LENGTH, above=0.0)]` takes "180 mm", a table
+    {value = "180 mm", status = "published", note = "...", source = "..."}, or a `Given`.
+    """
+
+    dimension: Dimension
+    above: float | None = None
+    at_least: float | None = None
+    below: float | None = None
+    at_most: float | None = None
+
+    def given(self, data: object) -> Given:
+        """Read what was given.
+
+        Raises
+        ------
+        InputError
+            With everything that is wrong with it; `QuantityError` where that is one thing.
+        """
+        if isinstance(data, Given):
+            return self._same(data)
+        if isinstance(data, Mapping):
+            return self._from_table(cast("Mapping[str, object]", data))
+        read = self._in_range(data)
+        return Given(read.si, read.text)
+
+    def in_file(self, given: Given) -> object:
+        """Write a quantity as a machine file holds it: the text alone, or a table with where it is from."""
+        value = given.text if self.dimension.units or "/" in given.text else given.si
+        about = {"status": given.status, "note": given.note, "source": given.source}
+        known = {key: word for key, word in about.items() if word is not None}
+        return {"value": value, **known} if known else value
+
+    def _same(self, given: Given) -> Given:
+        """Accept a value that was read before, if it is a value of this field."""
+        if self._in_range(given.text).si != given.si:
+            allowed = _("must be the value of its text, but {si} in SI units is not").format(si=given.si)
+            raise QuantityError(given.text, allowed)
+        return given
+
+    def _from_table(self, table: Mapping[str, object]) -> Given:
+        read, problems = None, list(_table_problems(table))
+        try:
+            if "value" not in table:
+                raise QuantityError(None, _("is missing; {expected}").format(expected=expected(self.dimension)))
+            read = self._in_range(table["value"])
+        except QuantityError as error:
+            problems.insert(0, Problem("value", error.given, error.allowed, error.repair))
+        if read is None or problems:
+            raise InputError(problems)
+        about = cast("dict[str, Any]", {key: table[key] for key in _KEYS[1:] if key in table})
+        return Given(read.si, read.text, **about)
+
+    def _in_range(self, data: object) -> Reading:
+        read = reading(data, self.dimension)
+        for limit, holds, allowed in self._limits():
+            if not holds(read.si, limit):
+                name = read.unit.name if read.unit else ""
+                size = shown(limit, name) if name else limit
+                raise QuantityError(read.text, allowed.format(limit=f"{size:.6g} {name}".strip()))
+        return read
+
+    def _limits(self) -> Iterator[tuple[float, Callable[[float, float], bool], str]]:
+        """Limits that are set, what must hold between a value and each, and how to say so."""
+        for limit, holds, allowed in (
+            (self.above, operator.gt, _("must be more than {limit}")),
+            (self.at_least, operator.ge, _("must be at least {limit}")),
+            (self.below, operator.lt, _("must be less than {limit}")),
+            (self.at_most, operator.le, _("must be at most {limit}")),
+        ):
+            if limit is not None:
+                yield limit, holds, allowed
+
+    def __get_pydantic_core_schema__(self, source: object, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Let pydantic read with `given` and write what a machine file may hold."""
+        return core_schema.no_info_plain_validator_function(
+            self.given, serialization=core_schema.plain_serializer_function_ser_schema(self.in_file)
+        )
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
+        """Describe the text and the table for editors and forms."""
+        about = [
+            expected(self.dimension),
+            *(allowed.format(limit=f"{limit:g} (SI)") for limit, _h, allowed in self._limits()),
+        ]
+        text = {
+            "type": "string",
+            "pattern": PATTERN + (r"\s*[^\s0-9]" if self.dimension.units else r"\s*$"),
+            "description": "; ".join(about),
+            "examples": [self.dimension.example],
+        }
+        value = text if self.dimension.units else {"anyOf": [{"type": "number"}, text]}
+        table = {
+            "type": "object",
+            "properties": {
+                "value": value,
+                "status": {"enum": list(get_args(Status))},
+                "note": {"type": "string"},
+                "source": {"type": "string"},
+            },
+            "required": ["value"],
+            "additionalProperties": False,
+        }
+        return {"anyOf": [*value.get("anyOf", [text]), table]}
+
+
+def _table_problems(table: Mapping[str, object]) -> Iterator[Problem]:
+    """What is wrong in the table of a quantity besides its value."""
+    for key in table:
+        if key not in _KEYS:
+            yield unknown_key(key, key, table[key], _KEYS)
+    if "status" in table and table["status"] not in get_args(Status):
+        yield unlisted("status", table["status"], get_args(Status))
+    for key in ("note", "source"):
+        if key in table and not isinstance(table[key], str):
+            yield Problem(key, written(table[key]), _("must be text in quotes"))

@@ -1,0 +1,146 @@
+"""From the text of a quantity to its SI value, or to an error that says what to write."""
+
+import re
+from typing import NamedTuple
+
+from cranktrain.language import _
+from cranktrain.quantities.conversion import conversion
+from cranktrain.quantities.dimensions import Dimension, Unit, expected, plain, spellings
+from cranktrain.quantities.number import Measured, measured, rounded
+from cranktrain.quantities.refusal import QuantityError, nearest, written
+
+# Ways to write a number that others read and we do not, each with ours; 1,500 may be 1.5 or 1500, so it is no repair.
+_HABITS = (
+    (re.compile(r"[−–]"), "-"),
+    (re.compile(r"(?<=\d)[ _](?=\d{3}(?!\d))"), ""),
+    (re.compile(r"(?<=\d),(?=\d)"), "."),
+    (re.compile(r"(?<=\d)-(?=\d+/\d)"), " "),
+)
+_THOUSANDS = re.compile(r"^[+-]?\d{1,3}(?:,\d{3})+(?![\d,])", re.ASCII)
+
+
+class Reading(NamedTuple):
+    """A quantity that was understood: SI value, text without needless blanks, unit (None for a plain number)."""
+
+    si: float
+    text: str
+    unit: Unit | None
+
+
+def read(text: object, dimension: Dimension) -> float:
+    """SI value of a quantity with its unit.
+
+    Parameters
+    ----------
+    text : str, or int or float for a plain number
+        As in a machine file: "180 mm", "7 1/16 in", "15 кгс·м"; for `Dimension.RATIO` also 14.5.
+    dimension : Dimension
+
+    Returns
+    -------
+    float
+        In SI and radians, rounded once; a pressure absolute, a flywheel moment as GD² in kg·m².
+
+    Raises
+    ------
+    QuantityError
+        If it is anything else.
+
+    Examples
+    --------
+    >>> read("180 mm", Dimension.LENGTH), read("1 ati", Dimension.PRESSURE)
+    (0.18, 199391.5)
+    """
+    return reading(text, dimension).si
+
+
+def reading(given: object, dimension: Dimension) -> Reading:
+    """Read a quantity with all that is known about it; refuse as `read` does."""
+    text = _text(given, dimension)
+    try:
+        parts = measured(text)
+        if parts is None:
+            raise _no_number(text, dimension)
+        unit = _unit(parts, text, dimension)
+        exact = parts.number if unit is None else conversion(unit).scale * parts.number + conversion(unit).offset
+        return Reading(rounded(exact), text, unit)
+    except ZeroDivisionError:
+        raise QuantityError(text, _("must be a fraction whose denominator is not 0")) from None
+    except OverflowError:
+        allowed = _("must be within what a computer number holds, in SI units 5e-324 to 1.8e308")
+        raise QuantityError(text, allowed) from None
+
+
+def _text(given: object, dimension: Dimension) -> str:
+    """Take a text, or a bare number where no unit is needed."""
+    if isinstance(given, str):
+        return " ".join(given.split())
+    if isinstance(given, bool) or not isinstance(given, int | float):
+        raise QuantityError(written(given), expected(dimension))
+    if not dimension.units:
+        return str(given)
+    raise _no_unit(str(given), dimension)
+
+
+def _unit(parts: Measured, text: str, dimension: Dimension) -> Unit | None:
+    """Find the unit in the list of the dimension."""
+    if not dimension.units and not parts.unit:
+        return None
+    if not parts.unit:
+        raise _no_unit(text, dimension)
+    known = spellings(dimension).get(plain(parts.unit))
+    if known is None:
+        raise _wrong_unit(parts.unit, text, dimension)
+    return known[0]
+
+
+def _no_unit(text: str, dimension: Dimension) -> QuantityError:
+    if measured(text) is None:  # a bare nan or inf
+        return _no_number(text, dimension)
+    return QuantityError(text, expected(dimension), _write(f"{text} {dimension.units[0].name}"))
+
+
+def _no_number(text: str, dimension: Dimension) -> QuantityError:
+    if re.match(r"[+-]?(?:nan|inf(?:inity)?)\b", text, re.IGNORECASE):
+        return QuantityError(text, _("must be finite; {expected}").format(expected=expected(dimension)))
+    return QuantityError(written(text), expected(dimension), _other_habit(text, dimension))
+
+
+def _wrong_unit(unit: str, text: str, dimension: Dimension) -> QuantityError:
+    """Say what the unit measures, or which one was meant."""
+    number = text.removesuffix(unit).strip()
+    key = plain(unit)
+    if dimension is Dimension.SPEED and (bare := re.fullmatch(r"1/(min|мин|s|с)|(min|мин|s|с)-1", key)):
+        units = ("rpm", "rad/s") if "m" in bare[0] or "м" in bare[0] else ("rad/s", "rpm")
+        repair = _('write "{number} {unit}", or the speed in {other}: {given} does not say whether turns or radians')
+        repair = repair.format(number=number, unit=units[0], other=units[1], given=unit)
+        return QuantityError(text, expected(dimension), repair)
+    others = [other for other in Dimension if key in spellings(other)]
+    if others:
+        allowed = _("{unit} measures {noun}; {expected}")
+        noun = _(others[0].noun)
+        return QuantityError(text, allowed.format(unit=unit, noun=noun, expected=expected(dimension)))
+    meant = nearest(key, spellings(dimension))
+    repair = _write(f"{number} {spellings(dimension)[meant][1]}") if meant else _other_habit(text, dimension)
+    return QuantityError(text, expected(dimension), repair)
+
+
+def _other_habit(text: str, dimension: Dimension) -> str | None:
+    """Write the number our way, where that gives a quantity."""
+    ours = text
+    for habit, replacement in _HABITS:
+        ours = habit.sub(replacement, ours)
+    if ours == text:
+        return None
+    try:
+        repair = _write(reading(ours, dimension).text)
+    except QuantityError as error:
+        return error.repair
+    if _THOUSANDS.match(text):
+        repair = _('write "{one}" or "{other}"').format(one=ours, other=text.replace(",", ""))
+    return repair
+
+
+def _write(text: str) -> str:
+    """Give the text to write."""
+    return _('write "{text}"').format(text=text)

@@ -1,0 +1,58 @@
+"""How a wrong word or value is refused: with what is allowed, and what was probably meant."""
+
+from collections.abc import Iterable, Sequence
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+
+
+class QuantityError(InputError):
+    """A text that is not the quantity asked for: what was given, what is allowed, what to write instead."""
+
+    def __init__(self, given: str | None, allowed: str, repair: str | None = None) -> None:
+        self.given = given
+        self.allowed = allowed
+        self.repair = repair
+        super().__init__((Problem("", given, allowed, repair),))
+
+
+def written(given: object) -> str | None:
+    """A value nearly as the user wrote it; None for a table or a list."""
+    match given:
+        case bool():
+            return "true" if given else "false"
+        case int() | float():
+            return str(given)
+        case str():
+            return given if given.strip() else f'"{given}"'
+        case _:
+            return None
+
+
+def nearest(word: str, known: Iterable[str]) -> str | None:
+    """Find the known word that differs in letter case only, or else is most like it; None where none is like it."""
+    import difflib  # only needed after a mistake
+
+    words = list(known)
+    same = [candidate for candidate in words if candidate.casefold() == word.casefold()]
+    return next(iter(same or difflib.get_close_matches(word, words, n=1)), None)
+
+
+def one_of(listed: Iterable[object]) -> str:
+    """Say which words are allowed."""
+    return _("must be one of: {values}").format(values=", ".join(str(written(value)) for value in listed))
+
+
+def unlisted(path: str, given: object, listed: Sequence[object]) -> Problem:
+    """Refuse a value that is not of a list."""
+    meant = nearest(given, [str(value) for value in listed]) if isinstance(given, str) else None
+    return Problem(path, written(given), one_of(listed), _('write "{text}"').format(text=meant) if meant else None)
+
+
+def unknown_key(path: str, key: str, given: object, known: Sequence[str]) -> Problem:
+    """Refuse a key that the table at a path does not have; a long list of keys is not told."""
+    meant = nearest(key, known)
+    allowed = _("is not a key of this table")
+    if 0 < len(known) <= 16:
+        allowed = _("is not a key of this table, whose keys are: {keys}").format(keys=", ".join(known))
+    return Problem(path, written(given), allowed, _("did you mean {key}?").format(key=meant) if meant else None)

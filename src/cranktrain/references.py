@@ -1,0 +1,50 @@
+"""Citation keys: `[key]` in a docstring, a plot or a report stands for one of these."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Reference:
+    """A source and the key by which it is cited; the text is in the source's own language, as far as it is known."""
+
+    key: str
+    text: str
+
+
+REFERENCES: dict[str, Reference] = {
+    reference.key: reference
+    for reference in (
+        Reference(
+            "steam-engine",
+            "«Кривошипно-шатунный механизм», § 10 «Кинематическое исследование кривошипно-шатунного механизма», "
+            "формулы (333)–(337), фиг. 146, 147 (о паровой машине; автор в тексте не назван)",
+        ),
+        Reference(
+            "gandzha",
+            "Ганджа Л. И. О статическом и маховом моментах привода шатунно-кривошипных механизмов, формулы (1)–(21)",
+        ),
+        Reference(
+            "slider-crank-synthesis",
+            "Без названия: синтез кривошипно-ползунного механизма по ходу ползуна и допустимому углу давления "
+            "(автор в тексте не назван)",
+        ),
+        Reference(
+            "bolotin",
+            "Болотин Ф. Ф. Динамика корабельных ДВС: учебное пособие, §§ 2–3 (противоположно движущиеся поршни, "
+            "прицепной шатун), формулы (I.11)–(I.13)",
+        ),
+        Reference(
+            "crankshaft-reactions",
+            "Без названия: реакции опор коленчатого вала, формулы (44)–(53), рис. 35 (автор в тексте не назван)",
+        ),
+        Reference("brix-1893", "Брикс Ф. А. «Морской сборник», № 5, 1893"),
+        Reference("kunitsky-1938", "Куницкий Н. П. Электрооборудование прокатных и термических цехов, 1938"),
+        Reference("popov-1945", "Попов В. К. Основы электропривода, 1945"),
+        Reference("kolchin-demidov", "Kolchin and Demidov, chapter on engine dynamics"),
+        Reference("khurmi-gupta", "Khurmi and Gupta, Theory of Machines, chapters 15 and 16"),
+        Reference("bevan", "Bevan, The Theory of Machines, chapters 12, 14 and 15"),
+        Reference("sarkar", "Sarkar, Theory of Machines, chapters 5 and 11"),
+        Reference("api-11e", "API Spec 11E (pumping units)"),
+    )
+}
+"""Every reference by its key."""

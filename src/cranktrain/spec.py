@@ -1,0 +1,357 @@
+"""The base of all specs, and what is wrong with an input in our words: every error of pydantic becomes a `Problem`."""
+
+import re
+import types
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Annotated, Literal, NamedTuple, TypeVar, Union, cast, get_args, get_origin
+
+from pydantic import BaseModel, ConfigDict, Discriminator, ValidationError, model_validator
+from pydantic.fields import FieldInfo
+from pydantic_core import ErrorDetails, core_schema
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import N_, _
+from cranktrain.quantities import Given, Quantity, expected, nearest, one_of, unknown_key, unlisted, written
+
+
+class Spec(BaseModel):
+    """A table of the machine file: frozen, no unknown keys, nothing coerced; its lists become tuples."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _lists_as_tuples(cls, data: object) -> object:
+        """Take TOML's lists for the tuples of a frozen spec, which a strict one would refuse."""
+        return _frozen(data)
+
+
+SpecType = TypeVar("SpecType", bound=Spec)
+
+
+class Refused(InputError):  # noqa: N818 - it is raised as a sentence: raise Refused(...)
+    """What a validator of a spec raises: the value, alone or together with others, is not allowed.
+
+    For several problems at once raise `InputError` with `Problem`s; the paths of both are relative to the spec.
+
+    Parameters
+    ----------
+    allowed : str
+        What is allowed, as a clause: "must be more than crank_radius = 50 mm, or the crank cannot turn".
+    repair : str, optional
+        What to write instead.
+    path : str, optional
+        Path of the value below the spec, e.g. "rod_length" or "throws[3]"; the spec itself where left out.
+    """
+
+    def __init__(self, allowed: str, repair: str | None = None, *, path: str = "") -> None:
+        super().__init__((Problem(path, None, allowed, repair),))
+
+
+def validated(model: type[SpecType], data: object) -> SpecType:
+    """Read a spec.
+
+    Parameters
+    ----------
+    model : type of Spec
+    data : mapping
+        As `tomllib` reads it, with `Given` and specs allowed in place of texts and tables.
+
+    Returns
+    -------
+    Spec
+        An instance of `model`.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong.
+    """
+    try:
+        return model.model_validate(data)
+    except ValidationError as error:
+        raise InputError(problems(error, model)) from None
+
+
+def problems(error: ValidationError, model: type[Spec]) -> tuple[Problem, ...]:
+    """Say what is wrong in our words.
+
+    Parameters
+    ----------
+    error : pydantic.ValidationError
+        As raised when reading `model`.
+    model : type of Spec
+
+    Returns
+    -------
+    tuple of Problem
+        In the order of the fields; of a union, only what is wrong with the alternative that fits best.
+    """
+    details = error.errors(include_url=False)
+    places = [_place(model, detail["loc"]) for detail in details]
+    fitting = _fitting_alternatives(details, places)
+    said: dict[str | int, Problem] = {}
+    for detail, place in zip(details, places, strict=True):
+        if all(label in fitting[union] for union, label in place.alternatives):
+            for problem in _told(detail, place):
+                # alternatives that fit equally well are told in one sentence; otherwise each problem is its own
+                key = problem.path if place.alternatives else len(said)
+                said[key] = _either(said[key], problem) if key in said else problem
+    return tuple(said.values())
+
+
+class _Place(NamedTuple):
+    """Where an error stands.
+
+    Its dotted path, what the spec declares there, the spec it is a key of, and of the unions without a `kind` that
+    it lies in, each one's place and the alternative tried.
+    """
+
+    path: str
+    annotation: object
+    table: type[BaseModel] | None
+    alternatives: tuple[tuple[tuple[str | int, ...], str | int], ...]
+
+
+class _Bare(NamedTuple):
+    """A declared type without `Annotated` and `| None`; of a union its alternatives, and the key that tells them."""
+
+    annotation: object
+    alternatives: tuple[object, ...] = ()
+    tag: str | None = None
+
+
+def _place(model: type[Spec], loc: tuple[str | int, ...]) -> _Place:
+    """Follow pydantic's location, which also names the alternatives of unions, along the declared types."""
+    place = _Place("", model, None, ())
+    for index, item in enumerate(loc):
+        bare = _bare(place.annotation)
+        if bare.alternatives:
+            tried = () if bare.tag else ((loc[:index], item),)
+            place = place._replace(annotation=_alternative(bare, str(item)), alternatives=(*place.alternatives, *tried))
+        elif item != "[key]":  # pydantic's name for the key itself
+            path = _joined(place.path, f"[{item}]" if isinstance(item, int) else item)
+            place = _Place(path, _inner(bare.annotation, item), _table(bare.annotation), place.alternatives)
+    return place
+
+
+def _bare(annotation: object, tag: str | None = None) -> _Bare:
+    """Unwrap a declared type as far as pydantic's locations do."""
+    if get_origin(annotation) is Annotated:
+        inner, *marks = get_args(annotation)
+        tags = [mark.discriminator for mark in marks if isinstance(mark, FieldInfo | Discriminator)]
+        return _bare(inner, next((known for known in tags if isinstance(known, str)), tag))
+    if get_origin(annotation) in (Union, types.UnionType):
+        alternatives = [part for part in get_args(annotation) if part is not types.NoneType]
+        return _Bare(annotation, tuple(alternatives), tag) if len(alternatives) > 1 else _bare(alternatives[0], tag)
+    return _Bare(annotation)
+
+
+def _alternative(union: _Bare, label: str) -> object:
+    """Find the alternative of a union that pydantic means by its tag, class or type."""
+    kind = re.sub(r"^(?:function-\w+\[[^,]*, )+", "", label)  # what wraps its validators round it
+    for alternative in union.alternatives:
+        bare = _bare(alternative)
+        table = _table(bare.annotation)
+        if table is not None and union.tag is not None:
+            if label in map(str, _literals(table.model_fields[union.tag].annotation)):
+                return alternative
+        elif re.match(rf"{_type_name(bare)}\b", kind):
+            return alternative
+    return object
+
+
+def _type_name(bare: _Bare) -> str:
+    """Name a type as pydantic begins to."""
+    if bare.alternatives:
+        return "tagged-union"
+    origin = get_origin(bare.annotation) or bare.annotation
+    return "literal" if origin is Literal else str(getattr(origin, "__name__", origin))
+
+
+def _inner(annotation: object, item: str | int) -> object:
+    """Declared type of an item of a table, dictionary or list; `object` where it has none."""
+    table = _table(annotation)
+    arguments = get_args(annotation)
+    if table is not None:
+        field = next((field for name, field in table.model_fields.items() if item == _key(name, field)), None)
+        return object if field is None else Annotated[field.annotation, field]
+    if not arguments:
+        return object
+    if isinstance(item, int) and len(arguments) > item and Ellipsis not in arguments:
+        return arguments[item]
+    return arguments[0] if isinstance(item, int) else arguments[-1]
+
+
+def _table(annotation: object) -> type[BaseModel] | None:
+    """Take a declared type for a table of fixed keys, if it is one."""
+    return annotation if isinstance(annotation, type) and issubclass(annotation, BaseModel) else None
+
+
+def _key(name: str, field: FieldInfo) -> str:
+    """Key of a field in the machine file."""
+    return field.alias or name
+
+
+def _parts(annotation: object) -> Iterator[object]:
+    """Simple types of a declared one, and what marks them."""
+    if get_origin(annotation) is Annotated:
+        inner, *marks = get_args(annotation)
+        for mark in marks:
+            yield from mark.metadata if isinstance(mark, FieldInfo) else (mark,)
+        yield from _parts(inner)
+    elif get_origin(annotation) in (Union, types.UnionType):
+        for part in get_args(annotation):
+            yield from _parts(part)
+    else:
+        yield annotation
+
+
+def _literals(annotation: object) -> list[object]:
+    """Words that a declared type allows."""
+    return [word for part in _parts(annotation) if get_origin(part) is Literal for word in get_args(part)]
+
+
+def _fitting_alternatives(
+    details: Sequence[ErrorDetails], places: Sequence[_Place]
+) -> dict[tuple[str | int, ...], set[str | int]]:
+    """Of every union, the alternatives that got farthest before something was wrong; a wrong type is no start."""
+    reached: dict[tuple[str | int, ...], dict[str | int, tuple[int, bool]]] = {}
+    for detail, place in zip(details, places, strict=True):
+        reach = (len(detail["loc"]), not detail["type"].endswith("_type"))
+        for union, label in place.alternatives:
+            of_union = reached.setdefault(union, {})
+            of_union[label] = max(of_union.get(label, reach), reach)
+    return {
+        union: {label for label, reach in of_union.items() if reach == max(of_union.values())}
+        for union, of_union in reached.items()
+    }
+
+
+def _told(detail: ErrorDetails, place: _Place) -> Iterator[Problem]:
+    """Tell one error of pydantic; an `InputError` of a validator holds several problems."""
+    kind, context, given = detail["type"], detail.get("ctx", {}), _as_written(detail["input"])
+    cause = context.get("error")
+    if isinstance(cause, InputError):
+        for problem in cause.problems:
+            stood = _as_written(_item(detail["input"], problem.path)) if problem.given is None else problem.given
+            yield replace(problem, path=_joined(place.path, problem.path), given=stood)
+    elif kind == "extra_forbidden" and place.table is not None:
+        known = [_key(name, field) for name, field in place.table.model_fields.items()]
+        yield unknown_key(place.path, str(detail["loc"][-1]), _as_written(detail["input"]), known)
+    elif kind.startswith("union_tag") and _bare(place.annotation).tag:
+        yield _wrong_kind(detail, place)
+    elif kind == "missing":
+        yield Problem(place.path, None, _missing(place.annotation))
+    elif kind == "literal_error" and (words := _literals(place.annotation)):
+        yield unlisted(place.path, detail["input"], words)
+    elif isinstance(cause, Exception):
+        yield Problem(place.path, given, str(cause))
+    elif kind in get_args(core_schema.ErrorType):
+        if kind in ("int_type", "float_type", "bool_type") and isinstance(detail["input"], str):
+            given = f'"{given}"'  # the quotes are what is wrong with "5"
+        yield Problem(place.path, given, _(_ALLOWED.get(kind, _OTHERWISE)).format(**context))
+    else:  # a validator's own PydanticCustomError
+        yield Problem(place.path, given, detail["msg"])
+
+
+def _wrong_kind(detail: ErrorDetails, place: _Place) -> Problem:
+    """Refuse the `kind` of a table, or say that it is missing."""
+    union = _bare(place.annotation)
+    tag = union.tag or ""
+    tables = filter(None, (_table(_bare(each).annotation) for each in union.alternatives))
+    kinds = [kind for table in tables for kind in _literals(table.model_fields[tag].annotation)]
+    path = _joined(place.path, tag)
+    if detail["type"] == "union_tag_invalid":
+        return unlisted(path, _item(detail["input"], tag), kinds)
+    meant = nearest(tag, map(str, cast("Mapping[object, object]", detail["input"])))
+    repair = _("write {key} instead of {given}").format(key=tag, given=meant) if meant else None
+    return Problem(path, None, _("is missing; {expected}").format(expected=one_of(kinds)), repair)
+
+
+def _missing(annotation: object) -> str:
+    """Say that a value is missing, and what it could be."""
+    quantity = next((part for part in _parts(annotation) if isinstance(part, Quantity)), None)
+    words = _literals(annotation)
+    if quantity is None and not words:
+        return _("is missing")
+    wanted = expected(quantity.dimension) if quantity else one_of(words)
+    return _("is missing; {expected}").format(expected=wanted)
+
+
+def _either(one: Problem, other: Problem) -> Problem:
+    """Join what two alternatives say of the same value."""
+    if one.allowed == other.allowed:
+        return one
+    allowed = _("{one}, or {other}").format(one=one.allowed, other=other.allowed)
+    return replace(one, allowed=allowed, repair=one.repair or other.repair)
+
+
+def _joined(path: str, part: str) -> str:
+    """Extend a dotted path by a key, or by an index in brackets."""
+    return path + part if not path or not part or part.startswith("[") else f"{path}.{part}"
+
+
+def _item(data: object, path: str) -> object:
+    """Find what was given at a path below some data; None where nothing was."""
+    for key in re.findall(r"[^.\[\]]+", path):
+        if isinstance(data, Mapping):
+            data = cast("Mapping[str, object]", data).get(key)
+        elif isinstance(data, list | tuple):
+            items = enumerate(cast("Sequence[object]", data))
+            data = next((item for index, item in items if str(index) == key), None)
+        else:
+            data = getattr(data, key, None)
+    return data
+
+
+def _as_written(data: object) -> str | None:
+    """A value nearly as the user wrote it; of a quantity with its status, the quantity."""
+    if isinstance(data, Given):
+        return data.text
+    if isinstance(data, Mapping):
+        return written(cast("Mapping[str, object]", data).get("value"))
+    return written(data)
+
+
+def _frozen(data: object) -> object:
+    """Turn lists into tuples, through and through."""
+    if isinstance(data, list):
+        return tuple(map(_frozen, cast("list[object]", data)))
+    if isinstance(data, dict):
+        return {key: _frozen(value) for key, value in cast("dict[str, object]", data).items()}
+    return data
+
+
+_TABLE, _LIST = N_("must be a table"), N_("must be a list in [ ]")
+_WHOLE, _NUMBER, _TRUTH = N_("must be a whole number"), N_("must be a number"), N_("must be true or false")
+_OTHERWISE = N_("is not allowed here")
+_ALLOWED = {
+    "model_type": _TABLE,
+    "model_attributes_type": _TABLE,
+    "dict_type": _TABLE,
+    "mapping_type": _TABLE,
+    "tuple_type": _LIST,
+    "list_type": _LIST,
+    "int_type": _WHOLE,
+    "int_from_float": _WHOLE,
+    "float_type": _NUMBER,
+    "finite_number": N_("must be a finite number"),
+    "bool_type": _TRUTH,
+    "string_type": N_("must be text in quotes"),
+    "string_too_short": N_("must have at least {min_length} characters"),
+    "string_too_long": N_("must have at most {max_length} characters"),
+    "string_pattern_mismatch": N_("must match {pattern}"),
+    "too_short": N_("must have at least {min_length} items"),
+    "too_long": N_("must have at most {max_length} items"),
+    "greater_than": N_("must be more than {gt}"),
+    "greater_than_equal": N_("must be at least {ge}"),
+    "less_than": N_("must be less than {lt}"),
+    "less_than_equal": N_("must be at most {le}"),
+    "multiple_of": N_("must be a multiple of {multiple_of}"),
+    "none_required": N_("must be left out"),
+    "literal_error": N_("must be one of: {expected}"),
+    "frozen_instance": N_("must not be changed; make a new one"),
+    "union_tag_invalid": N_("must be one of: {expected_tags}"),
+}

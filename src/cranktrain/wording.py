@@ -1,0 +1,60 @@
+"""Numbers and names put into sentences."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from cranktrain.motion import Array
+from cranktrain.quantities import shown
+
+Names = Mapping[str, Sequence[str]]
+"""Labels of each dimension: the pistons', the chambers', …"""
+
+_DECIMALS = {"mm": 2, "deg": 2, "m/s": 2, "m/s^2": 0, "L": 3, "cm^3": 1, "rpm": 1, "%": 2}
+_PLAIN = {"1": 1.0, "%": 100.0, "m/s^2": 1.0}
+"""Units that are no input's, and how many of them one in SI is."""
+
+
+def number(value: float, unit: str) -> str:
+    """Write an SI value in a unit, with decimals that suit it."""
+    size = value * _PLAIN[unit] if unit in _PLAIN else shown(value, unit)
+    figure = f"{size:.{_DECIMALS.get(unit, 3)}f}"
+    figure = figure.lstrip("-") if float(figure) == 0.0 else figure
+    return f"{figure} {unit}" if unit != "1" else figure
+
+
+def precise(length: float) -> str:
+    """Write a length that is a limit, in mm, with the digits that a limit needs."""
+    return f"{shown(length, 'mm'):.7g} mm"
+
+
+def shared(names: Sequence[str], values: Array, unit: str) -> str:
+    """Say values by name, equal ones together: `180.00 mm (1L–6L), 186.70 mm (1R–6R)`; one value alone if all agree.
+
+    Parameters
+    ----------
+    names : sequence of str, length n
+    values : Array, shape (n,)
+        In SI.
+    unit : str
+        To show.
+    """
+    written: dict[str, list[int]] = {}
+    for i, value in enumerate(np.asarray(values)):
+        written.setdefault(number(float(value), unit), []).append(i)
+    if len(written) == 1:
+        return next(iter(written))
+    return ", ".join(f"{text} ({ranged(names, members)})" for text, members in written.items())
+
+
+def ranged(names: Sequence[str], members: Sequence[int]) -> str:
+    """Name some of many: runs of neighbours as `1L–6L`, the rest one by one."""
+    runs: list[list[int]] = []
+    for member in members:
+        if runs and member == runs[-1][-1] + 1:
+            runs[-1].append(member)
+        else:
+            runs.append([member])
+    return ", ".join(
+        names[run[0]] if len(run) == 1 else f"{names[run[0]]}{'–' if len(run) > 2 else ', '}{names[run[-1]]}" for run in runs
+    )

@@ -1,0 +1,92 @@
+"""What holds for every file: linters, types, layers, docstrings and their examples, length, what a file mentions."""
+
+import ast
+import doctest
+import importlib
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+SOURCE = ROOT / "src"
+MODULES = sorted(SOURCE.rglob("*.py"))
+DOCUMENTS = sorted(path for folder in ("src", "docs") for path in (ROOT / folder).rglob("*.md")) + list(
+    ROOT.glob("*.md")
+)
+SCRIPTS = [path for folder in ("tests", "benchmarks", "docs") for path in (ROOT / folder).rglob("*.py")]
+SETTINGS = [ROOT / name for name in (".ci/run", ".gitignore", "CITATION.cff", "conftest.py", "pyproject.toml")]
+MOST_LINES = 500
+
+PYTHON = sys.executable
+TOOLS = {
+    "ruff check": [PYTHON, "-m", "ruff", "check", "."],
+    "ruff format": [PYTHON, "-m", "ruff", "format", "--check", "."],
+    "basedpyright": [PYTHON, "-m", "basedpyright", "--warnings", "--pythonpath", PYTHON],
+    "lint-imports": [str(Path(PYTHON).with_name("lint-imports")), "--no-logo"],
+}
+
+
+def name_of(path: Path) -> str:
+    return path.relative_to(ROOT).as_posix()
+
+
+def module_name(path: Path) -> str:
+    parts = path.relative_to(SOURCE).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+def undocumented(tree: ast.Module) -> list[str]:
+    """Public functions and classes without a docstring, and public methods of public classes."""
+    kinds = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+    found: list[str] = []
+    for node in tree.body:
+        members = node.body if isinstance(node, ast.ClassDef) and not node.name.startswith("_") else []
+        found += [
+            f"{part.name} (line {part.lineno})"
+            for part in (node, *members)
+            if isinstance(part, kinds) and not part.name.startswith("_") and not ast.get_docstring(part)
+            if "overload" not in map(ast.unparse, part.decorator_list)
+        ]
+    return found
+
+
+@pytest.mark.parametrize("tool", [pytest.param(name, marks=pytest.mark.xdist_group(name)) for name in TOOLS])
+def test_tool_finds_nothing(tool):
+    done = subprocess.run(TOOLS[tool], cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_modules_are_short():
+    lengths = {name_of(path): len(path.read_text(encoding="utf-8").splitlines()) for path in MODULES}
+    assert {name: length for name, length in lengths.items() if length > MOST_LINES} == {}
+
+
+def test_public_names_have_docstrings():
+    found = {name_of(path): undocumented(ast.parse(path.read_text(encoding="utf-8"))) for path in MODULES}
+    assert {name: names for name, names in found.items() if names} == {}
+
+
+@pytest.mark.parametrize("path", [path for path in MODULES if path.name != "__main__.py"], ids=name_of)
+def test_examples_in_docstrings(path):
+    outcome = doctest.testmod(importlib.import_module(module_name(path)), optionflags=doctest.ELLIPSIS)
+    assert outcome.failed == 0
+
+
+def test_files_know_no_machine_but_the_users():
+    """A folder of the machine on which a line was written means nothing on another."""
+    folder = re.compile(r"(?<![\w.:/])/(?:home|mnt|root|tmp|work)\b")
+    files = [*MODULES, *DOCUMENTS, *SCRIPTS, *SETTINGS]
+    assert [name_of(path) for path in files if folder.search(path.read_text(encoding="utf-8"))] == []
+
+
+def test_documents_named_in_a_file_exist():
+    present = {path.name for path in DOCUMENTS}
+    named = {
+        name: name_of(path)
+        for path in [*MODULES, *DOCUMENTS, *SCRIPTS, *SETTINGS]
+        for name in re.findall(r"\b[\w-]+\.md\b", path.read_text(encoding="utf-8"))
+    }
+    assert {name: path for name, path in named.items() if name not in present} == {}

@@ -1,0 +1,126 @@
+"""The documentation: it builds without a warning, its equations are numbered as labelled, and its blocks are run."""
+
+import re
+import shutil
+import subprocess
+import sys
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+DOCS = ROOT / "docs"
+PAGES = sorted(DOCS.rglob("*.md"))
+LABELS = {
+    page.stem: re.findall(r"^\$\$ \((.+)\)$", page.read_text(encoding="utf-8"), re.MULTILINE)
+    for page in PAGES
+    if page.parent == DOCS / "theory"
+}
+DECISIONS = sorted((DOCS / "decisions").glob("[0-9]*.md"))
+DECISION_HEADS = ["Context", "Choice", "Considered", "What would change our mind"]
+CITED = re.compile(
+    r"docs/theory/(?P<page>[\w-]+)(?:,\s+eqs?\.?\s+(?P<equations>\(\d+\.\d+\)(?:(?:,| to| and) \(\d+\.\d+\))*))?"
+)
+
+BLOCKS_THAT_HOLD = """\
+```console
+$ cranktrain new "a part" > made.txt
+$ cat made.txt
+new a part
+$ cranktrain run \\
+    made.txt
+run ...txt
+```
+
+```python
+from pathlib import Path
+text = Path("made.txt").read_text(encoding="utf-8")
+```
+
+```python
+>>> text
+'new a part\\n'
+```
+
+```console
+$ a command of something else
+```
+"""
+BLOCKS_THAT_FAIL = {
+    "other output": "```console\n$ cranktrain list\nsomething else\n```\n",
+    "crash": "```console\n$ cranktrain crash\ncrash\n```\n",
+    "python": "```python\nassert 1 == 2\n```\n",
+    "doctest": "```python\n>>> 1 + 1\n3\n```\n",
+}
+ECHO = "import sys\nprint(*sys.argv[1:])\nsys.exit('crash' in sys.argv)\n"
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory):
+    """The documentation as HTML."""
+    folder = tmp_path_factory.mktemp("site")
+    done = subprocess.run(
+        [sys.executable, "-m", "sphinx", "-nW", "--keep-going", "-q", "-d", folder / "doctrees", DOCS, folder / "html"],
+        cwd=folder,
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    return folder / "html"
+
+
+@pytest.mark.xdist_group("documentation")
+@pytest.mark.parametrize("page", LABELS)
+def test_equations_are_numbered_as_labelled(site, page):
+    html = (site / "theory" / f"{page}.html").read_text(encoding="utf-8")
+    assert re.findall(r'class="eqno">\((.+?)\)', html) == LABELS[page]
+
+
+def test_every_equation_has_a_label_of_its_own():
+    labels = Counter(label for page in LABELS.values() for label in page)
+    assert [label for label, n in labels.items() if n > 1] == []
+
+
+def test_theory_cited_by_the_code_exists():
+    lost = []
+    for path in (ROOT / "src").rglob("*.py"):
+        for cited in CITED.finditer(path.read_text(encoding="utf-8")):
+            equations = set(re.findall(r"\d+\.\d+", cited["equations"] or ""))
+            if cited["page"] not in LABELS or not equations <= set(LABELS[cited["page"]]):
+                lost.append((path.relative_to(ROOT).as_posix(), cited[0]))
+    assert lost == []
+
+
+@pytest.mark.parametrize("page", DECISIONS, ids=lambda page: page.stem)
+def test_decision_has_its_heads(page):
+    text = page.read_text(encoding="utf-8")
+    assert re.findall(r"^## (.+)$", text, re.MULTILINE) == DECISION_HEADS
+    assert re.search(rf"^# {int(page.stem[:4])}\. ", text)
+
+
+def blocks_run(folder: Path, text: str) -> subprocess.CompletedProcess[str]:
+    """Run a README's blocks with this project's conftest and a `cranktrain` that only repeats its arguments."""
+    shutil.copy(ROOT / "conftest.py", folder)
+    (folder / "cranktrain").mkdir()
+    (folder / "cranktrain/__main__.py").write_text(ECHO, encoding="utf-8")
+    (folder / "pytest.ini").write_text("[pytest]\n", encoding="utf-8")
+    (folder / "README.md").write_text(text, encoding="utf-8")
+    command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "-p", "no:xdist", "-q", "README.md"]
+    return subprocess.run(command, cwd=folder, capture_output=True, encoding="utf-8", check=False)
+
+
+@pytest.mark.xdist_group("blocks")
+def test_blocks_that_hold_pass(tmp_path):
+    done = blocks_run(tmp_path, BLOCKS_THAT_HOLD)
+    assert done.returncode == 0, done.stdout
+    assert "4 passed" in done.stdout
+
+
+@pytest.mark.xdist_group("blocks")
+@pytest.mark.parametrize("reason", BLOCKS_THAT_FAIL)
+def test_blocks_that_do_not_hold_fail(tmp_path, reason):
+    done = blocks_run(tmp_path, BLOCKS_THAT_FAIL[reason])
+    assert done.returncode == 1, done.stdout
+    assert "1 failed" in done.stdout

@@ -1,0 +1,78 @@
+"""What pint makes of the closed list, and output in its units."""
+
+import math
+
+import numpy as np
+import pytest
+
+from cranktrain.quantities import Dimension, QuantityError, shown
+from cranktrain.quantities.conversion import _registry, conversion
+from cranktrain.quantities.dimensions import Unit, spellings
+
+L, M, T = "[length]", "[mass]", "[time]"
+DIMENSIONALITY = {
+    Dimension.LENGTH: {L: 1},
+    Dimension.AREA: {L: 2},
+    Dimension.VOLUME: {L: 3},
+    Dimension.ANGLE: {"[angle]": 1},
+    Dimension.SPEED: {"[angle]": 1, T: -1},
+    Dimension.VELOCITY: {L: 1, T: -1},
+    Dimension.FORCE: {M: 1, L: 1, T: -2},
+    Dimension.TORQUE: {M: 1, L: 2, T: -2},
+    Dimension.PRESSURE: {M: 1, L: -1, T: -2},
+    Dimension.MASS: {M: 1},
+    Dimension.INERTIA: {M: 1, L: 2},
+    Dimension.FLYWHEEL_MOMENT: {M: 1, L: 2},
+    Dimension.POWER: {M: 1, L: 2, T: -3},
+    Dimension.STIFFNESS: {M: 1, T: -2},
+    Dimension.TEMPERATURE: {"[temperature]": 1},
+}
+UNITS = [(dimension, unit) for dimension in Dimension for unit in dimension.units]
+
+
+@pytest.mark.parametrize(("dimension", "unit"), UNITS)
+def test_unit_has_the_dimension_it_is_listed_under(dimension: Dimension, unit: Unit) -> None:
+    assert dict(_registry().get_dimensionality(unit.meaning)) == DIMENSIONALITY[dimension]
+
+
+def test_a_spelling_means_one_thing() -> None:
+    for dimension in Dimension:
+        forms = [form for unit in dimension.units for form in (unit.name, *unit.also)]
+        assert len(forms) == len(set(forms))
+        for key, (unit, _form) in spellings(dimension).items():
+            for other in Dimension:
+                if key in spellings(other):
+                    assert conversion(unit) == conversion(spellings(other)[key][0])
+
+
+@pytest.mark.parametrize(
+    ("si", "unit", "number"),
+    [
+        (0.18, "mm", 180.0),
+        (0.07, "mm", 70.0),
+        (0.0635, "in", 2.5),
+        (math.pi / 2, "deg", 90.0),
+        (50 * math.pi, "rpm", 1500.0),
+        (0.0388, "L", 38.8),
+        (8e5, "bar", 8.0),
+        (101325.0, "ati", 0.0),
+        (1081990.0, "ати", 10.0),
+        (293.15, "°C", 20.0),
+        (1.0, "N·m²", 9.80665),
+        (735.49875, "л.с.", 1.0),
+        (98.0665, "kgf*m", 10.0),
+    ],
+)
+def test_shown(si: float, unit: str, number: float) -> None:
+    assert shown(si, unit) == pytest.approx(number, rel=2e-15, abs=1e-15)
+    np.testing.assert_array_equal(shown(np.array([[si, 2 * si]]), unit), [[shown(si, unit), shown(2 * si, unit)]])
+
+
+def test_whole_millimetres_are_shown_whole() -> None:
+    millimetres = np.arange(1.0, 10000.0)
+    np.testing.assert_array_equal(shown(millimetres / 1000, "mm"), millimetres)
+
+
+def test_unit_outside_the_list_is_refused_with_the_list() -> None:
+    with pytest.raises(QuantityError, match=r"furlong: must be one of the units mm, cm, m, in, ft, .*°C, K$"):
+        shown(1.0, "furlong")
