@@ -37,7 +37,7 @@ class Entry:
         return "crank_angle" not in self.dimensions
 
 
-def quantity(symbol: str, unit: str, dimensions: tuple[str, ...], sentence: str, source: str) -> Any:  # noqa: ANN401
+def quantity(symbol: str, unit: str, dimensions: tuple[str, ...], sentence: str, source: str) -> Any:
     """Declare a field of a result class as a quantity of the catalogue; the arguments are those of `Entry`."""
     return field(metadata={"entry": (symbol, unit, dimensions, sentence, source)})
 

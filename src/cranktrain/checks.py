@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 
@@ -28,12 +29,11 @@ class Check:
     limit: float
 
     @property
-    def passed(self) -> Array:
+    def passed(self) -> NDArray[np.bool_]:
         """Whether it holds, for each design; NaN, as where the links do not close all round, does not."""
         return np.asarray(self.residual <= self.limit)
 
 
-def worst(difference: Array, scale: Array) -> Array:
-    """Largest relative difference of each design: |difference| over every other axis, in parts of the scale's peak."""
-    others = tuple(range(1, difference.ndim))
-    return np.max(np.abs(difference), axis=others) / np.max(np.abs(scale), axis=tuple(range(1, scale.ndim)))
+def relative(difference: Array, scale: Array) -> Array:
+    """Largest |difference| over the last axis, which is kept, in parts of the scale's peak there."""
+    return np.max(np.abs(difference), axis=-1, keepdims=True) / np.max(np.abs(scale), axis=-1, keepdims=True)

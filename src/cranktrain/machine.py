@@ -33,7 +33,7 @@ Parts = dict[type, object]
 """What a machine declares, in SI: one object of each type; stages ask for them by type."""
 
 
-class Machine(Spec):
+class Machine(Spec, frozen=True):
     """A machine as its file declares it, with units and provenance.
 
     Raises
@@ -61,7 +61,7 @@ class Machine(Spec):
     bank: Mapping[str, BankSpec] = Field(default={})
     cylinder: CylindersSpec = CylindersSpec()
 
-    def __init__(self, **data: Any) -> None:  # noqa: ANN401
+    def __init__(self, **data: Any) -> None:
         try:
             super().__init__(**data)
         except ValidationError as error:
@@ -98,7 +98,9 @@ def _as_in_file(problem: Problem, data: Mapping[str, Any]) -> Problem:
         value = _at(data, f"{table}.{field}") if field else None
         item = f"[{index}]" if isinstance(value, list) else ""
         path = f"{table}.{field}{item}{rest}" if field else table
-    elif (single := re.fullmatch(r"(.*)\[0\]", path)) is not None and not isinstance(_at(data, single[1]), list | tuple):
+    elif (single := re.fullmatch(r"(.*)\[0\]", path)) is not None and not isinstance(
+        _at(data, single[1]), list | tuple
+    ):
         path = single[1]
     return Problem(path, problem.given, problem.allowed, problem.repair, problem.position)
 
@@ -203,9 +205,10 @@ def layout(machines: Sequence[Machine], *, step: float, partial: bool = False) -
     cycle = CYCLES[first.cylinder.cycle] if first.cylinder.cycle else 2 * np.pi
     sense = -1.0 if astern else 1.0
     zero = np.array([[[sense * machine.crank_zero.si]] for machine in machines])
-    parts: list[object] = [CrankAngle(np.arange(round(cycle / step)) * step, zero, cycle)]
+    grid = np.arange(round(cycle / step), dtype=np.float64) * step
     mechanisms = mechanisms_of(Mechanisms, designs)
-    parts += [mechanisms, *(group.members for group in mechanisms.groups), link_points_of(designs, astern=astern)]
+    parts: list[object] = [CrankAngle(grid, zero, cycle), mechanisms]
+    parts += [*(group.members for group in mechanisms.groups), link_points_of(designs, astern=astern)]
     pistons = _with_output(designs, "slider")
     rockers = _with_output(designs, "rocker")
     if pistons[0]:
@@ -241,7 +244,11 @@ def _with_output(designs: Sequence[Sequence[Place]], output: str) -> list[list[P
 def _load_radius(designs: Sequence[Sequence[Place]]) -> LoadRadius | None:
     """Load radius of every rocker; None unless all have one."""
     radii = [
-        [[place.spec.load_radius.si] for place in design if isinstance(place.spec, CrankRockerSpec) and place.spec.load_radius]
+        [
+            [place.spec.load_radius.si]
+            for place in design
+            if isinstance(place.spec, CrankRockerSpec) and place.spec.load_radius
+        ]
         for design in designs
     ]
     complete = all(len(found) == len(design) for found, design in zip(radii, designs, strict=True))

@@ -4,7 +4,7 @@ A mechanism with one degree of freedom moves by geometry alone; speed enters las
 velocity q′ω, acceleration q″ω² + q′ε.
 """
 
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,3 +34,8 @@ class Link(NamedTuple):
     angle: Coefficient
     cos: Array
     sin: Array
+
+
+def single(value: float) -> Array:
+    """Take one number where arrays are asked for: kernels broadcast both alike."""
+    return cast(Array, value)

@@ -4,7 +4,6 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 
@@ -74,10 +73,12 @@ def bracketed_roots(curve: Curve, low: Array, high: Array, *, precision: float =
 
 def turn_grid(n_points: int = 720) -> Array:
     """One turn of the crank in equal steps, endpoint excluded. [rad]"""
-    return np.arange(n_points) * (2 * np.pi / n_points)
+    return np.arange(n_points, dtype=np.float64) * (2 * np.pi / n_points)
 
 
-def largest(curve: Curve, slope: Curve | None = None, *, grid: Array | None = None, samples: Array | None = None) -> Extreme:
+def largest(
+    curve: Curve, slope: Curve | None = None, *, grid: Array | None = None, samples: Array | None = None
+) -> Extreme:
     """Largest value of each curve over a turn.
 
     Parameters
@@ -103,15 +104,15 @@ def largest(curve: Curve, slope: Curve | None = None, *, grid: Array | None = No
         index = np.argmax(np.where(np.isnan(known), -np.inf, known), axis=-1)[..., np.newaxis]
         middle = np.take_along_axis(np.broadcast_to(grid, known.shape), index, axis=-1)
         step = grid[..., 1:2] - grid[..., :1]
-        if slope is None:
-            angle = _zoomed(curve, middle, step)
-        else:
-            angle = bracketed_roots(slope, middle - step, middle + step)
+        bracket = middle - step, middle + step
+        angle = _zoomed(curve, middle, step) if slope is None else bracketed_roots(slope, *bracket)
         value = curve(angle)
     return Extreme(angle, value)
 
 
-def smallest(curve: Curve, slope: Curve | None = None, *, grid: Array | None = None, samples: Array | None = None) -> Extreme:
+def smallest(
+    curve: Curve, slope: Curve | None = None, *, grid: Array | None = None, samples: Array | None = None
+) -> Extreme:
     """Smallest value of each curve over a turn; as `largest`."""
     negative = None if samples is None else -samples
     found = largest(lambda angle: -curve(angle), slope, grid=grid, samples=negative)

@@ -56,5 +56,6 @@ def ranged(names: Sequence[str], members: Sequence[int]) -> str:
         else:
             runs.append([member])
     return ", ".join(
-        names[run[0]] if len(run) == 1 else f"{names[run[0]]}{'–' if len(run) > 2 else ', '}{names[run[-1]]}" for run in runs
+        names[run[0]] if len(run) == 1 else f"{names[run[0]]}{'–' if len(run) > 2 else ', '}{names[run[-1]]}"
+        for run in runs
     )

@@ -12,8 +12,10 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from cranktrain.mechanisms.articulated_rod import ArticulatedRod
+from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.textbook import articulated_rod
-from cranktrain.textbook.articulated_rod import ArticulatedRod, Harmonics
+from cranktrain.textbook.articulated_rod import Harmonics
 
 CASE_FOLDER = Path(__file__).parents[1] / "golden/two_harmonic_errors"
 CASE = json.loads((CASE_FOLDER / "case.json").read_text(encoding="utf-8"))
@@ -26,18 +28,18 @@ GRID = np.radians(np.arange(3600) / 10)
 def rod_of(name):
     given = CASE["machine"][name]
     return ArticulatedRod(
-        given["crank_radius_mm"],
-        given["master_rod_length_mm"],
+        SliderCrank(given["crank_radius_mm"], given["master_rod_length_mm"], 0.0),
         given["articulation_radius_mm"],
-        given["slave_rod_length_mm"],
-        np.radians(given["gamma_deg"]),
         np.radians(given["zeta_deg"]),
+        np.radians(given["gamma_deg"]),
+        given["slave_rod_length_mm"],
+        0.0,
     )
 
 
 def exact(angle, rod):
     """Distance of the slave's pin from the shaft, and its derivatives by the crank angle."""
-    R, L, r, l, gamma, zeta = rod
+    (R, L, _), r, zeta, gamma, l, _ = rod
     beta = np.arcsin(R / L * np.sin(angle))
     beta1 = R / L * np.cos(angle) / np.cos(beta)
     beta2 = (beta1**2 - 1) * np.tan(beta)
@@ -64,9 +66,9 @@ def fourier(rod):
     """Constants of (I.13) as the first two harmonics of the exact distance."""
     mean, first, second = exact_harmonics(rod)[:3]
     return Harmonics(
-        abs(first) / rod.crank_radius,
+        abs(first) / rod.master.crank_radius,
         np.angle(first) + rod.bank_angle,
-        4 * abs(second) / rod.crank_radius,
+        4 * abs(second) / rod.master.crank_radius,
         -np.angle(second) - 2 * rod.bank_angle,
         mean.real,
     )
@@ -159,7 +161,7 @@ def test_error_falls_as_the_cube_of_the_crank_radius_where_the_constants_are_com
     rod = rod_of("V2_recalled")
     travel = []
     for halvings in range(4):
-        smaller = rod._replace(crank_radius=rod.crank_radius / 2**halvings)
+        smaller = rod._replace(master=rod.master._replace(crank_radius=rod.master.crank_radius / 2**halvings))
         travel.append(errors(smaller, VARIANTS[variant](smaller))["max_travel_error_mm"])
     np.testing.assert_allclose(np.divide(travel[:-1], travel[1:]), printed, rtol=0, atol=0.1)
 
@@ -173,6 +175,6 @@ def test_two_harmonic_estimates_of_stroke_and_dead_centres(name):
     stroke = exact(top, rod)[0] - exact(bottom, rod)[0]
     top_shift = (F / 2 * np.sin(Theta) - E * np.sin(Phi)) / (E * np.cos(Phi) + F * np.cos(Theta))
     bottom_shift = (-F / 2 * np.sin(Theta) - E * np.sin(Phi)) / (E * np.cos(Phi) - F * np.cos(Theta))
-    assert abs(2 * rod.crank_radius * E - stroke) <= 0.3
+    assert abs(2 * rod.master.crank_radius * E - stroke) <= 0.3
     assert abs(np.degrees(top_shift - (top - rod.bank_angle))) <= 0.03
     assert abs(np.degrees(bottom_shift - (bottom - rod.bank_angle - np.pi))) <= 0.06

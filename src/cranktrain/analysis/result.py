@@ -65,7 +65,7 @@ class Result:
     @property
     def crank_angle(self) -> Array:
         """Crank angles of the grid, shape (crank_angle,). [deg]"""
-        return np.rint(np.asarray(shown(self.grid.shown, "deg")) * 1e6) / 1e6
+        return np.rint(shown(self.grid.shown, "deg") * 1e6) / 1e6
 
     def __getattr__(self, name: str) -> Array:
         """Give a quantity by name, in the unit of its entry."""
@@ -74,8 +74,8 @@ class Result:
         if name not in self._homes:
             raise AttributeError(f"this result has no {name}; it has {', '.join(self._homes)}")
         entry, gift = self._homes[name]
-        values = getattr(gift, name)
-        values = np.asarray(shown(values, "deg")) if entry.unit == "deg" else values
+        inside: Array = getattr(gift, name)
+        values = shown(inside, "deg") if entry.unit == "deg" else inside
         return values if self.has_designs else values[0]
 
     def __dir__(self) -> list[str]:
@@ -85,9 +85,7 @@ class Result:
     @property
     def facts(self) -> dict[str, Fact]:
         """Quantities that stand for the whole cycle."""
-        return {
-            name: Fact(entry, getattr(self, name)) for name, entry in self.catalogue.items() if entry.is_fact
-        }
+        return {name: Fact(entry, getattr(self, name)) for name, entry in self.catalogue.items() if entry.is_fact}
 
     @property
     def checks(self) -> tuple[Check, ...]:

@@ -40,7 +40,7 @@ def run(
     quantities : iterable of str, optional
         Names from the catalogue; only the stages that these need are run. All unless given.
     stages : sequence of Stage
-        In order; `STAGES` unless given.
+        `STAGES` unless given.
 
     Returns
     -------
@@ -110,14 +110,12 @@ def _needed(stages: Sequence[Stage], names: Sequence[str]) -> tuple[Stage, ...]:
     return tuple(stage for stage in stages if stage.gives in wanted)
 
 
-def _part(parts: Parts, kind: type[Any]) -> Any:  # noqa: ANN401
+def _part(parts: Parts, kind: type[Any]) -> Any:
     """The part of that type, which every layout has."""
     return parts[kind]
 
 
-def _labels(
-    parts: Parts, machines: Sequence[Machine], gifts: Mapping[type, object]
-) -> dict[str, tuple[str, ...]]:
+def _labels(parts: Parts, machines: Sequence[Machine], gifts: Mapping[type, object]) -> dict[str, tuple[str, ...]]:
     """Names along each dimension."""
     labels: dict[str, tuple[str, ...]] = {"design": tuple(str(i + 1) for i in range(len(machines)))}
     for kind in (Mechanisms, Pistons, Rockers):

@@ -15,6 +15,7 @@ from cranktrain.engine.rockers import dead_positions, load_motion, rocker_motion
 from cranktrain.engine.volumes import chamber_volumes, swept_volumes
 from cranktrain.language import translated
 from cranktrain.mechanisms import KINDS
+from cranktrain.textbook.comparison import textbook_motion
 
 
 @dataclass(frozen=True)
@@ -67,24 +68,26 @@ def ordered(stages: Iterable[Stage]) -> tuple[Stage, ...]:
     return tuple(by_gift[gift] for gift in TopologicalSorter(graph).static_order())
 
 
-STAGES: tuple[Stage, ...] = ordered(
+STAGES: tuple[Stage, ...] = tuple(
     stage(function)
     for function in (
         dead_centres,
-        piston_motion,
-        piston_speeds,
         swept_volumes,
         chamber_volumes,
         firing,
+        piston_motion,
+        piston_speeds,
         dead_positions,
         rocker_motion,
         rocker_speeds,
         load_motion,
         point_motion,
-        closing,
         *(function for kind in KINDS for function in kind.stages),
+        closing,
+        textbook_motion,
     )
 )
+"""All stages, in the order in which people read their results."""
 
 
 def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict[type, object], tuple[Missing, ...]]:
@@ -93,7 +96,7 @@ def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict
     Parameters
     ----------
     stages : sequence of Stage
-        In order.
+        In any order; results come in this one.
     parts : mapping of type to object
         What the machine declares.
 
@@ -108,7 +111,7 @@ def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict
     gifts: dict[type, object] = {}
     lacking: dict[type, frozenset[type]] = {}
     missing: dict[tuple[str, ...], list[str]] = {}
-    for one in stages:
+    for one in ordered(stages):
         roots: set[type] = set()
         for name, need in one.needs.items():
             if need not in known and name not in one.optional:
@@ -121,4 +124,5 @@ def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict
         words = tuple(sorted(translated(getattr(root, "needs", "")) for root in roots))
         if all(words):
             missing.setdefault(words, []).extend(entry.name for entry in entries(one.gives))
-    return gifts, tuple(Missing(tuple(results), needs) for needs, results in missing.items())
+    in_order = {one.gives: gifts[one.gives] for one in stages if one.gives in gifts}
+    return in_order, tuple(Missing(tuple(results), needs) for needs, results in missing.items())

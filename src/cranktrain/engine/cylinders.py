@@ -8,7 +8,7 @@ import numpy as np
 
 from cranktrain.engine.firing import FiringOrder, firing_angles
 from cranktrain.engine.places import Place
-from cranktrain.engine.specs import CylindersSpec, CylinderSpec
+from cranktrain.engine.specs import CylinderSpec, CylindersSpec
 from cranktrain.engine.volumes import Chambers, CompressionRatios
 from cranktrain.errors import Problem
 from cranktrain.language import _
@@ -136,7 +136,11 @@ def firing_order_of(
     path = "cylinder.firing_order"
     names = [place.name for place in pistons]
     problems = tuple(
-        Problem(f"cylinder.numbers.{number}", name, _("must be a piston of this machine: {pistons}").format(pistons=", ".join(names)))
+        Problem(
+            f"cylinder.numbers.{number}",
+            name,
+            _("must be a piston of this machine: {pistons}").format(pistons=", ".join(names)),
+        )
         for number, name in common.numbers.items()
         if name not in names
     )
@@ -163,12 +167,13 @@ def firing_order_of(
     if astern:
         order = [order[0], *order[:0:-1]]
     index = np.array([names.index(name) for name in order], dtype=np.intp)
-    tops = np.mod(np.array([pistons[i].nominal_top for i in index]), 2 * np.pi)
+    tops = np.mod(np.array([pistons[names.index(name)].nominal_top for name in order]), 2 * np.pi)
     cycle = CYCLES[common.cycle]
     if firing_angles(tops, cycle) is None:
         tops = np.where(tops > 2 * np.pi - 1e-9, 0.0, tops)
+        turns = [2 * np.pi * turn for turn in range(round(cycle / (2 * np.pi)))]
         possible = ", ".join(
-            f"{name} {_(' or ').join(number(float(top + 2 * np.pi * turn), 'deg') for turn in range(round(cycle / (2 * np.pi))))}"
+            f"{name} {_(' or ').join(number(float(top + turn), 'deg') for turn in turns)}"
             for name, top in zip(order, tops, strict=True)
         )
         allowed = _("cannot fire so: as the crank pins stand, the pistons are at their tops at {possible}").format(

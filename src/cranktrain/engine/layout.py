@@ -7,10 +7,10 @@ from typing import Any, ClassVar, TypeVar, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.engine.places import Place
 from cranktrain.language import N_
 from cranktrain.mechanisms.kind import Kind, Members, stacked
 from cranktrain.motion import Array
-from cranktrain.engine.places import Place
 
 Outcome = TypeVar("Outcome", bound=tuple[Any, ...])
 
@@ -124,6 +124,73 @@ class Speed:
     needs: ClassVar[str] = N_("[shaft.main] speed")
 
     value: Array
+
+
+@dataclass(frozen=True)
+class Distinct:
+    """Those mechanisms of a machine that differ in more than their phase, each at its own crank angle.
+
+    What stands for a whole turn is computed once for each of these and then given to all that are like it.
+
+    Attributes
+    ----------
+    mechanisms : Mechanisms
+        One design; its crank angle counts from each mechanism's own x, so that `nominal_top` is 0.
+    origin : array of int, shape (design, mechanism)
+        Which of the distinct mechanisms each mechanism is.
+    nominal_top : Array, shape (design, mechanism, 1)
+        φ at which the crank points along the mechanism's own x. [rad]
+    """
+
+    mechanisms: Mechanisms
+    origin: NDArray[np.intp]
+    nominal_top: Array
+
+    def spread(self, values: Array) -> Array:
+        """Give values of the distinct mechanisms, shape (1, distinct, ...), to all, shape (design, mechanism, ...)."""
+        return values[0][self.origin]
+
+    def angle(self, own: Array) -> Array:
+        """Give own crank angles, shape (1, distinct, 1), as φ of every mechanism, shape (design, mechanism, 1)."""
+        return self.spread(own) + self.nominal_top
+
+
+def distinct(mechanisms: Mechanisms) -> Distinct:
+    """Find the mechanisms that differ in more than their phase."""
+    origin = np.empty(mechanisms.nominal_top.shape[:2], dtype=np.intp)
+    groups: list[Group] = []
+    names: list[str] = []
+    for group in mechanisms.groups:
+        members = group.members
+        lead = members.phase + mechanisms.nominal_top[:, group.index]
+        columns = [value.ravel() for value in (lead, *_flat(members.geometry))]
+        _rows, first, inverse = np.unique(np.stack(columns), axis=1, return_index=True, return_inverse=True)
+        origin[:, group.index] = len(names) + inverse.reshape(lead.shape[:2])
+        own = replace(
+            members,
+            names=tuple(members.names[int(row) % len(members.names)] for row in first),
+            geometry=_rows_of(members.geometry, first),
+            phase=lead.reshape(1, -1, 1)[:, first],
+        )
+        groups.append(Group(group.kind, np.arange(len(names), len(names) + len(first)), own))
+        names += own.names
+    one = Mechanisms(tuple(names), tuple(names), tuple(groups), np.zeros((1, len(names), 1)))
+    return Distinct(one, origin, mechanisms.nominal_top)
+
+
+def _flat(geometry: Any) -> list[Array]:
+    """List all arrays of a nested geometry, in order."""
+    return [array for value in geometry for array in (_flat(value) if isinstance(value, tuple) else [value])]
+
+
+def _rows_of(geometry: Any, rows: NDArray[np.intp]) -> Any:
+    """Take the geometry of some of its (design, member) pairs, shape (1, row, 1)."""
+    return geometry._replace(
+        **{
+            name: _rows_of(value, rows) if isinstance(value, tuple) else value.reshape(1, -1, 1)[:, rows]
+            for name, value in geometry._asdict().items()
+        }
+    )
 
 
 MechanismsLike = TypeVar("MechanismsLike", bound=Mechanisms)

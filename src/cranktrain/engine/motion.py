@@ -6,11 +6,11 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, worst
-from cranktrain.engine.layout import CrankAngle, Pistons, Speed
+from cranktrain.checks import Check, relative
+from cranktrain.engine.layout import CrankAngle, Distinct, Mechanisms, Pistons, Speed, distinct
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient
-from cranktrain.numerics import largest, smallest, spectral_derivative, turn_grid
+from cranktrain.numerics import Extreme, largest, smallest, spectral_derivative, turn_grid
 from cranktrain.wording import Names, shared
 
 _PISTON = ("piston",)
@@ -28,18 +28,19 @@ class _SliderAndRod(NamedTuple):
     rod_second: Array
 
 
-def _slider_and_rod(pistons: Pistons, angle: Array) -> _SliderAndRod:
+def _slider_and_rod(pistons: Mechanisms, angle: Array) -> _SliderAndRod:
     """Evaluate every piston's slider and rod at φ."""
     return pistons.evaluated(lambda motion: _SliderAndRod(*motion.slider, *motion.rod.angle), angle)
 
 
-def slider_motion(pistons: Pistons, angle: Array) -> Coefficient:
+def slider_motion(pistons: Mechanisms, angle: Array) -> Coefficient:
     """Distance of every piston pin from its shaft along its own axis, with derivatives by the crank angle.
 
     Parameters
     ----------
-    pistons : Pistons
-    angle : Array, shape (design, 1, n) or (design, piston, n). [rad]
+    pistons : Mechanisms
+        All of which drive sliders.
+    angle : Array, shape (n,), (design, 1, n) or (design, piston, n). [rad]
 
     Returns
     -------
@@ -52,9 +53,7 @@ def slider_motion(pistons: Pistons, angle: Array) -> Coefficient:
 class DeadCentres:
     """Where each piston truly turns back, and how far it travels: roots of s′, not points of a grid."""
 
-    stroke: Array = quantity(
-        "S", "m", _PISTON, N_("Stroke, between the true dead centres"), "docs/theory/slider-crank"
-    )
+    stroke: Array = quantity("S", "m", _PISTON, N_("Stroke, between the true dead centres"), "docs/theory/slider-crank")
     top_dead_centre: Array = quantity(
         "φ_T", "deg", _PISTON, N_("Crank angle of the true top dead centre"), "docs/theory/slider-crank"
     )
@@ -62,16 +61,28 @@ class DeadCentres:
         "φ_B", "deg", _PISTON, N_("Crank angle of the true bottom dead centre"), "docs/theory/slider-crank"
     )
     top_shift: Array = quantity(
-        "ε_T", "deg", _PISTON, N_("Top dead centre after the crank points along the cylinder"), "docs/theory/slider-crank"
+        "ε_T",
+        "deg",
+        _PISTON,
+        N_("Top dead centre after the crank points along the cylinder"),
+        "docs/theory/slider-crank",
     )
     bottom_shift: Array = quantity(
-        "ε_B", "deg", _PISTON, N_("Bottom dead centre after the crank points away from the cylinder"), "docs/theory/slider-crank"
+        "ε_B",
+        "deg",
+        _PISTON,
+        N_("Bottom dead centre after the crank points away from the cylinder"),
+        "docs/theory/slider-crank",
     )
     top_position: Array = quantity(
         "H", "m", _PISTON, N_("Distance from shaft centre to piston pin at top dead centre"), "docs/theory/slider-crank"
     )
     bottom_position: Array = quantity(
-        "h", "m", _PISTON, N_("Distance from shaft centre to piston pin at bottom dead centre"), "docs/theory/slider-crank"
+        "h",
+        "m",
+        _PISTON,
+        N_("Distance from shaft centre to piston pin at bottom dead centre"),
+        "docs/theory/slider-crank",
     )
 
     def answer(self, names: Names, design: int) -> str:
@@ -84,19 +95,24 @@ class DeadCentres:
 
 def dead_centres(pistons: Pistons, crank_angle: CrankAngle) -> DeadCentres:
     """True dead centres of every piston."""
-    grid = pistons.nominal_top + turn_grid()
-    samples = slider_motion(pistons, grid).value
-    curve, slope = (lambda phi: slider_motion(pistons, phi).value), (lambda phi: slider_motion(pistons, phi).first)
-    top = largest(curve, slope, grid=grid, samples=samples)
-    bottom = smallest(curve, slope, grid=grid, samples=samples)
+    different = distinct(pistons)
+    samples = slider_motion(different.mechanisms, turn_grid()).value
+
+    def position(alpha: Array) -> Array:
+        return slider_motion(different.mechanisms, alpha).value
+
+    def slope(alpha: Array) -> Array:
+        return slider_motion(different.mechanisms, alpha).first
+
+    top, bottom = largest(position, slope, samples=samples), smallest(position, slope, samples=samples)
     return DeadCentres(
-        stroke=(top.value - bottom.value)[..., 0],
-        top_dead_centre=crank_angle.counted(top.angle)[..., 0],
-        bottom_dead_centre=crank_angle.counted(bottom.angle)[..., 0],
-        top_shift=_around_zero(top.angle - pistons.nominal_top)[..., 0],
-        bottom_shift=_around_zero(bottom.angle - pistons.nominal_top - np.pi)[..., 0],
-        top_position=top.value[..., 0],
-        bottom_position=bottom.value[..., 0],
+        stroke=different.spread(top.value - bottom.value)[..., 0],
+        top_dead_centre=crank_angle.counted(different.angle(top.angle))[..., 0],
+        bottom_dead_centre=crank_angle.counted(different.angle(bottom.angle))[..., 0],
+        top_shift=different.spread(_around_zero(top.angle))[..., 0],
+        bottom_shift=different.spread(_around_zero(bottom.angle - np.pi))[..., 0],
+        top_position=different.spread(top.value)[..., 0],
+        bottom_position=different.spread(bottom.value)[..., 0],
     )
 
 
@@ -119,7 +135,11 @@ class PistonMotion:
         "x″", "m/rad^2", _CURVE, N_("Piston acceleration for each (rad/s)² of the crank"), "docs/theory/slider-crank"
     )
     rod_angle: Array = quantity(
-        "θ", "rad", _CURVE, N_("Direction of the rod, from its crank-side pin to the piston pin, from the cylinder's axis"), "docs/theory/groups"
+        "θ",
+        "rad",
+        _CURVE,
+        N_("Direction of the rod, from its crank-side pin to the piston pin, from the cylinder's axis"),
+        "docs/theory/groups",
     )
     rod_velocity_coefficient: Array = quantity(
         "θ′", "rad/rad", _CURVE, N_("Rod's angular velocity for each rad/s of the crank"), "docs/theory/groups"
@@ -134,10 +154,18 @@ class PistonMotion:
         "φ(β_max)", "deg", _PISTON, N_("Crank angle of the largest pressure angle"), "docs/theory/slider-crank"
     )
     opposite_pressure_angle: Array = quantity(
-        "β_opp", "rad", _PISTON, N_("Largest angle between rod and cylinder axis to the other side"), "docs/theory/slider-crank"
+        "β_opp",
+        "rad",
+        _PISTON,
+        N_("Largest angle between rod and cylinder axis to the other side"),
+        "docs/theory/slider-crank",
     )
     opposite_pressure_angle_at: Array = quantity(
-        "φ(β_opp)", "deg", _PISTON, N_("Crank angle of the largest pressure angle to the other side"), "docs/theory/slider-crank"
+        "φ(β_opp)",
+        "deg",
+        _PISTON,
+        N_("Crank angle of the largest pressure angle to the other side"),
+        "docs/theory/slider-crank",
     )
     checks: tuple[Check, ...] = ()
 
@@ -145,16 +173,20 @@ class PistonMotion:
 def piston_motion(pistons: Pistons, crank_angle: CrankAngle, dead_centres: DeadCentres) -> PistonMotion:
     """Displacement from the true top toward the shaft, rod angle, and their derivatives."""
     motion = _slider_and_rod(pistons, crank_angle.angle)
+    different = distinct(pistons)
+    samples = _slider_and_rod(different.mechanisms, turn_grid()).rod
 
-    def rod(phi: Array) -> Array:
-        return _slider_and_rod(pistons, phi).rod
+    def rod(alpha: Array) -> Array:
+        return _slider_and_rod(different.mechanisms, alpha).rod
 
-    def rod_turn(phi: Array) -> Array:
-        return _slider_and_rod(pistons, phi).rod_first
+    def rod_turn(alpha: Array) -> Array:
+        return _slider_and_rod(different.mechanisms, alpha).rod_first
 
-    forth, back = largest(rod, rod_turn), smallest(rod, rod_turn)
-    is_forth = np.abs(forth.value) >= np.abs(back.value)
-    at_forth, at_back = crank_angle.counted(forth.angle), crank_angle.counted(back.angle)
+    forth, back = largest(rod, rod_turn, samples=samples), smallest(rod, rod_turn, samples=samples)
+    most, least = different.spread(forth.value), different.spread(back.value)
+    is_forth = np.abs(most) >= np.abs(least)
+    at_forth = crank_angle.counted(different.angle(forth.angle))
+    at_back = crank_angle.counted(different.angle(back.angle))
     return PistonMotion(
         piston_displacement=dead_centres.top_position[..., np.newaxis] - motion.position,
         piston_velocity_coefficient=-motion.position_first,
@@ -162,25 +194,25 @@ def piston_motion(pistons: Pistons, crank_angle: CrankAngle, dead_centres: DeadC
         rod_angle=motion.rod,
         rod_velocity_coefficient=motion.rod_first,
         rod_acceleration_coefficient=motion.rod_second,
-        largest_pressure_angle=np.where(is_forth, forth.value, back.value)[..., 0],
+        largest_pressure_angle=np.where(is_forth, most, least)[..., 0],
         largest_pressure_angle_at=np.where(is_forth, at_forth, at_back)[..., 0],
-        opposite_pressure_angle=np.where(is_forth, back.value, forth.value)[..., 0],
+        opposite_pressure_angle=np.where(is_forth, least, most)[..., 0],
         opposite_pressure_angle_at=np.where(is_forth, at_back, at_forth)[..., 0],
-        checks=(_derivatives_check(pistons),),
+        checks=(_derivatives_check(different),),
     )
 
 
-def _derivatives_check(pistons: Pistons) -> Check:
+def _derivatives_check(pistons: Distinct) -> Check:
     """Compare x′ and x″ with the derivatives of the Fourier series of x and x′, which know no mechanism formula."""
-    motion = slider_motion(pistons, turn_grid()[np.newaxis, np.newaxis, :])
+    motion = slider_motion(pistons.mechanisms, turn_grid())
     residual = np.maximum(
-        worst(spectral_derivative(motion.value) - motion.first, motion.first),
-        worst(spectral_derivative(motion.first) - motion.second, motion.second),
+        relative(spectral_derivative(motion.value) - motion.first, motion.first),
+        relative(spectral_derivative(motion.first) - motion.second, motion.second),
     )
     return Check(
         "piston_derivatives",
         _("x′ and x″ against the derivatives of the Fourier series of x and x′, relative to their peaks"),
-        residual,
+        np.max(pistons.spread(residual), axis=(1, 2)),
         1e-11,
     )
 
@@ -195,34 +227,58 @@ class PistonSpeeds:
     piston_acceleration: Array = quantity(
         "j", "m/s^2", _CURVE, N_("Piston acceleration toward the shaft"), "docs/theory/slider-crank"
     )
-    rod_angular_velocity: Array = quantity("ω_r", "rad/s", _CURVE, N_("Angular velocity of the rod"), "docs/theory/groups")
+    rod_angular_velocity: Array = quantity(
+        "ω_r", "rad/s", _CURVE, N_("Angular velocity of the rod"), "docs/theory/groups"
+    )
     rod_angular_acceleration: Array = quantity(
         "ε_r", "rad/s^2", _CURVE, N_("Angular acceleration of the rod"), "docs/theory/groups"
     )
-    mean_piston_speed: Array = quantity("c_m", "m/s", _PISTON, N_("Mean piston speed, 2 S n"), "docs/theory/slider-crank")
+    mean_piston_speed: Array = quantity(
+        "c_m", "m/s", _PISTON, N_("Mean piston speed, 2 S n"), "docs/theory/slider-crank"
+    )
     largest_piston_speed: Array = quantity(
         "v_max", "m/s", _PISTON, N_("Largest piston velocity toward the shaft"), "docs/theory/slider-crank"
     )
     largest_piston_speed_at: Array = quantity(
-        "φ(v_max)", "deg", _PISTON, N_("Crank angle of the largest velocity toward the shaft"), "docs/theory/slider-crank"
+        "φ(v_max)",
+        "deg",
+        _PISTON,
+        N_("Crank angle of the largest velocity toward the shaft"),
+        "docs/theory/slider-crank",
     )
     smallest_piston_velocity: Array = quantity(
         "v_min", "m/s", _PISTON, N_("Largest piston velocity away from the shaft, negative"), "docs/theory/slider-crank"
     )
     smallest_piston_velocity_at: Array = quantity(
-        "φ(v_min)", "deg", _PISTON, N_("Crank angle of the largest velocity away from the shaft"), "docs/theory/slider-crank"
+        "φ(v_min)",
+        "deg",
+        _PISTON,
+        N_("Crank angle of the largest velocity away from the shaft"),
+        "docs/theory/slider-crank",
     )
     largest_piston_acceleration: Array = quantity(
         "j_max", "m/s^2", _PISTON, N_("Largest piston acceleration toward the shaft"), "docs/theory/slider-crank"
     )
     largest_piston_acceleration_at: Array = quantity(
-        "φ(j_max)", "deg", _PISTON, N_("Crank angle of the largest acceleration toward the shaft"), "docs/theory/slider-crank"
+        "φ(j_max)",
+        "deg",
+        _PISTON,
+        N_("Crank angle of the largest acceleration toward the shaft"),
+        "docs/theory/slider-crank",
     )
     smallest_piston_acceleration: Array = quantity(
-        "j_min", "m/s^2", _PISTON, N_("Largest piston acceleration away from the shaft, negative"), "docs/theory/slider-crank"
+        "j_min",
+        "m/s^2",
+        _PISTON,
+        N_("Largest piston acceleration away from the shaft, negative"),
+        "docs/theory/slider-crank",
     )
     smallest_piston_acceleration_at: Array = quantity(
-        "φ(j_min)", "deg", _PISTON, N_("Crank angle of the largest acceleration away from the shaft"), "docs/theory/slider-crank"
+        "φ(j_min)",
+        "deg",
+        _PISTON,
+        N_("Crank angle of the largest acceleration away from the shaft"),
+        "docs/theory/slider-crank",
     )
 
     def answer(self, names: Names, design: int) -> str:
@@ -240,27 +296,37 @@ def piston_speeds(
 ) -> PistonSpeeds:
     """Velocities q′ω and accelerations q″ω² at constant speed, and their extremes."""
     omega = speed.value
+    different = distinct(pistons)
+    sampled = slider_motion(different.mechanisms, turn_grid())
 
-    def velocity(phi: Array) -> Array:
-        return -slider_motion(pistons, phi).first
+    def velocity(alpha: Array) -> Array:
+        return -slider_motion(different.mechanisms, alpha).first
 
-    def acceleration(phi: Array) -> Array:
-        return -slider_motion(pistons, phi).second
+    def acceleration(alpha: Array) -> Array:
+        return -slider_motion(different.mechanisms, alpha).second
 
-    fastest, slowest = largest(velocity, acceleration), smallest(velocity, acceleration)
-    most, least = largest(acceleration), smallest(acceleration)
+    fastest = largest(velocity, acceleration, samples=-sampled.first)
+    slowest = smallest(velocity, acceleration, samples=-sampled.first)
+    most, least = largest(acceleration, samples=-sampled.second), smallest(acceleration, samples=-sampled.second)
+
+    def at(extreme: Extreme) -> Array:
+        return crank_angle.counted(different.angle(extreme.angle))[..., 0]
+
+    def scaled(extreme: Extreme, factor: Array) -> Array:
+        return (different.spread(extreme.value) * factor)[..., 0]
+
     return PistonSpeeds(
         piston_velocity=motion.piston_velocity_coefficient * omega,
         piston_acceleration=motion.piston_acceleration_coefficient * omega**2,
         rod_angular_velocity=motion.rod_velocity_coefficient * omega,
         rod_angular_acceleration=motion.rod_acceleration_coefficient * omega**2,
         mean_piston_speed=dead_centres.stroke * (omega / np.pi)[..., 0],
-        largest_piston_speed=(fastest.value * omega)[..., 0],
-        largest_piston_speed_at=crank_angle.counted(fastest.angle)[..., 0],
-        smallest_piston_velocity=(slowest.value * omega)[..., 0],
-        smallest_piston_velocity_at=crank_angle.counted(slowest.angle)[..., 0],
-        largest_piston_acceleration=(most.value * omega**2)[..., 0],
-        largest_piston_acceleration_at=crank_angle.counted(most.angle)[..., 0],
-        smallest_piston_acceleration=(least.value * omega**2)[..., 0],
-        smallest_piston_acceleration_at=crank_angle.counted(least.angle)[..., 0],
+        largest_piston_speed=scaled(fastest, omega),
+        largest_piston_speed_at=at(fastest),
+        smallest_piston_velocity=scaled(slowest, omega),
+        smallest_piston_velocity_at=at(slowest),
+        largest_piston_acceleration=scaled(most, omega**2),
+        largest_piston_acceleration_at=at(most),
+        smallest_piston_acceleration=scaled(least, omega**2),
+        smallest_piston_acceleration_at=at(least),
     )

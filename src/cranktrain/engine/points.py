@@ -78,8 +78,12 @@ class PointMotion:
 
     point_x: Array = quantity("x_P", "m", _CURVE, N_("Point's x in its mechanism's axes"), _THEORY)
     point_y: Array = quantity("y_P", "m", _CURVE, N_("Point's y in its mechanism's axes"), _THEORY)
-    point_x_velocity_coefficient: Array = quantity("x_P′", "m/rad", _CURVE, N_("Derivative of x by the crank angle"), _THEORY)
-    point_y_velocity_coefficient: Array = quantity("y_P′", "m/rad", _CURVE, N_("Derivative of y by the crank angle"), _THEORY)
+    point_x_velocity_coefficient: Array = quantity(
+        "x_P′", "m/rad", _CURVE, N_("Derivative of x by the crank angle"), _THEORY
+    )
+    point_y_velocity_coefficient: Array = quantity(
+        "y_P′", "m/rad", _CURVE, N_("Derivative of y by the crank angle"), _THEORY
+    )
     point_x_acceleration_coefficient: Array = quantity(
         "x_P″", "m/rad^2", _CURVE, N_("Second derivative of x by the crank angle"), _THEORY
     )

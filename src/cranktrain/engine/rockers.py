@@ -6,7 +6,7 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, worst
+from cranktrain.checks import Check, relative
 from cranktrain.engine.layout import CrankAngle, Rockers, Speed
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
@@ -77,9 +77,7 @@ class DeadPositions:
 
 def dead_positions(rockers: Rockers, crank_angle: CrankAngle) -> DeadPositions:
     """Extremes of every rocker's angle: roots of θ′."""
-    grid = rockers.nominal_top + turn_grid()
-    sampled = _rocker_and_rod(rockers, grid)
-    whole = np.unwrap(sampled.rocker, axis=-1)
+    whole = np.unwrap(_rocker_and_rod(rockers, turn_grid()).rocker, axis=-1)
     middle = 0.5 * (np.max(whole, axis=-1, keepdims=True) + np.min(whole, axis=-1, keepdims=True))
     swings = np.ptp(whole, axis=-1, keepdims=True) < np.pi
 
@@ -89,8 +87,8 @@ def dead_positions(rockers: Rockers, crank_angle: CrankAngle) -> DeadPositions:
     def slope(phi: Array) -> Array:
         return _rocker_and_rod(rockers, phi).rocker_first
 
-    most = largest(curve, slope, grid=grid, samples=whole)
-    least = smallest(curve, slope, grid=grid, samples=whole)
+    most = largest(curve, slope, samples=whole)
+    least = smallest(curve, slope, samples=whole)
     travel = np.mod(most.angle - least.angle, 2 * np.pi)
     slower = np.maximum(travel, 2 * np.pi - travel)
 
@@ -148,17 +146,17 @@ def rocker_motion(rockers: Rockers, crank_angle: CrankAngle) -> RockerMotion:
 
 def _derivatives_check(rockers: Rockers) -> Check:
     """Compare θ″ with the derivative of the Fourier series of θ′, and θ′ with that of the direction's cosine."""
-    motion = _rocker_and_rod(rockers, turn_grid()[np.newaxis, np.newaxis, :])
+    motion = _rocker_and_rod(rockers, turn_grid())
     cos, sin = np.cos(motion.rocker), np.sin(motion.rocker)
     turn = cos * spectral_derivative(sin) - sin * spectral_derivative(cos)
     residual = np.maximum(
-        worst(turn - motion.rocker_first, motion.rocker_first),
-        worst(spectral_derivative(motion.rocker_first) - motion.rocker_second, motion.rocker_second),
+        relative(turn - motion.rocker_first, motion.rocker_first),
+        relative(spectral_derivative(motion.rocker_first) - motion.rocker_second, motion.rocker_second),
     )
     return Check(
         "rocker_derivatives",
         _("θ′ and θ″ against the derivatives of the Fourier series of the rocker's direction and of θ′"),
-        residual,
+        np.max(residual, axis=(1, 2)),
         1e-11,
     )
 
@@ -167,9 +165,7 @@ def _derivatives_check(rockers: Rockers) -> Check:
 class RockerSpeeds:
     """Velocities and accelerations of rockers and rods at the declared, constant speed."""
 
-    rocker_angular_velocity: Array = quantity(
-        "ω_3", "rad/s", _CURVE, N_("Angular velocity of the rocker"), _THEORY
-    )
+    rocker_angular_velocity: Array = quantity("ω_3", "rad/s", _CURVE, N_("Angular velocity of the rocker"), _THEORY)
     rocker_angular_acceleration: Array = quantity(
         "ε_3", "rad/s^2", _CURVE, N_("Angular acceleration of the rocker"), _THEORY
     )
@@ -198,7 +194,11 @@ class LoadMotion:
         "x_Q", "m", _CURVE, N_("Travel of the load from the dead position of the smallest rocker angle"), _THEORY
     )
     load_velocity_coefficient: Array = quantity(
-        "x_Q′", "m/rad", _CURVE, N_("Load velocity for each rad/s of the crank: the torque factor of a pumping unit"), _THEORY
+        "x_Q′",
+        "m/rad",
+        _CURVE,
+        N_("Load velocity for each rad/s of the crank: the torque factor of a pumping unit"),
+        _THEORY,
     )
     load_acceleration_coefficient: Array = quantity(
         "x_Q″", "m/rad^2", _CURVE, N_("Load acceleration for each (rad/s)² of the crank"), _THEORY

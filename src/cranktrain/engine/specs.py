@@ -25,14 +25,14 @@ Item = TypeVar("Item")
 
 def _listed(data: object) -> object:
     """Take one value for a list of one."""
-    return data if isinstance(data, list | tuple) else (data,)
+    return cast(object, data) if isinstance(data, list | tuple) else (data,)
 
 
 OneOrMany = Annotated[tuple[Item, ...], BeforeValidator(_listed), Field(min_length=1)]
 """One value, or a list of them."""
 
 
-class ShaftSpec(Spec):
+class ShaftSpec(Spec, frozen=True):
     """A crankshaft: throw angles ahead of throw 1, gaps between throws along it, speed."""
 
     throws: tuple[Angle, ...] = Field(default=(Given(0.0, "0 deg"),), min_length=1)
@@ -53,13 +53,13 @@ class ShaftSpec(Spec):
         return self
 
 
-class ShaftsSpec(Spec):
+class ShaftsSpec(Spec, frozen=True):
     """The shafts by name."""
 
     main: ShaftSpec = ShaftSpec()
 
 
-class BankSpec(Spec):
+class BankSpec(Spec, frozen=True):
     """Cylinders in one direction, or a star of them where `angle` is a list: one mechanism for each angle.
 
     angle counts from Y; throws are the throws that the bank works on, counted from 1 (all unless given); stagger moves
@@ -83,7 +83,8 @@ class BankSpec(Spec):
             return table
         fields = cast(Mapping[str, Any], mechanism)
         n_angles = len(cast(list[Any], angles)) if isinstance(angles, list) else 1
-        wrong = {name: len(value) for name, value in fields.items() if isinstance(value, list) and len(value) != n_angles}
+        lists = {name: cast(list[Any], value) for name, value in fields.items() if isinstance(value, list)}
+        wrong = {name: len(value) for name, value in lists.items() if len(value) != n_angles}
         if wrong:
             allowed = _("a list there gives one item to each angle of the bank: {n} of them").format(n=n_angles)
             raise InputError(
@@ -92,13 +93,13 @@ class BankSpec(Spec):
         return {
             **table,
             "mechanism": [
-                {name: value[i] if isinstance(value, list) else value for name, value in fields.items()}
+                {name: lists[name][i] if name in lists else value for name, value in fields.items()}
                 for i in range(n_angles)
             ],
         }
 
 
-class CylinderSpec(Spec):
+class CylinderSpec(Spec, frozen=True):
     """One cylinder's own dimensions; what it does not give, the cylinder above it gives."""
 
     bore: PositiveLength | None = None
@@ -107,7 +108,7 @@ class CylinderSpec(Spec):
     piston_rod: PositiveLength | None = None
 
 
-class CylindersSpec(CylinderSpec):
+class CylindersSpec(CylinderSpec, frozen=True):
     """All cylinders: their common dimensions, cycle and firing order, and `overrides` by bank or piston."""
 
     cycle: Literal["two-stroke", "four-stroke"] | None = None
@@ -123,6 +124,8 @@ class CylindersSpec(CylinderSpec):
             return data
         table = cast(Mapping[str, Any], data)
         own = {
-            name: value for name, value in table.items() if isinstance(value, Mapping) and name not in cls.model_fields
+            name: cast(object, value)
+            for name, value in table.items()
+            if isinstance(value, Mapping) and name not in cls.model_fields
         }
         return {name: value for name, value in table.items() if name not in own} | {"overrides": own}

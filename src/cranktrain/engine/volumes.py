@@ -57,7 +57,9 @@ class CompressionRatios:
 class SweptVolumes:
     """What the pistons sweep between their true dead centres."""
 
-    swept_volume: Array = quantity("V_h", "m^3", _CHAMBER, N_("Swept volume of the chamber, by the true stroke"), _THEORY)
+    swept_volume: Array = quantity(
+        "V_h", "m^3", _CHAMBER, N_("Swept volume of the chamber, by the true stroke"), _THEORY
+    )
     bank_swept_volume: Array = quantity("V_b", "m^3", ("bank",), N_("Swept volume of the bank"), _THEORY)
     displacement: Array = quantity("V_H", "m^3", (), N_("Swept volume of all chambers"), _THEORY)
 
@@ -114,18 +116,14 @@ def chamber_volumes(
     that its clearance height is c = c_leader + H_leader − H, where H is the height of the piston pin at its top: the
     ratios of articulated rods differ by stroke *and* by pin height.
     """
-    area = np.sum(np.abs(chambers.areas), axis=1)
-    height = np.einsum("dpc,dp->dc", np.abs(chambers.areas), dead_centres.top_position) / area
+    area: Array = np.sum(np.abs(chambers.areas), axis=1)
+    height: Array = np.sum(np.abs(chambers.areas) * dead_centres.top_position[..., np.newaxis], axis=1) / area
     own = swept.swept_volume / (ratios.value - 1) / area
-    clearance_height = np.where(
-        np.isnan(ratios.value), own[:, ratios.leader] + height[:, ratios.leader] - height, own
-    )
+    clearance_height: Array = np.where(np.isnan(ratios.value), own[:, ratios.leader] + height[:, ratios.leader] - height, own)
     clearance = clearance_height * area
     # A chamber on the shaft's side (area < 0) is smallest where its piston is at the bottom.
-    at_bottom = np.einsum("dpc,dp->dc", np.maximum(-chambers.areas, 0.0), dead_centres.stroke)
-    volume = (clearance + at_bottom)[..., np.newaxis] + np.einsum(
-        "dpc,dpn->dcn", chambers.areas, motion.piston_displacement
-    )
+    at_bottom: Array = np.sum(np.maximum(-chambers.areas, 0.0) * dead_centres.stroke[..., np.newaxis], axis=1)
+    volume = (clearance + at_bottom)[..., np.newaxis] + np.swapaxes(chambers.areas, 1, 2) @ motion.piston_displacement
     return ChamberVolumes(
         chamber_volume=volume, clearance_volume=clearance, compression_ratio=1 + swept.swept_volume / clearance
     )

@@ -48,15 +48,20 @@ def pin(ends: Ends, geometry: Pin) -> PinMotion:
 
     Notes
     -----
-    d from the rod's end to the rocker's, D = |d|; rod q = (k d + σH d⊥)/D², rocker t = q − d, with
-    k = (D² + (l − r)(l + r))/2 and H = ½√((l + r + D)(l + r − D)(D + l − r)(D − l + r)), q × t = σH.
-    Differentiating d = q − t: θ_l′ = d′·t/σH, θ_r′ = d′·q/σH; with κ = d″ + θ_l′²q − θ_r′²t, θ_l″ = κ·t/σH,
-    θ_r″ = κ·q/σH. Exact; docs/theory/groups. Heron's product keeps its digits where the links are nearly in line.
+    d from the rod's end to the rocker's, D = |d|; rod q, rocker t = q − d; q × t = d × q = d × t = σH with
+    H = ½√((l + r + D)(l + r − D)(D + l − r)(D − l + r)), d·q = ½(D² + (l + r)(l − r)), d·t = d·q − D².
+    With d's turn ψ′ = d × d′/D² and stretch ε = d·d′/D², whose derivatives are ψ″ = d × d″/D² − 2εψ′ and
+    ε′ = d·d″/D² + ψ′² − ε², and the cotangents c_l = d·q/σH, c_r = d·t/σH of the angles from d to rod and rocker,
+    θ_l′ = ψ′ + εc_r, θ_r′ = ψ′ + εc_l, θ_l″ = ψ″ + ε′c_r − ε²c_l(1 + c_r²), θ_r″ = ψ″ + ε′c_l − ε²c_r(1 + c_l²).
+    Exact; docs/theory/groups. Heron's product keeps its digits where the links are nearly in line; turn and stretch
+    apart keep those of θ″ where the whole turns nearly as one body (a drag link).
     """
     dx = ends.rocker.x.value - ends.rod.x.value
     dy = ends.rocker.y.value - ends.rod.y.value
     dx1 = ends.rocker.x.first - ends.rod.x.first
     dy1 = ends.rocker.y.first - ends.rod.y.first
+    dx2 = ends.rocker.x.second - ends.rod.x.second
+    dy2 = ends.rocker.y.second - ends.rod.y.second
     total = geometry.rod_length + geometry.rocker_length
     difference = geometry.rod_length - geometry.rocker_length
     square = dx * dx + dy * dy
@@ -64,20 +69,24 @@ def pin(ends: Ends, geometry: Pin) -> PinMotion:
     cross = (0.5 * geometry.side) * np.sqrt(
         ((total + distance) * (total - distance)) * ((distance + difference) * (distance - difference))
     )
-    along = 0.5 + (0.5 * total * difference) / square
-    across = cross / square
-    qx = along * dx - across * dy
-    qy = along * dy + across * dx
-    tx = qx - dx
-    ty = qy - dy
-    rod_turn = (dx1 * tx + dy1 * ty) / cross
-    rocker_turn = (dx1 * qx + dy1 * qy) / cross
+    ahead = 0.5 * (square + total * difference)
+    behind = 0.5 * (total * difference - square)
+    qx = (ahead * dx - cross * dy) / square
+    qy = (ahead * dy + cross * dx) / square
+    tx = (behind * dx - cross * dy) / square
+    ty = (behind * dy + cross * dx) / square
+    turn = (dx * dy1 - dy * dx1) / square
+    stretch = (dx * dx1 + dy * dy1) / square
+    turn_rate = (dx * dy2 - dy * dx2) / square - 2.0 * stretch * turn
+    stretch_rate = (dx * dx2 + dy * dy2) / square + (turn * turn - stretch * stretch)
+    rod_cot = ahead / cross
+    rocker_cot = behind / cross
+    rod_turn = turn + stretch * rocker_cot
+    rocker_turn = turn + stretch * rod_cot
+    stretch_square = stretch * stretch
+    rod_rate = turn_rate + (stretch_rate * rocker_cot - stretch_square * rod_cot * (1.0 + rocker_cot * rocker_cot))
+    rocker_rate = turn_rate + (stretch_rate * rod_cot - stretch_square * rocker_cot * (1.0 + rod_cot * rod_cot))
     rod_square = rod_turn * rod_turn
-    rocker_square = rocker_turn * rocker_turn
-    kx = (ends.rocker.x.second - ends.rod.x.second) + (rod_square * qx - rocker_square * tx)
-    ky = (ends.rocker.y.second - ends.rod.y.second) + (rod_square * qy - rocker_square * ty)
-    rod_rate = (kx * tx + ky * ty) / cross
-    rocker_rate = (kx * qx + ky * qy) / cross
     joint = Point(
         Coefficient(
             ends.rod.x.value + qx,

@@ -66,10 +66,6 @@ def turned(moving: Point, angle: Array) -> Point:
     x = moving.x
     y = moving.y
     return Point(
-        Coefficient(
-            cos * x.value + sin * y.value, cos * x.first + sin * y.first, cos * x.second + sin * y.second
-        ),
-        Coefficient(
-            cos * y.value - sin * x.value, cos * y.first - sin * x.first, cos * y.second - sin * x.second
-        ),
+        Coefficient(cos * x.value + sin * y.value, cos * x.first + sin * y.first, cos * x.second + sin * y.second),
+        Coefficient(cos * y.value - sin * x.value, cos * y.first - sin * x.first, cos * y.second - sin * x.second),
     )

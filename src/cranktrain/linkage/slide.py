@@ -4,10 +4,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.motion import Array, Coefficient, Link, Point
+from cranktrain.motion import Array, Coefficient, Link, Point, single
 
-
-AHEAD = 1.0
+AHEAD = single(1.0)
 """Side of a slider that lies ahead (at larger x) of the rod's first pin; −1 where it lies behind."""
 
 

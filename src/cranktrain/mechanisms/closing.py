@@ -1,9 +1,10 @@
 """Closing margin: how little one length may change before the crank cannot turn; and where links cannot close."""
 
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.mechanisms.kind import scaled
 from cranktrain.motion import Array
@@ -23,7 +24,7 @@ class ClosingMargin(NamedTuple):
     """
 
     margin: Array
-    length: Array
+    length: NDArray[np.intp]
     angle: Array
 
 
@@ -122,7 +123,7 @@ def open_ranges(gap: Gap, geometry: Any) -> tuple[OpenRange, ...]:
         if end_at[0] < start_at[0]:
             end_at = np.roll(end_at, -1)
         ranges: list[OpenRange] = []
-        for first, last in zip(start_at, end_at, strict=True):
+        for first, last in zip(start_at.tolist(), end_at.tolist(), strict=True):
             before, after = _neighbour(grid, first, -1), _neighbour(grid, last, +1)
             start = bracketed_roots(curve, before, grid[first : first + 1])
             end = bracketed_roots(curve, grid[last : last + 1], after)
@@ -136,4 +137,4 @@ def _neighbour(grid: Array, index: int, step: int) -> Array:
     """Angle beside a grid point, across the end of the turn where need be."""
     other = index + step
     turn = 2 * np.pi * (other // len(grid))
-    return cast(Array, grid[[other % len(grid)]] + turn)
+    return grid[[other % len(grid)]] + turn

@@ -7,7 +7,7 @@ from typing import Any, Literal, NamedTuple, TypeVar, cast
 import numpy as np
 
 from cranktrain.motion import Array, Point
-from cranktrain.quantities import Angle, Length
+from cranktrain.quantities import Length
 from cranktrain.spec import Spec
 
 Geometry = TypeVar("Geometry", bound=tuple[Any, ...])
@@ -16,7 +16,7 @@ _MIRRORED = frozenset({"offset", "articulation_angle", "bank_angle", "side"})
 """Geometry that changes sign when the mechanism's y is mirrored: what counts toward +y or in the sense of rotation."""
 
 
-class LinkPointSpec(Spec):
+class LinkPointSpec(Spec, frozen=True):
     """A point fixed on a link, to be followed: `link`, how far `along` it from its first pin, how far `across`."""
 
     link: str
@@ -24,7 +24,7 @@ class LinkPointSpec(Spec):
     across: Length
 
 
-class MechanismSpec(Spec):
+class MechanismSpec(Spec, frozen=True):
     """What every mechanism of a machine file may declare."""
 
     kind: str
@@ -49,7 +49,7 @@ class Guide(NamedTuple):
     """A straight guide to draw: the pin that slides in it, and the guide's direction from x. [rad]"""
 
     pin: str
-    direction: float
+    direction: Array
 
 
 @dataclass(frozen=True)
@@ -148,7 +148,11 @@ def mirrored(geometry: Geometry) -> Geometry:
     named = cast(Any, geometry)
     return named._replace(
         **{
-            name: mirrored(value) if isinstance(value, tuple) else -value if name in _MIRRORED else value
+            name: mirrored(cast(tuple[Any, ...], value))
+            if isinstance(value, tuple)
+            else -value
+            if name in _MIRRORED
+            else value
             for name, value in named._asdict().items()
         }
     )
@@ -157,9 +161,7 @@ def mirrored(geometry: Geometry) -> Geometry:
 def stacked(geometries: Sequence[Sequence[Geometry]]) -> Geometry:
     """Stack geometries [design][member] of floats into one of arrays, shape (design, member, 1)."""
     first = cast(Any, geometries[0][0])
-    columns = {
-        name: [[getattr(member, name) for member in design] for design in geometries] for name in first._fields
-    }
+    columns = {name: [[getattr(member, name) for member in design] for design in geometries] for name in first._fields}
     return first._replace(
         **{
             name: stacked(column) if isinstance(column[0][0], tuple) else np.array(column, dtype=float)[..., np.newaxis]

@@ -118,7 +118,8 @@ def expected(dimension: Dimension) -> str:
 def plain(unit: str) -> str:
     """Spell a unit one way: m² and m^2 as m2; N·m, N*m, N.m and N m as N·m."""
     text = unicodedata.normalize("NFKC", unit).replace("**", "").replace("^", "")
-    return re.sub(r"\s*/\s*", "/", re.sub(r"[\s.*·⋅∙×]+", "·", text).strip("·"))
+    text = re.sub(r"\s*/\s*", "/", text.strip())
+    return re.sub(r"[\s.*·⋅∙×]+", "·", text).strip("·")
 
 
 @cache

@@ -72,13 +72,6 @@ class Quantity:
         read = self._in_range(data)
         return Given(read.si, read.text)
 
-    def in_file(self, given: Given) -> object:
-        """Write a quantity as a machine file holds it: the text alone, or a table with where it is from."""
-        value = given.text if self.dimension.units or "/" in given.text else given.si
-        about = {"status": given.status, "note": given.note, "source": given.source}
-        known = {key: word for key, word in about.items() if word is not None}
-        return {"value": value, **known} if known else value
-
     def _same(self, given: Given) -> Given:
         """Accept a value that was read before, if it is a value of this field."""
         if self._in_range(given.text).si != given.si:
@@ -122,7 +115,7 @@ class Quantity:
     def __get_pydantic_core_schema__(self, source: object, handler: GetCoreSchemaHandler) -> CoreSchema:
         """Let pydantic read with `given` and write what a machine file may hold."""
         return core_schema.no_info_plain_validator_function(
-            self.given, serialization=core_schema.plain_serializer_function_ser_schema(self.in_file)
+            self.given, serialization=core_schema.plain_serializer_function_ser_schema(_in_file)
         )
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
@@ -162,3 +155,11 @@ def _table_problems(table: Mapping[str, object]) -> Iterator[Problem]:
     for key in ("note", "source"):
         if key in table and not isinstance(table[key], str):
             yield Problem(key, written(table[key]), _("must be text in quotes"))
+
+
+def _in_file(given: Given) -> object:
+    """Write a quantity as a machine file holds it: text or plain number, or a table with where it is from."""
+    value = next((number for number in (int(given.si), given.si) if str(number) == given.text), given.text)
+    about = {"status": given.status, "note": given.note, "source": given.source}
+    known = {key: word for key, word in about.items() if word is not None}
+    return {"value": value, **known} if known else value

@@ -8,27 +8,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.motion import Array, Coefficient
 
 _NEWTON_STEPS = 8
 """Digits double with each step; from the first harmonic's top, enough for a second harmonic up to 0.6 of the first."""
-
-
-class ArticulatedRod(NamedTuple):
-    """Master rod and articulated rod on one crank; fields broadcast against each other."""
-
-    crank_radius: Array
-    """R [m]"""
-    master_rod_length: Array
-    """L [m]"""
-    knuckle_radius: Array
-    """r, crank pin to knuckle pin [m]"""
-    rod_length: Array
-    """l, knuckle pin to the slave's piston pin [m]"""
-    bank_angle: Array
-    """γ, from the master's axis to the slave's, positive in the sense of rotation [rad]"""
-    articulation_angle: Array
-    """ζ, from the master rod to the knuckle radius, positive in the sense of rotation [rad]"""
 
 
 class Harmonics(NamedTuple):
@@ -66,7 +50,7 @@ def derived(rod: ArticulatedRod) -> Harmonics:
     F cos Θ = μ(1 − 2ρ̂ cos γ) + B cos 2γ,  F sin Θ = 2μρ̂ sin γ − B sin 2γ,
     K = r cos δ + l cos φ₀ − (R/4)[μ(1 − 2ρ̂ cos γ) + B].
     """
-    R, L, r, l, gamma, zeta = rod  # noqa: N806 - the letters of the equations above
+    R, L, r, l, gamma, zeta = _letters(rod)  # noqa: N806 - the letters of the equations above
     sin_delta, cos_delta = np.sin(zeta - gamma), np.cos(zeta - gamma)
     sin_phi = r / l * sin_delta
     cos_phi = np.sqrt((1 - sin_phi) * (1 + sin_phi))
@@ -108,7 +92,7 @@ def reconstructed(rod: ArticulatedRod) -> Harmonics:
 
     The source divides by cos Φ and sin Θ to get E and F, which fails at γ = 0; hypot and atan2 do not.
     """
-    R, L, r, l, gamma, zeta = rod  # noqa: N806 - the letters of the equations above
+    R, L, r, l, gamma, zeta = _letters(rod)  # noqa: N806 - the letters of the equations above
     sin_psi, cos_psi = np.sin(zeta - gamma), np.cos(zeta - gamma)
     rho = r / L
     reach = 1 + r / l
@@ -143,7 +127,7 @@ def own_top_distance(rod: ArticulatedRod, harmonics: Harmonics) -> Array:
     for _step in range(_NEWTON_STEPS):
         slope = E * np.sin(angle + Phi) + F / 2 * np.sin(2 * angle - Theta)
         angle = angle - slope / (E * np.cos(angle + Phi) + F * np.cos(2 * angle - Theta))
-    return K + rod.crank_radius * (E * np.cos(angle + Phi) + F / 4 * np.cos(2 * angle - Theta))
+    return K + rod.master.crank_radius * (E * np.cos(angle + Phi) + F / 4 * np.cos(2 * angle - Theta))
 
 
 def slave_displacement(angle: Array, rod: ArticulatedRod, harmonics: Harmonics, top_distance: Array) -> Coefficient:
@@ -169,7 +153,7 @@ def slave_displacement(angle: Array, rod: ArticulatedRod, harmonics: Harmonics, 
     v/ω = R[E sin(α_l + Φ) + ½F sin(2α_l − Θ)],  j/ω² = R[E cos(α_l + Φ) + F cos(2α_l − Θ)].
     """
     E, Phi, F, Theta, K = harmonics  # noqa: N806 - the letters of (I.13)
-    R = rod.crank_radius  # noqa: N806
+    R = rod.master.crank_radius  # noqa: N806
     first = angle - rod.bank_angle + Phi
     second = 2 * (angle - rod.bank_angle) - Theta
     return Coefficient(
@@ -187,4 +171,17 @@ def _harmonics(first: tuple[Array, Array], second: tuple[Array, Array], mean_dis
         np.hypot(*second),
         np.arctan2(second[1], second[0]),
         mean_distance,
+    )
+
+
+def _letters(rod: ArticulatedRod) -> tuple[Array, Array, Array, Array, Array, Array]:
+    """R, L, r, l, γ, ζ of the equations, which know no offsets."""
+    master = rod.master
+    return (
+        master.crank_radius,
+        master.rod_length,
+        rod.knuckle_radius,
+        rod.rod_length,
+        rod.bank_angle,
+        rod.articulation_angle,
     )

@@ -1,6 +1,7 @@
 """What pint makes of the closed list, and output in its units."""
 
 import math
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -68,9 +69,10 @@ def test_shown(si: float, unit: str, number: float) -> None:
     np.testing.assert_array_equal(shown(np.array([[si, 2 * si]]), unit), [[shown(si, unit), shown(2 * si, unit)]])
 
 
-def test_whole_millimetres_are_shown_whole() -> None:
-    millimetres = np.arange(1.0, 10000.0)
-    np.testing.assert_array_equal(shown(millimetres / 1000, "mm"), millimetres)
+def test_decimal_units_are_shown_with_one_rounding() -> None:
+    metres = np.arange(1.0, 10000.0) / 1000
+    np.testing.assert_array_equal(shown(metres, "mm"), [float(Fraction(length) * 1000) for length in metres.tolist()])
+    np.testing.assert_array_equal(shown(metres, "kPa"), [float(Fraction(size) / 1000) for size in metres.tolist()])
 
 
 def test_unit_outside_the_list_is_refused_with_the_list() -> None:

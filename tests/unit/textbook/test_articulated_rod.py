@@ -2,18 +2,24 @@ import mpmath
 import numpy as np
 import pytest
 
+from cranktrain.mechanisms.articulated_rod import ArticulatedRod
+from cranktrain.mechanisms.kind import stacked
+from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.textbook import articulated_rod, steam_engine
-from cranktrain.textbook.articulated_rod import ArticulatedRod, Harmonics
+from cranktrain.textbook.articulated_rod import Harmonics
 
-V2 = ArticulatedRod(0.09, 0.32, 0.085, 0.235, np.radians(60.0), np.radians(67.0))
+V2 = ArticulatedRod(SliderCrank(0.09, 0.32, 0.0), 0.085, np.radians(67.0), np.radians(60.0), 0.235, 0.0)
 # a bank before the master's, with an offset angle beyond any engine's: quadrants and signs
-WIDE = ArticulatedRod(0.03, 0.35, 0.1, 0.25, np.radians(-120.0), np.radians(-150.0))
+WIDE = ArticulatedRod(SliderCrank(0.03, 0.35, 0.0), 0.1, np.radians(-150.0), np.radians(-120.0), 0.25, 0.0)
 ANGLES = np.linspace(0, 2 * np.pi, 73)
 
 
 def distance(angle, crank_radius, rod):
     """Exact distance of the slave's pin from the shaft, in mpmath numbers."""
-    _, L, r, l, gamma, zeta = (mpmath.mpf(float(number)) for number in rod)
+    (_, L, _), r, zeta, gamma, l, _ = (
+        mpmath.mpf(float(part)) if not isinstance(part, tuple) else [mpmath.mpf(float(number)) for number in part]
+        for part in rod
+    )
     w = zeta - gamma - mpmath.asin(crank_radius / L * mpmath.sin(angle))
     Q = crank_radius * mpmath.sin(angle - gamma) + r * mpmath.sin(w)
     return crank_radius * mpmath.cos(angle - gamma) + r * mpmath.cos(w) + mpmath.sqrt(l**2 - Q**2)
@@ -26,7 +32,7 @@ def test_derived_constants_are_the_expansion_of_the_exact_distance_to_second_ord
     with mpmath.workdps(40):
         for angle, value in zip(ANGLES[::6], found, strict=True):
             series = mpmath.taylor(lambda radius, a=angle: distance(mpmath.mpf(float(a)), radius, rod), 0, 2)
-            expected = sum(term * mpmath.mpf(rod.crank_radius) ** order for order, term in enumerate(series))
+            expected = sum(term * mpmath.mpf(rod.master.crank_radius) ** order for order, term in enumerate(series))
             assert value == pytest.approx(float(expected), abs=4e-16)
 
 
@@ -56,16 +62,16 @@ def test_master_bank_without_offset_angle_is_defined(constants):
 
 @pytest.mark.parametrize("constants", [articulated_rod.derived, articulated_rod.reconstructed])
 def test_rods_jointed_on_the_crank_pin_are_a_plain_crank(constants):
-    rod = V2._replace(knuckle_radius=0.0, rod_length=V2.master_rod_length)
+    rod = V2._replace(knuckle_radius=0.0, rod_length=V2.master.rod_length)
     harmonics = constants(rod)
-    ratio = rod.crank_radius / rod.master_rod_length
+    ratio = rod.master.crank_radius / rod.master.rod_length
     assert harmonics.first_amplitude == pytest.approx(1.0, rel=1e-15)
     assert harmonics.second_amplitude == pytest.approx(ratio, rel=1e-15)
-    assert harmonics.mean_distance == pytest.approx(rod.rod_length - rod.crank_radius * ratio / 4, rel=1e-15)
+    assert harmonics.mean_distance == pytest.approx(rod.rod_length - rod.master.crank_radius * ratio / 4, rel=1e-15)
     top = articulated_rod.own_top_distance(rod, harmonics)
-    assert top == pytest.approx(rod.crank_radius + rod.rod_length, rel=1e-15)
+    assert top == pytest.approx(rod.master.crank_radius + rod.rod_length, rel=1e-15)
     found = articulated_rod.slave_displacement(ANGLES, rod, harmonics, top)
-    plain = steam_engine.two_harmonics(ANGLES - rod.bank_angle, rod.crank_radius, ratio)
+    plain = steam_engine.two_harmonics(ANGLES - rod.bank_angle, rod.master.crank_radius, ratio)
     for one, other in zip(found, plain, strict=True):
         np.testing.assert_allclose(one, other, rtol=0, atol=3e-16)
 
@@ -86,7 +92,7 @@ def test_derivatives_of_the_printed_displacement_in_40_digits():
     found = articulated_rod.slave_displacement(ANGLES[1::9], V2, harmonics, 0.4)
     with mpmath.workdps(40):
         E, Phi, F, Theta, K = (mpmath.mpf(float(number)) for number in harmonics)
-        gamma, R = mpmath.mpf(float(V2.bank_angle)), mpmath.mpf(V2.crank_radius)
+        gamma, R = mpmath.mpf(float(V2.bank_angle)), mpmath.mpf(V2.master.crank_radius)
 
         def printed(angle):
             own = angle - gamma
@@ -106,11 +112,11 @@ def test_own_top_is_the_curves_highest_point_for_every_phase(ratio):
     curve = articulated_rod.slave_displacement(angle, V2, harmonics, found).value.min(axis=-1)
     # on a grid of 0.018° the lowest displacement stands at most ½ j (step/2)² above zero
     assert curve.min() > -1e-15
-    assert curve.max() < 0.5 * V2.crank_radius * 1.1 * (1 + ratio) * (np.pi / 20000) ** 2 + 1e-15
+    assert curve.max() < 0.5 * V2.master.crank_radius * 1.1 * (1 + ratio) * (np.pi / 20000) ** 2 + 1e-15
 
 
 def test_designs_broadcast():
-    rods = ArticulatedRod(*(np.array([[one], [other]]) for one, other in zip(V2, WIDE, strict=True)))
+    rods = stacked([[V2], [WIDE]])
     harmonics = articulated_rod.derived(rods)
     together = articulated_rod.slave_displacement(
         ANGLES, rods, harmonics, articulated_rod.own_top_distance(rods, harmonics)
@@ -119,5 +125,5 @@ def test_designs_broadcast():
         own = articulated_rod.derived(rod)
         alone = articulated_rod.slave_displacement(ANGLES, rod, own, articulated_rod.own_top_distance(rod, own))
         for found, expected in zip(together, alone, strict=True):
-            assert found.shape == (2, ANGLES.size)
-            np.testing.assert_allclose(found[design], expected, rtol=0, atol=3e-16)
+            assert found.shape == (2, 1, ANGLES.size)
+            np.testing.assert_allclose(found[design, 0], expected, rtol=0, atol=3e-16)

@@ -9,7 +9,11 @@ from cranktrain.mechanisms.articulated_rod.kinematics import (
     articulated_rod,
     articulated_rod_gap,
 )
-from cranktrain.mechanisms.articulated_rod.spec import ArticulatedRodSpec, articulated_rod_advice, articulated_rod_geometry
+from cranktrain.mechanisms.articulated_rod.spec import (
+    ArticulatedRodSpec,
+    articulated_rod_advice,
+    articulated_rod_geometry,
+)
 from cranktrain.mechanisms.kind import Kind
 
 __all__ = ["KIND", "ArticulatedRod", "ArticulatedRodMotion", "ArticulatedRodSpec", "articulated_rod"]

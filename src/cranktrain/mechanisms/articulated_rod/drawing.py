@@ -4,7 +4,7 @@ from cranktrain.linkage import fixed, turned
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.kind import Drawing, DrawnLink, Guide, pin_positions
 from cranktrain.mechanisms.slider_crank.kinematics import slider_crank
-from cranktrain.motion import Array, Coefficient, Point
+from cranktrain.motion import Array, Coefficient, Point, single
 
 
 def articulated_rod_drawing(angle: Array, geometry: ArticulatedRod) -> Drawing:
@@ -27,7 +27,7 @@ def articulated_rod_drawing(angle: Array, geometry: ArticulatedRod) -> Drawing:
             DrawnLink("master_rod", ("A", "B", "C")),
             DrawnLink("rod", ("C", "D")),
         ),
-        guides=(Guide("D", 0.0), Guide("B", -geometry.bank_angle)),
+        guides=(Guide("D", single(0.0)), Guide("B", -geometry.bank_angle)),
         fixed=("O",),
         paths=("A", "C"),
     )

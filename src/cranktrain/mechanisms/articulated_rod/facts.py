@@ -27,9 +27,7 @@ class ArticulatedRods(Members):
 class Articulation:
     """Where the knuckle pin stands, and where it would have to stand for an unshifted dead centre."""
 
-    offset_angle: Array = quantity(
-        "ψ", "rad", _ROD, N_("Articulation angle less bank angle, ζ − γ"), _THEORY
-    )
+    offset_angle: Array = quantity("ψ", "rad", _ROD, N_("Articulation angle less bank angle, ζ − γ"), _THEORY)
     articulation_angle_without_top_shift: Array = quantity(
         "ζ_T", "rad", _ROD, N_("Articulation angle that would leave the slave's top dead centre unshifted"), _THEORY
     )

@@ -7,12 +7,13 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.kind import Master, MechanismSpec
+from cranktrain.motion import single
 from cranktrain.numerics import turn_grid
 from cranktrain.quantities import Angle, Given, Length, NonNegativeLength, PositiveLength
 from cranktrain.wording import precise
 
 
-class ArticulatedRodSpec(MechanismSpec):
+class ArticulatedRodSpec(MechanismSpec, frozen=True):
     """A slave rod on a knuckle pin of the master rod that works on the same throw in bank `master`."""
 
     kind: Literal["articulated_rod"]
@@ -28,11 +29,11 @@ def articulated_rod_geometry(spec: ArticulatedRodSpec, master: Master | None) ->
     assert master is not None  # the layout finds the master or refuses the machine
     return ArticulatedRod(
         master.geometry,
-        spec.knuckle_radius.si,
-        spec.articulation_angle.si,
-        master.bank_angle,
-        spec.rod_length.si,
-        spec.offset.si,
+        single(spec.knuckle_radius.si),
+        single(spec.articulation_angle.si),
+        single(master.bank_angle),
+        single(spec.rod_length.si),
+        single(spec.offset.si),
     )
 
 

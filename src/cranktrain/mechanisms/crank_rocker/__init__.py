@@ -35,7 +35,7 @@ crank_radius = "100 mm"
 rod_length = "360 mm"
 rocker_length = "280 mm"
 ground_length = "400 mm"          # shaft centre to the rocker's pivot
-side = "left"                     # joint left or right of the line from crank pin to pivot, seen in the sense of rotation
+side = "left"                     # of the line from crank pin to pivot, where its joint lies
 # load_radius = "500 mm"          # radius about the pivot at which the load is carried
 
 # [mechanism.points.bucket]       # a coupler point to follow

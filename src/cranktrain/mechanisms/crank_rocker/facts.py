@@ -39,7 +39,11 @@ class Transmission:
     """Class of the linkage and extremes of the angle between rod and rocker."""
 
     grashof_class: Array = quantity(
-        "", "1", _LINKAGE, N_("Grashof class: 0 crank-rocker, 1 double crank, 2 double rocker, 3 rocker-crank, 4 change point, 5 non-Grashof"), _THEORY
+        "",
+        "1",
+        _LINKAGE,
+        N_("Grashof class: 0 crank-rocker, 1 double crank, 2 double rocker, 3 rocker-crank, 4 change point, 5 none"),
+        _THEORY,
     )
     smallest_transmission_angle: Array = quantity(
         "μ_min", "rad", _LINKAGE, N_("Smallest angle between rod and rocker"), _THEORY
@@ -81,9 +85,7 @@ def transmission(linkages: CrankRockers) -> Transmission:
 def grashof_class(geometry: CrankRocker) -> Array:
     """Class of each linkage, as an index of `CLASSES`, by its shortest link."""
     links = np.stack(
-        np.broadcast_arrays(
-            geometry.crank_radius, geometry.ground_length, geometry.rod_length, geometry.rocker_length
-        )
+        np.broadcast_arrays(geometry.crank_radius, geometry.ground_length, geometry.rod_length, geometry.rocker_length)
     )
     shortest = np.argmin(links, axis=0)
     slack = np.sum(links, axis=0) - 2 * (np.min(links, axis=0) + np.max(links, axis=0))
@@ -99,9 +101,7 @@ def _cosine_rule_check(geometry: CrankRocker, least: Array, most: Array) -> Chec
         geometry.ground_length,
         geometry.crank_radius,
     )
-    expected = [
-        np.arccos((rod**2 + rocker**2 - (ground + sign * crank) ** 2) / (2 * rod * rocker)) for sign in (-1, 1)
-    ]
+    expected = [np.arccos((rod**2 + rocker**2 - (ground + sign * crank) ** 2) / (2 * rod * rocker)) for sign in (-1, 1)]
     residual = np.maximum(np.abs(least - expected[0]), np.abs(most - expected[1]))
     return Check(
         "transmission_angle",

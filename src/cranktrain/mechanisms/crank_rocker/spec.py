@@ -5,13 +5,14 @@ from typing import Literal
 from cranktrain.language import _
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker
 from cranktrain.mechanisms.kind import Master, MechanismSpec
+from cranktrain.motion import single
 from cranktrain.quantities import PositiveLength
 from cranktrain.wording import precise
 
 _SIDES = {"left": 1.0, "right": -1.0}
 
 
-class CrankRockerSpec(MechanismSpec):
+class CrankRockerSpec(MechanismSpec, frozen=True):
     """Four lengths, and the side of the line from crank pin to rocker pivot on which the joint lies.
 
     load_radius is the radius about the rocker's pivot at which the load is carried, such as the horsehead of a beam
@@ -31,7 +32,11 @@ def crank_rocker_geometry(spec: CrankRockerSpec, master: Master | None = None) -
     """Lengths in SI and the side as a sign."""
     del master
     return CrankRocker(
-        spec.crank_radius.si, spec.rod_length.si, spec.rocker_length.si, spec.ground_length.si, _SIDES[spec.side]
+        single(spec.crank_radius.si),
+        single(spec.rod_length.si),
+        single(spec.rocker_length.si),
+        single(spec.ground_length.si),
+        single(_SIDES[spec.side]),
     )
 
 
@@ -43,4 +48,6 @@ def crank_rocker_advice(geometry: CrankRocker) -> str:
     most = geometry.rocker_length + nearest
     if least >= most:
         return _("no rod_length lets the crank turn: the crank or the ground must be the shortest link")
-    return _("rod_length must lie between {least} and {most}").format(least=precise(least), most=precise(most))
+    return _("rod_length must lie between {least} and {most}").format(
+        least=precise(float(least)), most=precise(float(most))
+    )

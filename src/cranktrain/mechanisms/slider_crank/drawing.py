@@ -2,7 +2,7 @@
 
 from cranktrain.mechanisms.kind import Drawing, DrawnLink, Guide, pin_positions
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
-from cranktrain.motion import Array, Coefficient, Point
+from cranktrain.motion import Array, Coefficient, Point, single
 
 
 def slider_crank_drawing(angle: Array, geometry: SliderCrank) -> Drawing:
@@ -13,7 +13,7 @@ def slider_crank_drawing(angle: Array, geometry: SliderCrank) -> Drawing:
     return Drawing(
         pins=pin_positions(O=Point(still, still), A=motion.pin, B=Point(motion.slider, height)),
         links=(DrawnLink("crank", ("O", "A")), DrawnLink("rod", ("A", "B"))),
-        guides=(Guide("B", 0.0),),
+        guides=(Guide("B", single(0.0)),),
         fixed=("O",),
         paths=("A",),
     )

@@ -9,12 +9,13 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.mechanisms.kind import Master, MechanismSpec
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
+from cranktrain.motion import single
 from cranktrain.quantities import Given, Length, PositiveLength, PositiveRatio
 from cranktrain.spec import Refused
 from cranktrain.wording import precise
 
 
-class SliderCrankSpec(MechanismSpec):
+class SliderCrankSpec(MechanismSpec, frozen=True):
     """Slider-crank: crank by its radius or the true stroke, rod by its length or either ratio to the crank."""
 
     kind: Literal["slider_crank"]
@@ -58,7 +59,7 @@ def slider_crank_geometry(spec: SliderCrankSpec, master: Master | None = None) -
     del master
     radius = spec.crank_radius.si if spec.crank_radius is not None else _radius_from_stroke(spec)
     assert radius is not None  # the spec refuses a stroke that no crank makes
-    return SliderCrank(radius, _rod_length(spec, radius), spec.offset.si)
+    return SliderCrank(single(radius), single(_rod_length(spec, radius)), single(spec.offset.si))
 
 
 def _rod_length(spec: SliderCrankSpec, radius: float) -> float:
@@ -102,4 +103,4 @@ def _root(square: float) -> float | None:
 def slider_crank_advice(geometry: SliderCrank) -> str:
     """Say how long the rod must be for the crank to turn."""
     least = geometry.crank_radius + abs(geometry.offset)
-    return _("rod_length must be more than crank_radius + |offset| = {least}").format(least=precise(least))
+    return _("rod_length must be more than crank_radius + |offset| = {least}").format(least=precise(float(least)))
