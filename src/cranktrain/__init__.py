@@ -15,23 +15,29 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from cranktrain.analysis import Result, run
     from cranktrain.errors import InputError, Problem
+    from cranktrain.io.machine_file import load
     from cranktrain.machine import Machine
 
-__all__ = ["InputError", "Machine", "Problem", "Result", "run"]
+__all__ = ["InputError", "Machine", "Problem", "Result", "__version__", "load", "run"]
 
+__version__ = "0.1.0"
+
+# Imported when first asked for: the terminal's help and lists do without NumPy and pydantic.
 _HOMES = {
     "InputError": "cranktrain.errors",
     "Machine": "cranktrain.machine",
     "Problem": "cranktrain.errors",
     "Result": "cranktrain.analysis",
+    "load": "cranktrain.io.machine_file",
     "run": "cranktrain.analysis",
 }
 
 
 def __getattr__(name: str) -> object:
-    """Import a public name when it is first asked for: help and lists of the terminal need no arrays."""
     if name not in _HOMES:
-        raise AttributeError(f"module 'cranktrain' has no attribute {name!r}")
-    value = getattr(import_module(_HOMES[name]), name)
-    globals()[name] = value
-    return value
+        raise AttributeError(f"cranktrain has no {name}")
+    return getattr(import_module(_HOMES[name]), name)
+
+
+def __dir__() -> list[str]:
+    return [*globals(), *_HOMES]

@@ -1,6 +1,6 @@
 """Shaft, banks and cylinders: their tables of the machine file."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Annotated, Any, Literal, TypeVar, cast
 
 from pydantic import BeforeValidator, Field, model_validator
@@ -82,8 +82,8 @@ class BankSpec(Spec, frozen=True):
         if not isinstance(mechanism, Mapping):
             return table
         fields = cast(Mapping[str, Any], mechanism)
-        n_angles = len(cast(list[Any], angles)) if isinstance(angles, list) else 1
-        lists = {name: cast(list[Any], value) for name, value in fields.items() if isinstance(value, list)}
+        n_angles = len(cast(Sequence[Any], angles)) if isinstance(angles, list | tuple) else 1
+        lists = {name: cast(Sequence[Any], value) for name, value in fields.items() if isinstance(value, list | tuple)}
         wrong = {name: len(value) for name, value in lists.items() if len(value) != n_angles}
         if wrong:
             allowed = _("a list there gives one item to each angle of the bank: {n} of them").format(n=n_angles)

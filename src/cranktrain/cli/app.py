@@ -1,0 +1,207 @@
+"""What may be typed: the commands with their arguments, options and help. A command gives back what is to be done."""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Annotated
+
+import typer
+
+from cranktrain import __version__
+from cranktrain.errors import InputError, Position, Problem
+from cranktrain.language import _
+
+Task = Callable[[], None]
+
+# Typer's own handlers would swallow Ctrl-C and closed pipes, so that nothing runs before it has returned; its Rich help
+# costs as much time as a run.
+_app = typer.Typer(
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+)
+
+
+def task(arguments: Sequence[str]) -> Task:
+    """Read a command line.
+
+    Parameters
+    ----------
+    arguments : sequence of str
+        What was typed after the program's name; nothing asks for help.
+
+    Returns
+    -------
+    Task
+        What is to be done.
+
+    Raises
+    ------
+    InputError
+        If the command line is not right.
+    """
+    usage_error = typer.BadParameter.__mro__[1]  # has no public name in every Typer
+    try:
+        given = _app(list(arguments) or ["--help"], prog_name="cranktrain", standalone_mode=False)
+    except usage_error as error:
+        raise InputError([_usage_problem(error)]) from None
+    return given if callable(given) else _nothing
+
+
+def _nothing() -> None:
+    """What is left to do after help or version."""
+
+
+def _usage_problem(error: Exception) -> Problem:
+    """Say in our words what is wrong with a command line."""
+    context = getattr(error, "ctx", None)
+    command = context.command_path if context is not None else "cranktrain"
+    message = getattr(error, "format_message", error.__str__)().strip().rstrip(".")
+    message = message[:1].lower() + message[1:]
+    return Problem("", None, message, _("see `{command} --help`").format(command=command), Position(command))
+
+
+def _version(asked: bool) -> None:
+    if asked:
+        typer.echo(f"cranktrain {__version__}")
+        raise typer.Exit
+
+
+_File = Annotated[
+    str, typer.Argument(metavar="FILE", help=_("A machine file, or the name of an example."), show_default=False)
+]
+_Output = Annotated[str | None, typer.Option("-o", "--output", metavar="FILE", help=_("Write to this file."))]
+_Force = Annotated[bool, typer.Option("--force", help=_("Replace a file that is there."))]
+
+
+@_app.callback(
+    help=_(
+        "Exact mechanics of any machine with a crank in it.\n\n"
+        "\b\n"
+        "To start:\n"
+        "  cranktrain list                           the examples\n"
+        "  cranktrain run 3d12                       what one of them does\n"
+        "  cranktrain new slider_crank -o mine.toml  a machine file of your own"
+    )
+)
+def _cranktrain(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help=_("Say the version and end."))
+    ] = False,
+) -> None:
+    del version
+
+
+@_app.command(
+    "list",
+    help=_(
+        "List examples (unless said otherwise), kinds of mechanism, or results.\n\n"
+        "\b\n"
+        "  cranktrain list\n"
+        "  cranktrain list kinds\n"
+        "  cranktrain list results | grep dead_centre"
+    ),
+)
+def _list(
+    what: Annotated[str, typer.Argument(metavar="[examples|kinds|results]", show_default=False)] = "examples",
+) -> Task:
+    from cranktrain.cli.lists import show_list
+
+    return partial(show_list, what)
+
+
+@_app.command(
+    "new",
+    help=_(
+        "Give a commented machine file of one KIND of mechanism, ready to run.\n\n"
+        "`cranktrain list kinds` names the kinds.\n\n"
+        "\b\n"
+        "  cranktrain new slider_crank\n"
+        "  cranktrain new crank_rocker -o mine.toml"
+    ),
+)
+def _new(
+    kind: Annotated[str, typer.Argument(metavar="KIND", show_default=False)],
+    output: _Output = None,
+    force: _Force = False,
+) -> Task:
+    from cranktrain.cli.start import write_new
+
+    return partial(write_new, kind, output, force=force)
+
+
+@_app.command(
+    "check",
+    help=_(
+        "Say all that is wrong with a machine file, or what it allows to compute.\n\n"
+        "\b\n"
+        "  cranktrain check 3d12\n"
+        "  cranktrain check r-1340"
+    ),
+)
+def _check(file: _File) -> Task:
+    from cranktrain.cli.check import show_check
+
+    return partial(show_check, file)
+
+
+@_app.command(
+    "run",
+    help=_(
+        "Compute all that a machine file allows: answers, facts, peaks, checks, and what is missing.\n\n"
+        "\b\n"
+        "  cranktrain run 3d12\n"
+        '  cranktrain run 3d12 --set "shaft.main.speed=1800 rpm"\n'
+        "  cranktrain run 3d12 --quantities stroke,piston_displacement\n"
+        "  cranktrain run 3d12 -o 3d12.csv --step 0.5"
+    ),
+)
+def _run(
+    file: _File,
+    output: Annotated[
+        str | None,
+        typer.Option("-o", "--output", metavar="FILE", help=_("Write curves to .csv, or all results to .json.")),
+    ] = None,
+    settings: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="PATH=VALUE", help=_("Another value for this run; as often as needed.")),
+    ] = None,
+    quantities: Annotated[
+        str | None,
+        typer.Option(metavar="A,B,…", help=_("Only these results; `cranktrain list results` names all.")),
+    ] = None,
+    step: Annotated[float, typer.Option(metavar="DEGREES", help=_("Of the crank angle, in curves."))] = 1.0,
+    partial_turn: Annotated[
+        bool, typer.Option("--partial", help=_("Accept links that do not close all round: NaN there."))
+    ] = False,
+    inputs: Annotated[bool, typer.Option("--inputs", help=_("Show every number of the file and where it is from."))] = False,
+    force: _Force = False,
+) -> Task:
+    from cranktrain.cli.run import Request, show_run
+
+    names = None if quantities is None else tuple(name.strip() for name in quantities.split(",") if name.strip())
+    request = Request(
+        file=file,
+        settings=tuple(settings or ()),
+        quantities=names,
+        step_degrees=step,
+        is_partial=partial_turn,
+        output=output,
+        force=force,
+    )
+    return partial(show_run, request, with_inputs=inputs)
+
+
+@_app.command(
+    "schema",
+    help=_(
+        "Give the JSON schema of machine files, for editors that complete and check TOML.\n\n"
+        "A file whose first line is `#:schema ./cranktrain.schema.json` is checked as it is typed.\n\n"
+        "\b\n"
+        "  cranktrain schema -o cranktrain.schema.json"
+    ),
+)
+def _schema(output: _Output = None, force: _Force = False) -> Task:
+    from cranktrain.cli.start import write_schema
+
+    return partial(write_schema, output, force=force)

@@ -1,0 +1,27 @@
+"""`check`: all that is wrong with a machine file, or what it allows to compute."""
+
+import re
+
+from cranktrain.analysis import run
+from cranktrain.io.machine_file import read_machine
+from cranktrain.language import _
+
+
+def show_check(source: str) -> None:
+    """Say that nothing is wrong, what can be computed and what is missing; raise `InputError` otherwise."""
+    file = read_machine(source)
+    result = run(file.machine)
+    print(_("{file}: nothing wrong").format(file=file.document.name))
+    groups = ", ".join(_words(type(gift).__name__) for gift in result.gifts)
+    print(_("can compute {n} results: {groups}").format(n=len(result.catalogue), groups=groups))
+    for missing in result.missing:
+        print(
+            _("missing for {results}: {needs}").format(
+                results=", ".join(missing.results), needs=_(" and ").join(missing.needs)
+            )
+        )
+
+
+def _words(class_name: str) -> str:
+    """Take the name of a result's class for what it is: `DeadCentres` gives `dead centres`."""
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", class_name).lower()

@@ -1,0 +1,131 @@
+"""A result on the screen: answers first, then the numbers, what they rest on, and what is missing."""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from rich.console import Console
+from rich.text import Text
+
+from cranktrain.analysis import Missing, Result
+from cranktrain.cli.facts import fact_tables
+from cranktrain.cli.figures import figures
+from cranktrain.cli.inputs import input_table, provenance
+from cranktrain.cli.screen import plain, section, table
+from cranktrain.io.machine_file import MachineFile
+from cranktrain.language import _
+from cranktrain.machine import Machine
+from cranktrain.mechanisms import kind_named
+
+_INDENT = 2
+_NAMED = 4
+"""How many of the results that something would give are named."""
+
+_EQUAL = 1e-9
+"""Peaks closer than this are one: which of them rounding makes the largest says nothing."""
+
+
+def show_result(
+    console: Console, file: MachineFile, result: Result, names: Sequence[str], *, with_inputs: bool
+) -> None:
+    """Show a result.
+
+    Parameters
+    ----------
+    console : Console
+    file : MachineFile
+    result : Result
+        Of one machine.
+    names : sequence of str
+        Which of its quantities.
+    with_inputs : bool
+        Whether to show every number of the file, and not only a word on where they are from.
+    """
+    console.print(Text(title(file.machine), style="bold"))
+    console.print()
+    for sentence in result.answers():
+        console.print(sentence)
+    facts = [name for name in names if name in result.facts]
+    if facts:
+        section(console, _("Results"), *fact_tables(result, facts, console.width - _INDENT))
+    peaks = list(_peaks(result, names))
+    if peaks:
+        step = f"{result.crank_angle[1]:g}°"
+        heading = _("Largest values of the curves, in steps of {step}").format(step=step)
+        heads = ("", "", _("peak"), "", _("of"), _("at [deg]"))
+        section(console, heading, table(heads, peaks, right=None))
+    if result.checks:
+        section(console, _("Checks"), *_checks(result))
+    if result.flags:
+        section(console, _("Mind"), *(Text(flag) for flag in result.flags))
+    section(console, _("What this rests on"), input_table(file) if with_inputs else provenance(file))
+    if result.missing:
+        section(console, _("To learn more"), *(Text(_missing(missing)) for missing in result.missing))
+
+
+def title(machine: Machine) -> str:
+    """Say in one line which machine this is."""
+    parts = [_layout(machine)]
+    if machine.shaft.main.speed is not None:
+        parts.append(machine.shaft.main.speed.text)
+    senses = {"clockwise": _("clockwise"), "anticlockwise": _("anticlockwise"), "ahead": _("ahead"), "astern": _("astern")}
+    parts.append(f"{senses[machine.rotation]}, {senses[machine.running]}")
+    name = plain(machine.name)
+    return f"{name}: {'; '.join(parts)}" if name else "; ".join(parts)
+
+
+def _layout(machine: Machine) -> str:
+    """Say how many pistons or rockers there are, and in which banks."""
+    if machine.mechanism is not None:
+        return _(kind_named(machine.mechanism.kind).title)
+    outputs = [place.kind.output for place in machine.places]
+    counts: list[str] = []
+    for output, one, many in (
+        ("slider", _("1 piston"), _("{n} pistons")),
+        ("rocker", _("1 rocker"), _("{n} rockers")),
+    ):
+        if n := outputs.count(output):
+            counts.append(one if n == 1 else many.format(n=n))
+    banks = ", ".join(map(plain, machine.bank))
+    named = _("bank {banks}") if len(machine.bank) == 1 else _("banks {banks}")
+    return ", ".join([*counts, named.format(banks=banks)])
+
+
+def _peaks(result: Result, names: Sequence[str]) -> Iterator[tuple[str, ...]]:
+    """Give the largest size of every curve: name, symbol, value, unit, whose and where."""
+    for name in names:
+        entry = result.catalogue[name]
+        if entry.is_fact:
+            continue
+        members = [label for labels in result.labels_of(entry).values() for label in labels]
+        curves = np.reshape(getattr(result, name), (-1, result.crank_angle.size))
+        size = np.nan_to_num(np.abs(curves), nan=-1.0)
+        member, place = np.unravel_index(np.argmax(size >= np.max(size) * (1 - _EQUAL)), size.shape)
+        if np.isnan(curves[member, place]):
+            yield name, entry.symbol, "–", "", "", ""
+            continue
+        shown = figures(curves[[member], place], entry.unit)
+        whose = members[member] if len(members) > 1 else ""
+        yield name, entry.symbol, shown.texts[0], shown.unit, whose, f"{result.crank_angle[place]:g}"
+
+
+def _checks(result: Result) -> Iterator[Text]:
+    """Say of every check whether it holds, how well, and what is compared."""
+    for check in result.checks:
+        residual = float(check.residual[0])
+        if check.passed[0]:
+            verdict = Text(_("✓ holds"))
+        elif np.isnan(residual):
+            verdict = Text(_("✗ cannot be judged: the links do not close all round"), style="red")
+        else:
+            verdict = Text(_("✗ does not hold"), style="red")
+        numbers = _(" (residual {residual:.1e}, limit {limit:.0e}): ").format(residual=residual, limit=check.limit)
+        yield verdict + Text(numbers + check.sentence)
+
+
+def _missing(missing: Missing) -> str:
+    """Say what the file would have to say, and what it would give."""
+    results = ", ".join(missing.results[:_NAMED])
+    more = len(missing.results) - _NAMED
+    if more > 0:
+        results = _("{results} and {n} more").format(results=results, n=more)
+    return _("{needs}: gives {results}").format(needs=_(" and ").join(missing.needs), results=results)

@@ -1,0 +1,99 @@
+"""`run`: compute what a machine file allows, write it where asked, and show it."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import PurePath
+
+from cranktrain.analysis import Result, run
+from cranktrain.cli.screen import screen
+from cranktrain.errors import InputError, Position, Problem
+from cranktrain.io.machine_file import MachineFile, read_machine
+from cranktrain.io.output import write_whole
+from cranktrain.language import _
+
+
+@dataclass(frozen=True)
+class Request:
+    """What is asked of `run`, as typed; `quantities` is None for all."""
+
+    file: str
+    settings: tuple[str, ...] = ()
+    quantities: tuple[str, ...] | None = None
+    step_degrees: float = 1.0
+    is_partial: bool = False
+    output: str | None = None
+    force: bool = False
+
+
+def show_run(request: Request, *, with_inputs: bool = False) -> None:
+    """Compute, write and show."""
+    from cranktrain.cli.report import show_result
+
+    suffix = _suffix(request.output)
+    file = read_machine(request.file, request.settings, partial=request.is_partial)
+    if request.output is None or suffix is None:
+        result = _computed(file, request)
+    else:
+        result = _written(file, request, request.output, suffix)
+    console = screen()
+    show_result(console, file, result, _chosen(result, request), with_inputs=with_inputs)
+    if request.output is not None:
+        console.print()
+        console.print(_("written: {name}").format(name=request.output), soft_wrap=True)
+
+
+def _suffix(output: str | None) -> str | None:
+    """Suffix of the output's name, by which its form is known."""
+    from cranktrain.io.tables import WRITERS
+
+    if output is None:
+        return None
+    suffix = PurePath(output).suffix.lower()
+    if suffix not in WRITERS:
+        allowed = _("must end in one of: {suffixes}").format(suffixes=", ".join(WRITERS))
+        raise InputError([Problem("", output, allowed, position=Position("-o"))])
+    return suffix
+
+
+def _computed(file: MachineFile, request: Request) -> Result:
+    """Compute; refuse a quantity that was asked for and that this machine does not give."""
+    result = run(
+        file.machine, step_degrees=request.step_degrees, partial=request.is_partial, quantities=request.quantities
+    )
+    absent = [name for name in request.quantities or () if name not in result.catalogue]
+    if absent:
+        raise InputError(_absence(name, result, file.document.name) for name in absent)
+    return result
+
+
+def _absence(name: str, result: Result, file: str) -> Problem:
+    """Say what a quantity needs that the file does not give."""
+    needs = [need for missing in result.missing if name in missing.results for need in missing.needs]
+    allowed = _("is no result of this machine; `cranktrain check {file}` names what is").format(file=file)
+    if needs:
+        allowed = _("needs {needs} in the file").format(needs=", ".join(needs))
+    return Problem("quantities", name, allowed)
+
+
+def _written(file: MachineFile, request: Request, output: str, suffix: str) -> Result:
+    """Compute once the output is known to be possible, and write it."""
+    from cranktrain.io.tables import WRITERS
+
+    made: list[Result] = []
+
+    def text() -> Iterator[str]:
+        result = _computed(file, request)
+        names = _chosen(result, request)
+        if suffix == ".csv" and all(result.catalogue[name].is_fact for name in names):
+            allowed = _("have one value for the whole cycle, and a .csv holds curves; write .json")
+            raise InputError([Problem("quantities", ", ".join(names), allowed)])
+        made.append(result)
+        yield from WRITERS[suffix](result, file.document.data, names)
+
+    write_whole(output, text(), force=request.force)
+    return made[0]
+
+
+def _chosen(result: Result, request: Request) -> tuple[str, ...]:
+    """Names of the quantities to show and write, in the order of the catalogue."""
+    return tuple(name for name in result.catalogue if request.quantities is None or name in request.quantities)

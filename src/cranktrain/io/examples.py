@@ -1,0 +1,38 @@
+"""The examples that come with the package, by name."""
+
+import re
+from pathlib import Path
+
+from cranktrain.io.document import Document
+from cranktrain.language import _
+
+_FOLDER = Path(__file__).parents[1] / "examples"
+
+
+def example_names() -> tuple[str, ...]:
+    """Name the examples, in alphabetical order."""
+    return tuple(sorted(path.stem for path in _FOLDER.glob("*.toml")))
+
+
+def example_document(name: str) -> Document:
+    """Read the example of that very name."""
+    text = (_FOLDER / f"{name}.toml").read_text(encoding="utf-8")
+    return Document.from_text(text, _("example {name}").format(name=name))
+
+
+def example_called(name: str) -> str | None:
+    """Find the example that a name means: capitals do not matter, nor `-` for `_`; None where none is meant."""
+    return next((example for example in example_names() if _plain(example) == _plain(name)), None)
+
+
+def example_near(name: str) -> str | None:
+    """Find the example that a name may mean; None for what looks like a file, or is like none."""
+    import difflib  # only needed after a mistake
+
+    close = difflib.get_close_matches(_plain(name), example_names(), n=1)
+    return close[0] if close and re.fullmatch(r"[\w-]+", name) else None
+
+
+def _plain(name: str) -> str:
+    """Spell the name of an example one way."""
+    return name.casefold().replace("-", "_")

@@ -1,0 +1,197 @@
+"""From a file, or the name of an example, to a machine; what is wrong stands where it was typed."""
+
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple, cast
+
+from cranktrain.errors import InputError, Position, Problem
+from cranktrain.io import editing
+from cranktrain.io.document import Document
+from cranktrain.io.examples import example_called, example_document, example_near
+from cranktrain.language import _
+from cranktrain.machine import Machine, machine_problems
+from cranktrain.quantities import Given
+
+@dataclass(frozen=True)
+class MachineFile:
+    """A machine and the text that declares it.
+
+    Attributes
+    ----------
+    document : Document
+        With the settings in place.
+    machine : Machine
+    """
+
+    document: Document
+    machine: Machine
+
+
+class Input(NamedTuple):
+    """A quantity of a machine file: its path there, and what was given."""
+
+    path: str
+    given: Given
+
+
+def load(source: "str | os.PathLike[str]") -> Machine:
+    """Load a machine.
+
+    Parameters
+    ----------
+    source : str or path-like
+        A machine file, or the name of an example; capitals do not matter there, nor `-` for `_`.
+
+    Returns
+    -------
+    Machine
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong, each with file, line and column.
+
+    Examples
+    --------
+    >>> load("3d12").name
+    '3D12 marine diesel, 60° V12 with articulated rods'
+    """
+    return read_machine(source).machine
+
+
+def read_machine(
+    source: "str | os.PathLike[str]", settings: Sequence[str] = (), *, partial: bool = False
+) -> MachineFile:
+    """Read a machine with some values set anew.
+
+    Parameters
+    ----------
+    source : str or path-like
+        As `load` takes it.
+    settings : sequence of str
+        `PATH=VALUE`, as `Document.with_value` reads them.
+    partial : bool
+        Accept links that cannot close over the whole turn.
+
+    Returns
+    -------
+    MachineFile
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong; a value from `settings` stands at `--set`, all else at its line of the file.
+    """
+    typed = document_of(source)
+    document, paths = _with_settings(typed, settings)
+    try:
+        machine = Machine(**document.data)
+        found = machine_problems(machine, partial=partial)
+    except InputError as error:
+        found = error.problems
+    else:
+        if not found:
+            return MachineFile(document, machine)
+    problems = tuple(_placed(problem, typed, paths) for problem in found)
+    if settings and not any(problem.position == _SETTING for problem in problems):
+        allowed = _("was set for this run; the file alone may be right")
+        problems = (*problems, Problem("", ", ".join(settings), allowed, position=_SETTING))
+    raise InputError(problems)
+
+
+def document_of(source: "str | os.PathLike[str]") -> Document:
+    """Read a file if it is there, else the example of that name."""
+    name = os.fspath(source)
+    example = example_called(name)
+    if example is not None and not os.path.isfile(name):  # noqa: PTH113 - unlike Path, takes a name with a NUL byte
+        return example_document(example)
+    try:
+        return Document.read(source)
+    except InputError as error:
+        close = example_near(name)
+        if close is None:
+            raise
+        repair = _("is it the example {name}? `cranktrain list` names all").format(name=close)
+        raise InputError(replace(problem, repair=problem.repair or repair) for problem in error.problems) from None
+
+
+def inputs_of(file: MachineFile) -> tuple[Input, ...]:
+    """Give every quantity that the file declares, in its order; a default that it leaves unsaid is none.
+
+    Parameters
+    ----------
+    file : MachineFile
+
+    Returns
+    -------
+    tuple of Input
+    """
+    return tuple(Input(editing.path_text(parts), given) for parts, given in _inputs(file.document.data, file.machine))
+
+
+_SETTING = Position("--set")
+
+
+def _with_settings(document: Document, settings: Sequence[str]) -> tuple[Document, tuple[editing.PathParts, ...]]:
+    """Set values one after the other, and give their paths; every setting that cannot be made is told."""
+    paths: list[editing.PathParts] = []
+    problems: list[Problem] = []
+    for setting in settings:
+        path, equals, value = setting.partition("=")
+        if not equals:
+            allowed = _("must be PATH=VALUE, such as shaft.main.speed=1500rpm")
+            problems.append(Problem("", setting, allowed, position=_SETTING))
+            continue
+        try:
+            document = document.with_value(path, value)
+            paths.append(editing.quantity_path(path))
+        except InputError as error:
+            problems += [problem if _has_line(problem) else problem.at(_SETTING) for problem in error.problems]
+    if problems:
+        raise InputError(problems)
+    return document, tuple(paths)
+
+
+def _has_line(problem: Problem) -> bool:
+    """Whether a problem stands in the file itself."""
+    return problem.position is not None and problem.position.line is not None
+
+
+def _placed(problem: Problem, document: Document, settings: Sequence[editing.PathParts]) -> Problem:
+    """Place a problem at the setting that it comes from, or in the file."""
+    try:
+        parts = editing.quantity_path(problem.path) if problem.path else ()
+    except InputError:  # a key that no path can name
+        parts = ()
+    if any(parts[: len(setting)] == setting for setting in settings):
+        return replace(problem, position=_SETTING)
+    return document.located([problem])[0]
+
+
+def _inputs(data: object, declared: object) -> Iterator[tuple[editing.PathParts, Given]]:
+    """Walk the file's data and what the specs made of it side by side."""
+    if isinstance(declared, Given):
+        yield (), declared
+    elif isinstance(declared, tuple) and declared and isinstance(declared[0], Given) and not isinstance(data, list):
+        yield (), declared[0]  # one value where a list may stand
+    elif isinstance(data, Mapping):
+        for key, inner in cast("Mapping[str, object]", data).items():
+            for path, given in _inputs(inner, _declared_at(declared, key, inner)):
+                yield (key, *path), given
+    elif isinstance(data, list) and isinstance(declared, tuple):
+        pairs = zip(cast("list[object]", data), cast("tuple[object, ...]", declared), strict=True)
+        for place, (inner, made) in enumerate(pairs):
+            for path, given in _inputs(inner, made):
+                yield (place, *path), given
+
+
+def _declared_at(declared: object, key: str, data: object) -> object:
+    """What the specs made of a key: of a bank's mechanism, whose fields may be lists, one spec for each angle."""
+    if isinstance(declared, tuple):
+        each = cast("tuple[object, ...]", declared)
+        return tuple(getattr(one, key) for one in each) if isinstance(data, list) else getattr(each[0], key)
+    if isinstance(declared, Mapping):
+        return cast("Mapping[str, object]", declared)[key]
+    own = getattr(declared, "overrides", {})
+    return own[key] if key in own else getattr(declared, key)
