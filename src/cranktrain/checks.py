@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.language import _
 from cranktrain.motion import Array
 
 
@@ -18,7 +19,8 @@ class Check:
     sentence : str
         What is compared with what, in the user's language.
     residual : Array, shape (design,)
-        Largest difference over the cycle, relative to the scale that the sentence names.
+        Largest difference over the cycle, relative to the scale that the sentence names; NaN where the identity needs a
+        full turn and the links do not close all round.
     limit : float
         What rounding explains.
     """
@@ -29,11 +31,17 @@ class Check:
     limit: float
 
     @property
+    def judged(self) -> NDArray[np.bool_]:
+        """Whether it could be judged, for each design: an identity over a full turn needs one."""
+        return ~np.isnan(self.residual)
+
+    @property
     def passed(self) -> NDArray[np.bool_]:
-        """Whether it holds, for each design; NaN, as where the links do not close all round, does not."""
+        """Whether it holds, for each design; what could not be judged has not passed."""
         return np.asarray(self.residual <= self.limit)
 
-
-def relative(difference: Array, scale: Array) -> Array:
-    """Largest |difference| over the last axis, which is kept, in parts of the scale's peak there."""
-    return np.max(np.abs(difference), axis=-1, keepdims=True) / np.max(np.abs(scale), axis=-1, keepdims=True)
+    def verdict(self, design: int = 0) -> str:
+        """Say for one design whether it holds, or that it needs a full turn."""
+        if not self.judged[design]:
+            return _("needs a full turn")
+        return _("holds") if self.passed[design] else _("does not hold")

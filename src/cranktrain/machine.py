@@ -2,35 +2,23 @@
 
 import re
 from collections.abc import Mapping, Sequence
-from typing import Any, Literal, cast
+from dataclasses import replace
+from typing import Any, Literal, Self, cast
 
 import numpy as np
 from pydantic import Field, ValidationError, model_validator
 
-from cranktrain.engine.cylinders import (
-    CYCLES,
-    chambers_of,
-    compression_ratios_of,
-    cylinder_problems,
-    cylinders_of,
-    firing_order_of,
-)
-from cranktrain.engine.layout import CrankAngle, Mechanisms, Pistons, Rockers, Speed, mechanisms_of
+from cranktrain.engine.cylinders import cylinder_problems, firing_order_of
 from cranktrain.engine.places import Place, places_of
-from cranktrain.engine.points import link_points_of, point_problems
-from cranktrain.engine.rockers import LoadRadius
-from cranktrain.engine.specs import BankSpec, CylindersSpec, ShaftsSpec
+from cranktrain.engine.points import point_problems
+from cranktrain.engine.specs import OVERRIDES, BankSpec, CylindersSpec, ShaftsSpec
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.mechanisms import AnyMechanism
-from cranktrain.mechanisms.closing import open_ranges
-from cranktrain.mechanisms.crank_rocker import CrankRockerSpec
+from cranktrain.mechanisms.closing import OpenRange, open_ranges
 from cranktrain.quantities import Angle, Given
 from cranktrain.spec import Spec, problems
-from cranktrain.wording import number
-
-Parts = dict[type, object]
-"""What a machine declares, in SI: one object of each type; stages ask for them by type."""
+from cranktrain.wording import around_turn, number
 
 
 class Machine(Spec, frozen=True):
@@ -65,17 +53,33 @@ class Machine(Spec, frozen=True):
         try:
             super().__init__(**data)
         except ValidationError as error:
-            raise InputError(_as_in_file(problem, data) for problem in problems(error, Machine)) from None
+            found = [_as_in_file(problem, data) for problem in problems(error, Machine)]
+            # A list is also called too short where one of its items is wrong.
+            wrong = {problem.path.rpartition("[")[0] for problem in found}
+            raise InputError(problem for problem in found if problem.path not in wrong) from None
 
     @model_validator(mode="after")
-    def _has_a_mechanism(self) -> "Machine":
-        """Refuse a machine with no mechanism, or with one beside its banks."""
-        if self.mechanism is not None and self.bank:
-            allowed = _("must not stand beside [bank]; give the mechanism of each bank in [bank.NAME.mechanism]")
-            raise InputError([Problem("mechanism", None, allowed)])
+    def _arranged_one_way(self) -> Self:
+        """Refuse a machine with no mechanism, one beside its banks, and what belongs to the other way of arranging."""
+        found: list[Problem] = []
         if self.mechanism is None and not self.bank:
             allowed = _("is missing; a machine needs a [mechanism], or banks with [bank.NAME.mechanism]")
-            raise InputError([Problem("mechanism", None, allowed)])
+            found.append(Problem("mechanism", None, allowed))
+        if self.mechanism is not None and self.bank:
+            allowed = _("must not stand beside [bank]; give the mechanism of each bank in [bank.NAME.mechanism]")
+            found.append(Problem("mechanism", None, allowed))
+        elif self.bank and "angle" in self.model_fields_set:
+            allowed = _("is for a machine with one [mechanism]; here each bank has its own, [bank.NAME] angle")
+            found.append(Problem("angle", self.angle.text, allowed))
+        elif self.mechanism is not None and len(self.shaft.main.throws) > 1:
+            allowed = _("must be one throw for one [mechanism]; for more, make it a bank, [bank.NAME.mechanism]")
+            found.append(Problem("shaft.main.throws", None, allowed))
+        for name in self.bank:
+            if not re.fullmatch(r"[^\W\d]\w*", name) or name in CylindersSpec.model_fields:
+                allowed = _("must have a name of letters, digits and _, a letter first, that is no key of [cylinder]")
+                found.append(Problem(f"bank.{name}", None, allowed))
+        if found:
+            raise InputError(found)
         return self
 
     @property
@@ -84,25 +88,30 @@ class Machine(Spec, frozen=True):
         return self.running == "astern"
 
     @property
+    def sense(self) -> float:
+        """+1 ahead, −1 astern: the sign of what counts in the normal sense of rotation."""
+        return -1.0 if self.is_astern else 1.0
+
+    @property
     def places(self) -> tuple[Place, ...]:
         """Every mechanism of the machine, arranged on shaft and banks; none where they cannot be arranged."""
-        return _arranged(self)[0]
+        return arranged(self)[0]
 
 
 def _as_in_file(problem: Problem, data: Mapping[str, Any]) -> Problem:
     """Give a problem the path that the file has: one value where a list was made of it, overrides as tables."""
-    path = problem.path.replace("cylinder.overrides.", "cylinder.")
+    path = re.sub(rf'^cylinder\."?{re.escape(OVERRIDES)}"?\.', "cylinder.", problem.path)
     found = re.fullmatch(r"(bank\.[^.]+\.mechanism)\[(\d+)\](?:\.([^.\[]+)(.*))?", path)
     if found is not None:
         table, index, field, rest = found.groups(default="")
         value = _at(data, f"{table}.{field}") if field else None
-        item = f"[{index}]" if isinstance(value, list) else ""
+        item = f"[{index}]" if isinstance(value, list | tuple) else ""
         path = f"{table}.{field}{item}{rest}" if field else table
-    elif (single := re.fullmatch(r"(.*)\[0\]", path)) is not None and not isinstance(
+    elif (single := re.fullmatch(r"(.*)\[0\](.*)", path)) is not None and not isinstance(
         _at(data, single[1]), list | tuple
     ):
-        path = single[1]
-    return Problem(path, problem.given, problem.allowed, problem.repair, problem.position)
+        path = f"{single[1]}{single[2]}"
+    return replace(problem, path=path)
 
 
 def _at(data: object, path: str) -> object:
@@ -112,8 +121,8 @@ def _at(data: object, path: str) -> object:
     return data
 
 
-def _arranged(machine: Machine) -> tuple[tuple[Place, ...], tuple[Problem, ...]]:
-    """Arrange the mechanisms; a bare `[mechanism]` is a bank of one."""
+def arranged(machine: Machine) -> tuple[tuple[Place, ...], tuple[Problem, ...]]:
+    """Arrange the mechanisms; a bare `[mechanism]` is a bank of one. With problems there are no places."""
     if machine.mechanism is None:
         return places_of(machine.shaft.main, machine.bank, astern=machine.is_astern)
     bank = BankSpec.model_construct(
@@ -135,7 +144,7 @@ def machine_problems(machine: Machine, *, partial: bool = False) -> tuple[Proble
     -------
     tuple of Problem
     """
-    places, found = _arranged(machine)
+    places, found = arranged(machine)
     if found:
         return found
     pistons = [place for place in places if place.kind.output == "slider"]
@@ -147,109 +156,43 @@ def machine_problems(machine: Machine, *, partial: bool = False) -> tuple[Proble
 
 def _closing_problems(machine: Machine, places: Sequence[Place]) -> tuple[Problem, ...]:
     """Say over which crank angles a mechanism cannot close, once for each geometry."""
-    found: list[Problem] = []
-    zero = machine.crank_zero.si * (-1.0 if machine.is_astern else 1.0)
-    for place in {(place.path, place.geometry): place for place in places}.values():
-        ranges = open_ranges(place.kind.gap, place.geometry)
-        if not ranges:
-            continue
-        angles = _(" and ").join(
-            _("{start} to {end}").format(
-                start=number(float(np.mod(one.start - place.phase - zero, 2 * np.pi)), "deg"),
-                end=number(float(np.mod(one.end - place.phase - zero, 2 * np.pi)), "deg"),
-            )
-            for one in ranges
-        )
-        short = max(one.short for one in ranges)
-        never = ranges[0].end - ranges[0].start >= 2 * np.pi
-        allowed = (
-            _("the links can close at no crank angle (short by {short})")
-            if never
-            else _("the links cannot close at crank angles {angles} (short by {short})")
-        ).format(angles=angles, short=number(short, "mm"))
-        allowed = f"{allowed}; {place.kind.closing_advice(place.geometry)}"
-        given = getattr(place.spec, "rod_length", None)
-        found.append(Problem(f"{place.path}.rod_length", given.text if given else None, allowed))
+    different: dict[object, Place] = {}
+    for place in places:
+        different.setdefault((place.path, place.geometry), place)
+    with np.errstate(all="ignore"):
+        found = [
+            _closing_problem(place, ranges, machine.sense * machine.crank_zero.si)
+            for place in different.values()
+            if (ranges := open_ranges(place.kind, place.geometry))
+        ]
     return tuple(found)
 
 
-def layout(machines: Sequence[Machine], *, step: float, partial: bool = False) -> Parts:
-    """Lay out designs of one machine as SI arrays with a leading design axis.
-
-    Parameters
-    ----------
-    machines : sequence of Machine
-        The same mechanisms in the same places; only numbers differ.
-    step : float
-        Of the crank-angle grid, a whole part of the cycle. [rad]
-    partial : bool
-        Accept links that cannot close over the whole turn: NaN there.
-
-    Returns
-    -------
-    Parts
-        By type: `CrankAngle`, `Mechanisms`, `Pistons`, `Rockers`, each kind's members, `Speed`, `Chambers`, …; what
-        the machines do not declare is left out.
-
-    Raises
-    ------
-    InputError
-    """
-    found = [problem for machine in machines for problem in machine_problems(machine, partial=partial)]
-    if found:
-        raise InputError(dict.fromkeys(found))
-    designs = [machine.places for machine in machines]
-    _refuse_different(designs)
-    first = machines[0]
-    astern = first.is_astern
-    cycle = CYCLES[first.cylinder.cycle] if first.cylinder.cycle else 2 * np.pi
-    sense = -1.0 if astern else 1.0
-    zero = np.array([[[sense * machine.crank_zero.si]] for machine in machines])
-    grid = np.arange(round(cycle / step), dtype=np.float64) * step
-    mechanisms = mechanisms_of(Mechanisms, designs)
-    parts: list[object] = [CrankAngle(grid, zero, cycle), mechanisms]
-    parts += [*(group.members for group in mechanisms.groups), link_points_of(designs, astern=astern)]
-    pistons = _with_output(designs, "slider")
-    rockers = _with_output(designs, "rocker")
-    if pistons[0]:
-        cylinders = [cylinders_of(machine.cylinder, some) for machine, some in zip(machines, pistons, strict=True)]
-        parts += [
-            mechanisms_of(Pistons, pistons),
-            chambers_of(cylinders),
-            compression_ratios_of(cylinders),
-            firing_order_of(first.cylinder, pistons[0], astern=astern)[0],
-        ]
-    if rockers[0]:
-        parts += [mechanisms_of(Rockers, rockers), _load_radius(rockers)]
-    speeds = [machine.shaft.main.speed for machine in machines]
-    if all(speed is not None for speed in speeds):
-        parts.append(Speed(np.array([[[speed.si]] for speed in speeds if speed is not None])))
-    return {type(part): part for part in parts if part is not None}
+def _closing_problem(place: Place, ranges: Sequence[OpenRange], zero: float) -> Problem:
+    """Say where one mechanism cannot close, by how much, and what would help."""
+    short = number(max(one.short for one in ranges), "mm")
+    if ranges[0].end - ranges[0].start >= 2 * np.pi:
+        allowed = _("the links can close at no crank angle (short by {short}); {advice}")
+    elif short == number(0.0, "mm"):
+        allowed = _("the links lie in one line at crank angle {angles}, and the crank cannot pass; {advice}")
+    else:
+        allowed = _("the links cannot close at crank angles {angles} (short by {short}); {advice}")
+    field = place.spec.rod_field
+    given: Given | None = getattr(place.spec, field, None)
+    return Problem(
+        place.path_of(field),
+        given.text if given else None,
+        allowed.format(
+            angles=_(" and ").join(
+                _span(one.start - place.phase - zero, one.end - place.phase - zero) for one in ranges
+            ),
+            short=short,
+            advice=place.kind.closing_advice(place.geometry),
+        ),
+    )
 
 
-def _refuse_different(designs: Sequence[Sequence[Place]]) -> None:
-    """Refuse designs that differ in more than numbers."""
-    shapes = [tuple((place.name, place.bank, place.kind.name) for place in design) for design in designs]
-    for number_, shape in enumerate(shapes[1:], start=2):
-        if shape != shapes[0]:
-            allowed = _("design {number} must have the same mechanisms in the same places as the first")
-            raise InputError([Problem("", None, allowed.format(number=number_))])
-
-
-def _with_output(designs: Sequence[Sequence[Place]], output: str) -> list[list[Place]]:
-    """Those places whose mechanism drives a slider, or a rocker."""
-    return [[place for place in design if place.kind.output == output] for design in designs]
-
-
-def _load_radius(designs: Sequence[Sequence[Place]]) -> LoadRadius | None:
-    """Load radius of every rocker; None unless all have one."""
-    radii = [
-        [
-            [place.spec.load_radius.si]
-            for place in design
-            if isinstance(place.spec, CrankRockerSpec) and place.spec.load_radius
-        ]
-        for design in designs
-    ]
-    complete = all(len(found) == len(design) for found, design in zip(radii, designs, strict=True))
-    return LoadRadius(np.array(radii)) if complete else None
+def _span(start: float, end: float) -> str:
+    """Say from where to where the crank angle runs; one angle where both are alike."""
+    first, last = (number(float(angle), "deg") for angle in around_turn(np.array([start, end])))
+    return first if first == last else _("{start} to {end}").format(start=first, end=last)

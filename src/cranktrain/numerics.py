@@ -1,16 +1,26 @@
 """Roots and extremes of many curves at once, to rounding: curves are kernels, so nothing is read off a grid."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Coefficient
 
 Curve = Callable[[Array], Array]
 """A curve of the crank angle: takes angles of shape (..., n), gives values of the same shape."""
 
+_BOTH = (-1.0, 1.0)
+"""Signs of the smallest and of the largest value."""
+_CANDIDATES = 2
+"""How many of the grid's peaks are refined: of two that are nearly alike the grid may show the wrong one higher."""
 _MOST_STEPS = 60
+_MOST_NEWTON_STEPS = 10
+_SETTLED = 1e-13
+"""A step of Newton's method after which the next one is less than rounding. [rad]"""
+_SERIES_LENGTHS = (720, 5760, 46080, 368640)
+"""Points of a turn for a Fourier series."""
 
 
 class Extreme(NamedTuple):
@@ -18,6 +28,13 @@ class Extreme(NamedTuple):
 
     angle: Array
     value: Array
+
+
+class Extremes(NamedTuple):
+    """Smallest and largest value of each curve."""
+
+    smallest: Extreme
+    largest: Extreme
 
 
 def bracketed_roots(curve: Curve, low: Array, high: Array, *, precision: float = 0.0) -> Array:
@@ -38,14 +55,16 @@ def bracketed_roots(curve: Curve, low: Array, high: Array, *, precision: float =
 
     Notes
     -----
-    Chandrupatla, Adv. Eng. Software 28 (1997) 145: inverse quadratic interpolation where it is safe, else bisection.
+    Chandrupatla, Adv. Eng. Software 28 (1997) 145: inverse quadratic interpolation where it is safe, else bisection;
+    here the first step is the secant's, as most brackets are narrow.
     """
     with np.errstate(all="ignore"):
         newest, value_newest = np.array(low, dtype=float), curve(low)
         other, value_other = np.array(high, dtype=float), curve(high)
         bracketed = np.sign(value_newest) * np.sign(value_other) <= 0
         third, value_third = other, value_other
-        share = np.full(newest.shape, 0.5)
+        # Not at the ends themselves, which may be roots that the caller does not mean.
+        share = np.clip(np.nan_to_num(value_newest / (value_newest - value_other), nan=0.5), 0.01, 0.99)
         for _ in range(_MOST_STEPS):
             trial = newest + share * (other - newest)
             value = curve(trial)
@@ -76,59 +95,147 @@ def turn_grid(n_points: int = 720) -> Array:
     return np.arange(n_points, dtype=np.float64) * (2 * np.pi / n_points)
 
 
-def largest(
+def extremes(
     curve: Curve, slope: Curve | None = None, *, grid: Array | None = None, samples: Array | None = None
-) -> Extreme:
-    """Largest value of each curve over a turn.
+) -> Extremes:
+    """Smallest and largest value of each curve over a turn.
 
     Parameters
     ----------
     curve : Curve
-        Gives (..., n) for angles (..., n) or (n,).
+        Gives (..., k) for angles (..., k) or (k,).
     slope : Curve, optional
-        Its derivative; with it the angle is exact to rounding, without it to the square root of rounding (a parabola
-        through ever closer points), which leaves the value exact to rounding all the same.
-    grid : Array, shape (n,) or (..., n), optional
+        Its derivative; with it the angle is exact to rounding, without it to some 1e-10 (parabolas through ever closer
+        points), which leaves the value exact to rounding all the same.
+    grid : Array, shape (n,), optional
         Where to look first: equal steps over a turn; 720 points unless given.
     samples : Array, shape (..., n), optional
         The curve on `grid`, where it is known already.
 
     Returns
     -------
-    Extreme, shapes (..., 1)
-        NaN where the curve is NaN all over the turn or next to its largest value.
+    Extremes, shapes (..., 1)
+        An angle may lie one step beside the grid's turn. NaN where the curve is NaN all over the turn or next to the
+        grid's extreme: a curve that ends there has no extreme but an end.
     """
-    grid = turn_grid() if grid is None else grid
-    with np.errstate(invalid="ignore"):
-        known = curve(grid) if samples is None else samples
-        index = np.argmax(np.where(np.isnan(known), -np.inf, known), axis=-1)[..., np.newaxis]
-        middle = np.take_along_axis(np.broadcast_to(grid, known.shape), index, axis=-1)
-        step = grid[..., 1:2] - grid[..., :1]
-        bracket = middle - step, middle + step
-        angle = _zoomed(curve, middle, step) if slope is None else bracketed_roots(slope, *bracket)
-        value = curve(angle)
-    return Extreme(angle, value)
+    return Extremes(*_refined(curve, slope, grid, samples, _BOTH))
+
+
+def largest(
+    curve: Curve, slope: Curve | None = None, *, grid: Array | None = None, samples: Array | None = None
+) -> Extreme:
+    """Largest value of each curve over a turn; as `extremes`."""
+    return _refined(curve, slope, grid, samples, (1.0,))[0]
 
 
 def smallest(
     curve: Curve, slope: Curve | None = None, *, grid: Array | None = None, samples: Array | None = None
 ) -> Extreme:
-    """Smallest value of each curve over a turn; as `largest`."""
-    negative = None if samples is None else -samples
-    found = largest(lambda angle: -curve(angle), slope, grid=grid, samples=negative)
-    return Extreme(found.angle, -found.value)
+    """Smallest value of each curve over a turn; as `extremes`."""
+    return _refined(curve, slope, grid, samples, (-1.0,))[0]
 
 
-def _zoomed(curve: Curve, middle: Array, half: Array) -> Array:
+def turning_points(motion: Callable[[Array], Coefficient], samples: Array) -> Extremes:
+    """Smallest and largest value of a motion whose derivatives are known, by Newton's method.
+
+    Parameters
+    ----------
+    motion : callable
+        From angles (..., k) to a Coefficient of that shape.
+    samples : Array, shape (..., n)
+        Its value on `turn_grid(n)`.
+
+    Returns
+    -------
+    Extremes, shapes (..., 1)
+        Angles exact to rounding; an angle may lie one step beside the grid's turn. NaN where the motion is NaN all over
+        the turn, or has no turning point at the grid's extreme but an end.
+    """
+    grid = turn_grid(samples.shape[-1])
+    step = float(grid[1])
+    with np.errstate(all="ignore"):
+        start = _candidates(samples, grid, _BOTH)
+        angle, found, move = start, motion(start), np.full(start.shape, np.inf)
+        for _ in range(_MOST_NEWTON_STEPS):
+            move = np.clip(angle - found.first / found.second, start - step, start + step) - angle
+            angle = angle + move
+            if np.all(np.abs(move) <= _SETTLED):
+                break
+            found = motion(angle)
+        turns = (np.abs(move) <= _SETTLED) & (np.repeat(_BOTH, _CANDIDATES) * found.second < 0)
+        if not np.all(turns | np.any(np.isnan(samples), axis=-1, keepdims=True)):
+            return extremes(lambda phi: motion(phi).value, lambda phi: motion(phi).first, samples=samples)
+        # The last move is too small to be felt in the value.
+        return Extremes(*_best(np.where(turns, angle, np.nan), np.where(turns, found.value, np.nan), _BOTH))
+
+
+def _refined(
+    curve: Curve, slope: Curve | None, grid: Array | None, samples: Array | None, signs: Sequence[float]
+) -> list[Extreme]:
+    """Extremes of each curve, the largest value for a sign of +1, the smallest for −1."""
+    grid = turn_grid() if grid is None else grid
+    step = float(grid[1] - grid[0])
+    with np.errstate(all="ignore"):
+        start = _candidates(curve(grid) if samples is None else samples, grid, signs)
+        if slope is None:
+            angle = _zoomed(curve, start, step, signs)
+        else:
+            angle = bracketed_roots(slope, start - step, start + step)
+            if np.any(np.isnan(angle)):
+                angle = np.where(np.isnan(angle), _zoomed(curve, start, step, signs), angle)
+        return _best(angle, curve(angle), signs)
+
+
+def _candidates(samples: Array, grid: Array, signs: Sequence[float]) -> Array:
+    """Angles of the highest peaks on the grid, the highest first, for each sign, shape (..., sign · candidate)."""
+    return grid[np.concatenate([_peaks(sign * samples) for sign in signs], axis=-1)]
+
+
+def _peaks(samples: Array) -> NDArray[np.intp]:
+    """Places of the two highest peaks of each curve round the turn; of the highest twice where there is one."""
+    known = np.where(np.isnan(samples), -np.inf, samples)
+    ring = np.concatenate([known[..., -1:], known, known[..., :1]], axis=-1)
+    peaks = np.where((known > ring[..., :-2]) & (known >= ring[..., 2:]), known, -np.inf)
+    first: NDArray[np.intp] = np.argmax(peaks, axis=-1)[..., np.newaxis]
+    np.put_along_axis(peaks, first, -np.inf, axis=-1)
+    second: NDArray[np.intp] = np.argmax(peaks, axis=-1)[..., np.newaxis]
+    is_peak = np.isfinite(np.take_along_axis(peaks, second, axis=-1))
+    return np.concatenate([first, np.where(is_peak, second, first)], axis=-1)
+
+
+def _zoomed(curve: Curve, middle: Array, half: float, signs: Sequence[float]) -> Array:
     """Angle of the top of the parabola through three points, again and again at a thirtieth of the distance."""
+    sign = np.repeat(signs, _CANDIDATES)
     for _ in range(3):
-        left, centre, right = curve(middle - half), curve(middle), curve(middle + half)
+        left, centre, right = np.split(curve(np.concatenate([middle - half, middle, middle + half], axis=-1)), 3, -1)
         curvature = left - 2 * centre + right
-        step = np.where(curvature < 0, 0.5 * half * (left - right) / np.where(curvature < 0, curvature, -1.0), 0.0)
-        step = np.where(np.isnan(centre), np.nan, np.clip(step, -half, half))
-        middle = middle + step
+        step = np.where(sign * curvature < 0, 0.5 * half * (left - right) / curvature, 0.0)
+        middle = middle + np.where(np.isnan(curvature), np.nan, np.clip(step, -half, half))
         half = half / 30
     return middle
+
+
+def _best(angle: Array, value: Array, signs: Sequence[float]) -> list[Extreme]:
+    """Take the better of both candidates for each sign; NaN where the grid's best one could not be refined."""
+    best: list[Extreme] = []
+    for place, sign in enumerate(signs):
+        first, second = [_CANDIDATES * place], [_CANDIDATES * place + 1]
+        better = sign * value[..., second] > sign * value[..., first]
+        best.append(
+            Extreme(
+                np.where(better, angle[..., second], angle[..., first]),
+                np.where(better, value[..., second], value[..., first]),
+            )
+        )
+    return best
+
+
+def unwrapped(angle: Array) -> Array:
+    """Angles without jumps of a turn along the last axis, across NaN too. [rad]"""
+    place: NDArray[np.intp] = np.where(np.isnan(angle), 0, np.arange(angle.shape[-1], dtype=np.intp))
+    last_known: Array = np.take_along_axis(angle, np.maximum.accumulate(place, axis=-1), axis=-1)
+    turns = np.cumsum(np.nan_to_num(np.rint(np.diff(last_known, axis=-1) / (2 * np.pi))), axis=-1)
+    return np.concatenate([angle[..., :1], angle[..., 1:] - 2 * np.pi * turns], axis=-1)
 
 
 def spectral_derivative(samples: Array) -> Array:
@@ -147,3 +254,43 @@ def spectral_derivative(samples: Array) -> Array:
     if n_points % 2 == 0:
         order[-1] = 0.0  # the highest cosine is seen only at its zeros of slope
     return np.fft.irfft(1j * order * np.fft.rfft(samples, axis=-1), n_points, axis=-1)
+
+
+DERIVATIVES_LIMIT = 1e-8
+"""What rounding leaves of `derivatives_residual` for a machine within a millionth of locking; 1e-12 for most others."""
+
+
+def derivatives_residual(motion: Callable[[Array], Coefficient]) -> Array:
+    """Compare both derivatives of a periodic motion with those of the Fourier series of its value and its first one.
+
+    Parameters
+    ----------
+    motion : callable
+        From angles (n,) to a Coefficient of shape (..., n).
+
+    Returns
+    -------
+    Array, shape (..., 1)
+        Largest difference over a turn, in parts of the derivative's own peak; NaN where the motion is NaN.
+
+    Notes
+    -----
+    The nearer a machine is to locking, the sharper its curves: the series is made longer until the residual is small,
+    if it can be.
+    """
+    residual = np.empty(())
+    with np.errstate(all="ignore"):
+        for n_points in _SERIES_LENGTHS:
+            value, first, second = motion(turn_grid(n_points))
+            residual = np.maximum(
+                _relative(spectral_derivative(value) - first, first),
+                _relative(spectral_derivative(first) - second, second),
+            )
+            if not np.any(residual > DERIVATIVES_LIMIT):
+                break
+    return residual
+
+
+def _relative(difference: Array, scale: Array) -> Array:
+    """Largest |difference| over the last axis, which is kept, in parts of the scale's peak there."""
+    return np.max(np.abs(difference), axis=-1, keepdims=True) / np.max(np.abs(scale), axis=-1, keepdims=True)

@@ -10,17 +10,27 @@ from cranktrain.quantities import shown
 Names = Mapping[str, Sequence[str]]
 """Labels of each dimension: the pistons', the chambers', …"""
 
+ABSENT = "–"
+"""Stands for a number that there is not."""
+
 _DECIMALS = {"mm": 2, "deg": 2, "m/s": 2, "m/s^2": 0, "L": 3, "cm^3": 1, "rpm": 1, "%": 2}
 _PLAIN = {"1": 1.0, "%": 100.0, "m/s^2": 1.0}
 """Units that are no input's, and how many of them one in SI is."""
 
 
 def number(value: float, unit: str) -> str:
-    """Write an SI value in a unit, with decimals that suit it."""
+    """Write an SI value in a unit, with decimals that suit it; NaN is absent."""
+    if np.isnan(value):
+        return ABSENT
     size = value * _PLAIN[unit] if unit in _PLAIN else shown(value, unit)
     figure = f"{size:.{_DECIMALS.get(unit, 3)}f}"
     figure = figure.lstrip("-") if float(figure) == 0.0 else figure
     return f"{figure} {unit}" if unit != "1" else figure
+
+
+def around_turn(angles: Array) -> Array:
+    """Round crank angles to the digits that `number` shows, so that none is said to be at 360.00 deg. [rad]"""
+    return np.radians(np.mod(np.round(shown(angles, "deg"), _DECIMALS["deg"]), 360.0))
 
 
 def precise(length: float) -> str:

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.linkage import GUIDE, ROD, Leg, LinkPoint, Pose, Triad
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
@@ -19,10 +20,19 @@ LEAST_MARGIN = 1e-3
 GREATEST_MARGIN = 0.9
 
 
+class SwivelCrank(NamedTuple):
+    """A crank, the pivot of a guide on x, the guide's offset from the pivot; columns (n, 1)."""
+
+    crank_radius: Array
+    ground_length: Array
+    offset: Array
+    side: Array
+
+
 class Machines(NamedTuple):
     """Geometry as columns (n, 1); margin and the crank angle where the links are nearest to opening, (n, 1)."""
 
-    geometry: SliderCrank | CrankRocker | ArticulatedRod
+    geometry: SliderCrank | CrankRocker | ArticulatedRod | SwivelCrank
     margin: Array
     opening_angle: Array
 
@@ -214,3 +224,93 @@ def articulated_rods(n: int, seed: int) -> Machines:
     master_opening = np.where(master_offset > 0, -np.pi / 2, np.pi / 2)
     opening_angle = np.where(is_master_nearer, master_opening, reach.angle)
     return Machines(geometry, articulated_rod_margin(geometry), opening_angle)
+
+
+def swivel_crank_margin(geometry: SwivelCrank) -> Array:
+    """The pin comes as near to the pivot as |g − R|, which must be more than |e|; the longer of g and R is longest."""
+    nearest = np.abs(geometry.ground_length - geometry.crank_radius)
+    return (nearest - np.abs(geometry.offset)) / np.maximum(geometry.ground_length, geometry.crank_radius)
+
+
+def swivel_cranks(n: int, seed: int, *, is_crank_longer: bool | None = None, shortest: float = 0.02) -> Machines:
+    """Oscillating cylinders and slotted levers, Whitworth drives (a longer crank); of the longer length the shorter is
+    `shortest` or more, as for the crank-rockers, and 0.98 or less: the pin would pass the pivot faster than peaks are
+    looked for. Every fifth guide goes through its pivot.
+    """
+    random = np.random.default_rng(seed)
+    longer = _log_uniform(random, 1e-2, 5.0, n)
+    margin = _log_uniform(random, LEAST_MARGIN, 1 - shortest - 0.05, n)
+    shorter = longer * random.uniform(shortest, np.minimum(1 - margin, 0.98))
+    is_through_pivot = random.random(size=(n, 1)) < 0.2
+    offset = np.where(is_through_pivot, 0.0, _side(random, n) * (longer - shorter - margin * longer))
+    is_longer = random.random(size=(n, 1)) < 0.5 if is_crank_longer is None else np.full((n, 1), is_crank_longer)
+    geometry = SwivelCrank(
+        np.where(is_longer, longer, shorter), np.where(is_longer, shorter, longer), offset, _side(random, n)
+    )
+    return Machines(geometry, swivel_crank_margin(geometry), np.zeros((n, 1)))
+
+
+class CrankedEnd(NamedTuple):
+    """A leg's outer end, which goes round (x, y) with the crank, and the direction of its guide, which swings."""
+
+    x: Array
+    y: Array
+    radius: Array
+    ahead: Array
+    direction: Array
+    swing: Array
+    swing_ahead: Array
+
+
+class CrankedTriad(NamedTuple):
+    """A link on three legs with their ends; columns (n, 1)."""
+
+    ends: tuple[CrankedEnd, CrankedEnd, CrankedEnd]
+    legs: Triad
+
+
+class PosedTriads(NamedTuple):
+    """Triads, and a pose at crank angle 0 for which their legs were measured."""
+
+    geometry: CrankedTriad
+    pose: Pose
+
+
+def _leg_to(
+    random: np.random.Generator, point: LinkPoint, x: Array, y: Array, is_driven: bool
+) -> tuple[CrankedEnd, Leg]:
+    """A rod or a guide from anywhere to the link's point at (x, y).
+
+    One in three is a guide, one in three of these swings; besides a driven end, one in three is on a crank.
+    """
+    n = len(x)
+    kind = np.where(random.random(size=(n, 1)) < 0.35, GUIDE, ROD)
+    length, direction = random.uniform(0.4, 2.5, size=(n, 1)), random.uniform(-np.pi, np.pi, size=(n, 1))
+    end_radius = random.uniform(0.05, 0.4, size=(n, 1)) * (is_driven | (random.random(size=(n, 1)) < 0.3))
+    swing = random.uniform(0.05, 0.3, size=(n, 1)) * kind * (random.random(size=(n, 1)) < 0.3)
+    ahead, guide, swing_ahead = random.uniform(-np.pi, np.pi, size=(3, n, 1))
+    end = CrankedEnd(
+        x - length * np.cos(direction) - end_radius * np.cos(ahead),
+        y - length * np.sin(direction) - end_radius * np.sin(ahead),
+        end_radius,
+        ahead,
+        guide,
+        swing,
+        swing_ahead,
+    )
+    shift = length * np.sin(direction - guide - swing * np.sin(swing_ahead))
+    return end, Leg(point, np.where(kind == GUIDE, shift, length), kind)
+
+
+def triads(n: int, seed: int) -> PosedTriads:
+    """Any triads of a metre's size; the crank of two in three cannot turn."""
+    random = np.random.default_rng(seed)
+    pose = Pose(*random.uniform(-1.0, 1.0, size=(2, n, 1)), random.uniform(-np.pi, np.pi, size=(n, 1)))
+    parts: list[tuple[CrankedEnd, Leg]] = []
+    for i in range(3):
+        point = LinkPoint(random.uniform(0.2, 1.0, size=(n, 1)), random.uniform(-np.pi, np.pi, size=(n, 1)))
+        x = pose.x + point.radius * np.cos(pose.angle + point.angle)
+        y = pose.y + point.radius * np.sin(pose.angle + point.angle)
+        parts.append(_leg_to(random, point, x, y, is_driven=i == 0))
+    ends, legs = zip(*parts, strict=True)
+    return PosedTriads(CrankedTriad(ends, Triad(*legs)), pose)

@@ -10,9 +10,10 @@ Everything is computed in the axes of the crank; only the last step looks from a
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import NamedTuple
 
 import numpy as np
-from flint import arb, arb_series, ctx
+from flint import arb, arb_mat, arb_series, ctx
 from numpy.typing import ArrayLike
 
 from cranktrain.motion import Coefficient
@@ -23,6 +24,7 @@ Motion = dict[str, arb_series]
 DIGITS = 50
 ORDER = 3  # value, first and second derivative
 AHEAD = 1.0
+CHORD_STEPS = 8  # each gains the digits of a double, and one order of the series
 
 
 @contextmanager
@@ -168,6 +170,128 @@ def articulated_rod(
         | _link("master_rod", pin, master, master_rod)
         | _link("rod", slave_knuckle, slave_slider, rod)
     )
+
+
+def swivel_on_line(pin: Vector, pivot: Vector, offset: arb, side: float) -> tuple[arb_series, Vector]:
+    """Slider's distance along a guide, and the guide's direction: by the right angle at the foot of the pivot."""
+    apart = difference(pin, pivot)
+    slider = side * (dot(apart, apart) - offset * offset).sqrt()
+    along_apart, across_apart = slider / dot(apart, apart), offset / dot(apart, apart)
+    direction = difference(multiple(apart, along_apart), multiple(left_of(apart), across_apart))
+    return slider, direction
+
+
+def swivel_crank(
+    angle: float, crank_radius: float, ground_length: float, offset: float, side: float, frame_turns: float = 0.0
+) -> Motion:
+    """Guide about a pivot on x, driven by a crank; the whole turned about the shaft as often as `frame_turns` says."""
+    frame = arb(frame_turns) * arb_series([angle, 1])
+    sin, cos = (frame + arb_series([angle, 1])).sin_cos()
+    sin_frame, cos_frame = frame.sin_cos()
+    pin = crank_radius * cos, crank_radius * sin
+    pivot = ground_length * cos_frame, ground_length * sin_frame
+    slider, direction = swivel_on_line(pin, pivot, arb(offset), side)
+    return {
+        "slider": slider,
+        "guide.angle": direction_angle(direction),
+        "guide.cos": direction[0],
+        "guide.sin": direction[1],
+    }
+
+
+def yoke_crank(angle: float, crank_radius: float, offset: float, slot_angle: float) -> Motion:
+    x, y = crank_pin(angle, arb(crank_radius))
+    sin, cos = arb(slot_angle).sin_cos()
+    block = (y - offset) / sin
+    return {"slider": x - block * cos, "block": block}
+
+
+def _slot_meets_guide(origin: Vector, direction: Vector, offset: float, shift: float) -> Motion:
+    """Crossing of a moving link's line with the guide y = offset."""
+    start = along(origin, left_of(direction), arb(shift))
+    block = (offset - start[1]) / direction[1]
+    return {"slider": along(start, direction, block)[0], "block": block}
+
+
+def slotted_lever(
+    angle: float, crank_radius: float, ground_length: float, lever_offset: float, offset: float, shift: float
+) -> Motion:
+    """Lever about a pivot below the shaft, rocked by a crank in its guide; its slot drives a slider along x."""
+    pin, pivot = crank_pin(angle, arb(crank_radius)), (constant(0), constant(-ground_length))
+    _, direction = swivel_on_line(pin, pivot, arb(lever_offset), AHEAD)
+    return _slot_meets_guide(pivot, direction, offset, shift)
+
+
+def slotted_rod(
+    angle: float,
+    crank_radius: float,
+    rod_length: float,
+    rod_offset: float,
+    guide_angle: float,
+    offset: float,
+    shift: float,
+) -> Motion:
+    """Slider-crank whose rod is slotted and drives a second slider, on a guide at `guide_angle`."""
+    rod, guide = arb(rod_length), arb(guide_angle)
+    pin = crank_pin(angle, arb(crank_radius))
+    slider = circle_meets_line(pin, rod, (constant(0), constant(rod_offset)), unit(arb(0)), AHEAD)
+    direction = multiple(difference(slider, pin), 1 / rod)
+    return _slot_meets_guide(turned(pin, guide), turned(direction, guide), offset, shift)
+
+
+class LegNumbers(NamedTuple):
+    """A triad's leg: its end goes round (x, y), its guide swings; its point on the link; length or shift, kind."""
+
+    x: float
+    y: float
+    end_radius: float
+    end_ahead: float
+    direction: float
+    swing: float
+    swing_ahead: float
+    radius: float
+    angle: float
+    length: float
+    is_guide: float
+
+
+def _leg_vectors(angle: arb_series, leg: LegNumbers) -> tuple[Vector, Vector]:
+    """End of a leg and direction of its guide."""
+    sin, cos = (angle + arb(leg.end_ahead)).sin_cos()
+    swing = arb(leg.swing) * (angle + arb(leg.swing_ahead)).sin()
+    sin_guide, cos_guide = (swing + arb(leg.direction)).sin_cos()
+    return (leg.x + leg.end_radius * cos, leg.y + leg.end_radius * sin), (cos_guide, sin_guide)
+
+
+def triad_openings(angle: arb_series, pose: list[arb_series], legs: list[LegNumbers]) -> list[arb_series]:
+    """How far a pose is from holding each leg: zero where it closes."""
+    x, y, turn = pose
+    openings: list[arb_series] = []
+    for leg in legs:
+        end, guide = _leg_vectors(angle, leg)
+        sin, cos = (turn + arb(leg.angle)).sin_cos()
+        vector = difference((x + leg.radius * cos, y + leg.radius * sin), end)
+        is_guide = leg.is_guide == 1.0
+        openings.append(
+            dot(left_of(guide), vector) - leg.length if is_guide else dot(vector, vector) - arb(leg.length) ** 2
+        )
+    return openings
+
+
+def triad(angle: float, x: float, y: float, turn: float, *numbers: float) -> Motion:
+    """Link on three legs near a pose: Newton's steps with the matrix of the first, itself from series."""
+    n_fields = len(LegNumbers._fields)
+    legs = [LegNumbers(*numbers[at : at + n_fields]) for at in range(0, 3 * n_fields, n_fields)]
+    pose = [constant(value) for value in (x, y, turn)]
+    columns = [
+        triad_openings(constant(angle), [pose[j] + arb_series([0, i == j]) for j in range(3)], legs) for i in range(3)
+    ]
+    inverse = arb_mat(3, 3, [columns[j][i][1] for i in range(3) for j in range(3)]).inv()
+    for _ in range(CHORD_STEPS):
+        openings = triad_openings(arb_series([angle, 1]), pose, legs)
+        pose = [pose[i] - sum((inverse[i, j] * openings[j] for j in range(3)), constant(0)) for i in range(3)]
+    sin, cos = pose[2].sin_cos()
+    return {"link.origin.x": pose[0], "link.origin.y": pose[1], "link.angle": pose[2], "link.cos": cos, "link.sin": sin}
 
 
 def coefficients(mechanism: Callable[..., Motion], angle: ArrayLike, *geometry: ArrayLike) -> dict[str, Coefficient]:

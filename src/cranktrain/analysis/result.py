@@ -30,8 +30,8 @@ class Fact(NamedTuple):
 class Result:
     """What a machine does, as far as its file says.
 
-    Every quantity of `catalogue` is an attribute: an array in the unit of its entry, the same numbers as in a file or
-    dataset, with the entry's dimensions (and `design` before them where several machines were run).
+    Every quantity of `catalogue` is an attribute: a read-only array in the unit of its entry, the same numbers as in a
+    file or dataset, with the entry's dimensions (and `design` before them where several machines were run).
 
     Attributes
     ----------
@@ -62,21 +62,30 @@ class Result:
         """What there is, by name."""
         return {name: entry for name, (entry, _gift) in self._homes.items()}
 
-    @property
+    @cached_property
     def crank_angle(self) -> Array:
         """Crank angles of the grid, shape (crank_angle,). [deg]"""
-        return np.rint(shown(self.grid.shown, "deg") * 1e6) / 1e6
+        n_angles = self.grid.shown.size
+        # Degrees are counted, as their steps are rounder than those of radians.
+        return _read_only(np.arange(n_angles) * round(shown(self.grid.cycle, "deg")) / n_angles)
 
     def __getattr__(self, name: str) -> Array:
         """Give a quantity by name, in the unit of its entry."""
         if name.startswith("_"):
             raise AttributeError(name)
         if name not in self._homes:
-            raise AttributeError(f"this result has no {name}; it has {', '.join(self._homes)}")
+            raise AttributeError(self._absence(name))
         entry, gift = self._homes[name]
         inside: Array = getattr(gift, name)
-        values = shown(inside, "deg") if entry.unit == "deg" else inside
+        values = _read_only(shown(inside, "deg")) if entry.unit == "deg" else inside
         return values if self.has_designs else values[0]
+
+    def _absence(self, name: str) -> str:
+        """Say why there is no such quantity."""
+        needs = next((missing.needs for missing in self.missing if name in missing.results), ())
+        if needs:
+            return f"this result has no {name}, which needs {', '.join(needs)}"
+        return f"this result has no {name}; it has {', '.join(self._homes)}"
 
     def __dir__(self) -> list[str]:
         """List the quantities too, for completion in a notebook."""
@@ -136,3 +145,9 @@ class Result:
         coordinates: dict[str, Any] = {name: list(words) for name, words in self.labels.items() if name in used}
         coordinates["crank_angle"] = ("crank_angle", self.crank_angle, {"units": "deg", "symbol": "φ"})
         return xarray.Dataset(variables, coordinates, {"name": self.machines[0].name})
+
+
+def _read_only(values: Array) -> Array:
+    """Make an array read-only."""
+    values.flags.writeable = False
+    return values

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from cranktrain.analysis.parts import Parts, parts_of
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.stages import STAGES, Stage, run_stages
 from cranktrain.catalogue import entries
@@ -13,7 +14,7 @@ from cranktrain.engine.points import LinkPoints
 from cranktrain.engine.volumes import Chambers
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.machine import Machine, Parts, layout
+from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS
 
 _FINEST, _COARSEST = 0.01, 90.0
@@ -24,7 +25,7 @@ def run(
     *,
     step_degrees: float = 1.0,
     partial: bool = False,
-    quantities: Iterable[str] | None = None,
+    quantities: str | Iterable[str] | None = None,
     stages: Sequence[Stage] = STAGES,
 ) -> Result:
     """Compute all that a machine file allows.
@@ -37,7 +38,7 @@ def run(
         Of the crank-angle grid; the cycle must be a whole number of steps. [deg]
     partial : bool
         Compute where the links close and give NaN where they do not, instead of refusing the machine.
-    quantities : iterable of str, optional
+    quantities : str or iterable of str, optional
         Names from the catalogue; only the stages that these need are run. All unless given.
     stages : sequence of Stage
         `STAGES` unless given.
@@ -60,8 +61,9 @@ def run(
     machines = (machine,) if isinstance(machine, Machine) else tuple(machine)
     if not machines:
         raise InputError([Problem("", None, _("there must be at least one machine"))])
-    parts = layout(machines, step=_step(step_degrees), partial=partial)
-    chosen = stages if quantities is None else _needed(stages, tuple(quantities))
+    parts = parts_of(machines, step=_step(step_degrees), partial=partial)
+    names = (quantities,) if isinstance(quantities, str) else quantities
+    chosen = stages if names is None else _needed(stages, tuple(names))
     gifts, missing = run_stages(chosen, parts)
     return Result(
         machines=machines,

@@ -1,17 +1,21 @@
 """Stages: functions whose parameter types are their needs and whose return type is their gift."""
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from graphlib import TopologicalSorter
 from types import NoneType
 from typing import Any, get_args, get_type_hints
 
+import numpy as np
+
 from cranktrain.catalogue import entries
+from cranktrain.engine.axial import axial_positions
 from cranktrain.engine.closing import closing
+from cranktrain.engine.dead_centres import dead_centres, piston_turn
 from cranktrain.engine.firing import firing
-from cranktrain.engine.motion import dead_centres, piston_motion, piston_speeds
+from cranktrain.engine.motion import piston_motion, piston_speeds
 from cranktrain.engine.points import point_motion
-from cranktrain.engine.rockers import dead_positions, load_motion, rocker_motion, rocker_speeds
+from cranktrain.engine.rockers import dead_positions, load_motion, rocker_motion, rocker_speeds, rocker_turn
 from cranktrain.engine.volumes import chamber_volumes, swept_volumes
 from cranktrain.language import translated
 from cranktrain.mechanisms import KINDS
@@ -71,18 +75,21 @@ def ordered(stages: Iterable[Stage]) -> tuple[Stage, ...]:
 STAGES: tuple[Stage, ...] = tuple(
     stage(function)
     for function in (
+        piston_turn,
         dead_centres,
         swept_volumes,
         chamber_volumes,
         firing,
         piston_motion,
         piston_speeds,
+        rocker_turn,
         dead_positions,
         rocker_motion,
         rocker_speeds,
         load_motion,
         point_motion,
         *(function for kind in KINDS for function in kind.stages),
+        axial_positions,
         closing,
         textbook_motion,
     )
@@ -117,12 +124,24 @@ def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict
             if need not in known and name not in one.optional:
                 roots |= lacking.get(need, frozenset({need}))
         if not roots:
-            gift = one.function(**{name: known.get(need) for name, need in one.needs.items()})
-            known[one.gives] = gifts[one.gives] = gift
+            # NaN stands for links that cannot close, and is no news.
+            with np.errstate(all="ignore"):
+                gift = one.function(**{name: known.get(need) for name, need in one.needs.items()})
+            known[one.gives] = gifts[one.gives] = _frozen(gift)
             continue
         lacking[one.gives] = frozenset(roots)
         words = tuple(sorted(translated(getattr(root, "needs", "")) for root in roots))
-        if all(words):
-            missing.setdefault(words, []).extend(entry.name for entry in entries(one.gives))
+        results = [entry.name for entry in entries(one.gives)]
+        if results and all(words):
+            missing.setdefault(words, []).extend(results)
     in_order = {one.gives: gifts[one.gives] for one in stages if one.gives in gifts}
     return in_order, tuple(Missing(tuple(results), needs) for needs, results in missing.items())
+
+
+def _frozen(gift: Any) -> Any:
+    """Make a gift's arrays read-only: stages and users share them."""
+    for part in fields(gift):
+        value = getattr(gift, part.name)
+        if isinstance(value, np.ndarray):
+            value.flags.writeable = False
+    return gift

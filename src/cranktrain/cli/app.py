@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Annotated
+from typing import Annotated, cast
 
 import typer
 
@@ -11,6 +11,11 @@ from cranktrain.errors import InputError, Position, Problem
 from cranktrain.language import _
 
 Task = Callable[[], None]
+
+_TYPER_STOPPED = 130
+"""What newer versions of Typer make of Ctrl-C; older ones raise Abort."""
+
+_USAGE_ERROR = cast("type[Exception]", typer.BadParameter.__mro__[1])  # has no public name in every Typer
 
 # Typer's own handlers would swallow Ctrl-C and closed pipes, so that nothing runs before it has returned; its Rich help
 # costs as much time as a run.
@@ -39,13 +44,17 @@ def task(arguments: Sequence[str]) -> Task:
     ------
     InputError
         If the command line is not right.
+    KeyboardInterrupt
     """
-    usage_error = typer.BadParameter.__mro__[1]  # has no public name in every Typer
     try:
-        given = _app(list(arguments) or ["--help"], prog_name="cranktrain", standalone_mode=False)
-    except usage_error as error:
+        given: object = _app(list(arguments) or ["--help"], prog_name="cranktrain", standalone_mode=False)
+    except _USAGE_ERROR as error:
         raise InputError([_usage_problem(error)]) from None
-    return given if callable(given) else _nothing
+    except typer.Abort:
+        raise KeyboardInterrupt from None
+    if given == _TYPER_STOPPED:
+        raise KeyboardInterrupt
+    return cast("Task", given) if callable(given) else _nothing
 
 
 def _nothing() -> None:
@@ -160,7 +169,12 @@ def _run(
     file: _File,
     output: Annotated[
         str | None,
-        typer.Option("-o", "--output", metavar="FILE", help=_("Write curves to .csv, or all results to .json.")),
+        typer.Option(
+            "-o",
+            "--output",
+            metavar="FILE",
+            help=_("Write curves to .csv, or all results to .json; by each method only if named."),
+        ),
     ] = None,
     settings: Annotated[
         list[str] | None,
@@ -174,7 +188,9 @@ def _run(
     partial_turn: Annotated[
         bool, typer.Option("--partial", help=_("Accept links that do not close all round: NaN there."))
     ] = False,
-    inputs: Annotated[bool, typer.Option("--inputs", help=_("Show every number of the file and where it is from."))] = False,
+    inputs: Annotated[
+        bool, typer.Option("--inputs", help=_("Show every number of the file and where it is from."))
+    ] = False,
     force: _Force = False,
 ) -> Task:
     from cranktrain.cli.run import Request, show_run

@@ -1,16 +1,16 @@
-"""Facts as tables: equal members share a column, so that twelve cylinders need two and nine different ones their own."""
+"""Facts as tables: equal members share a column, so that twelve cylinders need two; different ones have a row each."""
 
+import itertools
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
-from rich.console import RenderableType
-from rich.padding import Padding
 from rich.text import Text
 
 from cranktrain.analysis import Result
 from cranktrain.catalogue import Entry
-from cranktrain.cli.figures import figures
+from cranktrain.cli.figures import ABSENT, figures
 from cranktrain.cli.screen import table
 from cranktrain.wording import ranged
 
@@ -41,8 +41,26 @@ class FactRow:
         """Name, symbol and unit."""
         return self.entry.name, self.entry.symbol, self.unit
 
+    def text(self, member: str) -> str:
+        """What stands for a member; nothing where it lacks the fact."""
+        return self.texts.get(member, "")
 
-def fact_tables(result: Result, names: Sequence[str], width: int) -> Iterator[RenderableType]:
+
+class _Family(NamedTuple):
+    """Facts with common members: of the pistons (and of chambers that are called the same), of the banks, …"""
+
+    members: tuple[str, ...]
+    rows: list[FactRow]
+
+
+class _Line(NamedTuple):
+    """A line of a table with one column for each fact."""
+
+    label: str
+    texts: list[str]
+
+
+def fact_tables(result: Result, names: Sequence[str], width: int) -> Iterator[str | Text]:
     """Lay out facts.
 
     Parameters
@@ -55,48 +73,59 @@ def fact_tables(result: Result, names: Sequence[str], width: int) -> Iterator[Re
 
     Yields
     ------
-    RenderableType
-        Tables, one below the other.
+    str or Text
+        Tables, one below the other: their lines, and paragraphs that name their columns.
     """
-    for members, rows in _families(result, names):
+    flat = [name for name in names if len(result.catalogue[name].dimensions) <= 1]
+    for i, (members, rows) in enumerate(_families([_row(result, name) for name in flat])):
         narrow, groups = _narrow(rows, members, width)
         if narrow:
-            yield _by_fact(narrow, groups, members)
+            if i:
+                yield ""
+            yield from _by_fact(narrow, groups, members)
         wide = [row for row in rows if row not in narrow]
         if wide:
-            yield from _by_group(wide, members, width)
+            yield from _by_member(wide, _lines(wide, members), width)
+    deep = [result.catalogue[name] for name in names if name not in flat]
+    for dimensions in dict.fromkeys(entry.dimensions for entry in deep):
+        entries = [entry for entry in deep if entry.dimensions == dimensions]
+        yield from _deep(result, entries, width)
 
 
-def _families(result: Result, names: Sequence[str]) -> list[tuple[tuple[str, ...], list[FactRow]]]:
-    """Sort facts into families with common members: the pistons' (and chambers' of the same names), the banks', …"""
-    families: list[tuple[tuple[str, ...], list[FactRow]]] = []
-    for name in names:
-        entry, value = result.facts[name]
-        members = tuple(label for labels in result.labels_of(entry).values() for label in labels)
-        members = members if len(members) > 1 else ("",)
-        shown = figures(np.atleast_1d(value), entry.unit)
-        row = FactRow(entry, shown.unit, dict(zip(members, shown.texts, strict=True)))
-        for i, (known, rows) in enumerate(families):
-            if set(known) <= set(members) or set(members) <= set(known):
-                families[i] = (max(known, members, key=len), [*rows, row])
+def _row(result: Result, name: str) -> FactRow:
+    """Write a fact with at most one dimension; one member needs no name."""
+    entry = result.catalogue[name]
+    members = tuple(label for labels in result.labels_of(entry).values() for label in labels)
+    shown = figures(np.atleast_1d(getattr(result, name)), entry.unit)
+    return FactRow(entry, shown.unit, dict(zip(members if len(members) > 1 else ("",), shown.texts, strict=True)))
+
+
+def _families(rows: Sequence[FactRow]) -> list[_Family]:
+    """Sort facts by their members; a part of the members is of the family of all."""
+    families: list[_Family] = []
+    for row in rows:
+        members = tuple(row.texts)
+        for i, family in enumerate(families):
+            if set(family.members) <= set(members) or set(members) <= set(family.members):
+                families[i] = _Family(max(family.members, members, key=len), [*family.rows, row])
                 break
         else:
-            families.append((members, [row]))
+            families.append(_Family(members, [row]))
     return families
 
 
 def _groups(rows: Sequence[FactRow], members: Sequence[str]) -> list[list[int]]:
     """Put members together that are equal in all of some facts."""
-    found: dict[tuple[str | None, ...], list[int]] = {}
+    found: dict[tuple[str, ...], list[int]] = {}
     for i, member in enumerate(members):
-        found.setdefault(tuple(row.texts.get(member) for row in rows), []).append(i)
+        found.setdefault(tuple(row.text(member) for row in rows), []).append(i)
     return list(found.values())
 
 
 def _narrow(rows: Sequence[FactRow], members: Sequence[str], width: int) -> tuple[list[FactRow], list[list[int]]]:
     """Choose the facts, fewest groups first, that go together into one table with few columns."""
     chosen: list[FactRow] = []
-    groups: list[list[int]] = [list(range(len(members)))]
+    groups = [list(range(len(members)))]
     for row in sorted(rows, key=lambda row: len(_groups([row], members))):
         finer = _groups([*chosen, row], members)
         if len(finer) == 1 or (len(finer) <= _MOST_COLUMNS and _natural_width([*chosen, row], finer, members) <= width):
@@ -108,43 +137,62 @@ def _natural_width(rows: Sequence[FactRow], groups: Sequence[Sequence[int]], mem
     """Columns of the screen that a table by fact takes."""
     heads = sum(max(len(row.head[i]) for row in rows) + _GAP for i in range(3))
     return heads + sum(
-        _GAP + max(len(ranged(members, group)), *(len(row.texts.get(members[group[0]], "")) for row in rows))
-        for group in groups
+        _GAP + max(len(ranged(members, group)), *(len(row.text(members[group[0]])) for row in rows)) for group in groups
     )
 
 
-def _by_fact(rows: Sequence[FactRow], groups: Sequence[Sequence[int]], members: Sequence[str]) -> RenderableType:
+def _by_fact(rows: Sequence[FactRow], groups: Sequence[Sequence[int]], members: Sequence[str]) -> list[Text]:
     """One row for each fact, one column for each group."""
     heads = ["", "", "", *(ranged(members, group) for group in groups)]
-    cells = [[*row.head, *(row.texts.get(members[group[0]], "") for group in groups)] for row in rows]
-    return table(heads, cells, right=3, fold=False)
+    cells = [[*row.head, *(row.text(members[group[0]]) for group in groups)] for row in rows]
+    return table(heads, cells, right=range(3, len(heads)))
 
 
-def _by_group(rows: Sequence[FactRow], members: Sequence[str], width: int) -> Iterator[RenderableType]:
-    """One row for each group, one column for each fact, and the names of the facts below."""
+def _lines(rows: Sequence[FactRow], members: Sequence[str], outer: str = "") -> list[_Line]:
+    """One line for each group of members of which there is anything to say."""
     groups = _groups(rows, members)
-    labels = [ranged(members, group) for group in groups]
-    room = width - max(map(len, labels))
-    columns: list[list[str]] = []
-    named: list[str] = []
-    for row in rows:
-        symbol = row.entry.symbol or row.entry.name
-        column = [symbol, row.unit, *(row.texts.get(members[group[0]], "") for group in groups)]
-        if columns and sum(_width(one) for one in [*columns, column]) > room:
-            yield from _transposed(labels, columns, named)
-            columns, named = [], []
-        columns.append(column)
-        named.append(f"{symbol} {row.entry.name}")
-    yield from _transposed(labels, columns, named)
+    return [
+        _Line(" ".join(filter(None, (outer, ranged(members, group) if len(groups) > 1 else ""))), texts)
+        for group in groups
+        if set(texts := [row.text(members[group[0]]) for row in rows]) != {ABSENT}
+    ]
 
 
-def _width(column: Sequence[str]) -> int:
-    return _GAP + max(map(len, column))
+def _deep(result: Result, entries: Sequence[Entry], width: int) -> Iterator[str | Text]:
+    """Facts with more dimensions, as of each piston by each method: a line for each method and group of pistons."""
+    *outer, members = result.labels_of(entries[0]).values()
+    shown = [figures(getattr(result, entry.name).ravel(), entry.unit) for entry in entries]
+    lines: list[_Line] = []
+    rows: list[FactRow] = []
+    for i, names in enumerate(itertools.product(*outer)):
+        start = i * len(members)
+        rows = [
+            FactRow(entry, one.unit, dict(zip(members, one.texts[start : start + len(members)], strict=True)))
+            for entry, one in zip(entries, shown, strict=True)
+        ]
+        lines += _lines(rows, members, ", ".join(names))
+    yield from _by_member(rows, lines, width)
 
 
-def _transposed(labels: Sequence[str], columns: Sequence[Sequence[str]], named: Sequence[str]) -> Iterator[RenderableType]:
-    """Lay out columns of symbol, unit and texts beside the labels of their rows."""
-    heads = ["", *(column[0] for column in columns)]
-    rows = zip(("", *labels), *(column[1:] for column in columns), strict=True)
-    yield Padding(table(heads, rows, right=1, fold=False), (1, 0, 0, 0))
-    yield Text(", ".join(named), style="dim")
+def _by_member(rows: Sequence[FactRow], lines: Sequence[_Line], width: int) -> Iterator[str | Text]:
+    """One column for each fact, as many as there is room for side by side, and the facts' names below."""
+    room = width - max(len(line.label) for line in lines)
+    parts: list[list[int]] = [[]]
+    for i, row in enumerate(rows):
+        needed = _GAP + max(len(_symbol(row)), len(row.unit), *(len(line.texts[i]) for line in lines))
+        if parts[-1] and needed > room:
+            parts.append([])
+            room = width - max(len(line.label) for line in lines)
+        parts[-1].append(i)
+        room -= needed
+    for part in parts:
+        heads = ["", *(_symbol(rows[i]) for i in part)]
+        units = ["", *(rows[i].unit for i in part)]
+        yield ""
+        cells = [units, *([line.label, *(line.texts[i] for i in part)] for line in lines)]
+        yield from table(heads, cells, right=range(1, len(heads)))
+        yield ", ".join(f"{_symbol(rows[i])} {rows[i].entry.name}" for i in part)
+
+
+def _symbol(row: FactRow) -> str:
+    return row.entry.symbol or row.entry.name

@@ -10,6 +10,9 @@ from cranktrain.wording import number
 _SHOWN = {"m": "mm", "rad": "deg", "deg": "deg", "m/s": "m/s", "m/s^2": "m/s^2", "1": "1"}
 """Units in which sentences give a quantity of that unit, too."""
 
+ABSENT = "–"
+"""Stands for what there is not."""
+
 _SMALL_VOLUME = 1e-4
 """Volumes that are all smaller than this are given in cm³. [m³]"""
 
@@ -34,7 +37,7 @@ def figures(values: Array, unit: str) -> Figures:
     Returns
     -------
     Figures
-        `–` stands for what there is not.
+        A part of less than one is given in percent.
     """
     whole = values[~np.isnan(values)]
     shown = _SHOWN.get(unit)
@@ -42,11 +45,14 @@ def figures(values: Array, unit: str) -> Figures:
         shown = "cm^3" if whole.size and np.max(np.abs(whole)) < _SMALL_VOLUME else "L"
     if unit == "1" and np.all(whole == np.rint(whole)):
         texts = [f"{value:.0f}" for value in values]
+    elif unit == "1" and np.all(np.abs(whole) < 1):
+        shown = "%"
+        texts = [number(float(value), shown).removesuffix(f" {shown}") for value in values]
     elif shown is None:
-        texts = [f"{value:#.4g}" for value in values]
+        texts = [f"{value:#.4g}".removesuffix(".") for value in values]
     else:
         si = np.deg2rad(values) if unit == "deg" else values
         texts = [number(float(value), shown).removesuffix(f" {shown}") for value in si]
     absent = np.isnan(values).tolist()
-    kept = tuple("–" if is_absent else text for text, is_absent in zip(texts, absent, strict=True))
-    return Figures(kept, "" if unit == "1" else shown or unit)
+    kept = tuple(ABSENT if is_absent else text for text, is_absent in zip(texts, absent, strict=True))
+    return Figures(kept, (shown or unit).removeprefix("1"))

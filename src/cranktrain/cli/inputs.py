@@ -1,9 +1,8 @@
 """Where the numbers of a machine file are from."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
-from rich.console import RenderableType
 from rich.text import Text
 
 from cranktrain.cli.screen import plain, table
@@ -14,10 +13,9 @@ _TOLD = ("assumed", "fitted")
 """Status of numbers that nobody measured: each of them is named."""
 
 
-def provenance(file: MachineFile) -> RenderableType:
-    """Count the numbers of a file by status, and name those that are assumed or fitted."""
+def provenance(file: MachineFile, width: int) -> Iterator[str | Text]:
+    """Count the numbers of a file by status, and name those that are assumed or fitted, in a width of columns."""
     inputs = inputs_of(file)
-    told = [one for one in inputs if one.given.status in _TOLD]
     counts = Counter(one.given.status for one in inputs)
     words = {
         "published": _("{n} published"),
@@ -27,21 +25,19 @@ def provenance(file: MachineFile) -> RenderableType:
         None: _("{n} without a status"),
     }
     counted = ", ".join(word.format(n=counts[status]) for status, word in words.items() if counts[status])
-    said = Text(_("{n} numbers of the file: {counted}").format(n=len(inputs), counted=counted) + (":" if told else ""))
-    if not told:
-        return said
-    from rich.console import Group
-
-    return Group(said, table(("", "", "", ""), _rows(sorted(told, key=lambda one: _TOLD.index(str(one.given.status))))))
+    yield _("{n} numbers of the file: {counted}").format(n=len(inputs), counted=counted)
+    told = [one for status in _TOLD for one in inputs if one.given.status == status]
+    if told:
+        yield from table(("", "", "", ""), _rows(told), fold=width)
 
 
-def input_table(file: MachineFile) -> RenderableType:
-    """Every number of a file, with its status and note."""
-    return table(("", "", "", ""), _rows(inputs_of(file)))
+def input_table(file: MachineFile, width: int) -> list[Text]:
+    """Every number of a file, with its status and note, in a width of columns."""
+    return table(("", "", "", ""), _rows(inputs_of(file)), fold=width)
 
 
 def _rows(inputs: Sequence[Input]) -> list[tuple[str, str, str, str]]:
-    """Give path, value, status and note of inputs; neighbours in a list that agree in all else share a line."""
+    """Give path, value, status and note of inputs."""
     rows: list[tuple[str, str, str, str]] = []
     for path, given in inputs:
         about = "; ".join(plain(word) for word in (given.note, given.source) if word)

@@ -1,6 +1,7 @@
 """`list`: examples, kinds of mechanism, results."""
 
 from collections.abc import Iterator, Mapping
+from typing import cast
 
 from cranktrain.errors import InputError
 from cranktrain.language import _
@@ -32,9 +33,9 @@ def _examples() -> Iterator[str]:
 
 def _mechanisms(data: Mapping[str, object]) -> list[str]:
     """Name the kinds of mechanism in a machine file, each once."""
-    banks = data.get("bank", {})
-    tables = [data, *(banks.values() if isinstance(banks, dict) else ())]
-    return list(dict.fromkeys(table["mechanism"]["kind"] for table in tables if "mechanism" in table))
+    banks = cast("Mapping[str, Mapping[str, object]]", data.get("bank", {}))
+    mechanisms = [table["mechanism"] for table in (data, *banks.values()) if "mechanism" in table]
+    return list(dict.fromkeys(cast("Mapping[str, str]", mechanism)["kind"] for mechanism in mechanisms))
 
 
 def _kinds() -> Iterator[str]:

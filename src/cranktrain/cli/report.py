@@ -1,5 +1,6 @@
 """A result on the screen: answers first, then the numbers, what they rest on, and what is missing."""
 
+import itertools
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -8,15 +9,14 @@ from rich.text import Text
 
 from cranktrain.analysis import Missing, Result
 from cranktrain.cli.facts import fact_tables
-from cranktrain.cli.figures import figures
+from cranktrain.cli.figures import ABSENT, figures
 from cranktrain.cli.inputs import input_table, provenance
-from cranktrain.cli.screen import plain, section, table
+from cranktrain.cli.screen import INDENT, paragraph, plain, section, table
 from cranktrain.io.machine_file import MachineFile
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.mechanisms import kind_named
 
-_INDENT = 2
 _NAMED = 4
 """How many of the results that something would give are named."""
 
@@ -25,7 +25,7 @@ _EQUAL = 1e-9
 
 
 def show_result(
-    console: Console, file: MachineFile, result: Result, names: Sequence[str], *, with_inputs: bool
+    console: Console, file: MachineFile, result: Result, names: Sequence[str], *, is_all: bool, with_inputs: bool
 ) -> None:
     """Show a result.
 
@@ -37,6 +37,8 @@ def show_result(
         Of one machine.
     names : sequence of str
         Which of its quantities.
+    is_all : bool
+        Whether these are all there are: then what is given by several methods is named, and its sentence has to do.
     with_inputs : bool
         Whether to show every number of the file, and not only a word on where they are from.
     """
@@ -44,22 +46,28 @@ def show_result(
     console.print()
     for sentence in result.answers():
         console.print(sentence)
-    facts = [name for name in names if name in result.facts]
+    width = console.width - INDENT
+    deep = [name for name in names if is_all and len(result.labels_of(result.catalogue[name])) > 1]
+    names = [name for name in names if name not in deep]
+    facts = [name for name in names if result.catalogue[name].is_fact]
     if facts:
-        section(console, _("Results"), *fact_tables(result, facts, console.width - _INDENT))
+        section(console, _("Results"), list(fact_tables(result, facts, width)))
     peaks = list(_peaks(result, names))
     if peaks:
         step = f"{result.crank_angle[1]:g}°"
         heading = _("Largest values of the curves, in steps of {step}").format(step=step)
-        heads = ("", "", _("peak"), "", _("of"), _("at [deg]"))
-        section(console, heading, table(heads, peaks, right=None))
+        heads = ("", "", _("peak"), "", _("at [deg]"), _("of"))
+        section(console, heading, table(heads, peaks, right=(2, 4)))
+    if deep:
+        section(console, _("By each method, with --quantities"), [", ".join(deep)])
     if result.checks:
-        section(console, _("Checks"), *_checks(result))
+        section(console, _("Checks"), list(_checks(console, result)))
     if result.flags:
-        section(console, _("Mind"), *(Text(flag) for flag in result.flags))
-    section(console, _("What this rests on"), input_table(file) if with_inputs else provenance(file))
+        section(console, _("Mind"), result.flags)
+    about = input_table(file, width) if with_inputs else list(provenance(file, width))
+    section(console, _("What this rests on"), about)
     if result.missing:
-        section(console, _("To learn more"), *(Text(_missing(missing)) for missing in result.missing))
+        section(console, _("To learn more"), [_missing(missing) for missing in result.missing])
 
 
 def title(machine: Machine) -> str:
@@ -67,7 +75,12 @@ def title(machine: Machine) -> str:
     parts = [_layout(machine)]
     if machine.shaft.main.speed is not None:
         parts.append(machine.shaft.main.speed.text)
-    senses = {"clockwise": _("clockwise"), "anticlockwise": _("anticlockwise"), "ahead": _("ahead"), "astern": _("astern")}
+    senses = {
+        "clockwise": _("clockwise"),
+        "anticlockwise": _("anticlockwise"),
+        "ahead": _("ahead"),
+        "astern": _("astern"),
+    }
     parts.append(f"{senses[machine.rotation]}, {senses[machine.running]}")
     name = plain(machine.name)
     return f"{name}: {'; '.join(parts)}" if name else "; ".join(parts)
@@ -91,35 +104,37 @@ def _layout(machine: Machine) -> str:
 
 
 def _peaks(result: Result, names: Sequence[str]) -> Iterator[tuple[str, ...]]:
-    """Give the largest size of every curve: name, symbol, value, unit, whose and where."""
+    """Give the largest size of every curve: name, symbol, value, unit, where and whose."""
     for name in names:
         entry = result.catalogue[name]
         if entry.is_fact:
             continue
-        members = [label for labels in result.labels_of(entry).values() for label in labels]
+        members = [", ".join(labels) for labels in itertools.product(*result.labels_of(entry).values())]
         curves = np.reshape(getattr(result, name), (-1, result.crank_angle.size))
         size = np.nan_to_num(np.abs(curves), nan=-1.0)
         member, place = np.unravel_index(np.argmax(size >= np.max(size) * (1 - _EQUAL)), size.shape)
         if np.isnan(curves[member, place]):
-            yield name, entry.symbol, "–", "", "", ""
+            yield name, entry.symbol, ABSENT, "", "", ""
             continue
         shown = figures(curves[[member], place], entry.unit)
         whose = members[member] if len(members) > 1 else ""
-        yield name, entry.symbol, shown.texts[0], shown.unit, whose, f"{result.crank_angle[place]:g}"
+        yield name, entry.symbol, shown.texts[0], shown.unit, f"{result.crank_angle[place]:g}", whose
 
 
-def _checks(result: Result) -> Iterator[Text]:
+def _checks(console: Console, result: Result) -> Iterator[Text]:
     """Say of every check whether it holds, how well, and what is compared."""
     for check in result.checks:
         residual = float(check.residual[0])
         if check.passed[0]:
-            verdict = Text(_("✓ holds"))
+            verdict, style = _("✓ holds"), ""
         elif np.isnan(residual):
-            verdict = Text(_("✗ cannot be judged: the links do not close all round"), style="red")
+            verdict, style = _("✗ cannot be judged, as the links do not close all round"), "red"
         else:
-            verdict = Text(_("✗ does not hold"), style="red")
-        numbers = _(" (residual {residual:.1e}, limit {limit:.0e}): ").format(residual=residual, limit=check.limit)
-        yield verdict + Text(numbers + check.sentence)
+            verdict, style = _("✗ does not hold"), "red"
+        said = _("{verdict} (residual {residual:.1e}, limit {limit:.0e}): {sentence}").format(
+            verdict=verdict, residual=residual, limit=check.limit, sentence=check.sentence
+        )
+        yield from paragraph(console, said, style)
 
 
 def _missing(missing: Missing) -> str:

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from pathlib import PurePath
 
 from cranktrain.analysis import Result, run
-from cranktrain.cli.screen import screen
-from cranktrain.errors import InputError, Position, Problem
+from cranktrain.cli.screen import page, plain
+from cranktrain.errors import InputError, Problem
 from cranktrain.io.machine_file import MachineFile, read_machine
 from cranktrain.io.output import write_whole
 from cranktrain.language import _
@@ -35,11 +35,12 @@ def show_run(request: Request, *, with_inputs: bool = False) -> None:
         result = _computed(file, request)
     else:
         result = _written(file, request, request.output, suffix)
-    console = screen()
-    show_result(console, file, result, _chosen(result, request), with_inputs=with_inputs)
-    if request.output is not None:
-        console.print()
-        console.print(_("written: {name}").format(name=request.output), soft_wrap=True)
+    with page() as console:
+        names = _chosen(result, request)
+        show_result(console, file, result, names, is_all=request.quantities is None, with_inputs=with_inputs)
+        if request.output is not None:
+            console.print()
+            console.print(_("written: {name}").format(name=plain(request.output)), soft_wrap=True)
 
 
 def _suffix(output: str | None) -> str | None:
@@ -51,7 +52,7 @@ def _suffix(output: str | None) -> str | None:
     suffix = PurePath(output).suffix.lower()
     if suffix not in WRITERS:
         allowed = _("must end in one of: {suffixes}").format(suffixes=", ".join(WRITERS))
-        raise InputError([Problem("", output, allowed, position=Position("-o"))])
+        raise InputError([Problem("-o", output, allowed)])
     return suffix
 
 
@@ -62,7 +63,7 @@ def _computed(file: MachineFile, request: Request) -> Result:
     )
     absent = [name for name in request.quantities or () if name not in result.catalogue]
     if absent:
-        raise InputError(_absence(name, result, file.document.name) for name in absent)
+        raise InputError(_absence(name, result, request.file) for name in absent)
     return result
 
 
@@ -76,7 +77,7 @@ def _absence(name: str, result: Result, file: str) -> Problem:
 
 
 def _written(file: MachineFile, request: Request, output: str, suffix: str) -> Result:
-    """Compute once the output is known to be possible, and write it."""
+    """Compute once the output is known to be possible, and write it; a table without what is given by each method."""
     from cranktrain.io.tables import WRITERS
 
     made: list[Result] = []
@@ -84,9 +85,12 @@ def _written(file: MachineFile, request: Request, output: str, suffix: str) -> R
     def text() -> Iterator[str]:
         result = _computed(file, request)
         names = _chosen(result, request)
-        if suffix == ".csv" and all(result.catalogue[name].is_fact for name in names):
-            allowed = _("have one value for the whole cycle, and a .csv holds curves; write .json")
-            raise InputError([Problem("quantities", ", ".join(names), allowed)])
+        if suffix == ".csv" and request.quantities is None:
+            names = tuple(name for name in names if len(result.labels_of(result.catalogue[name])) <= 1)
+        facts = [name for name in request.quantities or () if result.catalogue[name].is_fact]
+        if suffix == ".csv" and facts:
+            allowed = _("has one value for the whole cycle, and a .csv holds curves")
+            raise InputError(Problem("quantities", name, allowed, _("write a .json")) for name in facts)
         made.append(result)
         yield from WRITERS[suffix](result, file.document.data, names)
 

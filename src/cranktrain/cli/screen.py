@@ -1,19 +1,36 @@
-"""The screen: its width and colours, headings, tables without boxes."""
+"""The screen: its width and colours, headings, paragraphs, tables without lines."""
 
 import sys
-from collections.abc import Iterable, Sequence
+import textwrap
+from collections.abc import Container, Generator, Sequence
+from contextlib import contextmanager
 
-from rich.console import Console, RenderableType
-from rich.padding import Padding
-from rich.table import Table
+from rich.cells import cell_len
+from rich.console import Console
 from rich.text import Text
 
+INDENT = 2
+"""Of what stands under a heading."""
+
+_GAP = 2
 _WIDTH = 80
 """Where there is no terminal."""
 
+_LEAST_FOLDED = 16
+"""A cell is not folded narrower than this, however narrow the screen."""
 
-def screen() -> Console:
-    """Give the standard output as it is now: a terminal as wide as it is, anything else 80 columns without colour."""
+
+@contextmanager
+def page() -> Generator[Console]:
+    """Collect a page for the standard output, and show it without blanks at line ends."""
+    console = _screen()
+    with console.capture() as shown:
+        yield console
+    sys.stdout.writelines(f"{line.rstrip()}\n" for line in shown.get().splitlines())
+
+
+def _screen() -> Console:
+    """Give a console for the standard output: as wide as a terminal is, else of 80 columns and without colour."""
     if sys.stdout.isatty():
         return Console(highlight=False, markup=False, emoji=False)
     return Console(
@@ -26,31 +43,61 @@ def plain(text: str) -> str:
     return "".join(character for character in " ".join(text.split()) if character.isprintable())
 
 
-def section(console: Console, heading: str, *parts: RenderableType) -> None:
-    """Show a part of the page under its heading."""
+def section(console: Console, heading: str, lines: Sequence[str | Text]) -> None:
+    """Show lines under a heading; one that is no `Text` is a paragraph, folded to the width of the screen."""
     console.print()
     console.print(Text(heading, style="bold"))
-    for part in parts:
-        console.print(Padding(part, (0, 0, 0, 2)))
+    for line in lines:
+        parts = [line] if isinstance(line, Text) else paragraph(console, line)
+        for part in parts:
+            console.print(Text(" " * INDENT) + part, soft_wrap=True)
 
 
-def table(heads: Sequence[str], rows: Iterable[Sequence[str | Text]], *, right: int | None = None, fold: bool = True) -> Table:
+def paragraph(console: Console, text: str, style: str = "") -> list[Text]:
+    """Fold a text to the width of the screen less the indent; an empty one is an empty line."""
+    return [Text(line, style) for line in textwrap.wrap(text, console.width - INDENT, break_on_hyphens=False)] or [
+        Text()
+    ]
+
+
+def table(
+    heads: Sequence[str], rows: Sequence[Sequence[str]], *, right: Container[int] = (), fold: int | None = None
+) -> list[Text]:
     """Lay out a table without lines.
 
     Parameters
     ----------
     heads : sequence of str
-    rows : iterable of sequences of str or Text
-    right : int, optional
-        The first column whose cells stand to the right; none unless given.
-    fold : bool
-        Whether the last column may be folded into more lines.
+        All empty for none.
+    rows : sequence of sequences of str
+    right : container of int
+        Columns whose cells stand to the right.
+    fold : int, optional
+        Width to which the last column is folded so that the table keeps it; unlimited unless given.
+
+    Returns
+    -------
+    list of Text
+        Its lines.
     """
-    made = Table(box=None, padding=(0, 2, 0, 0), pad_edge=False, show_header=any(heads), header_style="dim")
-    for i, head in enumerate(heads):
-        numeric = right is not None and i >= right
-        folds = fold and i == len(heads) - 1
-        made.add_column(Text(head), justify="right" if numeric else "left", no_wrap=not folds, overflow="fold")
-    for row in rows:
-        made.add_row(*(Text(cell) if isinstance(cell, str) else cell for cell in row))
-    return made
+    every = [heads, *rows] if any(heads) else list(rows)
+    widths = [max(cell_len(row[i]) for row in every) for i in range(len(heads))]
+    if fold is not None:
+        widths[-1] = min(widths[-1], max(_LEAST_FOLDED, fold - sum(widths[:-1]) - _GAP * (len(widths) - 1)))
+    lines: list[Text] = []
+    for row in every:
+        *cells, last = row
+        folded = textwrap.wrap(last, widths[-1]) if fold is not None else [last]
+        style = "dim" if row is heads else ""
+        for i, part in enumerate(folded or [""]):
+            texts = [*(cells if i == 0 else [""] * len(cells)), part]
+            lines.append(
+                Text((" " * _GAP).join(_cell(text, widths[k], k in right) for k, text in enumerate(texts)), style)
+            )
+    return lines
+
+
+def _cell(text: str, width: int, is_right: bool) -> str:
+    """Pad a cell to the width of its column."""
+    blank = " " * (width - cell_len(text))
+    return blank + text if is_right else text + blank

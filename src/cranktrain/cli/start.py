@@ -6,7 +6,7 @@ from cranktrain.language import _
 from cranktrain.mechanisms import KINDS, Kind
 from cranktrain.quantities import unlisted
 
-SCHEMA_FILE = "cranktrain.schema.json"
+_SCHEMA_FILE = "cranktrain.schema.json"
 
 _HEAD = _("""\
 #:schema ./{schema}
@@ -15,7 +15,7 @@ _HEAD = _("""\
 # A quantity is text with its unit; it can say where it is from:
 # {{ value = "90 mm", status = "published", note = "…", source = "…" }}; or derived, assumed, fitted
 
-name = "{title}"
+name = "My machine"              # {title}
 rotation = "clockwise"            # or "anticlockwise", as seen from the free end of the shaft
 # running = "astern"              # against that sense
 
@@ -46,7 +46,7 @@ def write_schema(output: str | None, *, force: bool) -> None:
 
 def starting_file(kind: Kind) -> str:
     """Give a machine file with one mechanism of a kind, commented, that works as it is."""
-    head = _HEAD.format(schema=SCHEMA_FILE, title=_(kind.title))
+    head = _HEAD.format(schema=_SCHEMA_FILE, title=_(kind.title))
     if kind.output != "slider":
         return f"{head}\n{kind.example}"
     order = "1L-1R" if "[bank." in kind.example else "1"

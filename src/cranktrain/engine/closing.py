@@ -5,11 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.engine.layout import CrankAngle, Mechanisms, distinct
+from cranktrain.engine.distinct import distinct
+from cranktrain.engine.layout import CrankAngle, Mechanisms
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.closing import closing_margin
 from cranktrain.motion import Array
-from cranktrain.wording import Names, shared
+from cranktrain.wording import Names, around_turn, shared
 
 _MECHANISM = ("mechanism",)
 _THEORY = "docs/theory/closing-margin"
@@ -41,7 +42,7 @@ class Closing:
             margin=shared(("",), margins[least : least + 1], "%"),
             mechanism=names["mechanism"][least],
             length=self.length_names[design][least],
-            angle=shared(("",), self.closing_angle[design, least : least + 1], "deg"),
+            angle=shared(("",), around_turn(self.closing_angle[design, least : least + 1]), "deg"),
         )
 
 
@@ -52,7 +53,7 @@ def closing(mechanisms: Mechanisms, crank_angle: CrankAngle) -> Closing:
     margin, angle = np.empty(shape), np.empty(shape)
     length = np.empty(shape, dtype=object)
     for group in different.mechanisms.groups:
-        found = closing_margin(group.kind.gap, group.members.geometry, group.kind.lengths)
+        found = closing_margin(group.kind, group.members.geometry)
         margin[:, group.index] = found.margin
         angle[:, group.index] = found.angle - group.members.phase
         length[:, group.index] = np.array([*group.kind.lengths, ""], dtype=object)[found.length]

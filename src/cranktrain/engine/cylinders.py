@@ -1,17 +1,19 @@
 """Cylinders: bores, compression ratios and firing order of the file, put to the pistons of a layout."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-from cranktrain.engine.firing import FiringOrder, firing_angles
+from cranktrain.engine.firing import FiringOrder, firing_angles, within_turn
 from cranktrain.engine.places import Place
 from cranktrain.engine.specs import CylinderSpec, CylindersSpec
 from cranktrain.engine.volumes import Chambers, CompressionRatios
 from cranktrain.errors import Problem
 from cranktrain.language import _
+from cranktrain.motion import Array
 from cranktrain.wording import number
 
 CYCLES = {"two-stroke": 2 * np.pi, "four-stroke": 4 * np.pi}
@@ -20,13 +22,28 @@ CYCLES = {"two-stroke": 2 * np.pi, "four-stroke": 4 * np.pi}
 
 @dataclass(frozen=True)
 class Cylinder:
-    """One piston's cylinder: what its own table, its bank's or the common one gives, the nearest first."""
+    """One piston's cylinder: what its own table, its bank's or the common one gives, the nearest first.
+
+    Attributes
+    ----------
+    piston, bank : str
+    spec : CylinderSpec
+    paths : mapping of str to str
+        Where in the machine file each field that is given stands.
+    is_master : bool
+        Whether the piston hangs on the crank pin itself.
+    """
 
     piston: str
     bank: str
     spec: CylinderSpec
-    has_own_ratio: bool
+    paths: Mapping[str, str]
     is_master: bool
+
+    @property
+    def has_own_ratio(self) -> bool:
+        """Whether a table of its own or of its bank gives the compression ratio."""
+        return self.paths.get("compression_ratio", _COMMON_RATIO) != _COMMON_RATIO
 
     @property
     def chambers(self) -> tuple[str, ...]:
@@ -34,35 +51,42 @@ class Cylinder:
         return self.spec.chambers or ("head",)
 
 
+_COMMON_RATIO = "cylinder.compression_ratio"
+
+
 def cylinders_of(common: CylindersSpec, pistons: Sequence[Place]) -> tuple[Cylinder, ...]:
     """Give every piston its cylinder."""
-    cylinders: list[Cylinder] = []
-    for place in pistons:
-        own = [common.overrides[name] for name in (place.name, place.bank) if name in common.overrides]
-        fields = {
-            name: next((value for table in (*own, common) if (value := getattr(table, name)) is not None), None)
-            for name in CylinderSpec.model_fields
-        }
-        cylinders.append(
-            Cylinder(
-                piston=place.name,
-                bank=place.bank,
-                spec=CylinderSpec.model_construct(**fields),
-                has_own_ratio=any(table.compression_ratio is not None for table in own),
-                is_master=place.kind.name == "slider_crank",
-            )
-        )
-    return tuple(cylinders)
+    return tuple(_cylinder(common, place) for place in pistons)
+
+
+def _cylinder(common: CylindersSpec, place: Place) -> Cylinder:
+    """Take each field from the nearest table that gives it."""
+    tables: list[tuple[str, CylinderSpec]] = [
+        (f"cylinder.{name}", common.overrides[name]) for name in (place.name, place.bank) if name in common.overrides
+    ]
+    fields: dict[str, Any] = {}
+    paths: dict[str, str] = {}
+    for path, table in (*tables, ("cylinder", common)):
+        for name in CylinderSpec.model_fields:
+            value = getattr(table, name)
+            if value is not None and name not in fields:
+                fields[name], paths[name] = value, f"{path}.{name}"
+    spec = CylinderSpec.model_construct(**fields)
+    return Cylinder(place.name, place.bank, spec, paths, is_master=place.kind.name == "slider_crank")
 
 
 def cylinder_problems(common: CylindersSpec, pistons: Sequence[Place]) -> tuple[Problem, ...]:
-    """Find overrides of nothing, bores given for some pistons only, and piston rods that do not fit."""
-    problems: list[Problem] = []
+    """Find cylinders and overrides of nothing, bores given for some pistons only, piston rods that do not fit."""
+    if not pistons:
+        allowed = _("is not for this machine, which has no pistons")
+        return (Problem("cylinder", None, allowed),) if common.model_fields_set else ()
     known = dict.fromkeys([name for place in pistons for name in (place.bank, place.name) if name])
-    for name in common.overrides:
-        if name not in known:
-            allowed = _("is neither a field of [cylinder] nor a bank or piston of this machine: {known}")
-            problems.append(Problem(f"cylinder.{name}", None, allowed.format(known=", ".join(known))))
+    allowed = _("is neither a key of [cylinder] nor a bank or piston of this machine: {known}")
+    problems = [
+        Problem(f"cylinder.{name}", None, allowed.format(known=", ".join(known)))
+        for name in common.overrides
+        if name not in known
+    ]
     cylinders = cylinders_of(common, pistons)
     without = [cylinder.piston for cylinder in cylinders if cylinder.spec.bore is None]
     if without and len(without) < len(cylinders):
@@ -72,9 +96,8 @@ def cylinder_problems(common: CylindersSpec, pistons: Sequence[Place]) -> tuple[
         bore, rod = cylinder.spec.bore, cylinder.spec.piston_rod
         if bore is not None and rod is not None and rod.si >= bore.si:
             allowed = _("must be less than the bore, {bore}").format(bore=bore.text)
-            problems.append(Problem("cylinder.piston_rod", rod.text, allowed))
-            break
-    return tuple(problems)
+            problems.append(Problem(cylinder.paths["piston_rod"], rod.text, allowed))
+    return tuple(dict.fromkeys(problems))
 
 
 def chambers_of(designs: Sequence[Sequence[Cylinder]]) -> Chambers | None:
@@ -107,44 +130,64 @@ def _signed_area(spec: CylinderSpec, side: str) -> float:
 def compression_ratios_of(designs: Sequence[Sequence[Cylinder]]) -> CompressionRatios | None:
     """Compression ratio of every chamber that has one of its own; None where the leading piston has none.
 
-    The common ratio is the first master's; the other pistons share its deck and chamber.
+    The common ratio is the first master's; the heads of the other pistons share its deck and chamber.
     """
     first = designs[0]
-    leader = next((i for i, cylinder in enumerate(first) if cylinder.is_master), 0)
-    if not first or any(design[leader].spec.compression_ratio is None for design in designs):
-        return None
     sides = [(i, side) for i, cylinder in enumerate(first) for side in cylinder.chambers]
+    heads = [(k, i) for k, (i, side) in enumerate(sides) if side == "head"]
+    leader, leading = next(((k, i) for k, i in heads if first[i].is_master), heads[0] if heads else (0, 0))
+    if any(design[leading].spec.compression_ratio is None for design in designs):
+        return None
     value = np.full((len(designs), len(sides)), np.nan)
     for d, design in enumerate(designs):
         for column, (i, side) in enumerate(sides):
             ratio = design[i].spec.compression_ratio
-            if ratio is not None and (i == leader or side == "crank" or design[i].has_own_ratio):
+            if ratio is not None and (i == leading or side == "crank" or design[i].has_own_ratio):
                 value[d, column] = ratio.si
-    column = next(k for k, (i, _side) in enumerate(sides) if i == leader)
-    return CompressionRatios(value, np.full(len(sides), column, dtype=np.intp))
+    leaders = [leader if side == "head" else column for column, (_i, side) in enumerate(sides)]
+    return CompressionRatios(value, np.array(leaders, dtype=np.intp))
 
 
 def firing_order_of(
     common: CylindersSpec, pistons: Sequence[Place], *, astern: bool
 ) -> tuple[FiringOrder | None, tuple[Problem, ...]]:
-    """Read the firing order; None where the file has none or no cycle.
+    """Read the firing order; None where the file has none. Running astern it is read backwards from the same piston.
 
-    Running astern it is read backwards from the same first piston.
+    Whether the crank pins allow it can be told where the cycle is known, too.
     """
-    if common.firing_order is None or common.cycle is None:
-        return None, ()
-    path = "cylinder.firing_order"
     names = [place.name for place in pistons]
-    problems = tuple(
-        Problem(
-            f"cylinder.numbers.{number}",
-            name,
-            _("must be a piston of this machine: {pistons}").format(pistons=", ".join(names)),
-        )
-        for number, name in common.numbers.items()
-        if name not in names
-    )
+    problems = _number_problems(common, names)
+    if common.firing_order is None or problems:
+        return None, problems
     order = [common.numbers.get(word, word) for word in re.split(r"[\s,–-]+", common.firing_order.strip()) if word]
+    problems = _order_problems(common, order, names)
+    if problems:
+        return None, problems
+    if astern:
+        order = [order[0], *order[:0:-1]]
+    index = [names.index(name) for name in order]
+    problems = _throw_problems(common, order, within_turn(np.array([pistons[i].nominal_top for i in index])))
+    return (None if problems else FiringOrder(np.array(index, dtype=np.intp))), problems
+
+
+def _number_problems(common: CylindersSpec, names: Sequence[str]) -> tuple[Problem, ...]:
+    """Find a maker's numbers for no piston, or two for one."""
+    problems: list[Problem] = []
+    numbered: dict[str, str] = {}
+    for word, name in common.numbers.items():
+        allowed = None
+        if name not in names:
+            allowed = _("must be a piston of this machine: {pistons}").format(pistons=", ".join(names))
+        elif name in numbered:
+            allowed = _("must be another piston: this one is number {number}").format(number=numbered[name])
+        if allowed is not None:
+            problems.append(Problem(f"cylinder.numbers.{word}", name, allowed))
+        numbered.setdefault(name, word)
+    return tuple(problems)
+
+
+def _order_problems(common: CylindersSpec, order: Sequence[str], names: Sequence[str]) -> tuple[Problem, ...]:
+    """Find pistons that the order does not name once."""
     unknown = [name for name in order if name not in names]
     twice = sorted({name for name in order if order.count(name) > 1})
     left_out = [name for name in names if name not in order]
@@ -157,27 +200,22 @@ def firing_order_of(
         )
         if those
     ]
-    if wrong:
-        allowed = _("must name each piston once ({pistons}); {wrong}").format(
-            pistons=", ".join(names), wrong="; ".join(wrong)
-        )
-        problems = (*problems, Problem(path, common.firing_order, allowed))
-    if problems:
-        return None, problems
-    if astern:
-        order = [order[0], *order[:0:-1]]
-    index = np.array([names.index(name) for name in order], dtype=np.intp)
-    tops = np.mod(np.array([pistons[names.index(name)].nominal_top for name in order]), 2 * np.pi)
-    cycle = CYCLES[common.cycle]
-    if firing_angles(tops, cycle) is None:
-        tops = np.where(tops > 2 * np.pi - 1e-9, 0.0, tops)
-        turns = [2 * np.pi * turn for turn in range(round(cycle / (2 * np.pi)))]
-        possible = ", ".join(
-            f"{name} {_(' or ').join(number(float(top + turn), 'deg') for turn in turns)}"
-            for name, top in zip(order, tops, strict=True)
-        )
-        allowed = _("cannot fire so: as the crank pins stand, the pistons are at their tops at {possible}").format(
-            possible=possible
-        )
-        return None, (Problem(path, common.firing_order, allowed),)
-    return FiringOrder(index), ()
+    if not wrong:
+        return ()
+    allowed = _("must name each piston once ({pistons}); {wrong}").format(
+        pistons=", ".join(names), wrong="; ".join(wrong)
+    )
+    return (Problem("cylinder.firing_order", common.firing_order, allowed),)
+
+
+def _throw_problems(common: CylindersSpec, order: Sequence[str], tops: Array) -> tuple[Problem, ...]:
+    """Find an order in which the crank pins do not bring the pistons to their tops."""
+    if common.cycle is None or firing_angles(tops, CYCLES[common.cycle]) is not None:
+        return ()
+    turns = [2 * np.pi * turn for turn in range(round(CYCLES[common.cycle] / (2 * np.pi)))]
+    possible = ", ".join(
+        f"{name} {_(' or ').join(number(float(top + turn), 'deg') for turn in turns)}"
+        for name, top in zip(order, tops, strict=True)
+    )
+    allowed = _("cannot fire so: as the crank pins stand, the pistons are at their tops at {possible}")
+    return (Problem("cylinder.firing_order", common.firing_order, allowed.format(possible=possible)),)

@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
+from cranktrain.engine.dead_centres import DeadCentres
 from cranktrain.engine.layout import CrankAngle, Pistons
-from cranktrain.engine.motion import DeadCentres
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.wording import Names, shared
@@ -17,13 +17,24 @@ _PISTON = ("piston",)
 _THEORY = "docs/conventions"
 _SAME = 1e-9
 """Firings closer than this are simultaneous. [rad]"""
+_ROUNDING = 1e-12
+"""Sums of a few angles differ by less. [rad]"""
+
+
+@dataclass(frozen=True)
+class Cycle:
+    """The working cycle that the machine declares: 2π or 4π. [rad]"""
+
+    needs: ClassVar[str] = N_("[cylinder] cycle")
+
+    length: float
 
 
 @dataclass(frozen=True)
 class FiringOrder:
     """Pistons in the order in which they fire, as indices, shape (piston,)."""
 
-    needs: ClassVar[str] = N_("[cylinder] firing_order and cycle")
+    needs: ClassVar[str] = N_("[cylinder] firing_order")
 
     order: NDArray[np.intp]
 
@@ -55,22 +66,32 @@ class Firing:
         return _("Firing order {order}, unevenly: {intervals} to the next.").format(order=order, intervals=written)
 
 
-def firing(order: FiringOrder, pistons: Pistons, crank_angle: CrankAngle, dead_centres: DeadCentres) -> Firing:
+def firing(
+    order: FiringOrder, cycle: Cycle, pistons: Pistons, crank_angle: CrankAngle, dead_centres: DeadCentres
+) -> Firing:
     """Firing angles in the turn that makes the order true."""
-    nominal = np.mod(pistons.nominal_top[..., 0], 2 * np.pi)
+    nominal = within_turn(pistons.nominal_top[..., 0])
     angles = np.empty_like(nominal)
+    interval = np.empty_like(nominal)
     for design, tops in enumerate(nominal):
-        found = firing_angles(tops[order.order], crank_angle.cycle)
-        angles[design, order.order] = np.nan if found is None else found
-    counted = crank_angle.counted(angles[..., np.newaxis], crank_angle.cycle)[..., 0]
-    in_order = angles[:, order.order]
-    interval = np.empty_like(angles)
-    following = np.append(in_order[:, 1:], in_order[:, :1] + crank_angle.cycle, axis=1)
-    interval[:, order.order] = following - in_order
-    true = crank_angle.counted((angles + dead_centres.top_shift)[..., np.newaxis], crank_angle.cycle)[..., 0]
+        found = firing_angles(tops[order.order], cycle.length)
+        in_order = np.full(tops.shape, np.nan) if found is None else found
+        angles[design, order.order] = in_order
+        interval[design, order.order] = np.diff(in_order, append=in_order[0] + cycle.length)
     return Firing(
-        firing_angle=counted, firing_dead_centre=true, firing_interval=interval, order=tuple(map(int, order.order))
+        firing_angle=crank_angle.counted(angles[..., np.newaxis], cycle.length)[..., 0],
+        firing_dead_centre=crank_angle.counted((angles + dead_centres.top_shift)[..., np.newaxis], cycle.length)[
+            ..., 0
+        ],
+        firing_interval=interval,
+        order=tuple(order.order.tolist()),
     )
+
+
+def within_turn(tops: Array) -> Array:
+    """Bring crank angles into [0, 2π); what rounding put just before 2π stands at 0. [rad]"""
+    turned = np.mod(tops, 2 * np.pi)
+    return np.where(turned > 2 * np.pi - _ROUNDING, 0.0, turned)
 
 
 def firing_angles(tops: Array, cycle: float) -> Array | None:

@@ -1,7 +1,7 @@
 """Layout: a machine's mechanisms as SI arrays with a leading design axis. Behind it, nothing knows specs or units."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, ClassVar, TypeVar, cast
 
 import numpy as np
@@ -13,6 +13,9 @@ from cranktrain.mechanisms.kind import Kind, Members, stacked
 from cranktrain.motion import Array
 
 Outcome = TypeVar("Outcome", bound=tuple[Any, ...])
+
+_ROUNDING = 16 * np.spacing(2 * np.pi)
+"""Sums of a few angles differ by less. [rad]"""
 
 
 @dataclass(frozen=True)
@@ -40,7 +43,9 @@ class CrankAngle:
 
     def counted(self, angle: Array, period: float = 2 * np.pi) -> Array:
         """Count angles φ, shape (design, ..., 1), as they are shown: from `crank_zero`, in [0, period). [rad]"""
-        return np.mod(angle - self.zero, period)
+        counted = np.mod(angle - self.zero, period)
+        # What rounding put just before the period's end stands at its start.
+        return np.where(period - counted < _ROUNDING, 0.0, counted)
 
 
 @dataclass(frozen=True)
@@ -124,73 +129,6 @@ class Speed:
     needs: ClassVar[str] = N_("[shaft.main] speed")
 
     value: Array
-
-
-@dataclass(frozen=True)
-class Distinct:
-    """Those mechanisms of a machine that differ in more than their phase, each at its own crank angle.
-
-    What stands for a whole turn is computed once for each of these and then given to all that are like it.
-
-    Attributes
-    ----------
-    mechanisms : Mechanisms
-        One design; its crank angle counts from each mechanism's own x, so that `nominal_top` is 0.
-    origin : array of int, shape (design, mechanism)
-        Which of the distinct mechanisms each mechanism is.
-    nominal_top : Array, shape (design, mechanism, 1)
-        φ at which the crank points along the mechanism's own x. [rad]
-    """
-
-    mechanisms: Mechanisms
-    origin: NDArray[np.intp]
-    nominal_top: Array
-
-    def spread(self, values: Array) -> Array:
-        """Give values of the distinct mechanisms, shape (1, distinct, ...), to all, shape (design, mechanism, ...)."""
-        return values[0][self.origin]
-
-    def angle(self, own: Array) -> Array:
-        """Give own crank angles, shape (1, distinct, 1), as φ of every mechanism, shape (design, mechanism, 1)."""
-        return self.spread(own) + self.nominal_top
-
-
-def distinct(mechanisms: Mechanisms) -> Distinct:
-    """Find the mechanisms that differ in more than their phase."""
-    origin = np.empty(mechanisms.nominal_top.shape[:2], dtype=np.intp)
-    groups: list[Group] = []
-    names: list[str] = []
-    for group in mechanisms.groups:
-        members = group.members
-        lead = members.phase + mechanisms.nominal_top[:, group.index]
-        columns = [value.ravel() for value in (lead, *_flat(members.geometry))]
-        _rows, first, inverse = np.unique(np.stack(columns), axis=1, return_index=True, return_inverse=True)
-        origin[:, group.index] = len(names) + inverse.reshape(lead.shape[:2])
-        own = replace(
-            members,
-            names=tuple(members.names[int(row) % len(members.names)] for row in first),
-            geometry=_rows_of(members.geometry, first),
-            phase=lead.reshape(1, -1, 1)[:, first],
-        )
-        groups.append(Group(group.kind, np.arange(len(names), len(names) + len(first)), own))
-        names += own.names
-    one = Mechanisms(tuple(names), tuple(names), tuple(groups), np.zeros((1, len(names), 1)))
-    return Distinct(one, origin, mechanisms.nominal_top)
-
-
-def _flat(geometry: Any) -> list[Array]:
-    """List all arrays of a nested geometry, in order."""
-    return [array for value in geometry for array in (_flat(value) if isinstance(value, tuple) else [value])]
-
-
-def _rows_of(geometry: Any, rows: NDArray[np.intp]) -> Any:
-    """Take the geometry of some of its (design, member) pairs, shape (1, row, 1)."""
-    return geometry._replace(
-        **{
-            name: _rows_of(value, rows) if isinstance(value, tuple) else value.reshape(1, -1, 1)[:, rows]
-            for name, value in geometry._asdict().items()
-        }
-    )
 
 
 MechanismsLike = TypeVar("MechanismsLike", bound=Mechanisms)

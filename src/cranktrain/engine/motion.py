@@ -1,124 +1,23 @@
-"""Motion of pistons: true dead centres, stroke, displacement and its derivatives; with the speed, velocities."""
+"""Motion of pistons: displacement and its derivatives by the crank angle; with the speed, velocities."""
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, relative
-from cranktrain.engine.layout import CrankAngle, Distinct, Mechanisms, Pistons, Speed, distinct
+from cranktrain.checks import Check
+from cranktrain.engine.dead_centres import DeadCentres, PistonTurn, slider_and_rod, slider_motion
+from cranktrain.engine.distinct import Distinct
+from cranktrain.engine.layout import CrankAngle, Pistons, Speed
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient
-from cranktrain.numerics import Extreme, largest, smallest, spectral_derivative, turn_grid
+from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, derivatives_residual, extremes, turning_points
 from cranktrain.wording import Names, shared
 
 _PISTON = ("piston",)
 _CURVE = ("piston", "crank_angle")
-
-
-class _SliderAndRod(NamedTuple):
-    """Slider position and rod angle with their derivatives, flat, shape (design, piston, n)."""
-
-    position: Array
-    position_first: Array
-    position_second: Array
-    rod: Array
-    rod_first: Array
-    rod_second: Array
-
-
-def _slider_and_rod(pistons: Mechanisms, angle: Array) -> _SliderAndRod:
-    """Evaluate every piston's slider and rod at φ."""
-    return pistons.evaluated(lambda motion: _SliderAndRod(*motion.slider, *motion.rod.angle), angle)
-
-
-def slider_motion(pistons: Mechanisms, angle: Array) -> Coefficient:
-    """Distance of every piston pin from its shaft along its own axis, with derivatives by the crank angle.
-
-    Parameters
-    ----------
-    pistons : Mechanisms
-        All of which drive sliders.
-    angle : Array, shape (n,), (design, 1, n) or (design, piston, n). [rad]
-
-    Returns
-    -------
-    Coefficient, shape (design, piston, n). [m, m/rad, m/rad²]
-    """
-    return pistons.evaluated(lambda motion: motion.slider, angle)
-
-
-@dataclass(frozen=True)
-class DeadCentres:
-    """Where each piston truly turns back, and how far it travels: roots of s′, not points of a grid."""
-
-    stroke: Array = quantity("S", "m", _PISTON, N_("Stroke, between the true dead centres"), "docs/theory/slider-crank")
-    top_dead_centre: Array = quantity(
-        "φ_T", "deg", _PISTON, N_("Crank angle of the true top dead centre"), "docs/theory/slider-crank"
-    )
-    bottom_dead_centre: Array = quantity(
-        "φ_B", "deg", _PISTON, N_("Crank angle of the true bottom dead centre"), "docs/theory/slider-crank"
-    )
-    top_shift: Array = quantity(
-        "ε_T",
-        "deg",
-        _PISTON,
-        N_("Top dead centre after the crank points along the cylinder"),
-        "docs/theory/slider-crank",
-    )
-    bottom_shift: Array = quantity(
-        "ε_B",
-        "deg",
-        _PISTON,
-        N_("Bottom dead centre after the crank points away from the cylinder"),
-        "docs/theory/slider-crank",
-    )
-    top_position: Array = quantity(
-        "H", "m", _PISTON, N_("Distance from shaft centre to piston pin at top dead centre"), "docs/theory/slider-crank"
-    )
-    bottom_position: Array = quantity(
-        "h",
-        "m",
-        _PISTON,
-        N_("Distance from shaft centre to piston pin at bottom dead centre"),
-        "docs/theory/slider-crank",
-    )
-
-    def answer(self, names: Names, design: int) -> str:
-        """Say strokes and true dead centres."""
-        pistons = names["piston"]
-        return _("Strokes: {strokes}. True top dead centres: {tops} after the crank points along the cylinder.").format(
-            strokes=shared(pistons, self.stroke[design], "mm"), tops=shared(pistons, self.top_shift[design], "deg")
-        )
-
-
-def dead_centres(pistons: Pistons, crank_angle: CrankAngle) -> DeadCentres:
-    """True dead centres of every piston."""
-    different = distinct(pistons)
-    samples = slider_motion(different.mechanisms, turn_grid()).value
-
-    def position(alpha: Array) -> Array:
-        return slider_motion(different.mechanisms, alpha).value
-
-    def slope(alpha: Array) -> Array:
-        return slider_motion(different.mechanisms, alpha).first
-
-    top, bottom = largest(position, slope, samples=samples), smallest(position, slope, samples=samples)
-    return DeadCentres(
-        stroke=different.spread(top.value - bottom.value)[..., 0],
-        top_dead_centre=crank_angle.counted(different.angle(top.angle))[..., 0],
-        bottom_dead_centre=crank_angle.counted(different.angle(bottom.angle))[..., 0],
-        top_shift=different.spread(_around_zero(top.angle))[..., 0],
-        bottom_shift=different.spread(_around_zero(bottom.angle - np.pi))[..., 0],
-        top_position=different.spread(top.value)[..., 0],
-        bottom_position=different.spread(bottom.value)[..., 0],
-    )
-
-
-def _around_zero(angle: Array) -> Array:
-    """Bring angles into [−π, π)."""
-    return np.mod(angle + np.pi, 2 * np.pi) - np.pi
+_THEORY = "docs/theory/slider-crank"
+_GROUPS = "docs/theory/groups"
 
 
 @dataclass(frozen=True)
@@ -126,67 +25,60 @@ class PistonMotion:
     """Motion of every piston and rod by the crank angle alone; speed enters with `PistonSpeeds`."""
 
     piston_displacement: Array = quantity(
-        "x", "m", _CURVE, N_("Travel of the piston from its true top toward the shaft"), "docs/theory/slider-crank"
+        "x", "m", _CURVE, N_("Travel of the piston from its true top toward the shaft"), _THEORY
     )
     piston_velocity_coefficient: Array = quantity(
-        "x′", "m/rad", _CURVE, N_("Piston velocity for each rad/s of the crank"), "docs/theory/slider-crank"
+        "x′", "m/rad", _CURVE, N_("Piston velocity for each rad/s of the crank"), _THEORY
     )
     piston_acceleration_coefficient: Array = quantity(
-        "x″", "m/rad^2", _CURVE, N_("Piston acceleration for each (rad/s)² of the crank"), "docs/theory/slider-crank"
+        "x″", "m/rad^2", _CURVE, N_("Piston acceleration for each (rad/s)² of the crank"), _THEORY
     )
     rod_angle: Array = quantity(
         "θ",
         "rad",
         _CURVE,
         N_("Direction of the rod, from its crank-side pin to the piston pin, from the cylinder's axis"),
-        "docs/theory/groups",
+        _GROUPS,
     )
     rod_velocity_coefficient: Array = quantity(
-        "θ′", "rad/rad", _CURVE, N_("Rod's angular velocity for each rad/s of the crank"), "docs/theory/groups"
+        "θ′", "rad/rad", _CURVE, N_("Rod's angular velocity for each rad/s of the crank"), _GROUPS
     )
     rod_acceleration_coefficient: Array = quantity(
-        "θ″", "rad/rad^2", _CURVE, N_("Rod's angular acceleration for each (rad/s)² of the crank"), "docs/theory/groups"
+        "θ″", "rad/rad^2", _CURVE, N_("Rod's angular acceleration for each (rad/s)² of the crank"), _GROUPS
     )
     largest_pressure_angle: Array = quantity(
-        "β_max", "rad", _PISTON, N_("Largest angle between rod and cylinder axis"), "docs/theory/slider-crank"
-    )
-    largest_pressure_angle_at: Array = quantity(
-        "φ(β_max)", "deg", _PISTON, N_("Crank angle of the largest pressure angle"), "docs/theory/slider-crank"
-    )
-    opposite_pressure_angle: Array = quantity(
-        "β_opp",
+        "β_max",
         "rad",
         _PISTON,
-        N_("Largest angle between rod and cylinder axis to the other side"),
-        "docs/theory/slider-crank",
+        N_("Largest angle between rod and cylinder axis; positive where the crank-side pin stands toward +y"),
+        _THEORY,
+    )
+    largest_pressure_angle_at: Array = quantity(
+        "φ(β_max)", "deg", _PISTON, N_("Crank angle of the largest pressure angle"), _THEORY
+    )
+    opposite_pressure_angle: Array = quantity(
+        "β_opp", "rad", _PISTON, N_("Largest angle between rod and cylinder axis to the other side"), _THEORY
     )
     opposite_pressure_angle_at: Array = quantity(
-        "φ(β_opp)",
-        "deg",
-        _PISTON,
-        N_("Crank angle of the largest pressure angle to the other side"),
-        "docs/theory/slider-crank",
+        "φ(β_opp)", "deg", _PISTON, N_("Crank angle of the largest pressure angle to the other side"), _THEORY
     )
     checks: tuple[Check, ...] = ()
 
 
-def piston_motion(pistons: Pistons, crank_angle: CrankAngle, dead_centres: DeadCentres) -> PistonMotion:
+def piston_motion(
+    pistons: Pistons, crank_angle: CrankAngle, turn: PistonTurn, dead_centres: DeadCentres
+) -> PistonMotion:
     """Displacement from the true top toward the shaft, rod angle, and their derivatives."""
-    motion = _slider_and_rod(pistons, crank_angle.angle)
-    different = distinct(pistons)
-    samples = _slider_and_rod(different.mechanisms, turn_grid()).rod
-
-    def rod(alpha: Array) -> Array:
-        return _slider_and_rod(different.mechanisms, alpha).rod
-
-    def rod_turn(alpha: Array) -> Array:
-        return _slider_and_rod(different.mechanisms, alpha).rod_first
-
-    forth, back = largest(rod, rod_turn, samples=samples), smallest(rod, rod_turn, samples=samples)
-    most, least = different.spread(forth.value), different.spread(back.value)
-    is_forth = np.abs(most) >= np.abs(least)
-    at_forth = crank_angle.counted(different.angle(forth.angle))
-    at_back = crank_angle.counted(different.angle(back.angle))
+    motion = slider_and_rod(pistons, crank_angle.angle)
+    different = turn.distinct
+    opposite, usual = turning_points(
+        lambda alpha: Coefficient(*(-part for part in slider_and_rod(different.mechanisms, alpha)[3:])),
+        -turn.samples.rod,
+    )
+    # Without an offset both are alike but for rounding, which must not choose.
+    is_usual = different.spread(usual.value) >= -different.spread(opposite.value) * (1 - 1e-12)
+    angles = [different.spread(one.value)[..., 0] for one in (usual, opposite)]
+    places = [crank_angle.counted(different.angle(one.angle))[..., 0] for one in (usual, opposite)]
     return PistonMotion(
         piston_displacement=dead_centres.top_position[..., np.newaxis] - motion.position,
         piston_velocity_coefficient=-motion.position_first,
@@ -194,26 +86,22 @@ def piston_motion(pistons: Pistons, crank_angle: CrankAngle, dead_centres: DeadC
         rod_angle=motion.rod,
         rod_velocity_coefficient=motion.rod_first,
         rod_acceleration_coefficient=motion.rod_second,
-        largest_pressure_angle=np.where(is_forth, most, least)[..., 0],
-        largest_pressure_angle_at=np.where(is_forth, at_forth, at_back)[..., 0],
-        opposite_pressure_angle=np.where(is_forth, least, most)[..., 0],
-        opposite_pressure_angle_at=np.where(is_forth, at_back, at_forth)[..., 0],
+        largest_pressure_angle=np.where(is_usual[..., 0], *angles),
+        largest_pressure_angle_at=np.where(is_usual[..., 0], *places),
+        opposite_pressure_angle=np.where(is_usual[..., 0], *reversed(angles)),
+        opposite_pressure_angle_at=np.where(is_usual[..., 0], *reversed(places)),
         checks=(_derivatives_check(different),),
     )
 
 
 def _derivatives_check(pistons: Distinct) -> Check:
     """Compare x′ and x″ with the derivatives of the Fourier series of x and x′, which know no mechanism formula."""
-    motion = slider_motion(pistons.mechanisms, turn_grid())
-    residual = np.maximum(
-        relative(spectral_derivative(motion.value) - motion.first, motion.first),
-        relative(spectral_derivative(motion.first) - motion.second, motion.second),
-    )
+    residual = derivatives_residual(lambda alpha: slider_motion(pistons.mechanisms, alpha))
     return Check(
         "piston_derivatives",
         _("x′ and x″ against the derivatives of the Fourier series of x and x′, relative to their peaks"),
         np.max(pistons.spread(residual), axis=(1, 2)),
-        1e-11,
+        DERIVATIVES_LIMIT,
     )
 
 
@@ -221,64 +109,54 @@ def _derivatives_check(pistons: Distinct) -> Check:
 class PistonSpeeds:
     """Velocities and accelerations of pistons and rods at the declared, constant speed."""
 
-    piston_velocity: Array = quantity(
-        "v", "m/s", _CURVE, N_("Piston velocity toward the shaft"), "docs/theory/slider-crank"
-    )
-    piston_acceleration: Array = quantity(
-        "j", "m/s^2", _CURVE, N_("Piston acceleration toward the shaft"), "docs/theory/slider-crank"
-    )
-    rod_angular_velocity: Array = quantity(
-        "ω_r", "rad/s", _CURVE, N_("Angular velocity of the rod"), "docs/theory/groups"
-    )
-    rod_angular_acceleration: Array = quantity(
-        "ε_r", "rad/s^2", _CURVE, N_("Angular acceleration of the rod"), "docs/theory/groups"
-    )
-    mean_piston_speed: Array = quantity(
-        "c_m", "m/s", _PISTON, N_("Mean piston speed, 2 S n"), "docs/theory/slider-crank"
-    )
+    piston_velocity: Array = quantity("v", "m/s", _CURVE, N_("Piston velocity toward the shaft"), _THEORY)
+    piston_acceleration: Array = quantity("j", "m/s^2", _CURVE, N_("Piston acceleration toward the shaft"), _THEORY)
+    rod_angular_velocity: Array = quantity("ω_r", "rad/s", _CURVE, N_("Angular velocity of the rod"), _GROUPS)
+    rod_angular_acceleration: Array = quantity("ε_r", "rad/s^2", _CURVE, N_("Angular acceleration of the rod"), _GROUPS)
+    mean_piston_speed: Array = quantity("c_m", "m/s", _PISTON, N_("Mean piston speed, 2 S n"), _THEORY)
     largest_piston_speed: Array = quantity(
-        "v_max", "m/s", _PISTON, N_("Largest piston velocity toward the shaft"), "docs/theory/slider-crank"
+        "v_max", "m/s", _PISTON, N_("Largest piston velocity toward the shaft"), _THEORY
     )
     largest_piston_speed_at: Array = quantity(
         "φ(v_max)",
         "deg",
         _PISTON,
         N_("Crank angle of the largest velocity toward the shaft"),
-        "docs/theory/slider-crank",
+        _THEORY,
     )
     smallest_piston_velocity: Array = quantity(
-        "v_min", "m/s", _PISTON, N_("Largest piston velocity away from the shaft, negative"), "docs/theory/slider-crank"
+        "v_min", "m/s", _PISTON, N_("Largest piston velocity away from the shaft, negative"), _THEORY
     )
     smallest_piston_velocity_at: Array = quantity(
         "φ(v_min)",
         "deg",
         _PISTON,
         N_("Crank angle of the largest velocity away from the shaft"),
-        "docs/theory/slider-crank",
+        _THEORY,
     )
     largest_piston_acceleration: Array = quantity(
-        "j_max", "m/s^2", _PISTON, N_("Largest piston acceleration toward the shaft"), "docs/theory/slider-crank"
+        "j_max", "m/s^2", _PISTON, N_("Largest piston acceleration toward the shaft"), _THEORY
     )
     largest_piston_acceleration_at: Array = quantity(
         "φ(j_max)",
         "deg",
         _PISTON,
         N_("Crank angle of the largest acceleration toward the shaft"),
-        "docs/theory/slider-crank",
+        _THEORY,
     )
     smallest_piston_acceleration: Array = quantity(
         "j_min",
         "m/s^2",
         _PISTON,
         N_("Largest piston acceleration away from the shaft, negative"),
-        "docs/theory/slider-crank",
+        _THEORY,
     )
     smallest_piston_acceleration_at: Array = quantity(
         "φ(j_min)",
         "deg",
         _PISTON,
         N_("Crank angle of the largest acceleration away from the shaft"),
-        "docs/theory/slider-crank",
+        _THEORY,
     )
 
     def answer(self, names: Names, design: int) -> str:
@@ -292,12 +170,11 @@ class PistonSpeeds:
 
 
 def piston_speeds(
-    pistons: Pistons, crank_angle: CrankAngle, motion: PistonMotion, dead_centres: DeadCentres, speed: Speed
+    crank_angle: CrankAngle, turn: PistonTurn, motion: PistonMotion, dead_centres: DeadCentres, speed: Speed
 ) -> PistonSpeeds:
     """Velocities q′ω and accelerations q″ω² at constant speed, and their extremes."""
     omega = speed.value
-    different = distinct(pistons)
-    sampled = slider_motion(different.mechanisms, turn_grid())
+    different = turn.distinct
 
     def velocity(alpha: Array) -> Array:
         return -slider_motion(different.mechanisms, alpha).first
@@ -305,9 +182,8 @@ def piston_speeds(
     def acceleration(alpha: Array) -> Array:
         return -slider_motion(different.mechanisms, alpha).second
 
-    fastest = largest(velocity, acceleration, samples=-sampled.first)
-    slowest = smallest(velocity, acceleration, samples=-sampled.first)
-    most, least = largest(acceleration, samples=-sampled.second), smallest(acceleration, samples=-sampled.second)
+    slowest, fastest = extremes(velocity, acceleration, samples=-turn.samples.position_first)
+    least, most = extremes(acceleration, samples=-turn.samples.position_second)
 
     def at(extreme: Extreme) -> Array:
         return crank_angle.counted(different.angle(extreme.angle))[..., 0]

@@ -22,6 +22,8 @@ class Place:
         `2L`, and its bank `L`.
     throw : int
         Which throw of the shaft, from 0.
+    stagger : float
+        Of its bank along the shaft, toward the flywheel. [m]
     axis : float
         Direction of the mechanism's x from the first bank's, in the sense of running. [rad]
     throw_angle : float
@@ -34,11 +36,14 @@ class Place:
         Mirrored where the machine runs astern.
     path : str
         Of the mechanism's table in the machine file.
+    lists : mapping of str to str
+        Fields of that table which are lists there, and the place in them, `[3]`, that is this mechanism's.
     """
 
     name: str
     bank: str
     throw: int
+    stagger: float
     axis: float
     throw_angle: float
     phase: float
@@ -46,6 +51,11 @@ class Place:
     spec: MechanismSpec
     geometry: Any
     path: str
+    lists: Mapping[str, str]
+
+    def path_of(self, field: str) -> str:
+        """Path of one of its fields in the machine file."""
+        return f"{self.path}.{field}{self.lists.get(field, '')}"
 
     @property
     def nominal_top(self) -> float:
@@ -60,9 +70,11 @@ class _Slot:
     name: str
     bank: str
     throw: int
+    stagger: float
     angle: float
     spec: MechanismSpec
     path: str
+    lists: Mapping[str, str]
 
 
 def places_of(
@@ -109,6 +121,7 @@ def places_of(
                 name=slot.name,
                 bank=slot.bank,
                 throw=slot.throw,
+                stagger=slot.stagger,
                 axis=sense * (slot.angle - slots[0].angle),
                 throw_angle=sense * throw_angle,
                 phase=sense * (throw_angle - kernel_axis),
@@ -116,9 +129,10 @@ def places_of(
                 spec=slot.spec,
                 geometry=mirrored(geometry) if astern else geometry,
                 path=slot.path,
+                lists=slot.lists,
             )
         )
-    return (() if problems else tuple(places)), problems
+    return (() if problems else tuple(places)), tuple(dict.fromkeys(problems))
 
 
 def _slots(
@@ -130,23 +144,40 @@ def _slots(
     n_throws = len(shaft.throws)
     for bank, spec in banks.items():
         path = f"{prefix}{bank}." if prefix else ""
-        throws = spec.throws or range(1, n_throws + 1)
-        for i, throw in enumerate(throws):
-            if not 1 <= throw <= n_throws or throw in tuple(throws)[:i]:
-                problems.append(
-                    Problem(
-                        f"{path}throws[{i}]",
-                        str(throw),
-                        _("must be one of the shaft's throws, 1 to {n}, each once").format(n=n_throws),
-                    )
-                )
+        throws = spec.throws or tuple(range(1, n_throws + 1))
+        allowed = _("must be one of the shaft's throws, 1 to {n}, each once").format(n=n_throws)
+        problems += [
+            Problem(f"{path}throws[{i}]", str(throw), allowed)
+            for i, throw in enumerate(throws)
+            if not 1 <= throw <= n_throws or throw in throws[:i]
+        ]
         suffix = bank if len(banks) > 1 else ""
+        lists = _lists(spec)
         pairs = [(throw, k) for throw in throws for k in range(len(spec.angle))]
         slots += [
-            _Slot(f"{number}{suffix}", bank, throw - 1, spec.angle[k].si, spec.mechanism[k], f"{path}mechanism")
+            _Slot(
+                name=f"{number}{suffix}",
+                bank=bank,
+                throw=throw - 1,
+                stagger=spec.stagger.si,
+                angle=spec.angle[k].si,
+                spec=spec.mechanism[k],
+                path=f"{path}mechanism",
+                lists=dict.fromkeys(lists, f"[{k}]"),
+            )
             for number, (throw, k) in enumerate(pairs, start=1)
         ]
     return tuple(slots), tuple(problems)
+
+
+def _lists(spec: BankSpec) -> tuple[str, ...]:
+    """Fields of the bank's mechanism that differ from one angle to another, and so are lists in the file."""
+    first = spec.mechanism[0]
+    return tuple(
+        field
+        for field in type(first).model_fields
+        if any(getattr(other, field, None) != getattr(first, field) for other in spec.mechanism)
+    )
 
 
 def _master_of(slot: _Slot, slots: Sequence[_Slot]) -> _Slot | Problem | None:
@@ -154,18 +185,19 @@ def _master_of(slot: _Slot, slots: Sequence[_Slot]) -> _Slot | Problem | None:
     spec = slot.spec
     if not isinstance(spec, ArticulatedRodSpec):
         return None
-    path = f"{slot.path}.master"
-    candidates = [other for other in slots if other.bank == spec.master]
-    if not candidates:
+    path = f"{slot.path}.master{slot.lists.get('master', '')}"
+    in_bank = [other for other in slots if other.bank == spec.master]
+    if not in_bank:
         banks = ", ".join(dict.fromkeys(other.bank for other in slots if other.bank != slot.bank and other.bank))
-        return Problem(path, spec.master, _("must be the name of a bank: {banks}").format(banks=banks or _("none yet")))
-    if any(other.spec.kind != "slider_crank" for other in candidates):
+        allowed = _("must be the name of a bank of slider-cranks, but there is no other bank")
+        if banks:
+            allowed = _("must be the name of a bank of slider-cranks; the other banks are: {banks}").format(banks=banks)
+        return Problem(path, spec.master, allowed)
+    masters = [other for other in in_bank if other.spec.kind == "slider_crank"]
+    if not masters:
         return Problem(path, spec.master, _("must be a bank of slider-cranks; a slave rod cannot carry another"))
-    on_throw = [other for other in candidates if other.throw == slot.throw]
+    on_throw = [other for other in masters if other.throw == slot.throw]
     if len(on_throw) != 1:
-        return Problem(
-            path,
-            spec.master,
-            _("must have one cylinder on throw {throw}; it has {n}").format(throw=slot.throw + 1, n=len(on_throw)),
-        )
+        allowed = _("must have one slider-crank on throw {throw}, where this rod is; it has {n}")
+        return Problem(path, spec.master, allowed.format(throw=slot.throw + 1, n=len(on_throw)))
     return on_throw[0]

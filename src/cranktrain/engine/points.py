@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import ClassVar, NamedTuple
+from typing import Any, ClassVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -92,26 +92,26 @@ class PointMotion:
     )
 
 
-class _Flat(NamedTuple):
-    """Coefficients of a point, flat."""
-
-    x: Array
-    x_first: Array
-    x_second: Array
-    y: Array
-    y_first: Array
-    y_second: Array
-
-
 def point_motion(points: LinkPoints, mechanisms: Mechanisms, crank_angle: CrankAngle) -> PointMotion:
     """Paths of all points, with derivatives by the crank angle."""
-    columns: list[_Flat] = []
-    for i, (mechanism, link) in enumerate(zip(points.mechanism, points.links, strict=True)):
-        group = next(group for group in mechanisms.groups if mechanism in group.index)
-        member = int(np.flatnonzero(group.index == mechanism)[0])
+    shape = (len(crank_angle.zero), len(points.names), crank_angle.shown.size)
+    curves = np.empty((6, *shape))
+    for group in mechanisms.groups:
+        on_group = np.isin(points.mechanism, group.index)
         motion = group.kind.motion(crank_angle.angle + group.members.phase, group.members.geometry)
-        geometry = LinkPoint(points.geometry.radius[:, [i]], points.geometry.angle[:, [i]])
-        moving = point(getattr(motion, link), geometry)
-        columns.append(_Flat(*(array[:, member] for array in (*moving.x, *moving.y))))
-    flat = _Flat(*(np.stack(arrays, axis=1) for arrays in zip(*columns, strict=True)))
-    return PointMotion(flat.x, flat.y, flat.x_first, flat.y_first, flat.x_second, flat.y_second)
+        for link in group.kind.links:
+            chosen = np.flatnonzero(on_group & (np.array(points.links) == link))
+            member = np.searchsorted(group.index, points.mechanism[chosen])
+            geometry = LinkPoint(points.geometry.radius[:, chosen], points.geometry.angle[:, chosen])
+            moving = point(_members(getattr(motion, link), member), geometry)
+            for curve, values in zip(curves, (*moving.x, *moving.y), strict=True):
+                curve[:, chosen] = values
+    x, x_first, x_second, y, y_first, y_second = curves
+    return PointMotion(x, y, x_first, y_first, x_second, y_second)
+
+
+def _members(motion: Any, index: NDArray[np.intp]) -> Any:
+    """Take some members of a link: nested NamedTuples of arrays, shape (design, member, n)."""
+    if isinstance(motion, np.ndarray):
+        return cast(Array, motion)[:, index]
+    return type(motion)(*(_members(part, index) for part in motion))

@@ -1,24 +1,27 @@
 """Motion of rockers: swing, dead positions, time ratio; with a load radius, the load's travel."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar, NamedTuple
 
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, relative
+from cranktrain.checks import Check
 from cranktrain.engine.layout import CrankAngle, Rockers, Speed
+from cranktrain.engine.places import Place
 from cranktrain.language import N_, _
-from cranktrain.motion import Array
-from cranktrain.numerics import largest, smallest, spectral_derivative, turn_grid
-from cranktrain.wording import Names, shared
+from cranktrain.mechanisms.crank_rocker import CrankRockerSpec
+from cranktrain.motion import Array, Coefficient
+from cranktrain.numerics import DERIVATIVES_LIMIT, derivatives_residual, extremes, turn_grid, turning_points, unwrapped
+from cranktrain.wording import Names, around_turn, shared
 
 _ROCKER = ("rocker",)
 _CURVE = ("rocker", "crank_angle")
 _THEORY = "docs/theory/crank-rocker"
 
 
-class _RockerAndRod(NamedTuple):
+class RockerAndRod(NamedTuple):
     """Rocker and rod angles with their derivatives, flat, shape (design, rocker, n)."""
 
     rocker: Array
@@ -29,9 +32,9 @@ class _RockerAndRod(NamedTuple):
     rod_second: Array
 
 
-def _rocker_and_rod(rockers: Rockers, angle: Array) -> _RockerAndRod:
+def _rocker_and_rod(rockers: Rockers, angle: Array) -> RockerAndRod:
     """Evaluate every rocker and its rod at φ."""
-    return rockers.evaluated(lambda motion: _RockerAndRod(*motion.rocker.angle, *motion.rod.angle), angle)
+    return rockers.evaluated(lambda motion: RockerAndRod(*motion.rocker.angle, *motion.rod.angle), angle)
 
 
 @dataclass(frozen=True)
@@ -41,6 +44,58 @@ class LoadRadius:
     needs: ClassVar[str] = N_("[mechanism] load_radius")
 
     value: Array
+
+
+def load_radius_of(designs: Sequence[Sequence[Place]]) -> LoadRadius | None:
+    """Collect the load radius of every rocker, NaN for one that carries no load; None where there is none at all."""
+    radii = [
+        [
+            place.spec.load_radius.si
+            if isinstance(place.spec, CrankRockerSpec) and place.spec.load_radius is not None
+            else np.nan
+            for place in design
+        ]
+        for design in designs
+    ]
+    value = np.array(radii)[..., np.newaxis]
+    return None if np.all(np.isnan(value)) else LoadRadius(value)
+
+
+@dataclass(frozen=True)
+class RockerTurn:
+    """One turn of the rockers, whatever the machine's own grid: where extremes are looked for first.
+
+    Attributes
+    ----------
+    samples : RockerAndRod, shape (design, rocker, 720)
+        On `turn_grid()`.
+    rocker_middle, rod_middle : Array, shape (design, rocker, 1)
+        Middle of the swing, within [−π, π], about which angles are counted; NaN for a link that turns. [rad]
+    """
+
+    samples: RockerAndRod
+    rocker_middle: Array
+    rod_middle: Array
+
+
+def rocker_turn(rockers: Rockers) -> RockerTurn:
+    """Sample the rockers' turn, and find what swings and what turns."""
+    samples = _rocker_and_rod(rockers, turn_grid())
+    return RockerTurn(samples, _middle(samples.rocker), _middle(samples.rod))
+
+
+def _middle(angle: Array) -> Array:
+    """Middle of an angle's swing over a turn; NaN where it turns round with the crank."""
+    whole = unwrapped(angle)
+    middle = 0.5 * (np.fmax.reduce(whole, axis=-1, keepdims=True) + np.fmin.reduce(whole, axis=-1, keepdims=True))
+    turns = np.abs(whole[..., -1:] - whole[..., :1]) > np.pi
+    return np.where(turns, np.nan, middle - 2 * np.pi * np.rint(middle / (2 * np.pi)))
+
+
+def _counted(angle: Array, middle: Array) -> Array:
+    """Count an angle without jumps: about the middle of its swing, or on from where it starts if it turns."""
+    about = middle + np.mod(angle - middle + np.pi, 2 * np.pi) - np.pi
+    return np.where(np.isnan(middle), unwrapped(angle), about)
 
 
 @dataclass(frozen=True)
@@ -64,36 +119,32 @@ class DeadPositions:
         "φ(θ_min)", "deg", _ROCKER, N_("Crank angle of the other dead position"), _THEORY
     )
 
-    def answer(self, names: Names, design: int) -> str:
-        """Say swing, dead positions and time ratio."""
+    def answer(self, names: Names, design: int) -> str | None:
+        """Say swing, dead positions and time ratio of the rockers that swing."""
+        if np.all(np.isnan(self.swing[design])):
+            return None
         rockers = names["rocker"]
         return _("The rocker swings {swing}, dead at crank angles {first} and {second}; time ratio {ratio}.").format(
             swing=shared(rockers, self.swing[design], "deg"),
-            first=shared(rockers, self.smallest_rocker_angle_at[design], "deg"),
-            second=shared(rockers, self.largest_rocker_angle_at[design], "deg"),
+            first=shared(rockers, around_turn(self.smallest_rocker_angle_at[design]), "deg"),
+            second=shared(rockers, around_turn(self.largest_rocker_angle_at[design]), "deg"),
             ratio=shared(rockers, self.time_ratio[design], "1"),
         )
 
 
-def dead_positions(rockers: Rockers, crank_angle: CrankAngle) -> DeadPositions:
+def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) -> DeadPositions:
     """Extremes of every rocker's angle: roots of θ′."""
-    whole = np.unwrap(_rocker_and_rod(rockers, turn_grid()).rocker, axis=-1)
-    middle = 0.5 * (np.max(whole, axis=-1, keepdims=True) + np.min(whole, axis=-1, keepdims=True))
-    swings = np.ptp(whole, axis=-1, keepdims=True) < np.pi
 
-    def curve(phi: Array) -> Array:
-        return middle + np.mod(_rocker_and_rod(rockers, phi).rocker - middle + np.pi, 2 * np.pi) - np.pi
+    def rocker(phi: Array) -> Coefficient:
+        motion = _rocker_and_rod(rockers, phi)
+        return Coefficient(_counted(motion.rocker, turn.rocker_middle), motion.rocker_first, motion.rocker_second)
 
-    def slope(phi: Array) -> Array:
-        return _rocker_and_rod(rockers, phi).rocker_first
-
-    most = largest(curve, slope, samples=whole)
-    least = smallest(curve, slope, samples=whole)
+    least, most = turning_points(rocker, _counted(turn.samples.rocker, turn.rocker_middle))
     travel = np.mod(most.angle - least.angle, 2 * np.pi)
     slower = np.maximum(travel, 2 * np.pi - travel)
 
     def swinging(values: Array) -> Array:
-        return np.where(swings, values, np.nan)[..., 0]
+        return np.where(np.isnan(turn.rocker_middle), np.nan, values)[..., 0]
 
     return DeadPositions(
         swing=swinging(most.value - least.value),
@@ -130,14 +181,14 @@ class RockerMotion:
     checks: tuple[Check, ...] = ()
 
 
-def rocker_motion(rockers: Rockers, crank_angle: CrankAngle) -> RockerMotion:
+def rocker_motion(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) -> RockerMotion:
     """Angles of every rocker and rod, without jumps, and their derivatives."""
     motion = _rocker_and_rod(rockers, crank_angle.angle)
     return RockerMotion(
-        rocker_angle=np.unwrap(motion.rocker, axis=-1),
+        rocker_angle=_counted(motion.rocker, turn.rocker_middle),
         rocker_velocity_coefficient=motion.rocker_first,
         rocker_acceleration_coefficient=motion.rocker_second,
-        coupler_angle=np.unwrap(motion.rod, axis=-1),
+        coupler_angle=_counted(motion.rod, turn.rod_middle),
         coupler_velocity_coefficient=motion.rod_first,
         coupler_acceleration_coefficient=motion.rod_second,
         checks=(_derivatives_check(rockers),),
@@ -145,19 +196,23 @@ def rocker_motion(rockers: Rockers, crank_angle: CrankAngle) -> RockerMotion:
 
 
 def _derivatives_check(rockers: Rockers) -> Check:
-    """Compare θ″ with the derivative of the Fourier series of θ′, and θ′ with that of the direction's cosine."""
-    motion = _rocker_and_rod(rockers, turn_grid())
-    cos, sin = np.cos(motion.rocker), np.sin(motion.rocker)
-    turn = cos * spectral_derivative(sin) - sin * spectral_derivative(cos)
-    residual = np.maximum(
-        relative(turn - motion.rocker_first, motion.rocker_first),
-        relative(spectral_derivative(motion.rocker_first) - motion.rocker_second, motion.rocker_second),
-    )
+    """Compare the derivatives of cos θ and sin θ, by θ′ and θ″, with those of their Fourier series."""
+
+    def direction(phi: Array) -> Coefficient:
+        motion = _rocker_and_rod(rockers, phi)
+        cos, sin = np.cos(motion.rocker), np.sin(motion.rocker)
+        first, second = motion.rocker_first, motion.rocker_second
+        return Coefficient(
+            np.concatenate([cos, sin], axis=1),
+            np.concatenate([-sin * first, cos * first], axis=1),
+            np.concatenate([-sin * second - cos * first**2, cos * second - sin * first**2], axis=1),
+        )
+
     return Check(
         "rocker_derivatives",
-        _("θ′ and θ″ against the derivatives of the Fourier series of the rocker's direction and of θ′"),
-        np.max(residual, axis=(1, 2)),
-        1e-11,
+        _("derivatives of cos θ and sin θ by θ′ and θ″ against those of their Fourier series, relative to their peaks"),
+        np.max(derivatives_residual(direction), axis=(1, 2)),
+        DERIVATIVES_LIMIT,
     )
 
 
@@ -221,20 +276,21 @@ class LoadMotion:
         )
 
 
-def load_motion(rockers: Rockers, motion: RockerMotion, dead: DeadPositions, load_radius: LoadRadius) -> LoadMotion:
+def load_motion(
+    rockers: Rockers, turn: RockerTurn, motion: RockerMotion, dead: DeadPositions, load_radius: LoadRadius
+) -> LoadMotion:
     """Arc that the load travels at its radius, and the torque factor's extremes."""
     radius = load_radius.value
-
-    def turn(phi: Array) -> Array:
-        return _rocker_and_rod(rockers, phi).rocker_first
-
-    start = dead.smallest_rocker_angle[..., np.newaxis]
-    from_start = np.mod(motion.rocker_angle - start + 0.5 * np.pi, 2 * np.pi) - 0.5 * np.pi
+    least, most = extremes(
+        lambda phi: _rocker_and_rod(rockers, phi).rocker_first,
+        lambda phi: _rocker_and_rod(rockers, phi).rocker_second,
+        samples=turn.samples.rocker_first,
+    )
     return LoadMotion(
-        load_displacement=radius * from_start,
+        load_displacement=radius * (motion.rocker_angle - dead.smallest_rocker_angle[..., np.newaxis]),
         load_velocity_coefficient=radius * motion.rocker_velocity_coefficient,
         load_acceleration_coefficient=radius * motion.rocker_acceleration_coefficient,
         load_stroke=radius[..., 0] * dead.swing,
-        largest_torque_factor=(radius * largest(turn).value)[..., 0],
-        smallest_torque_factor=(radius * smallest(turn).value)[..., 0],
+        largest_torque_factor=(radius * most.value)[..., 0],
+        smallest_torque_factor=(radius * least.value)[..., 0],
     )

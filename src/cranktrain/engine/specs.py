@@ -1,13 +1,13 @@
 """Shaft, banks and cylinders: their tables of the machine file."""
 
 from collections.abc import Mapping, Sequence
-from typing import Annotated, Any, Literal, TypeVar, cast
+from typing import Annotated, Any, Literal, Self, TypeVar, cast
 
 from pydantic import BeforeValidator, Field, model_validator
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.mechanisms import AnyMechanism
+from cranktrain.mechanisms import AnyMechanism, MechanismSpec
 from cranktrain.quantities import (
     Angle,
     Dimension,
@@ -40,16 +40,12 @@ class ShaftSpec(Spec, frozen=True):
     speed: PositiveSpeed | None = None
 
     @model_validator(mode="after")
-    def _spaced(self) -> "ShaftSpec":
+    def _spaced(self) -> Self:
         """Refuse a list of gaps that does not fit the number of throws."""
         gaps = len(self.throws) - 1
         if self.spacing is not None and len(self.spacing) not in (1, gaps):
-            raise Refused(
-                _("must be one length, or {gaps} of them, one for each gap between {throws} throws").format(
-                    gaps=gaps, throws=len(self.throws)
-                ),
-                path="spacing",
-            )
+            allowed = _("must be one length, or a list of them, one for each gap between throws: {gaps}")
+            raise Refused(allowed.format(gaps=gaps), path="spacing")
         return self
 
 
@@ -78,25 +74,35 @@ class BankSpec(Spec, frozen=True):
         if not isinstance(data, Mapping):
             return data
         table = cast(Mapping[str, Any], data)
-        mechanism, angles = table.get("mechanism"), table.get("angle")
-        if not isinstance(mechanism, Mapping):
+        if "mechanism" not in table:
             return table
+        mechanism, angles = table["mechanism"], _items(table.get("angle"))
+        n_angles = 1 if angles is None else len(angles)
+        if isinstance(mechanism, MechanismSpec):
+            return {**table, "mechanism": (mechanism,) * n_angles}
+        if not isinstance(mechanism, Mapping):
+            raise Refused(_("must be one table; for several angles, a field in it may be a list"), path="mechanism")
         fields = cast(Mapping[str, Any], mechanism)
-        n_angles = len(cast(Sequence[Any], angles)) if isinstance(angles, list | tuple) else 1
-        lists = {name: cast(Sequence[Any], value) for name, value in fields.items() if isinstance(value, list | tuple)}
-        wrong = {name: len(value) for name, value in lists.items() if len(value) != n_angles}
+        lists = {name: items for name, value in fields.items() if (items := _items(value)) is not None}
+        wrong = {name: len(items) for name, items in lists.items() if len(items) != n_angles}
         if wrong:
-            allowed = _("a list there gives one item to each angle of the bank: {n} of them").format(n=n_angles)
+            allowed = _("must be one value, or a list with one for each angle of the bank: {n}").format(n=n_angles)
             raise InputError(
-                Problem(f"mechanism.{name}", _("{n} items").format(n=length), allowed) for name, length in wrong.items()
+                Problem(f"mechanism.{name}", _("a list of {n}").format(n=length), allowed)
+                for name, length in wrong.items()
             )
         return {
             **table,
-            "mechanism": [
+            "mechanism": tuple(
                 {name: lists[name][i] if name in lists else value for name, value in fields.items()}
                 for i in range(n_angles)
-            ],
+            ),
         }
+
+
+def _items(value: object) -> Sequence[Any] | None:
+    """Items of a list, which by now may be a tuple; None for anything else."""
+    return cast(Sequence[Any], value) if isinstance(value, list | tuple) else None
 
 
 class CylinderSpec(Spec, frozen=True):
@@ -107,6 +113,17 @@ class CylinderSpec(Spec, frozen=True):
     chambers: tuple[Literal["head", "crank"], ...] | None = Field(default=None, min_length=1, max_length=2)
     piston_rod: PositiveLength | None = None
 
+    @model_validator(mode="after")
+    def _each_side_once(self) -> Self:
+        """Refuse two chambers on one side of a piston."""
+        if self.chambers is not None and len(set(self.chambers)) < len(self.chambers):
+            raise Refused(_("must name each side once"), path="chambers")
+        return self
+
+
+OVERRIDES = "NAME (a bank or piston)"
+"""How the keys of [cylinder] name the tables of single banks and pistons."""
+
 
 class CylindersSpec(CylinderSpec, frozen=True):
     """All cylinders: their common dimensions, cycle and firing order, and `overrides` by bank or piston."""
@@ -114,7 +131,7 @@ class CylindersSpec(CylinderSpec, frozen=True):
     cycle: Literal["two-stroke", "four-stroke"] | None = None
     firing_order: str | None = None
     numbers: Mapping[str, str] = {}
-    overrides: Mapping[str, CylinderSpec] = {}
+    overrides: Mapping[str, CylinderSpec] = Field(default={}, alias=OVERRIDES)
 
     @model_validator(mode="before")
     @classmethod
@@ -123,9 +140,11 @@ class CylindersSpec(CylinderSpec, frozen=True):
         if not isinstance(data, Mapping):
             return data
         table = cast(Mapping[str, Any], data)
+        keys = [name for name in cls.model_fields if name != "overrides"]
         own = {
             name: cast(object, value)
             for name, value in table.items()
-            if isinstance(value, Mapping) and name not in cls.model_fields
+            if isinstance(value, Mapping) and name not in keys
         }
-        return {name: value for name, value in table.items() if name not in own} | {"overrides": own}
+        common = {name: value for name, value in table.items() if name not in own}
+        return common | {OVERRIDES: own} if own else common

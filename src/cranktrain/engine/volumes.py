@@ -8,8 +8,9 @@ from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
+from cranktrain.engine.dead_centres import DeadCentres
 from cranktrain.engine.layout import Pistons
-from cranktrain.engine.motion import DeadCentres, PistonMotion
+from cranktrain.engine.motion import PistonMotion
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.wording import Names, shared
@@ -44,7 +45,7 @@ class CompressionRatios:
     """Compression ratio of each chamber, shape (design, chamber); NaN where the deck decides it.
 
     leader : array of int, shape (chamber,)
-        The chamber whose clearance height a chamber without a ratio of its own shares.
+        The chamber whose clearance height a chamber without a ratio of its own shares; itself on the crank's side.
     """
 
     needs: ClassVar[str] = N_("[cylinder] compression_ratio")
@@ -74,7 +75,7 @@ class SweptVolumes:
 
 def swept_volumes(chambers: Chambers, dead_centres: DeadCentres) -> SweptVolumes:
     """Swept volumes from piston areas and true strokes."""
-    swept = np.sum(np.abs(chambers.areas) * dead_centres.stroke[..., np.newaxis], axis=1)
+    swept = _summed(np.abs(chambers.areas), dead_centres.stroke)
     banks = tuple(dict.fromkeys(chambers.banks))
     by_bank = [np.sum(swept[:, [of == bank for of in chambers.banks]], axis=1) for bank in banks]
     return SweptVolumes(
@@ -117,13 +118,24 @@ def chamber_volumes(
     ratios of articulated rods differ by stroke *and* by pin height.
     """
     area: Array = np.sum(np.abs(chambers.areas), axis=1)
-    height: Array = np.sum(np.abs(chambers.areas) * dead_centres.top_position[..., np.newaxis], axis=1) / area
+    height: Array = _summed(np.abs(chambers.areas), dead_centres.top_position) / area
     own = swept.swept_volume / (ratios.value - 1) / area
-    clearance_height: Array = np.where(np.isnan(ratios.value), own[:, ratios.leader] + height[:, ratios.leader] - height, own)
+    clearance_height: Array = np.where(
+        np.isnan(ratios.value), own[:, ratios.leader] + height[:, ratios.leader] - height, own
+    )
     clearance = clearance_height * area
     # A chamber on the shaft's side (area < 0) is smallest where its piston is at the bottom.
-    at_bottom: Array = np.sum(np.maximum(-chambers.areas, 0.0) * dead_centres.stroke[..., np.newaxis], axis=1)
-    volume = (clearance + at_bottom)[..., np.newaxis] + np.swapaxes(chambers.areas, 1, 2) @ motion.piston_displacement
+    at_bottom = _summed(np.maximum(-chambers.areas, 0.0), dead_centres.stroke)
+    volume = (clearance + at_bottom)[..., np.newaxis] + _summed(chambers.areas, motion.piston_displacement)
     return ChamberVolumes(
         chamber_volume=volume, clearance_volume=clearance, compression_ratio=1 + swept.swept_volume / clearance
     )
+
+
+def _summed(areas: Array, lengths: Array) -> Array:
+    """Volumes of every chamber, (design, chamber) or (design, chamber, n), from lengths of its own pistons.
+
+    A piston that cannot move all round, NaN, leaves the chambers of others alone.
+    """
+    weights = areas.reshape(areas.shape + (1,) * (lengths.ndim - 2))
+    return np.sum(np.where(weights == 0.0, 0.0, weights * lengths[:, :, np.newaxis]), axis=1)

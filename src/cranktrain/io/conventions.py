@@ -30,13 +30,18 @@ def _sentences(result: Result) -> Iterator[tuple[str, str]]:
     }
     running = {
         "ahead": _("ahead: in the sense of rotation"),
-        "astern": _("astern: against the sense of rotation; crank angles, speeds and torques count in the sense of running"),
+        "astern": _(
+            "astern: against the sense of rotation; crank angles, speeds and torques count in the sense of running"
+        ),
     }
     yield "rotation", rotation[machine.rotation]
     yield "running", running[machine.running]
     yield "crank_angle", _crank_angle(machine)
     if "piston" in result.labels:
-        yield "piston_displacement", _("from the true top dead centre toward the shaft; velocity and acceleration likewise")
+        yield (
+            "piston_displacement",
+            _("from the true top dead centre toward the shaft; velocity and acceleration likewise"),
+        )
         yield "rod_angle", _("from the line of stroke, away from the shaft, positive in the sense of rotation")
     if "rocker" in result.labels:
         yield "rocker_angle", _("from the line from the shaft to the rocker's pivot, positive in the sense of rotation")
@@ -48,7 +53,9 @@ def _crank_angle(machine: Machine) -> str:
     if machine.mechanism is not None:
         start = _("0 where the crank points along the mechanism's x axis")
     else:
-        start = _("0 where the crank of throw 1 points along the axis of bank {bank}").format(bank=next(iter(machine.bank)))
+        start = _("0 where the crank of throw 1 points along the axis of bank {bank}").format(
+            bank=next(iter(machine.bank))
+        )
     if machine.crank_zero.si == 0.0:
         return start
     return _("{zero} of it is shown as 0; it is {start}").format(zero=machine.crank_zero.text, start=start)

@@ -13,6 +13,7 @@ from cranktrain.language import _
 from cranktrain.machine import Machine, machine_problems
 from cranktrain.quantities import Given
 
+
 @dataclass(frozen=True)
 class MachineFile:
     """A machine and the text that declares it.
@@ -171,27 +172,32 @@ def _placed(problem: Problem, document: Document, settings: Sequence[editing.Pat
 
 def _inputs(data: object, declared: object) -> Iterator[tuple[editing.PathParts, Given]]:
     """Walk the file's data and what the specs made of it side by side."""
+    several = _items(declared)
     if isinstance(declared, Given):
         yield (), declared
-    elif isinstance(declared, tuple) and declared and isinstance(declared[0], Given) and not isinstance(data, list):
-        yield (), declared[0]  # one value where a list may stand
+    elif several and isinstance(several[0], Given) and not isinstance(data, list):
+        yield (), several[0]  # one value where a list may stand
     elif isinstance(data, Mapping):
         for key, inner in cast("Mapping[str, object]", data).items():
             for path, given in _inputs(inner, _declared_at(declared, key, inner)):
                 yield (key, *path), given
-    elif isinstance(data, list) and isinstance(declared, tuple):
-        pairs = zip(cast("list[object]", data), cast("tuple[object, ...]", declared), strict=True)
-        for place, (inner, made) in enumerate(pairs):
+    elif isinstance(data, list) and several:
+        for place, (inner, made) in enumerate(zip(cast("list[object]", data), several, strict=True)):
             for path, given in _inputs(inner, made):
                 yield (place, *path), given
 
 
 def _declared_at(declared: object, key: str, data: object) -> object:
     """What the specs made of a key: of a bank's mechanism, whose fields may be lists, one spec for each angle."""
-    if isinstance(declared, tuple):
-        each = cast("tuple[object, ...]", declared)
+    each = _items(declared)
+    if each:
         return tuple(getattr(one, key) for one in each) if isinstance(data, list) else getattr(each[0], key)
     if isinstance(declared, Mapping):
         return cast("Mapping[str, object]", declared)[key]
     own = getattr(declared, "overrides", {})
     return own[key] if key in own else getattr(declared, key)
+
+
+def _items(declared: object) -> tuple[object, ...]:
+    """What a list of the file became; nothing for what is no list."""
+    return cast("tuple[object, ...]", declared) if isinstance(declared, tuple) else ()

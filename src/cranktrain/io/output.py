@@ -45,15 +45,41 @@ def write_whole(path: "str | os.PathLike[str]", chunks: str | Iterable[str], *, 
         If a file is there and `force` is not given, or the file cannot be written; nothing has changed then.
     """
     pieces = (chunks,) if isinstance(chunks, str) else chunks
-    name = os.fspath(path)
-    if name in STANDARD_OUTPUT:
+    if os.fspath(path) in STANDARD_OUTPUT:
         sys.stdout.writelines(pieces)
         sys.stdout.flush()
         return
+    _write_file(os.fspath(path), (piece.encode("utf-8") for piece in pieces), force=force)
+
+
+def write_whole_bytes(path: "str | os.PathLike[str]", chunks: bytes | Iterable[bytes], *, force: bool) -> None:
+    """Write a file of bytes, such as a picture, as `write_whole` writes text.
+
+    Parameters
+    ----------
+    path, force
+        As `write_whole` takes them.
+    chunks : bytes or iterable of bytes
+
+    Raises
+    ------
+    InputError
+        As `write_whole` raises it.
+    """
+    pieces = (chunks,) if isinstance(chunks, bytes) else chunks
+    if os.fspath(path) in STANDARD_OUTPUT:
+        sys.stdout.buffer.writelines(pieces)
+        sys.stdout.buffer.flush()
+        return
+    _write_file(os.fspath(path), pieces, force=force)
+
+
+def _write_file(name: str, pieces: Iterable[bytes], *, force: bool) -> None:
+    """Write what is not the standard output."""
     try:
         old = _status(Path(name))
         if old is not None and not stat.S_ISREG(old.st_mode) and not stat.S_ISDIR(old.st_mode):
-            with Path(name).open("w", encoding="utf-8", newline="") as file:
+            with Path(name).open("wb") as file:
                 file.writelines(pieces)
             return
         target = Path(os.path.realpath(name))
@@ -88,11 +114,11 @@ def _check(name: str, target: Path, old: os.stat_result | None, *, force: bool) 
         raise _refusal(name, _("is read-only"), _("make it writable, or choose another name"))
 
 
-def _write(target: Path, pieces: Iterable[str], mode: int | None) -> None:
+def _write(target: Path, pieces: Iterable[bytes], mode: int | None) -> None:
     """Write beside the target and put the file in its place; over a file that is there if it has a mode to keep."""
     beside = target.with_name(f".cranktrain-{secrets.token_hex(8)}.tmp")
     try:
-        with beside.open("x", encoding="utf-8", newline="") as file:
+        with beside.open("xb") as file:
             if mode is not None:
                 beside.chmod(mode)
             file.writelines(pieces)

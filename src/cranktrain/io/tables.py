@@ -37,6 +37,9 @@ def csv_text(result: Result, machine: Mapping[str, object], names: Collection[st
     """
     del machine
     about = {"cranktrain": __version__, "machine": result.machines[0].name, **conventions(result)}
+    left_out = [name for name, entry in result.catalogue.items() if name not in names and not entry.is_fact]
+    if left_out:
+        about["left out"] = ", ".join(left_out)
     for word, sentence in about.items():
         yield f"# {word}: {' '.join(sentence.split())}\n"
     heads, columns = ["crank_angle [deg]"], [result.crank_angle]
@@ -110,7 +113,7 @@ def _columns(result: Result, entry: Entry) -> Iterator[tuple[str, Array]]:
     curves: Array = np.moveaxis(getattr(result, entry.name), entry.dimensions.index("crank_angle"), -1)
     labels = result.labels_of(entry).values()
     for place in itertools.product(*(range(len(names)) for names in labels)):
-        index = ", ".join(names[i] for names, i in zip(labels, place, strict=True))
+        index = " ".join(names[i] for names, i in zip(labels, place, strict=True))
         yield f"{entry.name}({index}) [{entry.unit}]" if index else f"{entry.name} [{entry.unit}]", curves[place]
 
 
@@ -129,10 +132,9 @@ def _described(result: Result, entry: Entry) -> dict[str, object]:
 
 def _nested(values: Array) -> object:
     """Nested lists of floats, with None for what JSON has no number for."""
-    array = np.asarray(values)
-    if np.isfinite(array).all():
-        return array.tolist()
-    return np.where(np.isfinite(array), array.astype(object), None).tolist()
+    array = np.asarray(values, dtype=object)
+    array[~np.isfinite(values)] = None
+    return array.tolist()
 
 
 def _json(data: object) -> str:

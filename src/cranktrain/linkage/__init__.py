@@ -1,31 +1,71 @@
 """Kernels: the driver and the groups that hang on it, exact and elementwise, with first and second derivatives.
 
 A kernel takes its driver (an angle, a point, a link) and its geometry, a NamedTuple of numbers or arrays, and gives a
-NamedTuple of coefficients. It has no state, no checks, no units; what cannot close is NaN.
+NamedTuple of coefficients. It has no state, no checks, no units; what cannot close is NaN. `triad_walk`, `pose_at` and
+`triad_modes` are no kernels: they supply the triad's kernel with its starts.
 """
 
 from cranktrain.linkage.compile import compiled
 from cranktrain.linkage.crank import Crank, crank
+from cranktrain.linkage.legs import OnLine, RodEnds, block_along, fixed_guide, rod_between, rod_end
+from cranktrain.linkage.modes import triad_modes
 from cranktrain.linkage.pin import Ends, Pin, PinMotion, pin, pin_gap
 from cranktrain.linkage.point import LinkPoint, fixed, point, turned
 from cranktrain.linkage.slide import AHEAD, Slide, SlideMotion, slide, slide_gap
+from cranktrain.linkage.swivel import Swivel, SwivelEnds, SwivelMotion, swivel, swivel_gap
+from cranktrain.linkage.trammel import Trammel, TrammelMotion, trammel, trammel_transmission, turned_link
+from cranktrain.linkage.triad import GUIDE, ROD, Leg, Pose, Triad, TriadDriver, TriadEnds, TriadMotion, triad
+from cranktrain.linkage.walk import Walk, pose_at, triad_walk
+from cranktrain.linkage.yoke import Yoke, YokeMotion, yoke
 
 __all__ = [
     "AHEAD",
+    "GUIDE",
+    "ROD",
     "Crank",
     "Ends",
+    "Leg",
     "LinkPoint",
+    "OnLine",
     "Pin",
     "PinMotion",
+    "Pose",
+    "RodEnds",
     "Slide",
     "SlideMotion",
+    "Swivel",
+    "SwivelEnds",
+    "SwivelMotion",
+    "Trammel",
+    "TrammelMotion",
+    "Triad",
+    "TriadDriver",
+    "TriadEnds",
+    "TriadMotion",
+    "Walk",
+    "Yoke",
+    "YokeMotion",
+    "block_along",
     "compiled",
     "crank",
     "fixed",
+    "fixed_guide",
     "pin",
     "pin_gap",
     "point",
+    "pose_at",
+    "rod_between",
+    "rod_end",
     "slide",
     "slide_gap",
+    "swivel",
+    "swivel_gap",
+    "trammel",
+    "trammel_transmission",
+    "triad",
+    "triad_modes",
+    "triad_walk",
     "turned",
+    "turned_link",
+    "yoke",
 ]

@@ -39,4 +39,6 @@ def crank(angle: Array, geometry: Crank) -> Point:
     """
     x = geometry.radius * np.cos(angle)
     y = geometry.radius * np.sin(angle)
-    return Point(Coefficient(x, -y, -x), Coefficient(y, x, -y))
+    minus_x = -x
+    minus_y = -y
+    return Point(Coefficient(x, minus_y, minus_x), Coefficient(y, x, minus_y))

@@ -48,57 +48,14 @@ def pin(ends: Ends, geometry: Pin) -> PinMotion:
 
     Notes
     -----
-    d from the rod's end to the rocker's, D = |d|; rod q, rocker t = q − d; q × t = d × q = d × t = σH with
-    H = ½√((l + r + D)(l + r − D)(D + l − r)(D − l + r)), d·q = ½(D² + (l + r)(l − r)), d·t = d·q − D².
-    With d's turn ψ′ = d × d′/D² and stretch ε = d·d′/D², whose derivatives are ψ″ = d × d″/D² − 2εψ′ and
-    ε′ = d·d″/D² + ψ′² − ε², and the cotangents c_l = d·q/σH, c_r = d·t/σH of the angles from d to rod and rocker,
-    θ_l′ = ψ′ + εc_r, θ_r′ = ψ′ + εc_l, θ_l″ = ψ″ + ε′c_r − ε²c_l(1 + c_r²), θ_r″ = ψ″ + ε′c_l − ε²c_r(1 + c_l²).
-    Exact; docs/theory/groups. Heron's product keeps its digits where the links are nearly in line; turn and stretch
-    apart keep those of θ″ where the whole turns nearly as one body (a drag link).
+    d from the rod's end to the rocker's, D = |d|, e = d/D²; rod q, rocker t = q − d; q × t = σH with
+    H = ½√(((l + r)² − D²)(D² − (l − r)²)), d·q = ½((l + r)(l − r) + D²), d·t = d·q − D², q = (d·q)e + σH e⊥.
+    With d's turn ψ′ = e × d′ and stretch ε = e·d′, the links swing against d by a = ε d·t/σH and b = ε d·q/σH:
+    θ_l′ = ψ′ + a, θ_r′ = ψ′ + b; and θ_l″ = c + s d·t, θ_r″ = c + s d·q with c = e × d″ − ε(θ_l′ + θ_r′) and
+    s = (e·d″ + ψ′² − ab)/σH. Exact; docs/theory/groups. The differences in H keep their digits where the links are
+    nearly in line; turn and stretch apart keep those of θ″ where the whole turns nearly as one body (a drag link).
     """
-    dx = ends.rocker.x.value - ends.rod.x.value
-    dy = ends.rocker.y.value - ends.rod.y.value
-    dx1 = ends.rocker.x.first - ends.rod.x.first
-    dy1 = ends.rocker.y.first - ends.rod.y.first
-    dx2 = ends.rocker.x.second - ends.rod.x.second
-    dy2 = ends.rocker.y.second - ends.rod.y.second
-    total = geometry.rod_length + geometry.rocker_length
-    difference = geometry.rod_length - geometry.rocker_length
-    square = dx * dx + dy * dy
-    distance = np.sqrt(square)
-    cross = (0.5 * geometry.side) * np.sqrt(
-        ((total + distance) * (total - distance)) * ((distance + difference) * (distance - difference))
-    )
-    ahead = 0.5 * (square + total * difference)
-    behind = 0.5 * (total * difference - square)
-    qx = (ahead * dx - cross * dy) / square
-    qy = (ahead * dy + cross * dx) / square
-    tx = (behind * dx - cross * dy) / square
-    ty = (behind * dy + cross * dx) / square
-    turn = (dx * dy1 - dy * dx1) / square
-    stretch = (dx * dx1 + dy * dy1) / square
-    turn_rate = (dx * dy2 - dy * dx2) / square - 2.0 * stretch * turn
-    stretch_rate = (dx * dx2 + dy * dy2) / square + (turn * turn - stretch * stretch)
-    rod_cot = ahead / cross
-    rocker_cot = behind / cross
-    rod_turn = turn + stretch * rocker_cot
-    rocker_turn = turn + stretch * rod_cot
-    stretch_square = stretch * stretch
-    rod_rate = turn_rate + (stretch_rate * rocker_cot - stretch_square * rod_cot * (1.0 + rocker_cot * rocker_cot))
-    rocker_rate = turn_rate + (stretch_rate * rod_cot - stretch_square * rocker_cot * (1.0 + rod_cot * rod_cot))
-    rod_square = rod_turn * rod_turn
-    joint = Point(
-        Coefficient(
-            ends.rod.x.value + qx,
-            ends.rod.x.first - qy * rod_turn,
-            ends.rod.x.second - (qy * rod_rate + qx * rod_square),
-        ),
-        Coefficient(
-            ends.rod.y.value + qy,
-            ends.rod.y.first + qx * rod_turn,
-            ends.rod.y.second + (qx * rod_rate - qy * rod_square),
-        ),
-    )
+    qx, qy, tx, ty, rod_turn, rocker_turn, rod_rate, rocker_rate = _vectors_and_turns(ends, geometry)
     rod = Link(
         ends.rod,
         Coefficient(np.arctan2(qy, qx), rod_turn, rod_rate),
@@ -111,7 +68,50 @@ def pin(ends: Ends, geometry: Pin) -> PinMotion:
         tx / geometry.rocker_length,
         ty / geometry.rocker_length,
     )
+    sweep_x = qy * rod_turn
+    sweep_y = qx * rod_turn
+    x = ends.rod.x
+    y = ends.rod.y
+    joint = Point(
+        Coefficient(x.value + qx, x.first - sweep_x, x.second - (qy * rod_rate + sweep_y * rod_turn)),
+        Coefficient(y.value + qy, y.first + sweep_y, y.second + (qx * rod_rate - sweep_x * rod_turn)),
+    )
     return PinMotion(joint, rod, rocker)
+
+
+def _vectors_and_turns(ends: Ends, geometry: Pin) -> tuple[Array, Array, Array, Array, Array, Array, Array, Array]:
+    """Rod and rocker as vectors to the joint; first, then second derivatives of their angles.
+
+    On its own so that its intermediate arrays are freed before the results are made.
+    """
+    dx = ends.rocker.x.value - ends.rod.x.value
+    dy = ends.rocker.y.value - ends.rod.y.value
+    dx1 = ends.rocker.x.first - ends.rod.x.first
+    dy1 = ends.rocker.y.first - ends.rod.y.first
+    dx2 = ends.rocker.x.second - ends.rod.x.second
+    dy2 = ends.rocker.y.second - ends.rod.y.second
+    total = geometry.rod_length + geometry.rocker_length
+    difference = geometry.rod_length - geometry.rocker_length
+    square = dx * dx + dy * dy
+    cross = (0.5 * geometry.side) * np.sqrt((total * total - square) * (square - difference * difference))
+    ahead = 0.5 * total * difference + 0.5 * square
+    behind = ahead - square
+    ex = dx / square
+    ey = dy / square
+    qx = ahead * ex - cross * ey
+    qy = ahead * ey + cross * ex
+    turn = ex * dy1 - ey * dx1
+    stretch = ex * dx1 + ey * dy1
+    per_cross = 1.0 / cross
+    opening = stretch * per_cross
+    rod_swing = opening * behind
+    rocker_swing = opening * ahead
+    rod_turn = turn + rod_swing
+    rocker_turn = turn + rocker_swing
+    common = (ex * dy2 - ey * dx2) - stretch * (rod_turn + rocker_turn)
+    # ψ′² first: where the whole turns as one body it cancels e·d″ without rounding.
+    spread = ((ex * dx2 + ey * dy2 + turn * turn) - rod_swing * rocker_swing) * per_cross
+    return qx, qy, qx - dx, qy - dy, rod_turn, rocker_turn, common + spread * behind, common + spread * ahead
 
 
 def pin_gap(ends: Ends, geometry: Pin) -> Array:

@@ -43,7 +43,7 @@ def slide(pin: Point, geometry: Slide) -> SlideMotion:
     -----
     With u = y − e: W = σ √((l − u)(l + u)), s = x + W; the rod's angle has θ′ = −y′/W, θ″ = −(y″ + uθ′²)/W, and
     W′ = uθ′, W″ = y′θ′ + uθ″. Exact; docs/theory/groups. The root is taken of a product, because l² − u² would lose
-    the digits of l − u where the rod hardly reaches.
+    the digits of l − u where the rod hardly reaches. `rise` is −u, the rod's component along y.
 
     Examples
     --------
@@ -51,20 +51,20 @@ def slide(pin: Point, geometry: Slide) -> SlideMotion:
     >>> round(float(slide(crank(0.0, Crank(0.04)), Slide(0.14, 0.0, AHEAD)).slider.value), 6)
     0.18
     """
-    u = pin.y.value - geometry.offset
-    reach = geometry.side * np.sqrt((geometry.rod_length - u) * (geometry.rod_length + u))
+    rise = geometry.offset - pin.y.value
+    reach = geometry.side * np.sqrt((geometry.rod_length - rise) * (geometry.rod_length + rise))
     turn = -pin.y.first / reach
-    turn_rate = -(pin.y.second + u * turn * turn) / reach
+    turn_rate = (rise * turn * turn - pin.y.second) / reach
     slider = Coefficient(
         pin.x.value + reach,
-        pin.x.first + u * turn,
-        pin.x.second + (pin.y.first * turn + u * turn_rate),
+        pin.x.first - rise * turn,
+        pin.x.second + (pin.y.first * turn - rise * turn_rate),
     )
     rod = Link(
         pin,
-        Coefficient(np.arctan2(-u, reach), turn, turn_rate),
+        Coefficient(np.arctan2(rise, reach), turn, turn_rate),
         reach / geometry.rod_length,
-        -u / geometry.rod_length,
+        rise / geometry.rod_length,
     )
     return SlideMotion(slider, rod)
 

@@ -1,19 +1,21 @@
 """Closing margin: how little one length may change before the crank cannot turn; and where links cannot close."""
 
-from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.mechanisms.kind import scaled
+from cranktrain.mechanisms.kind import Kind, leaves, named_part, rows, scaled
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme, bracketed_roots, smallest, turn_grid
 
-Gap = Callable[[Array, Any], Array]
-
-_SCAN = 10.0 ** np.linspace(-6, 3, 37)
-_GRID = turn_grid(180)
+_GRID, _COARSE_GRID = turn_grid(90), turn_grid(36)
+_GROWTHS = 10.0 ** np.linspace(-7, 3, 21)
+"""Changes tried for a first bound of the margin: where the links are open anywhere, they open before."""
+_CELLS = 8
+"""Cells below that bound, at whose ends all changes are tried."""
+_ROUNDING = 16 * np.finfo(float).eps
+"""Links that close by less, in parts of all their lengths, stand at a change point or cannot close at all."""
 
 
 class ClosingMargin(NamedTuple):
@@ -28,16 +30,20 @@ class ClosingMargin(NamedTuple):
     angle: Array
 
 
-def closing_margin(gap: Gap, geometry: Any, lengths: Sequence[str]) -> ClosingMargin:
+class _Change(NamedTuple):
+    """Which length is multiplied by which power of 1 + growth, +1 or −1; arrays that broadcast."""
+
+    length: NDArray[np.intp]
+    power: Array
+
+
+def closing_margin(kind: Kind, geometry: Any) -> ClosingMargin:
     """Find, for each length and both ways of changing it, the least change at which the links part.
 
     Parameters
     ----------
-    gap : kernel (angle, geometry) → Array
-        By how much the links close. [m]
+    kind : Kind
     geometry : NamedTuple of arrays, shape (..., 1)
-    lengths : sequence of str
-        Dotted names of the geometry's lengths.
 
     Returns
     -------
@@ -45,39 +51,72 @@ def closing_margin(gap: Gap, geometry: Any, lengths: Sequence[str]) -> ClosingMa
 
     Notes
     -----
-    The least gap over a turn is followed along each length's factor 1 ± ε: the first ε of a scan that opens the links
-    brackets the root. docs/theory/closing-margin.
+    The least gap over a turn is followed along each length's factor (1 + g)^±1. A coarse scan bounds the growth g that
+    opens the links; of the changes that open them in the first cell below that bound, the roots are found.
+    docs/theory/closing-margin.
     """
+    shape = np.broadcast_shapes(*(np.shape(leaf) for leaf in leaves(geometry)))
+    flat = rows(geometry, np.arange(np.prod(shape)))
+    margin, angle = np.full((2, np.prod(shape), 1), np.nan)
+    length = np.full(margin.shape, -1, dtype=np.intp)
     with np.errstate(all="ignore"):
-        shape = np.shape(gap(np.zeros(1), geometry))
-        ways = [(name, way) for name in lengths for way in (-1.0, 1.0)]
-
-        def least(growth: Array) -> Extreme:
-            """Least gap with each length in turn multiplied or divided by 1 + growth, shape (way, ..., *shape)."""
-            changed = geometry
-            for k, (name, way) in enumerate(ways):
-                factor = np.ones(growth.shape)
-                factor[k] = (1 + growth[k]) ** way
-                changed = scaled(changed, name, factor)
-            return smallest(lambda phi: gap(phi, changed), grid=_GRID)
-
-        scan = least(np.broadcast_to(_SCAN.reshape((-1,) + (1,) * len(shape)), (len(ways), len(_SCAN), *shape)))
-        opens = scan.value < 0
-        first = np.argmax(opens, axis=1)
-        low = np.where(first > 0, _SCAN[first - 1], 0.0)
-        high = np.where(np.any(opens, axis=1), _SCAN[first], np.nan)
-        growth = bracketed_roots(lambda trial: least(trial).value, low, high, precision=1e-12)
-        signs = np.array([way for _, way in ways]).reshape((-1,) + (1,) * len(shape))
-        change = np.where(np.isnan(growth), np.inf, np.abs((1 + growth) ** signs - 1))
-        best = np.argmin(change, axis=0)[np.newaxis]
-        margin = np.take_along_axis(change, best, axis=0)[0]
-        angle = np.take_along_axis(least(np.nan_to_num(growth)).angle, best, axis=0)[0]
-        closes = smallest(lambda phi: gap(phi, geometry), grid=_GRID).value > 0
+        closes = _least_gap(kind, flat).value > _rounding(kind, flat)
+        change, row, low, high = _first_openings(kind, flat)
+        opened = rows(flat, row)
+        growth = bracketed_roots(
+            lambda trial: _least_gap(kind, _changed(kind, opened, change, trial)).value, low, high, precision=1e-15
+        )
+        size = np.abs((1 + growth) ** change.power - 1)
+        at = np.mod(_least_gap(kind, _changed(kind, opened, change, growth)).angle, 2 * np.pi)
+        order = np.lexsort((size[:, 0], row))
+        found, first = np.unique(row[order], return_index=True)
+        best = order[first]
+    margin[found], angle[found], length[found] = size[best], at[best], change.length[best]
     return ClosingMargin(
-        margin=np.where(closes, margin, np.nan),
-        length=np.where(closes, best[0] // 2, -1),
-        angle=np.where(closes, np.mod(angle, 2 * np.pi), np.nan),
+        margin=np.where(closes, margin, np.nan).reshape(shape),
+        length=np.where(closes, length, -1).reshape(shape),
+        angle=np.where(closes, angle, np.nan).reshape(shape),
     )
+
+
+def _first_openings(kind: Kind, geometry: Any) -> tuple[_Change, NDArray[np.intp], Array, Array]:
+    """Changes that open the links soonest: each with the row of its mechanism, and growths between which it does."""
+    n_lengths, n_rows = len(kind.lengths), len(leaves(geometry)[0])
+    ways = _Change(np.repeat(np.arange(n_lengths), 2), np.tile([-1.0, 1.0], n_lengths))
+
+    def changed(growth: Array) -> Any:
+        """Every way of changing every mechanism: from (trial, row) to (way, trial, row, 1)."""
+        column = _Change(ways.length.reshape(-1, 1, 1, 1), ways.power.reshape(-1, 1, 1, 1))
+        return _changed(kind, geometry, column, growth[..., np.newaxis])
+
+    gaps = kind.gap(_COARSE_GRID, changed(np.repeat(_GROWTHS[:, np.newaxis], n_rows, axis=1)))
+    bound = _GROWTHS[np.argmax(np.any(gaps < 0, axis=(0, -1)), axis=0)]
+    cell = bound / _CELLS
+    tried = _least_gap(kind, changed(cell * np.arange(1, _CELLS + 1)[:, np.newaxis])).value[..., 0] < 0
+    first = np.where(np.any(tried, axis=1), np.argmax(tried, axis=1), _CELLS)
+    way, row = np.nonzero((first == np.min(first, axis=0)) & (first < _CELLS))
+    low = (first[way, row] * cell[row])[:, np.newaxis]
+    change = _Change(ways.length[way, np.newaxis], ways.power[way, np.newaxis])
+    return change, row, low, low + cell[row, np.newaxis]
+
+
+def _changed(kind: Kind, geometry: Any, change: _Change, growth: Array) -> Any:
+    """Change one length of each mechanism, another in each where `change` says so."""
+    factor = (1 + growth) ** change.power
+    for index, name in enumerate(kind.lengths):
+        geometry = scaled(geometry, name, np.where(change.length == index, factor, 1.0))
+    return geometry
+
+
+def _least_gap(kind: Kind, geometry: Any) -> Extreme:
+    """By how much the links close where they do so least, over a turn."""
+    return smallest(lambda phi: kind.gap(phi, geometry), grid=_GRID)
+
+
+def _rounding(kind: Kind, geometry: Any) -> Array:
+    """Gap that may be rounding. [m]"""
+    total = np.sum([np.abs(named_part(geometry, name)) for name in kind.lengths], axis=0)
+    return _ROUNDING * total
 
 
 class OpenRange(NamedTuple):
@@ -88,34 +127,33 @@ class OpenRange(NamedTuple):
     short: float
 
 
-def open_ranges(gap: Gap, geometry: Any) -> tuple[OpenRange, ...]:
+def open_ranges(kind: Kind, geometry: Any) -> tuple[OpenRange, ...]:
     """Give the angles of the mechanism's crank over which one mechanism cannot close, with edges to rounding.
 
     Parameters
     ----------
-    gap : kernel (angle, geometry) → Array. [m]
+    kind : Kind
     geometry : NamedTuple of floats
 
     Returns
     -------
     tuple of OpenRange
         In order of the angle within [0, 2π); a range across 0 ends beyond 2π. One range of a full turn where the links
-        never close.
+        never close. A change point, where they only just close, is a range of hardly any length.
     """
+    rounding = _rounding(kind, geometry)
 
     def curve(phi: Array) -> Array:
-        return gap(phi, geometry)
+        return kind.gap(phi, geometry) - rounding
 
     with np.errstate(all="ignore"):
-        grid = turn_grid()
-        deepest = smallest(curve, grid=grid)
-        samples = curve(grid)
-        # The least gap may lie between two grid points.
-        grid = np.unique(np.append(grid, np.mod(deepest.angle, 2 * np.pi)))
-        samples = curve(grid)
-        is_open = ~(samples >= 0)
-        if not np.any(is_open):
+        samples = curve(turn_grid())
+        deepest = smallest(curve, samples=samples)
+        if deepest.value[0] > 0:
             return ()
+        # The least gap may lie between two grid points.
+        grid = np.unique(np.append(turn_grid(), np.mod(deepest.angle, 2 * np.pi)))
+        is_open = ~(curve(grid) > 0)
         if np.all(is_open):
             return (OpenRange(0.0, 2 * np.pi, float(-deepest.value[0])),)
         start_at = np.flatnonzero(is_open & ~np.roll(is_open, 1))

@@ -2,9 +2,11 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import reduce
 from typing import Any, Literal, NamedTuple, TypeVar, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.motion import Array, Point
 from cranktrain.quantities import Length
@@ -29,6 +31,11 @@ class MechanismSpec(Spec, frozen=True):
 
     kind: str
     points: Mapping[str, LinkPointSpec] = {}
+
+    @property
+    def rod_field(self) -> str:
+        """Name of the field that says how long the rod is: what to change where links cannot close."""
+        return "rod_length"
 
 
 class Master(NamedTuple):
@@ -170,12 +177,37 @@ def stacked(geometries: Sequence[Sequence[Geometry]]) -> Geometry:
     )
 
 
+def named_part(geometry: Any, name: str) -> Array:
+    """Give one part of a nested geometry by its dotted name."""
+    return reduce(getattr, name.split("."), geometry)
+
+
 def scaled(geometry: Geometry, length: str, factor: Array) -> Geometry:
     """Give the geometry with one length, named by its dotted path, multiplied by a factor."""
     name, _, rest = length.partition(".")
     named = cast(Any, geometry)
     part = getattr(named, name)
     return named._replace(**{name: scaled(part, rest, factor) if rest else part * factor})
+
+
+def leaves(geometry: tuple[Any, ...]) -> list[Array]:
+    """List all arrays of a nested geometry, in order."""
+    return [
+        array
+        for value in geometry
+        for array in (leaves(cast(tuple[Any, ...], value)) if isinstance(value, tuple) else [cast(Array, value)])
+    ]
+
+
+def rows(geometry: Geometry, index: NDArray[np.intp]) -> Geometry:
+    """Take some of a geometry's mechanisms, counted through all its axes: arrays of shape (*index.shape, 1)."""
+    named = cast(Any, geometry)
+    return named._replace(
+        **{
+            name: rows(cast(tuple[Any, ...], value), index) if isinstance(value, tuple) else value.reshape(-1, 1)[index]
+            for name, value in named._asdict().items()
+        }
+    )
 
 
 def pin_positions(**points: Point) -> dict[str, tuple[Array, Array]]:

@@ -1,20 +1,27 @@
 """The sources' forms beside the exact motion: the same curves by each method, their largest errors, their ranges."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.engine.layout import CrankAngle, Group, Pistons, distinct
+from cranktrain.engine.dead_centres import PistonTurn
+from cranktrain.engine.layout import CrankAngle, Group, Pistons
 from cranktrain.engine.motion import PistonMotion
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array, Coefficient
-from cranktrain.numerics import Extreme, largest, smallest, turn_grid
-from cranktrain.textbook.articulated_rod import derived, own_top_distance, reconstructed, slave_displacement
+from cranktrain.numerics import Extreme, extremes, largest, turn_grid
+from cranktrain.textbook.articulated_rod import (
+    Harmonics,
+    derived,
+    own_top_distance,
+    reconstructed,
+    slave_displacement,
+)
 from cranktrain.textbook.ranges import RANGES
 from cranktrain.textbook.steam_engine import brix, infinite_rod, two_harmonics
 from cranktrain.wording import Names, number, ranged
@@ -23,32 +30,34 @@ _CURVE = ("method", "piston", "crank_angle")
 _FACT = ("method", "piston")
 _THEORY = "docs/theory/textbook-forms"
 
-Form = Callable[[Array, Any], Coefficient]
-"""A source's form: from the kernel's crank angle and geometry to the displacement from its own top."""
+Curve = Callable[[Array], Coefficient]
+Form = Callable[[Any], Curve]
+"""A source's form: from a kernel's geometry to the displacement from the form's own top by the kernel's angle."""
 
 
 def _by_ratio(form: Callable[[Array, Array, Array], Coefficient]) -> Form:
     """Take λ = R/L from the geometry; the sources' forms know no offset."""
 
-    def from_geometry(angle: Array, geometry: SliderCrank) -> Coefficient:
-        return form(angle, geometry.crank_radius, geometry.crank_radius / geometry.rod_length)
+    def of(geometry: SliderCrank) -> Curve:
+        return lambda angle: form(angle, geometry.crank_radius, geometry.crank_radius / geometry.rod_length)
 
-    return from_geometry
+    return of
 
 
-def _infinite(angle: Array, geometry: SliderCrank) -> Coefficient:
+def _infinite(geometry: SliderCrank) -> Curve:
     """Infinitely long rod, (334)."""
-    return infinite_rod(angle, geometry.crank_radius)
+    return lambda angle: infinite_rod(angle, geometry.crank_radius)
 
 
-def _slave(constants: Callable[[ArticulatedRod], Any]) -> Form:
+def _slave(constants: Callable[[ArticulatedRod], Harmonics]) -> Form:
     """Displacement by (I.13) from the curve's own top."""
 
-    def from_geometry(angle: Array, geometry: ArticulatedRod) -> Coefficient:
+    def of(geometry: ArticulatedRod) -> Curve:
         harmonics = constants(geometry)
-        return slave_displacement(angle, geometry, harmonics, own_top_distance(geometry, harmonics))
+        top = own_top_distance(geometry, harmonics)
+        return lambda angle: slave_displacement(angle, geometry, harmonics, top)
 
-    return from_geometry
+    return of
 
 
 FORMS: Mapping[str, Mapping[str, Form]] = {
@@ -113,7 +122,9 @@ class TextbookMotion:
         return _("Textbook: {forms}.").format(forms="; ".join(said)) if said else None
 
 
-def textbook_motion(pistons: Pistons, crank_angle: CrankAngle, motion: PistonMotion) -> TextbookMotion:
+def textbook_motion(
+    pistons: Pistons, crank_angle: CrankAngle, turn: PistonTurn, motion: PistonMotion
+) -> TextbookMotion:
     """Motion of every piston by every method, and each method's largest errors, refined on the kernels."""
     exact = (
         motion.piston_displacement,
@@ -126,18 +137,21 @@ def textbook_motion(pistons: Pistons, crank_angle: CrankAngle, motion: PistonMot
     errors, angles = np.full((2, 3, n_designs, n_methods, n_pistons), np.nan)
     curves[:, :, 0] = exact
     errors[:, :, 0] = 0.0
-    different = distinct(pistons)
-    for method, forms in enumerate(FORMS.values(), start=1):
-        for group, alike in zip(pistons.groups, different.mechanisms.groups, strict=True):
-            if group.kind.name not in forms:
-                continue
-            form, members = forms[group.kind.name], group.members
-            for curve, values in zip(curves, form(crank_angle.angle + members.phase, members.geometry), strict=True):
+    for group, alike in zip(pistons.groups, turn.distinct.mechanisms.groups, strict=True):
+        forms = {i: form[group.kind.name] for i, form in enumerate(FORMS.values(), 1) if group.kind.name in form}
+        if not forms:
+            continue
+        members = group.members
+        for method, form in forms.items():
+            own = form(members.geometry)(crank_angle.angle + members.phase)
+            for curve, values in zip(curves, own, strict=True):
                 curve[:, method, group.index] = values
-            origin = different.origin[:, group.index] - alike.index[0]
-            worst = _largest_errors(form, alike)
-            errors[:, :, method, group.index] = worst.value[:, origin, 0]
-            phi = worst.angle[:, origin] + pistons.nominal_top[:, group.index]
+        samples = Coefficient(*(part[:, alike.index] for part in turn.samples[:3]))
+        worst = _largest_errors(tuple(forms.values()), alike, samples)
+        origin = turn.distinct.origin[:, group.index] - alike.index[0]
+        for row, method in enumerate(forms):
+            errors[:, :, method, group.index] = worst.value[row][:, 0, origin, 0]
+            phi = worst.angle[row][:, 0, origin] + pistons.nominal_top[:, group.index]
             angles[:, :, method, group.index] = crank_angle.counted(phi)[..., 0]
     return TextbookMotion(
         displacement_by_method=curves[0],
@@ -153,36 +167,39 @@ def textbook_motion(pistons: Pistons, crank_angle: CrankAngle, motion: PistonMot
     )
 
 
-def _largest_errors(form: Form, group: Group) -> Extreme:
-    """Largest error of displacement, velocity and acceleration, and own crank angle there, shape (3, member, 1).
+def _largest_errors(forms: Sequence[Form], group: Group, samples: Coefficient) -> Extreme:
+    """Largest errors of displacement, velocity and acceleration and own crank angles there, (form, 3, 1, member, 1).
 
-    Displacement in parts of the exact stroke, the others of their exact peak.
+    Displacement in parts of the exact stroke, the others of their exact peak. `samples` is the exact slider on
+    `turn_grid()`.
     """
     members = group.members
+    curves = [form(members.geometry) for form in forms]
 
     def slider(alpha: Array) -> Coefficient:
         return group.kind.motion(alpha + members.phase, members.geometry).slider
 
-    def error(alpha: Array) -> Array:
-        own, exact = form(alpha + members.phase, members.geometry), slider(alpha)
-        return np.abs(
-            _each_order(
-                Coefficient(own.value - (top - exact.value), own.first + exact.first, own.second + exact.second)
-            )
-        )
+    low, high = extremes(lambda alpha: _own_rows(slider(alpha)), samples=np.stack(samples))
+    top = high.value[0]
+    peak = np.concatenate([top[np.newaxis] - low.value[:1], np.maximum(high.value, -low.value)[1:]])
 
-    sampled = slider(turn_grid())
-    most = largest(lambda alpha: _each_order(slider(alpha)), samples=np.concatenate(sampled))
-    least = smallest(lambda alpha: _each_order(slider(alpha)), samples=np.concatenate(sampled))
-    top = most.value[:1]
-    peak = np.concatenate([top - least.value[:1], np.maximum(most.value, -least.value)[1:]])
-    worst = largest(error)
+    def errors(alpha: Array, exact: Coefficient) -> Array:
+        """Errors at angles that are the same for all, or at those that each form and order has of its own."""
+        rows: list[Array] = []
+        for form, curve in enumerate(curves):
+            angle, true = (alpha, exact) if alpha.ndim == 1 else (alpha[form], Coefficient(*(x[form] for x in exact)))
+            own = curve(angle + members.phase)
+            off = Coefficient(own.value - (top - true.value), own.first + true.first, own.second + true.second)
+            rows.append(np.abs(_own_rows(off)))
+        return np.stack(rows)
+
+    worst = largest(lambda alpha: errors(alpha, slider(alpha)), samples=errors(turn_grid(), samples))
     return Extreme(worst.angle, worst.value / peak)
 
 
-def _each_order(motion: Coefficient) -> Array:
-    """Value, first and second derivative of each member, shape (3, member, n), each at its own row of angles."""
-    return np.stack([part[min(order, len(part) - 1)] for order, part in enumerate(motion)])
+def _own_rows(motion: Coefficient) -> Array:
+    """Value, first and second derivative, (3, 1, member, n), each at its own row of angles where they have rows."""
+    return np.stack([part[order] if part.ndim == 4 else part for order, part in enumerate(motion)])
 
 
 def _flags(pistons: Pistons) -> tuple[str, ...]:

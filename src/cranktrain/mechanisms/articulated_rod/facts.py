@@ -59,7 +59,7 @@ def articulation(rods: ArticulatedRods) -> Articulation:
         offset_angle=(geometry.articulation_angle - geometry.bank_angle)[..., 0],
         articulation_angle_without_top_shift=top[..., 0],
         articulation_angle_without_bottom_shift=bottom[..., 0],
-        checks=(_zero_shift_check(geometry, top),) if np.all(geometry.offset == 0.0) else (),
+        checks=(_zero_shift_check(geometry, top),) if np.any(geometry.offset == 0.0) else (),
     )
 
 
@@ -69,9 +69,10 @@ def _zero_shift_check(geometry: ArticulatedRod, angle: Array) -> Check:
     radius = geometry.master.crank_radius
     height = radius + geometry.knuckle_radius + geometry.rod_length
     residual = np.maximum(np.abs(slider.first) / radius, np.abs(slider.value - height) / height)
+    central = np.where(geometry.offset == 0.0, residual, 0.0)
     return Check(
         "zero_shift",
         _("with ζ_T the slave turns back at α = γ, at H = R + r + l from the shaft (relative to R and H)"),
-        np.max(residual, axis=(1, 2)),
+        np.max(central, axis=(1, 2)),
         1e-13,
     )

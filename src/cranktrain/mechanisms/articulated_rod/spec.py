@@ -8,7 +8,7 @@ from cranktrain.language import _
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.kind import Master, MechanismSpec
 from cranktrain.motion import single
-from cranktrain.numerics import turn_grid
+from cranktrain.numerics import largest
 from cranktrain.quantities import Angle, Given, Length, NonNegativeLength, PositiveLength
 from cranktrain.wording import precise
 
@@ -39,8 +39,8 @@ def articulated_rod_geometry(spec: ArticulatedRodSpec, master: Master | None) ->
 
 def articulated_rod_advice(geometry: ArticulatedRod) -> str:
     """Say how long the slave rod must be, unless it is the master that cannot close."""
-    knuckle = articulated_rod(turn_grid(3600), geometry).knuckle
-    least = float(np.max(np.abs(knuckle.y.value - geometry.offset)))
+    farthest = largest(lambda phi: np.abs(articulated_rod(phi, geometry).knuckle.y.value - geometry.offset))
+    least = float(farthest.value[0])
     if np.isnan(least):
         return _("the master rod must close first")
     return _("rod_length must be more than {least}").format(least=precise(least))

@@ -10,7 +10,7 @@ from cranktrain.language import N_, _
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
 from cranktrain.mechanisms.kind import Members
 from cranktrain.motion import Array
-from cranktrain.numerics import largest, smallest
+from cranktrain.numerics import extremes
 from cranktrain.wording import Names, shared
 
 _LINKAGE = ("crank_rocker",)
@@ -57,8 +57,9 @@ class Transmission:
         """Say the class and the transmission angle's range."""
         linkages = names["crank_rocker"]
         kinds = sorted({int(value) for value in self.grashof_class[design]})
+        classes = "; ".join(_(CLASSES[kind]) for kind in kinds)
         return _("{classes}. Transmission angle from {least} to {most}.").format(
-            classes="; ".join(_(CLASSES[kind]) for kind in kinds).capitalize(),
+            classes=classes[:1].upper() + classes[1:],
             least=shared(linkages, self.smallest_transmission_angle[design], "deg"),
             most=shared(linkages, self.largest_transmission_angle[design], "deg"),
         )
@@ -73,7 +74,7 @@ def transmission(linkages: CrankRockers) -> Transmission:
         cross = motion.rod.cos * motion.rocker.sin - motion.rod.sin * motion.rocker.cos
         return np.arctan2(np.abs(cross), motion.rod.cos * motion.rocker.cos + motion.rod.sin * motion.rocker.sin)
 
-    least, most = smallest(angle), largest(angle)
+    least, most = extremes(angle)
     return Transmission(
         grashof_class=grashof_class(geometry)[..., 0],
         smallest_transmission_angle=least.value[..., 0],
@@ -95,17 +96,12 @@ def grashof_class(geometry: CrankRocker) -> Array:
 
 def _cosine_rule_check(geometry: CrankRocker, least: Array, most: Array) -> Check:
     """Compare the extremes with the cosine rule where the crank lies along the ground line."""
-    rod, rocker, ground, crank = (
-        geometry.rod_length,
-        geometry.rocker_length,
-        geometry.ground_length,
-        geometry.crank_radius,
-    )
-    expected = [np.arccos((rod**2 + rocker**2 - (ground + sign * crank) ** 2) / (2 * rod * rocker)) for sign in (-1, 1)]
-    residual = np.maximum(np.abs(least - expected[0]), np.abs(most - expected[1]))
+    crank, rod, rocker, ground = geometry[:4]
+    cosines = [(rod**2 + rocker**2 - (ground + sign * crank) ** 2) / (2 * rod * rocker) for sign in (-1, 1)]
+    residual = np.maximum(np.abs(np.cos(least) - cosines[0]), np.abs(np.cos(most) - cosines[1]))
     return Check(
         "transmission_angle",
-        _("extremes of the transmission angle against the cosine rule with the crank along the ground line, in rad"),
+        _("cosines of the transmission angle's extremes against the cosine rule with the crank along the ground line"),
         np.max(residual, axis=(1, 2)),
         1e-12,
     )

@@ -1,7 +1,7 @@
 """The slider-crank's table of the machine file."""
 
 from math import sqrt
-from typing import Literal
+from typing import Literal, Self
 
 from pydantic import model_validator
 
@@ -13,6 +13,9 @@ from cranktrain.motion import single
 from cranktrain.quantities import Given, Length, PositiveLength, PositiveRatio
 from cranktrain.spec import Refused
 from cranktrain.wording import precise
+
+_CRANKS = ("crank_radius", "stroke")
+_RODS = ("rod_length", "crank_to_rod_ratio", "rod_to_crank_ratio")
 
 
 class SliderCrankSpec(MechanismSpec, frozen=True):
@@ -26,14 +29,15 @@ class SliderCrankSpec(MechanismSpec, frozen=True):
     rod_to_crank_ratio: PositiveRatio | None = None
     offset: Length = Given(0.0, "0 mm")
 
+    @property
+    def rod_field(self) -> str:
+        """Whichever of the three forms gives the rod."""
+        return next(name for name in _RODS if getattr(self, name) is not None)
+
     @model_validator(mode="after")
-    def _sized_once(self) -> "SliderCrankSpec":
+    def _sized_once(self) -> Self:
         """Refuse a crank or a rod that is given twice or not at all, and a stroke that no crank can make."""
-        wrong = [
-            problem
-            for names in (("crank_radius", "stroke"), ("rod_length", "crank_to_rod_ratio", "rod_to_crank_ratio"))
-            if (problem := _not_once(self, names)) is not None
-        ]
+        wrong = [problem for names in (_CRANKS, _RODS) if (problem := _not_once(self, names)) is not None]
         if wrong:
             raise InputError(wrong)
         if self.stroke is not None and _radius_from_stroke(self) is None:

@@ -1,0 +1,127 @@
+"""Parts: what machines declare, as SI arrays with a leading design axis; stages ask for them by type."""
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from typing import cast
+
+import numpy as np
+
+from cranktrain.engine.axial import axial_places_of
+from cranktrain.engine.cylinders import CYCLES, chambers_of, compression_ratios_of, cylinders_of, firing_order_of
+from cranktrain.engine.firing import Cycle
+from cranktrain.engine.layout import CrankAngle, Mechanisms, Pistons, Rockers, Speed, mechanisms_of
+from cranktrain.engine.places import Place
+from cranktrain.engine.points import link_points_of
+from cranktrain.engine.rockers import load_radius_of
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.machine import Machine, machine_problems
+from cranktrain.quantities import Given
+from cranktrain.spec import Spec
+
+Parts = dict[type, object]
+"""What a machine declares, in SI: one object of each type."""
+
+
+def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False) -> Parts:
+    """Lay out designs of one machine.
+
+    Parameters
+    ----------
+    machines : sequence of Machine
+        The same mechanisms in the same places; only numbers differ.
+    step : float
+        Of the crank-angle grid, a whole part of the cycle. [rad]
+    partial : bool
+        Accept links that cannot close over the whole turn: NaN there.
+
+    Returns
+    -------
+    Parts
+        By type: `CrankAngle`, `Mechanisms`, `Pistons`, `Rockers`, each kind's members, `Speed`, `Chambers`, …; what the
+        machines do not declare is left out.
+
+    Raises
+    ------
+    InputError
+    """
+    designs = _designs(machines, partial=partial)
+    first = machines[0]
+    cycle = CYCLES[first.cylinder.cycle] if first.cylinder.cycle else None
+    turn = cycle or 2 * np.pi
+    n_angles = round(turn / step)
+    mechanisms = mechanisms_of(Mechanisms, designs)
+    parts: list[object] = [
+        CrankAngle(
+            shown=np.arange(n_angles, dtype=np.float64) * turn / n_angles,
+            zero=np.array([[[machine.sense * machine.crank_zero.si]] for machine in machines]),
+            cycle=turn,
+        ),
+        mechanisms,
+        *(group.members for group in mechanisms.groups),
+        axial_places_of([machine.shaft.main for machine in machines], designs),
+        link_points_of(designs, astern=first.is_astern),
+    ]
+    pistons = _with_output(designs, "slider")
+    rockers = _with_output(designs, "rocker")
+    if pistons[0]:
+        cylinders = [cylinders_of(machine.cylinder, some) for machine, some in zip(machines, pistons, strict=True)]
+        parts += [
+            mechanisms_of(Pistons, pistons),
+            chambers_of(cylinders),
+            compression_ratios_of(cylinders),
+            Cycle(cycle) if cycle else None,
+            firing_order_of(first.cylinder, pistons[0], astern=first.is_astern)[0],
+        ]
+    if rockers[0]:
+        parts += [mechanisms_of(Rockers, rockers), load_radius_of(rockers)]
+    speeds = [machine.shaft.main.speed for machine in machines]
+    if first.shaft.main.speed is not None:
+        parts.append(Speed(np.array([[[speed.si]] for speed in speeds if speed is not None])))
+    return {type(part): part for part in parts if part is not None}
+
+
+def _designs(machines: Sequence[Machine], *, partial: bool) -> list[tuple[Place, ...]]:
+    """Arrange every design; everything that is wrong with any of them is told at once."""
+    found: list[Problem] = list(_differences(machines))
+    designs: list[tuple[Place, ...]] = []
+    for machine in machines:
+        found += machine_problems(machine, partial=partial)
+        designs.append(machine.places)
+    if found:
+        raise InputError(dict.fromkeys(found))
+    return designs
+
+
+def _differences(machines: Sequence[Machine]) -> Iterator[Problem]:
+    """Find where designs differ in more than numbers."""
+    first = dict(_structure(machines[0]))
+    allowed = _("must be the same in all designs, which may differ in numbers alone; in design {n} it is another")
+    for n, machine in enumerate(machines[1:], start=2):
+        other = dict(_structure(machine))
+        paths = [path for path in dict.fromkeys((*first, *other)) if first.get(path) != other.get(path)]
+        if paths:
+            yield Problem(re.sub(r"\.mechanism\[\d+\]", ".mechanism", paths[0]), None, allowed.format(n=n))
+
+
+def _structure(declared: object, path: str = "") -> Iterator[tuple[str, object]]:
+    """Give what is no number in a spec, by path; of a number, that there is one."""
+    if isinstance(declared, Given):
+        yield path, Given
+    elif isinstance(declared, Spec):
+        for name in type(declared).model_fields:
+            if name != "name":
+                yield from _structure(getattr(declared, name), f"{path}.{name}".removeprefix("."))
+    elif isinstance(declared, Mapping):
+        for name, value in cast(Mapping[str, object], declared).items():
+            yield from _structure(value, f"{path}.{name}")
+    elif isinstance(declared, tuple):
+        for place, value in enumerate(cast(tuple[object, ...], declared)):
+            yield from _structure(value, f"{path}[{place}]")
+    elif declared is not None:
+        yield path, declared
+
+
+def _with_output(designs: Sequence[Sequence[Place]], output: str) -> list[list[Place]]:
+    """Those places whose mechanism drives a slider, or a rocker."""
+    return [[place for place in design if place.kind.output == output] for design in designs]

@@ -1,0 +1,67 @@
+"""Places along the shaft: where each mechanism stands between throw 1 and the flywheel."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.engine.places import Place
+from cranktrain.engine.specs import ShaftSpec
+from cranktrain.language import N_
+from cranktrain.motion import Array
+
+
+@dataclass(frozen=True)
+class AxialPlaces:
+    """Distance of every mechanism from throw 1 along Z, shape (design, mechanism). [m]"""
+
+    needs: ClassVar[str] = N_("[shaft.main] spacing")
+
+    value: Array
+
+
+def axial_places_of(shafts: Sequence[ShaftSpec], designs: Sequence[Sequence[Place]]) -> AxialPlaces | None:
+    """Add up the gaps between throws, and the banks' stagger; None where several throws have no spacing."""
+    throws = [throw_positions(shaft) for shaft in shafts]
+    if any(positions is None for positions in throws):
+        return None
+    return AxialPlaces(
+        np.array(
+            [
+                [positions[place.throw] + place.stagger for place in design]
+                for positions, design in zip(throws, designs, strict=True)
+                if positions is not None
+            ]
+        )
+    )
+
+
+def throw_positions(shaft: ShaftSpec) -> Array | None:
+    """Distance of every throw from throw 1, shape (throw,); None where it is not given. [m]"""
+    n_gaps = len(shaft.throws) - 1
+    if n_gaps == 0:
+        return np.zeros(1)
+    if shaft.spacing is None:
+        return None
+    gaps = [gap.si for gap in shaft.spacing]
+    return np.cumsum([0.0, *(gaps * n_gaps if len(gaps) == 1 else gaps)])
+
+
+@dataclass(frozen=True)
+class AxialPositions:
+    """Where each mechanism stands along the shaft."""
+
+    axial_position: Array = quantity(
+        "z",
+        "m",
+        ("mechanism",),
+        N_("Along the shaft, from throw 1 toward the flywheel"),
+        "docs/conventions",
+    )
+
+
+def axial_positions(places: AxialPlaces) -> AxialPositions:
+    """Give the declared places as a result."""
+    return AxialPositions(places.value)

@@ -1,0 +1,121 @@
+"""Dead centres: where each piston truly turns back, and its stroke; roots of s′, not points of a grid."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.engine.distinct import Distinct, distinct
+from cranktrain.engine.layout import CrankAngle, Mechanisms, Pistons
+from cranktrain.language import N_, _
+from cranktrain.motion import Array, Coefficient
+from cranktrain.numerics import turn_grid, turning_points
+from cranktrain.wording import Names, shared
+
+_PISTON = ("piston",)
+_THEORY = "docs/theory/slider-crank"
+
+
+class SliderAndRod(NamedTuple):
+    """Slider position along its own axis and rod angle with their derivatives, flat, shape (design, piston, n)."""
+
+    position: Array
+    position_first: Array
+    position_second: Array
+    rod: Array
+    rod_first: Array
+    rod_second: Array
+
+
+def slider_and_rod(pistons: Mechanisms, angle: Array) -> SliderAndRod:
+    """Every piston's slider and rod.
+
+    Parameters
+    ----------
+    pistons : Mechanisms
+        All of which drive sliders.
+    angle : Array, shape (n,), (design, 1, n) or (design, piston, n)
+        φ. [rad]
+
+    Returns
+    -------
+    SliderAndRod, shape (design, piston, n). [m, m/rad, m/rad²; rad, rad/rad, rad/rad²]
+    """
+    return pistons.evaluated(lambda motion: SliderAndRod(*motion.slider, *motion.rod.angle), angle)
+
+
+def slider_motion(pistons: Mechanisms, angle: Array) -> Coefficient:
+    """Distance of every piston pin from its shaft along its own axis; parameters as of `slider_and_rod`. [m, …]"""
+    return pistons.evaluated(lambda motion: motion.slider, angle)
+
+
+@dataclass(frozen=True)
+class PistonTurn:
+    """One turn of the pistons that are distinct, whatever the machine's own grid: where extremes are looked for first.
+
+    Attributes
+    ----------
+    distinct : Distinct
+    samples : SliderAndRod, shape (1, distinct, 720)
+        On `turn_grid()`, at each piston's own crank angle.
+    """
+
+    distinct: Distinct
+    samples: SliderAndRod
+
+
+def piston_turn(pistons: Pistons) -> PistonTurn:
+    """Find the distinct pistons and sample their turn."""
+    different = distinct(pistons)
+    return PistonTurn(different, slider_and_rod(different.mechanisms, turn_grid()))
+
+
+@dataclass(frozen=True)
+class DeadCentres:
+    """Where each piston truly turns back, and how far it travels."""
+
+    stroke: Array = quantity("S", "m", _PISTON, N_("Stroke, between the true dead centres"), _THEORY)
+    top_dead_centre: Array = quantity("φ_T", "deg", _PISTON, N_("Crank angle of the true top dead centre"), _THEORY)
+    bottom_dead_centre: Array = quantity(
+        "φ_B", "deg", _PISTON, N_("Crank angle of the true bottom dead centre"), _THEORY
+    )
+    top_shift: Array = quantity(
+        "ε_T", "deg", _PISTON, N_("Top dead centre after the crank points along the cylinder"), _THEORY
+    )
+    bottom_shift: Array = quantity(
+        "ε_B", "deg", _PISTON, N_("Bottom dead centre after the crank points away from the cylinder"), _THEORY
+    )
+    top_position: Array = quantity(
+        "H", "m", _PISTON, N_("Distance from shaft centre to piston pin at top dead centre"), _THEORY
+    )
+    bottom_position: Array = quantity(
+        "h", "m", _PISTON, N_("Distance from shaft centre to piston pin at bottom dead centre"), _THEORY
+    )
+
+    def answer(self, names: Names, design: int) -> str:
+        """Say strokes and true dead centres."""
+        pistons = names["piston"]
+        return _("Strokes: {strokes}. True top dead centres: {tops} after the crank points along the cylinder.").format(
+            strokes=shared(pistons, self.stroke[design], "mm"), tops=shared(pistons, self.top_shift[design], "deg")
+        )
+
+
+def dead_centres(turn: PistonTurn, crank_angle: CrankAngle) -> DeadCentres:
+    """True dead centres of every piston."""
+    different = turn.distinct
+    bottom, top = turning_points(lambda alpha: slider_motion(different.mechanisms, alpha), turn.samples.position)
+    return DeadCentres(
+        stroke=different.spread(top.value - bottom.value)[..., 0],
+        top_dead_centre=crank_angle.counted(different.angle(top.angle))[..., 0],
+        bottom_dead_centre=crank_angle.counted(different.angle(bottom.angle))[..., 0],
+        top_shift=different.spread(_around_zero(top.angle))[..., 0],
+        bottom_shift=different.spread(_around_zero(bottom.angle - np.pi))[..., 0],
+        top_position=different.spread(top.value)[..., 0],
+        bottom_position=different.spread(bottom.value)[..., 0],
+    )
+
+
+def _around_zero(angle: Array) -> Array:
+    """Bring angles into [−π, π)."""
+    return np.mod(angle + np.pi, 2 * np.pi) - np.pi

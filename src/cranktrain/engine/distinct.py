@@ -1,0 +1,64 @@
+"""Distinct mechanisms: a V12 has twelve pistons and two of these; what stands for a turn is computed once for each."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.engine.layout import Group, Mechanisms
+from cranktrain.mechanisms.kind import leaves, rows
+from cranktrain.motion import Array
+
+
+@dataclass(frozen=True)
+class Distinct:
+    """Those mechanisms of a machine that differ in more than their phase, each at its own crank angle.
+
+    What stands for a whole turn is computed once for each of these and then given to all that are like it.
+
+    Attributes
+    ----------
+    mechanisms : Mechanisms
+        One design; its crank angle counts from each mechanism's own x, so that `nominal_top` is 0.
+    origin : array of int, shape (design, mechanism)
+        Which of the distinct mechanisms each mechanism is.
+    nominal_top : Array, shape (design, mechanism, 1)
+        φ at which the crank points along the mechanism's own x. [rad]
+    """
+
+    mechanisms: Mechanisms
+    origin: NDArray[np.intp]
+    nominal_top: Array
+
+    def spread(self, values: Array) -> Array:
+        """Give values of the distinct mechanisms, shape (1, distinct, ...), to all, shape (design, mechanism, ...)."""
+        return values[0][self.origin]
+
+    def angle(self, own: Array) -> Array:
+        """Give own crank angles, shape (1, distinct, 1), as φ of every mechanism, shape (design, mechanism, 1)."""
+        return self.spread(own) + self.nominal_top
+
+
+def distinct(mechanisms: Mechanisms) -> Distinct:
+    """Find the mechanisms that differ in more than their phase."""
+    origin = np.empty(mechanisms.nominal_top.shape[:2], dtype=np.intp)
+    groups: list[Group] = []
+    names: list[str] = []
+    for group in mechanisms.groups:
+        members = group.members
+        lead = members.phase + mechanisms.nominal_top[:, group.index]
+        # Rounding leaves the leads of like mechanisms on different throws some 1e-16 apart.
+        columns = [value.ravel() for value in (np.round(lead, 12) + 0.0, *leaves(members.geometry))]
+        _columns, first, inverse = np.unique(np.stack(columns), axis=1, return_index=True, return_inverse=True)
+        origin[:, group.index] = len(names) + inverse.reshape(lead.shape[:2])
+        one_design = first[np.newaxis]
+        own = replace(
+            members,
+            names=tuple(members.names[row % len(members.names)] for row in map(int, first)),
+            geometry=rows(members.geometry, one_design),
+            phase=lead.reshape(-1, 1)[one_design],
+        )
+        groups.append(Group(group.kind, np.arange(len(names), len(names) + len(first)), own))
+        names += own.names
+    one = Mechanisms(tuple(names), tuple(names), tuple(groups), np.zeros((1, len(names), 1)))
+    return Distinct(one, origin, mechanisms.nominal_top)

@@ -1,0 +1,108 @@
+"""What each key of the machine file is, in one sentence, for editors and forms."""
+
+from cranktrain.language import N_, _
+from cranktrain.spec import Spec
+
+_SENTENCES = {
+    "Machine": {
+        "name": N_("Name of the machine, as tables and plots show it."),
+        "rotation": N_(
+            "Normal sense of rotation, seen from the free end of the shaft; all angles of the file count in it."
+        ),
+        "running": N_("`astern` is the same machine turning against its normal sense of rotation."),
+        "crank_zero": N_(
+            "Crank angle that is shown as 0; otherwise 0 is where the crank of throw 1 points along the first bank."
+        ),
+        "angle": N_("Direction of the mechanism's x axis, from straight up; for a machine with one [mechanism]."),
+        "shaft": N_("Shafts by name."),
+        "mechanism": N_("The mechanism of a machine that has only one; otherwise each bank has its own."),
+        "bank": N_("Banks by name; the first one in the file is the first bank."),
+        "cylinder": N_("Cylinders: what is common to all, and tables for one bank or one piston."),
+    },
+    "ShaftsSpec": {"main": N_("The shaft whose angle is the crank angle.")},
+    "ShaftSpec": {
+        "throws": N_("How far each throw stands ahead of throw 1; one that is to fire later stands behind."),
+        "spacing": N_("Distance between neighbouring throws along the shaft, or a list of all; 0 for a split pin."),
+        "speed": N_("Mean speed of the shaft; with it, velocities and accelerations."),
+    },
+    "BankSpec": {
+        "angle": N_("From straight up to the bank's line of stroke, in the sense of rotation; a list makes a star."),
+        "mechanism": N_(
+            "The mechanism of each cylinder; with a list of angles, a field may be a list, one value for each."
+        ),
+        "throws": N_("Throws on which the bank works, counted from 1; all unless given."),
+        "stagger": N_("By how much the bank is moved along the shaft toward the flywheel."),
+    },
+    "CylinderSpec": {
+        "bore": N_("Diameter of the cylinder."),
+        "compression_ratio": N_(
+            "Largest volume over smallest, by the true stroke; a cylinder without its own has the first one's deck."
+        ),
+        "chambers": N_(
+            'Sides of the piston that work: ["head", "crank"] is double-acting; the head\'s alone unless given.'
+        ),
+        "piston_rod": N_("Diameter of the piston rod, which takes up room on the crank's side."),
+    },
+    "CylindersSpec": {
+        "cycle": N_("Strokes of one working cycle; the crank angle runs through one or two turns."),
+        "firing_order": N_(
+            'Pistons in the order in which they fire, such as "1-3-4-2"; with the cycle: firing angles.'
+        ),
+        "numbers": N_('A maker\'s own numbers of the pistons, for use in the firing order: { 5 = "1L" }.'),
+        "overrides": N_("What one bank or one piston has of its own."),
+    },
+    "MechanismSpec": {
+        "kind": N_("Kind of mechanism."),
+        "points": N_("Points on links to follow, by name."),
+    },
+    "LinkPointSpec": {
+        "link": N_("The link that carries the point."),
+        "along": N_("Distance from the link's first pin toward its second."),
+        "across": N_("Distance from the line of pins, to the side turned 90° from it in the sense of rotation."),
+    },
+    "SliderCrankSpec": {
+        "crank_radius": N_("From shaft centre to crank pin; or give the stroke."),
+        "stroke": N_("True travel of the piston; or give the crank radius."),
+        "rod_length": N_("From crank pin to piston pin; or give one of the ratios."),
+        "crank_to_rod_ratio": N_("λ = R/L instead of the rod's length."),
+        "rod_to_crank_ratio": N_("L/R instead of the rod's length."),
+        "offset": N_("Of the line of stroke from the shaft, positive toward +y: 90° ahead of the stroke's direction."),
+    },
+    "CrankRockerSpec": {
+        "crank_radius": N_("From shaft centre to crank pin."),
+        "rod_length": N_("From crank pin to the joint of rod and rocker."),
+        "rocker_length": N_("From the rocker's pivot to its joint with the rod."),
+        "ground_length": N_("From shaft centre to the rocker's pivot."),
+        "side": N_("Of the line from crank pin to pivot, on which the joint lies, seen in the sense of rotation."),
+        "load_radius": N_("About the pivot, at which the load is carried; with it, its travel and the torque factor."),
+    },
+    "ArticulatedRodSpec": {
+        "master": N_("The bank whose rod, on the same throw, carries the knuckle pin."),
+        "knuckle_radius": N_("From crank pin to knuckle pin."),
+        "rod_length": N_("From knuckle pin to the slave's piston pin."),
+        "articulation_angle": N_(
+            "From the master rod to the knuckle pin about the crank pin, in the sense of rotation."
+        ),
+        "offset": N_("Of the slave's line of stroke from the shaft, in its own cylinder's axes."),
+    },
+}
+
+
+def described(spec: type[Spec], field: str) -> str:
+    """Say what a key of the machine file is.
+
+    Parameters
+    ----------
+    spec : type of Spec
+    field : str
+
+    Returns
+    -------
+    str
+        What the field's own declaration says, or else the sentence of this module, also that of a base class.
+    """
+    own = spec.model_fields[field].description
+    if own is not None:
+        return _(own)
+    homes = (_SENTENCES.get(base.__name__, {}) for base in spec.__mro__)
+    return _(next(home[field] for home in homes if field in home))

@@ -1,0 +1,227 @@
+"""The JSON schema of the machine file as it is written: what editors complete and check while one types."""
+
+import json
+import re
+import types
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any, Literal, Union, cast, get_args, get_origin
+
+from pydantic import BeforeValidator, TypeAdapter
+from pydantic.fields import FieldInfo
+from pydantic_core import PydanticUndefined
+
+from cranktrain.engine.specs import BankSpec, CylinderSpec, CylindersSpec
+from cranktrain.io.fields import described
+from cranktrain.language import _
+from cranktrain.machine import Machine
+from cranktrain.mechanisms import KINDS
+from cranktrain.quantities import Given, Quantity, Status
+from cranktrain.quantities.dimensions import Dimension, spellings
+from cranktrain.quantities.number import PATTERN
+from cranktrain.spec import Spec
+
+Schema = dict[str, Any]
+
+_ONCE = ("kind", "points")
+"""Keys of a mechanism that are the same for all angles of a bank."""
+
+
+def schema_text() -> str:
+    """Give the schema as the text of a file."""
+    return json.dumps(machine_schema(), ensure_ascii=False, indent=1) + "\n"
+
+
+def machine_schema() -> Schema:
+    """Describe the machine file.
+
+    Returns
+    -------
+    dict
+        A JSON schema, draft 2020-12. What only several values together show to be wrong, it cannot know.
+    """
+    definitions: dict[str, Schema] = {}
+    top = _Writer(definitions).table(Machine)
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": _("machine file of cranktrain"),
+        **top,
+        "$defs": dict(sorted(definitions.items())),
+    }
+
+
+class _Writer:
+    """Writes schemas of specs; what is used more than once goes into the definitions."""
+
+    def __init__(self, definitions: dict[str, Schema]) -> None:
+        self.definitions = definitions
+
+    def table(self, spec: type[Spec]) -> Schema:
+        """Describe a table of fixed keys."""
+        if spec is CylindersSpec:
+            return self._cylinders()
+        properties = {field.alias or name: self._field(spec, name) for name, field in spec.model_fields.items()}
+        schema: Schema = {"type": "object", "description": _summary(spec), "properties": properties}
+        required = [field.alias or name for name, field in spec.model_fields.items() if field.is_required()]
+        return schema | ({"required": required} if required else {}) | {"additionalProperties": False}
+
+    def _field(self, spec: type[Spec], name: str) -> Schema:
+        """Describe a key: its sentence, what may stand there, and what stands there unless given."""
+        field = spec.model_fields[name]
+        if spec is BankSpec and name == "mechanism":
+            allowed: Schema = {"oneOf": [self._in_bank(kind.spec) for kind in KINDS]}
+        else:
+            allowed = self.of(Annotated[field.annotation, *field.metadata] if field.metadata else field.annotation)
+        schema: Schema = {"description": described(spec, name), **allowed}
+        default = _default(field)
+        return schema if default is None else schema | {"default": default}
+
+    def of(self, annotation: object) -> Schema:
+        """Describe what an annotation allows."""
+        inner, marks = _unwrapped(annotation)
+        quantity = next((mark for mark in marks if isinstance(mark, Quantity)), None)
+        if quantity is not None:
+            return self._reference(_quantity_name(quantity), _quantity(quantity))
+        origin, arguments = get_origin(inner), get_args(inner)
+        if origin in (Union, types.UnionType):
+            parts = [self.of(part) for part in arguments if part is not types.NoneType]
+            return parts[0] if len(parts) == 1 else {"oneOf" if _is_tagged(marks) else "anyOf": parts}
+        if origin is tuple:
+            return self._list(arguments[0], marks)
+        if origin is not None and isinstance(origin, type) and issubclass(origin, Mapping):
+            return {"type": "object", "additionalProperties": self.of(arguments[1])}
+        if origin is Literal:
+            return {"enum": list(arguments)}
+        if isinstance(inner, type) and issubclass(inner, Spec):
+            return self._reference(inner.__name__.removesuffix("Spec"), self.table(inner))
+        return TypeAdapter[Any](cast("Any", annotation)).json_schema()
+
+    def _list(self, item: object, marks: tuple[object, ...]) -> Schema:
+        """Describe a list, or one value or a list where that may stand instead."""
+        one = self.of(item)
+        listed: Schema = {"type": "array", "items": one}
+        for mark in marks:
+            limits = {"minItems": getattr(mark, "min_length", None), "maxItems": getattr(mark, "max_length", None)}
+            listed |= {key: limit for key, limit in limits.items() if limit is not None}
+        return {"anyOf": [one, listed]} if any(isinstance(mark, BeforeValidator) for mark in marks) else listed
+
+    def _in_bank(self, spec: type[Spec]) -> Schema:
+        """Describe a mechanism in a bank, whose fields may be lists with one value for each angle of the bank."""
+        table = self.table(spec)
+        fields: dict[str, Schema] = table["properties"]
+        several = {name: field if name in _ONCE else _one_or_many(field) for name, field in fields.items()}
+        return self._reference(f"{spec.__name__.removesuffix('Spec')}InBank", table | {"properties": several})
+
+    def _cylinders(self) -> Schema:
+        """Describe the cylinders: what is no key of theirs is a table for one bank or piston."""
+        own = [name for name in CylindersSpec.model_fields if name != "overrides"]
+        return {
+            "type": "object",
+            "description": _summary(CylindersSpec),
+            "properties": {name: self._field(CylindersSpec, name) for name in own},
+            "additionalProperties": {
+                "description": described(CylindersSpec, "overrides"),
+                **self.of(CylinderSpec),
+            },
+        }
+
+    def _reference(self, name: str, schema: Schema) -> Schema:
+        """Put a schema among the definitions and refer to it."""
+        self.definitions[name] = schema
+        return {"$ref": f"#/$defs/{name}"}
+
+
+def _one_or_many(field: Schema) -> Schema:
+    """Allow a list of what a key of a mechanism may hold."""
+    about = {key: part for key, part in field.items() if key in ("description", "default")}
+    one = {key: part for key, part in field.items() if key not in about}
+    return {**about, "anyOf": [one, {"type": "array", "items": one, "minItems": 1}]}
+
+
+def _unwrapped(annotation: object) -> tuple[object, tuple[object, ...]]:
+    """Take an annotation apart: the type, and what marks it, also through nested `Annotated` and `| None`."""
+    if get_origin(annotation) is Annotated:
+        inner, *marks = get_args(annotation)
+        deeper, more = _unwrapped(inner)
+        own = [part for mark in marks for part in (mark, *(mark.metadata if isinstance(mark, FieldInfo) else ()))]
+        return deeper, (*own, *more)
+    if get_origin(annotation) in (Union, types.UnionType):
+        parts = [part for part in get_args(annotation) if part is not types.NoneType]
+        if len(parts) == 1:
+            return _unwrapped(parts[0])
+    return annotation, ()
+
+
+def _is_tagged(marks: tuple[object, ...]) -> bool:
+    """Whether a union's alternatives tell themselves apart by a key."""
+    return any(isinstance(mark, FieldInfo) and mark.discriminator is not None for mark in marks)
+
+
+def _quantity(quantity: Quantity) -> Schema:
+    """Describe a quantity: text with its unit, or a table that also says where the number is from."""
+    dimension = quantity.dimension
+    text: Schema = {"type": "string", "pattern": _pattern(quantity), "examples": [dimension.example]}
+    value: Schema = text if dimension.units else {"anyOf": [{"type": "number"}, text]}
+    table: Schema = {
+        "type": "object",
+        "properties": {
+            "value": value,
+            "status": {"enum": list(get_args(Status)), "description": _("how the number came about")},
+            "note": {"type": "string", "description": _("in which sense")},
+            "source": {"type": "string", "description": _("from where")},
+        },
+        "required": ["value"],
+        "additionalProperties": False,
+    }
+    words = TypeAdapter[Any](Annotated[Given, quantity]).json_schema()["anyOf"]
+    sentence = next(part["description"] for part in words if "description" in part)
+    return {"description": sentence, "anyOf": [value, table], "examples": [dimension.example]}
+
+
+def _quantity_name(quantity: Quantity) -> str:
+    """Name a quantity and its range among the definitions."""
+    limits = {
+        "above": quantity.above,
+        "from": quantity.at_least,
+        "below": quantity.below,
+        "to": quantity.at_most,
+    }
+    range_ = "".join(f"-{word}-{limit:g}" for word, limit in limits.items() if limit is not None)
+    return quantity.dimension.name.lower().replace("_", "-") + range_
+
+
+def _pattern(quantity: Quantity) -> str:
+    """Regular expression of a number and a unit of its dimension, in each of its spellings; no minus below a limit."""
+    units = "|".join(dict.fromkeys(_unit_patterns(quantity.dimension)))
+    least = max((limit for limit in (quantity.above, quantity.at_least) if limit is not None), default=-1.0)
+    signed = PATTERN if least < 0 else PATTERN.replace("^", r"^(?!\s*-)", 1)
+    return rf"{signed}\s*(?:{units})\s*$"
+
+
+def _unit_patterns(dimension: Dimension) -> Iterator[str]:
+    """Spell each unit in the ways in which it is read: m² also m^2, N·m also N*m."""
+    for key, (_unit, form) in spellings(dimension).items():
+        for text in (form, key):
+            pattern = re.sub(
+                r"[²³]|(?<=[a-zа-я])[23]", lambda found: rf"(?:\^|\*\*)?[{found[0]}{_DIGITS[found[0]]}]", text
+            )
+            yield pattern.replace("·", r"[\s.*·⋅∙×]*").replace("/", r"\s*/\s*")
+
+
+_DIGITS = {"²": "2", "³": "3", "2": "²", "3": "³"}
+
+
+def _default(field: FieldInfo) -> object:
+    """Give the default as a file would write it; None where there is none to tell."""
+    default = field.default
+    if default is PydanticUndefined or default is None or isinstance(default, Spec | Mapping):
+        return None
+    if isinstance(default, tuple):
+        items = [item.text for item in cast("tuple[object, ...]", default) if isinstance(item, Given)]
+        one_or_many = any(isinstance(mark, BeforeValidator) for mark in _unwrapped(field.rebuild_annotation())[1])
+        return items[0] if one_or_many and len(items) == 1 else items
+    return default.text if isinstance(default, Given) else default
+
+
+def _summary(spec: type[Spec]) -> str:
+    """First sentence of a spec's docstring."""
+    return _(" ".join((spec.__doc__ or "").partition("\n\n")[0].split()))

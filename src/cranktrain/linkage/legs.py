@@ -1,0 +1,87 @@
+"""The legs of a triad once its link has been found, and the ends that they are given."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.linkage.point import fixed
+from cranktrain.motion import Array, Coefficient, Link, Point
+
+
+class RodEnds(NamedTuple):
+    """Two points at a distance that does not change. [m, m/rad, m/rad²]"""
+
+    start: Point
+    end: Point
+
+
+class OnLine(NamedTuple):
+    """A moving line, given by the link that carries it, and a point on it or beside it at a constant distance."""
+
+    line: Link
+    point: Point
+
+
+def fixed_guide(x: Array, y: Array, angle: Array) -> Link:
+    """Line that stands still in the frame: through (x, y) [m], at an angle from x [rad]."""
+    return Link(fixed(x, y), Coefficient(angle, 0.0 * angle, 0.0 * angle), np.cos(angle), np.sin(angle))
+
+
+def rod_end(end: Point) -> Link:
+    """Outer end of a rod, as a `Triad` takes it: a link of no particular direction from that point."""
+    zero = 0.0 * end.x.value
+    return Link(end, Coefficient(zero, zero, zero), zero + 1.0, zero)
+
+
+def rod_between(ends: RodEnds) -> Link:
+    """Rod between two points that move as given, and its derivatives by the crank angle.
+
+    Parameters
+    ----------
+    ends : RodEnds, coefficients of shape (..., n)
+
+    Returns
+    -------
+    Link, shape (..., n)
+        From start to end. Its angle is a principal value in (−π, π].
+
+    Notes
+    -----
+    d·d′ = 0: θ′ = d × d′/D², θ″ = d × d″/D². Exact; docs/theory/groups-2, eq. (7.16).
+    """
+    dx = ends.end.x.value - ends.start.x.value
+    dy = ends.end.y.value - ends.start.y.value
+    square = dx * dx + dy * dy
+    turn = (dx * (ends.end.y.first - ends.start.y.first) - dy * (ends.end.x.first - ends.start.x.first)) / square
+    rate = (dx * (ends.end.y.second - ends.start.y.second) - dy * (ends.end.x.second - ends.start.x.second)) / square
+    length = np.sqrt(square)
+    return Link(ends.start, Coefficient(np.arctan2(dy, dx), turn, rate), dx / length, dy / length)
+
+
+def block_along(on_line: OnLine) -> Coefficient:
+    """Position of a block along the line that carries it, and its derivatives by the crank angle.
+
+    Parameters
+    ----------
+    on_line : OnLine, coefficients of shape (..., n)
+
+    Returns
+    -------
+    Coefficient, shape (..., n)
+        From beside the line's first pin, along its direction. [m, m/rad, m/rad²]
+
+    Notes
+    -----
+    t = u·w, h = n·w constant: t′ = u·w′ + β′h, t″ = u·w″ + β″h + β′²t. Exact; docs/theory/groups-2, eq. (7.17).
+    """
+    line, point = on_line
+    cos = line.cos
+    sin = line.sin
+    wx = point.x.value - line.origin.x.value
+    wy = point.y.value - line.origin.y.value
+    along = cos * wx + sin * wy
+    shift = cos * wy - sin * wx
+    first = cos * (point.x.first - line.origin.x.first) + sin * (point.y.first - line.origin.y.first)
+    second = cos * (point.x.second - line.origin.x.second) + sin * (point.y.second - line.origin.y.second)
+    turn = line.angle.first
+    return Coefficient(along, first + turn * shift, second + (line.angle.second * shift + turn * turn * along))

@@ -1,0 +1,96 @@
+"""RPR group: a slider in a guide that rocks or turns about a pivot."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.motion import Array, Coefficient, Link, Point
+
+
+class SwivelEnds(NamedTuple):
+    """The pin that carries the slider, and the pivot of the guide, fixed or moving. [m, m/rad, m/rad²]"""
+
+    pin: Point
+    pivot: Point
+
+
+class Swivel(NamedTuple):
+    """Offset of the guide's line from the pivot [m], and side.
+
+    The offset counts to the left of the guide's direction (turned 90° from x toward y). side is `AHEAD` (+1) where the
+    slider lies ahead of the pivot along the guide, −1 where it lies behind.
+    """
+
+    offset: Array
+    side: Array
+
+
+class SwivelMotion(NamedTuple):
+    """Slider: its position along the guide from the foot of the pivot [m]; guide: the link, from the pivot along it."""
+
+    slider: Coefficient
+    guide: Link
+
+
+def swivel(ends: SwivelEnds, geometry: Swivel) -> SwivelMotion:
+    """Guide that follows a slider on a moving pin, and its derivatives by the crank angle.
+
+    Parameters
+    ----------
+    ends : SwivelEnds, coefficients of shape (..., n)
+    geometry : Swivel, fields broadcastable to (..., 1)
+
+    Returns
+    -------
+    SwivelMotion, shape (..., n)
+        NaN where the pin is nearer to the pivot than the guide's line. The angle is a principal value in (−π, π].
+
+    Notes
+    -----
+    d from pivot to pin, D = |d|: ρ = σ√((D − e)(D + e)), d = ρ(cos θ, sin θ) + e(−sin θ, cos θ). With d's turn
+    ψ′ = d × d′/D² and stretch ε = d·d′/D², ψ″ = d × d″/D² − 2εψ′, ε′ = d·d″/D² + ψ′² − ε², and c = e/ρ:
+    θ′ = ψ′ + εc, θ″ = ψ″ + ε′c − ε²c(1 + c²), ρ′ = εD²/ρ, ρ″ = (ε′ + ε²(1 − c²))D²/ρ. Exact; docs/theory/groups-2,
+    eqs. (7.1) to (7.4).
+
+    Examples
+    --------
+    A Whitworth drive, pivot below a longer crank: the guide turns R/(R + g) as fast while the pin is above.
+
+    >>> from cranktrain.linkage import AHEAD, Crank, crank, fixed
+    >>> pin = crank(np.pi / 2, Crank(0.3))
+    >>> round(float(swivel(SwivelEnds(pin, fixed(0.0, -0.1)), Swivel(0.0, AHEAD)).guide.angle.first), 12)
+    0.75
+    """
+    dx = ends.pin.x.value - ends.pivot.x.value
+    dy = ends.pin.y.value - ends.pivot.y.value
+    dx1 = ends.pin.x.first - ends.pivot.x.first
+    dy1 = ends.pin.y.first - ends.pivot.y.first
+    dx2 = ends.pin.x.second - ends.pivot.x.second
+    dy2 = ends.pin.y.second - ends.pivot.y.second
+    square = dx * dx + dy * dy
+    distance = np.sqrt(square)
+    reach = geometry.side * np.sqrt((distance - geometry.offset) * (distance + geometry.offset))
+    cos = (reach * dx + geometry.offset * dy) / square
+    sin = (reach * dy - geometry.offset * dx) / square
+    turn = (dx * dy1 - dy * dx1) / square
+    stretch = (dx * dx1 + dy * dy1) / square
+    turn_rate = (dx * dy2 - dy * dx2) / square - 2.0 * stretch * turn
+    stretch_rate = (dx * dx2 + dy * dy2) / square + (turn * turn - stretch * stretch)
+    cot = geometry.offset / reach
+    cot_square = cot * cot
+    stretch_square = stretch * stretch
+    lever = square / reach
+    slider = Coefficient(reach, stretch * lever, (stretch_rate + stretch_square * (1.0 - cot_square)) * lever)
+    angle = Coefficient(
+        np.arctan2(sin, cos),
+        turn + stretch * cot,
+        turn_rate + (stretch_rate - stretch_square * (1.0 + cot_square)) * cot,
+    )
+    return SwivelMotion(slider, Link(ends.pivot, angle, cos, sin))
+
+
+def swivel_gap(ends: SwivelEnds, geometry: Swivel) -> Array:
+    """By how much the pin is farther from the pivot than the guide's line; negative where it cannot close. [m]"""
+    dx = ends.pin.x.value - ends.pivot.x.value
+    dy = ends.pin.y.value - ends.pivot.y.value
+    return np.sqrt(dx * dx + dy * dy) - np.abs(geometry.offset)

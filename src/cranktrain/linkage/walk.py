@@ -1,0 +1,156 @@
+"""Walking a triad's link round the turn: starts for its kernel at every crank angle, all on one branch."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.linkage.triad import Pose, Triad, TriadDriver, TriadEnds, TriadMotion, triad
+from cranktrain.motion import Array, Coefficient
+
+_TURN = 2 * np.pi
+_FIRST_STEP = _TURN / 48
+_LARGEST_STEP = _TURN / 12
+_SMALLEST_STEP = _TURN / 2**16
+_MOST_MISSED = 1e-3  # of the link's size, by the prediction of a step
+_LOST = Coefficient(*(np.full(1, np.nan) for _ in range(3)))
+
+
+class Walk(NamedTuple):
+    """A link's branch over one turn of the crank, as nodes to start from between.
+
+    angle: crank angles of the nodes from the first to one turn later, shape (..., m) [rad]. pose: x, y [m] and angle
+    (without jumps) [rad] of the link along the first axis, shape (3, ..., m); NaN from where the crank cannot turn on.
+    comes_back: whether the link is after the turn as it was before, shape (..., 1). Else it has gone over to another
+    mode on the way, without ever being loose, and needs more than one turn to come back.
+    """
+
+    angle: Array
+    pose: Coefficient
+    comes_back: NDArray[np.bool_]
+
+
+def triad_walk(ends: Callable[[Array], TriadEnds], geometry: Triad, start: Pose, angle: float = 0.0) -> Walk:
+    """Follow a triad's link over one turn of the crank.
+
+    Parameters
+    ----------
+    ends : function
+        Gives the legs' ends at crank angles of shape (..., 1), which differ from machine to machine.
+    geometry : Triad, fields broadcastable to (..., 1)
+    start : Pose, fields broadcastable to (..., 1)
+        Near the pose at `angle`, as `triad_modes` gives it: the assembly mode. [m, rad]
+    angle : float
+        Crank angle at which to start. [rad]
+
+    Returns
+    -------
+    Walk
+        For `pose_at`. Each machine takes its own steps.
+
+    Notes
+    -----
+    A step is predicted by value and two derivatives and corrected by the kernel. It is taken where the prediction has
+    missed by no more than 0.1 % of the link's size and the transmission keeps its sign; else it is made smaller. Where
+    a step of 0.0055° is too large the crank cannot turn on. docs/theory/groups-2, eq. (7.18).
+    """
+    end = angle + _TURN
+    with np.errstate(all="ignore"):
+        found = triad(TriadDriver(ends(np.array([angle])), start), geometry)
+        side, pose = found.transmission, _pose(found)
+        scale = _scale(geometry, side)
+        at, step = np.full(side.shape, angle), np.full(side.shape, _FIRST_STEP)
+        nodes = [(at, pose)]
+        while np.any(at < end):
+            after = np.minimum(at + step, end)
+            expected = _predicted(pose, after - at)
+            found = triad(TriadDriver(ends(after), Pose(*expected)), geometry)
+            reached = _without_jump(_pose(found), expected)
+            missed = np.max(np.abs(reached.value - expected) / scale, axis=0) / _MOST_MISSED
+            missed = np.where(found.transmission * side > 0, missed, np.inf)
+            is_taken = missed <= 1
+            is_stuck = ~is_taken & (step <= _SMALLEST_STEP)
+            pose = _chosen(is_taken, reached, _chosen(is_stuck, _LOST, pose))
+            at = np.where(is_taken, after, np.where(is_stuck, end, at))
+            step = np.minimum(step * np.clip(0.9 / np.cbrt(missed), 0.1, 2.0), _LARGEST_STEP)
+            nodes.append((at, pose))
+    change = (pose.value - nodes[0][1].value) / scale
+    change[2] = _turn_apart(change[2])
+    return Walk(
+        np.concatenate([at for at, _ in nodes], axis=-1),
+        Coefficient(*(np.concatenate(order, axis=-1) for order in zip(*(pose for _, pose in nodes), strict=True))),
+        np.max(np.abs(change), axis=0) <= _MOST_MISSED,
+    )
+
+
+def pose_at(walk: Walk, angle: Array) -> Pose:
+    """Start for the kernel at any crank angle, by the nodes on either side and their derivatives.
+
+    Parameters
+    ----------
+    walk : Walk
+    angle : Array, shape (..., n)
+        Crank angle; of other turns too, which are all alike where the link comes back. [rad]
+
+    Returns
+    -------
+    Pose, shape (..., n)
+        Within some 1e-7 of the link's size; the kernel makes it exact.
+
+    Notes
+    -----
+    The polynomial of fifth degree with value and two derivatives of both nodes; docs/theory/groups-2, eq. (7.19).
+    """
+    start = walk.angle[..., :1]
+    angle = start + np.mod(angle - start, _TURN)
+    last = walk.angle.shape[-1] - 2
+    before = np.minimum(sum(walk.angle[..., i : i + 1] <= angle for i in range(1, last + 2)), last)
+    near = np.take_along_axis(walk.angle, before, axis=-1)
+    step = np.take_along_axis(walk.angle, before + 1, axis=-1) - near
+    here, there = (_at_node(walk, node, step) for node in (before, before + 1))
+    share = np.where(step > 0, (angle - near) / np.where(step > 0, step, 1.0), 0.0)
+    value = there[0] - (here[0] + here[1] + 0.5 * here[2])
+    first = there[1] - (here[1] + here[2])
+    second = there[2] - here[2]
+    cubic = 10.0 * value - 4.0 * first + 0.5 * second
+    quartic = -15.0 * value + 7.0 * first - second
+    quintic = 6.0 * value - 3.0 * first + 0.5 * second
+    rest = cubic + share * (quartic + share * quintic)
+    return Pose(*(here[0] + share * (here[1] + share * (0.5 * here[2] + share * rest))))
+
+
+def _at_node(walk: Walk, node: NDArray[np.intp], step: Array) -> tuple[Array, Array, Array]:
+    """Value and derivatives by the share of the step, (3, ..., n) each."""
+    value, first, second = (np.take_along_axis(order, node[np.newaxis], axis=-1) for order in walk.pose)
+    return value, first * step, second * step * step
+
+
+def _pose(motion: TriadMotion) -> Coefficient:
+    """Stack x, y and angle of the link along a new first axis."""
+    parts = (motion.link.origin.x, motion.link.origin.y, motion.link.angle)
+    return Coefficient(*(np.stack(np.broadcast_arrays(*order)) for order in zip(*parts, strict=True)))
+
+
+def _scale(geometry: Triad, side: Array) -> Array:
+    """What x, y and angle count by: the link's largest radius, the same, one radian; (3, ..., 1)."""
+    radius = np.broadcast_to(np.maximum.reduce([leg.point.radius for leg in geometry]), side.shape)
+    return np.stack([radius, radius, np.ones_like(radius)])
+
+
+def _predicted(pose: Coefficient, step: Array) -> Array:
+    return pose.value + step * (pose.first + 0.5 * step * pose.second)
+
+
+def _turn_apart(difference: Array) -> Array:
+    return difference - _TURN * np.round(difference / _TURN)
+
+
+def _without_jump(pose: Coefficient, expected: Array) -> Coefficient:
+    """Count the angle on from the last one."""
+    x, y, angle = pose.value
+    return pose._replace(value=np.stack([x, y, expected[2] + _turn_apart(angle - expected[2])]))
+
+
+def _chosen(condition: NDArray[np.bool_], one: Coefficient, other: Coefficient) -> Coefficient:
+    return Coefficient(*(np.where(condition, first, second) for first, second in zip(one, other, strict=True)))

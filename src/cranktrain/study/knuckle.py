@@ -1,0 +1,143 @@
+"""Dead centres of an articulated rod, their slopes by its dimensions, and wants as equations of them.
+
+Every want here is linear in the distances H, h of the two dead centres from the shaft, and those have slopes in closed
+form: docs/theory/synthesis, eqs. (8.30) and (8.31).
+"""
+
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from cranktrain.mechanisms.articulated_rod import ArticulatedRod, articulated_rod
+from cranktrain.motion import Array
+
+Free = Literal["knuckle_radius", "articulation_angle", "rod_length"]
+"""What a solution may choose: r, ζ, l."""
+
+_NEWTON_STEPS = 12
+HALF_THE_DIGITS = 1e-9
+"""A Newton step this small, in radians or in parts of the quantity, leaves nothing but rounding for the next."""
+_REST = 1e-9
+"""Largest |s′| of a converged dead centre, in parts of the crank radius."""
+
+
+class DeadCentres(NamedTuple):
+    """Crank angles of a slave's dead centres from the master's axis [rad], and its distances from the shaft [m].
+
+    NaN where the search from γ and γ + π does not settle on a highest and a lowest point.
+    """
+
+    top_angle: Array
+    bottom_angle: Array
+    top: Array
+    bottom: Array
+
+
+class Goal(NamedTuple):
+    """A want as an equation of the distances H and h: `of_top`·H + `of_bottom`·h = `target`. [m]"""
+
+    of_top: float
+    of_bottom: float
+    target: float
+
+
+def stroke_goal(stroke: float) -> Goal:
+    """Want a stroke H − h. [m]"""
+    return Goal(1.0, -1.0, stroke)
+
+
+def height_goal(top: float) -> Goal:
+    """Want a pin height H at the top dead centre. [m]"""
+    return Goal(1.0, 0.0, top)
+
+
+def ratio_goal(ratio: float, master_top: float, master_stroke: float, master_ratio: float) -> Goal:
+    """Want a compression ratio with the master's deck and chamber, (H − h) = (ε − 1)(c_m + H_m − H).
+
+    Parameters
+    ----------
+    ratio : float
+        ε of the slave.
+    master_top, master_stroke : float
+        H_m and S_m [m]
+    master_ratio : float
+        ε_m, which sets the clearance c_m = S_m/(ε_m − 1).
+    """
+    clearance = master_stroke / (master_ratio - 1)
+    return Goal(ratio, -1.0, (ratio - 1) * (clearance + master_top))
+
+
+def dead_centres(rod: ArticulatedRod) -> DeadCentres:
+    """Dead centres of slaves, by Newton's method on s′ from γ and γ + π.
+
+    Parameters
+    ----------
+    rod : ArticulatedRod, fields of any broadcastable shape
+
+    Returns
+    -------
+    DeadCentres, of the broadcast shape
+    """
+    top_angle, top = _dead_centre(rod, rod.bank_angle, -1.0)
+    bottom_angle, bottom = _dead_centre(rod, rod.bank_angle + np.pi, 1.0)
+    return DeadCentres(top_angle, bottom_angle, top, bottom)
+
+
+def _dead_centre(rod: ArticulatedRod, start: Array, bend: float) -> tuple[Array, Array]:
+    """Angle and distance of the dead centre near an angle; `bend` is the sign that s″ must have there."""
+    with np.errstate(all="ignore"):
+        angle = start
+        for _step in range(_NEWTON_STEPS):
+            slider = articulated_rod(angle, rod).slider
+            step = slider.first / slider.second
+            angle = angle - step
+            if not np.any(np.abs(step) > HALF_THE_DIGITS):
+                break
+        slider = articulated_rod(angle, rod).slider
+        settled = (np.abs(slider.first) <= _REST * rod.master.crank_radius) & (bend * slider.second > 0)
+        near = np.abs(angle - start) < np.pi / 2
+        return np.where(settled & near, angle, np.nan), np.where(settled & near, slider.value, np.nan)
+
+
+def distance_slope(angle: Array, rod: ArticulatedRod, by: Free) -> Array:
+    """Derivative of a slave's distance from the shaft by one of its dimensions, at a fixed crank angle.
+
+    Parameters
+    ----------
+    angle : Array
+        At a dead centre it is the derivative of H or h as well, since s′ = 0 there. [rad]
+    rod : ArticulatedRod
+    by : "knuckle_radius", "articulation_angle" or "rod_length"
+
+    Returns
+    -------
+    Array, of the broadcast shape
+        [1], for the angle [m/rad].
+
+    Notes
+    -----
+    docs/theory/synthesis, eq. (8.31).
+    """
+    motion = articulated_rod(angle, rod)
+    slope = motion.rod.sin / motion.rod.cos
+    if by == "rod_length":
+        return 1 / motion.rod.cos
+    direction = rod.articulation_angle - rod.bank_angle + motion.master_rod.angle.value
+    if by == "knuckle_radius":
+        return np.cos(direction) + slope * np.sin(direction)
+    return rod.knuckle_radius * (slope * np.cos(direction) - np.sin(direction))
+
+
+def unshifted_angle(rod: ArticulatedRod, dead_centre: Literal["top", "bottom"]) -> Array:
+    """Articulation angle that leaves a dead centre unshifted, docs/theory/articulated-rod, eqs. (4.8), (4.9). [rad]"""
+    sine = rod.master.crank_radius * np.sin(rod.bank_angle)
+    if dead_centre == "top":
+        return rod.bank_angle + np.arcsin((sine - rod.master.offset) / rod.master.rod_length)
+    return rod.bank_angle - np.arcsin((sine + rod.master.offset) / rod.master.rod_length)
+
+
+def stroke_product(rod: ArticulatedRod) -> Array:
+    """What a stroke nearly fixes: r(1 + r/l) sin(ζ − γ). [m]"""
+    return (
+        rod.knuckle_radius * (1 + rod.knuckle_radius / rod.rod_length) * np.sin(rod.articulation_angle - rod.bank_angle)
+    )

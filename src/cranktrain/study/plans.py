@@ -1,0 +1,132 @@
+"""Plans of positions as data: pins in drawing millimetres, in machine axes, X right and Y up; the scale of any plan.
+
+One drawing millimetre is μ_l metres; docs/pictures says how the plans are drawn.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from cranktrain.engine.places import Place
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.machine import Machine
+from cranktrain.mechanisms.kind import Drawing
+from cranktrain.motion import Array
+from cranktrain.study.placement import crank_zero, place_called, placed
+
+ROOM = (80.0, 80.0)
+"""Width and height for which a scale is chosen, unless given. [mm]"""
+
+_STEPS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)
+
+
+@dataclass(frozen=True)
+class PositionPlan:
+    """A mechanism in several positions.
+
+    Attributes
+    ----------
+    mechanism : str
+    angles : Array, shape (n,)
+        Crank angles as the machine shows them. [deg]
+    scale : float
+        μ_l: what one drawing millimetre is. [m]
+    drawing : Drawing
+        Pins from the shaft centre, shape (n,). [drawing mm]
+    """
+
+    mechanism: str
+    angles: Array
+    scale: float
+    drawing: Drawing
+
+
+def position_plan(
+    machine: Machine,
+    angles: int | Sequence[float] = 12,
+    *,
+    mechanism: str | None = None,
+    room: tuple[float, float] = ROOM,
+) -> PositionPlan:
+    """Plan of a mechanism in several positions.
+
+    Parameters
+    ----------
+    machine : Machine
+    angles : int or sequence of float
+        How many, evenly over a turn from the shown angle 0, or which. [deg]
+    mechanism : str, optional
+        Its name, such as `1R`; unless given, the first slave of throw 1, or the first mechanism.
+    room : (width, height)
+        For which the scale factor must suffice. [mm]
+
+    Returns
+    -------
+    PositionPlan
+
+    Examples
+    --------
+    >>> pump = Machine(mechanism={"kind": "slider_crank", "stroke": "160 mm", "rod_length": "160 mm"})
+    >>> plan = position_plan(pump)
+    >>> plan.scale, [round(float(part[0]), 6) for part in plan.drawing.pins["B"]]
+    (0.004, [0.0, 60.0])
+    """
+    place = place_called(machine, mechanism)
+    shown = closed_angles(machine, place, angles)
+    drawing = placed(machine, place, np.deg2rad(shown) + crank_zero(machine))
+    scale = fitting([np.concatenate([np.stack(pin) for pin in drawing.pins.values()], axis=1)], room)
+    pins = {name: (x / scale, y / scale) for name, (x, y) in drawing.pins.items()}
+    return PositionPlan(place.name, shown, scale, replace(drawing, pins=pins))
+
+
+def track(machine: Machine, scale: float, *, mechanism: str | None = None) -> Drawing:
+    """Give a mechanism over a whole turn, for its paths: NaN where it cannot close. [drawing mm]"""
+    phi = np.linspace(0.0, 2 * np.pi, 361) + crank_zero(machine)
+    drawing = placed(machine, place_called(machine, mechanism), phi)
+    return replace(drawing, pins={name: (x / scale, y / scale) for name, (x, y) in drawing.pins.items()})
+
+
+def closed_angles(machine: Machine, place: Place, angles: int | Sequence[float]) -> Array:
+    """Give the crank angles that are asked for; of a number spread over the turn, those at which the links close.
+
+    Raises
+    ------
+    InputError
+        If the links cannot close at an angle that is listed, or at none.
+    """
+    shown = plan_angles(angles)
+    drawing = placed(machine, place, np.deg2rad(shown) + crank_zero(machine))
+    closed = np.all([np.isfinite(part) for pin in drawing.pins.values() for part in pin], axis=0)
+    if np.all(closed) or (isinstance(angles, int) and np.any(closed)):
+        return shown[closed]
+    there = ", ".join(f"φ = {angle:g}°" for angle in shown[~closed])
+    raise InputError([Problem("", there, _("the links of {name} cannot close there").format(name=place.name))])
+
+
+def rescaled(plan: PositionPlan, scale: float) -> PositionPlan:
+    """Give the same plan to another scale. [m for 1 mm]"""
+    factor = plan.scale / scale
+    pins = {name: (factor * x, factor * y) for name, (x, y) in plan.drawing.pins.items()}
+    return replace(plan, scale=scale, drawing=replace(plan.drawing, pins=pins))
+
+
+def plan_angles(angles: int | Sequence[float]) -> Array:
+    """Give that many angles, spread evenly over a turn, or those that are listed. [deg]"""
+    if isinstance(angles, int):
+        return np.arange(angles, dtype=np.float64) * (360.0 / angles)
+    return np.asarray(angles, dtype=np.float64)
+
+
+def fitting(outlines: Sequence[Array], room: tuple[float, float]) -> float:
+    """Choose the round scale factor at which each of several outlines, shape (2, n), fits a room. [unit for 1 mm]"""
+    spans = [np.nanmax(outline, axis=1) - np.nanmin(outline, axis=1) for outline in outlines]
+    return rounded_scale(float(np.max(np.stack(spans) / np.asarray(room))))
+
+
+def rounded_scale(least: float) -> float:
+    """Give the next scale factor up that a draughtsman would take: 1, 2, 2.5, 4 or 5 times a power of ten."""
+    power = 10.0 ** float(np.floor(np.log10(least)))
+    step = next(step for step in _STEPS if step * power >= least * (1 - 1e-9))
+    return float(f"{step * power:.6g}")  # 0.0025, not 0.0025000000000000001

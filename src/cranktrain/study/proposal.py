@@ -1,0 +1,152 @@
+"""A proposal: dimensions found from wants, what else was considered, and the machine file that runs them."""
+
+import json
+import textwrap
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.language import _
+from cranktrain.quantities import Dimension, Status, read, shown
+from cranktrain.wording import number
+
+_DIMENSIONS = {"mm": Dimension.LENGTH, "deg": Dimension.ANGLE, "rpm": Dimension.SPEED}
+_MOST_DIGITS = 17
+_ROUNDINGS = 2
+"""By how many units in its last place a text may miss a value: 160 mm are not to read 160.00000000000003."""
+_LINE = 116
+
+
+class Number(NamedTuple):
+    """A number of a proposal: name, symbol, value in SI, the unit to show it in, and what it is in a sentence."""
+
+    name: str
+    symbol: str
+    value: float
+    unit: str
+    sentence: str
+
+    def __str__(self) -> str:
+        """Write it as a line shows it: `r = 80.00 mm`."""
+        return f"{self.symbol} = {number(self.value, self.unit)}"
+
+
+class Alternative(NamedTuple):
+    """Something else that was considered: what it is, and its numbers beside the proposal's."""
+
+    label: str
+    numbers: tuple[Number, ...]
+
+
+class Table(NamedTuple):
+    """A table of a machine file: its head, and each key with its value as TOML text."""
+
+    head: str
+    keys: Mapping[str, str]
+
+
+@dataclass(frozen=True)
+class Proposal:
+    """Dimensions that give what was wanted.
+
+    Attributes
+    ----------
+    title : str
+        In the user's language, like every sentence here.
+    numbers : tuple of Number
+    alternatives : tuple of Alternative
+    remarks : tuple of str
+    tables : tuple of Table
+        What a machine file of it says.
+    """
+
+    title: str
+    numbers: tuple[Number, ...]
+    alternatives: tuple[Alternative, ...]
+    remarks: tuple[str, ...]
+    tables: tuple[Table, ...]
+
+    def value(self, name: str) -> float:
+        """Give a number by its name, in SI.
+
+        Raises
+        ------
+        KeyError
+            If the proposal has no such number.
+        """
+        return {one.name: one.value for one in self.numbers}[name]
+
+    def machine_file(self) -> str:
+        """Write the machine file: TOML with the status of every number, the remarks as comments; ready to run."""
+        comments = [self.title, *self.remarks]
+        lines = [
+            line
+            for comment in comments
+            for line in textwrap.wrap(comment, _LINE, initial_indent="# ", subsequent_indent="# ")
+        ]
+        lines += ["", f"name = {quoted(self.title)}"]
+        for table in self.tables:
+            lines += ["", f"[{table.head}]", *(f"{key} = {value}" for key, value in table.keys.items())]
+        return "\n".join(lines) + "\n"
+
+
+def quoted(text: str) -> str:
+    """Write a TOML string; JSON's escapes are TOML's."""
+    return json.dumps(text, ensure_ascii=False)
+
+
+def listed(values: Sequence[str]) -> str:
+    """Write a TOML list of values that are TOML text already."""
+    return f"[{', '.join(values)}]"
+
+
+def listed_in_lines(values: Sequence[str]) -> str:
+    """Write a TOML list of long values, one in a line."""
+    return "[\n" + "".join(f"    {value},\n" for value in values) + "]"
+
+
+def quantity_text(value: float, unit: str) -> str:
+    """Write a quantity with as few digits as read back to the same value, but for rounding.
+
+    Parameters
+    ----------
+    value : float
+        In SI.
+    unit : str
+        `mm`, `deg` or `rpm`.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> quantity_text(0.08, "mm"), quantity_text(1 / 3, "mm")
+    ('80 mm', '333.3333333333333 mm')
+    """
+    size = shown(value, unit)
+    text = ""
+    for digits in range(1, _MOST_DIGITS + 1):
+        text = f"{np.format_float_positional(float(f'{size:.{digits}g}'), trim='-')} {unit}"
+        if abs(read(text, _DIMENSIONS[unit]) - value) <= _ROUNDINGS * np.spacing(abs(value)):
+            break
+    return text
+
+
+def wanted(value: float, unit: str) -> str:
+    """Write a quantity that was wanted as it stands, as TOML text."""
+    return f"{{ value = {quoted(quantity_text(value, unit))}, note = {quoted(_('as wanted'))} }}"
+
+
+def found(value: float, unit: str, note: str, status: Status = "derived") -> str:
+    """Write a quantity that follows from the wants, as TOML text with its status."""
+    return f'{{ value = {quoted(quantity_text(value, unit))}, status = "{status}", note = {quoted(note)} }}'
+
+
+def shaft_table(speed: float | None, note: str | None = None) -> tuple[Table, ...]:
+    """Write the shaft's table with its speed [rad/s], where there is one; a note says how it was found."""
+    if speed is None:
+        return ()
+    return (Table("shaft.main", {"speed": wanted(speed, "rpm") if note is None else found(speed, "rpm", note)}),)

@@ -1,0 +1,39 @@
+"""Pictures: sheets, plans, animations and DXF of a machine and its result. Nothing that computes imports them."""
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from cranktrain.viz.cad import dxf
+    from cranktrain.viz.gif import animation
+    from cranktrain.viz.machine_sheet import sheet
+    from cranktrain.viz.output import save
+    from cranktrain.viz.plans import plan_accelerations, plan_klein, plan_positions, plan_velocities
+
+__all__ = [
+    "animation",
+    "dxf",
+    "plan_accelerations",
+    "plan_klein",
+    "plan_positions",
+    "plan_velocities",
+    "save",
+    "sheet",
+]
+
+_HOMES = {
+    "animation": "cranktrain.viz.gif",
+    "dxf": "cranktrain.viz.cad",
+    "plan_accelerations": "cranktrain.viz.plans",
+    "plan_klein": "cranktrain.viz.plans",
+    "plan_positions": "cranktrain.viz.plans",
+    "plan_velocities": "cranktrain.viz.plans",
+    "save": "cranktrain.viz.output",
+    "sheet": "cranktrain.viz.machine_sheet",
+}
+
+
+def __getattr__(name: str) -> object:
+    if name not in _HOMES:
+        raise AttributeError(f"cranktrain.viz has no {name}")
+    return getattr(import_module(_HOMES[name]), name)

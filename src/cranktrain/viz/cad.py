@@ -1,0 +1,178 @@
+"""DXF of positions and plans: metal in true millimetres, each kind of thing on a layer of its own."""
+
+import os
+from collections.abc import Iterator, Sequence
+from importlib import import_module
+from io import StringIO
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from cranktrain.errors import InputError, Position, Problem
+from cranktrain.io.output import write_whole
+from cranktrain.language import _
+from cranktrain.machine import Machine
+from cranktrain.motion import Array
+from cranktrain.study.plans import PositionPlan, position_plan, rescaled, track
+from cranktrain.study.polygons import Polygon, acceleration_polygons, velocity_polygons
+from cranktrain.viz.plan_sketches import polygon_sketch, positions_sketch
+from cranktrain.viz.sketch import LAYERS, Circle, Line, Sketch
+
+# The DXF library is an extra, and its own types are partial.
+Document: TypeAlias = Any
+Modelspace: TypeAlias = Any
+
+_ROOM = (180.0, 160.0)
+_PLAN_ROOM = (90.0, 90.0)
+"""Room for which positions and polygons are scaled. [mm of paper]"""
+
+_ROWS = 4
+"""Polygons one below the other."""
+
+_GAP = 40.0
+"""Between polygons. [mm of paper]"""
+
+_TEXT = 3.0
+"""Height of text. [mm of paper]"""
+
+_COLOURS = {"LINKS": 7, "GUIDES": 8, "PATHS": 9, "PLAN_V": 3, "PLAN_A": 30, "TEXT": 7, "DIMENSIONS": 5}
+_LINE_TYPES = {"dotted": "DOT2", "axis": "DASHDOT2", "part": "DASHED2"}
+
+
+def dxf(
+    machine: Machine,
+    angles: int | Sequence[float],
+    path: "str | os.PathLike[str]",
+    *,
+    mechanism: str | None = None,
+    force: bool = False,
+) -> None:
+    """Write positions and polygons as DXF.
+
+    Parameters
+    ----------
+    machine : Machine
+    angles : int or sequence of float
+        How many, evenly over a turn, or which crank angles. [deg]
+    path : str or path-like
+    mechanism : str, optional
+        Its name; the first slave of throw 1, or the first mechanism, unless given.
+    force : bool
+        Replace a file that is there.
+
+    Raises
+    ------
+    InputError
+        If ezdxf is not installed, or the file cannot be written.
+    """
+    write_whole(path, _pieces(machine, angles, mechanism), force=force)
+
+
+def _pieces(machine: Machine, angles: int | Sequence[float], mechanism: str | None) -> Iterator[str]:
+    """Draw and give the file's text."""
+    try:
+        ezdxf: Any = import_module("ezdxf")
+    except ModuleNotFoundError:
+        allowed = _("needs the package ezdxf")
+        raise InputError(
+            [Problem("", ".dxf", allowed, _("pip install 'cranktrain[cad]'"), position=Position("-o"))]
+        ) from None
+    before = ezdxf.options.write_fixed_meta_data_for_testing
+    ezdxf.options.write_fixed_meta_data_for_testing = True  # else the time and a random name make each file another
+    try:
+        document = ezdxf.new("R2010", setup=True, units=4)
+        _draw_all(document, machine, angles, mechanism)
+        content = StringIO()
+        document.write(content)
+    finally:
+        ezdxf.options.write_fixed_meta_data_for_testing = before
+    yield content.getvalue()
+
+
+def _draw_all(document: Document, machine: Machine, angles: int | Sequence[float], mechanism: str | None) -> None:
+    """Positions about the shaft centre; to the right of them the velocities' polygons, then the accelerations'."""
+    for layer in LAYERS:
+        document.layers.add(layer, color=_COLOURS[layer])
+    space = document.modelspace()
+    drawn = position_plan(machine, 180, mechanism=mechanism, room=_ROOM).scale
+    plan = rescaled(position_plan(machine, angles, mechanism=mechanism, room=_ROOM), drawn)
+    sketch = positions_sketch(plan, track(machine, drawn, mechanism=mechanism))
+    scale = sketch.scale
+    document.header["$LTSCALE"] = 4.0 * scale
+    _draw(space, sketch, np.zeros(2))
+    _dimensions(space, plan)
+    _low_x, left, _low_y, top = sketch.bounds()
+    velocities = velocity_polygons(machine, angles, mechanism=mechanism, room=_PLAN_ROOM)
+    accelerations = acceleration_polygons(machine, angles, mechanism=mechanism, room=_PLAN_ROOM)
+    first = -(-len(velocities) // _ROWS)
+    for start, polygons in ((0, velocities), (first, accelerations)):
+        for i, polygon in enumerate(polygons):
+            step = [30.0 + (start + i // _ROWS) * (_PLAN_ROOM[0] + _GAP), -(i % _ROWS) * (_PLAN_ROOM[1] + _GAP)]
+            _polygon(space, polygon, np.array([left, top]) + scale * np.array(step), scale)
+
+
+def _dimensions(space: Modelspace, plan: PositionPlan) -> None:
+    """Dimension the links in the first position."""
+    scale = 1e3 * plan.scale
+    pins = {name: scale * np.stack(pin)[:, 0] for name, pin in plan.drawing.pins.items()}
+    manner = {
+        "dimtxt": _TEXT * scale,
+        "dimasz": _TEXT * scale,
+        "dimexo": scale,
+        "dimexe": scale,
+        "dimdec": 3,
+        "dimzin": 8,
+    }
+    for link in plan.drawing.links:
+        for name in link.pins[1:]:
+            start, end = pins[link.pins[0]], pins[name]
+            if np.hypot(*(end - start)) > _TEXT * scale:
+                space.add_aligned_dim(
+                    _point(start), _point(end), 8.0 * scale, override=manner, dxfattribs={"layer": "DIMENSIONS"}
+                ).render()
+
+
+def _polygon(space: Modelspace, polygon: Polygon, corner: Array, scale: float) -> None:
+    """Draw a polygon as large beside the metal as it is on paper, and say what a millimetre of it is."""
+    sketch = polygon_sketch(polygon)
+    low_x, _high_x, _low_y, high_y = sketch.bounds()
+    _draw(space, sketch, corner - scale * np.array([low_x, high_y]), scale)
+    words = f"φ = {polygon.angle:g}°: 1 mm = {polygon.scale / scale:.6g} {polygon.unit}"
+    _write(space, words, corner + scale * np.array([0.0, 6.0]), _TEXT * scale)
+
+
+def _draw(space: Modelspace, sketch: Sketch, origin: Array, factor: float = 1.0) -> None:
+    """Draw a sketch, `factor` times as large, its origin at a point."""
+    for line in sketch.lines:
+        manner = _manner(line)
+        for part in _parts(origin[:, np.newaxis] + factor * line.points):
+            space.add_lwpolyline([_point(point) for point in part.T], close=line.is_closed, dxfattribs=manner)
+    for circle in sketch.circles:
+        space.add_circle(_point(origin + factor * circle.centre), factor * circle.radius, dxfattribs=_manner(circle))
+    for label in sketch.labels:
+        height = _TEXT * sketch.scale * factor
+        words = label.text.replace("^", " ")  # in DXF a caret begins a control code
+        corner = origin + factor * label.position - height * np.array([0.3 * len(words), 0.5])
+        _write(space, words, corner, height)
+
+
+def _manner(part: Line | Circle) -> dict[str, str]:
+    """Layer and line type of a part."""
+    return {"layer": part.layer, "linetype": _LINE_TYPES.get(part.habit, "BYLAYER")}
+
+
+def _parts(points: Array) -> Iterator[Array]:
+    """Divide a polyline where NaN stands."""
+    gaps = np.flatnonzero(np.isnan(points[0]))
+    for part in np.split(points, gaps, axis=1):
+        kept = part[:, ~np.isnan(part[0])]
+        if kept.shape[1] > 1:
+            yield kept
+
+
+def _write(space: Modelspace, words: str, place: Array, height: float) -> None:
+    space.add_text(words, height=height, dxfattribs={"layer": "TEXT"}).set_placement(_point(place))
+
+
+def _point(place: Array) -> tuple[float, float]:
+    return float(place[0]), float(place[1])

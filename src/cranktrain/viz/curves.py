@@ -1,0 +1,338 @@
+"""Curves of a result as panels that share one crank angle: data first, and drawn on a sheet."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.analysis import Result
+from cranktrain.language import _
+from cranktrain.motion import Array
+from cranktrain.quantities import shown
+from cranktrain.study.placement import first_throw
+from cranktrain.viz.page import Axes, Page
+from cranktrain.viz.style import COLOURS, GRID, HEADING, INK, MUTED, SYMBOL, TEXT
+
+Habit = Literal["first", "other", "textbook", "error"]
+
+_FORMS = {"slider_crank": "two_harmonics", "articulated_rod": "reconstructed"}
+"""Which of the textbook's forms stands beside each kind."""
+
+
+DASHES = {"s": (1.5, 1.5), "v": (5.0, 2.0), "j": (9.0, 2.0, 2.0, 2.0)}
+"""Dashes of an error by the letter of its quantity, for prints in grey."""
+
+TEXTBOOK_DASHES = (4.0, 8.0)
+"""Dashes of a textbook's curve, over the exact one."""
+
+
+_FEW = 2
+"""Up to so many pistons, each has the textbook's curve beside its own."""
+
+
+class Curve(NamedTuple):
+    """A curve: whose it is, its values at each crank angle, its habit, the letter of its colour."""
+
+    name: str
+    values: Array
+    habit: Habit
+    letter: str
+
+
+@dataclass(frozen=True)
+class Panel:
+    """Curves of one quantity over one turn.
+
+    Attributes
+    ----------
+    title : str
+        Its name.
+    symbol : str
+        As mathematics sets it.
+    unit : str
+    angle : Array, shape (n,)
+        Crank angle from 0 to 360. [deg]
+    curves : tuple of Curve
+    """
+
+    title: str
+    symbol: str
+    unit: str
+    angle: Array
+    curves: tuple[Curve, ...]
+
+
+class Mark(NamedTuple):
+    """A dead centre: whose, at which crank angle [deg], whether it is the top."""
+
+    name: str
+    angle: float
+    is_top: bool
+
+
+@dataclass(frozen=True)
+class _Turn:
+    """One turn of a result: which points of its grid, and the angles, closed at 360. [deg]"""
+
+    result: Result
+    design: int
+    index: NDArray[np.bool_]
+    angle: Array
+
+    def curve(self, name: str, *at: int) -> Array:
+        """Give a quantity of a member over the turn; an angle that goes round goes on at the end."""
+        values = getattr(self.result, name)
+        whole = (values[self.design] if self.result.has_designs else values)[at][self.index]
+        return np.append(
+            whole,
+            whole[0] + (2 * np.pi * np.rint((whole[-1] - whole[0]) / (2 * np.pi)) if name.endswith("angle") else 0.0),
+        )
+
+
+def drawn_names(result: Result, dimension: str) -> tuple[str, ...]:
+    """Name the pistons or rockers of the first throw."""
+    names = [place.name for place in first_throw(result.machines[0])]
+    return tuple(name for name in result.labels.get(dimension, ()) if name in names)
+
+
+def panels(result: Result, design: int = 0) -> tuple[Panel, ...]:
+    """Collect the curves that a sheet shows.
+
+    Parameters
+    ----------
+    result : Result
+    design : int
+
+    Returns
+    -------
+    tuple of Panel
+        Travel, velocity, acceleration of the first throw's pistons and the textbook's error; or angle and derivatives
+        of its rocker.
+    """
+    within = result.crank_angle < 360.0
+    turn = _Turn(result, design, within, np.append(result.crank_angle[within], 360.0))
+    if "piston" in result.labels:
+        return tuple(_piston_panels(turn))
+    return tuple(_rocker_panels(turn))
+
+
+def _piston_panels(turn: _Turn) -> Iterator[Panel]:
+    """Travel, velocity, acceleration; and how far the textbook is off."""
+    result = turn.result
+    names = drawn_names(result, "piston")
+    members = [result.labels["piston"].index(name) for name in names]
+    has_speed = "piston_velocity" in result.catalogue
+    omega = result.machines[turn.design].shaft.main.speed
+    rate = omega.si if has_speed and omega is not None else 1.0
+    worst = _worst(result, members, turn.design)
+    told = _told(result, members, turn.design)
+    rows = (
+        (_("Piston travel"), "s", "mm", "piston_displacement", "displacement_by_method", shown(1.0, "mm")),
+        (
+            _("Piston velocity"),
+            "v" if has_speed else "s'",
+            "m/s" if has_speed else "mm/rad",
+            "piston_velocity_coefficient",
+            "velocity_coefficient_by_method",
+            rate if has_speed else 1e3,
+        ),
+        (
+            _("Piston acceleration"),
+            "j" if has_speed else "s''",
+            "m/s²" if has_speed else "mm/rad²",
+            "piston_acceleration_coefficient",
+            "acceleration_coefficient_by_method",
+            rate**2 if has_speed else 1e3,
+        ),
+    )
+    for letter, (title, symbol, unit, exact, textbook, factor) in zip("svj", rows, strict=True):
+        curves: list[Curve] = []
+        for number, (name, member) in enumerate(zip(names, members, strict=True)):
+            curves.append(Curve(name, factor * turn.curve(exact, member), "other" if number else "first", letter))
+            method = _method(result, member, turn.design)
+            if method is not None and member in told:
+                curves.append(Curve(name, factor * turn.curve(textbook, method, member), "textbook", letter))
+        yield Panel(title, symbol, unit, turn.angle, tuple(curves))
+    if worst is not None:
+        yield _error_panel(turn, *worst)
+
+
+def _method(result: Result, member: int, design: int) -> int | None:
+    """Find the textbook's form for a piston; None where no source has one."""
+    places = {place.name: place for place in result.machines[design].places}
+    form = _FORMS.get(places[result.labels["piston"][member]].kind.name)
+    if form is None or "displacement_error" not in result.catalogue:
+        return None
+    method = result.labels["method"].index(form)
+    errors = result.displacement_error[design] if result.has_designs else result.displacement_error
+    return None if np.isnan(errors[method, member]) else method
+
+
+def _worst(result: Result, members: Sequence[int], design: int) -> tuple[int, int] | None:
+    """Find the form and piston with the largest error of acceleration."""
+    pairs = [(method, member) for member in members if (method := _method(result, member, design)) is not None]
+    if not pairs:
+        return None
+    errors = result.acceleration_error[design] if result.has_designs else result.acceleration_error
+    return max(pairs, key=lambda pair: float(errors[pair]))
+
+
+def _error_panel(turn: _Turn, method: int, member: int) -> Panel:
+    """Error of a textbook's form in % of the stroke and of the exact peaks."""
+    curves: list[Curve] = []
+    for letter, textbook, exact in (
+        ("s", "displacement_by_method", "piston_displacement"),
+        ("v", "velocity_coefficient_by_method", "piston_velocity_coefficient"),
+        ("j", "acceleration_coefficient_by_method", "piston_acceleration_coefficient"),
+    ):
+        right = turn.curve(exact, member)
+        error = 100.0 * (turn.curve(textbook, method, member) - right) / np.nanmax(np.abs(right))
+        curves.append(Curve(letter, error, "error", letter))
+    title = _("Textbook error, piston {piston}").format(piston=turn.result.labels["piston"][member])
+    return Panel(title, "", _("% of own maximum"), turn.angle, tuple(curves))
+
+
+def _rocker_panels(turn: _Turn) -> Iterator[Panel]:
+    """Rocker angle and its derivatives; torque factor where a load hangs on it."""
+    result = turn.result
+    names = drawn_names(result, "rocker")
+    members = [result.labels["rocker"].index(name) for name in names]
+    speed = result.machines[turn.design].shaft.main.speed
+    omega = 1.0 if speed is None else speed.si
+    degrees = shown(1.0, "deg")
+    rows = [
+        (_("Rocker angle"), r"\theta", "°", "rocker_angle", degrees, "s"),
+        (
+            _("Rocker angular velocity"),
+            r"\theta'" if speed is None else r"\omega_3",
+            "rad/rad" if speed is None else "rad/s",
+            "rocker_velocity_coefficient",
+            omega,
+            "v",
+        ),
+        (
+            _("Rocker angular acceleration"),
+            r"\theta''" if speed is None else r"\varepsilon_3",
+            "rad/rad²" if speed is None else "rad/s²",
+            "rocker_acceleration_coefficient",
+            omega**2,
+            "j",
+        ),
+    ]
+    if "load_velocity_coefficient" in result.catalogue:
+        name = _("Torque factor: load velocity for each rad/s of the crank")
+        rows.append((name, r"x_Q'", "mm", "load_velocity_coefficient", 1e3, "T"))
+    for title, symbol, unit, quantity, factor, letter in rows:
+        curves = tuple(
+            Curve(name, factor * turn.curve(quantity, member), "other" if number else "first", letter)
+            for number, (name, member) in enumerate(zip(names, members, strict=True))
+        )
+        yield Panel(title, symbol, unit, turn.angle, curves)
+
+
+def textbook_words(result: Result, design: int = 0) -> str:
+    """Name the textbook's forms that stand beside the first throw's pistons; nothing where there are none."""
+    words = {"two_harmonics": _("two harmonics (333)–(337)"), "reconstructed": _("(I.13) reconstructed")}
+    members = [result.labels["piston"].index(name) for name in drawn_names(result, "piston")]
+    told = _told(result, members, design)
+    methods = [method for member in sorted(told) if (method := _method(result, member, design)) is not None]
+    forms = [words[result.labels["method"][method]] for method in dict.fromkeys(methods)]
+    whose = [result.labels["piston"][member] for member in told] if len(members) > _FEW else []
+    return ", ".join([*forms, *whose])
+
+
+def _told(result: Result, members: Sequence[int], design: int) -> set[int]:
+    """Pistons beside which the textbook's curve stands: of many, only the one that it misses most."""
+    worst = _worst(result, members, design)
+    return {member for member in members if len(members) <= _FEW or (worst is not None and member == worst[1])}
+
+
+def marks(result: Result, design: int = 0) -> tuple[Mark, ...]:
+    """Give the true dead centres of the first throw, in the order of its members, where there are any."""
+
+    def facts(name: str) -> Array:
+        values = getattr(result, name)
+        return values[design] if result.has_designs else values
+
+    dimension, top, bottom = (
+        ("piston", "top_dead_centre", "bottom_dead_centre")
+        if "piston" in result.labels
+        else ("rocker", "largest_rocker_angle_at", "smallest_rocker_angle_at")
+    )
+    every = (
+        Mark(name, float(facts(quantity)[result.labels[dimension].index(name)]), is_top)
+        for name in drawn_names(result, dimension)
+        for quantity, is_top in ((top, True), (bottom, False))
+    )
+    return tuple(mark for mark in every if np.isfinite(mark.angle))
+
+
+def draw_panels(page: Page, shown_panels: Sequence[Panel], box: tuple[float, float, float, float]) -> None:
+    """Stack panels over one crank angle in a box: left, bottom, width, height. [mm]"""
+    left, bottom, width, height = box
+    foot, gap = 9.0, 7.0
+    each = (height - foot - gap * len(shown_panels)) / len(shown_panels)
+    for number, panel in enumerate(shown_panels):
+        low = bottom + foot + (len(shown_panels) - 1 - number) * (each + gap)
+        axes = page.axes(left, low, width, each)
+        is_last = number == len(shown_panels) - 1
+        _draw_panel(axes, panel, is_last=is_last)
+        _head(page, panel, (left, left + width, low + each + 1.9))
+    page.text(left + width / 2, bottom, _("Crank angle φ, °"), ha="center")
+
+
+def _head(page: Page, panel: Panel, place: tuple[float, float, float]) -> None:
+    """Name a panel over its left end, with symbol and unit; letters of its dashes at the right end."""
+    left, right, y = place
+    end = page.end(page.heading(left, y, panel.title))
+    if panel.symbol:
+        colour = COLOURS[panel.curves[0].letter]
+        end = page.end(page.text(end + 1.5, y, f"${panel.symbol}$", color=colour, fontsize=SYMBOL))
+    page.text(end, y, f", {panel.unit}", fontsize=HEADING)
+    for number, curve in enumerate(reversed([curve for curve in panel.curves if curve.habit == "error"])):
+        end, colour = right - 15.0 * number, COLOURS[curve.letter]
+        page.text(end, y, f"${curve.letter}$", ha="right", color=colour, fontsize=SYMBOL)
+        page.sample(end - 10.5, end - 3.5, y + 0.9, color=colour, lw=1.1, dashes=DASHES[curve.letter])
+
+
+def _draw_panel(axes: Axes, panel: Panel, *, is_last: bool) -> None:
+    """Draw the curves of a panel: first thick, others thin with hollow rings, textbook dashed in ink."""
+    if any(np.nanmin(curve.values) <= 0.0 <= np.nanmax(curve.values) for curve in panel.curves):
+        axes.axhline(0.0, color=MUTED, linewidth=0.5, zorder=1)
+    axes.grid(color=GRID, linewidth=0.5)
+    axes.set_axisbelow(True)
+    n_others = sum(curve.habit == "other" for curve in panel.curves)
+    for curve in panel.curves:
+        colour = COLOURS[curve.letter]
+        if curve.habit == "first":
+            axes.plot(panel.angle, curve.values, color=colour, linewidth=1.9, zorder=4)
+        elif curve.habit == "other":
+            axes.plot(panel.angle, curve.values, color=colour, linewidth=0.9 if n_others == 1 else 0.6, zorder=3)
+            if n_others == 1:
+                ring = np.arange(15.0, 360.0, 30.0)
+                values = np.interp(ring, panel.angle, curve.values)
+                axes.plot(ring, values, "o", ms=3.2, mfc="white", mec=colour, mew=0.8, zorder=3.5)
+        elif curve.habit == "textbook":
+            axes.plot(panel.angle, curve.values, color=INK, linewidth=0.6, dashes=TEXTBOOK_DASHES, zorder=5)
+        else:
+            _draw_error(axes, panel.angle, curve)
+    axes.set(xlim=(0.0, 360.0), xticks=range(0, 361, 30))
+    axes.margins(y=0.09)
+    axes.tick_params(labelsize=TEXT, labelbottom=is_last, pad=2.0)
+    axes.yaxis.set_major_locator(_ticks())
+    axes.spines[["top", "right"]].set_visible(False)
+
+
+def _ticks() -> Any:
+    """Few round ticks."""
+    from matplotlib.ticker import MaxNLocator
+
+    return MaxNLocator(nbins=4, steps=[1, 2, 5, 10], min_n_ticks=3)
+
+
+def _draw_error(axes: Axes, angle: Array, curve: Curve) -> None:
+    """Draw an error dashed, its letter at its largest value; each letter has dashes of its own, for grey prints."""
+    colour = COLOURS[curve.letter]
+    axes.plot(angle, curve.values, color=colour, linewidth=1.1, dashes=DASHES[curve.letter])

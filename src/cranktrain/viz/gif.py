@@ -1,0 +1,80 @@
+"""A moving picture of a machine's first throw: a small GIF of one turn."""
+
+from collections.abc import Sequence
+from io import BytesIO
+from typing import TYPE_CHECKING, cast
+
+import numpy as np
+
+from cranktrain.analysis import Result
+from cranktrain.viz.mechanism import mechanism_sketch
+from cranktrain.viz.page import Page, drawing_settings, fitting_scale
+from cranktrain.viz.scene import Scene, scene_of
+
+if TYPE_CHECKING:
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+_SIDE, _HEAD = 110.0, 8.0
+"""Width of the picture, and the room above the mechanism. [mm]"""
+
+_DOTS_PER_INCH = 110
+_COLOURS = 32
+_SECONDS = 3.0
+"""Time that a turn takes in the picture."""
+
+
+def animation(result: Result, *, n_frames: int = 36, design: int = 0) -> bytes:
+    """Draw the moving mechanism.
+
+    Parameters
+    ----------
+    result : Result
+    n_frames : int
+        Over one turn.
+    design : int
+        Which of the result's machines.
+
+    Returns
+    -------
+    bytes
+        A GIF that plays for ever.
+    """
+    from PIL import Image
+
+    machine = result.machines[design]
+    scene = scene_of(machine)
+    angles = [a for a in np.arange(n_frames) * (360.0 / n_frames) if scene.closing_angle(float(a)) == a]
+    bounds = _bounds(scene, angles[::3])
+    scale = fitting_scale(bounds[1] - bounds[0], bounds[3] - bounds[2], (_SIDE - 8.0, _SIDE - 8.0))
+    size = ((bounds[1] - bounds[0]) / scale + 8.0, (bounds[3] - bounds[2]) / scale + 8.0 + _HEAD)
+    origin = (4.0 - bounds[0] / scale, 4.0 - bounds[2] / scale)
+    frames = [Image.fromarray(_frame(scene, angle, scale, size, origin)).convert("RGB") for angle in angles]
+    palette = frames[0].quantize(_COLOURS)
+    reduced = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
+    content = BytesIO()
+    pause = round(1000.0 * _SECONDS / n_frames)
+    reduced[0].save(
+        content, "GIF", save_all=True, append_images=reduced[1:], duration=pause, loop=0, disposal=1, optimize=False
+    )
+    return content.getvalue()
+
+
+def _bounds(scene: Scene, angles: Sequence[float]) -> tuple[float, float, float, float]:
+    """Room that the throw takes in some positions of a turn. [mm]"""
+    every = np.array([mechanism_sketch(scene, angle, 1.0, is_plain=True).bounds() for angle in angles])
+    low, high = np.min(every, axis=0), np.max(every, axis=0)
+    return float(low[0]), float(high[1]), float(low[2]), float(high[3])
+
+
+def _frame(
+    scene: Scene, angle: float, scale: float, size: tuple[float, float], origin: tuple[float, float]
+) -> "np.ndarray[tuple[int, ...], np.dtype[np.uint8]]":
+    """Draw one frame as pixels."""
+    with drawing_settings():
+        page = Page(*size)
+        page.figure.set_dpi(_DOTS_PER_INCH)
+        page.draw(mechanism_sketch(scene, float(angle), scale, is_plain=True), origin)
+        page.text(4.0, size[1] - 6.0, f"φ = {angle:g}°")
+        canvas = cast("FigureCanvasAgg", page.figure.canvas)
+        canvas.draw()
+        return np.asarray(canvas.buffer_rgba()).copy()

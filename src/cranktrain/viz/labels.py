@@ -1,0 +1,122 @@
+"""Where labels go: beside their points, clear of each other and, where there is room, of the lines."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.motion import Array
+from cranktrain.viz.sketch import Label
+
+_CHARACTER, _LINE, _SYMBOL_LINE = 1.75, 3.2, 4.2
+"""Width of a character, height of a line of text and of symbols on paper. [mm]"""
+
+_DIRECTIONS = np.deg2rad(np.arange(0.0, 360.0, 30.0))
+_REACHES = (3.0, 4.2, 6.5, 9.5, 13.0)
+"""How far from its point a label is tried. [mm of paper]"""
+
+
+_NOT_ITS_OWN = 5.0
+"""What it costs to stand nearer to another label's point."""
+
+
+class Wish(NamedTuple):
+    """A label to place: its point [mm of the sketch], the direction from it that it would rather lie in [rad].
+
+    A symbol keeps off the lines; a number stands on white and may lie over them.
+    """
+
+    point: Array
+    text: str
+    towards: float
+    is_number: bool = False
+
+
+def placed_labels(wishes: Sequence[Wish], lines: Iterable[Array], scale: float) -> Iterator[Label]:
+    """Place labels one by one, each at the free place that is best for it.
+
+    Parameters
+    ----------
+    wishes : sequence of Wish
+    lines : iterable of arrays, shape (2, n)
+        Polylines to keep clear of. [mm of the sketch]
+    scale : float
+        Millimetres of the sketch in one of paper.
+
+    Yields
+    ------
+    Label
+    """
+    obstacles = np.concatenate([_dots(line / scale) for line in lines], axis=1)
+    points = np.stack([wish.point for wish in wishes], axis=1) / scale
+    taken: list[tuple[float, float, float, float]] = []
+    for wish in wishes:
+        size = (
+            _CHARACTER * len(wish.text.translate({ord(mark): None for mark in "_^"})) + 0.8,
+            _LINE if wish.is_number else _SYMBOL_LINE,
+        )
+        point = wish.point / scale
+        best = min(
+            (
+                point + reach * np.array([np.cos(direction), np.sin(direction)]) * _stretch(size, direction)
+                for reach in _REACHES
+                for direction in _DIRECTIONS
+            ),
+            key=lambda middle: (
+                _cost(middle, point, wish, size, taken, obstacles)
+                + _NOT_ITS_OWN * _is_nearer_to_another(middle, point, points)
+            ),
+        )
+        taken.append(_box(best, size))
+        yield Label(best * scale, wish.text, is_framed=wish.is_number, is_symbol=not wish.is_number)
+
+
+def _is_nearer_to_another(middle: Array, point: Array, points: Array) -> bool:
+    """Whether a label would stand nearer to another label's point than to its own."""
+    away = np.hypot(*(points - middle[:, np.newaxis]))
+    return bool(np.min(away) < np.hypot(*(middle - point)) - 0.5)
+
+
+def _stretch(size: tuple[float, float], direction: float) -> float:
+    """How much farther a wide label must stand to the side than above."""
+    return 1.0 + 0.12 * (size[0] - size[1]) * abs(float(np.cos(direction)))
+
+
+def _box(middle: Array, size: tuple[float, float]) -> tuple[float, float, float, float]:
+    """Least and largest x, least and largest y of a label."""
+    x, y = float(middle[0]), float(middle[1])
+    return x - size[0] / 2, x + size[0] / 2, y - size[1] / 2, y + size[1] / 2
+
+
+def _cost(
+    middle: Array,
+    point: Array,
+    wish: Wish,
+    size: tuple[float, float],
+    taken: Sequence[tuple[float, float, float, float]],
+    obstacles: Array,
+) -> float:
+    """How bad a place is: over a label, over lines, far away, on the wrong side."""
+    left, right, low, high = _box(middle, size)
+    over = sum(left < box[1] and box[0] < right and low < box[3] and box[2] < high for box in taken)
+    inside = (obstacles[0] > left) & (obstacles[0] < right) & (obstacles[1] > low) & (obstacles[1] < high)
+    away = middle - point
+    turn = np.arctan2(away[1], away[0]) - wish.towards
+    crossed = (0.15 if wish.is_number else 4.0) * float(np.count_nonzero(inside))
+    return (
+        1000.0 * over
+        + crossed
+        + 1.5 * float(np.hypot(*away))
+        + (8.0 if wish.is_number else 2.0) * (1 - float(np.cos(turn)))
+    )
+
+
+def _dots(line: Array) -> Array:
+    """Points along a polyline, half a millimetre of paper apart."""
+    parts: list[Array] = []
+    for start, end in zip(line.T[:-1], line.T[1:], strict=True):
+        length = float(np.hypot(*(end - start)))
+        if np.isfinite(length):
+            steps = np.linspace(0.0, 1.0, max(2, int(length / 0.5)))
+            parts.append(start[:, np.newaxis] + (end - start)[:, np.newaxis] * steps)
+    return np.concatenate(parts, axis=1) if parts else np.zeros((2, 0))

@@ -1,0 +1,281 @@
+"""A throw's mechanisms at one crank angle as a sketch: to scale between pins, schematic in outline."""
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from cranktrain.motion import Array
+from cranktrain.viz import shapes
+from cranktrain.viz.scene import Member, Scene
+from cranktrain.viz.sketch import Circle, Label, Line, Sketch
+
+_FEW = 2
+"""Up to so many mechanisms, the links are drawn in the dead positions too."""
+
+_BIG_EYE, _CRANK_PIN, _SMALL_EYE, _SMALL_PIN, _JOURNAL = 0.40, 0.24, 0.22, 0.12, 0.32
+"""Radii in parts of the crank radius."""
+
+_ABOVE, _BELOW, _BELOW_IN_STAR = 0.45, 0.34, 0.14
+"""Crown above and skirt below the piston pin, in parts of the bore; in a star there is no room for long skirts."""
+
+_GAP = 0.05
+"""Clearance above the piston at its top, in parts of the bore."""
+
+
+def mechanism_sketch(
+    scene: Scene, angle: float, scale: float, dead: Sequence[Sequence[float]] = (), *, is_plain: bool = False
+) -> Sketch:
+    """Draw a throw.
+
+    Parameters
+    ----------
+    scene : Scene
+    angle : float
+        Crank angle as the machine shows it. [deg]
+    scale : float
+        Millimetres of metal in one of paper.
+    dead : sequence of sequences of float
+        Shown crank angles of the dead positions of each member, drawn thin. [deg]
+    is_plain : bool
+        Leave out ring, labels and hatches, as a moving picture wants.
+
+    Returns
+    -------
+    Sketch
+    """
+    sketch = Sketch(scale)
+    for member in scene.members[: _FEW if scene.is_star else None]:
+        sketch.add(_path(member))
+    for member in scene.sliders:
+        sketch.add(_cylinder(scene, member, scale, is_plain=is_plain))
+    for member, angles in zip(scene.members, dead, strict=False):
+        sketch.add(_dead_positions(scene, member, angles))
+    sketch.add(_crank(scene, angle))
+    for member in scene.members:
+        sketch.add(_links(scene, member, angle, scale))
+    if not is_plain:
+        sketch.add(_ring(scene, angle, scale))
+        sketch.add(_rotation(scene, scale))
+        sketch.add(_names(scene, scale))
+        sketch.add(_bank_angle(scene, scale))
+    return sketch
+
+
+def _path(member: Member) -> Iterator[Line]:
+    """Paths of pins over a turn."""
+    for name in member.turn.paths:
+        if name != "A" or member.is_first:
+            yield Line(np.stack(member.turn.pins[name]), "PATHS", "dotted", 1)
+
+
+def _start(scene: Scene, member: Member) -> float:
+    """Where a cylinder begins, from the shaft. [mm]"""
+    skirt = member.travel[0] - _below(scene, member)
+    return min(max(skirt + 0.25 * member.width, scene.clearance * 1.02), member.travel[0] + 0.1 * member.width)
+
+
+def _below(scene: Scene, member: Member) -> float:
+    """How far the skirt reaches below the piston pin. [mm]"""
+    return (_BELOW_IN_STAR if scene.is_star else _BELOW) * member.width
+
+
+def _end(member: Member) -> float:
+    """Where a cylinder ends, from the shaft. [mm]"""
+    return member.travel[1] + (_ABOVE + _GAP) * member.width
+
+
+def _cylinder(scene: Scene, member: Member, scale: float, *, is_plain: bool) -> Iterator[Line]:
+    """Centre line and walls; a crosshead runs between guides that are open at the end."""
+    line = member.stroke_line
+    end = _end(member)
+    axis = np.stack([line.at(0.0, 0.0), line.at(end + 2.0 * scale, 0.0)], axis=1)
+    yield Line(axis, "GUIDES", "axis", 2)
+    walls = shapes.walls(line, member.width, (_start(scene, member), end), has_head=member.bore is not None)
+    for wall, outside in walls:
+        yield wall
+        if not is_plain:
+            yield shapes.hatch(wall.points[:, 0], wall.points[:, 1], outside, scale)
+
+
+def _dead_positions(scene: Scene, member: Member, angles: Sequence[float]) -> Iterator[Line | Circle]:
+    """Links at the dead positions, thin; where mechanisms are many, only how far the crowns reach."""
+    for angle in angles:
+        pins = scene.pins(member, angle)
+        if len(scene.members) <= _FEW:
+            chain = np.stack([pins[name] for name in _chain(member)], axis=1)
+            yield Line(chain, "LINKS", "thin", 3)
+            for point in chain.T:
+                yield Circle(point, 0.05 * scene.crank_radius, "LINKS", "thin", 3, "paper")
+        if member.output is not None:
+            line = member.stroke_line
+            crown = line.place(pins[member.output]) + _ABOVE * member.width
+            ends = [line.at(float(crown), side * 0.5 * member.width) for side in (-1.0, 1.0)]
+            yield Line(np.stack(ends, axis=1), "LINKS", "thin", 3)
+
+
+def _chain(member: Member) -> tuple[str, ...]:
+    """Pins from the shaft to the output, for a line drawing."""
+    return ("O", "A", "C", "D") if member.place.kind.name == "articulated_rod" else tuple(member.turn.pins)
+
+
+def _crank(scene: Scene, angle: float) -> Iterator[Line | Circle]:
+    """Crank web with journal; the pin is drawn with the rods."""
+    radius = scene.crank_radius
+    pins = scene.pins(scene.members[0], angle)
+    yield shapes.hull(pins["O"], _JOURNAL * 1.25 * radius, pins["A"], _BIG_EYE * 1.12 * radius, "light", 3)
+    yield Circle(pins["O"], _JOURNAL * 0.8 * radius, "LINKS", "rod", 3, "paper")
+    yield Circle(pins["O"], 0.035 * radius, "LINKS", "arrow", 8, "ink")
+
+
+def _links(scene: Scene, member: Member, angle: float, scale: float) -> Iterator[Line | Circle]:
+    """Piston, rod and rocker of one member."""
+    pins = scene.pins(member, angle)
+    if member.output is not None:
+        yield from _slider(scene, member, pins)
+    if member.place.kind.name == "articulated_rod":
+        yield from _slave_rod(scene, pins)
+        return
+    radius = scene.crank_radius
+    fill = "dark" if member.is_first else "paper"
+    order = 5 if member.is_first else 6
+    if scene.is_star:
+        slave = next(one for one in scene.members if one.place.kind.name == "articulated_rod")
+        reach = float(np.hypot(*(scene.pins(slave, angle)["C"] - pins["A"]))) + 1.25 * _SMALL_EYE * radius
+        yield Circle(pins["A"], reach, "LINKS", "rod", order, fill)
+    yield shapes.bar(pins["A"], pins["B"], (0.44 * radius, 0.26 * radius), fill, order)
+    yield from shapes.eye(pins["A"], _BIG_EYE * radius, _CRANK_PIN * radius, fill, order)
+    yield Circle(pins["A"], 0.035 * radius, "LINKS", "arrow", 8, "ink")
+    yield from shapes.eye(pins["B"], _SMALL_EYE * radius, _SMALL_PIN * radius, fill, order)
+    if member.output is None:
+        yield from shapes.pivot(pins["C"], 0.45 * radius, scale)
+        yield shapes.bar(pins["C"], pins["B"], (0.40 * radius, 0.30 * radius), "light", 4)
+        yield from shapes.eye(pins["C"], 0.30 * radius, 0.16 * radius, "light", 4)
+
+
+def _slider(scene: Scene, member: Member, pins: dict[str, Array]) -> Iterator[Line | Circle]:
+    """Piston; where no bore is known, a crosshead."""
+    assert member.output is not None  # the caller has looked
+    line, width = member.stroke_line, member.width
+    place = float(line.place(pins[member.output]))
+    fill = "light" if member.is_first else "paper"
+    parts = tuple(shapes.piston(line, place, width, _ABOVE * width, _below(scene, member), fill))
+    yield from parts if member.bore is not None else parts[:1]
+
+
+def _slave_rod(scene: Scene, pins: dict[str, Array]) -> Iterator[Line | Circle]:
+    """Slave rod with its knuckle pin, and the ear of the master rod that holds it."""
+    radius = scene.crank_radius
+    arm = float(np.hypot(*(pins["C"] - pins["A"])))
+    if not scene.is_star and arm > 0.2 * radius:
+        yield shapes.hull(pins["A"], _BIG_EYE * radius, pins["C"], 1.2 * _SMALL_EYE * radius, "dark", 5)
+        yield Circle(pins["A"], _CRANK_PIN * radius, "LINKS", "rod", 5, "paper")
+    yield shapes.bar(pins["C"], pins["D"], (0.24 * radius, 0.22 * radius), "paper", 6)
+    for name in "CD":
+        yield from shapes.eye(pins[name], _SMALL_EYE * 0.9 * radius, _SMALL_PIN * 0.8 * radius, "paper", 7)
+
+
+def ring_radius(scene: Scene) -> float:
+    """Radius of the degree ring: round the crank, and round the big end of a star. [mm]"""
+    if not scene.is_star:
+        return 1.62 * scene.crank_radius
+    slave = next(one for one in scene.members if one.place.kind.name == "articulated_rod")
+    knuckle = np.hypot(*slave.turn.pins["C"])
+    return float(np.nanmax(knuckle)) + 1.6 * _SMALL_EYE * scene.crank_radius
+
+
+def _ring(scene: Scene, angle: float, scale: float) -> Iterator[Line | Circle | Label]:
+    """Degree ring, its 0 where the shown crank angle is 0; figures that the links would hide are left out."""
+    radius = ring_radius(scene)
+    origin = np.zeros(2)
+    yield Circle(origin, radius, "DIMENSIONS", "thin", 1)
+    for degree in range(0, 360, 10):
+        direction = scene.crank_direction(float(degree))
+        along = np.array([np.cos(direction), np.sin(direction)])
+        tick = (1.6 if degree % 30 == 0 else 0.8) * scale
+        yield Line(np.stack([(radius - tick) * along, radius * along], axis=1), "DIMENSIONS", "thin", 1)
+        place = (radius + (2.6 + 1.4 * abs(along[0])) * scale) * along
+        if (
+            degree % 30 == 0
+            and (degree == 0 or not scene.is_star)
+            and (degree == 0 or not _is_covered(scene, place, angle, 2.6 * scale))
+        ):
+            yield Label(place, f"{degree}", is_bold=degree == 0, is_framed=degree == 0)
+
+
+def _is_covered(scene: Scene, point: Array, angle: float, margin: float) -> bool:
+    """Whether links or cylinders lie over a point."""
+    radius = scene.crank_radius
+    for member in scene.members:
+        pins = scene.pins(member, angle)
+        chain = [pins[name] for name in _chain(member)]
+        for start, end in pairwise(chain):
+            part = np.clip(np.dot(point - start, end - start) / np.dot(end - start, end - start), 0.0, 1.0)
+            if np.hypot(*(start + part * (end - start) - point)) < 0.3 * radius + margin:
+                return True
+        if member.output is not None:
+            line = member.stroke_line
+            across = float(np.dot(point - line.foot, line.across))
+            begin = min(_start(scene, member), float(line.place(pins[member.output])) - _below(scene, member))
+            if line.place(point) > begin - margin and abs(across) < 0.5 * member.width + margin:
+                return True
+    return False
+
+
+def _free_direction(scene: Scene) -> tuple[float, float]:
+    """Direction farthest from all cylinders, or from the rocker's pivot, and how far it is from them. [rad]"""
+    taken = [
+        np.arctan2(*member.stroke_line.along[::-1])
+        if member.output is not None
+        else np.arctan2(member.turn.pins["C"][1][0], member.turn.pins["C"][0][0])
+        for member in scene.members
+    ]
+    tried = np.deg2rad(np.arange(0.0, 360.0, 5.0) - 90.0)
+    room = [min(abs((angle - one + np.pi) % (2 * np.pi) - np.pi) for one in taken) for angle in tried]
+    best = max(room)
+    return float(next(angle for angle, free in zip(tried, room, strict=True) if free > best - 1e-9)), float(best)
+
+
+def _rotation(scene: Scene, scale: float) -> Iterator[Line]:
+    """Arrow of the sense in which the machine runs."""
+    middle, room = _free_direction(scene)
+    radius = ring_radius(scene) + 6.5 * scale
+    half = min(0.42, 11.0 * scale / radius)
+    if scene.is_star:
+        radius = max(_end(member) for member in scene.sliders)
+        half = (
+            room - float(np.arcsin(0.5 * max(member.width for member in scene.sliders) / radius)) - 3.0 * scale / radius
+        )
+    turns = scene.crank_direction(1.0) - scene.crank_direction(0.0)
+    sense = np.sign((turns + np.pi) % (2 * np.pi) - np.pi)
+    yield Line(shapes.arc(np.zeros(2), radius, middle - half, middle + half), "DIMENSIONS", "outline", 5)
+    end = middle + sense * half
+    tip = radius * np.array([np.cos(end), np.sin(end)])
+    yield shapes.arrowhead(tip, float(end + sense * (np.pi / 2 - 1.1 * scale / radius)), 2.6 * scale)
+
+
+def _names(scene: Scene, scale: float) -> Iterator[Label]:
+    """Names of the pistons over the heads."""
+    if len(scene.members) == 1 and scene.members[0].place.name == "1":
+        return
+    for member in scene.sliders:
+        line = member.stroke_line
+        yield Label(line.at(_end(member) + 5.0 * scale, 0.0), member.place.name, is_bold=True)
+
+
+def _bank_angle(scene: Scene, scale: float) -> Iterator[Line | Label]:
+    """Angle between two banks."""
+    if len(scene.sliders) != _FEW:
+        return
+    first, second = scene.sliders
+    directions = [float(np.arctan2(*member.stroke_line.along[::-1])) for member in (first, second)]
+    between = (directions[1] - directions[0] + np.pi) % (2 * np.pi) - np.pi
+    radius = 0.86 * min(_end(first), _end(second))
+    covered = np.arcsin(min((0.5 * max(first.width, second.width) + 3.0 * scale) / radius, 1.0))
+    if abs(between) / 2 - covered < 0.05:
+        return
+    start, end = directions[0] + np.sign(between) * covered, directions[1] - np.sign(between) * covered
+    yield Line(shapes.arc(np.zeros(2), radius, start, end), "DIMENSIONS", "thin", 2)
+    middle = (start + end) / 2
+    place = (radius + 3.0 * scale) * np.array([np.cos(middle), np.sin(middle)])
+    yield Label(place, f"γ = {np.rad2deg(abs(between)):.4g}°")

@@ -1,0 +1,329 @@
+"""Sheets of plans: positions, polygons of velocities and accelerations, Klein's construction, each with its numbers."""
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.machine import Machine
+from cranktrain.quantities import shown
+from cranktrain.study.klein import Klein, klein
+from cranktrain.study.placement import output_motion, place_called
+from cranktrain.study.plans import (
+    PositionPlan,
+    closed_angles,
+    plan_angles,
+    position_plan,
+    rescaled,
+    rounded_scale,
+    track,
+)
+from cranktrain.study.polygons import Polygon, acceleration_polygons, velocity_polygons
+from cranktrain.viz.machine_sheet import title_block
+from cranktrain.viz.page import MARGIN, Figure, Page, drawing_settings, mathematics, muted, paper, scale_words
+from cranktrain.viz.plan_sketches import klein_sketch, polygon_sketch, positions_sketch
+from cranktrain.viz.sketch import Sketch
+from cranktrain.viz.style import SYMBOL
+from cranktrain.viz.words import running_words, zero_words
+
+MOST = 24
+"""Positions or polygons on one sheet."""
+
+_LINE = 5.2
+"""Height of a row of a table. [mm]"""
+
+_WITH_TABLE = 2
+"""Up to so many polygons stand beside the mechanism and a table of their vectors."""
+
+
+class _Box(NamedTuple):
+    """A room on paper. [mm]"""
+
+    left: float
+    bottom: float
+    width: float
+    height: float
+
+
+def plan_positions(
+    machine: Machine, angles: int | Sequence[float] = 12, *, mechanism: str | None = None, size: str = "A4"
+) -> Figure:
+    """Draw a mechanism in several positions, to scale, beside a table of its output.
+
+    Parameters
+    ----------
+    machine : Machine
+    angles : int or sequence of float
+        How many, evenly over a turn, or which crank angles; 24 at most. [deg]
+    mechanism : str, optional
+        Its name; the first slave of throw 1, or the first mechanism, unless given.
+    size : "A4" or "A3"
+
+    Returns
+    -------
+    Figure
+    """
+    with drawing_settings():
+        page, box = _page(machine, angles, size, _("Plan of positions"), mechanism)
+        wide = 0.62 * box.width
+        left = _Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
+        room = (left.width - 22.0, left.height - 22.0)
+        scale = position_plan(machine, 180, mechanism=mechanism, room=room).scale
+        plan = rescaled(position_plan(machine, angles, mechanism=mechanism, room=room), scale)
+        _center(page, positions_sketch(plan, track(machine, scale, mechanism=mechanism)), left)
+        _scales(page, box, [_scale_of("l", scale, "m")], 1e3 * scale)
+        rows = list(_positions_table(machine, plan))
+        start = box.left + wide + 8.0
+        end = _table(page, rows, (start, box.bottom + box.height, box.left + box.width - start))
+        if place_called(machine, mechanism).kind.output == "slider":
+            page.text(start, end - 2.0, _("x from the shaft along the line of stroke; v, a away from it"), **muted())
+        return page.figure
+
+
+def plan_velocities(
+    machine: Machine, angles: int | Sequence[float] = (30.0, 60.0), *, mechanism: str | None = None, size: str = "A4"
+) -> Figure:
+    """Draw polygons of velocities; parameters as `plan_positions` takes them."""
+    return _polygon_sheet(machine, angles, mechanism, size, velocity_polygons, _("Plan of velocities"))
+
+
+def plan_accelerations(
+    machine: Machine, angles: int | Sequence[float] = (30.0, 60.0), *, mechanism: str | None = None, size: str = "A4"
+) -> Figure:
+    """Draw polygons of accelerations; parameters as `plan_positions` takes them."""
+    return _polygon_sheet(machine, angles, mechanism, size, acceleration_polygons, _("Plan of accelerations"))
+
+
+def _polygon_sheet(
+    machine: Machine,
+    angles: int | Sequence[float],
+    mechanism: str | None,
+    size: str,
+    polygons_of: Callable[..., tuple[Polygon, ...]],
+    title: str,
+) -> Figure:
+    """Polygons, few of them beside the mechanism and a table of vectors."""
+    with drawing_settings():
+        page, box = _page(machine, angles, size, title, mechanism)
+        n = len(closed_angles(machine, place_called(machine, mechanism), angles))
+        cells = list(_cells(box, n))
+        has_table = n <= _WITH_TABLE
+        cell = cells[0]
+        width = 0.38 * cell.width if has_table else cell.width
+        room = (width - 22.0, cell.height - (18.0 if has_table else 16.0))
+        polygons = polygons_of(machine, angles, mechanism=mechanism, room=room)
+        symbol = "v" if polygons[0].quantity == "velocity" else "a"
+        scales = [_scale_of(symbol, polygons[0].scale, _unit(polygons[0].unit))]
+        if has_table:
+            scales.append(_beside(page, machine, polygons, cells, mechanism))
+        else:
+            for polygon, place in zip(polygons, cells, strict=True):
+                page.heading(place.left, place.bottom + place.height - 4.0, f"φ = {polygon.angle:g}°")
+                _center(page, polygon_sketch(polygon, with_symbols=False), place._replace(height=place.height - 6.0))
+        _scales(page, box, scales, None)
+        return page.figure
+
+
+def _beside(
+    page: Page, machine: Machine, polygons: Sequence[Polygon], cells: Sequence[_Box], mechanism: str | None
+) -> str:
+    """Draw mechanism, polygon and table side by side for each angle; say the mechanism's scale."""
+    first = 0.30 * cells[0].width
+    room = (first - 14.0, cells[0].height - 20.0)
+    plans = [position_plan(machine, [polygon.angle], mechanism=mechanism, room=room) for polygon in polygons]
+    scale = max(plan.scale for plan in plans)
+    for plan, polygon, cell in zip(plans, polygons, cells, strict=True):
+        page.heading(cell.left, cell.bottom + cell.height - 4.0, f"φ = {polygon.angle:g}°")
+        left = _Box(cell.left, cell.bottom, first, cell.height - 5.0)
+        _center(page, positions_sketch(rescaled(plan, scale)), left)
+        middle = _Box(cell.left + first, cell.bottom, 0.38 * cell.width, cell.height - 2.0)
+        _center(page, polygon_sketch(polygon), middle)
+        start = middle.left + middle.width + 4.0
+        rows = list(_vectors_table(polygon))
+        _table(page, rows, (start, cell.bottom + cell.height, cell.left + cell.width - start))
+    return _scale_of("l", scale, "m")
+
+
+def plan_klein(
+    machine: Machine, angles: int | Sequence[float] = (60.0,), *, mechanism: str | None = None, size: str = "A4"
+) -> Figure:
+    """Draw Klein's construction of a slider-crank; parameters as `plan_positions` takes them, two angles at most."""
+    chosen = plan_angles(angles)
+    if len(chosen) > _WITH_TABLE:
+        allowed = _("must be at most {n} for Klein's construction").format(n=_WITH_TABLE)
+        raise InputError([Problem("", _("{n} crank angles").format(n=len(chosen)), allowed)])
+    constructions = [klein(machine, float(angle), mechanism=mechanism) for angle in chosen]
+    with drawing_settings():
+        page, box = _page(machine, angles, size, _("Klein's construction"), constructions[0].mechanism)
+        cells = list(_cells(box, len(constructions)))
+        wide = 0.62 * cells[0].width
+        room = (wide - 16.0, cells[0].height - 14.0)
+        rough = [klein_sketch(construction, 1.0).bounds() for construction in constructions]
+        spans = [max((b[1] - b[0]) / room[0], (b[3] - b[2]) / room[1]) for b in rough]
+        scale = 1e3 * rounded_scale(1e-3 * max(spans))
+        for construction, cell in zip(constructions, cells, strict=True):
+            page.heading(cell.left, cell.bottom + cell.height - 4.0, f"φ = {construction.angle:g}°")
+            _center(page, klein_sketch(construction, scale), cell._replace(width=wide))
+            rows = list(_klein_table(machine, construction))
+            start = cell.left + wide + 6.0
+            end = _table(page, rows, (start, cell.bottom + cell.height, cell.left + cell.width - start))
+            for number, note in enumerate(_klein_notes(construction)):
+                page.text(start, end - 2.0 - 4.2 * number, note, **muted())
+        speed = machine.shaft.main.speed
+        omega = 1.0 if speed is None else speed.si
+        units = ("m/rad", "m/rad²") if speed is None else ("m/s", "m/s²")
+        metre = 1e-3 * scale
+        scales = [
+            _scale_of("l", metre, "m"),
+            _scale_of("v", omega * metre, units[0]),
+            _scale_of("a", omega**2 * metre, units[1]),
+        ]
+        _scales(page, box, scales, scale)
+        return page.figure
+
+
+def _page(
+    machine: Machine, angles: int | Sequence[float], size: str, title: str, mechanism: str | None
+) -> tuple[Page, _Box]:
+    """Begin a sheet; give the room below its head."""
+    n = len(plan_angles(angles))
+    if not 1 <= n <= MOST:
+        allowed = _("must be 1 to {most} to a sheet").format(most=MOST)
+        raise InputError([Problem("", _("{n} crank angles").format(n=n), allowed)])
+    width, height = paper(size)
+    page = Page(width, height)
+    place = place_called(machine, mechanism)
+    whose = _("{title}, mechanism {name}").format(title=title, name=place.name) if len(machine.places) > 1 else title
+    top = title_block(page, machine, [running_words(machine)], [f"{whose}. {zero_words(machine)}"])
+    return page, _Box(MARGIN, MARGIN, width - 2 * MARGIN, top - 4.0 - MARGIN)
+
+
+def _cells(box: _Box, n: int) -> Iterator[_Box]:
+    """Divide a room among n pictures: one above the other if few, else in a grid, row by row."""
+    columns = (
+        1
+        if n <= _WITH_TABLE
+        else next(columns for columns in (2, 3, 4, 6) if columns * (columns - 1) >= n or columns == 6)
+    )
+    rows = -(-n // columns)
+    width, height = box.width / columns, (box.height - 6.0) / rows
+    for i in range(n):
+        bottom = box.bottom + 6.0 + (rows - 1 - i // columns) * height
+        yield _Box(box.left + i % columns * width, bottom, width, height)
+
+
+def _center(page: Page, sketch: Sketch, box: _Box) -> None:
+    """Draw a sketch in the middle of a room."""
+    low_x, high_x, low_y, high_y = (value / sketch.scale for value in sketch.bounds())
+    page.draw(
+        sketch,
+        (box.left + box.width / 2 - (low_x + high_x) / 2, box.bottom + box.height / 2 - (low_y + high_y) / 2),
+    )
+
+
+def _scale_of(letter: str, scale: float, unit: str) -> str:
+    """Write a scale factor."""
+    return f"$\\mu_{letter}$ = {scale:.6g} {unit}/mm"
+
+
+def _scales(page: Page, box: _Box, scales: Sequence[str], metal: float | None) -> None:
+    """Say the scale factors at the foot."""
+    start = box.left
+    if metal is not None:
+        start = page.scale_bar(box.left, box.bottom, metal) + 6.0 + 2.0 * len(scale_words(metal)) + 34.0
+    page.text(start, box.bottom - 0.4, "     ".join(scales), fontsize=9.0)
+    page.text(box.left + box.width, box.bottom - 0.4, _("1 mm is 1 mm on the sheet as printed"), ha="right", **muted())
+
+
+def _unit(unit: str) -> str:
+    return unit.replace("^2", "²")
+
+
+def _table(page: Page, rows: Sequence[Sequence[str]], place: tuple[float, float, float]) -> float:
+    """Write a table: a head, rows, all but the first column to the right; give where it ends. [mm]"""
+    left, top, width = place
+    columns = len(rows[0])
+    y = top - 4.0
+    for number, row in enumerate(rows):
+        for column, words in enumerate(row):
+            share = (column + 1) / columns
+            is_symbol = words.startswith("$")
+            page.text(
+                left if column == 0 else left + width * share,
+                y,
+                words,
+                ha="left" if column == 0 else "right",
+                fontsize=SYMBOL if is_symbol else 8.0,
+                fontweight="bold" if number == 0 else "normal",
+            )
+        if number == 0:
+            page.rule(y - 1.6, left, left + width)
+            y -= 1.2
+        y -= _LINE
+    return y
+
+
+def _positions_table(machine: Machine, plan: PositionPlan) -> Iterator[tuple[str, ...]]:
+    """Number, crank angle and motion of the output in each position."""
+    place = place_called(machine, plan.mechanism)
+    speed = machine.shaft.main.speed
+    omega = 1.0 if speed is None else speed.si
+    motion = output_motion(machine, place, np.deg2rad(plan.angles))
+    is_slider = place.kind.output == "slider"
+    if is_slider:
+        names = ("x, mm", "v, m/s", "a, m/s²") if speed is not None else ("x, mm", "x′, mm/rad", "x″, mm/rad²")
+        factors = (1e3, omega, omega**2) if speed is not None else (1e3, 1e3, 1e3)
+    else:
+        names = ("θ, °", "ω₃, rad/s", "ε₃, rad/s²") if speed is not None else ("θ, °", "θ′", "θ″")
+        factors = (shown(1.0, "deg"), omega, omega**2)
+    yield (_("no."), "φ, °", *names)
+    for i, angle in enumerate(plan.angles):
+        values = [factor * float(part[i]) for factor, part in zip(factors, motion, strict=True)]
+        yield (f"{i}", f"{angle:g}", *(figure(value) for value in values))
+
+
+def _vectors_table(polygon: Polygon) -> Iterator[tuple[str, ...]]:
+    """Every vector: where it is, its length on paper and its size."""
+    yield (_("vector"), _("from, to"), "mm", _unit(polygon.unit))
+    for vector in polygon.vectors:
+        ends = f"{mathematics(vector.start)} {mathematics(vector.end)}"
+        yield (mathematics(vector.symbol), ends, f"{polygon.length(vector):.2f}", figure(vector.size))
+
+
+def _klein_table(machine: Machine, construction: Klein) -> Iterator[tuple[str, ...]]:
+    """What Klein's construction gives: lengths, and the velocities and accelerations that they are."""
+    speed = machine.shaft.main.speed
+    omega = 1.0 if speed is None else speed.si
+    units = ("m/rad", "m/rad²") if speed is None else ("m/s", "m/s²")
+    origin = np.zeros(2)
+    yield (_("line"), _("length, mm"), _("is"), _("size"), _("unit"))
+    lines = (
+        ("OA", origin, construction.A, "v_A", 1),
+        ("AC", construction.A, construction.C, "v_BA", 1),
+        ("OC", origin, construction.C, "v_B", 1),
+        ("OA", origin, construction.A, "a_A", 2),
+        ("AD", construction.A, construction.D, "a_BA^n", 2),
+        ("DN", construction.D, construction.N, "a_BA^t", 2),
+        ("ON", origin, construction.N, "a_B", 2),
+    )
+    for name, start, end, symbol, power in lines:
+        length = float(np.hypot(*(end - start)))
+        yield (name, f"{1e3 * length:.3f}", mathematics(symbol), figure(omega**power * length), units[power - 1])
+
+
+def _klein_notes(construction: Klein) -> Iterator[str]:
+    """What else there is to say of Klein's construction."""
+    yield _("Turned by 90°, OAC is the plan of velocities;")
+    yield _("turned by 180°, OADN that of accelerations.")
+    x, y = 1e3 * construction.centre
+    if np.isfinite(x):
+        yield _("Instant centre of the rod: X = {x}, Y = {y} mm").format(x=figure(x), y=figure(y))
+
+
+def figure(value: float) -> str:
+    """Write a number with five figures, and a true minus."""
+    digits = max(0, 4 - int(np.floor(np.log10(abs(value))))) if abs(value) > 1e-9 else 0
+    text = f"{value:.{min(digits, 5)}f}"
+    return text.replace("-", "−") if float(text) != 0.0 else text.lstrip("-")

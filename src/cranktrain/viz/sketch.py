@@ -1,0 +1,83 @@
+"""A sketch: lines, circles and labels in millimetres of metal, on layers, that any drawing program can take.
+
+What has a size on paper (ticks of a hatch, gaps beside a label) is given in paper millimetres times the scale.
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from cranktrain.motion import Array
+
+Layer = Literal["LINKS", "GUIDES", "PATHS", "PLAN_V", "PLAN_A", "TEXT", "DIMENSIONS"]
+Habit = Literal["outline", "rod", "thin", "hatch", "dotted", "axis", "arrow", "vector", "part"]
+Fill = Literal["none", "paper", "light", "dark", "ink"]
+
+LAYERS: tuple[Layer, ...] = ("LINKS", "GUIDES", "PATHS", "PLAN_V", "PLAN_A", "TEXT", "DIMENSIONS")
+
+
+class Line(NamedTuple):
+    """A polyline, or several of them with NaN between; shape (2, n). [mm]"""
+
+    points: Array
+    layer: Layer
+    habit: Habit
+    order: int = 0
+    is_closed: bool = False
+    fill: Fill = "none"
+
+
+class Circle(NamedTuple):
+    """A circle: centre, radius. [mm]"""
+
+    centre: Array
+    radius: float
+    layer: Layer
+    habit: Habit
+    order: int = 0
+    fill: Fill = "none"
+
+
+class Label(NamedTuple):
+    """A word, its middle at a point [mm]; a symbol is set as mathematics: a_BA^n."""
+
+    position: Array
+    text: str
+    is_bold: bool = False
+    is_framed: bool = False
+    is_symbol: bool = False
+
+
+@dataclass
+class Sketch:
+    """What is drawn, in the order in which it came; `scale` is millimetres of metal in one of paper."""
+
+    scale: float
+    lines: list[Line] = field(default_factory=list)
+    circles: list[Circle] = field(default_factory=list)
+    labels: list[Label] = field(default_factory=list)
+
+    def add(self, parts: "Iterable[Line | Circle | Label]") -> None:
+        """Take parts in."""
+        for part in parts:
+            if isinstance(part, Line):
+                self.lines.append(part)
+            elif isinstance(part, Circle):
+                self.circles.append(part)
+            else:
+                self.labels.append(part)
+
+    def outline(self) -> Iterator[Array]:
+        """Give the points between which everything drawn lies, shape (2, n)."""
+        for line in self.lines:
+            yield line.points
+        for circle in self.circles:
+            yield circle.centre[:, np.newaxis] + circle.radius * np.array([[-1.0, 1.0], [-1.0, 1.0]])
+
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Least and largest X, least and largest Y. [mm]"""
+        points = np.concatenate(list(self.outline()), axis=1)
+        low, high = np.nanmin(points, axis=1), np.nanmax(points, axis=1)
+        return float(low[0]), float(high[0]), float(low[1]), float(high[1])

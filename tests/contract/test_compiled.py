@@ -1,0 +1,280 @@
+"""Every kernel, compiled, gives what NumPy gives: for numbers, for crank angles, for designs.
+
+Without contraction or reordering both do the same operations, and only cos, sin and atan2 are other people's: their
+results may differ by a few units in the last place. So a compiled result is right where it is NumPy's for inputs
+changed by as much. That change is measured, input by input.
+"""
+
+import importlib
+import inspect
+import pkgutil
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numba
+import numpy as np
+import pytest
+from numba.core import config
+
+import cranktrain.linkage
+import cranktrain.mechanisms
+from cranktrain.linkage import (
+    GUIDE,
+    ROD,
+    Crank,
+    Ends,
+    Leg,
+    LinkPoint,
+    OnLine,
+    Pin,
+    Pose,
+    RodEnds,
+    Slide,
+    Swivel,
+    SwivelEnds,
+    Trammel,
+    Triad,
+    TriadDriver,
+    TriadEnds,
+    Yoke,
+    compiled,
+    crank,
+    fixed,
+    fixed_guide,
+    rod_end,
+    slide,
+    turned,
+)
+from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod
+from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker
+from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
+
+NO_KERNELS = {"compile.compiled", "modes.triad_modes", "walk.pose_at", "walk.triad_walk"}
+"""What supplies kernels, or takes them: `cranktrain.linkage` names it."""
+
+ANGLES = np.array([0.0, 0.3, 1.1, 2.2, 3.3, 4.7, 5.9])
+DESIGNS = 4
+OTHER_LIBRARY = 8 * np.finfo(float).eps
+"""NumPy's vectorised functions are good to 4 units in the last place, the mathematical library's to 1; with reserve."""
+
+
+def kernels() -> dict[str, Callable[..., Any]]:
+    """Every public function of the modules that hold kernels, by module and name."""
+    groups = [f"cranktrain.linkage.{module.name}" for module in pkgutil.iter_modules(cranktrain.linkage.__path__)]
+    mechanisms = [
+        f"cranktrain.mechanisms.{folder.parent.name}.{folder.stem}"
+        for folder in Path(cranktrain.mechanisms.__path__[0]).glob("*/kinematics.py")
+    ]
+    found: dict[str, Callable[..., Any]] = {}
+    for path in groups + mechanisms:
+        module = importlib.import_module(path)
+        for name, function in inspect.getmembers(module, inspect.isfunction):
+            short = f"{path.split('.')[2]}.{name}"
+            if function.__module__ == path and not name.startswith("_") and short not in NO_KERNELS:
+                found[short] = function
+    return found
+
+
+KERNELS = kernels()
+
+
+# An example takes the angle, `size`, through which every length and angle of the geometry passes, and the side.
+
+
+def crank_pin(angle, size):
+    return crank(angle, Crank(size(0.3)))
+
+
+def ends(angle, size):
+    return Ends(crank_pin(angle, size), fixed(size(1.1), size(0.05)))
+
+
+def rod(angle, size):
+    return slide(crank_pin(angle, size), Slide(size(1.0), size(0.05), 1.0)).rod
+
+
+def swivel_ends(angle, size):
+    return SwivelEnds(crank_pin(angle, size), fixed(size(0.1), size(-0.4)))
+
+
+def floating_link(angle, size):
+    """Two rods and a guide about a link that is at rest in (0.5, 0.1) while the first rod's end goes round a little."""
+    end = rod_end(crank(angle, Crank(size(0.02))))
+    driver = TriadEnds(end, rod_end(fixed(size(1.2), size(0.6))), fixed_guide(size(0.4), size(-0.9), size(0.6)))
+    return TriadDriver(driver, Pose(size(0.5), size(0.1), size(0.01)))
+
+
+def legs(size):
+    """Legs as long as they are between those ends and three points of that link."""
+    points = [LinkPoint(size(0.3), size(angle)) for angle in (0.5, 2.5, 4.5)]
+    at = [complex(0.5, 0.1) + 0.3 * np.exp(1j * angle) for angle in (0.5, 2.5, 4.5)]
+    shift = float(((at[2] - complex(0.4, -0.9)) * np.exp(-0.6j)).imag)
+    return Triad(
+        Leg(points[0], size(abs(at[0])), ROD),
+        Leg(points[1], size(abs(at[1] - complex(1.2, 0.6))), ROD),
+        Leg(points[2], size(shift), GUIDE),
+    )
+
+
+def slider_crank_geometry(size):
+    return SliderCrank(size(0.3), size(1.0), size(0.05))
+
+
+def crank_rocker_geometry(size, side):
+    return CrankRocker(size(0.3), size(1.0), size(0.8), size(1.1), side)
+
+
+def articulated_rod_geometry(size):
+    return ArticulatedRod(slider_crank_geometry(size), size(0.25), size(1.2), size(1.0), size(0.8), size(0.02))
+
+
+EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
+    "articulated_rod.articulated_rod": lambda angle, size, side: (angle, articulated_rod_geometry(size)),
+    "articulated_rod.articulated_rod_gap": lambda angle, size, side: (angle, articulated_rod_geometry(size)),
+    "crank.crank": lambda angle, size, side: (angle, Crank(size(0.3))),
+    "crank_rocker.crank_rocker": lambda angle, size, side: (angle, crank_rocker_geometry(size, side)),
+    "crank_rocker.crank_rocker_gap": lambda angle, size, side: (angle, crank_rocker_geometry(size, side)),
+    "legs.block_along": lambda angle, size, side: (OnLine(rod(angle, size), crank_pin(angle, size)),),
+    "legs.fixed_guide": lambda angle, size, side: (size(0.4), size(-0.9), size(0.6)),
+    "legs.rod_between": lambda angle, size, side: (RodEnds(crank_pin(angle, size), fixed(size(1.1), size(0.05))),),
+    "legs.rod_end": lambda angle, size, side: (crank_pin(angle, size),),
+    "pin.pin": lambda angle, size, side: (ends(angle, size), Pin(size(1.0), size(0.8), side)),
+    "pin.pin_gap": lambda angle, size, side: (ends(angle, size), Pin(size(1.0), size(0.8), side)),
+    "point.fixed": lambda angle, size, side: (size(1.1), size(0.05)),
+    "point.point": lambda angle, size, side: (rod(angle, size), LinkPoint(size(0.2), size(0.7))),
+    "point.turned": lambda angle, size, side: (crank_pin(angle, size), size(0.7)),
+    "slide.slide": lambda angle, size, side: (crank_pin(angle, size), Slide(size(1.0), size(0.05), side)),
+    "slide.slide_gap": lambda angle, size, side: (crank_pin(angle, size), Slide(size(1.0), size(0.05), side)),
+    "slider_crank.slider_crank": lambda angle, size, side: (angle, slider_crank_geometry(size)),
+    "slider_crank.slider_crank_gap": lambda angle, size, side: (angle, slider_crank_geometry(size)),
+    "swivel.swivel": lambda angle, size, side: (swivel_ends(angle, size), Swivel(size(0.05), side)),
+    "swivel.swivel_gap": lambda angle, size, side: (swivel_ends(angle, size), Swivel(size(0.05), side)),
+    "trammel.trammel": lambda angle, size, side: (rod(angle, size), Trammel(size(0.1), size(0.01))),
+    "trammel.trammel_transmission": lambda angle, size, side: (rod(angle, size),),
+    "trammel.turned_link": lambda angle, size, side: (rod(angle, size), size(0.7)),
+    "triad.triad": lambda angle, size, side: (floating_link(angle, size), legs(size)),
+    "yoke.yoke": lambda angle, size, side: (turned(crank_pin(angle, size), size(0.1)), Yoke(size(0.1), size(1.2))),
+}
+
+
+def leaves(value: Any) -> Iterator[Any]:
+    """Numbers and arrays of nested tuples, in order."""
+    if isinstance(value, tuple):
+        for part in value:
+            yield from leaves(part)
+    else:
+        yield value
+
+
+def rebuilt(value: Any, parts: Iterator[Any]) -> Any:
+    """The same nested tuples with other leaves."""
+    if not isinstance(value, tuple):
+        return next(parts)
+    inside = [rebuilt(part, parts) for part in value]
+    return type(value)(*inside) if hasattr(value, "_fields") else tuple(inside)
+
+
+def one_machine(name: str, angle: Any) -> Any:
+    """Arguments for one machine, numbers as plain numbers."""
+    arguments = EXAMPLES[name](angle, float, 1.0)
+    return rebuilt(arguments, iter([float(x) if np.ndim(x) == 0 else x for x in leaves(arguments)]))
+
+
+def designs(name: str) -> Any:
+    """Arguments for designs on a leading axis: the first is the one machine, the others hardly all close."""
+    random = np.random.default_rng(7)
+
+    def size(value: float) -> np.ndarray:
+        return value * np.concatenate([[[1.0]], random.uniform(0.4, 1.8, (DESIGNS - 1, 1))])
+
+    side = np.where(np.arange(DESIGNS) % 2, -1.0, 1.0)[:, np.newaxis]
+    return EXAMPLES[name](ANGLES, size, side)
+
+
+def with_numpy(name: str, arguments: Any) -> list[np.ndarray]:
+    with np.errstate(all="ignore"):
+        return [np.asarray(x) for x in leaves(KERNELS[name](*arguments))]
+
+
+def tolerances(name: str, arguments: Any) -> list[np.ndarray]:
+    """By how much the results change when the inputs and the results themselves do by a few last places."""
+    step = 1e-7
+    given = list(leaves(arguments))
+    results = with_numpy(name, arguments)
+    changes = [np.maximum(np.abs(result), 1.0) for result in results]
+    with np.errstate(all="ignore"):
+        for i, value in enumerate(given):
+            changed = [*given[:i], value + step * np.maximum(np.abs(value), 1.0), *given[i + 1 :]]
+            other = with_numpy(name, rebuilt(arguments, iter(changed)))
+            changes = [c + np.abs(o - r) / step for c, o, r in zip(changes, other, results, strict=True)]
+    return [np.where(np.isnan(change), np.inf, OTHER_LIBRARY * change) for change in changes]
+
+
+def assert_same(name: str, arguments: Any) -> list[np.ndarray]:
+    """The compiled kernel gives what NumPy gives: numbers, infinity and NaN."""
+    expected = with_numpy(name, arguments)
+    got = [np.asarray(x) for x in leaves(compiled(KERNELS[name])(*arguments))]
+    assert [x.shape for x in got] == [x.shape for x in expected]
+    for ours, numpys, tolerance in zip(got, expected, tolerances(name, arguments), strict=True):
+        np.testing.assert_array_equal(np.isfinite(ours), np.isfinite(numpys))
+        np.testing.assert_array_equal(ours[~np.isfinite(ours)], numpys[~np.isfinite(ours)])
+        finite = np.isfinite(ours)
+        assert np.all(np.abs(ours - numpys)[finite] <= tolerance[finite])
+    return expected
+
+
+@pytest.fixture
+def unoptimised(monkeypatch):
+    """For arrays, of whose code there is ten times as much: the operations are the same, the compiler takes a third."""
+    monkeypatch.setattr(config, "OPT", type(config.OPT)(0))
+
+
+def test_every_kernel_has_an_example():
+    assert set(EXAMPLES) == set(KERNELS), "a kernel needs an example of its arguments in EXAMPLES, above"
+
+
+@pytest.mark.xdist_group("numba")
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_numbers(name):
+    for angle in ANGLES:
+        expected = assert_same(name, one_machine(name, float(angle)))
+        assert all(np.all(np.isfinite(value)) for value in expected)
+    for design in range(DESIGNS):
+        for at in range(len(ANGLES)):
+            shape = (DESIGNS, len(ANGLES))
+            picked = [float(np.broadcast_to(x, shape)[design, at]) for x in leaves(designs(name))]
+            assert_same(name, rebuilt(designs(name), iter(picked)))
+
+
+@pytest.mark.xdist_group("numba")
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_crank_angles(name, unoptimised):
+    assert_same(name, one_machine(name, ANGLES))
+
+
+@pytest.mark.xdist_group("numba designs")
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_designs(name, unoptimised):
+    assert_same(name, designs(name))
+
+
+def test_designs_include_some_that_do_not_close():
+    """Or NaN would not have been compared."""
+    opens = {name for name in EXAMPLES if any(np.any(np.isnan(x)) for x in with_numpy(name, designs(name)))}
+    assert opens >= {"pin.pin", "slide.slide", "swivel.swivel", "triad.triad", *(n for n in EXAMPLES if "_rod.a" in n)}
+
+
+@pytest.mark.xdist_group("numba")
+def test_division_by_zero_is_no_exception():
+    """A slot along the guide is crossed nowhere."""
+    still = fixed(0.0, 0.0)
+    slot = fixed_guide(0.0, 0.0, 0.0)._replace(origin=still)
+    got = compiled(KERNELS["trammel.trammel"])(slot, Trammel(0.1, 0.0))
+    assert not any(np.isfinite(x) for x in leaves(got))
+
+
+@pytest.mark.xdist_group("numba")
+def test_same_kernel_gives_the_same_compiled_function_also_inside_others():
+    assert compiled(crank) is compiled(crank)
+    assert isinstance(compiled(crank), numba.core.dispatcher.Dispatcher)

@@ -1,0 +1,132 @@
+"""Every bad file is answered with file, line, field, value and what is allowed; nothing is written."""
+
+import pytest
+
+HEAD = 'name = "x"\n[mechanism]\nkind = "slider_crank"\n'
+BANKS = """\
+[shaft.main]
+throws = ["0 deg", "180 deg"]
+[bank.A]
+[bank.A.mechanism]
+kind = "slider_crank"
+stroke = "80 mm"
+rod_length = "136 mm"
+[cylinder]
+cycle = "four-stroke"
+"""
+
+FILES = {
+    "empty": (b"", "bad.toml  no machine in it"),
+    "comment": (b"# nothing\n", "bad.toml  no machine in it"),
+    "binary": (b"\x7fELF\x02\x01\x01\x00\x00\x00", "bad.toml  is no text"),
+    "utf-16": ('name = "x"\n'.encode("utf-16"), "bad.toml  is written in UTF-16"),
+    "latin-1": ('name = "é"\n'.encode("latin-1"), "bad.toml:1:9  the byte 0xE9 here is not UTF-8"),
+    "huge": (b"# " + b"x" * 2**21, "bad.toml  is larger than 1024 KiB"),
+    "syntax": (b'name = "x\n', "bad.toml:1:10"),
+    "no quotes": (
+        b"[mechanism]\nstroke = 80 mm\n",
+        "bad.toml:2:13  stroke = 80 mm: text and quantities stand in quotes",
+    ),
+    "no mechanism": (b'name = "x"\n', "bad.toml:1:1  mechanism: is missing"),
+    "unknown key": (
+        (HEAD + 'strok = "80 mm"\nrod_length = "136 mm"\n').encode(),
+        "bad.toml:4:9  mechanism.strok = 80 mm: is not a key of this table",
+    ),
+    "wrong dimension": (
+        (HEAD + 'stroke = "80 kg"\nrod_length = "136 mm"\n').encode(),
+        "bad.toml:4:10  mechanism.stroke = 80 kg: kg measures a mass",
+    ),
+    "no unit": (
+        (HEAD + 'stroke = 80\nrod_length = "136 mm"\n').encode(),
+        "bad.toml:4:10  mechanism.stroke = 80: must be a length",
+    ),
+    "negative": (
+        (HEAD + 'stroke = "-80 mm"\nrod_length = "136 mm"\n').encode(),
+        "bad.toml:4:10  mechanism.stroke = -80 mm: must be more than 0 mm",
+    ),
+    "nan": (
+        (HEAD + 'stroke = "nan mm"\nrod_length = "136 mm"\n').encode(),
+        "bad.toml:4:10  mechanism.stroke = nan mm: must be finite",
+    ),
+    "comma": (
+        (HEAD + 'stroke = "80,5 mm"\nrod_length = "136 mm"\n').encode(),
+        "bad.toml:4:10  mechanism.stroke = 80,5 mm",
+    ),
+    "unknown kind": (
+        HEAD.replace("slider", "slidr").encode(),
+        "bad.toml:3:8  mechanism.kind = slidr_crank: must be one of: slider_crank",
+    ),
+    "does not close": (
+        (HEAD + 'crank_radius = "40 mm"\nrod_length = "30 mm"\n').encode(),
+        "bad.toml:5:14  mechanism.rod_length = 30 mm: the links cannot close at crank angles 48.59 deg to 131.41 deg",
+    ),
+    "no permutation": (
+        (BANKS + 'firing_order = "1-1"\n').encode(),
+        "bad.toml:10:16  cylinder.firing_order = 1-1: must name each piston once (1, 2); twice: 1; left out: 2",
+    ),
+    "cannot fire so": (
+        (
+            BANKS.replace("four", "two").replace('"180 deg"', '"180 deg", "90 deg"') + 'firing_order = "1-3-2"\n'
+        ).encode(),
+        "bad.toml:10:16  cylinder.firing_order = 1-3-2: cannot fire so",
+    ),
+    "twice": ((BANKS + "[bank.A]\n").encode(), "bad.toml:10:7  bank.A: is given twice, first in line 3"),
+    "no such throw": (
+        BANKS.replace("[bank.A]\n", "[bank.A]\nthrows = [1, 3]\n").encode(),
+        "bad.toml:4:14  bank.A.throws[1] = 3: must be one of the shaft's throws, 1 to 2",
+    ),
+}
+
+
+@pytest.mark.parametrize("command", ["check", "run"])
+@pytest.mark.parametrize("name", FILES)
+def test_bad_file(typed, tmp_path, name, command):
+    content, said = FILES[name]
+    (tmp_path / "bad.toml").write_bytes(content)
+    output = ("-o", "out.csv") if command == "run" else ()
+    answer = typed(command, "bad.toml", *output)
+    assert (answer.status, answer.output) == (2, "")
+    assert answer.errors.startswith(said), answer.errors
+    assert answer.errors.endswith("\n")
+    assert [path.name for path in tmp_path.iterdir()] == ["bad.toml"]
+    assert (tmp_path / "bad.toml").read_bytes() == content
+
+
+def test_nearest_key_is_suggested(typed, tmp_path):
+    (tmp_path / "bad.toml").write_bytes(FILES["unknown key"][0])
+    assert "did you mean stroke?" in typed("check", "bad.toml").errors
+
+
+def test_all_problems_at_once(typed, written):
+    written('[bank.A]\nangle = "0"\n[bank.A.mechanism]\nkind = "slider_crank"\nstroke = "1 kg"\nrod_length = "x"\n')
+    lines = typed("check", "machine.toml").errors.splitlines()
+    assert [line.partition("  ")[0] for line in lines] == ["machine.toml:2:9", "machine.toml:5:10", "machine.toml:6:14"]
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("machin.toml", "machin.toml  there is no such file; is it machine.toml?"),
+        ("3d13", "3d13  there is no such file; is it the example 3d12?"),
+        ("no/such/file.toml", "no/such/file.toml  there is no folder no/such"),
+        (".", ".  is a folder, not a machine file"),
+        ("a\0b", "a"),
+        ("x" * 300, "x" * 300),
+    ],
+)
+def test_files_that_are_not_there(typed, written, name, said):
+    written(HEAD)
+    answer = typed("run", name)
+    assert (answer.status, answer.output) == (2, "")
+    assert answer.errors.startswith(said)
+
+
+def test_unreadable_file(typed, written, monkeypatch):
+    path = written(HEAD)
+    path.chmod(0)
+    try:
+        path.read_bytes()
+    except PermissionError:
+        assert typed("check", path.name).errors.startswith("machine.toml  may not be read")
+    else:
+        pytest.skip("this user may read everything")

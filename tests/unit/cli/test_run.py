@@ -1,0 +1,262 @@
+import dataclasses
+import re
+
+import numpy as np
+import pytest
+
+import cranktrain as ct
+from cranktrain.checks import Check
+from cranktrain.cli.report import show_result
+from cranktrain.cli.screen import page
+from cranktrain.io.machine_file import read_machine
+
+CENTRAL = """
+name = "small"
+[shaft.main]
+speed = { value = "1500 rpm", status = "assumed", note = "as usual" }
+[mechanism]
+kind = "slider_crank"
+stroke = { value = "80 mm", status = "published" }
+rod_length = "136 mm"
+"""
+SHORT_ROD = CENTRAL.replace("136 mm", "30 mm")
+
+
+def rows(output: str) -> dict[str, list[str]]:
+    """Lines of the page's tables by their first word."""
+    return {words[0]: words[1:] for line in output.splitlines() if line.startswith("  ") and (words := line.split())}
+
+
+def sections(output: str) -> dict[str, str]:
+    heads = re.split(r"\n\n(?=\S)", output)
+    return {part.partition("\n")[0]: part.partition("\n")[2] for part in heads}
+
+
+def test_answer_first_then_the_numbers(typed):
+    output = typed("run", "3d12").output
+    lines = output.splitlines()
+    assert lines[0].startswith("3D12 marine diesel")
+    assert "12 pistons, banks L, R; 1500 rpm; clockwise, ahead" in " ".join(lines[:2])
+    # strokes of the fit, to which the example's rods were fitted: 180 and 186.7 mm
+    assert "Strokes: 180.00 mm (1L–6L), 186.70 mm (1R–6R)." in " ".join(lines[2:5])
+    table = rows(output)
+    assert table["stroke"] == ["S", "mm", "180.00", "186.70"]
+    assert "1L–6L   1R–6R" in output
+    assert list(sections(output)) == [
+        output.split("\n\n")[0].partition("\n")[0],
+        "Strokes: 180.00 mm (1L–6L), 186.70 mm (1R–6R). True top dead centres: 0.00 deg",
+        "Results",
+        "Largest values of the curves, in steps of 1°",
+        "By each method, with --quantities",
+        "Checks",
+        "Mind",
+        "What this rests on",
+        "To learn more",
+    ]
+
+
+def test_facts_of_a_radial_have_a_row_for_each_cylinder(typed):
+    output = typed("run", "r-1340").output
+    results = sections(output)["Results"]
+    for name in ("1M", *(f"{i}S" for i in range(1, 9))):
+        assert sum(line.split()[0] == name for line in results.splitlines() if line) >= 3
+    assert "S stroke, φ_T top_dead_centre" in results
+
+
+def test_numbers_are_aligned(typed):
+    results = sections(typed("run", "3d12").output)["Results"]
+    first = results.partition("\n\n")[0].splitlines()
+    assert len({len(line) for line in first}) == 1
+
+
+def test_only_what_is_asked(typed):
+    output = typed("run", "3d12", "--quantities", "stroke,piston_displacement, displacement_error").output
+    table = rows(output)
+    assert "stroke" in table and "piston_displacement" in table
+    assert "top_shift" not in table and "piston_velocity" not in table
+    assert "two_harmonics 1L–6L" in output
+    assert "Firing order" not in output
+
+
+@pytest.mark.parametrize(
+    ("names", "said"),
+    [
+        ("strok", "quantities = strok: is not a quantity of the catalogue"),
+        ("stroke,rocker_angle", "quantities = rocker_angle: is no result of this machine"),
+        ("piston_velocity", "quantities = piston_velocity: needs [shaft.main] speed in the file"),
+    ],
+)
+def test_quantities_that_there_are_not(typed, written, names, said):
+    written(CENTRAL.replace("speed", "# speed"))
+    answer = typed("run", "machine.toml", "--quantities", names)
+    assert (answer.status, answer.output) == (2, "")
+    assert answer.errors.startswith(said)
+
+
+def test_peaks_say_whose_and_where(typed, written):
+    """x has its largest value, the stroke, at 180°; j of a central slider-crank at its top: R ω² (1 + λ)."""
+    written(CENTRAL)
+    table = rows(typed("run", "machine.toml").output)
+    assert table["piston_displacement"] == ["x", "80.00", "mm", "180"]
+    acceleration = 0.04 * (1500 * np.pi / 30) ** 2 * (1 + 40 / 136)
+    assert table["piston_acceleration"] == ["j", f"{acceleration:.0f}", "m/s^2", "0"]
+
+
+def test_provenance(typed, written):
+    written(CENTRAL)
+    rests = sections(typed("run", "machine.toml").output)["What this rests on"]
+    assert rests.startswith("  3 numbers of the file: 1 published, 1 assumed, 1 without a status\n")
+    assert "shaft.main.speed  1500 rpm  assumed  as usual" in rests
+    assert "stroke" not in rests
+    every = sections(typed("run", "machine.toml", "--inputs").output)["What this rests on"]
+    assert every.splitlines()[1].split() == ["mechanism.stroke", "80", "mm", "published"]
+
+
+def test_what_is_missing_and_what_it_would_give(typed, written):
+    written(CENTRAL.replace("speed", "# speed"))
+    more = " ".join(sections(typed("run", "machine.toml").output)["To learn more"].split())
+    assert "[shaft.main] speed: gives piston_velocity, piston_acceleration" in more
+    assert "[cylinder] bore: gives swept_volume, bank_swept_volume, displacement" in more
+    assert "rocker" not in more
+
+
+def test_check_tells_what_can_be_computed(typed, written):
+    written(CENTRAL.replace("speed", "# speed"))
+    lines = typed("check", "machine.toml").output.splitlines()
+    assert lines[0] == "machine.toml: nothing wrong"
+    assert re.match(r"can compute \d+ results: .*dead centres", lines[1])
+    assert any(line.endswith(": [cylinder] bore") for line in lines[2:])
+
+
+def test_failed_check_is_shown(typed, capsys):
+    @dataclasses.dataclass(frozen=True)
+    class Doubtful:
+        checks: tuple[Check, ...] = (
+            Check("a", "something against something else", np.array([0.5]), 1e-9),
+            Check("b", "something at every angle", np.array([np.nan]), 1e-9),
+        )
+        flags: tuple[str, ...] = ("outside its range",)
+
+    file = read_machine("vaz-21213")
+    result = ct.run(file.machine, step_degrees=10)
+    result = dataclasses.replace(result, gifts=(*result.gifts, Doubtful()))
+    with page() as console:
+        show_result(console, file, result, ["stroke"], is_all=False, with_inputs=False)
+    output = " ".join(capsys.readouterr().out.split())
+    assert "✗ does not hold (residual 5.0e-01, limit 1e-09): something against something else" in output
+    assert "✗ cannot be judged, as the links do not close all round (residual nan, limit 1e-09)" in output
+    assert "Mind" in output and "outside its range" in output
+
+
+def test_step(typed, written):
+    written(CENTRAL)
+    assert "in steps of 0.5°" in typed("run", "machine.toml", "--step", "0.5").output
+    assert typed("run", "machine.toml", "--step", "0.7").errors.startswith("step = 0.7 deg: must be from 0.01 to 90")
+    assert typed("run", "machine.toml", "--step", "nan").errors.startswith("step = nan deg: must be")
+
+
+def test_set_for_one_run(typed):
+    output = typed("run", "3D12", "--set", "shaft.main.speed=3000 rpm", "--set", "cylinder.bore = 160 mm").output
+    assert "3000 rpm" in " ".join(output.partition("\n\n")[0].split())
+    assert "Mean piston speed 18.00 m/s" in output
+    assert rows(output)["swept_volume"][2] == f"{np.pi / 4 * 1.6**2 * 1.8:.3f}"
+
+
+@pytest.mark.parametrize(
+    ("setting", "said"),
+    [
+        ("cylinder.bore", "--set  cylinder.bore: must be PATH=VALUE"),
+        (
+            "cylinder.bore=150",
+            '--set  cylinder.bore = 150: must be a length in mm, cm, m, in, ft, such as 90 mm; write "150 mm"',
+        ),
+        ("cylinder.bor=150 mm", "--set  cylinder.bor = 150 mm: is not a key of this table"),
+        ("bank.R.mechanism.rod_length=45 mm", "--set  bank.R.mechanism.rod_length = 45 mm: the links cannot close"),
+        ("a..b=3", "--set  a..b: is no path of a machine file"),
+        ("bank=3", "--set  bank: bank is a table"),
+    ],
+)
+def test_problems_of_a_setting_say_so(typed, setting, said):
+    answer = typed("run", "3d12", "--set", setting)
+    assert (answer.status, answer.output) == (2, "")
+    assert answer.errors.startswith(said)
+
+
+def test_a_setting_may_spoil_another_value(typed):
+    answer = typed("run", "3d12", "--set", "cylinder.cycle=two-stroke")
+    first, last = answer.errors.splitlines()
+    assert re.match(r"example 3d12:\d+:\d+  cylinder.firing_order = .*: cannot fire so", first)
+    assert last == "--set  cylinder.cycle=two-stroke: was set for this run; the file alone may be right"
+
+
+def test_links_that_cannot_close(typed, written):
+    written(SHORT_ROD)
+    answer = typed("run", "machine.toml")
+    assert answer.status == 2
+    # the pin is farther from the line of stroke than the rod is long where sin φ > 30/40
+    limit = np.degrees(np.arcsin(30 / 40))
+    assert f"cannot close at crank angles {limit:.2f} deg to {180 - limit:.2f} deg" in answer.errors
+    assert answer.errors.startswith("machine.toml:8:14  mechanism.rod_length = 30 mm")
+
+
+def test_partial_turn(typed, written):
+    written(SHORT_ROD)
+    answer = typed("run", "machine.toml", "--partial", "-o", "out.csv")
+    assert (answer.status, answer.errors) == (0, "")
+    assert rows(answer.output)["stroke"] == ["S", "mm", "–"]
+    assert "✗" in answer.output
+
+
+@pytest.mark.parametrize("name", ["out", "out.txt", "out.xlsx", "out.csv.gz"])
+def test_unknown_suffix_is_refused_before_anything_else(typed, name):
+    answer = typed("run", "no-such-file.toml", "-o", name)
+    assert answer == (2, "", f"-o = {name}: must end in one of: .csv, .json\n")
+
+
+@pytest.mark.parametrize("name", ["out.csv", "OUT.JSON"])
+def test_output_is_kept_unless_forced(typed, tmp_path, name):
+    path = tmp_path / name
+    path.write_text("old\n", encoding="utf-8")
+    # a step that would be refused is never looked at
+    answer = typed("run", "3d12", "-o", name, "--step", "-1")
+    assert answer == (2, "", f"{name}  is there already; choose another name, or replace it with --force\n")
+    assert path.read_text(encoding="utf-8") == "old\n"
+    answer = typed("run", "3d12", "-o", name, "--force", "--step", "10")
+    assert (answer.status, answer.errors) == (0, "")
+    assert answer.output.endswith(f"written: {name}\n")
+    assert path.stat().st_size > 10_000
+
+
+def test_unwritable_output(typed, tmp_path):
+    assert typed("run", "3d12", "-o", "no/such/folder.csv").errors.startswith(
+        "no/such/folder.csv  the folder is not there"
+    )
+    (tmp_path / "folder.csv").mkdir()
+    assert typed("run", "3d12", "-o", "folder.csv").errors.startswith("folder.csv  is a folder")
+    assert list((tmp_path / "folder.csv").iterdir()) == []
+
+
+def test_a_table_holds_no_facts(typed, tmp_path):
+    answer = typed("run", "3d12", "-o", "out.csv", "--quantities", "stroke,piston_displacement")
+    assert (
+        answer.errors
+        == "quantities = stroke: has one value for the whole cycle, and a .csv holds curves; write a .json\n"
+    )
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_names_cannot_upset_the_terminal(typed, written):
+    written(CENTRAL.replace('"small"', r'"a\u001b[31mred\nline [bold]"'))
+    output = typed("run", "machine.toml").output
+    assert output.startswith("a[31mred line [bold]: slider-crank")
+
+
+def test_bug_is_reported_in_a_sentence(typed, monkeypatch):
+    monkeypatch.setattr("cranktrain.cli.run.read_machine", lambda *_arguments, **_settings: 1 / 0)
+    answer = typed("run", "some file.toml")
+    assert (answer.status, answer.output) == (70, "")
+    assert answer.errors.startswith("This is a bug of cranktrain. Please report it")
+    assert "cranktrain run 'some file.toml'" in answer.errors
+    assert "Traceback" not in answer.errors
+    monkeypatch.setenv("CRANKTRAIN_TRACEBACK", "1")
+    assert "ZeroDivisionError" in typed("run", "some file.toml").errors

@@ -1,0 +1,59 @@
+import json
+import tomllib
+
+import jsonschema
+import pytest
+
+from cranktrain.mechanisms import KINDS
+
+
+@pytest.mark.parametrize("kind", [kind.name for kind in KINDS])
+def test_new_file_runs_as_it_is(typed, kind):
+    assert typed("new", kind, "-o", "mine.toml") == (0, "", "")
+    assert typed("check", "mine.toml").status == 0
+    answer = typed("run", "mine.toml", "--step", "10")
+    assert (answer.status, answer.errors) == (0, "")
+    assert "[shaft.main] speed" not in answer.output
+
+
+def test_new_file_is_on_stdout_unless_named(typed, tmp_path):
+    answer = typed("new", "Slider-Crank")
+    assert answer.output.startswith("#:schema ./cranktrain.schema.json\n")
+    assert tomllib.loads(answer.output)["mechanism"]["kind"] == "slider_crank"
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_optional_lines_of_a_new_file_work(typed, tmp_path):
+    """What stands behind `# ` before a key may be uncommented."""
+    text = typed("new", "articulated_rod").output
+    text = text.replace("# offset", "offset").replace("# running", "running")
+    text = text.replace("# cycle", "cycle").replace("# firing_order", "firing_order")
+    (tmp_path / "mine.toml").write_text(text, encoding="utf-8")
+    assert typed("check", "mine.toml").errors == ""
+
+
+def test_unknown_kind(typed):
+    answer = typed("new", "slider_crnk")
+    assert answer.status == 2
+    assert answer.errors.startswith("KIND = slider_crnk: must be one of: slider_crank")
+    assert 'write "slider_crank"' in answer.errors
+
+
+def test_new_keeps_what_is_there(typed, written):
+    path = written("mine\n")
+    answer = typed("new", "crank_rocker", "-o", path.name)
+    assert answer.status == 2
+    assert answer.errors.startswith("machine.toml  is there already")
+    assert path.read_text(encoding="utf-8") == "mine\n"
+    assert typed("new", "crank_rocker", "-o", path.name, "--force").status == 0
+    assert "crank_rocker" in path.read_text(encoding="utf-8")
+
+
+def test_schema(typed, tmp_path):
+    shown = typed("schema")
+    assert typed("schema", "-o", "cranktrain.schema.json").status == 0
+    assert (tmp_path / "cranktrain.schema.json").read_text(encoding="utf-8") == shown.output
+    schema = json.loads(shown.output)
+    jsonschema.Draft202012Validator.check_schema(schema)
+    for kind in KINDS:
+        jsonschema.Draft202012Validator(schema).validate(tomllib.loads(typed("new", kind.name).output))

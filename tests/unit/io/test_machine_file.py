@@ -1,0 +1,68 @@
+import tomllib
+from importlib.resources import files
+
+import pytest
+
+import cranktrain as ct
+from cranktrain.io.editing import quantity_path
+from cranktrain.io.examples import example_called, example_names
+from cranktrain.io.machine_file import inputs_of, read_machine
+
+MACHINE = '[mechanism]\nkind = "slider_crank"\nstroke = "80 mm"\nrod_length = "136 mm"\n'
+
+
+@pytest.mark.parametrize("name", ["3d12", "3D12", "3D12-Quoted_Rods"])
+def test_example_by_any_spelling(name):
+    assert "3D12" in ct.load(name).name
+    assert example_called(name) == name.lower().replace("-", "_")
+
+
+def test_a_file_goes_before_an_example(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "3d12").write_text(MACHINE, encoding="utf-8")
+    assert ct.load("3d12").mechanism.stroke.si == 0.08
+    (tmp_path / "3d12").unlink()
+    (tmp_path / "3d12").mkdir()
+    assert ct.load("3d12").name.startswith("3D12")
+
+
+def test_path_objects(tmp_path):
+    path = tmp_path / "m.toml"
+    path.write_text(MACHINE, encoding="utf-8")
+    assert ct.load(path) == ct.load(str(path))
+
+
+def test_settings_are_in_machine_and_document():
+    file = read_machine("3d12", ["shaft.main.speed=1800 rpm", "bank.R.mechanism.offset = 1mm"])
+    assert file.machine.shaft.main.speed.text == "1800 rpm"
+    assert file.document.data["bank"]["R"]["mechanism"]["offset"] == "1mm"
+
+
+def test_every_problem_of_settings_at_once():
+    with pytest.raises(ct.InputError) as caught:
+        read_machine("3d12", ["nonsense", "a..b=1"])
+    assert [str(problem.position) for problem in caught.value.problems] == ["--set", "--set"]
+
+
+@pytest.mark.parametrize("name", example_names())
+def test_inputs_are_those_of_the_file(name):
+    """Every path leads to the text that stands there, and every text with a digit and a unit is found."""
+    file = read_machine(name)
+    data = tomllib.loads(files("cranktrain.examples").joinpath(f"{name}.toml").read_text(encoding="utf-8"))
+    inputs = inputs_of(file)
+    for path, given in inputs:
+        found = data
+        for part in quantity_path(path):
+            found = found[part]
+        table = found if isinstance(found, dict) else {"value": found}
+        assert str(table["value"]) == given.text
+        assert (table.get("status"), table.get("note"), table.get("source")) == (given.status, given.note, given.source)
+    assert len({path for path, _given in inputs}) == len(inputs)
+    assert sum(one.given.status is not None for one in inputs) == statuses(data)
+
+
+def statuses(data: object) -> int:
+    """How many tables of a file have a status."""
+    if isinstance(data, dict):
+        return ("status" in data) + sum(map(statuses, data.values()))
+    return sum(map(statuses, data)) if isinstance(data, list) else 0

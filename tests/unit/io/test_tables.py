@@ -1,0 +1,112 @@
+import csv
+import io
+import json
+import math
+
+import numpy as np
+import pytest
+
+import cranktrain as ct
+from cranktrain.io.machine_file import read_machine
+from cranktrain.io.tables import csv_text, json_text
+
+SHORT_ROD = {"kind": "slider_crank", "crank_radius": "40 mm", "rod_length": "30 mm"}
+
+
+@pytest.fixture(scope="module", params=["3d12", "r_1340", "pumping_unit_c57"])
+def example(request):
+    file = read_machine(request.param)
+    return file, ct.run(file.machine, step_degrees=2)
+
+
+def table_of(text: str) -> tuple[list[str], dict[str, list[str]]]:
+    """Comment lines, and columns by their heads."""
+    lines = text.splitlines(keepends=True)
+    comments = [line for line in lines if line.startswith("#")]
+    heads, *rows = csv.reader(io.StringIO("".join(lines[len(comments) :])))
+    assert len(set(heads)) == len(heads)
+    return comments, dict(zip(heads, zip(*rows, strict=True), strict=True))
+
+
+def test_csv_reads_back_to_the_same_numbers(example):
+    file, result = example
+    _comments, columns = table_of("".join(csv_text(result, file.document.data, result.catalogue)))
+    np.testing.assert_array_equal([float(number) for number in columns.pop("crank_angle [deg]")], result.crank_angle)
+    for name, entry in result.catalogue.items():
+        if entry.is_fact:
+            continue
+        *_outer, members = result.labels_of(entry).values()
+        for i, member in enumerate(members):
+            if len(entry.dimensions) == 2:
+                column = columns.pop(f"{name}({member}) [{entry.unit}]")
+                np.testing.assert_array_equal([float(number) for number in column], getattr(result, name)[i])
+    assert all("_by_method(" in head for head in columns)
+
+
+def test_csv_by_method_names_both(example):
+    file, result = example
+    if "displacement_by_method" not in result.catalogue:
+        pytest.skip("no textbook form for this machine")
+    _comments, columns = table_of("".join(csv_text(result, file.document.data, ["displacement_by_method"])))
+    methods, pistons = result.labels["method"], result.labels["piston"]
+    assert len(columns) == 1 + len(methods) * len(pistons)
+    for i, method in enumerate(methods):
+        column = columns[f"displacement_by_method({method} {pistons[-1]}) [m]"]
+        np.testing.assert_array_equal([float(number) for number in column], result.displacement_by_method[i, -1])
+
+
+def test_csv_says_how_it_counts():
+    file = read_machine("3d12", ['running="astern"'])
+    result = ct.run(file.machine, step_degrees=30)
+    comments, _columns = table_of("".join(csv_text(result, file.document.data, ["rod_angle"])))
+    said = "".join(comments)
+    assert comments[0] == f"# cranktrain: {ct.__version__}\n"
+    assert comments[1].startswith("# machine: 3D12 marine diesel")
+    for word in (
+        "# rotation: clockwise, seen from the free end",
+        "# running: astern",
+        "# crank_angle: 0 where the crank of throw 1 points along the axis of bank L",
+        "# piston_displacement: from the true top dead centre toward the shaft",
+        "# units: SI",
+    ):
+        assert word in said
+    assert "# left out: " in said and "piston_displacement" in comments[-1]
+
+
+def test_json_reads_back_to_the_same_numbers(example):
+    file, result = example
+    read = json.loads("".join(json_text(result, file.document.data, result.catalogue)))
+    assert list(read) == [
+        "cranktrain",
+        "machine",
+        "conventions",
+        "crank_angle",
+        "quantities",
+        "facts",
+        "checks",
+        "flags",
+        "missing",
+    ]
+    assert read["machine"] == file.document.data
+    np.testing.assert_array_equal(read["crank_angle"]["values"], result.crank_angle)
+    assert set(read["quantities"]) | set(read["facts"]) == set(result.catalogue)
+    for name, told in (read["quantities"] | read["facts"]).items():
+        entry = result.catalogue[name]
+        values = np.array(told["values"], dtype=float)  # None becomes NaN
+        np.testing.assert_array_equal(values, getattr(result, name))
+        assert values.ndim == len(told["dimensions"])
+        assert (told["unit"], told["symbol"], told["sentence"]) == (entry.unit, entry.symbol, entry.sentence)
+        assert {dimension: tuple(names) for dimension, names in told["labels"].items()} == result.labels_of(entry)
+    assert [check["passed"] for check in read["checks"]] == [True] * len(result.checks)
+    assert all({"results", "needs"} == set(missing) for missing in read["missing"])
+
+
+def test_what_is_not_a_number():
+    result = ct.run(ct.Machine(mechanism=SHORT_ROD), step_degrees=10, partial=True)
+    open_at = np.isnan(result.rod_angle[0])
+    assert open_at.any() and not open_at.all()
+    _comments, columns = table_of("".join(csv_text(result, {}, ["rod_angle"])))
+    assert [math.isnan(float(number)) for number in columns["rod_angle(1) [rad]"]] == open_at.tolist()
+    text = "".join(json_text(result, {}, ["rod_angle"]))
+    assert "NaN" not in text
+    assert [value is None for value in json.loads(text)["quantities"]["rod_angle"]["values"][0]] == open_at.tolist()
