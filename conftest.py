@@ -62,14 +62,3 @@ pytest_collect_file = Sybil(
     patterns=["README.md", "docs/**/*.md", "docs/*.md"],
     fixtures=["document_folder"],
 ).pytest()
-
-
-def pytest_configure(config: pytest.Config) -> None:
-    """Know the mark also where the tests run without xdist."""
-    config.addinivalue_line("markers", "xdist_group(name): tests of one group run one after the other")
-
-
-def pytest_itemcollected(item: pytest.Item) -> None:
-    """Keep the blocks of a document together: a later one uses the names and files of an earlier one."""
-    if item.path.suffix == ".md":
-        item.add_marker(pytest.mark.xdist_group(item.path.name))

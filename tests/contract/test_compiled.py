@@ -53,6 +53,9 @@ from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
 NO_KERNELS = {"compile.compiled", "modes.triad_modes", "walk.pose_at", "walk.triad_walk"}
 """What supplies kernels, or takes them: `cranktrain.linkage` names it."""
 
+ONLY_DESIGNS = {"triad.triad"}
+"""What takes long to compile for arrays: with designs there are crank angles too."""
+
 ANGLES = np.array([0.0, 0.3, 1.1, 2.2, 3.3, 4.7, 5.9])
 DESIGNS = 4
 OTHER_LIBRARY = 8 * np.finfo(float).eps
@@ -183,13 +186,14 @@ def one_machine(name: str, angle: Any) -> Any:
 
 def designs(name: str) -> Any:
     """Arguments for designs on a leading axis: the first is the one machine, the others hardly all close."""
-    random = np.random.default_rng(7)
+    random = np.random.default_rng(0)
 
     def size(value: float) -> np.ndarray:
-        return value * np.concatenate([[[1.0]], random.uniform(0.4, 1.8, (DESIGNS - 1, 1))])
+        return value * np.concatenate([[[1.0]], np.exp(random.uniform(-1.3, 1.3, (DESIGNS - 1, 1)))])
 
     side = np.where(np.arange(DESIGNS) % 2, -1.0, 1.0)[:, np.newaxis]
-    return EXAMPLES[name](ANGLES, size, side)
+    with np.errstate(invalid="ignore"):
+        return EXAMPLES[name](ANGLES, size, side)
 
 
 def with_numpy(name: str, arguments: Any) -> list[np.ndarray]:
@@ -248,7 +252,7 @@ def test_numbers(name):
 
 
 @pytest.mark.xdist_group("numba")
-@pytest.mark.parametrize("name", EXAMPLES)
+@pytest.mark.parametrize("name", sorted(EXAMPLES.keys() - ONLY_DESIGNS))
 def test_crank_angles(name, unoptimised):
     assert_same(name, one_machine(name, ANGLES))
 
@@ -262,7 +266,8 @@ def test_designs(name, unoptimised):
 def test_designs_include_some_that_do_not_close():
     """Or NaN would not have been compared."""
     opens = {name for name in EXAMPLES if any(np.any(np.isnan(x)) for x in with_numpy(name, designs(name)))}
-    assert opens >= {"pin.pin", "slide.slide", "swivel.swivel", "triad.triad", *(n for n in EXAMPLES if "_rod.a" in n)}
+    closing = {"articulated_rod", "crank_rocker", "pin", "slide", "slider_crank", "swivel", "triad"}
+    assert opens >= {f"{name}.{name}" for name in closing}
 
 
 @pytest.mark.xdist_group("numba")

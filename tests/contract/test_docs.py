@@ -71,7 +71,6 @@ def site(tmp_path_factory):
     return folder / "html"
 
 
-@pytest.mark.xdist_group("documentation")
 @pytest.mark.parametrize("page", LABELS)
 def test_equations_are_numbered_as_labelled(site, page):
     html = (site / "theory" / f"{page}.html").read_text(encoding="utf-8")
@@ -104,6 +103,7 @@ def blocks_run(folder: Path, text: str) -> subprocess.CompletedProcess[str]:
     """Run a README's blocks with this project's conftest and a `cranktrain` that only repeats its arguments."""
     shutil.copy(ROOT / "conftest.py", folder)
     (folder / "cranktrain").mkdir()
+    (folder / "cranktrain/__init__.py").touch()
     (folder / "cranktrain/__main__.py").write_text(ECHO, encoding="utf-8")
     (folder / "pytest.ini").write_text("[pytest]\n", encoding="utf-8")
     (folder / "README.md").write_text(text, encoding="utf-8")
@@ -111,14 +111,12 @@ def blocks_run(folder: Path, text: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, cwd=folder, capture_output=True, encoding="utf-8", check=False)
 
 
-@pytest.mark.xdist_group("blocks")
 def test_blocks_that_hold_pass(tmp_path):
     done = blocks_run(tmp_path, BLOCKS_THAT_HOLD)
     assert done.returncode == 0, done.stdout
     assert "4 passed" in done.stdout
 
 
-@pytest.mark.xdist_group("blocks")
 @pytest.mark.parametrize("reason", BLOCKS_THAT_FAIL)
 def test_blocks_that_do_not_hold_fail(tmp_path, reason):
     done = blocks_run(tmp_path, BLOCKS_THAT_FAIL[reason])

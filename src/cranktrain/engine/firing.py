@@ -108,10 +108,13 @@ def firing_angles(tops: Array, cycle: float) -> Array | None:
     -------
     Array, shape (piston,), or None
         Angles that rise from the first piston's, within one cycle; None where the crank pins stand so that no choice
-        of turns gives this order. Pistons may fire at the same time only where they cannot fire otherwise.
+        of turns gives this order. Pistons fire at the same time only where more of them are at their tops together than
+        the cycle has turns.
     """
     apart = _chosen(tops, cycle, least=_SAME)
-    return apart if apart is not None else _chosen(tops, cycle, least=-_SAME)
+    from_each_other = np.abs(np.mod(tops - tops[:, np.newaxis] + np.pi, 2 * np.pi) - np.pi)
+    together = int(np.max(np.sum(from_each_other < _SAME, axis=1)))
+    return _chosen(tops, cycle, least=-_SAME) if apart is None and together > round(cycle / (2 * np.pi)) else apart
 
 
 def _chosen(tops: Array, cycle: float, least: float) -> Array | None:

@@ -20,8 +20,9 @@ class Klein(NamedTuple):
     it meets the parallel to the line of stroke through O; centre: the rod's instant centre; stroke: direction of the
     line of stroke. NaN where lines are parallel, or circles do not meet.
 
-    Turned by 90°, OAC is the polygon of velocities: v_A = ω OA, v_BA = ω AC, v_B = ω OC. Turned by 180°, OADN is that
-    of accelerations: a_A = ω² OA, normal part of a_BA = ω² AD, tangential part = ω² DN, a_B = ω² ON.
+    Turned by 90° in the sense of running, OAC is the polygon of velocities: v_A = ω OA, v_BA = ω AC, v_B = ω OC. Turned
+    by 180°, OADN is that of accelerations: a_A = ω² OA, normal part of a_BA = ω² AD, tangential part = ω² DN,
+    a_B = ω² ON.
     """
 
     mechanism: str

@@ -32,6 +32,10 @@ _FEW = 2
 """Up to so many pistons, each has the textbook's curve beside its own."""
 
 
+_MIDDLE = (4.0, 96.0)
+"""Which of the values set the scale where the links cannot close all round. [%]"""
+
+
 class Curve(NamedTuple):
     """A curve: whose it is, its values at each crank angle, its habit, the letter of its colour."""
 
@@ -320,9 +324,20 @@ def _draw_panel(axes: Axes, panel: Panel, *, is_last: bool) -> None:
             _draw_error(axes, panel.angle, curve)
     axes.set(xlim=(0.0, 360.0), xticks=range(0, 361, 30))
     axes.margins(y=0.09)
+    values = np.stack([curve.values for curve in panel.curves])
+    if np.any(np.isnan(values)):
+        _leave_open(axes, panel.angle, values)
     axes.tick_params(labelsize=TEXT, labelbottom=is_last, pad=2.0)
     axes.yaxis.set_major_locator(_ticks())
     axes.spines[["top", "right"]].set_visible(False)
+
+
+def _leave_open(axes: Axes, angle: Array, values: Array) -> None:
+    """Shade where the links cannot close, and take the scale from what is not the steep edge beside that."""
+    open_there = np.any(np.isnan(values), axis=0)
+    axes.fill_between(angle, 0.0, 1.0, where=open_there, transform=axes.get_xaxis_transform(), color=GRID, linewidth=0)
+    low, high = np.nanpercentile(values, _MIDDLE)
+    axes.set_ylim(low - 0.3 * (high - low), high + 0.3 * (high - low))
 
 
 def _ticks() -> Any:

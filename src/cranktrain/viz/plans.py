@@ -78,7 +78,7 @@ def plan_positions(
         start = box.left + wide + 8.0
         end = _table(page, rows, (start, box.bottom + box.height, box.left + box.width - start))
         if place_called(machine, mechanism).kind.output == "slider":
-            page.text(start, end - 2.0, _("x from the shaft along the line of stroke; v, a away from it"), **muted())
+            page.text(start, end - 2.0, _("from the shaft along the line of stroke, positive away from it"), **muted())
         return page.figure
 
 
@@ -248,7 +248,7 @@ def _table(page: Page, rows: Sequence[Sequence[str]], place: tuple[float, float,
     y = top - 4.0
     for number, row in enumerate(rows):
         for column, words in enumerate(row):
-            share = (column + 1) / columns
+            share = 0.1 + 0.9 * column / (columns - 1)
             is_symbol = words.startswith("$")
             page.text(
                 left if column == 0 else left + width * share,
@@ -315,7 +315,7 @@ def _klein_table(machine: Machine, construction: Klein) -> Iterator[tuple[str, .
 
 def _klein_notes(construction: Klein) -> Iterator[str]:
     """What else there is to say of Klein's construction."""
-    yield _("Turned by 90°, OAC is the plan of velocities;")
+    yield _("Turned by 90° in the sense of running, OAC is the plan of velocities;")
     yield _("turned by 180°, OADN that of accelerations.")
     x, y = 1e3 * construction.centre
     if np.isfinite(x):
