@@ -1,14 +1,12 @@
 """The same outputs as the kernels', written by hand: one function each, as one would write it for this alone.
 
 Plain NumPy takes an array of angles and gives a tuple of arrays; Numba loops over the angles and fills a table, a row
-per angle. Both reuse what they can, and know what a kernel cannot: that the rocker's pivot stands still.
+per angle. Both reuse what they can and know what a kernel cannot: that the rocker's pivot stands still. They have no
+need to stay exact where a kernel must: for links nearly in line, or a whole that turns nearly as one body.
 """
 
 import numpy as np
 from numba import njit
-
-SLIDER_CRANK_COLUMNS = 14
-CRANK_ROCKER_COLUMNS = 22
 
 
 def slider_crank_numpy(angle, crank_radius, rod_length, offset):
@@ -128,20 +126,21 @@ def crank_rocker_numba(angles, crank_radius, rod_length, rocker_length, ground_l
         dx = ground_length - x
         square = dx * dx + y * y
         cross = 0.5 * side * np.sqrt((longest - square) * (square - shortest))
+        per_cross = 1.0 / cross
         along = 0.5 + middle / square
         across = cross / square
         qx = along * dx + across * y
         qy = across * dx - along * y
         tx = qx - dx
         ty = qy + y
-        rod_turn = (y * tx - x * ty) / cross
-        rocker_turn = (y * qx - x * qy) / cross
+        rod_turn = (y * tx - x * ty) * per_cross
+        rocker_turn = (y * qx - x * qy) * per_cross
         rod_square = rod_turn * rod_turn
         rocker_square = rocker_turn * rocker_turn
         kx = x + rod_square * qx - rocker_square * tx
         ky = y + rod_square * qy - rocker_square * ty
-        rod_rate = (kx * tx + ky * ty) / cross
-        rocker_rate = (kx * qx + ky * qy) / cross
+        rod_rate = (kx * tx + ky * ty) * per_cross
+        rocker_rate = (kx * qx + ky * qy) * per_cross
         table[i, 0] = x
         table[i, 1] = -y
         table[i, 2] = -x

@@ -18,7 +18,10 @@ V12: dict[str, Any] = {
         }
     },
     "bank": {
-        "L": {"angle": "-30 deg", "mechanism": {"kind": "slider_crank", "crank_radius": "90 mm", "rod_length": "320 mm"}},
+        "L": {
+            "angle": "-30 deg",
+            "mechanism": {"kind": "slider_crank", "crank_radius": "90 mm", "rod_length": "320 mm"},
+        },
         "R": {
             "angle": "30 deg",
             "mechanism": {

@@ -69,27 +69,21 @@ class RockerTurn:
     ----------
     samples : RockerAndRod, shape (design, rocker, 720)
         On `turn_grid()`.
-    rocker_middle, rod_middle : Array, shape (design, rocker, 1)
-        Middle of the swing, within [−π, π], about which angles are counted; NaN for a link that turns. [rad]
+    middle : Array, shape (design, rocker, 1)
+        Middle of the swing, within [−π, π], about which angles are counted; NaN for a rocker that turns. [rad]
     """
 
     samples: RockerAndRod
-    rocker_middle: Array
-    rod_middle: Array
+    middle: Array
 
 
 def rocker_turn(rockers: Rockers) -> RockerTurn:
-    """Sample the rockers' turn, and find what swings and what turns."""
+    """Sample the rockers' turn, and find which of them swing and which turn."""
     samples = _rocker_and_rod(rockers, turn_grid())
-    return RockerTurn(samples, _middle(samples.rocker), _middle(samples.rod))
-
-
-def _middle(angle: Array) -> Array:
-    """Middle of an angle's swing over a turn; NaN where it turns round with the crank."""
-    whole = unwrapped(angle)
+    whole = unwrapped(samples.rocker)
     middle = 0.5 * (np.fmax.reduce(whole, axis=-1, keepdims=True) + np.fmin.reduce(whole, axis=-1, keepdims=True))
     turns = np.abs(whole[..., -1:] - whole[..., :1]) > np.pi
-    return np.where(turns, np.nan, middle - 2 * np.pi * np.rint(middle / (2 * np.pi)))
+    return RockerTurn(samples, np.where(turns, np.nan, middle - 2 * np.pi * np.rint(middle / (2 * np.pi))))
 
 
 def _counted(angle: Array, middle: Array) -> Array:
@@ -137,14 +131,14 @@ def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) 
 
     def rocker(phi: Array) -> Coefficient:
         motion = _rocker_and_rod(rockers, phi)
-        return Coefficient(_counted(motion.rocker, turn.rocker_middle), motion.rocker_first, motion.rocker_second)
+        return Coefficient(_counted(motion.rocker, turn.middle), motion.rocker_first, motion.rocker_second)
 
-    least, most = turning_points(rocker, _counted(turn.samples.rocker, turn.rocker_middle))
+    least, most = turning_points(rocker, _counted(turn.samples.rocker, turn.middle))
     travel = np.mod(most.angle - least.angle, 2 * np.pi)
     slower = np.maximum(travel, 2 * np.pi - travel)
 
     def swinging(values: Array) -> Array:
-        return np.where(np.isnan(turn.rocker_middle), np.nan, values)[..., 0]
+        return np.where(np.isnan(turn.middle), np.nan, values)[..., 0]
 
     return DeadPositions(
         swing=swinging(most.value - least.value),
@@ -185,10 +179,10 @@ def rocker_motion(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) -
     """Angles of every rocker and rod, without jumps, and their derivatives."""
     motion = _rocker_and_rod(rockers, crank_angle.angle)
     return RockerMotion(
-        rocker_angle=_counted(motion.rocker, turn.rocker_middle),
+        rocker_angle=_counted(motion.rocker, turn.middle),
         rocker_velocity_coefficient=motion.rocker_first,
         rocker_acceleration_coefficient=motion.rocker_second,
-        coupler_angle=_counted(motion.rod, turn.rod_middle),
+        coupler_angle=unwrapped(motion.rod),
         coupler_velocity_coefficient=motion.rod_first,
         coupler_acceleration_coefficient=motion.rod_second,
         checks=(_derivatives_check(rockers),),

@@ -114,9 +114,15 @@ def rescaled(plan: PositionPlan, scale: float) -> PositionPlan:
 
 def plan_angles(angles: int | Sequence[float]) -> Array:
     """Give that many angles, spread evenly over a turn, or those that are listed. [deg]"""
-    if isinstance(angles, int):
-        return np.arange(angles, dtype=np.float64) * (360.0 / angles)
-    return np.asarray(angles, dtype=np.float64)
+    n = angles if isinstance(angles, int) else len(angles)
+    if n < 1:
+        allowed = _("there must be at least one")
+        raise InputError([Problem("", _("{n} crank angles").format(n=n), allowed)])
+    return (
+        np.arange(n, dtype=np.float64) * (360.0 / n)
+        if isinstance(angles, int)
+        else np.asarray(angles, dtype=np.float64)
+    )
 
 
 def fitting(outlines: Sequence[Array], room: tuple[float, float]) -> float:

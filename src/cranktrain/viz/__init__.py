@@ -7,7 +7,7 @@ if TYPE_CHECKING:
     from cranktrain.viz.cad import dxf
     from cranktrain.viz.gif import animation
     from cranktrain.viz.machine_sheet import sheet
-    from cranktrain.viz.output import save
+    from cranktrain.viz.output import save, save_animation
     from cranktrain.viz.plans import plan_accelerations, plan_klein, plan_positions, plan_velocities
 
 __all__ = [
@@ -18,6 +18,7 @@ __all__ = [
     "plan_positions",
     "plan_velocities",
     "save",
+    "save_animation",
     "sheet",
 ]
 
@@ -29,6 +30,7 @@ _HOMES = {
     "plan_positions": "cranktrain.viz.plans",
     "plan_velocities": "cranktrain.viz.plans",
     "save": "cranktrain.viz.output",
+    "save_animation": "cranktrain.viz.output",
     "sheet": "cranktrain.viz.machine_sheet",
 }
 

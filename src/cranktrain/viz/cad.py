@@ -151,9 +151,8 @@ def _draw(space: Modelspace, sketch: Sketch, origin: Array, factor: float = 1.0)
         space.add_circle(_point(origin + factor * circle.centre), factor * circle.radius, dxfattribs=_manner(circle))
     for label in sketch.labels:
         height = _TEXT * sketch.scale * factor
-        words = label.text.replace("^", " ")  # in DXF a caret begins a control code
-        corner = origin + factor * label.position - height * np.array([0.3 * len(words), 0.5])
-        _write(space, words, corner, height)
+        corner = origin + factor * label.position - height * np.array([0.3 * len(label.text), 0.5])
+        _write(space, label.text, corner, height)
 
 
 def _manner(part: Line | Circle) -> dict[str, str]:
@@ -171,7 +170,8 @@ def _parts(points: Array) -> Iterator[Array]:
 
 
 def _write(space: Modelspace, words: str, place: Array, height: float) -> None:
-    space.add_text(words, height=height, dxfattribs={"layer": "TEXT"}).set_placement(_point(place))
+    plain = words.replace("^2", "²").replace("^", " ")  # in DXF a caret begins a control code
+    space.add_text(plain, height=height, dxfattribs={"layer": "TEXT"}).set_placement(_point(place))
 
 
 def _point(place: Array) -> tuple[float, float]:

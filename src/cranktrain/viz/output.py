@@ -6,9 +6,11 @@ from io import BytesIO
 from pathlib import PurePath
 from typing import Any
 
+from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.output import write_whole_bytes
 from cranktrain.language import _
+from cranktrain.viz.gif import animation
 from cranktrain.viz.page import Figure, drawing_settings
 
 DOTS_PER_INCH = 150
@@ -46,6 +48,26 @@ def save(figure: Figure | Callable[[], Figure], path: "str | os.PathLike[str]", 
         allowed = _("must end in one of: {suffixes}").format(suffixes=", ".join(FORMATS))
         raise InputError([Problem("", os.fspath(path), allowed, position=Position("-o"))])
     write_whole_bytes(path, _pieces(figure, suffix), force=force)
+
+
+def save_animation(result: Result, path: "str | os.PathLike[str]", *, force: bool = False, design: int = 0) -> None:
+    """Save the moving picture of a result as a GIF.
+
+    Parameters
+    ----------
+    result : Result
+    path : str or path-like
+    force : bool
+        Replace a file that is there.
+    design : int
+        Which of the result's machines.
+
+    Raises
+    ------
+    InputError
+        If a file is there, or it cannot be written; the picture is drawn only after that is known.
+    """
+    write_whole_bytes(path, (animation(result, design=design) for _once in range(1)), force=force)
 
 
 def _pieces(figure: Figure | Callable[[], Figure], suffix: str) -> Iterator[bytes]:

@@ -189,8 +189,8 @@ def _page(
 ) -> tuple[Page, _Box]:
     """Begin a sheet; give the room below its head."""
     n = len(plan_angles(angles))
-    if not 1 <= n <= MOST:
-        allowed = _("must be 1 to {most} to a sheet").format(most=MOST)
+    if n > MOST:
+        allowed = _("must be at most {most} to a sheet").format(most=MOST)
         raise InputError([Problem("", _("{n} crank angles").format(n=n), allowed)])
     width, height = paper(size)
     page = Page(width, height)

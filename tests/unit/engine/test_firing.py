@@ -66,7 +66,10 @@ def test_firing_angles_are_the_most_even_of_all(seed):
     possible = [
         angles
         for turns in itertools.product((0, 1), repeat=4)
-        if np.all(np.diff(angles := np.array([0, *(np.mod(tops[1:] - tops[0], 2 * np.pi) + 2 * np.pi * np.array(turns))])) > 1e-9)
+        if np.all(
+            np.diff(angles := np.array([0, *(np.mod(tops[1:] - tops[0], 2 * np.pi) + 2 * np.pi * np.array(turns))]))
+            > 1e-9
+        )
     ]
     found = firing_angles(tops, 4 * np.pi)
     if not possible:

@@ -60,7 +60,7 @@ def test_offset_is_the_same_metal_ahead_and_astern():
     for machine, phi in ((ahead, 90.0), (astern, -90.0)):
         pins = placed(machine, machine.places[0], np.array([np.deg2rad(phi)])).pins
         # crank 90° clockwise from the bank's axis: (cos 30°, sin 30°) · 30 mm
-        np.testing.assert_allclose(np.ravel(pins["A"]), [0.03 * ROOT, 0.03 * HALF], rtol=0, atol=1e-16)
+        np.testing.assert_allclose(np.ravel(pins["A"]), [0.03 * ROOT, 0.03 * HALF], rtol=0, atol=1e-15)
         # y_A − e = 20 mm, so that the pin is √(50² − 20²) mm along the axis
         along = np.sqrt(50.0**2 - 20.0**2) * 1e-3
         expected = [-HALF * along + ROOT * 0.01, ROOT * along + HALF * 0.01]

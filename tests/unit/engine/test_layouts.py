@@ -125,7 +125,12 @@ def test_two_row_radial():
     star = {"angle": ["120 deg", "240 deg"], "mechanism": slave("M", articulation_angle=["118 deg", "242 deg"])}
     result = engine(throws(0, 180), {"M": {"mechanism": slider()}, "S": star})
     assert result.labels["piston"] == ("1M", "2M", "1S", "2S", "3S", "4S")
-    for name, throw, gamma, zeta in (("1S", 0, 120, 118), ("2S", 0, 240, 242), ("3S", 180, 120, 118), ("4S", 180, 240, 242)):
+    for name, throw, gamma, zeta in (
+        ("1S", 0, 120, 118),
+        ("2S", 0, 240, 242),
+        ("3S", 180, 120, 118),
+        ("4S", 180, 240, 242),
+    ):
         position = slave_position(
             PHI + np.radians(throw), bank_angle=np.radians(gamma), articulation_angle=np.radians(zeta)
         )
@@ -176,11 +181,15 @@ def test_sliders_and_rockers_on_one_shaft():
     assert result.labels["mechanism"] == ("1P", "2P", "1K", "2K", "1Q", "2Q")
     assert_tops(result, {"1P": 0, "2P": 180, "1Q": 180, "2Q": 0})
     alone = ct.run(
-        ct.Machine(mechanism=rocker | {"ground_length": "45 mm", "load_radius": "50 mm"}, shaft=throws(0, speed="100 rpm"))
+        ct.Machine(
+            mechanism=rocker | {"ground_length": "45 mm", "load_radius": "50 mm"}, shaft=throws(0, speed="100 rpm")
+        )
     )
     assert result.labels["rocker"] == ("1K", "2K")
     # The rocker's bank is reached 90° later, and the second throw stands half a turn ahead.
     for rocker_, shift in ((0, 90), (1, 270)):
         for name in ("rocker_angle", "rocker_acceleration_coefficient", "load_displacement"):
-            np.testing.assert_allclose(getattr(result, name)[rocker_], np.roll(getattr(alone, name)[0], shift), atol=1e-12)
+            np.testing.assert_allclose(
+                getattr(result, name)[rocker_], np.roll(getattr(alone, name)[0], shift), atol=1e-12
+            )
     assert result.displacement == pytest.approx(4 * np.pi / 4 * 0.08**2 * 2 * RADIUS)

@@ -63,7 +63,9 @@ def test_slaves_share_the_masters_deck():
     clearance = 180 / 13.5 + 410 - top
     np.testing.assert_allclose(result.compression_ratio[:6], 14.5, rtol=1e-13)
     np.testing.assert_allclose(result.compression_ratio[6:], 1 + stroke / clearance, rtol=1e-9)
-    np.testing.assert_allclose(result.bank_swept_volume, 6 * np.pi / 4 * 0.15**2 * np.array([0.18, stroke / 1e3]), rtol=1e-9)
+    np.testing.assert_allclose(
+        result.bank_swept_volume, 6 * np.pi / 4 * 0.15**2 * np.array([0.18, stroke / 1e3]), rtol=1e-9
+    )
 
 
 def test_a_bank_may_have_its_own_ratio():
@@ -71,7 +73,9 @@ def test_a_bank_may_have_its_own_ratio():
     data["cylinder"]["R"] = {"compression_ratio": 15.5}
     result = ct.run(ct.Machine(**data))
     np.testing.assert_allclose(result.compression_ratio, [14.5] * 6 + [15.5] * 6, rtol=1e-13)
-    np.testing.assert_allclose(result.clearance_volume * (result.compression_ratio - 1), result.swept_volume, rtol=1e-13)
+    np.testing.assert_allclose(
+        result.clearance_volume * (result.compression_ratio - 1), result.swept_volume, rtol=1e-13
+    )
 
 
 def test_the_nearest_table_counts():

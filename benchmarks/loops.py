@@ -1,0 +1,64 @@
+"""Loops over the angles that fill a table as those of `by_hand` do, and call the compiled kernel at each angle."""
+
+from numba import njit
+
+from cranktrain.linkage import compiled
+from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
+from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
+
+slider_crank_at = compiled(slider_crank)
+crank_rocker_at = compiled(crank_rocker)
+
+
+@njit(error_model="numpy")
+def slider_crank_loop(angles, crank_radius, rod_length, offset, table):
+    """Fill `table`, a row per angle, with the columns of `by_hand.slider_crank_numpy`."""
+    geometry = SliderCrank(crank_radius, rod_length, offset)
+    for i in range(angles.size):
+        motion = slider_crank_at(angles[i], geometry)
+        pin, slider, rod = motion.pin, motion.slider, motion.rod
+        table[i, 0] = pin.x.value
+        table[i, 1] = pin.x.first
+        table[i, 2] = pin.x.second
+        table[i, 3] = pin.y.value
+        table[i, 4] = pin.y.first
+        table[i, 5] = pin.y.second
+        table[i, 6] = slider.value
+        table[i, 7] = slider.first
+        table[i, 8] = slider.second
+        table[i, 9] = rod.angle.value
+        table[i, 10] = rod.angle.first
+        table[i, 11] = rod.angle.second
+        table[i, 12] = rod.cos
+        table[i, 13] = rod.sin
+
+
+@njit(error_model="numpy")
+def crank_rocker_loop(angles, crank_radius, rod_length, rocker_length, ground_length, side, table):
+    """Fill `table`, a row per angle, with the columns of `by_hand.crank_rocker_numpy`."""
+    geometry = CrankRocker(crank_radius, rod_length, rocker_length, ground_length, side)
+    for i in range(angles.size):
+        motion = crank_rocker_at(angles[i], geometry)
+        pin, joint, rod, rocker = motion.pin, motion.joint, motion.rod, motion.rocker
+        table[i, 0] = pin.x.value
+        table[i, 1] = pin.x.first
+        table[i, 2] = pin.x.second
+        table[i, 3] = pin.y.value
+        table[i, 4] = pin.y.first
+        table[i, 5] = pin.y.second
+        table[i, 6] = joint.x.value
+        table[i, 7] = joint.x.first
+        table[i, 8] = joint.x.second
+        table[i, 9] = joint.y.value
+        table[i, 10] = joint.y.first
+        table[i, 11] = joint.y.second
+        table[i, 12] = rod.angle.value
+        table[i, 13] = rod.angle.first
+        table[i, 14] = rod.angle.second
+        table[i, 15] = rod.cos
+        table[i, 16] = rod.sin
+        table[i, 17] = rocker.angle.value
+        table[i, 18] = rocker.angle.first
+        table[i, 19] = rocker.angle.second
+        table[i, 20] = rocker.cos
+        table[i, 21] = rocker.sin

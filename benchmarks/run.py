@@ -1,0 +1,187 @@
+"""How fast the kernels are, as ratios of wall times to other ways of the same, measured in turn in one process.
+
+    python benchmarks/run.py [--quick]
+
+Ends with status 1 where a limit is missed. See README.md beside this file.
+"""
+
+import sys
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import by_hand
+import loops
+import numpy as np
+import peers
+from timing import interleaved_ratio
+
+from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
+from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
+
+SAME = 1e-12
+"""Largest difference of two ways, of the quantity's peak."""
+
+SLIDER_CRANK = SliderCrank(0.04, 0.14, 0.01)
+CRANK_ROCKER = CrankRocker(0.3, 1.0, 0.8, 1.1, 1.0)
+
+
+class Mechanism(NamedTuple):
+    """One mechanism in five ways: three functions of the angles, two that fill a table as well, a linkage of n steps.
+
+    columns: of a motion, all that a table has; n_points: how many of these are of points, which is what a peer gives.
+    """
+
+    name: str
+    geometry: tuple[float, ...]
+    kernel: Callable[..., Any]
+    by_hand: Callable[..., Any]
+    loop: Callable[..., Any]
+    loop_by_hand: Callable[..., Any]
+    peer: Callable[..., Any]
+    columns: Callable[[Any], list[Any]]
+    n_columns: int
+    n_points: int
+
+
+class Comparison(NamedTuple):
+    """Two ways of one thing, each called without arguments, and how to get columns that should be the same."""
+
+    what: str
+    against: str
+    ours: Callable[[], Any]
+    theirs: Callable[[], Any]
+    our_columns: Callable[[Any], list[Any]]
+    their_columns: Callable[[Any], list[Any]]
+    limit: float
+    most_apart: float = SAME
+
+
+def coefficients(point):
+    """Columns of a point."""
+    return [*point.x, *point.y]
+
+
+def directions(link):
+    """Columns of a link, without its origin, which is a point that is there already."""
+    return [*link.angle, link.cos, link.sin]
+
+
+def slider_crank_columns(motion):
+    return [*coefficients(motion.pin), *motion.slider, *directions(motion.rod)]
+
+
+def crank_rocker_columns(motion):
+    points = [*coefficients(motion.pin), *coefficients(motion.joint)]
+    return [*points, *directions(motion.rod), *directions(motion.rocker)]
+
+
+MECHANISMS = [
+    Mechanism(
+        "slider_crank",
+        SLIDER_CRANK,
+        slider_crank,
+        by_hand.slider_crank_numpy,
+        loops.slider_crank_loop,
+        by_hand.slider_crank_numba,
+        peers.slider_crank,
+        slider_crank_columns,
+        14,
+        9,
+    ),
+    Mechanism(
+        "crank_rocker",
+        CRANK_ROCKER,
+        crank_rocker,
+        by_hand.crank_rocker_numpy,
+        loops.crank_rocker_loop,
+        by_hand.crank_rocker_numba,
+        peers.crank_rocker,
+        crank_rocker_columns,
+        22,
+        12,
+    ),
+]
+
+
+def filled(loop, angles, mechanism):
+    """A loop as a function without arguments, with its table made beforehand."""
+    table = np.empty((angles.size, mechanism.n_columns))
+
+    def fill():
+        loop(angles, *mechanism.geometry, table)
+        return table
+
+    return fill
+
+
+def stepped(mechanism, n):
+    """A new linkage of the peer's, as a function without arguments that goes through one turn."""
+    linkage = mechanism.peer(n, *mechanism.geometry)
+    return lambda: linkage.step_fast_with_kinematics(n)
+
+
+def comparisons(mechanism, n):
+    """All that is compared at n angles of a turn."""
+    angles = np.arange(n) * (2 * np.pi / n)
+    columns, points = mechanism.columns, slice(mechanism.n_points)
+
+    def kernel():
+        return mechanism.kernel(angles, mechanism.geometry)
+
+    def by_hand():
+        return mechanism.by_hand(angles, *mechanism.geometry)
+
+    loop, loop_by_hand = (filled(each, angles, mechanism) for each in (mechanism.loop, mechanism.loop_by_hand))
+    yield Comparison("NumPy", "NumPy by hand", kernel, by_hand, columns, list, 1.3)
+    yield Comparison("compiled", "Numba by hand", loop, loop_by_hand, np.transpose, np.transpose, 1.05)
+    # The peer adds up the turn from n steps, each of them rounded.
+    apart = max(SAME, n * np.finfo(float).eps)
+    for what, ours, our_columns, limit in (("NumPy", kernel, columns, 1 / 4), ("compiled", loop, np.transpose, 1 / 8)):
+
+        def of_points(result, our_columns=our_columns):
+            return our_columns(result)[points]
+
+        def of_peer(result):
+            return peers.columns(result)[points]
+
+        yield Comparison(what, "pylinkage", ours, stepped(mechanism, n), of_points, of_peer, limit, apart)
+
+
+def difference(comparison):
+    """Largest difference of the two ways, of the quantity's peak."""
+    ours, theirs = comparison.our_columns(comparison.ours()), comparison.their_columns(comparison.theirs())
+    return max(np.max(np.abs(our - their)) / np.max(np.abs(our)) for our, their in zip(ours, theirs, strict=True))
+
+
+def is_kept(mechanism, n, comparison, n_repetitions):
+    """Measure, print the line of the table, say whether the limit is kept."""
+    apart = difference(comparison)
+    if not apart <= comparison.most_apart:
+        raise ArithmeticError(f"{mechanism.name}, {comparison.against}: {apart:.1e} of the peak apart")
+    ratio = interleaved_ratio(comparison.ours, comparison.theirs, n_repetitions=n_repetitions)
+    good = ratio.median <= comparison.limit
+    print(
+        f"{mechanism.name:<13}{n:>7}  {comparison.what:<9}{comparison.against:<14}"
+        f"{1e9 * ratio.ours / n:>8.1f}{1e9 * ratio.theirs / n:>8.1f}"
+        f"{ratio.median:>8.3f}{f'{ratio.least:.3f}–{ratio.most:.3f}':>14}{comparison.limit:>7.3f}"
+        f"  {'ok' if good else 'MISSED'}",
+        flush=True,
+    )
+    return good
+
+
+def main(arguments):
+    n_repetitions = 15 if "--quick" in arguments else 101
+    print(" " * 43 + "ns an angle")
+    print("mechanism     angles  what     against           ours  theirs   ratio       min–max  limit")
+    kept = [
+        is_kept(mechanism, n, comparison, n_repetitions)
+        for n in (720, 100_000)
+        for mechanism in MECHANISMS
+        for comparison in comparisons(mechanism, n)
+    ]
+    sys.exit(not all(kept))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

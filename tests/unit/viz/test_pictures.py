@@ -1,0 +1,352 @@
+"""Pictures: what they say, that no words overlap or leave the paper, that metal is to scale, that bytes stay."""
+
+import subprocess
+import sys
+from io import BytesIO
+from itertools import combinations
+
+import numpy as np
+import pytest
+
+import cranktrain as ct
+from cranktrain.engine.frames import in_machine_axes
+from cranktrain.errors import InputError
+from cranktrain.io.examples import example_names
+from cranktrain.io.output import write_whole_bytes
+from cranktrain.study.placement import frame
+from cranktrain.viz import (
+    animation,
+    dxf,
+    plan_accelerations,
+    plan_klein,
+    plan_positions,
+    plan_velocities,
+    save,
+    save_animation,
+    sheet,
+)
+from cranktrain.viz.curves import marks, panels
+from cranktrain.viz.mechanism import mechanism_sketch
+from cranktrain.viz.page import fitting_scale, mathematics, scale_words
+from cranktrain.viz.scene import scene_of
+
+MILLIMETRE = 1 / 25.4
+
+ODD = {
+    "no speed, no bore": {"mechanism": {"kind": "slider_crank", "stroke": "12 in", "rod_length": "30 in"}},
+    "astern and tiny": {
+        "name": "Desaxial",
+        "running": "astern",
+        "angle": "45 deg",
+        "mechanism": {"kind": "slider_crank", "crank_radius": "0.1 mm", "rod_length": "0.4 mm", "offset": "0.05 mm"},
+        "cylinder": {"bore": "0.2 mm"},
+    },
+    "a rocker that turns": {
+        "rotation": "anticlockwise",
+        "mechanism": {
+            "kind": "crank_rocker",
+            "crank_radius": "300 mm",
+            "rod_length": "250 mm",
+            "rocker_length": "280 mm",
+            "ground_length": "100 mm",
+        },
+    },
+    "a star without slaves": {
+        "shaft": {"main": {"speed": "3000 rpm"}},
+        "bank": {
+            "A": {
+                "angle": ["0 deg", "72 deg", "144 deg", "216 deg", "288 deg"],
+                "mechanism": {"kind": "slider_crank", "crank_radius": "30 mm", "rod_length": "120 mm"},
+            }
+        },
+        "cylinder": {"bore": "60 mm"},
+    },
+}
+
+PLANS = {
+    "positions": plan_positions,
+    "velocities": plan_velocities,
+    "accelerations": plan_accelerations,
+    "klein": plan_klein,
+}
+
+
+@pytest.fixture(scope="module")
+def results():
+    """Results of the examples by name."""
+    return {name: ct.run(ct.load(name)) for name in example_names()}
+
+
+def words_of(figure):
+    """All words of a picture with their boxes in dots."""
+    from matplotlib.text import Text
+
+    figure.canvas.draw()
+    beyond = {
+        id(label)
+        for axes in figure.axes
+        if axes.axison
+        for labels, (low, high), i in (
+            (axes.get_xticklabels(), axes.get_xlim(), 0),
+            (axes.get_yticklabels(), axes.get_ylim(), 1),
+        )
+        for label in labels
+        if not low <= label.get_position()[i] <= high
+    }
+    found = [text for text in figure.findobj(Text) if text.get_visible() and text.get_text().strip()]
+    return [(text.get_text(), text.get_window_extent()) for text in found if id(text) not in beyond]
+
+
+def assert_words_are_readable(figure):
+    """No words over others, none outside the paper, none smaller than 8 points."""
+    from matplotlib.text import Text
+
+    words = words_of(figure)
+    width, height = figure.get_size_inches() * figure.dpi
+    for text, box in words:
+        assert box.x0 > 0 and box.y0 > 0 and box.x1 < width and box.y1 < height, f"{text!r} leaves the paper"
+    dot = 0.3 * MILLIMETRE * figure.dpi
+    over = [
+        (one, other)
+        for (one, a), (other, b) in combinations(words, 2)
+        if min(a.x1, b.x1) - max(a.x0, b.x0) > dot and min(a.y1, b.y1) - max(a.y0, b.y0) > dot
+    ]
+    assert over == []
+    assert min(text.get_fontsize() for text in figure.findobj(Text) if text.get_text()) >= 8.0
+
+
+@pytest.mark.parametrize("name", example_names())
+def test_sheet_is_readable(results, name):
+    figure = sheet(results[name])
+    assert_words_are_readable(figure)
+    assert tuple(figure.get_size_inches()) == pytest.approx((297 * MILLIMETRE, 210 * MILLIMETRE))
+
+
+@pytest.mark.parametrize("case", ODD)
+def test_sheet_of_other_machines_is_readable(case):
+    assert_words_are_readable(sheet(ct.run(ct.Machine(**ODD[case]))))
+
+
+def test_sheet_of_links_that_part_is_readable():
+    short = ct.Machine(mechanism={"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "45 mm"})
+    figure = sheet(ct.run(short, partial=True), at=90.0)
+    assert_words_are_readable(figure)
+    assert "Drawn at φ = 116°" in [text for text, _box in words_of(figure)]
+
+
+def test_larger_paper(results):
+    figure = sheet(results["r_1340"], size="A3")
+    assert_words_are_readable(figure)
+    assert "200 mm, scale 1:5" in [text for text, _box in words_of(figure)]
+    with pytest.raises(InputError, match="size = A7: must be one of: A4, A3"):
+        sheet(results["r_1340"], size="A7")
+
+
+def test_sheet_says_what_it_shows(results):
+    words = " | ".join(text for text, _box in words_of(sheet(results["3d12"])))
+    for part in (
+        "3D12 marine diesel",
+        "12 pistons, 6 throws, banks L, R",
+        "n = 1500 rpm, clockwise",
+        "φ = 0 where crank 1 is on the axis of bank L",
+        "published 4 · derived 2 · fitted 3 · assumed 1",
+        "TDC 60.82°",
+        "BDC 235.74°",
+        "γ = 60°",
+        "Throw 1 of 6",
+        "scale 1:5",
+        "Piston travel | $s$ | , mm",
+        "Piston velocity | $v$ | , m/s",
+        "Piston acceleration | $j$ | , m/s²",
+        "% of own maximum",
+        "(I.13) reconstructed",
+        "Crank angle φ, °",
+    ):
+        assert part in words
+
+
+@pytest.mark.parametrize("name", ["3d12", "r_1340", "pumping_unit_c57", "vaz_21213"])
+@pytest.mark.parametrize("kind", PLANS)
+@pytest.mark.parametrize("angles", [12, [30.0, 60.0]])
+def test_plan_is_readable(name, kind, angles):
+    machine = ct.load(name)
+    if kind == "klein" and (angles == 12 or "pumping" in name):
+        with pytest.raises(InputError):
+            plan_klein(machine, angles)
+        return
+    assert_words_are_readable(PLANS[kind](machine, angles))
+
+
+@pytest.mark.parametrize(
+    ("angles", "message"), [(0, "at least one"), ([], "at least one"), (25, "at most 24 to a sheet")]
+)
+def test_plan_of_too_many_or_no_angles_is_refused(angles, message):
+    with pytest.raises(InputError, match=message):
+        plan_positions(ct.load("vaz_21213"), angles)
+
+
+@pytest.mark.parametrize("name", example_names())
+def test_pins_on_the_sheet_are_the_kernels(results, name):
+    """Piston pins by the result's own curves, on their bank's axis; crank pins by the angle."""
+    result = results[name]
+    machine = result.machines[0]
+    scene = scene_of(machine)
+    for member in scene.members:
+        for angle in (0.0, 50.0, 217.0):
+            pins = scene.pins(member, angle)
+            axes = frame(machine, member.place)
+            at = int(angle)
+            if member.output is None:
+                turn = result.rocker_angle[0, at]
+                radius = 1e3 * member.place.geometry.rocker_length
+                x = 1e3 * member.place.geometry.ground_length + radius * np.cos(turn)
+                expected = in_machine_axes(x, radius * np.sin(turn), axes)
+                pin = pins["B"]
+            else:
+                number = result.labels["piston"].index(member.place.name)
+                x = 1e3 * (result.top_position[number] - result.piston_displacement[number, at])
+                expected = in_machine_axes(x, 1e3 * member.place.geometry.offset, axes)
+                pin = pins[member.output]
+            np.testing.assert_allclose(pin, expected, rtol=0, atol=1e-9)
+            crank = np.deg2rad(angle) + machine.crank_zero.si + member.place.phase
+            if member.place.kind.name != "articulated_rod":
+                arm = 1e3 * member.place.geometry.crank_radius
+                there = in_machine_axes(arm * np.cos(crank), arm * np.sin(crank), axes)
+                np.testing.assert_allclose(pins["A"], there, rtol=0, atol=1e-9)
+
+
+def test_links_keep_their_lengths_on_paper(results):
+    """Between eyes as drawn there are 320 mm of master rod and 242.426 mm of slave rod, at every angle."""
+    scene = scene_of(results["3d12"].machines[0])
+    for angle in range(0, 360, 10):
+        first, second = (scene.pins(member, float(angle)) for member in scene.members)
+        assert np.hypot(*(first["B"] - first["A"])) == pytest.approx(320.0, abs=1e-9)
+        assert np.hypot(*(second["D"] - second["C"])) == pytest.approx(242.426, abs=1e-9)
+        np.testing.assert_allclose(second["A"], first["A"], rtol=0, atol=1e-9)
+        np.testing.assert_allclose(second["B"], first["B"], rtol=0, atol=1e-9)
+
+
+def test_drawn_parts_lie_on_the_layers_of_a_drawing_office(results):
+    sketch = mechanism_sketch(scene_of(results["kamaz_740"].machines[0]), 50.0, 5.0)
+    assert {line.layer for line in sketch.lines} == {"LINKS", "GUIDES", "PATHS", "DIMENSIONS"}
+
+
+def test_curves_are_the_results(results):
+    result = results["kamaz_740"]
+    travel, velocity, acceleration, error = panels(result)
+    assert [(panel.symbol, panel.unit) for panel in (travel, velocity, acceleration)] == [
+        ("s", "mm"),
+        ("v", "m/s"),
+        ("j", "m/s²"),
+    ]
+    exact = {curve.name: curve.values for curve in velocity.curves if curve.habit != "textbook"}
+    assert list(exact) == ["1R", "1L"]
+    left = result.labels["piston"].index("1L")
+    np.testing.assert_allclose(exact["1L"][:360], result.piston_velocity[left, :360], rtol=1e-14, atol=1e-13)
+    assert exact["1L"][360] == exact["1L"][0]
+    worst = max(np.max(np.abs(curve.values)) for curve in error.curves)
+    form = result.labels["method"].index("two_harmonics")
+    assert worst == pytest.approx(100 * result.acceleration_error[form, 0], rel=1e-3)
+
+
+def test_marks_are_the_true_dead_centres(results):
+    found = {(mark.name, mark.is_top): mark.angle for mark in marks(results["r_1340"])}
+    assert len(found) == 18
+    assert found["1S", True] == pytest.approx(40.6, abs=0.05)
+
+
+def test_animation_is_small_and_always_the_same(results, tmp_path):
+    from PIL import Image
+
+    content = animation(results["r_1340"])
+    assert len(content) < 1_000_000
+    with Image.open(BytesIO(content)) as picture:
+        assert picture.format == "GIF"
+        assert picture.n_frames == 36
+    save_animation(results["vaz_21213"], tmp_path / "one.gif")
+    assert (tmp_path / "one.gif").read_bytes() == animation(results["vaz_21213"])
+    with pytest.raises(InputError, match="is there already"):
+        save_animation(results["vaz_21213"], tmp_path / "one.gif")
+
+
+@pytest.mark.parametrize("suffix", [".png", ".svg", ".pdf"])
+def test_saved_pictures_are_always_the_same(results, tmp_path, suffix):
+    for name in ("one", "two"):
+        save(sheet(results["vaz_21213"]), tmp_path / (name + suffix))
+    one, two = ((tmp_path / (name + suffix)).read_bytes() for name in ("one", "two"))
+    assert one == two
+    assert one.startswith({".png": b"\x89PNG", ".svg": b"<?xml", ".pdf": b"%PDF"}[suffix])
+
+
+def test_bytes_to_the_standard_output(capfdbinary):
+    write_whole_bytes("-", [b"\x89PNG\r\n", b"\x00"], force=False)
+    assert capfdbinary.readouterr().out == b"\x89PNG\r\n\x00"
+
+
+def test_picture_is_refused_before_it_is_drawn(tmp_path):
+    there = tmp_path / "there.png"
+    there.write_bytes(b"old")
+
+    def draws():
+        raise AssertionError("drawn in vain")
+
+    with pytest.raises(InputError, match="is there already"):
+        save(draws, there)
+    with pytest.raises(InputError, match=r"must end in one of: \.png, \.svg, \.pdf"):
+        save(draws, tmp_path / "picture.bmp")
+    assert there.read_bytes() == b"old"
+
+
+def test_user_settings_neither_matter_nor_change(results, tmp_path):
+    import matplotlib
+
+    save(sheet(results["vaz_21213"]), tmp_path / "one.png")
+    with matplotlib.rc_context({"font.size": 30.0, "lines.linewidth": 9.0}):
+        save(sheet(results["vaz_21213"]), tmp_path / "two.png")
+        assert matplotlib.rcParams["font.size"] == 30.0
+    assert (tmp_path / "one.png").read_bytes() == (tmp_path / "two.png").read_bytes()
+
+
+def test_dxf_has_layers_true_lengths_and_no_date(tmp_path):
+    ezdxf = pytest.importorskip("ezdxf")
+    machine = ct.load("pumping_unit_c57")
+    for name in ("one.dxf", "two.dxf"):
+        dxf(machine, [30.0, 60.0], tmp_path / name)
+    assert (tmp_path / "one.dxf").read_bytes() == (tmp_path / "two.dxf").read_bytes()
+    document = ezdxf.readfile(tmp_path / "one.dxf")
+    assert not document.audit().errors
+    used = {entity.dxf.layer for entity in document.modelspace()}
+    assert {"LINKS", "PATHS", "PLAN_V", "PLAN_A", "TEXT", "DIMENSIONS"} <= used
+    dimensions = sorted(dimension.get_measurement() for dimension in document.modelspace().query("DIMENSION"))
+    expected = [21 * 25.4, 56.05 * 25.4, 65.63 * 25.4]
+    np.testing.assert_allclose(dimensions, expected, rtol=1e-9)
+
+
+def test_dxf_without_its_package_says_what_to_install(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "ezdxf", None)
+    with pytest.raises(InputError, match="needs the package ezdxf"):
+        dxf(ct.load("vaz_21213"), 12, tmp_path / "one.dxf")
+    assert not (tmp_path / "one.dxf").exists()
+
+
+@pytest.mark.parametrize(
+    ("width", "height", "words"),
+    [(100.0, 10.0, "1:1"), (130.0, 10.0, "1:1.5"), (10.0, 720.0, "1:7.5"), (30.0, 30.0, "2:1"), (9.0, 9.0, "10:1")],
+)
+def test_scales_are_a_draughtsmans(width, height, words):
+    assert scale_words(fitting_scale(width, height, (100.0, 100.0))) == words
+
+
+def test_symbols_are_set_as_mathematics():
+    assert mathematics("a_BA^n") == "$a_{BA}^{n}$"
+    assert mathematics("p") == "$p$"
+
+
+def test_plotting_library_is_loaded_only_to_draw():
+    code = "import sys, cranktrain as ct, cranktrain.viz as viz; ct.run(ct.load('vaz_21213')); viz.sheet; viz.save; "
+    done = subprocess.run(
+        [sys.executable, "-c", code + "sys.exit('matplotlib' in sys.modules)"],
+        env={"PYTHONPATH": ":".join(sys.path)},
+        check=False,
+    )
+    assert done.returncode == 0
