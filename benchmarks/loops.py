@@ -1,4 +1,8 @@
-"""Loops over the angles that fill a table as those of `by_hand` do, and call the compiled kernel at each angle."""
+"""Loops over the angles that fill a table as those of `by_hand` do, and call the compiled kernel at each angle.
+
+Those for points alone fill only what a program gives that knows no directions of links. The kernel is the same; of what
+nobody reads, the compiler leaves out what it can.
+"""
 
 from numba import njit
 
@@ -62,3 +66,42 @@ def crank_rocker_loop(angles, crank_radius, rod_length, rocker_length, ground_le
         table[i, 19] = rocker.angle.second
         table[i, 20] = rocker.cos
         table[i, 21] = rocker.sin
+
+
+@njit(error_model="numpy")
+def slider_crank_points_loop(angles, crank_radius, rod_length, offset, table):
+    """Fill `table`, a row per angle, with crank pin and slider."""
+    geometry = SliderCrank(crank_radius, rod_length, offset)
+    for i in range(angles.size):
+        motion = slider_crank_at(angles[i], geometry)
+        pin, slider = motion.pin, motion.slider
+        table[i, 0] = pin.x.value
+        table[i, 1] = pin.x.first
+        table[i, 2] = pin.x.second
+        table[i, 3] = pin.y.value
+        table[i, 4] = pin.y.first
+        table[i, 5] = pin.y.second
+        table[i, 6] = slider.value
+        table[i, 7] = slider.first
+        table[i, 8] = slider.second
+
+
+@njit(error_model="numpy")
+def crank_rocker_points_loop(angles, crank_radius, rod_length, rocker_length, ground_length, side, table):
+    """Fill `table`, a row per angle, with crank pin and joint."""
+    geometry = CrankRocker(crank_radius, rod_length, rocker_length, ground_length, side)
+    for i in range(angles.size):
+        motion = crank_rocker_at(angles[i], geometry)
+        pin, joint = motion.pin, motion.joint
+        table[i, 0] = pin.x.value
+        table[i, 1] = pin.x.first
+        table[i, 2] = pin.x.second
+        table[i, 3] = pin.y.value
+        table[i, 4] = pin.y.first
+        table[i, 5] = pin.y.second
+        table[i, 6] = joint.x.value
+        table[i, 7] = joint.x.first
+        table[i, 8] = joint.x.second
+        table[i, 9] = joint.y.value
+        table[i, 10] = joint.y.first
+        table[i, 11] = joint.y.second

@@ -26,9 +26,9 @@ CRANK_ROCKER = CrankRocker(0.3, 1.0, 0.8, 1.1, 1.0)
 
 
 class Mechanism(NamedTuple):
-    """One mechanism in five ways: three functions of the angles, two that fill a table as well, a linkage of n steps.
+    """One mechanism: kernel and function by hand, loops that fill a table, a peer's linkage.
 
-    columns: of a motion, all that a table has; n_points: how many of these are of points, which is what a peer gives.
+    columns: of a motion, all that a table has; n_points: how many of these are of points, which is what the peer gives.
     """
 
     name: str
@@ -37,6 +37,7 @@ class Mechanism(NamedTuple):
     by_hand: Callable[..., Any]
     loop: Callable[..., Any]
     loop_by_hand: Callable[..., Any]
+    points_loop: Callable[..., Any]
     peer: Callable[..., Any]
     columns: Callable[[Any], list[Any]]
     n_columns: int
@@ -83,6 +84,7 @@ MECHANISMS = [
         by_hand.slider_crank_numpy,
         loops.slider_crank_loop,
         by_hand.slider_crank_numba,
+        loops.slider_crank_points_loop,
         peers.slider_crank,
         slider_crank_columns,
         14,
@@ -95,6 +97,7 @@ MECHANISMS = [
         by_hand.crank_rocker_numpy,
         loops.crank_rocker_loop,
         by_hand.crank_rocker_numba,
+        loops.crank_rocker_points_loop,
         peers.crank_rocker,
         crank_rocker_columns,
         22,
@@ -103,13 +106,13 @@ MECHANISMS = [
 ]
 
 
-def filled(loop, angles, mechanism):
-    """A loop as a function without arguments, with its table made beforehand."""
-    table = np.empty((angles.size, mechanism.n_columns))
+def filled(loop, angles, geometry, n_columns):
+    """A loop as a function without arguments, with its table made beforehand; a column of the table a row."""
+    table = np.empty((angles.size, n_columns))
 
     def fill():
-        loop(angles, *mechanism.geometry, table)
-        return table
+        loop(angles, *geometry, table)
+        return table.T
 
     return fill
 
@@ -123,28 +126,29 @@ def stepped(mechanism, n):
 def comparisons(mechanism, n):
     """All that is compared at n angles of a turn."""
     angles = np.arange(n) * (2 * np.pi / n)
-    columns, points = mechanism.columns, slice(mechanism.n_points)
+    geometry, columns, n_points = mechanism.geometry, mechanism.columns, mechanism.n_points
 
     def kernel():
-        return mechanism.kernel(angles, mechanism.geometry)
+        return mechanism.kernel(angles, geometry)
 
     def by_hand():
-        return mechanism.by_hand(angles, *mechanism.geometry)
+        return mechanism.by_hand(angles, *geometry)
 
-    loop, loop_by_hand = (filled(each, angles, mechanism) for each in (mechanism.loop, mechanism.loop_by_hand))
-    yield Comparison("NumPy", "NumPy by hand", kernel, by_hand, columns, list, 1.3)
-    yield Comparison("compiled", "Numba by hand", loop, loop_by_hand, np.transpose, np.transpose, 1.05)
+    def points(motion):
+        return columns(motion)[:n_points]
+
+    def points_of_peer(simulated):
+        return peers.columns(simulated)[:n_points]
+
+    loop = filled(mechanism.loop, angles, geometry, mechanism.n_columns)
+    loop_by_hand = filled(mechanism.loop_by_hand, angles, geometry, mechanism.n_columns)
+    points_loop = filled(mechanism.points_loop, angles, geometry, n_points)
     # The peer adds up the turn from n steps, each of them rounded.
     apart = max(SAME, n * np.finfo(float).eps)
-    for what, ours, our_columns, limit in (("NumPy", kernel, columns, 1 / 4), ("compiled", loop, np.transpose, 1 / 8)):
-
-        def of_points(result, our_columns=our_columns):
-            return our_columns(result)[points]
-
-        def of_peer(result):
-            return peers.columns(result)[points]
-
-        yield Comparison(what, "pylinkage", ours, stepped(mechanism, n), of_points, of_peer, limit, apart)
+    yield Comparison("NumPy", "NumPy by hand", kernel, by_hand, columns, list, 1.3)
+    yield Comparison("compiled", "Numba by hand", loop, loop_by_hand, list, list, 1.05)
+    yield Comparison("NumPy", "pylinkage", kernel, stepped(mechanism, n), points, points_of_peer, 1 / 4, apart)
+    yield Comparison("compiled", "pylinkage", points_loop, stepped(mechanism, n), list, points_of_peer, 1 / 8, apart)
 
 
 def difference(comparison):

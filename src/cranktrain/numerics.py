@@ -204,14 +204,14 @@ def _peaks(samples: Array) -> NDArray[np.intp]:
 
 
 def _zoomed(curve: Curve, middle: Array, half: float, signs: Sequence[float]) -> Array:
-    """Angle of the top of the parabola through three points, again and again at a thirtieth of the distance."""
+    """Angle of the top of the parabola through three points, again and again at a twelfth of the distance."""
     sign = np.repeat(signs, _CANDIDATES)
-    for _ in range(3):
+    for _ in range(4):
         left, centre, right = np.split(curve(np.concatenate([middle - half, middle, middle + half], axis=-1)), 3, -1)
         curvature = left - 2 * centre + right
         step = np.where(sign * curvature < 0, 0.5 * half * (left - right) / curvature, 0.0)
         middle = middle + np.where(np.isnan(curvature), np.nan, np.clip(step, -half, half))
-        half = half / 30
+        half = half / 12
     return middle
 
 

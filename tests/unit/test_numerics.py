@@ -86,12 +86,12 @@ def test_precision_stops_early():
 
     def curve(x):
         calls.append(x)
-        return np.exp(x) - 2
+        return (x - 0.7) ** 3
 
-    found = bracketed_roots(curve, np.array([0.0]), np.array([5.0]), precision=1e-6)
+    found = bracketed_roots(curve, np.array([0.0]), np.array([5.0]), precision=1e-3)
     early = len(calls)
     bracketed_roots(curve, np.array([0.0]), np.array([5.0]))
-    assert found[0] == pytest.approx(np.log(2), rel=2e-6)
+    assert found[0] == pytest.approx(0.7, rel=2e-3)
     assert early < len(calls) - early
 
 
@@ -139,7 +139,9 @@ def test_turning_points_where_newton_fails():
         cos = np.cos(phi - 1.0007)
         return Coefficient(-root, -x * cos / root, -(cos**2 - x**2) / root + (x * cos) ** 2 / root**3)
 
-    _least, most = turning_points(lambda phi: Coefficient(*(part[np.newaxis] for part in sharp(phi))), sharp(turn_grid())[0][np.newaxis])
+    _least, most = turning_points(
+        lambda phi: Coefficient(*(part[np.newaxis] for part in sharp(phi))), sharp(turn_grid())[0][np.newaxis]
+    )
     assert np.min(away_from(most.angle, np.array([1.0007, 1.0007 + np.pi]))) < 1e-13
     np.testing.assert_allclose(most.value, -width, rtol=1e-9)
 
@@ -155,7 +157,9 @@ def test_of_two_peaks_nearly_alike_the_higher_one_is_found():
     step = 2 * np.pi / 720
 
     def curve(phi):
-        return np.exp(-20 * (1 - np.cos(phi - 100 * step))) + (1 + 1e-6) * np.exp(-20 * (1 - np.cos(phi - 400.5 * step)))
+        return np.exp(-20 * (1 - np.cos(phi - 100 * step))) + (1 + 1e-6) * np.exp(
+            -20 * (1 - np.cos(phi - 400.5 * step))
+        )
 
     samples = curve(turn_grid())
     assert samples[100] > samples[400]
@@ -172,7 +176,7 @@ def test_known_samples_and_grids():
 
 @pytest.mark.parametrize("kind", ["values", "slope", "newton"])
 def test_a_curve_that_ends_has_no_extreme_at_its_end(kind):
-    """√(0.3 − φ) about a peak, cut off on one side before it: the top is an end, the bottom too, but not the second curve's."""
+    """One cosine is cut off before its top, the other is whole."""
 
     def cut(phi):
         value, first, second = np.cos(phi), -np.sin(phi), -np.cos(phi)
@@ -229,7 +233,9 @@ def test_residual_of_derivatives():
         return Coefficient(value, first, second + 1e-5 * np.sin(7 * phi))
 
     assert np.max(derivatives_residual(motion)) < 1e-12
-    assert np.min(derivatives_residual(wrong)) == pytest.approx(1e-5 / np.max(np.abs(motion(turn_grid()).second)), rel=0.1)
+    assert np.min(derivatives_residual(wrong)) == pytest.approx(
+        1e-5 / np.max(np.abs(motion(turn_grid()).second)), rel=0.1
+    )
 
 
 def test_residual_of_sharp_curves_uses_a_longer_series():

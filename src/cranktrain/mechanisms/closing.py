@@ -9,10 +9,10 @@ from cranktrain.mechanisms.kind import Kind, leaves, named_part, rows, scaled
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme, bracketed_roots, smallest, turn_grid
 
-_GRID, _COARSE_GRID = turn_grid(90), turn_grid(36)
-_GROWTHS = 10.0 ** np.linspace(-7, 3, 21)
-"""Changes tried for a first bound of the margin: where the links are open anywhere, they open before."""
-_CELLS = 8
+_GRID, _COARSE_GRID = turn_grid(360), turn_grid(36)
+_CHANGES = 10.0 ** np.linspace(-7, 3, 21)
+"""Relative changes tried for a first bound of the margin: where the links are open anywhere, they open before."""
+_CELLS = 4
 """Cells below that bound, at whose ends all changes are tried."""
 _ROUNDING = 16 * np.finfo(float).eps
 """Links that close by less, in parts of all their lengths, stand at a change point or cannot close at all."""
@@ -30,11 +30,11 @@ class ClosingMargin(NamedTuple):
     angle: Array
 
 
-class _Change(NamedTuple):
-    """Which length is multiplied by which power of 1 + growth, +1 or −1; arrays that broadcast."""
+class _Way(NamedTuple):
+    """Which length is changed, and whether it is made longer, +1, or shorter, −1; arrays that broadcast."""
 
     length: NDArray[np.intp]
-    power: Array
+    sign: Array
 
 
 def closing_margin(kind: Kind, geometry: Any) -> ClosingMargin:
@@ -51,8 +51,8 @@ def closing_margin(kind: Kind, geometry: Any) -> ClosingMargin:
 
     Notes
     -----
-    The least gap over a turn is followed along each length's factor (1 + g)^±1. A coarse scan bounds the growth g that
-    opens the links; of the changes that open them in the first cell below that bound, the roots are found.
+    The least gap over a turn is followed as each length is multiplied by 1 ± c. A coarse scan bounds the change c that
+    opens the links; of the ways that open them in the first cell below that bound, the roots are found.
     docs/theory/closing-margin.
     """
     shape = np.broadcast_shapes(*(np.shape(leaf) for leaf in leaves(geometry)))
@@ -61,17 +61,16 @@ def closing_margin(kind: Kind, geometry: Any) -> ClosingMargin:
     length = np.full(margin.shape, -1, dtype=np.intp)
     with np.errstate(all="ignore"):
         closes = _least_gap(kind, flat).value > _rounding(kind, flat)
-        change, row, low, high = _first_openings(kind, flat)
+        way, row, low, high = _first_openings(kind, flat)
         opened = rows(flat, row)
-        growth = bracketed_roots(
-            lambda trial: _least_gap(kind, _changed(kind, opened, change, trial)).value, low, high, precision=1e-15
+        change = bracketed_roots(
+            lambda trial: _least_gap(kind, _changed(kind, opened, way, trial)).value, low, high, precision=1e-15
         )
-        size = np.abs((1 + growth) ** change.power - 1)
-        at = np.mod(_least_gap(kind, _changed(kind, opened, change, growth)).angle, 2 * np.pi)
-        order = np.lexsort((size[:, 0], row))
+        at = np.mod(_least_gap(kind, _changed(kind, opened, way, change)).angle, 2 * np.pi)
+        order = np.lexsort((change[:, 0], row))
         found, first = np.unique(row[order], return_index=True)
         best = order[first]
-    margin[found], angle[found], length[found] = size[best], at[best], change.length[best]
+    margin[found], angle[found], length[found] = change[best], at[best], way.length[best]
     return ClosingMargin(
         margin=np.where(closes, margin, np.nan).reshape(shape),
         length=np.where(closes, length, -1).reshape(shape),
@@ -79,32 +78,31 @@ def closing_margin(kind: Kind, geometry: Any) -> ClosingMargin:
     )
 
 
-def _first_openings(kind: Kind, geometry: Any) -> tuple[_Change, NDArray[np.intp], Array, Array]:
-    """Changes that open the links soonest: each with the row of its mechanism, and growths between which it does."""
+def _first_openings(kind: Kind, geometry: Any) -> tuple[_Way, NDArray[np.intp], Array, Array]:
+    """Ways that open the links soonest: each with the row of its mechanism, and changes between which it does."""
     n_lengths, n_rows = len(kind.lengths), len(leaves(geometry)[0])
-    ways = _Change(np.repeat(np.arange(n_lengths), 2), np.tile([-1.0, 1.0], n_lengths))
+    ways = _Way(np.repeat(np.arange(n_lengths), 2), np.tile([-1.0, 1.0], n_lengths))
 
-    def changed(growth: Array) -> Any:
+    def changed(change: Array) -> Any:
         """Every way of changing every mechanism: from (trial, row) to (way, trial, row, 1)."""
-        column = _Change(ways.length.reshape(-1, 1, 1, 1), ways.power.reshape(-1, 1, 1, 1))
-        return _changed(kind, geometry, column, growth[..., np.newaxis])
+        column = _Way(ways.length.reshape(-1, 1, 1, 1), ways.sign.reshape(-1, 1, 1, 1))
+        return _changed(kind, geometry, column, change[..., np.newaxis])
 
-    gaps = kind.gap(_COARSE_GRID, changed(np.repeat(_GROWTHS[:, np.newaxis], n_rows, axis=1)))
-    bound = _GROWTHS[np.argmax(np.any(gaps < 0, axis=(0, -1)), axis=0)]
+    gaps = kind.gap(_COARSE_GRID, changed(np.repeat(_CHANGES[:, np.newaxis], n_rows, axis=1)))
+    bound = _CHANGES[np.argmax(np.any(gaps < 0, axis=(0, -1)), axis=0)]
     cell = bound / _CELLS
     tried = _least_gap(kind, changed(cell * np.arange(1, _CELLS + 1)[:, np.newaxis])).value[..., 0] < 0
     first = np.where(np.any(tried, axis=1), np.argmax(tried, axis=1), _CELLS)
     way, row = np.nonzero((first == np.min(first, axis=0)) & (first < _CELLS))
-    low = (first[way, row] * cell[row])[:, np.newaxis]
-    change = _Change(ways.length[way, np.newaxis], ways.power[way, np.newaxis])
-    return change, row, low, low + cell[row, np.newaxis]
+    low, high = ((cell[row] * (first[way, row] + end))[:, np.newaxis] for end in (0, 1))
+    return _Way(ways.length[way, np.newaxis], ways.sign[way, np.newaxis]), row, low, high
 
 
-def _changed(kind: Kind, geometry: Any, change: _Change, growth: Array) -> Any:
-    """Change one length of each mechanism, another in each where `change` says so."""
-    factor = (1 + growth) ** change.power
+def _changed(kind: Kind, geometry: Any, way: _Way, change: Array) -> Any:
+    """Change one length of each mechanism, another in each where `way` says so; none becomes less than nothing."""
+    factor = np.maximum(1 + way.sign * change, 0.0)
     for index, name in enumerate(kind.lengths):
-        geometry = scaled(geometry, name, np.where(change.length == index, factor, 1.0))
+        geometry = scaled(geometry, name, np.where(way.length == index, factor, 1.0))
     return geometry
 
 

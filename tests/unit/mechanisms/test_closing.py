@@ -1,0 +1,191 @@
+"""Closing margins: closed forms of slider-crank and crank-rocker, brute force for the articulated rod."""
+
+import numpy as np
+import pytest
+from tests.exact import geometries
+from tests.machines import ROCKER, slider
+
+import cranktrain as ct
+from cranktrain.mechanisms import articulated_rod, crank_rocker, slider_crank
+from cranktrain.mechanisms.articulated_rod import ArticulatedRod
+from cranktrain.mechanisms.closing import closing_margin, open_ranges
+from cranktrain.mechanisms.crank_rocker import CrankRocker
+from cranktrain.mechanisms.slider_crank import SliderCrank
+
+
+def in_designs(geometry, n_designs):
+    """The same mechanisms with a design axis: shape (design, member, 1)."""
+    parts = [
+        in_designs(part, n_designs) if isinstance(part, tuple) else part.reshape(n_designs, -1, 1) for part in geometry
+    ]
+    return type(geometry)(*parts)
+
+
+def farthest_knuckle(geometry, alpha):
+    """Largest distance of the knuckle from the slave's line of stroke, refined by parabolas on a fine grid."""
+    distance = np.abs(geometries.knuckle_distance(alpha, geometry)[0])
+    top = np.argmax(distance)
+    left, middle, right = distance[top - 1], distance[top], distance[(top + 1) % len(alpha)]
+    return middle + (right - left) ** 2 / (16 * middle - 8 * (left + right)) if np.isfinite(left + right) else middle
+
+
+def brute_force_margin(geometry):
+    """Bisection for every length, both ways, on a fine grid; the master's own condition in closed form."""
+    alpha = np.linspace(-np.pi, np.pi, 7200, endpoint=False)
+
+    def opens(changed):
+        master_gap = changed.master.rod_length - changed.master.crank_radius - abs(changed.master.offset)
+        if master_gap[0, 0] < 0:
+            return True
+        return farthest_knuckle(changed, alpha) > changed.rod_length[0, 0]
+
+    margins = []
+    for length in ("crank_radius", "rod_length", "offset", "knuckle_radius", "slave_rod_length", "slave_offset"):
+        for sign in (-1, 1):
+
+            def changed(change, length=length, sign=sign):
+                return scaled(geometry, length, 1 + sign * change)
+
+            if not opens(changed(0.999)):
+                continue
+            low, high = 0.0, 0.999
+            for _ in range(40):
+                middle = (low + high) / 2
+                low, high = (low, middle) if opens(changed(middle)) else (middle, high)
+            margins.append((high, length))
+    return min(margins)
+
+
+def scaled(geometry, length, factor):
+    if length in SliderCrank._fields and length != "slave_rod_length":
+        return geometry._replace(master=geometry.master._replace(**{length: getattr(geometry.master, length) * factor}))
+    name = length.removeprefix("slave_")
+    return geometry._replace(**{name: getattr(geometry, name) * factor})
+
+
+@pytest.mark.parametrize("n_designs", [1, 5])
+def test_slider_crank(n_designs):
+    machines = geometries.slider_cranks(100, seed=5)
+    found = closing_margin(slider_crank.KIND, in_designs(machines.geometry, n_designs))
+    assert found.margin.shape == (n_designs, 100 // n_designs, 1)
+    np.testing.assert_allclose(found.margin.reshape(-1, 1), machines.margin, rtol=0, atol=1e-12)
+    assert set(found.length.ravel().tolist()) == {slider_crank.KIND.lengths.index("rod_length")}
+    central = machines.geometry.offset == 0
+    away = np.abs(np.mod(found.angle.reshape(-1, 1) - machines.opening_angle + np.pi, 2 * np.pi) - np.pi)
+    assert np.max(np.where(central, np.minimum(away, np.pi - away), away)) < 1e-7
+
+
+@pytest.mark.parametrize("n_designs", [1, 4])
+def test_crank_rocker(n_designs):
+    machines = geometries.crank_rockers(100, seed=6)
+    found = closing_margin(crank_rocker.KIND, in_designs(machines.geometry, n_designs))
+    np.testing.assert_allclose(found.margin.reshape(-1, 1), machines.margin, rtol=0, atol=1e-12)
+    longest = np.argmax(np.concatenate(machines.geometry[:4], axis=1), axis=1)
+    assert found.length.ravel().tolist() == longest.tolist()
+
+
+def test_articulated_rod():
+    machines = geometries.articulated_rods(24, seed=7)
+    found = closing_margin(articulated_rod.KIND, machines.geometry)
+    assert found.margin.shape == (24, 1)
+    for row in range(24):
+        master = SliderCrank(*(part[[row]] for part in machines.geometry.master))
+        geometry = ArticulatedRod(master, *(part[[row]] for part in machines.geometry[1:]))
+        margin, length = brute_force_margin(geometry)
+        assert found.margin[row, 0] == pytest.approx(margin, abs=3e-9), (row, length)
+
+
+def test_slave_rod_shortened_until_it_only_just_reaches():
+    """Of the V12 the margin is (l − max|Q|)/l; the largest |Q| from the closed form on a fine grid."""
+    geometry = ArticulatedRod(SliderCrank(0.09, 0.32, 0.0), 0.085, np.radians(67), np.radians(60), 0.235, 0.0)
+    columns = in_designs(
+        ArticulatedRod(SliderCrank(*np.reshape(geometry[0], (3, 1))), *np.reshape(geometry[1:], (5, 1))), 1
+    )
+    alpha = np.linspace(0, 2 * np.pi, 1_000_001)
+    reach = np.max(geometries.knuckle_distance(alpha, geometry))
+    found = closing_margin(articulated_rod.KIND, columns)
+    assert found.margin[0, 0, 0] == pytest.approx(1 - reach / 0.235, rel=1e-10)
+    assert articulated_rod.KIND.lengths[found.length[0, 0, 0]] == "rod_length"
+
+
+def test_links_that_cannot_close_have_no_margin():
+    columns = SliderCrank(*(np.array(part).reshape(2, 1) for part in ([50.0, 50.0], [40.0, 100.0], [0.0, 0.0])))
+    found = closing_margin(slider_crank.KIND, columns)
+    np.testing.assert_array_equal(found.margin[:, 0], [np.nan, 0.5])
+    assert found.length[:, 0].tolist() == [-1, 1]
+    assert np.isnan(found.angle[0, 0])
+
+
+def test_open_ranges_of_a_short_rod():
+    """R sin φ beyond L on both sides: from asin(L/R) to its supplement, and half a turn on."""
+    ranges = open_ranges(slider_crank.KIND, SliderCrank(0.05, 0.04, 0.0))
+    edge = np.arcsin(0.8)
+    for found, start in zip(ranges, (edge, np.pi + edge), strict=True):
+        assert (found.start, found.end) == pytest.approx((start, start + np.pi - 2 * edge), abs=1e-13)
+        assert found.short == pytest.approx(0.01)
+
+
+def test_open_range_across_zero():
+    """A crank-rocker whose rod is longer than all the rest together cannot close where the pins are near."""
+    (found,) = open_ranges(crank_rocker.KIND, CrankRocker(0.1, 0.5, 0.15, 0.4, 1.0))
+    edge = np.arccos((0.1**2 + 0.4**2 - 0.35**2) / (2 * 0.1 * 0.4))
+    assert (found.start, found.end) == pytest.approx((2 * np.pi - edge, 2 * np.pi + edge), abs=1e-13)
+    assert found.short == pytest.approx(0.05)
+
+
+def test_never_closing():
+    (found,) = open_ranges(slider_crank.KIND, SliderCrank(0.05, 0.04, 0.2))
+    assert found.end - found.start == 2 * np.pi
+
+
+def test_closing_all_round():
+    assert open_ranges(slider_crank.KIND, SliderCrank(0.05, 0.050001, 0.0)) == ()
+
+
+def problem_of(**machine):
+    with pytest.raises(ct.InputError) as caught:
+        ct.run(ct.Machine(**machine))
+    (problem,) = caught.value.problems
+    return problem
+
+
+def test_change_point_is_refused():
+    problem = problem_of(mechanism=slider(rod_length="50 mm"))
+    assert problem.allowed == (
+        "the links lie in one line at crank angle 90.00 deg and 270.00 deg, and the crank cannot pass; "
+        "rod_length must be more than crank_radius + |offset| = 50 mm"
+    )
+    problem = problem_of(mechanism=ROCKER | {"rod_length": "220 mm"})
+    assert "in one line at crank angle 180.00 deg" in problem.allowed
+
+
+def test_crank_angles_of_a_problem_are_those_shown():
+    problem = problem_of(mechanism=slider(rod_length="40 mm", offset="-5 mm"), crank_zero="20 deg")
+    low, high = np.degrees(np.arcsin((0.04 - 0.005) / 0.05)), np.degrees(np.arcsin((0.04 + 0.005) / 0.05))
+    assert f"{low - 20:.2f} deg to {180 - low - 20:.2f} deg" in problem.allowed
+    assert f"{180 + high - 20:.2f} deg to {360 - high - 20:.2f} deg" in problem.allowed
+    assert "short by 15.00 mm" in problem.allowed
+
+
+def test_astern_the_angles_are_mirrored():
+    ahead = problem_of(mechanism=slider(rod_length="52 mm", offset="5 mm"))
+    astern = problem_of(mechanism=slider(rod_length="52 mm", offset="5 mm"), running="astern")
+    assert "250.05 deg to 289.95 deg (short by 3.00 mm)" in ahead.allowed  # sin φ below −(L − e)/R
+    assert "70.05 deg to 109.95 deg (short by 3.00 mm)" in astern.allowed
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "path", "given"),
+    [
+        (slider(rod_length="4 cm"), "mechanism.rod_length", "4 cm"),
+        (
+            {"kind": "slider_crank", "crank_radius": "5 cm", "rod_to_crank_ratio": 0.9},
+            "mechanism.rod_to_crank_ratio",
+            "0.9",
+        ),
+        ({"kind": "slider_crank", "stroke": "5 cm", "crank_to_rod_ratio": 1.5}, "mechanism.crank_to_rod_ratio", "1.5"),
+    ],
+)
+def test_problem_stands_where_the_rod_is_given(mechanism, path, given):
+    problem = problem_of(mechanism=mechanism)
+    assert (problem.path, problem.given) == (path, given)
