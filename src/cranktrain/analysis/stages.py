@@ -11,11 +11,14 @@ import numpy as np
 from cranktrain.catalogue import entries
 from cranktrain.engine.axial import axial_positions
 from cranktrain.engine.closing import closing
+from cranktrain.engine.couplers import coupler_motion, coupler_speeds
 from cranktrain.engine.dead_centres import dead_centres, piston_turn
 from cranktrain.engine.firing import firing
+from cranktrain.engine.followed import link_motion, slider_motions
 from cranktrain.engine.motion import piston_motion, piston_speeds
 from cranktrain.engine.points import point_motion
 from cranktrain.engine.rockers import dead_positions, load_motion, rocker_motion, rocker_speeds, rocker_turn
+from cranktrain.engine.rods import rod_motion, rod_speeds
 from cranktrain.engine.volumes import chamber_volumes, swept_volumes
 from cranktrain.language import translated
 from cranktrain.mechanisms import KINDS
@@ -81,13 +84,19 @@ STAGES: tuple[Stage, ...] = tuple(
         chamber_volumes,
         firing,
         piston_motion,
+        rod_motion,
         piston_speeds,
+        rod_speeds,
         rocker_turn,
         dead_positions,
         rocker_motion,
+        coupler_motion,
         rocker_speeds,
+        coupler_speeds,
         load_motion,
         point_motion,
+        link_motion,
+        slider_motions,
         *(function for kind in KINDS for function in kind.stages),
         axial_positions,
         closing,

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import ClassVar, NamedTuple
+from typing import ClassVar
 
 import numpy as np
 
@@ -21,20 +21,9 @@ _CURVE = ("rocker", "crank_angle")
 _THEORY = "docs/theory/crank-rocker"
 
 
-class RockerAndRod(NamedTuple):
-    """Rocker and rod angles with their derivatives, flat, shape (design, rocker, n)."""
-
-    rocker: Array
-    rocker_first: Array
-    rocker_second: Array
-    rod: Array
-    rod_first: Array
-    rod_second: Array
-
-
-def _rocker_and_rod(rockers: Rockers, angle: Array) -> RockerAndRod:
-    """Evaluate every rocker and its rod at φ."""
-    return rockers.evaluated(lambda motion: RockerAndRod(*motion.rocker.angle, *motion.rod.angle), angle)
+def _rocker(rockers: Rockers, angle: Array) -> Coefficient:
+    """Evaluate every rocker's angle at φ, shape (design, rocker, n)."""
+    return rockers.evaluated(lambda motion: motion.rocker.angle, angle)
 
 
 @dataclass(frozen=True)
@@ -67,20 +56,20 @@ class RockerTurn:
 
     Attributes
     ----------
-    samples : RockerAndRod, shape (design, rocker, 720)
+    samples : Coefficient, shape (design, rocker, 720)
         On `turn_grid()`.
     middle : Array, shape (design, rocker, 1)
         Middle of the swing, within [−π, π], about which angles are counted; NaN for a rocker that turns. [rad]
     """
 
-    samples: RockerAndRod
+    samples: Coefficient
     middle: Array
 
 
 def rocker_turn(rockers: Rockers) -> RockerTurn:
     """Sample the rockers' turn, and find which of them swing and which turn."""
-    samples = _rocker_and_rod(rockers, turn_grid())
-    whole = unwrapped(samples.rocker)
+    samples = _rocker(rockers, turn_grid())
+    whole = unwrapped(samples.value)
     middle = 0.5 * (np.fmax.reduce(whole, axis=-1, keepdims=True) + np.fmin.reduce(whole, axis=-1, keepdims=True))
     turns = np.abs(whole[..., -1:] - whole[..., :1]) > np.pi
     return RockerTurn(samples, np.where(turns, np.nan, middle - 2 * np.pi * np.rint(middle / (2 * np.pi))))
@@ -130,10 +119,10 @@ def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) 
     """Extremes of every rocker's angle: roots of θ′."""
 
     def rocker(phi: Array) -> Coefficient:
-        motion = _rocker_and_rod(rockers, phi)
-        return Coefficient(_counted(motion.rocker, turn.middle), motion.rocker_first, motion.rocker_second)
+        motion = _rocker(rockers, phi)
+        return Coefficient(_counted(motion.value, turn.middle), motion.first, motion.second)
 
-    least, most = turning_points(rocker, _counted(turn.samples.rocker, turn.middle))
+    least, most = turning_points(rocker, _counted(turn.samples.value, turn.middle))
     travel = np.mod(most.angle - least.angle, 2 * np.pi)
     slower = np.maximum(travel, 2 * np.pi - travel)
 
@@ -152,7 +141,7 @@ def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) 
 
 @dataclass(frozen=True)
 class RockerMotion:
-    """Motion of every rocker and its rod by the crank angle alone."""
+    """Motion of every rocker by the crank angle alone."""
 
     rocker_angle: Array = quantity(
         "θ", "rad", _CURVE, N_("Direction of the rocker, from its pivot to its joint, from the mechanism's x"), _THEORY
@@ -163,28 +152,16 @@ class RockerMotion:
     rocker_acceleration_coefficient: Array = quantity(
         "θ″", "rad/rad^2", _CURVE, N_("Rocker's angular acceleration for each (rad/s)² of the crank"), _THEORY
     )
-    coupler_angle: Array = quantity(
-        "θ_r", "rad", _CURVE, N_("Direction of the rod, from crank pin to joint, from the mechanism's x"), _THEORY
-    )
-    coupler_velocity_coefficient: Array = quantity(
-        "θ_r′", "rad/rad", _CURVE, N_("Rod's angular velocity for each rad/s of the crank"), _THEORY
-    )
-    coupler_acceleration_coefficient: Array = quantity(
-        "θ_r″", "rad/rad^2", _CURVE, N_("Rod's angular acceleration for each (rad/s)² of the crank"), _THEORY
-    )
     checks: tuple[Check, ...] = ()
 
 
 def rocker_motion(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) -> RockerMotion:
-    """Angles of every rocker and rod, without jumps, and their derivatives."""
-    motion = _rocker_and_rod(rockers, crank_angle.angle)
+    """Angles of every rocker, without jumps, and their derivatives."""
+    motion = _rocker(rockers, crank_angle.angle)
     return RockerMotion(
-        rocker_angle=_counted(motion.rocker, turn.middle),
-        rocker_velocity_coefficient=motion.rocker_first,
-        rocker_acceleration_coefficient=motion.rocker_second,
-        coupler_angle=unwrapped(motion.rod),
-        coupler_velocity_coefficient=motion.rod_first,
-        coupler_acceleration_coefficient=motion.rod_second,
+        rocker_angle=_counted(motion.value, turn.middle),
+        rocker_velocity_coefficient=motion.first,
+        rocker_acceleration_coefficient=motion.second,
         checks=(_derivatives_check(rockers),),
     )
 
@@ -193,9 +170,9 @@ def _derivatives_check(rockers: Rockers) -> Check:
     """Compare the derivatives of cos θ and sin θ, by θ′ and θ″, with those of their Fourier series."""
 
     def direction(phi: Array) -> Coefficient:
-        motion = _rocker_and_rod(rockers, phi)
-        cos, sin = np.cos(motion.rocker), np.sin(motion.rocker)
-        first, second = motion.rocker_first, motion.rocker_second
+        motion = _rocker(rockers, phi)
+        cos, sin = np.cos(motion.value), np.sin(motion.value)
+        first, second = motion.first, motion.second
         return Coefficient(
             np.concatenate([cos, sin], axis=1),
             np.concatenate([-sin * first, cos * first], axis=1),
@@ -212,15 +189,11 @@ def _derivatives_check(rockers: Rockers) -> Check:
 
 @dataclass(frozen=True)
 class RockerSpeeds:
-    """Velocities and accelerations of rockers and rods at the declared, constant speed."""
+    """Velocities and accelerations of rockers at the declared, constant speed."""
 
     rocker_angular_velocity: Array = quantity("ω_3", "rad/s", _CURVE, N_("Angular velocity of the rocker"), _THEORY)
     rocker_angular_acceleration: Array = quantity(
         "ε_3", "rad/s^2", _CURVE, N_("Angular acceleration of the rocker"), _THEORY
-    )
-    coupler_angular_velocity: Array = quantity("ω_2", "rad/s", _CURVE, N_("Angular velocity of the rod"), _THEORY)
-    coupler_angular_acceleration: Array = quantity(
-        "ε_2", "rad/s^2", _CURVE, N_("Angular acceleration of the rod"), _THEORY
     )
 
 
@@ -230,8 +203,6 @@ def rocker_speeds(motion: RockerMotion, speed: Speed) -> RockerSpeeds:
     return RockerSpeeds(
         rocker_angular_velocity=motion.rocker_velocity_coefficient * omega,
         rocker_angular_acceleration=motion.rocker_acceleration_coefficient * omega**2,
-        coupler_angular_velocity=motion.coupler_velocity_coefficient * omega,
-        coupler_angular_acceleration=motion.coupler_acceleration_coefficient * omega**2,
     )
 
 
@@ -276,9 +247,9 @@ def load_motion(
     """Arc that the load travels at its radius, and the torque factor's extremes."""
     radius = load_radius.value
     least, most = extremes(
-        lambda phi: _rocker_and_rod(rockers, phi).rocker_first,
-        lambda phi: _rocker_and_rod(rockers, phi).rocker_second,
-        samples=turn.samples.rocker_first,
+        lambda phi: _rocker(rockers, phi).first,
+        lambda phi: _rocker(rockers, phi).second,
+        samples=turn.samples.first,
     )
     return LoadMotion(
         load_displacement=radius * (motion.rocker_angle - dead.smallest_rocker_angle[..., np.newaxis]),

@@ -7,7 +7,7 @@ from pydantic import Field
 from cranktrain.mechanisms import articulated_rod, crank_rocker, slider_crank
 from cranktrain.mechanisms.kind import Kind, MechanismSpec
 
-__all__ = ["KINDS", "AnyMechanism", "Kind", "MechanismSpec", "kind_named"]
+__all__ = ["KINDS", "AnyMechanism", "Kind", "MechanismSpec", "kind_named", "kind_of"]
 
 KINDS: tuple[Kind, ...] = (slider_crank.KIND, crank_rocker.KIND, articulated_rod.KIND)
 
@@ -20,3 +20,9 @@ AnyMechanism = Annotated[
 def kind_named(name: str) -> Kind:
     """Give the kind of that name."""
     return next(kind for kind in KINDS if kind.name == name)
+
+
+def kind_of(spec: MechanismSpec) -> Kind:
+    """Give the kind of a mechanism; where the file composes it, a kind of its own."""
+    kind = kind_named(spec.kind)
+    return kind if kind.composed is None else kind.composed(spec)
