@@ -238,7 +238,6 @@ def test_every_kernel_has_an_example():
     assert set(EXAMPLES) == set(KERNELS), "a kernel needs an example of its arguments in EXAMPLES, above"
 
 
-@pytest.mark.xdist_group("numba")
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_numbers(name):
     for angle in ANGLES:
@@ -251,13 +250,11 @@ def test_numbers(name):
             assert_same(name, rebuilt(designs(name), iter(picked)))
 
 
-@pytest.mark.xdist_group("numba")
 @pytest.mark.parametrize("name", sorted(EXAMPLES.keys() - ONLY_DESIGNS))
 def test_crank_angles(name, unoptimised):
     assert_same(name, one_machine(name, ANGLES))
 
 
-@pytest.mark.xdist_group("numba designs")
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_designs(name, unoptimised):
     assert_same(name, designs(name))
@@ -270,7 +267,6 @@ def test_designs_include_some_that_do_not_close():
     assert opens >= {f"{name}.{name}" for name in closing}
 
 
-@pytest.mark.xdist_group("numba")
 def test_division_by_zero_is_no_exception():
     """A slot along the guide is crossed nowhere."""
     still = fixed(0.0, 0.0)
@@ -279,6 +275,5 @@ def test_division_by_zero_is_no_exception():
     assert not any(np.isfinite(x) for x in leaves(got))
 
 
-@pytest.mark.xdist_group("numba")
 def test_a_kernel_is_compiled_once():
     assert compiled(crank) is compiled(crank)

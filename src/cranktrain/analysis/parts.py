@@ -54,7 +54,7 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
     parts: list[object] = [
         CrankAngle(
             shown=np.arange(n_angles, dtype=np.float64) * turn / n_angles,
-            zero=np.array([[[machine.sense * machine.crank_zero.si]] for machine in machines]),
+            zero=np.array([[[machine.zero]] for machine in machines]),
             cycle=turn,
         ),
         mechanisms,
@@ -74,7 +74,7 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
             firing_order_of(first.cylinder, pistons[0], astern=first.is_astern)[0],
         ]
     if rockers[0]:
-        parts += [mechanisms_of(Rockers, rockers), load_radius_of(rockers)]
+        parts += [mechanisms_of(Rockers, rockers), load_radius_of(rockers, sense=first.sense)]
     speeds = [machine.shaft.main.speed for machine in machines]
     if first.shaft.main.speed is not None:
         parts.append(Speed(np.array([[[speed.si]] for speed in speeds if speed is not None])))
