@@ -42,20 +42,20 @@ class Machine(Spec, frozen=True):
     name: str = ""
     rotation: Literal["clockwise", "anticlockwise"] = "clockwise"
     running: Literal["ahead", "astern"] = "ahead"
-    crank_zero: Angle = Given(0.0, "0 deg")
+    crank_zero: Literal["Y"] | Angle = Given(0.0, "0 deg")
     angle: Angle = Given(0.0, "0 deg")
     shaft: ShaftsSpec = ShaftsSpec()
     mechanism: AnyMechanism | None = None
     bank: Mapping[str, BankSpec] = Field(default={})
     cylinder: CylindersSpec = CylindersSpec()
 
-    def __init__(self, **data: Any) -> None:
+    def __init__(self, /, **data: Any) -> None:
         try:
             super().__init__(**data)
         except ValidationError as error:
             found = [_as_in_file(problem, data) for problem in problems(error, Machine)]
             # A list is also called too short where one of its items is wrong.
-            wrong = {problem.path.rpartition("[")[0] for problem in found}
+            wrong = {problem.path.rpartition("[")[0] for problem in found if "[" in problem.path}
             raise InputError(problem for problem in found if problem.path not in wrong) from None
 
     @model_validator(mode="after")
@@ -91,6 +91,14 @@ class Machine(Spec, frozen=True):
     def sense(self) -> float:
         """+1 ahead, −1 astern: the sign of what counts in the normal sense of rotation."""
         return -1.0 if self.is_astern else 1.0
+
+    @property
+    def zero(self) -> float:
+        """φ where the shown crank angle is 0: as given, or where the crank of throw 1 points along Y. [rad]"""
+        if self.crank_zero != "Y":
+            return self.sense * self.crank_zero.si
+        first = self.angle if self.mechanism is not None else next(iter(self.bank.values())).angle[0]
+        return -self.sense * first.si
 
     @property
     def places(self) -> tuple[Place, ...]:
@@ -160,12 +168,14 @@ def _closing_problems(machine: Machine, places: Sequence[Place]) -> tuple[Proble
     for place in places:
         different.setdefault((place.path, place.geometry), place)
     with np.errstate(all="ignore"):
-        found = [
-            _closing_problem(place, ranges, machine.sense * machine.crank_zero.si)
-            for place in different.values()
-            if (ranges := open_ranges(place.kind, place.geometry))
-        ]
-    return tuple(found)
+        ranges = [(place, open_ranges(place.kind, place.geometry)) for place in different.values()]
+        stuck = {place.geometry for place, found in ranges if found}
+        return tuple(
+            _closing_problem(place, found, machine.zero)
+            for place, found in ranges
+            # A slave on a master that cannot close says nothing of its own.
+            if found and getattr(place.geometry, "master", None) not in stuck
+        )
 
 
 def _closing_problem(place: Place, ranges: Sequence[OpenRange], zero: float) -> Problem:

@@ -46,7 +46,10 @@ from cranktrain.linkage import (
 )
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker
+from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinder
+from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
+from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLever
 
 NO_KERNELS = {"compile.compiled", "modes.triad_modes", "walk.pose_at", "walk.triad_walk"}
 """What supplies kernels, or takes them: `cranktrain.linkage` names it."""
@@ -126,6 +129,10 @@ def crank_rocker_geometry(size, side):
     return CrankRocker(size(0.3), size(1.0), size(0.8), size(1.1), side)
 
 
+def cylinder_geometry(size):
+    return OscillatingCylinder(size(0.3), size(0.5), size(0.05), 1.0)
+
+
 def articulated_rod_geometry(size):
     return ArticulatedRod(slider_crank_geometry(size), size(0.25), size(1.2), size(1.0), size(0.8), size(0.02))
 
@@ -145,6 +152,12 @@ EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "point.fixed": lambda angle, size, side: (size(1.1), size(0.05)),
     "point.point": lambda angle, size, side: (rod(angle, size), LinkPoint(size(0.2), size(0.7))),
     "point.turned": lambda angle, size, side: (crank_pin(angle, size), size(0.7)),
+    "oscillating_cylinder.oscillating_cylinder": lambda angle, size, side: (angle, cylinder_geometry(size)),
+    "oscillating_cylinder.oscillating_cylinder_gap": lambda angle, size, side: (angle, cylinder_geometry(size)),
+    "scotch_yoke.scotch_yoke": lambda angle, size, side: (angle, ScotchYoke(size(0.3), size(0.1), size(1.2))),
+    "scotch_yoke.scotch_yoke_gap": lambda angle, size, side: (angle, ScotchYoke(size(0.3), size(0.1), size(1.2))),
+    "slotted_lever.slotted_lever": lambda angle, size, side: (angle, SlottedLever(*cylinder_geometry(size))),
+    "slotted_lever.slotted_lever_gap": lambda angle, size, side: (angle, SlottedLever(*cylinder_geometry(size))),
     "slide.slide": lambda angle, size, side: (crank_pin(angle, size), Slide(size(1.0), size(0.05), side)),
     "slide.slide_gap": lambda angle, size, side: (crank_pin(angle, size), Slide(size(1.0), size(0.05), side)),
     "slider_crank.slider_crank": lambda angle, size, side: (angle, slider_crank_geometry(size)),
@@ -238,7 +251,6 @@ def test_every_kernel_has_an_example():
     assert set(EXAMPLES) == set(KERNELS), "a kernel needs an example of its arguments in EXAMPLES, above"
 
 
-@pytest.mark.xdist_group("numba")
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_numbers(name):
     for angle in ANGLES:
@@ -251,13 +263,11 @@ def test_numbers(name):
             assert_same(name, rebuilt(designs(name), iter(picked)))
 
 
-@pytest.mark.xdist_group("numba")
 @pytest.mark.parametrize("name", sorted(EXAMPLES.keys() - ONLY_DESIGNS))
 def test_crank_angles(name, unoptimised):
     assert_same(name, one_machine(name, ANGLES))
 
 
-@pytest.mark.xdist_group("numba designs")
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_designs(name, unoptimised):
     assert_same(name, designs(name))
@@ -270,7 +280,6 @@ def test_designs_include_some_that_do_not_close():
     assert opens >= {f"{name}.{name}" for name in closing}
 
 
-@pytest.mark.xdist_group("numba")
 def test_division_by_zero_is_no_exception():
     """A slot along the guide is crossed nowhere."""
     still = fixed(0.0, 0.0)
@@ -279,6 +288,5 @@ def test_division_by_zero_is_no_exception():
     assert not any(np.isfinite(x) for x in leaves(got))
 
 
-@pytest.mark.xdist_group("numba")
 def test_a_kernel_is_compiled_once():
     assert compiled(crank) is compiled(crank)

@@ -172,23 +172,22 @@ def test_pumping_unit_dead_centres(pumping_unit):
 
 
 def test_pumping_unit_torque_factor(pumping_unit, case):
-    # The API counts the rod's way upward, the program the rocker's way clockwise, here downward.
-    torque_factor = -pumping_unit.load_velocity_coefficient[0] / INCH
+    torque_factor = pumping_unit.load_velocity_coefficient[0] / INCH
     at_90 = torque_factor[list(pumping_unit.crank_angle).index(90.0)]
     assert at_90 == printed("23.3")
     assert at_90 == printed("23.3056")
     case.compare_value("TF_at_90deg_in", at_90)
-    assert -float(pumping_unit.smallest_torque_factor[0]) / INCH == printed("25.41")
+    assert float(pumping_unit.largest_torque_factor[0]) / INCH == printed("25.41")
 
 
 def test_pumping_unit_table_of_every_15_degrees(pumping_unit, case):
     travel = pumping_unit.load_displacement[0] / float(pumping_unit.load_stroke[0])
-    torque_factor = -pumping_unit.load_velocity_coefficient[0] / INCH
+    torque_factor = pumping_unit.load_velocity_coefficient[0] / INCH
     case.compare(
         {
             # The table repeats its first row at 360°.
             "TF_in": np.append(torque_factor, torque_factor[0]),
-            "position_of_rods": 1 - np.append(travel, travel[0]),
+            "position_of_rods": np.append(travel, travel[0]),
         }
     )
 

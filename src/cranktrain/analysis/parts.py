@@ -65,7 +65,7 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
     parts: list[object] = [
         CrankAngle(
             shown=np.arange(n_angles, dtype=np.float64) * turn / n_angles,
-            zero=np.array([[[machine.sense * machine.crank_zero.si]] for machine in machines]),
+            zero=np.array([[[machine.zero]] for machine in machines]),
             cycle=turn,
         ),
         mechanisms,
@@ -93,7 +93,7 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
         parts += [
             swinging,
             RockerRods(rods) if (rods := has_rods(swinging)) is not None else None,
-            load_radius_of(rockers),
+            load_radius_of(rockers, sense=first.sense),
         ]
     speeds = [machine.shaft.main.speed for machine in machines]
     if first.shaft.main.speed is not None:

@@ -1,10 +1,10 @@
 """Stages: functions whose parameter types are their needs and whose return type is their gift."""
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, is_dataclass
 from graphlib import TopologicalSorter
 from types import NoneType
-from typing import Any, get_args, get_type_hints
+from typing import Any, cast, get_args, get_type_hints
 
 import numpy as np
 
@@ -136,7 +136,8 @@ def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict
             # NaN stands for links that cannot close, and is no news.
             with np.errstate(all="ignore"):
                 gift = one.function(**{name: known.get(need) for name, need in one.needs.items()})
-            known[one.gives] = gifts[one.gives] = _frozen(gift)
+            _freeze(gift)
+            known[one.gives] = gifts[one.gives] = gift
             continue
         lacking[one.gives] = frozenset(roots)
         words = tuple(sorted(translated(getattr(root, "needs", "")) for root in roots))
@@ -147,10 +148,13 @@ def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict
     return in_order, tuple(Missing(tuple(results), needs) for needs, results in missing.items())
 
 
-def _frozen(gift: Any) -> Any:
-    """Make a gift's arrays read-only: stages and users share them."""
-    for part in fields(gift):
-        value = getattr(gift, part.name)
-        if isinstance(value, np.ndarray):
-            value.flags.writeable = False
-    return gift
+def _freeze(value: Any) -> None:
+    """Make all arrays of a gift read-only: stages and users share them."""
+    if isinstance(value, np.ndarray):
+        value.flags.writeable = False
+    elif isinstance(value, tuple):
+        for item in cast(tuple[Any, ...], value):
+            _freeze(item)
+    elif is_dataclass(value) and not isinstance(value, type):
+        for part in fields(value):
+            _freeze(getattr(value, part.name))

@@ -81,6 +81,11 @@ _File = Annotated[
 ]
 _Output = Annotated[str | None, typer.Option("-o", "--output", metavar="FILE", help=_("Write to this file."))]
 _Force = Annotated[bool, typer.Option("--force", help=_("Replace a file that is there."))]
+_Settings = Annotated[
+    list[str] | None,
+    typer.Option("--set", metavar="PATH=VALUE", help=_("Another value for this run; as often as needed.")),
+]
+_Partial = Annotated[bool, typer.Option("--partial", help=_("Accept links that do not close all round: NaN there."))]
 
 
 @_app.callback(
@@ -176,18 +181,13 @@ def _run(
             help=_("Write curves to .csv, or all results to .json; by each method only if named."),
         ),
     ] = None,
-    settings: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="PATH=VALUE", help=_("Another value for this run; as often as needed.")),
-    ] = None,
+    settings: _Settings = None,
     quantities: Annotated[
         str | None,
         typer.Option(metavar="A,B,…", help=_("Only these results; `cranktrain list results` names all.")),
     ] = None,
     step: Annotated[float, typer.Option(metavar="DEGREES", help=_("Of the crank angle, in curves."))] = 1.0,
-    partial_turn: Annotated[
-        bool, typer.Option("--partial", help=_("Accept links that do not close all round: NaN there."))
-    ] = False,
+    partial_turn: _Partial = False,
     inputs: Annotated[
         bool, typer.Option("--inputs", help=_("Show every number of the file and where it is from."))
     ] = False,
@@ -206,6 +206,105 @@ def _run(
         force=force,
     )
     return partial(show_run, request, with_inputs=inputs)
+
+
+@_app.command(
+    "plot",
+    help=_(
+        "Draw a machine: its sheet, a plan, a moving picture or a DXF; the file's name says which.\n\n"
+        "\b\n"
+        "  cranktrain plot 3d12 -o 3d12.png\n"
+        "  cranktrain plot 3d12 --plan positions --at 12 --mechanism 1L -o positions.svg\n"
+        "  cranktrain plot 3d12 --plan accelerations --at 30,60 -o accelerations.pdf\n"
+        "  cranktrain plot pumping_unit_c57 -o unit.gif"
+    ),
+)
+def _plot(
+    file: _File,
+    output: Annotated[
+        str | None,
+        typer.Option(
+            "-o",
+            "--output",
+            metavar="FILE",
+            help=_("Needed. .png, .svg or .pdf: a sheet, or a plan; .gif: one turn; .dxf: all plans in one."),
+        ),
+    ] = None,
+    plan: Annotated[
+        str | None,
+        typer.Option(metavar="PLAN", help=_("A plan of: positions, velocities, accelerations, klein.")),
+    ] = None,
+    at: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ANGLES",
+            help=_("Crank angles in degrees, such as 30,60. Of a plan, one number alone is how many over a turn."),
+        ),
+    ] = None,
+    mechanism: Annotated[
+        str | None, typer.Option(metavar="NAME", help=_("Which one a plan or .dxf is of, such as 1R."))
+    ] = None,
+    size: Annotated[str | None, typer.Option(metavar="A4|A3", help=_("Of the paper; A4 unless given."))] = None,
+    settings: _Settings = None,
+    partial_turn: _Partial = False,
+    force: _Force = False,
+) -> Task:
+    from cranktrain.cli.plot import Request, write_picture
+
+    request = Request(
+        file=file,
+        settings=tuple(settings or ()),
+        is_partial=partial_turn,
+        output=output,
+        force=force,
+        plan=plan,
+        at=at,
+        mechanism=mechanism,
+        size=size,
+    )
+    return partial(write_picture, request)
+
+
+@_app.command(
+    "synthesise",
+    add_help_option=False,
+    context_settings={"ignore_unknown_options": True, "allow_extra_args": True, "allow_interspersed_args": False},
+    help=_("Find dimensions for what a mechanism is to do, and write its machine file."),
+)
+def _synthesise(context: typer.Context) -> Task:
+    from cranktrain.cli.synthesise import synthesis_task  # its many options are told to Typer only when they are needed
+
+    return synthesis_task(context.args)
+
+
+@_app.command(
+    "textbook",
+    help=_(
+        "Compare the sources' own formulas with the exact motion: ranges and largest errors.\n\n"
+        "\b\n"
+        "  cranktrain textbook 3d12\n"
+        "  cranktrain textbook 3d12 --table\n"
+        "  cranktrain textbook errata"
+    ),
+)
+def _textbook(
+    file: Annotated[
+        str,
+        typer.Argument(
+            metavar="[FILE|errata]",
+            help=_("A machine file, the name of an example, or `errata` for the sources' errors."),
+            show_default=False,
+        ),
+    ] = "",
+    settings: _Settings = None,
+    table: Annotated[
+        bool, typer.Option("--table", help=_("Show the motion by each method, too, in steps of 30°."))
+    ] = False,
+    errata: Annotated[bool, typer.Option("--errata", help=_("Show the sources' errors, too."))] = False,
+) -> Task:
+    from cranktrain.cli.textbook import show_textbook
+
+    return partial(show_textbook, file, tuple(settings or ()), with_table=table, with_errata=errata)
 
 
 @_app.command(

@@ -167,7 +167,9 @@ def firing_order_of(
         order = [order[0], *order[:0:-1]]
     index = [names.index(name) for name in order]
     problems = _throw_problems(common, order, within_turn(np.array([pistons[i].nominal_top for i in index])))
-    return (None if problems else FiringOrder(np.array(index, dtype=np.intp))), problems
+    by_piston = {name: word for word, name in common.numbers.items()}
+    numbers = tuple(by_piston.get(name, name) for name in order) if by_piston else ()
+    return (None if problems else FiringOrder(np.array(index, dtype=np.intp), numbers)), problems
 
 
 def _number_problems(common: CylindersSpec, names: Sequence[str]) -> tuple[Problem, ...]:

@@ -32,11 +32,12 @@ class Cycle:
 
 @dataclass(frozen=True)
 class FiringOrder:
-    """Pistons in the order in which they fire, as indices, shape (piston,)."""
+    """Pistons in the order in which they fire, as indices, shape (piston,); the same by the maker's numbers, if any."""
 
     needs: ClassVar[str] = N_("[cylinder] firing_order")
 
     order: NDArray[np.intp]
+    numbers: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -53,11 +54,14 @@ class Firing:
         "Δφ_f", "deg", _PISTON, N_("From this piston's firing to the next one in the order"), _THEORY
     )
     order: tuple[int, ...] = ()
+    numbers: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str:
         """Say the order and the intervals."""
         pistons = names["piston"]
         order = "-".join(pistons[i] for i in self.order)
+        if self.numbers:
+            order = f"{'-'.join(self.numbers)} ({order})"
         intervals = self.firing_interval[design]
         if np.ptp(intervals) < _SAME:
             even = shared(("",), intervals[:1], "deg")
@@ -85,6 +89,7 @@ def firing(
         ],
         firing_interval=interval,
         order=tuple(order.order.tolist()),
+        numbers=order.numbers,
     )
 
 

@@ -26,20 +26,26 @@ def _rocker(rockers: Rockers, angle: Array) -> Coefficient:
     return rockers.evaluated(lambda motion: motion.rocker.angle, angle)
 
 
+_DIRECTIONS = {"with": 1.0, "against": -1.0}
+
+
 @dataclass(frozen=True)
 class LoadRadius:
-    """Radius about each rocker's pivot at which its load is carried, shape (design, rocker, 1). [m]"""
+    """Radius about each rocker's pivot at which its load is carried, shape (design, rocker, 1). [m]
+
+    Negative where the load's travel counts against the rocker's angle.
+    """
 
     needs: ClassVar[str] = N_("[mechanism] load_radius")
 
     value: Array
 
 
-def load_radius_of(designs: Sequence[Sequence[Place]]) -> LoadRadius | None:
+def load_radius_of(designs: Sequence[Sequence[Place]], *, sense: float) -> LoadRadius | None:
     """Collect the load radius of every rocker, NaN for one that carries no load; None where there is none at all."""
     radii = [
         [
-            place.spec.load_radius.si
+            sense * place.spec.load_radius.si * _DIRECTIONS[place.spec.load_direction]
             if isinstance(place.spec, CrankRockerSpec) and place.spec.load_radius is not None
             else np.nan
             for place in design
@@ -211,7 +217,7 @@ class LoadMotion:
     """Travel of a load that hangs at the load radius of each rocker."""
 
     load_displacement: Array = quantity(
-        "x_Q", "m", _CURVE, N_("Travel of the load from the dead position of the smallest rocker angle"), _THEORY
+        "x_Q", "m", _CURVE, N_("Travel of the load from the dead position at which it is least"), _THEORY
     )
     load_velocity_coefficient: Array = quantity(
         "x_Q′",
@@ -246,16 +252,19 @@ def load_motion(
 ) -> LoadMotion:
     """Arc that the load travels at its radius, and the torque factor's extremes."""
     radius = load_radius.value
+    start = np.where(
+        radius > 0, dead.smallest_rocker_angle[..., np.newaxis], dead.largest_rocker_angle[..., np.newaxis]
+    )
     least, most = extremes(
         lambda phi: _rocker(rockers, phi).first,
         lambda phi: _rocker(rockers, phi).second,
         samples=turn.samples.first,
     )
     return LoadMotion(
-        load_displacement=radius * (motion.rocker_angle - dead.smallest_rocker_angle[..., np.newaxis]),
+        load_displacement=radius * (motion.rocker_angle - start),
         load_velocity_coefficient=radius * motion.rocker_velocity_coefficient,
         load_acceleration_coefficient=radius * motion.rocker_acceleration_coefficient,
-        load_stroke=radius[..., 0] * dead.swing,
-        largest_torque_factor=(radius * most.value)[..., 0],
-        smallest_torque_factor=(radius * least.value)[..., 0],
+        load_stroke=np.abs(radius[..., 0]) * dead.swing,
+        largest_torque_factor=np.maximum(radius * most.value, radius * least.value)[..., 0],
+        smallest_torque_factor=np.minimum(radius * most.value, radius * least.value)[..., 0],
     )

@@ -56,6 +56,8 @@ def _crank_angle(machine: Machine) -> str:
         start = _("0 where the crank of throw 1 points along the axis of bank {bank}").format(
             bank=next(iter(machine.bank))
         )
+    if machine.crank_zero == "Y":
+        return _("0 where the crank of throw 1 points up, along Y")
     if machine.crank_zero.si == 0.0:
         return start
     return _("{zero} of it is shown as 0; it is {start}").format(zero=machine.crank_zero.text, start=start)

@@ -11,7 +11,7 @@ _SENTENCES = {
         ),
         "running": N_("`astern` is the same machine turning against its normal sense of rotation."),
         "crank_zero": N_(
-            "Crank angle that is shown as 0; otherwise 0 is where the crank of throw 1 points along the first bank."
+            "Crank angle that is shown as 0, or `Y`: where throw 1 points up; otherwise 0 is along the first bank."
         ),
         "angle": N_("Direction of the mechanism's x axis, from straight up; for a machine with one [mechanism]."),
         "shaft": N_("Shafts by name."),
@@ -74,7 +74,23 @@ _SENTENCES = {
         "rocker_length": N_("From the rocker's pivot to its joint with the rod."),
         "ground_length": N_("From shaft centre to the rocker's pivot."),
         "side": N_("Of the line from crank pin to pivot, on which the joint lies, seen in the sense of rotation."),
+        "load_direction": N_("Whether the load's travel counts with the rocker's angle or against it."),
         "load_radius": N_("About the pivot, at which the load is carried; with it, its travel and the torque factor."),
+    },
+    "ScotchYokeSpec": {
+        "crank_radius": N_("From shaft centre to crank pin."),
+        "offset": N_("Of the line of stroke from the shaft, positive toward +y: 90° ahead of the stroke's direction."),
+        "slot_angle": N_("From the line of stroke to the slot, in the sense of rotation."),
+    },
+    "OscillatingCylinderSpec": {
+        "crank_radius": N_("From shaft centre to crank pin."),
+        "ground_length": N_("From shaft centre to the trunnion about which the cylinder rocks."),
+        "offset": N_("Of the cylinder's axis from the trunnion, to the left of its direction toward the crank pin."),
+    },
+    "SlottedLeverSpec": {
+        "crank_radius": N_("From shaft centre to crank pin."),
+        "ground_length": N_("From shaft centre to the lever's pivot; shorter than the crank, the lever turns."),
+        "offset": N_("Of the slot's line from the pivot, to the left of its direction toward the crank pin."),
     },
     "ArticulatedRodSpec": {
         "master": N_("The bank whose rod, on the same throw, carries the knuckle pin."),

@@ -4,15 +4,34 @@ from typing import Annotated
 
 from pydantic import Field
 
-from cranktrain.mechanisms import articulated_rod, crank_rocker, slider_crank
+from cranktrain.mechanisms import (
+    articulated_rod,
+    crank_rocker,
+    oscillating_cylinder,
+    scotch_yoke,
+    slider_crank,
+    slotted_lever,
+)
 from cranktrain.mechanisms.kind import Kind, MechanismSpec
 
 __all__ = ["KINDS", "AnyMechanism", "Kind", "MechanismSpec", "kind_named", "kind_of"]
 
-KINDS: tuple[Kind, ...] = (slider_crank.KIND, crank_rocker.KIND, articulated_rod.KIND)
+KINDS: tuple[Kind, ...] = (
+    slider_crank.KIND,
+    crank_rocker.KIND,
+    articulated_rod.KIND,
+    scotch_yoke.KIND,
+    oscillating_cylinder.KIND,
+    slotted_lever.KIND,
+)
 
 AnyMechanism = Annotated[
-    slider_crank.SliderCrankSpec | crank_rocker.CrankRockerSpec | articulated_rod.ArticulatedRodSpec,
+    slider_crank.SliderCrankSpec
+    | crank_rocker.CrankRockerSpec
+    | articulated_rod.ArticulatedRodSpec
+    | scotch_yoke.ScotchYokeSpec
+    | oscillating_cylinder.OscillatingCylinderSpec
+    | slotted_lever.SlottedLeverSpec,
     Field(discriminator="kind"),
 ]
 

@@ -19,6 +19,9 @@ from cranktrain.quantities.refusal import QuantityError, unknown_key, unlisted, 
 
 Status: TypeAlias = Literal["published", "derived", "assumed", "fitted"]
 
+_LARGEST = 1e30
+"""Of any quantity in SI: its powers stay within what a number can hold."""
+
 _KEYS = ("value", "status", "note", "source")
 
 
@@ -94,6 +97,8 @@ class Quantity:
 
     def _in_range(self, data: object) -> Reading:
         read = reading(data, self.dimension)
+        if not (read.si == 0.0 or 1 / _LARGEST < abs(read.si) < _LARGEST):
+            raise QuantityError(read.text, _("is beyond the size of any machine"))
         for limit, holds, allowed in self._limits():
             if not holds(read.si, limit):
                 name = read.unit.name if read.unit else ""

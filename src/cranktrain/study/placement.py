@@ -54,11 +54,6 @@ def frame(machine: Machine, place: Place) -> Frame:
     return frame_of(place, first_angle=first.si, clockwise=machine.rotation == "clockwise", astern=machine.is_astern)
 
 
-def crank_zero(machine: Machine) -> float:
-    """φ where the shown crank angle is 0. [rad]"""
-    return -machine.crank_zero.si if machine.is_astern else machine.crank_zero.si
-
-
 def placed(machine: Machine, place: Place, angle: Array) -> Drawing:
     """Give a place's drawing in machine axes.
 
@@ -132,7 +127,7 @@ def output_motion(machine: Machine, place: Place, angle: Array) -> Coefficient:
         [m, m/rad, m/rad²], or [rad, rad/rad, rad/rad²].
     """
     with np.errstate(all="ignore"):
-        motion = place.kind.motion(angle + crank_zero(machine) + place.phase, place.geometry)
+        motion = place.kind.motion(angle + machine.zero + place.phase, place.geometry)
     return motion.slider if place.kind.output == "slider" else motion.rocker.angle
 
 

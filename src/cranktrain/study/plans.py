@@ -14,7 +14,7 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.kind import Drawing
 from cranktrain.motion import Array
-from cranktrain.study.placement import crank_zero, place_called, placed
+from cranktrain.study.placement import place_called, placed
 
 ROOM = (80.0, 80.0)
 """Width and height for which a scale is chosen, unless given. [mm]"""
@@ -75,7 +75,7 @@ def position_plan(
     """
     place = place_called(machine, mechanism)
     shown = closed_angles(machine, place, angles)
-    drawing = placed(machine, place, np.deg2rad(shown) + crank_zero(machine))
+    drawing = placed(machine, place, np.deg2rad(shown) + machine.zero)
     scale = fitting([np.concatenate([np.stack(pin) for pin in drawing.pins.values()], axis=1)], room)
     pins = {name: (x / scale, y / scale) for name, (x, y) in drawing.pins.items()}
     return PositionPlan(place.name, shown, scale, replace(drawing, pins=pins))
@@ -83,7 +83,7 @@ def position_plan(
 
 def track(machine: Machine, scale: float, *, mechanism: str | None = None) -> Drawing:
     """Give a mechanism over a whole turn, for its paths: NaN where it cannot close. [drawing mm]"""
-    phi = np.linspace(0.0, 2 * np.pi, 361) + crank_zero(machine)
+    phi = np.linspace(0.0, 2 * np.pi, 361) + machine.zero
     drawing = placed(machine, place_called(machine, mechanism), phi)
     return replace(drawing, pins={name: (x / scale, y / scale) for name, (x, y) in drawing.pins.items()})
 
@@ -97,7 +97,7 @@ def closed_angles(machine: Machine, place: Place, angles: int | Sequence[float])
         If the links cannot close at an angle that is listed, or at none.
     """
     shown = plan_angles(angles)
-    drawing = placed(machine, place, np.deg2rad(shown) + crank_zero(machine))
+    drawing = placed(machine, place, np.deg2rad(shown) + machine.zero)
     closed = np.all([np.isfinite(part) for pin in drawing.pins.values() for part in pin], axis=0)
     if np.all(closed) or (isinstance(angles, int) and np.any(closed)):
         return shown[closed]

@@ -11,7 +11,7 @@ import numpy as np
 
 from cranktrain.machine import Machine
 from cranktrain.motion import Array, Point
-from cranktrain.study.placement import Joints, crank_zero, joints, place_called
+from cranktrain.study.placement import Joints, joints, place_called
 from cranktrain.study.plans import ROOM, closed_angles, fitting
 
 Part = Literal["absolute", "relative", "normal", "tangential"]
@@ -145,7 +145,7 @@ def _polygons(
     speed = machine.shaft.main.speed
     described: list[tuple[dict[str, Array], tuple[Vector, ...]]] = []
     for angle in shown:
-        phi = np.array([np.deg2rad(angle) + crank_zero(machine)])
+        phi = np.array([np.deg2rad(angle) + machine.zero])
         drawing = place.kind.drawing(phi + place.phase, place.geometry)
         pairs = [
             _Pair(link.pins[0], pin, link.pins[0] in drawing.fixed) for link in drawing.links for pin in link.pins[1:]

@@ -13,7 +13,7 @@ from cranktrain.machine import Machine
 from cranktrain.mechanisms.kind import Drawing
 from cranktrain.motion import Array
 from cranktrain.quantities import shown
-from cranktrain.study.placement import crank_zero, first_throw, placed
+from cranktrain.study.placement import first_throw, placed
 from cranktrain.viz.shapes import Along
 
 _TURN = np.linspace(0.0, 2 * np.pi, 361)
@@ -89,7 +89,7 @@ class Scene:
 
     def turned(self, member: Member, angles: Array) -> dict[str, Array]:
         """Give a member's pins at shown crank angles, shape (n,) [deg]: name to (2, n). [mm]"""
-        phi = np.deg2rad(angles) + crank_zero(self.machine)
+        phi = np.deg2rad(angles) + self.machine.zero
         return {name: shown(np.stack(pin), "mm") for name, pin in placed(self.machine, member.place, phi).pins.items()}
 
     def closing_angle(self, angle: float) -> float:

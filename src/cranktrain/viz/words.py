@@ -48,7 +48,9 @@ def zero_words(machine: Machine) -> str:
     if machine.mechanism is None:
         bank = next(iter(machine.bank))
         axis = _("the axis of bank {bank}").format(bank=bank)
-    if machine.crank_zero.si != 0.0:
+    if machine.crank_zero == "Y":
+        start = _("φ = 0 where crank 1 points up")
+    elif machine.crank_zero.si != 0.0:
         words = _("φ = 0 where crank 1 is {angle} ahead of {axis}")
         if machine.crank_zero.si < 0.0:
             words = _("φ = 0 where crank 1 is {angle} behind {axis}")

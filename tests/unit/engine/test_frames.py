@@ -70,6 +70,6 @@ def test_offset_is_the_same_metal_ahead_and_astern():
 def test_pumping_unit_stands_as_its_maker_draws_it():
     """Saddle bearing 56 in to the right and 68 in up; the crank at twelve o'clock where the angle is shown as 0."""
     machine = ct.load("pumping_unit_c57")
-    pins = placed(machine, machine.places[0], np.array([machine.crank_zero.si])).pins
+    pins = placed(machine, machine.places[0], np.array([machine.zero])).pins
     np.testing.assert_allclose(np.ravel(pins["C"]) / 0.0254, [56.0, 68.0], rtol=1e-14)
     np.testing.assert_allclose(np.ravel(pins["A"]) / 0.0254, [0.0, 21.0], rtol=0, atol=1e-13)

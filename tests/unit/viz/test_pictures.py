@@ -208,7 +208,7 @@ def test_pins_on_the_sheet_are_the_kernels(results, name):
                 expected = in_machine_axes(x, 1e3 * member.place.geometry.offset, axes)
                 pin = pins[member.output]
             np.testing.assert_allclose(pin, expected, rtol=0, atol=1e-9)
-            crank = np.deg2rad(angle) + machine.crank_zero.si + member.place.phase
+            crank = np.deg2rad(angle) + machine.zero + member.place.phase
             if member.place.kind.name != "articulated_rod":
                 arm = 1e3 * member.place.geometry.crank_radius
                 there = in_machine_axes(arm * np.cos(crank), arm * np.sin(crank), axes)

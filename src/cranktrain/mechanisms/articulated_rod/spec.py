@@ -38,9 +38,6 @@ def articulated_rod_geometry(spec: ArticulatedRodSpec, master: Master | None) ->
 
 
 def articulated_rod_advice(geometry: ArticulatedRod) -> str:
-    """Say how long the slave rod must be, unless it is the master that cannot close."""
+    """Say how long the slave rod must be; its master closes."""
     farthest = largest(lambda phi: np.abs(articulated_rod(phi, geometry).knuckle.y.value - geometry.offset))
-    least = float(farthest.value[0])
-    if np.isnan(least):
-        return _("the master rod must close first")
-    return _("rod_length must be more than {least}").format(least=precise(least))
+    return _("rod_length must be more than {least}").format(least=precise(float(farthest.value[0])))

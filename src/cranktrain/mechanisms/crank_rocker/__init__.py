@@ -38,6 +38,7 @@ rocker_length = "280 mm"
 ground_length = "400 mm"          # shaft centre to the rocker's pivot
 side = "left"                     # of the line from crank pin to pivot, where its joint lies
 # load_radius = "500 mm"          # radius about the pivot at which the load is carried
+# load_direction = "with"         # "against": its travel counts against the rocker's angle
 
 # [mechanism.points.bucket]       # a coupler point to follow
 # link = "rod"

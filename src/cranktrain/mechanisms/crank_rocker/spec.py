@@ -16,7 +16,8 @@ class CrankRockerSpec(MechanismSpec, frozen=True):
     """Four lengths, and the side of the line from crank pin to rocker pivot on which the joint lies.
 
     load_radius is the radius about the rocker's pivot at which the load is carried, such as the horsehead of a beam
-    pumping unit: with it the travel of the load is known.
+    pumping unit: with it the travel of the load is known. load_direction says whether the load's travel counts with the
+    rocker's angle, which grows in the normal sense of rotation, or against it.
     """
 
     kind: Literal["crank_rocker"]
@@ -26,6 +27,7 @@ class CrankRockerSpec(MechanismSpec, frozen=True):
     ground_length: PositiveLength
     side: Literal["left", "right"] = "left"
     load_radius: PositiveLength | None = None
+    load_direction: Literal["with", "against"] = "with"
 
 
 def crank_rocker_geometry(spec: CrankRockerSpec, master: Master | None = None) -> CrankRocker:

@@ -86,7 +86,7 @@ def _radius_from_stroke(spec: SliderCrankSpec) -> float | None:
         rod = spec.rod_length.si
         return _root(
             stroke**2 * (4 * rod**2 - 4 * offset**2 - stroke**2) / (4 * (4 * rod**2 - stroke**2))
-            if 4 * rod**2 > stroke**2
+            if stroke**2 <= 4 * rod * (rod - abs(offset))
             else -1.0
         )
     ratio = spec.rod_to_crank_ratio.si if spec.rod_to_crank_ratio is not None else None

@@ -1,0 +1,226 @@
+"""`plot`: a machine as a sheet, a plan, a moving picture or a DXF; the file's name says which."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import PurePath
+from typing import TYPE_CHECKING, TypeAlias
+
+from cranktrain.cli.screen import plain
+from cranktrain.errors import InputError, Position, Problem
+from cranktrain.io.machine_file import MachineFile, read_machine
+from cranktrain.language import _
+from cranktrain.quantities import Dimension, QuantityError, read, shown, unlisted
+
+if TYPE_CHECKING:
+    from cranktrain.viz.page import Figure
+
+Angles: TypeAlias = int | Sequence[float]
+"""How many crank angles over a turn, or which. [deg]"""
+
+PLANS = ("positions", "velocities", "accelerations", "klein")
+SHEETS, ANIMATION, DRAWING = (".png", ".svg", ".pdf"), ".gif", ".dxf"
+SUFFIXES = (*SHEETS, ANIMATION, DRAWING)
+
+_SIZES = ("A4", "A3")
+_POSITIONS = 12
+"""Of a DXF, unless said otherwise."""
+
+_DIGITS = 9
+"""Of a crank angle in degrees, so that 30 deg stay 30."""
+
+
+@dataclass(frozen=True)
+class Request:
+    """What is asked of `plot`, as typed."""
+
+    file: str
+    settings: tuple[str, ...] = ()
+    is_partial: bool = False
+    output: str | None = None
+    force: bool = False
+    plan: str | None = None
+    at: str | None = None
+    mechanism: str | None = None
+    size: str | None = None
+
+
+@dataclass(frozen=True)
+class Picture:
+    """What is drawn: the file's name and ending, and the request as it was understood; None for what was not said."""
+
+    output: str
+    suffix: str
+    plan: str | None
+    angles: Angles | None
+    mechanism: str | None
+    size: str
+
+
+def write_picture(request: Request) -> None:
+    """Draw and write; say what was written.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong with the options, else with the machine, else with what cannot be drawn.
+    """
+    picture = understood(request)
+    file = read_machine(request.file, request.settings, partial=request.is_partial)
+    try:
+        _mechanism_found(file, picture)
+        _drawn(file, picture, request)
+    except InputError as error:
+        raise InputError(_placed(error.problems, file, request)) from None
+    print(_("written: {name}").format(name=plain(picture.output)))
+
+
+def understood(request: Request) -> Picture:
+    """Read the options; refuse those that do not go together.
+
+    Parameters
+    ----------
+    request : Request
+
+    Returns
+    -------
+    Picture
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong.
+    """
+    problems: list[Problem] = []
+    suffix = PurePath(request.output or "").suffix.lower()
+    if request.output is None:
+        name = plain(PurePath(request.file).stem) or "3d12"
+        example = f"cranktrain plot {plain(request.file) or name} -o {name}.png"
+        allowed = _("is missing: the name of the picture, which ends in one of: {suffixes}")
+        repair = _("such as: {example}").format(example=example)
+        problems.append(Problem("-o", None, allowed.format(suffixes=", ".join(SUFFIXES)), repair))
+    elif suffix not in SUFFIXES:
+        allowed = _("must end in one of: {suffixes}").format(suffixes=", ".join(SUFFIXES))
+        problems.append(Problem("-o", request.output, allowed))
+    else:
+        problems += _misplaced(request, suffix)
+    plan = request.plan and request.plan.strip().casefold()
+    if plan is not None and plan not in PLANS:
+        problems.append(unlisted("--plan", request.plan, PLANS))
+    size = (request.size or _SIZES[0]).strip().upper()
+    if size not in _SIZES:
+        problems.append(unlisted("--size", request.size, _SIZES))
+    angles = None
+    try:
+        angles = _angles(request.at, is_count_meant=plan is not None or suffix == DRAWING)
+    except InputError as error:
+        problems += error.problems
+    if problems:
+        raise InputError(problems)
+    return Picture(request.output or "", suffix, plan, angles, request.mechanism, size)
+
+
+def _misplaced(request: Request, suffix: str) -> Iterator[Problem]:
+    """Refuse options that mean nothing for the kind of picture."""
+    options = {
+        "--plan": request.plan,
+        "--at": request.at,
+        "--mechanism": request.mechanism,
+        "--size": request.size,
+    }
+    if suffix == ANIMATION:
+        allowed = _("must be left out: a .gif shows one turn of the first throw")
+        unused = tuple(options)
+    elif suffix == DRAWING:
+        allowed = _("must be left out: a .dxf holds all plans, in true millimetres")
+        unused = ("--plan", "--size")
+    elif request.plan is None:
+        allowed = _("must be left out: a sheet shows the first throw; only a plan or a .dxf is of one mechanism")
+        unused = ("--mechanism",)
+    else:
+        return
+    yield from (Problem(name, options[name], allowed) for name in unused if options[name] is not None)
+
+
+def _angles(text: str | None, *, is_count_meant: bool) -> Angles | None:
+    """Read crank angles, or where it is meant a count."""
+    if text is None:
+        return None
+    if is_count_meant and text.strip().isdecimal():
+        return int(text)
+    angles: list[float] = []
+    problems: list[Problem] = []
+    for part in map(str.strip, text.split(",")):
+        quantity = part if part[-1:].isalpha() or part.endswith("°") else f"{part} deg"
+        try:
+            angles.append(round(shown(read(quantity, Dimension.ANGLE), "deg"), _DIGITS))
+        except QuantityError:
+            allowed = _("must be crank angles in degrees with commas between, such as 30,60")
+            problems.append(Problem("--at", text, allowed))
+    if not problems and not is_count_meant and len(angles) > 1:
+        problems.append(Problem("--at", text, _("must be one crank angle; for several, ask for a --plan")))
+    if problems:
+        raise InputError(problems[:1])
+    return angles
+
+
+def _mechanism_found(file: MachineFile, picture: Picture) -> None:
+    """Refuse a mechanism that the machine does not have."""
+    from cranktrain.study.placement import place_called
+
+    if picture.mechanism is None:
+        return
+    try:
+        place_called(file.machine, picture.mechanism)
+    except InputError as error:
+        raise InputError(replace(problem, path="--mechanism") for problem in error.problems) from None
+
+
+def _drawn(file: MachineFile, picture: Picture, request: Request) -> None:
+    """Draw once the file is known to be possible, and write it."""
+    from cranktrain.viz import dxf, save, save_animation
+
+    if picture.suffix == DRAWING:
+        angles = _POSITIONS if picture.angles is None else picture.angles
+        dxf(file.machine, angles, picture.output, mechanism=picture.mechanism, force=request.force)
+    elif picture.suffix == ANIMATION:
+        from cranktrain.analysis import run
+
+        save_animation(run(file.machine, partial=request.is_partial), picture.output, force=request.force)
+    else:
+        save(lambda: _figure(file, picture, request), picture.output, force=request.force)
+
+
+def _figure(file: MachineFile, picture: Picture, request: Request) -> "Figure":
+    """Draw a plan, or the sheet."""
+    from cranktrain.viz import plan_accelerations, plan_klein, plan_positions, plan_velocities, sheet
+
+    if picture.plan is None:
+        from cranktrain.analysis import run
+
+        result = run(file.machine, partial=request.is_partial)
+        if isinstance(picture.angles, Sequence):
+            return sheet(result, size=picture.size, at=picture.angles[0])
+        return sheet(result, size=picture.size)
+    plans: Mapping[str, Callable[..., Figure]] = {
+        "positions": plan_positions,
+        "velocities": plan_velocities,
+        "accelerations": plan_accelerations,
+        "klein": plan_klein,
+    }
+    chosen = {} if picture.angles is None else {"angles": picture.angles}
+    return plans[picture.plan](file.machine, **chosen, mechanism=picture.mechanism, size=picture.size)
+
+
+def _placed(problems: Sequence[Problem], file: MachineFile, request: Request) -> Iterator[Problem]:
+    """Place what cannot be drawn: in the machine file, or at the option that asks for it."""
+    for problem in problems:
+        if problem.position is not None or problem.path.startswith("-"):
+            yield problem
+        elif problem.path:
+            yield file.document.located([problem])[0]
+        else:
+            repair = problem.repair
+            if request.at is not None and request.at.strip().isdecimal():
+                repair = _('for one crank angle, write "{angle} deg"').format(angle=request.at.strip())
+            place = Position(file.document.name if request.at is None else "--at")
+            yield replace(problem, repair=repair, position=place)

@@ -1,0 +1,89 @@
+"""The result: units, read-only arrays, facts, what is missing, the dataset."""
+
+import numpy as np
+import pytest
+from tests.machines import V12, slider, throws
+
+import cranktrain as ct
+
+
+@pytest.fixture(scope="module")
+def v12():
+    return ct.run(ct.Machine(name="V12", **V12))
+
+
+def test_crank_angles_are_in_degrees_and_other_angles_in_radians(v12):
+    assert v12.catalogue["top_dead_centre"].unit == "deg"
+    assert v12.catalogue["rod_angle"].unit == "rad"
+    assert v12.top_dead_centre[1] == pytest.approx(120)
+    assert np.max(np.abs(v12.rod_angle)) < 1
+
+
+def test_arrays_cannot_be_written(v12):
+    for name in ("crank_angle", *v12.catalogue):
+        if np.ndim(getattr(v12, name)) == 0:
+            continue
+        with pytest.raises(ValueError, match="read-only"):
+            getattr(v12, name)[...] = 0.0
+    with pytest.raises(ValueError, match="read-only"):
+        v12.checks[0].residual[...] = 0.0
+
+
+def test_facts_are_the_quantities_without_crank_angle(v12):
+    assert set(v12.facts) == {name for name, entry in v12.catalogue.items() if "crank_angle" not in entry.dimensions}
+    assert v12.facts["stroke"].entry.symbol == "S"
+    assert v12.facts["stroke"].value is not None
+    assert "piston_displacement" not in v12.facts
+
+
+def test_unknown_names(v12):
+    with pytest.raises(AttributeError, match="no strok; it has stroke"):
+        _ = v12.strok
+    assert "stroke" in dir(v12)
+
+
+def test_absent_quantities_name_what_they_need():
+    result = ct.run(ct.Machine(mechanism=slider()))
+    with pytest.raises(
+        AttributeError, match=r"no compression_ratio, which needs \[cylinder\] bore, \[cylinder\] compr"
+    ):
+        _ = result.compression_ratio
+
+
+def test_labels(v12):
+    entry = v12.catalogue["displacement_error"]
+    assert list(v12.labels_of(entry)) == ["method", "piston"]
+    assert v12.labels_of(entry)["method"][0] == "exact"
+
+
+def test_dataset(v12):
+    data = v12.dataset
+    assert data.attrs["name"] == "V12"
+    assert set(data.data_vars) == set(v12.catalogue)
+    one = data["piston_displacement"].sel(piston="3R", crank_angle=90.0)
+    assert float(one) == v12.piston_displacement[8, 90]
+    assert one.attrs == {
+        "units": "m",
+        "symbol": "x",
+        "long_name": "Travel of the piston from its true top toward the shaft",
+        "source": "docs/theory/slider-crank",
+    }
+    assert data["crank_angle"].attrs["units"] == "deg"
+    assert "design" not in data.dims
+
+
+def test_dataset_of_designs():
+    machines = [ct.Machine(mechanism=slider(crank_radius=f"{radius} mm"), shaft=throws(0)) for radius in (40, 50)]
+    data = ct.run(machines).dataset
+    np.testing.assert_allclose(data["stroke"].sel(design="2"), [0.1])
+    assert data["piston_displacement"].dims == ("design", "piston", "crank_angle")
+
+
+def test_summary_answers_in_the_order_in_which_one_asks(v12):
+    begins = [sentence.split()[0] for sentence in v12.answers()]
+    assert begins == ["Strokes:", "Displacement", "Compression", "Firing", "Mean", "No", "Closing", "Textbook:"]
+    assert v12.summary().splitlines() == list(v12.answers())
+
+
+def test_flags(v12):
+    assert any("(334)" in flag and "λ < 0.1" in flag and "1L–6L" in flag for flag in v12.flags)

@@ -1,0 +1,105 @@
+"""Stages: their needs and gifts are read from annotations; what is missing is said in words."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import pytest
+
+from cranktrain.analysis import ordered, stage
+from cranktrain.analysis.stages import run_stages
+from cranktrain.catalogue import quantity
+
+
+@dataclass(frozen=True)
+class Bore:
+    needs: ClassVar[str] = "[x] bore"
+    value: float
+
+
+@dataclass(frozen=True)
+class Other:
+    """What no machine file can say."""
+
+
+@dataclass(frozen=True)
+class Area:
+    area: float = quantity("A", "m^2", (), "Area", "docs/conventions")
+
+
+@dataclass(frozen=True)
+class Force:
+    force: float = quantity("F", "N", (), "Force", "docs/conventions")
+
+
+@dataclass(frozen=True)
+class Odd:
+    odd: float = quantity("O", "1", (), "Odd", "docs/conventions")
+
+
+def area(bore: Bore) -> Area:
+    return Area(bore.value**2)
+
+
+def force(area: Area, other: Other | None) -> Force:
+    return Force(area.area * (1 if other is None else 2))
+
+
+def odd(other: Other, area: Area) -> Odd:
+    return Odd(0.0 * area.area)
+
+
+STAGES = [stage(function) for function in (odd, force, area)]
+
+
+def test_annotations_are_needs_and_gift():
+    read = stage(force)
+    assert read.needs == {"area": Area, "other": Other}
+    assert read.optional == {"other"}
+    assert read.gives is Force
+
+
+def test_needs_come_before_their_use():
+    assert [one.gives for one in ordered(STAGES)].index(Area) == 0
+
+
+def test_gifts_in_the_order_of_the_declaration():
+    gifts, missing = run_stages(STAGES, {Bore: Bore(3.0), Other: Other()})
+    assert list(gifts) == [Odd, Force, Area]
+    assert gifts[Force].force == 18.0
+    assert missing == ()
+
+
+def test_an_optional_need_is_not_missed():
+    gifts, missing = run_stages(STAGES, {Bore: Bore(3.0)})
+    assert gifts[Force].force == 9.0
+    assert Odd not in gifts
+    assert missing == ()  # no machine file can give what it lacks
+
+
+def test_what_is_missing_is_traced_to_the_file():
+    gifts, missing = run_stages(STAGES, {Other: Other()})
+    assert gifts == {}
+    (found,) = missing
+    assert found.needs == ("[x] bore",)
+    assert sorted(found.results) == ["area", "force", "odd"]
+
+
+def test_division_by_zero_within_a_stage_is_nan_and_no_warning():
+    import numpy as np
+
+    def nothing(bore: Bore) -> Area:
+        return Area(float(np.divide(0.0 * bore.value, 0.0)))
+
+    gifts, _missing = run_stages([stage(nothing)], {Bore: Bore(1.0)})
+    assert gifts[Area].area != gifts[Area].area
+
+
+def test_stages_that_need_each_other_cannot_be_ordered():
+    def first(force: Force) -> Area:
+        return Area(force.force)
+
+    def second(area: Area) -> Force:
+        return Force(area.area)
+
+    with pytest.raises(ValueError, match="cycle"):
+        ordered([stage(first), stage(second)])
