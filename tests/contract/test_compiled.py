@@ -51,7 +51,17 @@ from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
 from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLever
 
-NO_KERNELS = {"compile.compiled", "modes.triad_modes", "walk.pose_at", "walk.triad_walk"}
+NO_KERNELS = {
+    "chain.chain_gap",
+    "chain.chain_gaps",
+    "chain.chain_motion",
+    "chain.pin_of",
+    "chain.with_sides",
+    "compile.compiled",
+    "modes.triad_modes",
+    "walk.pose_at",
+    "walk.triad_walk",
+}
 """What supplies kernels, or takes them: `cranktrain.linkage` names it."""
 
 ONLY_DESIGNS = {"triad.triad"}

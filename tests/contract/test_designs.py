@@ -32,8 +32,8 @@ def machine_of(kind):
     data = tomllib.loads(kind.example)
     data["shaft"] = {"main": {"speed": "700 rpm"}}
     table = data["mechanism"] if "mechanism" in data else next(reversed(data["bank"].values()))["mechanism"]
-    if kind.links:
-        table["points"] = {"p": {"link": kind.links[0], "along": "30 mm", "across": "11 mm"}}
+    if links := next(place.kind.links for place in ct.Machine(**data).places if place.kind.name == kind.name):
+        table["points"] = {"p": {"link": links[0], "along": "30 mm", "across": "11 mm"}}
     if kind.output == "slider":
         data["cylinder"] = {"bore": "90 mm", "compression_ratio": 12.0}
     elif "load_radius" in kind.spec.model_fields:

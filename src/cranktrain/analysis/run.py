@@ -130,7 +130,7 @@ def _labels(parts: Parts, machines: Sequence[Machine], gifts: Mapping[type, obje
     for dimension, kind in (("point", LinkPoints), ("link", FollowedLinks), ("slider", FollowedSliders)):
         if kind in parts:
             labels[dimension] = _part(parts, kind).names
-    labels |= {kind.name: _part(parts, kind.members).names for kind in KINDS if kind.members in parts}
+    labels |= {kind.name: _part(parts, kind.members).names for kind in KINDS if kind.stages and kind.members in parts}
     for gift in gifts.values():
         labels |= getattr(gift, "labels", {})
     return labels

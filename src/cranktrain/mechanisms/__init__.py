@@ -6,6 +6,7 @@ from pydantic import Field
 
 from cranktrain.mechanisms import (
     articulated_rod,
+    chain,
     crank_rocker,
     oscillating_cylinder,
     scotch_yoke,
@@ -23,6 +24,7 @@ KINDS: tuple[Kind, ...] = (
     scotch_yoke.KIND,
     oscillating_cylinder.KIND,
     slotted_lever.KIND,
+    chain.KIND,
 )
 
 AnyMechanism = Annotated[
@@ -31,7 +33,8 @@ AnyMechanism = Annotated[
     | articulated_rod.ArticulatedRodSpec
     | scotch_yoke.ScotchYokeSpec
     | oscillating_cylinder.OscillatingCylinderSpec
-    | slotted_lever.SlottedLeverSpec,
+    | slotted_lever.SlottedLeverSpec
+    | chain.ChainSpec,
     Field(discriminator="kind"),
 ]
 

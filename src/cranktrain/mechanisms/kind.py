@@ -12,6 +12,9 @@ from cranktrain.motion import Array, Point
 from cranktrain.quantities import Length
 from cranktrain.spec import Spec
 
+LISTS = frozenset({"part"})
+"""Fields of a mechanism that are lists by themselves, and not one value for each angle of a bank."""
+
 Geometry = TypeVar("Geometry", bound=tuple[Any, ...])
 
 _MIRRORED = frozenset(
@@ -146,6 +149,8 @@ class Kind:
         Where `lengths` stand in the mechanism's table, where they are not the same.
     composed : callable (spec) → Kind, optional
         For a kind whose file says what the mechanism is made of: the kind of just this one.
+    closing_field : callable (geometry) → str, optional
+        Path in the mechanism's table of what cannot close; unless given, the spec's `rod_field`.
     """
 
     name: str
@@ -168,6 +173,7 @@ class Kind:
     part: Callable[[Any, str], Any] = getattr
     length_paths: tuple[str, ...] = ()
     composed: "Callable[[Any], Kind] | None" = None
+    closing_field: Callable[[Any], str] | None = None
 
     @property
     def followed_links(self) -> tuple[str, ...]:
