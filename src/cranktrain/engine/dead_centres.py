@@ -45,7 +45,13 @@ def slider_and_rod(pistons: Mechanisms, angle: Array) -> SliderAndRod:
     -------
     SliderAndRod, shape (design, piston, n). [m, m/rad, m/rad²; rad, rad/rad, rad/rad²]
     """
-    return pistons.evaluated(lambda motion: SliderAndRod(*motion.slider, *rod_angle(motion, motion.slider)), angle)
+
+    def picked(motion: Any) -> SliderAndRod:
+        slider: Coefficient = motion.slider
+        rod = rod_angle(motion, slider)
+        return SliderAndRod(slider.value, slider.first, slider.second, rod.value, rod.first, rod.second)
+
+    return pistons.evaluated(picked, angle)
 
 
 def rod_angle(motion: Any, output: Coefficient) -> Coefficient:

@@ -188,10 +188,13 @@ class Kind:
 
 def mirrored(geometry: Geometry) -> Geometry:
     """Give the same metal seen with y reversed, as a machine that runs astern sees it."""
-    return _rebuilt(
-        geometry,
-        lambda name, value: mirrored(value) if isinstance(value, tuple) else -value if name in _MIRRORED else value,
-    )
+
+    def change(name: str, value: Any) -> Any:
+        if isinstance(value, tuple):
+            return mirrored(cast(tuple[Any, ...], value))
+        return -value if name in _MIRRORED else value
+
+    return _rebuilt(geometry, change)
 
 
 def _rebuilt(geometry: Geometry, change: Callable[[str, Any], Any]) -> Geometry:
@@ -245,10 +248,13 @@ def leaves(geometry: tuple[Any, ...]) -> list[Array]:
 
 def rows(geometry: Geometry, index: NDArray[np.intp]) -> Geometry:
     """Take some of a geometry's mechanisms, counted through all its axes: arrays of shape (*index.shape, 1)."""
-    return _rebuilt(
-        geometry,
-        lambda _name, value: rows(value, index) if isinstance(value, tuple) else value.reshape(-1, 1)[index],
-    )
+
+    def chosen(_name: str, value: Any) -> Any:
+        if isinstance(value, tuple):
+            return rows(cast(tuple[Any, ...], value), index)
+        return value.reshape(-1, 1)[index]
+
+    return _rebuilt(geometry, chosen)
 
 
 def pin_positions(**points: Point) -> dict[str, tuple[Array, Array]]:

@@ -1,5 +1,7 @@
 """Chain: any linkage of groups on one shaft, as its file composes it."""
 
+from typing import Any
+
 from cranktrain.language import N_
 from cranktrain.mechanisms.chain.composed import chain_geometry, chain_kind, part_named
 from cranktrain.mechanisms.chain.drawing import chain_drawing
@@ -10,9 +12,9 @@ from cranktrain.mechanisms.kind import Kind, Members
 __all__ = ["KIND", "ChainMotion", "ChainSize", "ChainSpec", "chain_drawing", "chain_gap", "chain_motion"]
 
 
-def _of_its_own(*_ignored: object) -> object:
-    """Stand where only a chain of a file has something: its kind is composed from its parts."""
-    raise NotImplementedError
+def _of_its_own(*_ignored: Any) -> Any:
+    """Stand where only a chain of a file has something: `composed` gives its kind, and puts the chain's own here."""
+    raise TypeError
 
 
 KIND = Kind(

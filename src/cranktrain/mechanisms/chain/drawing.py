@@ -1,5 +1,7 @@
 """A chain, to be drawn."""
 
+from typing import Any, cast
+
 import numpy as np
 
 from cranktrain.linkage import LinkPoint, point
@@ -45,7 +47,7 @@ def chain_drawing(structure: Structure, angle: Array, size: ChainSize) -> Drawin
             case YokeStep() | TrammelStep():
                 pass
         if isinstance(step, SlideStep | YokeStep | TrammelStep):
-            guide = Guide(pin_of(step.slider), own.direction)
+            guide = Guide(pin_of(step.slider), cast(Any, own).direction)
             guides.insert(0 if step.slider == structure.output else len(guides), guide)
     still = 0.0 * angle
     fixed = (SHAFT, *structure.fixed)
