@@ -15,6 +15,7 @@ import numpy as np
 import peers
 from timing import interleaved_ratio
 
+from cranktrain.linkage import in_blocks
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 
@@ -131,6 +132,9 @@ def comparisons(mechanism, n):
     def kernel():
         return mechanism.kernel(angles, geometry)
 
+    def blocks():
+        return in_blocks(mechanism.kernel, angles, geometry)
+
     def by_hand():
         return mechanism.by_hand(angles, *geometry)
 
@@ -147,7 +151,7 @@ def comparisons(mechanism, n):
     apart = max(SAME, n * np.finfo(float).eps)
     yield Comparison("NumPy", "NumPy by hand", kernel, by_hand, columns, list, 1.3)
     yield Comparison("compiled", "Numba by hand", loop, loop_by_hand, list, list, 1.05)
-    yield Comparison("NumPy", "pylinkage", kernel, stepped(mechanism, n), points, points_of_peer, 1 / 4, apart)
+    yield Comparison("NumPy", "pylinkage", blocks, stepped(mechanism, n), points, points_of_peer, 1 / 4, apart)
     yield Comparison("compiled", "pylinkage", points_loop, stepped(mechanism, n), list, points_of_peer, 1 / 8, apart)
 
 

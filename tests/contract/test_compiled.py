@@ -29,6 +29,7 @@ from cranktrain.linkage import (
     Pose,
     RodEnds,
     Slide,
+    Span,
     Swivel,
     SwivelEnds,
     Trammel,
@@ -48,7 +49,7 @@ from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
 
-NO_KERNELS = {"compile.compiled", "modes.triad_modes", "walk.pose_at", "walk.triad_walk"}
+NO_KERNELS = {"blocks.in_blocks", "compile.compiled", "modes.triad_modes", "walk.pose_at", "walk.triad_walk"}
 """What supplies kernels, or takes them: `cranktrain.linkage` names it."""
 
 ONLY_DESIGNS = {"triad.triad"}
@@ -141,6 +142,10 @@ EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "legs.rod_between": lambda angle, size, side: (RodEnds(crank_pin(angle, size), fixed(size(1.1), size(0.05))),),
     "legs.rod_end": lambda angle, size, side: (crank_pin(angle, size),),
     "pin.pin": lambda angle, size, side: (ends(angle, size), Pin(size(1.0), size(0.8), side)),
+    "pin.pin_across": lambda angle, size, side: (
+        Span(ends(angle, size), crank_pin(angle, size)),
+        Pin(size(1.0), size(0.8), side),
+    ),
     "pin.pin_gap": lambda angle, size, side: (ends(angle, size), Pin(size(1.0), size(0.8), side)),
     "point.fixed": lambda angle, size, side: (size(1.1), size(0.05)),
     "point.point": lambda angle, size, side: (rod(angle, size), LinkPoint(size(0.2), size(0.7))),
