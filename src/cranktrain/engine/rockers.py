@@ -1,19 +1,16 @@
-"""Motion of rockers: swing, dead positions, time ratio; with a load radius, the load's travel."""
+"""Motion of rockers: swing, dead positions, time ratio; with the speed, velocities."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import ClassVar, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
 from cranktrain.engine.layout import CrankAngle, Rockers, Speed
-from cranktrain.engine.places import Place
 from cranktrain.language import N_, _
-from cranktrain.mechanisms.crank_rocker import CrankRockerSpec
 from cranktrain.motion import Array, Coefficient
-from cranktrain.numerics import DERIVATIVES_LIMIT, derivatives_residual, extremes, turn_grid, turning_points, unwrapped
+from cranktrain.numerics import DERIVATIVES_LIMIT, derivatives_residual, turn_grid, turning_points, unwrapped
 from cranktrain.wording import Names, around_turn, shared
 
 _ROCKER = ("rocker",)
@@ -32,39 +29,20 @@ class RockerAndRod(NamedTuple):
     rod_second: Array
 
 
-def _rocker_and_rod(rockers: Rockers, angle: Array) -> RockerAndRod:
-    """Evaluate every rocker and its rod at φ."""
-    return rockers.evaluated(lambda motion: RockerAndRod(*motion.rocker.angle, *motion.rod.angle), angle)
+def rocker_and_rod(rockers: Rockers, angle: Array) -> RockerAndRod:
+    """Every rocker and its rod.
 
+    Parameters
+    ----------
+    rockers : Rockers
+    angle : Array, shape (n,), (design, 1, n) or (design, rocker, n)
+        φ. [rad]
 
-_DIRECTIONS = {"with": 1.0, "against": -1.0}
-
-
-@dataclass(frozen=True)
-class LoadRadius:
-    """Radius about each rocker's pivot at which its load is carried, shape (design, rocker, 1). [m]
-
-    Negative where the load's travel counts against the rocker's angle.
+    Returns
+    -------
+    RockerAndRod, shape (design, rocker, n). [rad, rad/rad, rad/rad²]
     """
-
-    needs: ClassVar[str] = N_("[mechanism] load_radius")
-
-    value: Array
-
-
-def load_radius_of(designs: Sequence[Sequence[Place]], *, sense: float) -> LoadRadius | None:
-    """Collect the load radius of every rocker, NaN for one that carries no load; None where there is none at all."""
-    radii = [
-        [
-            sense * place.spec.load_radius.si * _DIRECTIONS[place.spec.load_direction]
-            if isinstance(place.spec, CrankRockerSpec) and place.spec.load_radius is not None
-            else np.nan
-            for place in design
-        ]
-        for design in designs
-    ]
-    value = np.array(radii)[..., np.newaxis]
-    return None if np.all(np.isnan(value)) else LoadRadius(value)
+    return rockers.evaluated(lambda motion: RockerAndRod(*motion.rocker.angle, *motion.rod.angle), angle)
 
 
 @dataclass(frozen=True)
@@ -85,7 +63,7 @@ class RockerTurn:
 
 def rocker_turn(rockers: Rockers) -> RockerTurn:
     """Sample the rockers' turn, and find which of them swing and which turn."""
-    samples = _rocker_and_rod(rockers, turn_grid())
+    samples = rocker_and_rod(rockers, turn_grid())
     whole = unwrapped(samples.rocker)
     middle = 0.5 * (np.fmax.reduce(whole, axis=-1, keepdims=True) + np.fmin.reduce(whole, axis=-1, keepdims=True))
     turns = np.abs(whole[..., -1:] - whole[..., :1]) > np.pi
@@ -136,7 +114,7 @@ def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) 
     """Extremes of every rocker's angle: roots of θ′."""
 
     def rocker(phi: Array) -> Coefficient:
-        motion = _rocker_and_rod(rockers, phi)
+        motion = rocker_and_rod(rockers, phi)
         return Coefficient(_counted(motion.rocker, turn.middle), motion.rocker_first, motion.rocker_second)
 
     least, most = turning_points(rocker, _counted(turn.samples.rocker, turn.middle))
@@ -183,7 +161,7 @@ class RockerMotion:
 
 def rocker_motion(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) -> RockerMotion:
     """Angles of every rocker and rod, without jumps, and their derivatives."""
-    motion = _rocker_and_rod(rockers, crank_angle.angle)
+    motion = rocker_and_rod(rockers, crank_angle.angle)
     return RockerMotion(
         rocker_angle=_counted(motion.rocker, turn.middle),
         rocker_velocity_coefficient=motion.rocker_first,
@@ -199,7 +177,7 @@ def _derivatives_check(rockers: Rockers) -> Check:
     """Compare the derivatives of cos θ and sin θ, by θ′ and θ″, with those of their Fourier series."""
 
     def direction(phi: Array) -> Coefficient:
-        motion = _rocker_and_rod(rockers, phi)
+        motion = rocker_and_rod(rockers, phi)
         cos, sin = np.cos(motion.rocker), np.sin(motion.rocker)
         first, second = motion.rocker_first, motion.rocker_second
         return Coefficient(
@@ -238,62 +216,4 @@ def rocker_speeds(motion: RockerMotion, speed: Speed) -> RockerSpeeds:
         rocker_angular_acceleration=motion.rocker_acceleration_coefficient * omega**2,
         coupler_angular_velocity=motion.coupler_velocity_coefficient * omega,
         coupler_angular_acceleration=motion.coupler_acceleration_coefficient * omega**2,
-    )
-
-
-@dataclass(frozen=True)
-class LoadMotion:
-    """Travel of a load that hangs at the load radius of each rocker."""
-
-    load_displacement: Array = quantity(
-        "x_Q", "m", _CURVE, N_("Travel of the load from the dead position at which it is least"), _THEORY
-    )
-    load_velocity_coefficient: Array = quantity(
-        "x_Q′",
-        "m/rad",
-        _CURVE,
-        N_("Load velocity for each rad/s of the crank: the torque factor of a pumping unit"),
-        _THEORY,
-    )
-    load_acceleration_coefficient: Array = quantity(
-        "x_Q″", "m/rad^2", _CURVE, N_("Load acceleration for each (rad/s)² of the crank"), _THEORY
-    )
-    load_stroke: Array = quantity("S_Q", "m", _ROCKER, N_("Stroke of the load"), _THEORY)
-    largest_torque_factor: Array = quantity(
-        "TF_max", "m", _ROCKER, N_("Largest torque factor, crank torque for each newton of load"), _THEORY
-    )
-    smallest_torque_factor: Array = quantity(
-        "TF_min", "m", _ROCKER, N_("Smallest (largest negative) torque factor"), _THEORY
-    )
-
-    def answer(self, names: Names, design: int) -> str:
-        """Say the load's stroke and the torque factor's range."""
-        rockers = names["rocker"]
-        return _("Stroke of the load {stroke}; torque factor from {least} to {most}.").format(
-            stroke=shared(rockers, self.load_stroke[design], "mm"),
-            least=shared(rockers, self.smallest_torque_factor[design], "mm"),
-            most=shared(rockers, self.largest_torque_factor[design], "mm"),
-        )
-
-
-def load_motion(
-    rockers: Rockers, turn: RockerTurn, motion: RockerMotion, dead: DeadPositions, load_radius: LoadRadius
-) -> LoadMotion:
-    """Arc that the load travels at its radius, and the torque factor's extremes."""
-    radius = load_radius.value
-    start = np.where(
-        radius > 0, dead.smallest_rocker_angle[..., np.newaxis], dead.largest_rocker_angle[..., np.newaxis]
-    )
-    least, most = extremes(
-        lambda phi: _rocker_and_rod(rockers, phi).rocker_first,
-        lambda phi: _rocker_and_rod(rockers, phi).rocker_second,
-        samples=turn.samples.rocker_first,
-    )
-    return LoadMotion(
-        load_displacement=radius * (motion.rocker_angle - start),
-        load_velocity_coefficient=radius * motion.rocker_velocity_coefficient,
-        load_acceleration_coefficient=radius * motion.rocker_acceleration_coefficient,
-        load_stroke=np.abs(radius[..., 0]) * dead.swing,
-        largest_torque_factor=np.maximum(radius * most.value, radius * least.value)[..., 0],
-        smallest_torque_factor=np.minimum(radius * most.value, radius * least.value)[..., 0],
     )
