@@ -204,7 +204,7 @@ def test_partial_turn(typed, written):
     answer = typed("run", "machine.toml", "--partial", "-o", "out.csv")
     assert (answer.status, answer.errors) == (0, "")
     assert rows(answer.output)["stroke"] == ["S", "mm", "–"]
-    assert "✗" in answer.output
+    assert "– needs a full turn: " in answer.output
 
 
 @pytest.mark.parametrize("name", ["out", "out.txt", "out.xlsx", "out.csv.gz"])
