@@ -15,7 +15,8 @@ import numpy as np
 import peers
 from timing import interleaved_ratio
 
-from cranktrain.mechanisms.chain.kinematics import chain_motion
+from cranktrain.linkage import in_blocks
+from cranktrain.mechanisms.chain.kinematics import chain_motion, made_names
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     CrankSize,
@@ -146,7 +147,7 @@ MECHANISMS = [
 
 
 def chain_columns(motion):
-    made, columns = motion.made, []
+    made, columns = dict(zip(made_names(CHAIN), motion.parts, strict=True)), []
     for i in range(5):
         pin = "main.pin" if i == 0 else f"c{i}.pin"
         columns += [value for name in (pin, f"B{i}", f"s{i}.pin") for value in coefficients(made[name])]
@@ -195,6 +196,9 @@ def comparisons(mechanism, n):
     def kernel():
         return mechanism.kernel(angles, geometry)
 
+    def blocks():
+        return in_blocks(mechanism.kernel, angles, geometry)
+
     def by_hand():
         return mechanism.by_hand(angles, *geometry)
 
@@ -211,7 +215,7 @@ def comparisons(mechanism, n):
     apart = max(SAME, n * np.finfo(float).eps)
     yield Comparison("NumPy", "NumPy by hand", kernel, by_hand, columns, list, 1.3)
     yield Comparison("compiled", "Numba by hand", loop, loop_by_hand, list, list, 1.05)
-    yield Comparison("NumPy", "pylinkage", kernel, stepped(mechanism, n), points, points_of_peer, 1 / 4, apart)
+    yield Comparison("NumPy", "pylinkage", blocks, stepped(mechanism, n), points, points_of_peer, 1 / 4, apart)
     yield Comparison("compiled", "pylinkage", points_loop, stepped(mechanism, n), list, points_of_peer, 1 / 8, apart)
 
 

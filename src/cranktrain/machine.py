@@ -94,12 +94,17 @@ class Machine(Spec, frozen=True):
         return -1.0 if self.is_astern else 1.0
 
     @property
+    def first_axis(self) -> float:
+        """Direction of the first bank's x, from Y in the normal sense of rotation. [rad]"""
+        first = self.angle if self.mechanism is not None else next(iter(self.bank.values())).angle[0]
+        return first.si
+
+    @property
     def zero(self) -> float:
         """φ where the shown crank angle is 0: as given, or where the crank of throw 1 points along Y. [rad]"""
         if self.crank_zero != "Y":
             return self.sense * self.crank_zero.si
-        first = self.angle if self.mechanism is not None else next(iter(self.bank.values())).angle[0]
-        return -self.sense * first.si
+        return -self.sense * self.first_axis
 
     @property
     def places(self) -> tuple[Place, ...]:

@@ -15,6 +15,8 @@ _BOTH = (-1.0, 1.0)
 """Signs of the smallest and of the largest value."""
 _CANDIDATES = 2
 """How many of the grid's peaks are refined: of two that are nearly alike the grid may show the wrong one higher."""
+_ALIKE = 1e-9
+"""Peaks that differ by less, in parts of themselves, are one height: rounding must not choose between their angles."""
 _MOST_STEPS = 60
 _MOST_NEWTON_STEPS = 10
 _SETTLED = 1e-13
@@ -216,15 +218,20 @@ def _zoomed(curve: Curve, middle: Array, half: float, signs: Sequence[float]) ->
 
 
 def _best(angle: Array, value: Array, signs: Sequence[float]) -> list[Extreme]:
-    """Take the better of both candidates for each sign; NaN where the grid's best one could not be refined."""
+    """Take the better of both candidates for each sign; NaN where the grid's best one could not be refined.
+
+    Of two that are alike but for rounding, the first in the turn.
+    """
     best: list[Extreme] = []
     for place, sign in enumerate(signs):
         first, second = [_CANDIDATES * place], [_CANDIDATES * place + 1]
-        better = sign * value[..., second] > sign * value[..., first]
+        gain = sign * (value[..., second] - value[..., first])
+        is_alike = np.abs(gain) <= _ALIKE * np.abs(value[..., first])
+        is_second = np.where(is_alike, angle[..., second] < angle[..., first], gain > 0)
         best.append(
             Extreme(
-                np.where(better, angle[..., second], angle[..., first]),
-                np.where(better, value[..., second], value[..., first]),
+                np.where(is_second, angle[..., second], angle[..., first]),
+                np.where(gain > 0, value[..., second], value[..., first]),
             )
         )
     return best

@@ -29,6 +29,7 @@ from cranktrain.linkage import (
     Pose,
     RodEnds,
     Slide,
+    Span,
     Swivel,
     SwivelEnds,
     Trammel,
@@ -52,9 +53,12 @@ from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
 from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLever
 
 NO_KERNELS = {
+    "blocks.in_blocks",
     "chain.chain_gap",
     "chain.chain_gaps",
+    "chain.chain_made",
     "chain.chain_motion",
+    "chain.made_names",
     "chain.pin_of",
     "chain.with_sides",
     "compile.compiled",
@@ -158,6 +162,10 @@ EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "legs.rod_between": lambda angle, size, side: (RodEnds(crank_pin(angle, size), fixed(size(1.1), size(0.05))),),
     "legs.rod_end": lambda angle, size, side: (crank_pin(angle, size),),
     "pin.pin": lambda angle, size, side: (ends(angle, size), Pin(size(1.0), size(0.8), side)),
+    "pin.pin_across": lambda angle, size, side: (
+        Span(ends(angle, size), crank_pin(angle, size)),
+        Pin(size(1.0), size(0.8), side),
+    ),
     "pin.pin_gap": lambda angle, size, side: (ends(angle, size), Pin(size(1.0), size(0.8), side)),
     "point.fixed": lambda angle, size, side: (size(1.1), size(0.05)),
     "point.point": lambda angle, size, side: (rod(angle, size), LinkPoint(size(0.2), size(0.7))),

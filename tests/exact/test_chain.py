@@ -20,7 +20,7 @@ from tests.exact.oracles import (
     unit,
 )
 
-from cranktrain.mechanisms.chain.kinematics import chain_gap, chain_motion
+from cranktrain.mechanisms.chain.kinematics import chain_gap, chain_made
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     CrankSize,
@@ -43,7 +43,7 @@ N = 300
 
 def flat(structure, names, angle, size):
     """A chain's parts by plain names, as the comparison asks for them."""
-    made = chain_motion(structure, angle, size).made
+    made = chain_made(structure, angle, size)
     return Parts(names, made)
 
 

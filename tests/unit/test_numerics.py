@@ -167,6 +167,18 @@ def test_of_two_peaks_nearly_alike_the_higher_one_is_found():
     assert largest(curve).value[0] == pytest.approx(1 + 1e-6, rel=1e-12)
 
 
+@pytest.mark.parametrize("rounding", [-1e-14, 0.0, 1e-14])
+def test_of_two_peaks_alike_the_first_is_taken(rounding):
+    """Rounding does not choose the angle; the value is still the larger one's."""
+
+    def curve(phi):
+        return np.cos(phi - 0.4) ** 2 * (1 + rounding * np.sign(np.cos(phi - 0.4)))
+
+    found = largest(curve)
+    assert found.angle[0] == pytest.approx(0.4, abs=1e-9)
+    assert found.value[0] == max(curve(np.array([0.4, 0.4 + np.pi])))
+
+
 def test_known_samples_and_grids():
     grid = turn_grid(36)
     curve = shifted(np.cos)

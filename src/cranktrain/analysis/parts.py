@@ -23,7 +23,7 @@ from cranktrain.engine.layout import (
 )
 from cranktrain.engine.places import Place
 from cranktrain.engine.points import link_points_of
-from cranktrain.engine.rockers import load_radius_of
+from cranktrain.engine.rocker_load import load_radius_of
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine, machine_problems

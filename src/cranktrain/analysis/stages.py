@@ -17,7 +17,8 @@ from cranktrain.engine.firing import firing
 from cranktrain.engine.followed import link_motion, slider_motions
 from cranktrain.engine.motion import piston_motion, piston_speeds
 from cranktrain.engine.points import point_motion
-from cranktrain.engine.rockers import dead_positions, load_motion, rocker_motion, rocker_speeds, rocker_turn
+from cranktrain.engine.rocker_load import load_motion
+from cranktrain.engine.rockers import dead_positions, rocker_motion, rocker_speeds, rocker_turn
 from cranktrain.engine.rods import rod_motion, rod_speeds
 from cranktrain.engine.volumes import chamber_volumes, swept_volumes
 from cranktrain.language import translated

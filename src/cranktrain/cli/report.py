@@ -125,14 +125,12 @@ def _checks(console: Console, result: Result) -> Iterator[Text]:
     """Say of every check whether it holds, how well, and what is compared."""
     for check in result.checks:
         residual = float(check.residual[0])
-        if check.passed[0]:
-            verdict, style = _("✓ holds"), ""
-        elif np.isnan(residual):
-            verdict, style = _("✗ cannot be judged, as the links do not close all round"), "red"
-        else:
-            verdict, style = _("✗ does not hold"), "red"
-        said = _("{verdict} (residual {residual:.1e}, limit {limit:.0e}): {sentence}").format(
-            verdict=verdict, residual=residual, limit=check.limit, sentence=check.sentence
+        if not check.judged[0]:
+            yield from paragraph(console, f"– {check.verdict()}: {check.sentence}", "")
+            continue
+        mark, style = ("✓", "") if check.passed[0] else ("✗", "red")
+        said = _("{mark} {verdict} (residual {residual:.1e}, limit {limit:.0e}): {sentence}").format(
+            mark=mark, verdict=check.verdict(), residual=residual, limit=check.limit, sentence=check.sentence
         )
         yield from paragraph(console, said, style)
 

@@ -8,7 +8,7 @@ from typing import Any, TypeAlias
 
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.language import _
-from cranktrain.quantities import Dimension, QuantityError, expected, one_of, read, unlisted
+from cranktrain.quantities import Dimension, Quantity, QuantityError, expected, one_of, unlisted
 from cranktrain.study.crank_rocker_synthesis import crank_rocker_from_swing
 from cranktrain.study.knuckle_synthesis import knuckle_from_wants
 from cranktrain.study.proposal import Proposal
@@ -64,6 +64,11 @@ _CHOICES = {
     "unshifted": ("top", "bottom"),
     "strategy": tuple(STRATEGIES),
 }
+
+_MOST_CYLINDERS = 99
+
+_POSITIVE = ("bore", "speed")
+"""What not every synthesis looks at itself."""
 
 _OPTIONS = {"ratio": "--time-ratio", "n_cylinders": "--cylinders"}
 """Options that are not called as their parameters."""
@@ -129,10 +134,10 @@ def _want(name: str, given: str | bool) -> object:
         return chosen
     if name == "offset" and given.strip().casefold() == FREE:
         return None
-    value = read(given, _DIMENSIONS[name])
+    value = Quantity(_DIMENSIONS[name], above=0.0 if name in _POSITIVE else None).given(given).si
     if name == "n_cylinders":
-        if value != round(value):
-            raise QuantityError(given, _("must be a whole number, such as 9"))
+        if value != round(value) or value > _MOST_CYLINDERS:
+            raise QuantityError(given, _("must be a whole number up to {most}").format(most=_MOST_CYLINDERS))
         return round(value)
     return value
 

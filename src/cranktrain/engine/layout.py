@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from cranktrain.engine.places import Place
 from cranktrain.language import N_
+from cranktrain.linkage import in_blocks
 from cranktrain.mechanisms.kind import Kind, Members, stacked
 from cranktrain.motion import Array
 
@@ -96,7 +97,9 @@ class Mechanisms:
         picked: list[tuple[Group, Any]] = []
         for group in self.groups:
             own = angle[:, group.index, :] if angle.ndim == 3 and angle.shape[1] > 1 else angle
-            picked.append((group, pick(group.kind.motion(own + group.members.phase, group.members.geometry))))
+            picked.append(
+                (group, pick(in_blocks(group.kind.motion, own + group.members.phase, group.members.geometry)))
+            )
         first = picked[0][1]
         shape = (first[0].shape[0], len(self.names), first[0].shape[-1])
         columns: list[Array] = []

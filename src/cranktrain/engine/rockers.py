@@ -1,19 +1,15 @@
-"""Motion of rockers: swing, dead positions, time ratio; with a load radius, the load's travel."""
+"""Motion of rockers: swing, dead positions, time ratio; with the speed, velocities."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import ClassVar
 
 import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
 from cranktrain.engine.layout import CrankAngle, Rockers, Speed
-from cranktrain.engine.places import Place
 from cranktrain.language import N_, _
-from cranktrain.mechanisms.crank_rocker import CrankRockerSpec
 from cranktrain.motion import Array, Coefficient
-from cranktrain.numerics import DERIVATIVES_LIMIT, derivatives_residual, extremes, turn_grid, turning_points, unwrapped
+from cranktrain.numerics import DERIVATIVES_LIMIT, derivatives_residual, turn_grid, turning_points, unwrapped
 from cranktrain.wording import Names, around_turn, shared
 
 _ROCKER = ("rocker",)
@@ -21,39 +17,20 @@ _CURVE = ("rocker", "crank_angle")
 _THEORY = "docs/theory/crank-rocker"
 
 
-def _rocker(rockers: Rockers, angle: Array) -> Coefficient:
-    """Evaluate every rocker's angle at φ, shape (design, rocker, n)."""
-    return rockers.evaluated(lambda motion: motion.rocker.angle, angle)
+def rocker_angle(rockers: Rockers, angle: Array) -> Coefficient:
+    """Evaluate every rocker at φ.
 
+    Parameters
+    ----------
+    rockers : Rockers
+    angle : Array, shape (n,), (design, 1, n) or (design, rocker, n)
+        φ. [rad]
 
-_DIRECTIONS = {"with": 1.0, "against": -1.0}
-
-
-@dataclass(frozen=True)
-class LoadRadius:
-    """Radius about each rocker's pivot at which its load is carried, shape (design, rocker, 1). [m]
-
-    Negative where the load's travel counts against the rocker's angle.
+    Returns
+    -------
+    Coefficient, shape (design, rocker, n). [rad, rad/rad, rad/rad²]
     """
-
-    needs: ClassVar[str] = N_("[mechanism] load_radius")
-
-    value: Array
-
-
-def load_radius_of(designs: Sequence[Sequence[Place]], *, sense: float) -> LoadRadius | None:
-    """Collect the load radius of every rocker, NaN for one that carries no load; None where there is none at all."""
-    radii = [
-        [
-            sense * place.spec.load_radius.si * _DIRECTIONS[place.spec.load_direction]
-            if isinstance(place.spec, CrankRockerSpec) and place.spec.load_radius is not None
-            else np.nan
-            for place in design
-        ]
-        for design in designs
-    ]
-    value = np.array(radii)[..., np.newaxis]
-    return None if np.all(np.isnan(value)) else LoadRadius(value)
+    return rockers.evaluated(lambda motion: motion.rocker.angle, angle)
 
 
 @dataclass(frozen=True)
@@ -74,7 +51,7 @@ class RockerTurn:
 
 def rocker_turn(rockers: Rockers) -> RockerTurn:
     """Sample the rockers' turn, and find which of them swing and which turn."""
-    samples = _rocker(rockers, turn_grid())
+    samples = rocker_angle(rockers, turn_grid())
     whole = unwrapped(samples.value)
     middle = 0.5 * (np.fmax.reduce(whole, axis=-1, keepdims=True) + np.fmin.reduce(whole, axis=-1, keepdims=True))
     turns = np.abs(whole[..., -1:] - whole[..., :1]) > np.pi
@@ -125,7 +102,7 @@ def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) 
     """Extremes of every rocker's angle: roots of θ′."""
 
     def rocker(phi: Array) -> Coefficient:
-        motion = _rocker(rockers, phi)
+        motion = rocker_angle(rockers, phi)
         return Coefficient(_counted(motion.value, turn.middle), motion.first, motion.second)
 
     least, most = turning_points(rocker, _counted(turn.samples.value, turn.middle))
@@ -163,7 +140,7 @@ class RockerMotion:
 
 def rocker_motion(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) -> RockerMotion:
     """Angles of every rocker, without jumps, and their derivatives."""
-    motion = _rocker(rockers, crank_angle.angle)
+    motion = rocker_angle(rockers, crank_angle.angle)
     return RockerMotion(
         rocker_angle=_counted(motion.value, turn.middle),
         rocker_velocity_coefficient=motion.first,
@@ -176,7 +153,7 @@ def _derivatives_check(rockers: Rockers) -> Check:
     """Compare the derivatives of cos θ and sin θ, by θ′ and θ″, with those of their Fourier series."""
 
     def direction(phi: Array) -> Coefficient:
-        motion = _rocker(rockers, phi)
+        motion = rocker_angle(rockers, phi)
         cos, sin = np.cos(motion.value), np.sin(motion.value)
         first, second = motion.first, motion.second
         return Coefficient(
@@ -209,62 +186,4 @@ def rocker_speeds(motion: RockerMotion, speed: Speed) -> RockerSpeeds:
     return RockerSpeeds(
         rocker_angular_velocity=motion.rocker_velocity_coefficient * omega,
         rocker_angular_acceleration=motion.rocker_acceleration_coefficient * omega**2,
-    )
-
-
-@dataclass(frozen=True)
-class LoadMotion:
-    """Travel of a load that hangs at the load radius of each rocker."""
-
-    load_displacement: Array = quantity(
-        "x_Q", "m", _CURVE, N_("Travel of the load from the dead position at which it is least"), _THEORY
-    )
-    load_velocity_coefficient: Array = quantity(
-        "x_Q′",
-        "m/rad",
-        _CURVE,
-        N_("Load velocity for each rad/s of the crank: the torque factor of a pumping unit"),
-        _THEORY,
-    )
-    load_acceleration_coefficient: Array = quantity(
-        "x_Q″", "m/rad^2", _CURVE, N_("Load acceleration for each (rad/s)² of the crank"), _THEORY
-    )
-    load_stroke: Array = quantity("S_Q", "m", _ROCKER, N_("Stroke of the load"), _THEORY)
-    largest_torque_factor: Array = quantity(
-        "TF_max", "m", _ROCKER, N_("Largest torque factor, crank torque for each newton of load"), _THEORY
-    )
-    smallest_torque_factor: Array = quantity(
-        "TF_min", "m", _ROCKER, N_("Smallest (largest negative) torque factor"), _THEORY
-    )
-
-    def answer(self, names: Names, design: int) -> str:
-        """Say the load's stroke and the torque factor's range."""
-        rockers = names["rocker"]
-        return _("Stroke of the load {stroke}; torque factor from {least} to {most}.").format(
-            stroke=shared(rockers, self.load_stroke[design], "mm"),
-            least=shared(rockers, self.smallest_torque_factor[design], "mm"),
-            most=shared(rockers, self.largest_torque_factor[design], "mm"),
-        )
-
-
-def load_motion(
-    rockers: Rockers, turn: RockerTurn, motion: RockerMotion, dead: DeadPositions, load_radius: LoadRadius
-) -> LoadMotion:
-    """Arc that the load travels at its radius, and the torque factor's extremes."""
-    radius = load_radius.value
-    start = np.where(
-        radius > 0, dead.smallest_rocker_angle[..., np.newaxis], dead.largest_rocker_angle[..., np.newaxis]
-    )
-    least, most = extremes(
-        lambda phi: _rocker(rockers, phi).first,
-        lambda phi: _rocker(rockers, phi).second,
-        samples=turn.samples.first,
-    )
-    return LoadMotion(
-        load_displacement=radius * (motion.rocker_angle - start),
-        load_velocity_coefficient=radius * motion.rocker_velocity_coefficient,
-        load_acceleration_coefficient=radius * motion.rocker_acceleration_coefficient,
-        load_stroke=np.abs(radius[..., 0]) * dead.swing,
-        largest_torque_factor=np.maximum(radius * most.value, radius * least.value)[..., 0],
-        smallest_torque_factor=np.minimum(radius * most.value, radius * least.value)[..., 0],
     )

@@ -90,7 +90,7 @@ def json_text(result: Result, machine: Mapping[str, object], names: Collection[s
                 "sentence": check.sentence,
                 "residual": _nested(check.residual[0]),
                 "limit": check.limit,
-                "passed": bool(check.passed[0]),
+                "passed": bool(check.passed[0]) if check.judged[0] else None,
             }
             for check in result.checks
         ],

@@ -5,11 +5,12 @@ NamedTuple of coefficients. It has no state, no checks, no units; what cannot cl
 `triad_modes` are no kernels: they supply the triad's kernel with its starts.
 """
 
+from cranktrain.linkage.blocks import in_blocks
 from cranktrain.linkage.compile import compiled
 from cranktrain.linkage.crank import Crank, crank
 from cranktrain.linkage.legs import OnLine, RodEnds, block_along, fixed_guide, rod_between, rod_end
 from cranktrain.linkage.modes import triad_modes
-from cranktrain.linkage.pin import Ends, Pin, PinMotion, pin, pin_gap
+from cranktrain.linkage.pin import Ends, Pin, PinMotion, Span, pin, pin_across, pin_gap
 from cranktrain.linkage.point import LinkPoint, fixed, point, turned
 from cranktrain.linkage.slide import AHEAD, Slide, SlideMotion, slide, slide_gap
 from cranktrain.linkage.swivel import Swivel, SwivelEnds, SwivelMotion, swivel, swivel_gap
@@ -33,6 +34,7 @@ __all__ = [
     "RodEnds",
     "Slide",
     "SlideMotion",
+    "Span",
     "Swivel",
     "SwivelEnds",
     "SwivelMotion",
@@ -50,7 +52,9 @@ __all__ = [
     "crank",
     "fixed",
     "fixed_guide",
+    "in_blocks",
     "pin",
+    "pin_across",
     "pin_gap",
     "point",
     "pose_at",

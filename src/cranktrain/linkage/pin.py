@@ -14,6 +14,13 @@ class Ends(NamedTuple):
     rocker: Point
 
 
+class Span(NamedTuple):
+    """The outer pins, and the line from the rod's to the rocker's: their difference. [m, m/rad, m/rad²]"""
+
+    ends: Ends
+    line: Point
+
+
 class Pin(NamedTuple):
     """Lengths of rod and rocker [m]; side +1: joint left of the line from the rod's end to the rocker's, −1: right.
 
@@ -44,6 +51,27 @@ def pin(ends: Ends, geometry: Pin) -> PinMotion:
     Returns
     -------
     PinMotion, shape (..., n)
+        As `pin_across`, which it calls with the difference of the ends.
+    """
+    rod, rocker = ends
+    line = Point(
+        Coefficient(rocker.x.value - rod.x.value, rocker.x.first - rod.x.first, rocker.x.second - rod.x.second),
+        Coefficient(rocker.y.value - rod.y.value, rocker.y.first - rod.y.first, rocker.y.second - rod.y.second),
+    )
+    return pin_across(Span(ends, line), geometry)
+
+
+def pin_across(span: Span, geometry: Pin) -> PinMotion:
+    """Joint of a rod and a rocker across a line whose motion is known already.
+
+    Parameters
+    ----------
+    span : Span, coefficients of shape (..., n)
+    geometry : Pin, fields broadcastable to (..., 1)
+
+    Returns
+    -------
+    PinMotion, shape (..., n)
         NaN where the links cannot meet. Angles are principal values in (−π, π].
 
     Notes
@@ -55,7 +83,8 @@ def pin(ends: Ends, geometry: Pin) -> PinMotion:
     s = (e·d″ + ψ′² − ab)/σH. Exact; docs/theory/groups. The differences in H keep their digits where the links are
     nearly in line; turn and stretch apart keep those of θ″ where the whole turns nearly as one body (a drag link).
     """
-    qx, qy, tx, ty, rod_turn, rocker_turn, rod_rate, rocker_rate = _vectors_and_turns(ends, geometry)
+    ends = span.ends
+    qx, qy, tx, ty, rod_turn, rocker_turn, rod_rate, rocker_rate = _vectors_and_turns(span.line, geometry)
     rod = Link(
         ends.rod,
         Coefficient(np.arctan2(qy, qx), rod_turn, rod_rate),
@@ -79,17 +108,13 @@ def pin(ends: Ends, geometry: Pin) -> PinMotion:
     return PinMotion(joint, rod, rocker)
 
 
-def _vectors_and_turns(ends: Ends, geometry: Pin) -> tuple[Array, Array, Array, Array, Array, Array, Array, Array]:
+def _vectors_and_turns(line: Point, geometry: Pin) -> tuple[Array, Array, Array, Array, Array, Array, Array, Array]:
     """Rod and rocker as vectors to the joint; first, then second derivatives of their angles.
 
     On its own so that its intermediate arrays are freed before the results are made.
     """
-    dx = ends.rocker.x.value - ends.rod.x.value
-    dy = ends.rocker.y.value - ends.rod.y.value
-    dx1 = ends.rocker.x.first - ends.rod.x.first
-    dy1 = ends.rocker.y.first - ends.rod.y.first
-    dx2 = ends.rocker.x.second - ends.rod.x.second
-    dy2 = ends.rocker.y.second - ends.rod.y.second
+    dx, dx1, dx2 = line.x
+    dy, dy1, dy2 = line.y
     total = geometry.rod_length + geometry.rocker_length
     difference = geometry.rod_length - geometry.rocker_length
     square = dx * dx + dy * dy

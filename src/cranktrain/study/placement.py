@@ -50,8 +50,8 @@ def place_called(machine: Machine, name: str | None) -> Place:
 
 def frame(machine: Machine, place: Place) -> Frame:
     """Where a place's axes lie in the machine's."""
-    first = machine.angle if machine.mechanism is not None else next(iter(machine.bank.values())).angle[0]
-    return frame_of(place, first_angle=first.si, clockwise=machine.rotation == "clockwise", astern=machine.is_astern)
+    clockwise = machine.rotation == "clockwise"
+    return frame_of(place, first_angle=machine.first_axis, clockwise=clockwise, astern=machine.is_astern)
 
 
 def placed(machine: Machine, place: Place, angle: Array) -> Drawing:

@@ -116,6 +116,17 @@ def test_crank_zero_moves_the_scale(running):
         np.testing.assert_allclose(getattr(moved, name), getattr(plain, name), atol=1e-12, err_msg=name)
 
 
+@pytest.mark.parametrize("running", ["ahead", "astern"])
+@pytest.mark.parametrize(("data", "first"), [(V12, -30), ({"mechanism": slider(), "angle": "50 deg"}, 50)])
+def test_crank_zero_at_twelve_o_clock(running, data, first):
+    """Shown as 0 where the crank of throw 1 points along Y: an angle of the first axis before φ = 0."""
+    plain = ct.run(ct.Machine(running=running, **data))
+    moved = ct.run(ct.Machine(running=running, crank_zero="Y", **data))
+    shift = first if running == "ahead" else -first
+    expected = np.roll(plain.piston_displacement, shift, axis=-1)
+    np.testing.assert_allclose(moved.piston_displacement, expected, atol=1e-13)
+
+
 def test_crank_zero_leaves_rocker_angles_as_they_are():
     """A rocker is counted the same way wherever the grid begins."""
     plain = ct.run(ct.Machine(mechanism=ROCKER))

@@ -134,7 +134,8 @@ def test_radial_by_a_makers_numbers():
     )
     for place, number in enumerate((1, 3, 5, 7, 9, 2, 4, 6, 8)):
         assert angles[numbers[str(number)]] == pytest.approx(80 * place)
-    assert "evenly every 80.00 deg" in result.summary()
+    said = "Firing order 1-3-5-7-9-2-4-6-8 (1M-2S-4S-6S-8S-1S-3S-5S-7S), evenly every 80.00 deg."
+    assert said in result.summary()
 
 
 def test_order_that_the_pins_do_not_allow():

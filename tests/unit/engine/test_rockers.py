@@ -1,4 +1,4 @@
-"""Rockers: dead positions where crank and rod lie in line, by the cosine rule; double cranks; loads."""
+"""Rockers: dead positions where crank and rod lie in line, by the cosine rule; double cranks."""
 
 import numpy as np
 import pytest
@@ -58,27 +58,6 @@ def test_double_crank_turns():
     assert result.grashof_class[0] == 1
     assert "swings" not in result.summary().splitlines()[0]
     assert "Double crank" in result.summary()
-
-
-def test_load():
-    result = run(load_radius="500 mm")
-    assert result.load_stroke[0] == pytest.approx(0.5 * result.swing[0], rel=1e-14)
-    np.testing.assert_allclose(
-        result.load_displacement[0], 0.5 * (result.rocker_angle[0] - result.smallest_rocker_angle[0]), atol=1e-15
-    )
-    fine = ct.run(ct.Machine(mechanism=ROCKER | {"load_radius": "500 mm"}), step_degrees=0.05)
-    assert result.largest_torque_factor[0] == pytest.approx(np.max(fine.load_velocity_coefficient), rel=1e-6)
-    assert result.smallest_torque_factor[0] == pytest.approx(np.min(fine.load_velocity_coefficient), rel=1e-6)
-    assert result.largest_torque_factor[0] >= np.max(fine.load_velocity_coefficient)
-
-
-def test_load_of_one_rocker_of_two():
-    bank = {
-        "A": {"mechanism": ROCKER | {"load_radius": "1 m"}},
-        "B": {"angle": "90 deg", "mechanism": ROCKER},
-    }
-    result = ct.run(ct.Machine(bank=bank))
-    np.testing.assert_allclose(result.load_stroke, [result.swing[0], np.nan])
 
 
 def test_speeds():

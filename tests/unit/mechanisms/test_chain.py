@@ -242,3 +242,10 @@ def test_slot_along_the_guide():
         "slot_angle": "0 deg",
     }
     assert refusal(slider_crank() | {"part": [yoke]}).path == "mechanism.part[0].slot_angle"
+
+
+def test_many_angles_are_as_few():
+    few = ct.run(ct.Machine(mechanism=chain()), step_degrees=1)
+    many = ct.run(ct.Machine(mechanism=chain()), step_degrees=0.05)
+    np.testing.assert_allclose(many.piston_displacement[:, ::20], few.piston_displacement, atol=1e-15)
+    np.testing.assert_allclose(many.point_x[:, ::20], few.point_x, atol=1e-15)

@@ -3,10 +3,11 @@
 from typing import Any
 
 from cranktrain.language import N_
-from cranktrain.mechanisms.chain.composed import chain_geometry, chain_kind, part_named
+from cranktrain.mechanisms.chain.composed import chain_geometry, chain_kind
 from cranktrain.mechanisms.chain.drawing import chain_drawing
-from cranktrain.mechanisms.chain.kinematics import ChainMotion, ChainSize, chain_gap, chain_motion
+from cranktrain.mechanisms.chain.kinematics import ChainMotion, chain_gap, chain_motion
 from cranktrain.mechanisms.chain.spec import ChainSpec
+from cranktrain.mechanisms.chain.steps import ChainSize
 from cranktrain.mechanisms.kind import Kind, Members
 
 __all__ = ["KIND", "ChainMotion", "ChainSize", "ChainSpec", "chain_drawing", "chain_gap", "chain_motion"]
@@ -32,7 +33,6 @@ KIND = Kind(
     closing_advice=_of_its_own,
     members=Members,
     stages=(),
-    part=part_named,
     composed=lambda spec: chain_kind(KIND, spec),
     example="""\
 [mechanism]

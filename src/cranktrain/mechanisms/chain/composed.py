@@ -15,6 +15,7 @@ from cranktrain.mechanisms.chain.kinematics import (
     chain_gap,
     chain_gaps,
     chain_motion,
+    made_names,
     with_sides,
 )
 from cranktrain.mechanisms.chain.naming import makes
@@ -142,6 +143,7 @@ def _chain_kind(base: Kind, structure: Structure, made: tuple[tuple[str, str], .
         sliders=tuple(name for name in named("slider") if name != structure.output),
         joints=(*(f"{name}.pin" for name in structure.cranks), *named("point")),
         drawing=partial(chain_drawing, structure),
+        part=partial(_part_named, made_names(structure)),
         closing_advice=partial(_advice, structure),
         closing_field=partial(_stuck_part, structure),
         composed=None,
@@ -164,9 +166,9 @@ def _length_places(structure: Structure) -> Sequence[tuple[str, str]]:
     return [*cranks, *fixed, *steps]
 
 
-def part_named(motion: ChainMotion, name: str) -> Any:
+def _part_named(names: tuple[str, ...], motion: ChainMotion, name: str) -> Any:
     """Link, slider or point of a chain's motion."""
-    return motion.made[name]
+    return motion.parts[names.index(name)]
 
 
 def _stuck(structure: Structure, size: ChainSize) -> int:

@@ -5,7 +5,7 @@ from typing import Any, cast
 import numpy as np
 
 from cranktrain.linkage import LinkPoint, point
-from cranktrain.mechanisms.chain.kinematics import SHAFT, chain_motion, pin_of
+from cranktrain.mechanisms.chain.kinematics import SHAFT, chain_made, pin_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     PinStep,
@@ -25,7 +25,7 @@ _COARSE = turn_grid(72)
 
 def chain_drawing(structure: Structure, angle: Array, size: ChainSize) -> Drawing:
     """Positions of all points at each angle, shape (..., n), and what joins them; the output's guide comes first."""
-    made = dict(chain_motion(structure, angle, size).made)
+    made = chain_made(structure, angle, size)
     links = [DrawnLink(_crank(name), (SHAFT, pin_of(name))) for name in structure.cranks]
     guides: list[Guide] = []
     for step, own in zip(structure.steps, size.steps, strict=True):
@@ -36,9 +36,7 @@ def chain_drawing(structure: Structure, angle: Array, size: ChainSize) -> Drawin
             case SlideStep():
                 links.append(DrawnLink(step.rod, (step.rod_from, pin_of(step.slider))))
             case SwivelStep():
-                reach = np.max(
-                    np.abs(chain_motion(structure, _COARSE, size).made[step.slider].value), -1, keepdims=True
-                )
+                reach = np.max(np.abs(chain_made(structure, _COARSE, size)[step.slider].value), -1, keepdims=True)
                 end = f"{step.guide}.end"
                 made[end] = point(made[step.guide], LinkPoint(1.1 * reach, 0.0 * reach))
                 links.append(DrawnLink(step.guide, (step.pivot, end)))

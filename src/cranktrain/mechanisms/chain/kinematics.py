@@ -1,7 +1,7 @@
 """Kinematics of a chain: the groups of its structure, one after the other, each on what those above it made."""
 
 from collections.abc import Callable, Mapping
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -34,11 +34,11 @@ from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     PinSize,
     PinStep,
-    Place,
     PointSize,
     PointStep,
     SlideSize,
     SlideStep,
+    Step,
     Structure,
     SwivelSize,
     SwivelStep,
@@ -56,17 +56,54 @@ Made = dict[str, Any]
 """Points, links and sliders by name: `Point`, `Link`, `Coefficient`."""
 
 
-class ChainMotion(NamedTuple):
-    """All points, links and sliders by name; the output once more, as what it is."""
+class SliderChainMotion(NamedTuple):
+    """All that a chain makes, in the order of `made_names`; the slider that is its output."""
 
-    made: Mapping[str, Any]
-    slider: Coefficient | None
-    rocker: Link | None
+    parts: tuple[Any, ...]
+    slider: Coefficient
+
+
+class LinkChainMotion(NamedTuple):
+    """All that a chain makes, in the order of `made_names`; the link that is its output."""
+
+    parts: tuple[Any, ...]
+    rocker: Link
+
+
+ChainMotion: TypeAlias = SliderChainMotion | LinkChainMotion
 
 
 def pin_of(name: str) -> str:
     """Name of the point that a crank or a slider gives."""
     return f"{name}.pin"
+
+
+def made_names(structure: Structure) -> tuple[str, ...]:
+    """Names of all that a chain makes, in order."""
+    pins = [pin_of(name) for name in structure.cranks]
+    return (SHAFT, *structure.fixed, *pins, *(name for step in structure.steps for name in _names(step)))
+
+
+def _names(step: Step) -> tuple[str, ...]:
+    match step:
+        case PinStep():
+            return step.joint, step.rod, step.rocker
+        case SlideStep():
+            return step.rod, step.slider, pin_of(step.slider)
+        case SwivelStep():
+            return step.slider, step.guide
+        case YokeStep() | TrammelStep():
+            return step.slider, pin_of(step.slider)
+        case PointStep():
+            return (step.point,)
+
+
+def chain_made(structure: Structure, angle: Array, size: ChainSize) -> Made:
+    """All points, links and sliders of a chain by name; parameters as of `chain_motion`."""
+    made = _driven(structure, angle, size)
+    for step, own in zip(structure.steps, size.steps, strict=True):
+        _PLACED[type(step)](step, own, made)
+    return made
 
 
 def chain_motion(structure: Structure, angle: Array, size: ChainSize) -> ChainMotion:
@@ -88,12 +125,9 @@ def chain_motion(structure: Structure, angle: Array, size: ChainSize) -> ChainMo
     -----
     docs/theory/chain.
     """
-    made = _driven(structure, angle, size)
-    for step, own in zip(structure.steps, size.steps, strict=True):
-        _PLACED[type(step)](step, own, made)
-    output = made[structure.output]
-    is_link = isinstance(output, Link)
-    return ChainMotion(made, None if is_link else output, output if is_link else None)
+    made = chain_made(structure, angle, size)
+    parts, output = tuple(made.values()), made[structure.output]
+    return LinkChainMotion(parts, output) if isinstance(output, Link) else SliderChainMotion(parts, output)
 
 
 def chain_gaps(structure: Structure, angle: Array, size: ChainSize) -> list[Array]:
@@ -238,7 +272,7 @@ _GAPS: Mapping[type, Callable[[Any, Any, Made, Array], Array]] = {
 def with_sides(structure: Structure, size: ChainSize) -> ChainSize:
     """Give each trammel the side that it has where the crank `main` lies along x."""
     with np.errstate(all="ignore"):
-        made = chain_motion(structure, single(0.0), size).made
+        made = chain_made(structure, single(0.0), size)
 
     def sided(step: Any, own: Any) -> Any:
         if not isinstance(step, TrammelStep):
@@ -247,17 +281,3 @@ def with_sides(structure: Structure, size: ChainSize) -> ChainSize:
         return own._replace(side=single(side if side != 0.0 else 1.0))
 
     return size._replace(steps=tuple(map(sided, structure.steps, size.steps)))
-
-
-__all__ = [
-    "SHAFT",
-    "ChainMotion",
-    "ChainSize",
-    "Place",
-    "Structure",
-    "chain_gap",
-    "chain_gaps",
-    "chain_motion",
-    "pin_of",
-    "with_sides",
-]

@@ -41,11 +41,19 @@ class SliderCrankSpec(MechanismSpec, frozen=True):
         if wrong:
             raise InputError(wrong)
         if self.stroke is not None and _radius_from_stroke(self) is None:
-            raise Refused(
-                _("no crank makes this stroke with this rod and offset: the stroke can be at most 2√(L(L − |e|))"),
-                path="stroke",
-            )
+            raise Refused(_stroke_limit(self), path="stroke")
         return self
+
+
+def _stroke_limit(spec: SliderCrankSpec) -> str:
+    """Say which strokes a crank can make with this rod and offset; docs/theory/slider-crank."""
+    if spec.rod_length is None:
+        return _("no crank makes this stroke with this ratio and offset: the stroke must be longer")
+    rod, offset = spec.rod_length.si, abs(spec.offset.si)
+    if offset >= rod:
+        return _("no crank makes a stroke with this offset, which must be less than the rod's length")
+    most = precise(2 * sqrt(rod * (rod - offset)))
+    return _("must be at most 2√(L(L − |e|)) = {most} with this rod and offset").format(most=most)
 
 
 def _not_once(spec: SliderCrankSpec, names: tuple[str, ...]) -> Problem | None:

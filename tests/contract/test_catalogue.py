@@ -1,0 +1,223 @@
+"""The catalogue: unique names, known units and dimensions, arrays of the shape they declare, sources that exist."""
+
+import ast
+import copy
+import random
+import re
+import string
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tests.machines import ROCKER, V12, slave, slider, throws
+
+import cranktrain as ct
+from cranktrain.analysis import STAGES, ordered
+from cranktrain.analysis.stages import run_stages
+from cranktrain.catalogue import entries
+from cranktrain.mechanisms import KINDS
+
+ROOT = Path(__file__).parents[2]
+PACKAGE = ROOT / "src/cranktrain"
+ENTRIES = [entry for stage in STAGES for entry in entries(stage.gives)]
+DIMENSIONS = {
+    "throw",
+    "piston",
+    "rocker",
+    "mechanism",
+    "chamber",
+    "bank",
+    "point",
+    "method",
+    "crank_angle",
+    "design",
+    *(kind.name for kind in KINDS),
+}
+UNITS = {"m", "rad", "deg", "s", "kg", "N", "Pa", "J", "W"}
+POINTS = {"p": {"link": "rod", "along": "10 mm", "across": "5 mm"}}
+
+EVERYTHING = {
+    "shaft": throws(0, 120, speed="900 rpm", spacing="100 mm"),
+    "bank": {
+        "L": {"angle": "-30 deg", "mechanism": slider()},
+        "R": {"angle": "30 deg", "mechanism": slave("L")},
+        "K": {"angle": "90 deg", "mechanism": ROCKER | {"load_radius": "1 m", "points": POINTS}},
+    },
+    "cylinder": {
+        "bore": "80 mm",
+        "compression_ratio": 9,
+        "chambers": ["head", "crank"],
+        "cycle": "four-stroke",
+        "firing_order": "1L-2R-1R-2L",
+    },
+}
+"""A machine of all kinds, which declares all there is."""
+
+
+@pytest.fixture(scope="module")
+def everything():
+    return ct.run(ct.Machine(**EVERYTHING))
+
+
+def test_names_are_unique():
+    names = [entry.name for entry in ENTRIES]
+    assert sorted({name for name in names if names.count(name) > 1}) == []
+
+
+@pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: entry.name)
+def test_entry(entry):
+    factors = [re.fullmatch(r"([A-Za-z]+)(\^[23])?", part) for part in re.split(r"[*/]", entry.unit)]
+    assert entry.unit == "1" or all(found and found[1] in UNITS for found in factors), entry.unit
+    assert set(entry.dimensions) <= DIMENSIONS
+    assert entry.dimensions.count("crank_angle") == 0 or entry.dimensions[-1] == "crank_angle"
+    assert re.fullmatch(r"[a-z]+(_[a-z]+)*", entry.name)
+    assert entry.sentence[0].isupper()
+    assert not entry.sentence.endswith(".")
+    assert (ROOT / f"{entry.source}.md").is_file(), entry.source
+
+
+def test_a_machine_with_everything_gives_the_whole_catalogue(everything):
+    assert everything.missing == ()
+    assert set(everything.catalogue) == {entry.name for entry in ENTRIES}
+
+
+def test_arrays_have_the_shape_that_they_declare(everything):
+    lengths = {name: len(labels) for name, labels in everything.labels.items()}
+    lengths["crank_angle"] = everything.crank_angle.size
+    assert set(everything.labels) <= DIMENSIONS
+    for name, entry in everything.catalogue.items():
+        expected = tuple(lengths[dimension] for dimension in entry.dimensions)
+        assert np.shape(getattr(everything, name)) == expected, name
+
+
+def test_labels_are_unique(everything):
+    for dimension, labels in everything.labels.items():
+        assert len(set(labels)) == len(labels), dimension
+
+
+def test_checks_have_names_of_their_own(everything):
+    names = [check.name for check in everything.checks]
+    assert len(set(names)) == len(names)
+    assert all(check.sentence and check.limit > 0 for check in everything.checks)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_stages_can_be_declared_in_any_order(seed):
+    shuffled = random.Random(seed).sample(STAGES, len(STAGES))
+    known: set[type] = set()
+    gifts = {stage.gives for stage in STAGES}
+    for stage in ordered(shuffled):
+        assert {need for need in stage.needs.values() if need in gifts} <= known
+        known.add(stage.gives)
+    assert known == gifts
+
+
+def test_results_come_in_the_order_of_the_declaration():
+    from cranktrain.analysis.parts import parts_of
+
+    parts = parts_of([ct.Machine(**V12)], step=np.radians(10))
+    forward, _missing = run_stages(STAGES, parts)
+    backward, _missing = run_stages(STAGES[::-1], parts)
+    assert list(backward) == list(forward)[::-1]
+
+
+@pytest.mark.parametrize("n_designs", [1, 2])
+def test_needed_stages_are_those_that_are_run(n_designs):
+    """Every quantity, asked for alone, comes with nothing that it does not need."""
+    machines = [ct.Machine(**V12)] * n_designs
+    by_gift = {stage.gives: stage for stage in STAGES}
+    for stage in STAGES:
+        for entry in entries(stage.gives)[:1]:
+            needed, left = set(), [stage.gives]
+            while left:
+                gift = left.pop()
+                if gift in by_gift:
+                    needed.add(gift)
+                    left += by_gift[gift].needs.values()
+            result = ct.run(machines, quantities=[entry.name], step_degrees=10)
+            assert {type(gift) for gift in result.gifts} <= needed, entry.name
+
+
+class TestMissing:
+    """What a machine file lacks, taken away one by one."""
+
+    def missing(self, **changes):
+        data = copy.deepcopy(V12)
+        for path, value in changes.items():
+            *tables, key = path.split("__")
+            table = data
+            for name in tables:
+                table = table[name]
+            if value is None:
+                del table[key]
+            else:
+                table[key] = value
+        result = ct.run(ct.Machine(**data), step_degrees=10)
+        points = ("[mechanism.points.NAME] link, along, across",)
+        return {missing.needs: set(missing.results) for missing in result.missing if missing.needs != points}
+
+    def test_nothing(self):
+        assert self.missing() == {}
+
+    def test_speed(self):
+        (results,) = (found := self.missing(shaft__main__speed=None)).values()
+        assert list(found) == [("[shaft.main] speed",)]
+        assert {"piston_velocity", "mean_piston_speed"} <= results
+
+    def test_spacing(self):
+        assert self.missing(shaft__main__spacing=None) == {("[shaft.main] spacing",): {"axial_position"}}
+
+    def test_bore(self):
+        found = self.missing(cylinder__bore=None)
+        assert found[("[cylinder] bore",)] >= {"displacement", "chamber_volume"}
+        assert list(found) == [("[cylinder] bore",)]
+
+    def test_ratio(self):
+        assert self.missing(cylinder__compression_ratio=None) == {
+            ("[cylinder] compression_ratio",): {"chamber_volume", "clearance_volume", "compression_ratio"}
+        }
+
+    def test_bore_and_ratio(self):
+        found = self.missing(cylinder__bore=None, cylinder__compression_ratio=None)
+        assert "compression_ratio" in found["[cylinder] bore", "[cylinder] compression_ratio"]
+
+    def test_firing_order(self):
+        found = self.missing(cylinder__firing_order=None)
+        assert found == {("[cylinder] firing_order",): {"firing_angle", "firing_dead_centre", "firing_interval"}}
+
+    def test_cycle(self):
+        assert list(self.missing(cylinder__cycle=None)) == [("[cylinder] cycle",)]
+
+    def test_what_is_for_another_kind_of_machine_is_not_spoken_of(self):
+        result = ct.run(ct.Machine(mechanism=ROCKER))
+        assert sorted(need for missing in result.missing for need in missing.needs) == [
+            "[mechanism.points.NAME] link, along, across",
+            "[mechanism] load_radius",
+            "[shaft.main] speed",
+        ]
+
+
+def placeholders(text):
+    return {name for _literal, name, _format, _conversion in string.Formatter().parse(text) if name is not None}
+
+
+def test_every_placeholder_of_a_sentence_is_filled():
+    """`_("… {x}").format(x=…)`: the names in the sentence are those that are given, no more and no less."""
+    for path in PACKAGE.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            match node:
+                case ast.Call(
+                    func=ast.Attribute(
+                        value=ast.Call(func=ast.Name(id="_"), args=[ast.Constant(value=str(text))]), attr="format"
+                    ),
+                    args=[],
+                    keywords=keywords,
+                ) if all(keyword.arg for keyword in keywords):
+                    given = {keyword.arg for keyword in keywords}
+                    assert placeholders(text) == given, f"{path}:{node.lineno}"
+                case _:
+                    continue
+
+
+def test_sentences_of_the_catalogue_have_no_placeholders():
+    assert [entry.name for entry in ENTRIES if placeholders(entry.sentence)] == []

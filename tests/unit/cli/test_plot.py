@@ -1,0 +1,107 @@
+"""What `plot` takes and refuses; what is in the pictures is tested where they are drawn, and in tests/e2e."""
+
+import pytest
+
+from cranktrain.cli.plot import Request, understood
+
+
+@pytest.mark.parametrize(
+    ("plan", "at", "output", "angles"),
+    [
+        ("positions", "12", "a.svg", 12),
+        ("positions", "30,60", "a.svg", [30.0, 60.0]),
+        ("positions", " 30 , 0.5 rad, -1°", "a.svg", [30.0, 28.647889757, -1.0]),  # 0.5 · 180/π
+        ("klein", "60 deg", "a.PDF", [60.0]),
+        ("velocities", None, "a.png", None),
+        (None, "8", "a.dxf", 8),
+        (None, "7.5,90", "a.dxf", [7.5, 90.0]),
+        (None, "137", "a.png", [137.0]),
+    ],
+)
+def test_crank_angles_as_typed(plan, at, output, angles):
+    assert understood(Request("3d12", plan=plan, at=at, output=output)).angles == angles
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (
+            ["3d12"],
+            ["-o: is missing: the name of the picture, which ends in one of: .png, .svg, .pdf, .gif, .dxf; "
+             "such as: cranktrain plot 3d12 -o 3d12.png"],
+        ),
+        (
+            ["3d12", "-o", "a.txt", "--plan", "positons", "--at", "3,b", "--size", "A5"],
+            [
+                "-o = a.txt: must end in one of: .png, .svg, .pdf, .gif, .dxf",
+                '--plan = positons: must be one of: positions, velocities, accelerations, klein; write "positions"',
+                "--size = A5: must be one of: A4, A3",
+                "--at = 3,b: must be crank angles in degrees with commas between, such as 30,60",
+            ],
+        ),
+        (
+            ["3d12", "-o", "a.gif", "--plan", "positions", "--size", "A3"],
+            [
+                "--plan = positions: must be left out: a .gif shows one turn of the first throw",
+                "--size = A3: must be left out: a .gif shows one turn of the first throw",
+            ],
+        ),
+        (
+            ["3d12", "-o", "a.png", "--mechanism", "1R", "--at", "30,60"],
+            [
+                "--mechanism = 1R: must be left out: a sheet shows the first throw; "
+                "only a plan or a .dxf is of one mechanism",
+                "--at = 30,60: must be one crank angle; for several, ask for a --plan",
+            ],
+        ),
+        (
+            ["3d12", "-o", "a.dxf", "--plan", "klein"],
+            ["--plan = klein: must be left out: a .dxf holds all plans, in true millimetres"],
+        ),
+        (
+            ["vaz_21213", "-o", "a.dxf", "--mechanism", "9R"],
+            ["--mechanism = 9R: must be one of this machine's mechanisms: 1, 2, 3, 4"],
+        ),
+        (
+            ["3d12", "-o", "a.svg", "--plan", "positions", "--at", "60"],
+            ['--at  60 crank angles: must be at most 24 to a sheet; for one crank angle, write "60 deg"'],
+        ),
+        (["3d12", "-o", "a.svg", "--at", ""], ["--at = : must be crank angles in degrees with commas between, "
+                                               "such as 30,60"]),
+        (["3d13", "-o", "a.svg"], ["3d13  there is no such file; is it the example 3d12? "
+                                   "`cranktrain list` names all"]),
+        (["3d12", "-o", "no/a.svg"], ["no/a.svg  the folder is not there; make it first, or name another"]),
+    ],
+)  # fmt: skip
+def test_refused_with_everything_that_is_wrong(typed, tmp_path, arguments, said):
+    answer = typed("plot", *arguments)
+    assert (answer.status, answer.output) == (2, "")
+    assert answer.errors.splitlines() == said
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_klein_of_another_mechanism(typed):
+    answer = typed("plot", "pumping_unit_c57", "-o", "a.svg", "--plan", "klein")
+    assert answer.status == 2
+    assert "is no slider-crank" in answer.errors
+
+
+def test_links_that_never_close_where_asked(typed, written):
+    """A rod of 30 mm does not reach from a pin 40 mm from the line of stroke: none is drawn at 90°."""
+    written('[mechanism]\nkind = "slider_crank"\nstroke = "80 mm"\nrod_length = "30 mm"\n')
+    arguments = ("plot", "machine.toml", "-o", "a.svg", "--plan", "positions")
+    assert typed(*arguments).errors.startswith("machine.toml:4:14  mechanism.rod_length = 30 mm")
+    answer = typed(*arguments, "--partial", "--at", "90 deg")
+    assert answer.errors == "--at  φ = 90°: the links of 1 cannot close there\n"
+    assert typed(*arguments, "--partial", "--at", "0,180").output == "written: a.svg\n"
+
+
+def test_a_picture_is_kept_unless_forced(typed, tmp_path):
+    path = tmp_path / "a.svg"
+    path.write_text("old\n", encoding="utf-8")
+    arguments = ("plot", "vaz_21213", "--plan", "klein", "-o", "a.svg")
+    answer = typed(*arguments)
+    assert answer == (2, "", "a.svg  is there already; choose another name, or replace it with --force\n")
+    assert path.read_text(encoding="utf-8") == "old\n"
+    assert typed(*arguments, "--force") == (0, "written: a.svg\n", "")
+    assert path.read_text(encoding="utf-8").startswith("<?xml")

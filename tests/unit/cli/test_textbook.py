@@ -1,0 +1,129 @@
+"""`textbook` as typed; the errors themselves are held against tables in tests/validation."""
+
+import re
+
+import numpy as np
+import pytest
+
+from cranktrain.textbook.slider_crank_synthesis import wrong_steps
+
+CENTRAL = """
+[mechanism]
+kind = "slider_crank"
+crank_radius = "50 mm"
+rod_length = "200 mm"
+"""
+
+
+def parts(output: str) -> dict[str, list[str]]:
+    """Lines of the page below each heading."""
+    heads = re.split(r"\n\n(?=\S)", output.rstrip("\n"))
+    return {lines[0]: lines[1:] for lines in (head.splitlines() for head in heads)}
+
+
+def errors(lines: list[str], piston: str) -> list[float]:
+    (row,) = (line.split()[1:] for line in lines if re.match(rf"  {re.escape(piston)}  +-?\d", line))
+    return [float(cell) for cell in row]
+
+
+def test_methods_of_a_central_slider_crank(typed, written):
+    """λ = 0.25: docs/theory/textbook-forms has the errors of each method."""
+    written(CENTRAL)
+    answer = typed("textbook", "machine.toml")
+    assert (answer.status, answer.errors) == (0, "")
+    found = parts(answer.output)
+    harmonics = found["Two harmonics: (333), (336), (337) [steam-engine]"]
+    assert harmonics[:2] == ["  range: central mechanism, λ ≤ 0.3", "  1: inside, λ = 0.250"]
+    displacement, _at, velocity, _at, acceleration, _at = errors(harmonics, "1")
+    assert (displacement, velocity, acceleration) == (0.10, 0.25 if velocity < 0.255 else 0.26, 0.66)
+    brix = found["Brix's construction: fig. 147 [steam-engine]"]
+    assert errors(brix, "1")[0] == 0.20
+    infinite = next(lines for head, lines in found.items() if head.startswith("Infinitely long rod"))
+    assert errors(infinite, "1")[0] == 6.35
+    assert any(line == "  1: outside, λ = 0.250" for line in infinite)
+    assert "articulated" not in answer.output
+    assert "Кривошипно-шатунный механизм" in answer.output
+
+
+def test_distinct_pistons_together(typed):
+    answer = typed("textbook", "3d12")
+    assert all(len(line) <= 80 for line in answer.output.splitlines())
+    found = parts(answer.output)
+    assert len(errors(found["Two harmonics: (333), (336), (337) [steam-engine]"], "1L–6L")) == 6
+    reconstructed = found["Two harmonics of an articulated rod, reconstructed: (I.13) [bolotin]"]
+    # as `run` says of this example
+    assert errors(reconstructed, "1R–6R")[::2] == [0.35, 0.94, 2.40]
+    assert not any("side" in line for line in reconstructed)
+
+
+def test_angles_count_from_where_the_crank_points_along_the_cylinder(typed, written):
+    """Wherever the axis lies and whatever the sense: (333) is off most at 90° or, as it is symmetric, at 270°."""
+    for more in ("", 'crank_zero = "70 deg"\n', 'rotation = "anticlockwise"\n', 'running = "astern"\n'):
+        written(more + CENTRAL)
+        found = parts(typed("textbook", "machine.toml").output)
+        assert errors(found["Two harmonics: (333), (336), (337) [steam-engine]"], "1")[1] in (90.0, 270.0)
+
+
+def test_table(typed, written):
+    """Exact and (333) at 90°: R + L − √(L² − R²), R(1 + λ/2)."""
+    written(CENTRAL)
+    output = typed("textbook", "machine.toml", "--table").output
+    assert all(len(line) <= 80 for line in output.splitlines())
+    lines = parts(output)["x of piston 1 by the crank angle"]
+    heads = lines[0].split()
+    assert heads[0] == "exact" and lines[1].split() == ["mm"] * len(heads)
+    rows = {line.split()[0]: line.split()[1:] for line in lines[2:]}
+    assert list(rows) == [f"{angle}°" for angle in range(0, 360, 30)]
+    assert rows["90°"][0] == f"{250 - np.sqrt(200**2 - 50**2):.2f}"
+    assert rows["90°"][heads.index("two_harmonics")] == "56.25"
+    assert rows["90°"][heads.index("infinite_rod")] == "50.00"
+
+
+def test_table_once_for_pistons_that_move_alike(typed):
+    output = typed("textbook", "3d12", "--table").output
+    assert re.findall(r"x of piston (\w+) ", output) == ["1L", "1R"]
+    assert "Alike, each from its own top: 2R–6R." in output
+
+
+def test_a_mechanism_of_which_no_source_speaks(typed):
+    answer = typed("textbook", "pumping_unit_c57")
+    assert answer.status == 0
+    assert "None of the sources has a form of its own for the motion of: crank_rocker." in answer.output
+
+
+@pytest.mark.parametrize("arguments", [["errata"], ["--errata"]])
+def test_errata(typed, arguments):
+    output = typed("textbook", *arguments).output
+    assert all(len(line) <= 80 for line in output.splitlines())
+    assert len(re.findall(r"^\d+\. ", output, re.MULTILINE)) == len(wrong_steps())
+    # r/tan 30° for r = 80 mm, with its true pressure angle asin(tan 30°)
+    assert re.search(r"printed +l = r/tg \[α\]\n +gives +0\.1386 m\n +right +0\.16 m\n +because +the pressure", output)
+    assert f"gives    {np.degrees(np.arcsin(np.tan(np.pi / 6))):.2f} deg" in output
+
+
+def test_errata_beside_a_machine(typed):
+    output = typed("textbook", "vaz_21213", "--errata").output
+    assert output.index("Brix") < output.index("Errors of the sources")
+
+
+def test_a_file_called_errata_is_a_file(typed, written):
+    written(CENTRAL, "errata")
+    assert "Two harmonics" in typed("textbook", "errata").output
+
+
+def test_set(typed, written):
+    written(CENTRAL)
+    output = typed("textbook", "machine.toml", "--set", "mechanism.rod_length=500 mm").output
+    assert "λ = 0.100" in output
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        ([], "cranktrain textbook  FILE is missing; such as: cranktrain textbook 3d12\n"),
+        (["3d12", "--set", "x"], "--set  x: must be PATH=VALUE, such as shaft.main.speed=1500rpm\n"),
+        (["3d13"], "3d13  there is no such file; is it the example 3d12? `cranktrain list` names all\n"),
+    ],
+)
+def test_refused(typed, arguments, said):
+    assert typed("textbook", *arguments) == (2, "", said)
