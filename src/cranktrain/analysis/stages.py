@@ -127,7 +127,7 @@ def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict
     known = dict(parts)
     gifts: dict[type, object] = {}
     lacking: dict[type, frozenset[type]] = {}
-    missing: dict[tuple[str, ...], list[str]] = {}
+    absent: dict[type, tuple[str, ...]] = {}
     for one in ordered(stages):
         roots: set[type] = set()
         for name, need in one.needs.items():
@@ -142,10 +142,14 @@ def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict
             continue
         lacking[one.gives] = frozenset(roots)
         words = tuple(sorted(translated(getattr(root, "needs", "")) for root in roots))
-        results = [entry.name for entry in entries(one.gives)]
-        if results and all(words):
-            missing.setdefault(words, []).extend(results)
+        if all(words):
+            absent[one.gives] = words
     in_order = {one.gives: gifts[one.gives] for one in stages if one.gives in gifts}
+    missing: dict[tuple[str, ...], list[str]] = {}
+    for one in stages:
+        results = [entry.name for entry in entries(one.gives)] if one.gives in absent else []
+        if results:
+            missing.setdefault(absent[one.gives], []).extend(results)
     return in_order, tuple(Missing(tuple(results), needs) for needs, results in missing.items())
 
 

@@ -19,6 +19,9 @@ _BIG_EYE, _CRANK_PIN, _SMALL_EYE, _SMALL_PIN, _JOURNAL = 0.40, 0.24, 0.22, 0.12,
 _ABOVE, _BELOW, _BELOW_IN_STAR = 0.45, 0.34, 0.14
 """Crown above and skirt below the piston pin, in parts of the bore; in a star there is no room for long skirts."""
 
+_LEAST_RING = 11.0
+"""Radius of a degree ring on paper that has room for all its figures. [mm]"""
+
 _GAP = 0.05
 """Clearance above the piston at its top, in parts of the bore."""
 
@@ -211,6 +214,7 @@ def _ring(scene: Scene, angle: float, scale: float) -> Iterator[Line | Circle | 
     """Degree ring, its 0 where the shown crank angle is 0; figures that the links would hide are left out."""
     radius = ring_radius(scene)
     origin = np.zeros(2)
+    figures = 30 if radius > _LEAST_RING * scale else 360
     yield Circle(origin, radius, "DIMENSIONS", "thin", 1)
     for degree in range(0, 360, 10):
         direction = scene.crank_direction(float(degree))
@@ -219,7 +223,7 @@ def _ring(scene: Scene, angle: float, scale: float) -> Iterator[Line | Circle | 
         yield Line(np.stack([(radius - tick) * along, radius * along], axis=1), "DIMENSIONS", "thin", 1)
         place = (radius + (2.6 + 1.4 * abs(along[0])) * scale) * along
         if (
-            degree % 30 == 0
+            degree % figures == 0
             and (degree == 0 or not scene.is_star)
             and (degree == 0 or not _is_covered(scene, place, angle, 2.6 * scale))
         ):
