@@ -10,7 +10,18 @@ from cranktrain.linkage.compile import compiled
 from cranktrain.linkage.crank import Crank, crank
 from cranktrain.linkage.legs import OnLine, RodEnds, block_along, fixed_guide, rod_between, rod_end
 from cranktrain.linkage.modes import triad_modes
-from cranktrain.linkage.pin import Ends, Pin, PinMotion, Span, pin, pin_across, pin_gap
+from cranktrain.linkage.pin import (
+    Ends,
+    Line,
+    Pin,
+    PinMotion,
+    Span,
+    line_between,
+    line_from_crank,
+    pin,
+    pin_across,
+    pin_gap,
+)
 from cranktrain.linkage.point import LinkPoint, fixed, point, turned
 from cranktrain.linkage.slide import AHEAD, Slide, SlideMotion, slide, slide_gap
 from cranktrain.linkage.swivel import Swivel, SwivelEnds, SwivelMotion, swivel, swivel_gap
@@ -26,6 +37,7 @@ __all__ = [
     "Crank",
     "Ends",
     "Leg",
+    "Line",
     "LinkPoint",
     "OnLine",
     "Pin",
@@ -53,6 +65,8 @@ __all__ = [
     "fixed",
     "fixed_guide",
     "in_blocks",
+    "line_between",
+    "line_from_crank",
     "pin",
     "pin_across",
     "pin_gap",

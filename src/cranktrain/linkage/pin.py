@@ -14,11 +14,29 @@ class Ends(NamedTuple):
     rocker: Point
 
 
+class Line(NamedTuple):
+    """The line d from the rod's end to the rocker's, and how it moves, with e = d/D².
+
+    x, y [m] and square D² [m²] of it; inverse_x, inverse_y: e [1/m]; turn ψ′ = e × d′, stretch ε = e·d′, and of the
+    second derivative across = e × d″, along = e·d″.
+    """
+
+    x: Array
+    y: Array
+    square: Array
+    inverse_x: Array
+    inverse_y: Array
+    turn: Array
+    stretch: Array
+    across: Array
+    along: Array
+
+
 class Span(NamedTuple):
-    """The outer pins, and the line from the rod's to the rocker's: their difference. [m, m/rad, m/rad²]"""
+    """The outer pins of the group, and the line between them."""
 
     ends: Ends
-    line: Point
+    line: Line
 
 
 class Pin(NamedTuple):
@@ -53,12 +71,40 @@ def pin(ends: Ends, geometry: Pin) -> PinMotion:
     PinMotion, shape (..., n)
         As `pin_across`, which it calls with the difference of the ends.
     """
-    rod, rocker = ends
-    line = Point(
-        Coefficient(rocker.x.value - rod.x.value, rocker.x.first - rod.x.first, rocker.x.second - rod.x.second),
-        Coefficient(rocker.y.value - rod.y.value, rocker.y.first - rod.y.first, rocker.y.second - rod.y.second),
+    return pin_across(Span(ends, line_between(ends)), geometry)
+
+
+def line_between(ends: Ends) -> Line:
+    """Line from the rod's end to the rocker's, both of which may move."""
+    dx = ends.rocker.x.value - ends.rod.x.value
+    dy = ends.rocker.y.value - ends.rod.y.value
+    dx1 = ends.rocker.x.first - ends.rod.x.first
+    dy1 = ends.rocker.y.first - ends.rod.y.first
+    dx2 = ends.rocker.x.second - ends.rod.x.second
+    dy2 = ends.rocker.y.second - ends.rod.y.second
+    square = dx * dx + dy * dy
+    ex = dx / square
+    ey = dy / square
+    return Line(
+        dx, dy, square, ex, ey, ex * dy1 - ey * dx1, ex * dx1 + ey * dy1, ex * dy2 - ey * dx2, ex * dx2 + ey * dy2
     )
-    return pin_across(Span(ends, line), geometry)
+
+
+def line_from_crank(ends: Ends) -> Line:
+    """Line from a crank's pin to a pivot that stands still on the axis x through the shaft's centre.
+
+    A crank's derivatives are its own coordinates, x′ = −y, y′ = x, x″ = −x, y″ = −y; so e × d″ = ε and e·d″ = −ψ′.
+    """
+    x = ends.rod.x.value
+    y = ends.rod.y.value
+    dx = ends.rocker.x.value - x
+    dy = ends.rod.x.first
+    square = dx * dx + y * y
+    ex = dx / square
+    ey = dy / square
+    stretch = ex * y - ey * x
+    along = ex * x + ey * y
+    return Line(dx, dy, square, ex, ey, -along, stretch, stretch, along)
 
 
 def pin_across(span: Span, geometry: Pin) -> PinMotion:
@@ -108,34 +154,28 @@ def pin_across(span: Span, geometry: Pin) -> PinMotion:
     return PinMotion(joint, rod, rocker)
 
 
-def _vectors_and_turns(line: Point, geometry: Pin) -> tuple[Array, Array, Array, Array, Array, Array, Array, Array]:
+def _vectors_and_turns(line: Line, geometry: Pin) -> tuple[Array, Array, Array, Array, Array, Array, Array, Array]:
     """Rod and rocker as vectors to the joint; first, then second derivatives of their angles.
 
     On its own so that its intermediate arrays are freed before the results are made.
     """
-    dx, dx1, dx2 = line.x
-    dy, dy1, dy2 = line.y
+    dx, dy, square, ex, ey, turn, stretch, across, along = line
     total = geometry.rod_length + geometry.rocker_length
     difference = geometry.rod_length - geometry.rocker_length
-    square = dx * dx + dy * dy
     cross = (0.5 * geometry.side) * np.sqrt((total * total - square) * (square - difference * difference))
     ahead = 0.5 * total * difference + 0.5 * square
     behind = ahead - square
-    ex = dx / square
-    ey = dy / square
     qx = ahead * ex - cross * ey
     qy = ahead * ey + cross * ex
-    turn = ex * dy1 - ey * dx1
-    stretch = ex * dx1 + ey * dy1
     per_cross = 1.0 / cross
     opening = stretch * per_cross
     rod_swing = opening * behind
     rocker_swing = opening * ahead
     rod_turn = turn + rod_swing
     rocker_turn = turn + rocker_swing
-    common = (ex * dy2 - ey * dx2) - stretch * (rod_turn + rocker_turn)
+    common = across - stretch * (rod_turn + rocker_turn)
     # ψ′² first: where the whole turns as one body it cancels e·d″ without rounding.
-    spread = ((ex * dx2 + ey * dy2 + turn * turn) - rod_swing * rocker_swing) * per_cross
+    spread = ((along + turn * turn) - rod_swing * rocker_swing) * per_cross
     return qx, qy, qx - dx, qy - dy, rod_turn, rocker_turn, common + spread * behind, common + spread * ahead
 
 

@@ -46,7 +46,9 @@ def point(link: Link, geometry: LinkPoint) -> Point:
 
 def fixed(x: Array, y: Array) -> Point:
     """Point that stands still in the frame. [m]"""
-    return Point(Coefficient(x, 0.0 * x, 0.0 * x), Coefficient(y, 0.0 * y, 0.0 * y))
+    still_x = 0.0 * x
+    still_y = 0.0 * y
+    return Point(Coefficient(x, still_x, still_x), Coefficient(y, still_y, still_y))
 
 
 def turned(moving: Point, angle: Array) -> Point:

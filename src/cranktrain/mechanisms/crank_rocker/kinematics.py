@@ -2,8 +2,8 @@
 
 from typing import NamedTuple
 
-from cranktrain.linkage import Crank, Ends, Pin, Span, crank, fixed, pin_across, pin_gap
-from cranktrain.motion import Array, Coefficient, Link, Point
+from cranktrain.linkage import Crank, Ends, Pin, Span, crank, fixed, line_from_crank, pin_across, pin_gap
+from cranktrain.motion import Array, Link, Point
 
 
 class CrankRocker(NamedTuple):
@@ -48,13 +48,8 @@ def crank_rocker(angle: Array, geometry: CrankRocker) -> CrankRockerMotion:
     """
     crank_pin = crank(angle, Crank(geometry.crank_radius))
     pivot = fixed(geometry.ground_length, 0.0 * geometry.ground_length)
-    x = crank_pin.x
-    y = crank_pin.y
-    # A crank's derivatives are its own coordinates, x′ = −y and x″ = −x, and so are those of the line to the pivot.
-    line = Point(
-        Coefficient(geometry.ground_length - x.value, y.value, x.value), Coefficient(x.first, x.second, y.value)
-    )
-    span = Span(Ends(crank_pin, pivot), line)
+    ends = Ends(crank_pin, pivot)
+    span = Span(ends, line_from_crank(ends))
     motion = pin_across(span, Pin(geometry.rod_length, geometry.rocker_length, geometry.side))
     return CrankRockerMotion(crank_pin, motion.joint, motion.rod, motion.rocker)
 
