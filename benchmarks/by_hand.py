@@ -163,3 +163,57 @@ def crank_rocker_numba(angles, crank_radius, rod_length, rocker_length, ground_l
         table[i, 19] = rocker_rate
         table[i, 20] = tx / rocker_length
         table[i, 21] = ty / rocker_length
+
+
+def chain_numpy(angle, cranks, pins, slides):
+    """Chain of five cranks, each with a rod to a rocker and a rod from the joint to a slider on a guide.
+
+    pins: rod, rocker, pivot's x and y, side; slides: rod, guide's direction and offset from the shaft. (x, x', x'', y,
+    y', y'') of crank pin, joint and slider's pin, (s, s', s'') of each slider, (θ, θ', θ'', cos θ, sin θ) of rod,
+    rocker and the slider's rod.
+    """
+    columns = []
+    for (radius, ahead), (rod, rocker, px, py, side), (link, direction, offset) in zip(
+        cranks, pins, slides, strict=True
+    ):
+        x = radius * np.cos(angle + ahead)
+        y = radius * np.sin(angle + ahead)
+        dx = px - x
+        dy = py - y
+        square = dx * dx + dy * dy
+        cross = 0.5 * side * np.sqrt(((rod + rocker) ** 2 - square) * (square - (rod - rocker) ** 2))
+        along = 0.5 + 0.5 * (rod**2 - rocker**2) / square
+        across = cross / square
+        qx = along * dx - across * dy
+        qy = along * dy + across * dx
+        tx = qx - dx
+        ty = qy - dy
+        rod_turn = (y * tx - x * ty) / cross
+        rocker_turn = (y * qx - x * qy) / cross
+        rod_square = rod_turn * rod_turn
+        rocker_square = rocker_turn * rocker_turn
+        kx = x + rod_square * qx - rocker_square * tx
+        ky = y + rod_square * qy - rocker_square * ty
+        rod_rate = (kx * tx + ky * ty) / cross
+        rocker_rate = (kx * qx + ky * qy) / cross
+        bx, by = x + qx, y + qy
+        bx1, by1 = -ty * rocker_turn, tx * rocker_turn
+        bx2 = -(ty * rocker_rate + tx * rocker_square)
+        by2 = tx * rocker_rate - ty * rocker_square
+        cos, sin = np.cos(direction), np.sin(direction)
+        gx, gy = cos * bx + sin * by, cos * by - sin * bx
+        gx1, gy1 = cos * bx1 + sin * by1, cos * by1 - sin * bx1
+        gx2, gy2 = cos * bx2 + sin * by2, cos * by2 - sin * bx2
+        drop = offset - gy
+        reach = np.sqrt((link - drop) * (link + drop))
+        turn = -gy1 / reach
+        rate = (drop * turn * turn - gy2) / reach
+        s, s1, s2 = gx + reach, gx1 - drop * turn, gx2 + gy1 * turn - drop * rate
+        along, across = reach / link, drop / link
+        columns += [x, -y, -x, y, x, -y, bx, bx1, bx2, by, by1, by2]
+        columns += [cos * s - sin * offset, cos * s1, cos * s2, sin * s + cos * offset, sin * s1, sin * s2, s, s1, s2]
+        columns += [np.arctan2(qy, qx), rod_turn, rod_rate, qx / rod, qy / rod]
+        columns += [np.arctan2(ty, tx), rocker_turn, rocker_rate, tx / rocker, ty / rocker]
+        columns += [direction + np.arctan2(drop, reach), turn, rate]
+        columns += [cos * along - sin * across, sin * along + cos * across]
+    return columns

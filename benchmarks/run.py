@@ -16,6 +16,17 @@ import peers
 from timing import interleaved_ratio
 
 from cranktrain.linkage import in_blocks
+from cranktrain.mechanisms.chain.kinematics import chain_motion, made_names
+from cranktrain.mechanisms.chain.steps import (
+    ChainSize,
+    CrankSize,
+    PinSize,
+    PinStep,
+    Place,
+    SlideSize,
+    SlideStep,
+    Structure,
+)
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 
@@ -24,6 +35,34 @@ SAME = 1e-12
 
 SLIDER_CRANK = SliderCrank(0.04, 0.14, 0.01)
 CRANK_ROCKER = CrankRocker(0.3, 1.0, 0.8, 1.1, 1.0)
+
+
+CHAIN_CRANKS = [(0.05 + 0.01 * i, 0.7 * i) for i in range(5)]
+CHAIN_PINS = [(0.4, 0.25 + 0.01 * i, 0.3, 0.35, -1.0) for i in range(5)]
+CHAIN_SLIDES = [(0.6, -1.5 + 0.2 * i, 0.01 * i) for i in range(5)]
+CHAIN = Structure(
+    ("main", *(f"c{i}" for i in range(1, 5))),
+    ("C",),
+    tuple(
+        step
+        for i, name in enumerate(("main", *(f"c{i}" for i in range(1, 5))))
+        for step in (
+            PinStep(f"{name}.pin", "C", f"rod{i}", f"rocker{i}", f"B{i}"),
+            SlideStep(f"B{i}", f"link{i}", f"s{i}", "O"),
+        )
+    ),
+    "s0",
+)
+"""Ten parts: five cranks, each with a pin group and a slide."""
+CHAIN_SIZE = ChainSize(
+    tuple(CrankSize(*one) for one in CHAIN_CRANKS),
+    (Place(0.3, 0.35),),
+    tuple(
+        size
+        for (rod, rocker, _x, _y, side), (link, direction, offset) in zip(CHAIN_PINS, CHAIN_SLIDES, strict=True)
+        for size in (PinSize(rod, rocker, side), SlideSize(link, 1.0, direction, offset))
+    ),
+)
 
 
 class Mechanism(NamedTuple):
@@ -107,6 +146,31 @@ MECHANISMS = [
 ]
 
 
+def chain_columns(motion):
+    made, columns = dict(zip(made_names(CHAIN), motion.parts, strict=True)), []
+    for i in range(5):
+        pin = "main.pin" if i == 0 else f"c{i}.pin"
+        columns += [value for name in (pin, f"B{i}", f"s{i}.pin") for value in coefficients(made[name])]
+        columns += made[f"s{i}"]
+        for link in ("rod", "rocker", "link"):
+            columns += directions(made[f"{link}{i}"])
+    return columns
+
+
+def chain_comparison(n):
+    """A chain of ten parts against the same by hand."""
+    angles = np.arange(n) * (2 * np.pi / n)
+    return Comparison(
+        "NumPy",
+        "NumPy by hand",
+        lambda: chain_motion(CHAIN, angles, CHAIN_SIZE),
+        lambda: by_hand.chain_numpy(angles, CHAIN_CRANKS, CHAIN_PINS, CHAIN_SLIDES),
+        chain_columns,
+        list,
+        1.3,
+    )
+
+
 def filled(loop, angles, geometry, n_columns):
     """A loop as a function without arguments, with its table made beforehand; a column of the table a row."""
     table = np.empty((angles.size, n_columns))
@@ -161,15 +225,15 @@ def difference(comparison):
     return max(np.max(np.abs(our - their)) / np.max(np.abs(our)) for our, their in zip(ours, theirs, strict=True))
 
 
-def is_kept(mechanism, n, comparison, n_repetitions):
+def is_kept(name, n, comparison, n_repetitions):
     """Measure, print the line of the table, say whether the limit is kept."""
     apart = difference(comparison)
     if not apart <= comparison.most_apart:
-        raise ArithmeticError(f"{mechanism.name}, {comparison.against}: {apart:.1e} of the peak apart")
+        raise ArithmeticError(f"{name}, {comparison.against}: {apart:.1e} of the peak apart")
     ratio = interleaved_ratio(comparison.ours, comparison.theirs, n_repetitions=n_repetitions)
     good = ratio.median <= comparison.limit
     print(
-        f"{mechanism.name:<13}{n:>7}  {comparison.what:<9}{comparison.against:<14}"
+        f"{name:<13}{n:>7}  {comparison.what:<9}{comparison.against:<14}"
         f"{1e9 * ratio.ours / n:>8.1f}{1e9 * ratio.theirs / n:>8.1f}"
         f"{ratio.median:>8.3f}{f'{ratio.least:.3f}–{ratio.most:.3f}':>14}{comparison.limit:>7.3f}"
         f"  {'ok' if good else 'MISSED'}",
@@ -183,11 +247,12 @@ def main(arguments):
     print(" " * 43 + "ns an angle")
     print("mechanism     angles  what     against           ours  theirs   ratio       min–max  limit")
     kept = [
-        is_kept(mechanism, n, comparison, n_repetitions)
+        is_kept(mechanism.name, n, comparison, n_repetitions)
         for n in (720, 100_000)
         for mechanism in MECHANISMS
         for comparison in comparisons(mechanism, n)
     ]
+    kept += [is_kept("chain", n, chain_comparison(n), n_repetitions) for n in (720, 100_000)]
     sys.exit(not all(kept))
 
 

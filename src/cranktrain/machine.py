@@ -16,6 +16,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.mechanisms import AnyMechanism
 from cranktrain.mechanisms.closing import OpenRange, open_ranges
+from cranktrain.mechanisms.kind import LISTS
 from cranktrain.quantities import Angle, Given
 from cranktrain.spec import Spec, problems
 from cranktrain.wording import around_turn, number
@@ -118,7 +119,7 @@ def _as_in_file(problem: Problem, data: Mapping[str, Any]) -> Problem:
     if found is not None:
         table, index, field, rest = found.groups(default="")
         value = _at(data, f"{table}.{field}") if field else None
-        item = f"[{index}]" if isinstance(value, list | tuple) else ""
+        item = f"[{index}]" if isinstance(value, list | tuple) and field not in LISTS else ""
         path = f"{table}.{field}{item}{rest}" if field else table
     elif (single := re.fullmatch(r"(.*)\[0\](.*)", path)) is not None and not isinstance(
         _at(data, single[1]), list | tuple
@@ -192,7 +193,8 @@ def _closing_problem(place: Place, ranges: Sequence[OpenRange], zero: float) -> 
         allowed = _("the links lie in one line at crank angle {angles}, and the crank cannot pass; {advice}")
     else:
         allowed = _("the links cannot close at crank angles {angles} (short by {short}); {advice}")
-    field = place.spec.rod_field
+    find = place.kind.closing_field
+    field = place.spec.rod_field if find is None else find(place.geometry)
     given: Given | None = getattr(place.spec, field, None)
     return Problem(
         place.path_of(field),

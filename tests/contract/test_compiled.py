@@ -48,9 +48,25 @@ from cranktrain.linkage import (
 )
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker
+from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinder
+from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
+from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLever
 
-NO_KERNELS = {"blocks.in_blocks", "compile.compiled", "modes.triad_modes", "walk.pose_at", "walk.triad_walk"}
+NO_KERNELS = {
+    "blocks.in_blocks",
+    "chain.chain_gap",
+    "chain.chain_gaps",
+    "chain.chain_made",
+    "chain.chain_motion",
+    "chain.made_names",
+    "chain.pin_of",
+    "chain.with_sides",
+    "compile.compiled",
+    "modes.triad_modes",
+    "walk.pose_at",
+    "walk.triad_walk",
+}
 """What supplies kernels, or takes them: `cranktrain.linkage` names it."""
 
 ONLY_DESIGNS = {"triad.triad"}
@@ -128,6 +144,10 @@ def crank_rocker_geometry(size, side):
     return CrankRocker(size(0.3), size(1.0), size(0.8), size(1.1), side)
 
 
+def cylinder_geometry(size):
+    return OscillatingCylinder(size(0.3), size(0.5), size(0.05), 1.0)
+
+
 def articulated_rod_geometry(size):
     return ArticulatedRod(slider_crank_geometry(size), size(0.25), size(1.2), size(1.0), size(0.8), size(0.02))
 
@@ -153,6 +173,12 @@ EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "point.fixed": lambda angle, size, side: (size(1.1), size(0.05)),
     "point.point": lambda angle, size, side: (rod(angle, size), LinkPoint(size(0.2), size(0.7))),
     "point.turned": lambda angle, size, side: (crank_pin(angle, size), size(0.7)),
+    "oscillating_cylinder.oscillating_cylinder": lambda angle, size, side: (angle, cylinder_geometry(size)),
+    "oscillating_cylinder.oscillating_cylinder_gap": lambda angle, size, side: (angle, cylinder_geometry(size)),
+    "scotch_yoke.scotch_yoke": lambda angle, size, side: (angle, ScotchYoke(size(0.3), size(0.1), size(1.2))),
+    "scotch_yoke.scotch_yoke_gap": lambda angle, size, side: (angle, ScotchYoke(size(0.3), size(0.1), size(1.2))),
+    "slotted_lever.slotted_lever": lambda angle, size, side: (angle, SlottedLever(*cylinder_geometry(size))),
+    "slotted_lever.slotted_lever_gap": lambda angle, size, side: (angle, SlottedLever(*cylinder_geometry(size))),
     "slide.slide": lambda angle, size, side: (crank_pin(angle, size), Slide(size(1.0), size(0.05), side)),
     "slide.slide_gap": lambda angle, size, side: (crank_pin(angle, size), Slide(size(1.0), size(0.05), side)),
     "slider_crank.slider_crank": lambda angle, size, side: (angle, slider_crank_geometry(size)),

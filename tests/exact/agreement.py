@@ -67,7 +67,8 @@ def _turn_apart(difference: Array) -> Array:
 
 def rows(geometry: NamedTuple, which: slice) -> NamedTuple:
     """Some of the machines."""
-    return type(geometry)(*(rows(field, which) if hasattr(field, "_asdict") else field[which] for field in geometry))
+    parts = [rows(field, which) if isinstance(field, tuple) else field[which] for field in geometry]
+    return type(geometry)(*parts) if hasattr(geometry, "_fields") else tuple(parts)
 
 
 def cycle_peaks(kernel: Callable[..., NamedTuple], geometry: NamedTuple, n: int, wanted: set[str]) -> dict[str, Array]:

@@ -206,6 +206,20 @@ def yoke_crank(angle: float, crank_radius: float, offset: float, slot_angle: flo
     return {"slider": x - block * cos, "block": block}
 
 
+def oscillating_cylinder(angle: float, crank_radius: float, ground_length: float, offset: float) -> Motion:
+    """The swivel's guide is the cylinder; the slider counts toward its head."""
+    motion = swivel_crank(angle, crank_radius, ground_length, offset, AHEAD)
+    cylinder = {name.replace("guide", "cylinder"): series for name, series in motion.items() if name != "slider"}
+    pin = crank_pin(angle, arb(crank_radius))
+    return {"slider": ground_length - motion["slider"]} | cylinder | _point("pin", pin)
+
+
+def crank_driven_lever(angle: float, crank_radius: float, ground_length: float, offset: float) -> Motion:
+    """The swivel's guide is the output."""
+    motion = swivel_crank(angle, crank_radius, ground_length, offset, AHEAD)
+    return {name.replace("guide", "rocker").replace("slider", "block"): series for name, series in motion.items()}
+
+
 def _slot_meets_guide(origin: Vector, direction: Vector, offset: float, shift: float) -> Motion:
     """Crossing of a moving link's line with the guide y = offset."""
     start = along(origin, left_of(direction), arb(shift))

@@ -15,7 +15,7 @@ from cranktrain.quantities import Given
 EXAMPLES = sorted(path.name for path in files("cranktrain.examples").iterdir() if path.name.endswith(".toml"))
 PAGE = Path(__file__).parents[2] / "docs/examples.md"
 
-LAYOUT = ("throws", "angle")
+LAYOUT = ("throws", "angle", "direction")
 """Keys whose angles are how the machine is laid out; they may stand without a status."""
 
 

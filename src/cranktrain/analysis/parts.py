@@ -9,7 +9,18 @@ import numpy as np
 from cranktrain.engine.axial import axial_places_of
 from cranktrain.engine.cylinders import CYCLES, chambers_of, compression_ratios_of, cylinders_of, firing_order_of
 from cranktrain.engine.firing import Cycle
-from cranktrain.engine.layout import CrankAngle, Mechanisms, Pistons, Rockers, Speed, mechanisms_of
+from cranktrain.engine.followed import FollowedLinks, FollowedSliders, followed_of
+from cranktrain.engine.layout import (
+    CrankAngle,
+    Mechanisms,
+    PistonRods,
+    Pistons,
+    RockerRods,
+    Rockers,
+    Speed,
+    has_rods,
+    mechanisms_of,
+)
 from cranktrain.engine.places import Place
 from cranktrain.engine.points import link_points_of
 from cranktrain.engine.rocker_load import load_radius_of
@@ -61,20 +72,29 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
         *(group.members for group in mechanisms.groups),
         axial_places_of([machine.shaft.main for machine in machines], designs),
         link_points_of(designs, astern=first.is_astern),
+        followed_of(FollowedLinks, designs[0]),
+        followed_of(FollowedSliders, designs[0]),
     ]
     pistons = _with_output(designs, "slider")
     rockers = _with_output(designs, "rocker")
     if pistons[0]:
         cylinders = [cylinders_of(machine.cylinder, some) for machine, some in zip(machines, pistons, strict=True)]
+        drivers = mechanisms_of(Pistons, pistons)
         parts += [
-            mechanisms_of(Pistons, pistons),
+            drivers,
+            PistonRods(rods) if (rods := has_rods(drivers)) is not None else None,
             chambers_of(cylinders),
             compression_ratios_of(cylinders),
             Cycle(cycle) if cycle else None,
             firing_order_of(first.cylinder, pistons[0], astern=first.is_astern)[0],
         ]
     if rockers[0]:
-        parts += [mechanisms_of(Rockers, rockers), load_radius_of(rockers, sense=first.sense)]
+        swinging = mechanisms_of(Rockers, rockers)
+        parts += [
+            swinging,
+            RockerRods(rods) if (rods := has_rods(swinging)) is not None else None,
+            load_radius_of(rockers, sense=first.sense),
+        ]
     speeds = [machine.shaft.main.speed for machine in machines]
     if first.shaft.main.speed is not None:
         parts.append(Speed(np.array([[[speed.si]] for speed in speeds if speed is not None])))

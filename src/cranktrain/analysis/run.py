@@ -9,6 +9,7 @@ from cranktrain.analysis.parts import Parts, parts_of
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.stages import STAGES, Stage, run_stages
 from cranktrain.catalogue import entries
+from cranktrain.engine.followed import FollowedLinks, FollowedSliders
 from cranktrain.engine.layout import CrankAngle, Mechanisms, Pistons, Rockers
 from cranktrain.engine.points import LinkPoints
 from cranktrain.engine.volumes import Chambers
@@ -126,9 +127,10 @@ def _labels(parts: Parts, machines: Sequence[Machine], gifts: Mapping[type, obje
     if Chambers in parts:
         chambers = _part(parts, Chambers)
         labels |= {"chamber": chambers.names, "bank": tuple(dict.fromkeys(chambers.banks))}
-    if LinkPoints in parts:
-        labels["point"] = _part(parts, LinkPoints).names
-    labels |= {kind.name: _part(parts, kind.members).names for kind in KINDS if kind.members in parts}
+    for dimension, kind in (("point", LinkPoints), ("link", FollowedLinks), ("slider", FollowedSliders)):
+        if kind in parts:
+            labels[dimension] = _part(parts, kind).names
+    labels |= {kind.name: _part(parts, kind.members).names for kind in KINDS if kind.stages and kind.members in parts}
     for gift in gifts.values():
         labels |= getattr(gift, "labels", {})
     return labels

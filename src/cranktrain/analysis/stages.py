@@ -11,12 +11,15 @@ import numpy as np
 from cranktrain.catalogue import entries
 from cranktrain.engine.axial import axial_positions
 from cranktrain.engine.closing import closing
+from cranktrain.engine.couplers import coupler_motion, coupler_speeds
 from cranktrain.engine.dead_centres import dead_centres, piston_turn
 from cranktrain.engine.firing import firing
+from cranktrain.engine.followed import link_motion, slider_motions
 from cranktrain.engine.motion import piston_motion, piston_speeds
 from cranktrain.engine.points import point_motion
 from cranktrain.engine.rocker_load import load_motion
 from cranktrain.engine.rockers import dead_positions, rocker_motion, rocker_speeds, rocker_turn
+from cranktrain.engine.rods import rod_motion, rod_speeds
 from cranktrain.engine.volumes import chamber_volumes, swept_volumes
 from cranktrain.language import translated
 from cranktrain.mechanisms import KINDS
@@ -82,13 +85,19 @@ STAGES: tuple[Stage, ...] = tuple(
         chamber_volumes,
         firing,
         piston_motion,
+        rod_motion,
         piston_speeds,
+        rod_speeds,
         rocker_turn,
         dead_positions,
         rocker_motion,
+        coupler_motion,
         rocker_speeds,
+        coupler_speeds,
         load_motion,
         point_motion,
+        link_motion,
+        slider_motions,
         *(function for kind in KINDS for function in kind.stages),
         axial_positions,
         closing,
@@ -118,7 +127,7 @@ def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict
     known = dict(parts)
     gifts: dict[type, object] = {}
     lacking: dict[type, frozenset[type]] = {}
-    missing: dict[tuple[str, ...], list[str]] = {}
+    absent: dict[type, tuple[str, ...]] = {}
     for one in ordered(stages):
         roots: set[type] = set()
         for name, need in one.needs.items():
@@ -133,10 +142,14 @@ def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict
             continue
         lacking[one.gives] = frozenset(roots)
         words = tuple(sorted(translated(getattr(root, "needs", "")) for root in roots))
-        results = [entry.name for entry in entries(one.gives)]
-        if results and all(words):
-            missing.setdefault(words, []).extend(results)
+        if all(words):
+            absent[one.gives] = words
     in_order = {one.gives: gifts[one.gives] for one in stages if one.gives in gifts}
+    missing: dict[tuple[str, ...], list[str]] = {}
+    for one in stages:
+        results = [entry.name for entry in entries(one.gives)] if one.gives in absent else []
+        if results:
+            missing.setdefault(absent[one.gives], []).extend(results)
     return in_order, tuple(Missing(tuple(results), needs) for needs, results in missing.items())
 
 

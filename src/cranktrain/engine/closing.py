@@ -56,7 +56,7 @@ def closing(mechanisms: Mechanisms, crank_angle: CrankAngle) -> Closing:
         found = closing_margin(group.kind, group.members.geometry)
         margin[:, group.index] = found.margin
         angle[:, group.index] = found.angle - group.members.phase
-        length[:, group.index] = np.array([*group.kind.lengths, ""], dtype=object)[found.length]
+        length[:, group.index] = np.array([*group.kind.length_names, ""], dtype=object)[found.length]
     return Closing(
         closing_margin=different.spread(margin)[..., 0],
         closing_angle=crank_angle.counted(different.angle(angle))[..., 0],

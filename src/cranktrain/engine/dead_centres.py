@@ -1,7 +1,7 @@
 """Dead centres: where each piston truly turns back, and its stroke; roots of s′, not points of a grid."""
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -9,7 +9,7 @@ from cranktrain.catalogue import quantity
 from cranktrain.engine.distinct import Distinct, distinct
 from cranktrain.engine.layout import CrankAngle, Mechanisms, Pistons
 from cranktrain.language import N_, _
-from cranktrain.motion import Array, Coefficient
+from cranktrain.motion import Array, Coefficient, Link
 from cranktrain.numerics import turn_grid, turning_points
 from cranktrain.wording import Names, shared
 
@@ -18,7 +18,10 @@ _THEORY = "docs/theory/slider-crank"
 
 
 class SliderAndRod(NamedTuple):
-    """Slider position along its own axis and rod angle with their derivatives, flat, shape (design, piston, n)."""
+    """Slider position along its own axis and rod angle with their derivatives, flat, shape (design, piston, n).
+
+    NaN for the rod of a mechanism that has none.
+    """
 
     position: Array
     position_first: Array
@@ -42,7 +45,19 @@ def slider_and_rod(pistons: Mechanisms, angle: Array) -> SliderAndRod:
     -------
     SliderAndRod, shape (design, piston, n). [m, m/rad, m/rad²; rad, rad/rad, rad/rad²]
     """
-    return pistons.evaluated(lambda motion: SliderAndRod(*motion.slider, *motion.rod.angle), angle)
+
+    def picked(motion: Any) -> SliderAndRod:
+        slider: Coefficient = motion.slider
+        rod = rod_angle(motion, slider)
+        return SliderAndRod(slider.value, slider.first, slider.second, rod.value, rod.first, rod.second)
+
+    return pistons.evaluated(picked, angle)
+
+
+def rod_angle(motion: Any, output: Coefficient) -> Coefficient:
+    """Angle of the rod that the output hangs on; NaN, as many as the output has, where there is none."""
+    rod: Link | None = getattr(motion, "rod", None)
+    return Coefficient(*(np.full_like(part, np.nan) for part in output)) if rod is None else rod.angle
 
 
 def slider_motion(pistons: Mechanisms, angle: Array) -> Coefficient:

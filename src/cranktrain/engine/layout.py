@@ -126,6 +126,20 @@ class Rockers(Mechanisms):
 
 
 @dataclass(frozen=True)
+class PistonRods:
+    """Whether each piston hangs on a rod, shape (piston,); there is none where no piston does."""
+
+    value: NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class RockerRods:
+    """Whether each rocker hangs on a rod, shape (rocker,); there is none where no rocker does."""
+
+    value: NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
 class Speed:
     """Speed of the main shaft, constant over the cycle, shape (design, 1, 1). [rad/s]"""
 
@@ -137,13 +151,20 @@ class Speed:
 MechanismsLike = TypeVar("MechanismsLike", bound=Mechanisms)
 
 
+def has_rods(mechanisms: Mechanisms) -> NDArray[np.bool_] | None:
+    """Whether each mechanism's output hangs on a rod; None where no one's does."""
+    found = np.zeros(len(mechanisms.names), dtype=np.bool_)
+    for group in mechanisms.groups:
+        found[group.index] = group.kind.has_rod
+    return found if np.any(found) else None
+
+
 def mechanisms_of(result: type[MechanismsLike], designs: Sequence[Sequence[Place]]) -> MechanismsLike:
     """Stack the places of several designs of one machine, [design][place], by kind."""
     first = designs[0]
     groups: list[Group] = []
-    for kind in dict.fromkeys(place.kind.name for place in first):
-        index = [i for i, place in enumerate(first) if place.kind.name == kind]
-        chosen = first[index[0]].kind
+    for chosen in dict.fromkeys(place.kind for place in first):
+        index = [i for i, place in enumerate(first) if place.kind == chosen]
         members = chosen.members(
             names=tuple(first[i].name for i in index),
             geometry=stacked([[design[i].geometry for i in index] for design in designs]),

@@ -6,23 +6,22 @@ import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
-from cranktrain.engine.dead_centres import DeadCentres, PistonTurn, slider_and_rod, slider_motion
+from cranktrain.engine.dead_centres import DeadCentres, PistonTurn, slider_motion
 from cranktrain.engine.distinct import Distinct
 from cranktrain.engine.layout import CrankAngle, Pistons, Speed
 from cranktrain.language import N_, _
-from cranktrain.motion import Array, Coefficient
-from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, derivatives_residual, extremes, turning_points
+from cranktrain.motion import Array
+from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, derivatives_residual, extremes
 from cranktrain.wording import Names, shared
 
 _PISTON = ("piston",)
 _CURVE = ("piston", "crank_angle")
 _THEORY = "docs/theory/slider-crank"
-_GROUPS = "docs/theory/groups"
 
 
 @dataclass(frozen=True)
 class PistonMotion:
-    """Motion of every piston and rod by the crank angle alone; speed enters with `PistonSpeeds`."""
+    """Motion of every piston by the crank angle alone; speed enters with `PistonSpeeds`."""
 
     piston_displacement: Array = quantity(
         "x", "m", _CURVE, N_("Travel of the piston from its true top toward the shaft"), _THEORY
@@ -33,64 +32,19 @@ class PistonMotion:
     piston_acceleration_coefficient: Array = quantity(
         "x″", "m/rad^2", _CURVE, N_("Piston acceleration for each (rad/s)² of the crank"), _THEORY
     )
-    rod_angle: Array = quantity(
-        "θ",
-        "rad",
-        _CURVE,
-        N_("Direction of the rod, from its crank-side pin to the piston pin, from the cylinder's axis"),
-        _GROUPS,
-    )
-    rod_velocity_coefficient: Array = quantity(
-        "θ′", "rad/rad", _CURVE, N_("Rod's angular velocity for each rad/s of the crank"), _GROUPS
-    )
-    rod_acceleration_coefficient: Array = quantity(
-        "θ″", "rad/rad^2", _CURVE, N_("Rod's angular acceleration for each (rad/s)² of the crank"), _GROUPS
-    )
-    largest_pressure_angle: Array = quantity(
-        "β_max",
-        "rad",
-        _PISTON,
-        N_("Largest angle between rod and cylinder axis; positive where the crank-side pin stands toward +y"),
-        _THEORY,
-    )
-    largest_pressure_angle_at: Array = quantity(
-        "φ(β_max)", "deg", _PISTON, N_("Crank angle of the largest pressure angle"), _THEORY
-    )
-    opposite_pressure_angle: Array = quantity(
-        "β_opp", "rad", _PISTON, N_("Largest angle between rod and cylinder axis to the other side"), _THEORY
-    )
-    opposite_pressure_angle_at: Array = quantity(
-        "φ(β_opp)", "deg", _PISTON, N_("Crank angle of the largest pressure angle to the other side"), _THEORY
-    )
     checks: tuple[Check, ...] = ()
 
 
 def piston_motion(
     pistons: Pistons, crank_angle: CrankAngle, turn: PistonTurn, dead_centres: DeadCentres
 ) -> PistonMotion:
-    """Displacement from the true top toward the shaft, rod angle, and their derivatives."""
-    motion = slider_and_rod(pistons, crank_angle.angle)
-    different = turn.distinct
-    opposite, usual = turning_points(
-        lambda alpha: Coefficient(*(-part for part in slider_and_rod(different.mechanisms, alpha)[3:])),
-        -turn.samples.rod,
-    )
-    # Without an offset both are alike but for rounding, which must not choose.
-    is_usual = different.spread(usual.value) >= -different.spread(opposite.value) * (1 - 1e-12)
-    angles = [different.spread(one.value)[..., 0] for one in (usual, opposite)]
-    places = [crank_angle.counted(different.angle(one.angle))[..., 0] for one in (usual, opposite)]
+    """Displacement from the true top toward the shaft and its derivatives."""
+    motion = slider_motion(pistons, crank_angle.angle)
     return PistonMotion(
-        piston_displacement=dead_centres.top_position[..., np.newaxis] - motion.position,
-        piston_velocity_coefficient=-motion.position_first,
-        piston_acceleration_coefficient=-motion.position_second,
-        rod_angle=motion.rod,
-        rod_velocity_coefficient=motion.rod_first,
-        rod_acceleration_coefficient=motion.rod_second,
-        largest_pressure_angle=np.where(is_usual[..., 0], *angles),
-        largest_pressure_angle_at=np.where(is_usual[..., 0], *places),
-        opposite_pressure_angle=np.where(is_usual[..., 0], *reversed(angles)),
-        opposite_pressure_angle_at=np.where(is_usual[..., 0], *reversed(places)),
-        checks=(_derivatives_check(different),),
+        piston_displacement=dead_centres.top_position[..., np.newaxis] - motion.value,
+        piston_velocity_coefficient=-motion.first,
+        piston_acceleration_coefficient=-motion.second,
+        checks=(_derivatives_check(turn.distinct),),
     )
 
 
@@ -107,12 +61,10 @@ def _derivatives_check(pistons: Distinct) -> Check:
 
 @dataclass(frozen=True)
 class PistonSpeeds:
-    """Velocities and accelerations of pistons and rods at the declared, constant speed."""
+    """Velocities and accelerations of pistons at the declared, constant speed."""
 
     piston_velocity: Array = quantity("v", "m/s", _CURVE, N_("Piston velocity toward the shaft"), _THEORY)
     piston_acceleration: Array = quantity("j", "m/s^2", _CURVE, N_("Piston acceleration toward the shaft"), _THEORY)
-    rod_angular_velocity: Array = quantity("ω_r", "rad/s", _CURVE, N_("Angular velocity of the rod"), _GROUPS)
-    rod_angular_acceleration: Array = quantity("ε_r", "rad/s^2", _CURVE, N_("Angular acceleration of the rod"), _GROUPS)
     mean_piston_speed: Array = quantity("c_m", "m/s", _PISTON, N_("Mean piston speed, 2 S n"), _THEORY)
     largest_piston_speed: Array = quantity(
         "v_max", "m/s", _PISTON, N_("Largest piston velocity toward the shaft"), _THEORY
@@ -194,8 +146,6 @@ def piston_speeds(
     return PistonSpeeds(
         piston_velocity=motion.piston_velocity_coefficient * omega,
         piston_acceleration=motion.piston_acceleration_coefficient * omega**2,
-        rod_angular_velocity=motion.rod_velocity_coefficient * omega,
-        rod_angular_acceleration=motion.rod_acceleration_coefficient * omega**2,
         mean_piston_speed=dead_centres.stroke * (omega / np.pi)[..., 0],
         largest_piston_speed=scaled(fastest, omega),
         largest_piston_speed_at=at(fastest),

@@ -7,7 +7,7 @@ from typing import Any
 from cranktrain.engine.specs import BankSpec, ShaftSpec
 from cranktrain.errors import Problem
 from cranktrain.language import _
-from cranktrain.mechanisms import Kind, MechanismSpec, kind_named
+from cranktrain.mechanisms import Kind, MechanismSpec, kind_of
 from cranktrain.mechanisms.articulated_rod import ArticulatedRodSpec
 from cranktrain.mechanisms.kind import Master, mirrored
 
@@ -108,10 +108,10 @@ def places_of(
         if isinstance(master, Problem):
             problems = (*problems, master)
             continue
-        kind = kind_named(slot.spec.kind)
+        kind = kind_of(slot.spec)
         hung = None
         if master is not None:
-            master_kind = kind_named(master.spec.kind)
+            master_kind = kind_of(master.spec)
             hung = Master(master_kind.geometry(master.spec, None), slot.angle - master.angle)
         geometry = kind.geometry(slot.spec, hung)
         kernel_axis = (master or slot).angle - slots[0].angle

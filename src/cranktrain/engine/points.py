@@ -13,7 +13,7 @@ from cranktrain.engine.places import Place
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.linkage import LinkPoint, point
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Link
 
 _CURVE = ("point", "crank_angle")
 _THEORY = "docs/theory/groups"
@@ -29,16 +29,17 @@ class LinkPoints:
         `1.balance`: the mechanism and the point's own name.
     mechanism : array of int, shape (point,)
         Which of all mechanisms carries it.
-    links : tuple of str
-        Which link of it.
+    carriers : tuple of str
+        Which link of it, or which joint.
     geometry : LinkPoint of arrays, shape (design, point, 1)
+        On the link; nothing for a joint.
     """
 
     needs: ClassVar[str] = N_("[mechanism.points.NAME] link, along, across")
 
     names: tuple[str, ...]
     mechanism: NDArray[np.intp]
-    links: tuple[str, ...]
+    carriers: tuple[str, ...]
     geometry: LinkPoint
 
 
@@ -57,17 +58,33 @@ def point_problems(places: Sequence[Place]) -> tuple[Problem, ...]:
 
 
 def link_points_of(designs: Sequence[Sequence[Place]], *, astern: bool) -> LinkPoints | None:
-    """Collect the points of every mechanism; None where there are none."""
-    first = [(i, place, name) for i, place in enumerate(designs[0]) for name in place.spec.points]
+    """Collect the points of every mechanism, and its joints that have names; None where there are none."""
+    first = [
+        (i, place, name, is_joint)
+        for i, place in enumerate(designs[0])
+        for names, is_joint in ((place.spec.points, False), (place.kind.joints, True))
+        for name in names
+    ]
     if not first:
         return None
     sense = -1.0 if astern else 1.0
-    along = np.array([[[design[i].spec.points[name].along.si] for i, _p, name in first] for design in designs])
-    across = np.array([[[design[i].spec.points[name].across.si] for i, _p, name in first] for design in designs])
+
+    def lengths(field: str) -> Array:
+        return np.array(
+            [
+                [
+                    [0.0 if is_joint else getattr(design[i].spec.points[name], field).si]
+                    for i, _p, name, is_joint in first
+                ]
+                for design in designs
+            ]
+        )
+
+    along, across = lengths("along"), lengths("across")
     return LinkPoints(
-        names=tuple(f"{place.name}.{name}" for _i, place, name in first),
-        mechanism=np.array([i for i, _p, _n in first], dtype=np.intp),
-        links=tuple(place.spec.points[name].link for _i, place, name in first),
+        names=tuple(f"{place.name}.{name}" for _i, place, name, _j in first),
+        mechanism=np.array([i for i, _p, _n, _j in first], dtype=np.intp),
+        carriers=tuple(name if is_joint else place.spec.points[name].link for _i, place, name, is_joint in first),
         geometry=LinkPoint(np.hypot(along, across), sense * np.arctan2(across, along)),
     )
 
@@ -99,11 +116,11 @@ def point_motion(points: LinkPoints, mechanisms: Mechanisms, crank_angle: CrankA
     for group in mechanisms.groups:
         on_group = np.isin(points.mechanism, group.index)
         motion = group.kind.motion(crank_angle.angle + group.members.phase, group.members.geometry)
-        for link in group.kind.links:
-            chosen = np.flatnonzero(on_group & (np.array(points.links) == link))
-            member = np.searchsorted(group.index, points.mechanism[chosen])
+        for carrier in (*group.kind.links, *group.kind.joints):
+            chosen = np.flatnonzero(on_group & (np.array(points.carriers) == carrier))
+            carried = _members(group.kind.part(motion, carrier), np.searchsorted(group.index, points.mechanism[chosen]))
             geometry = LinkPoint(points.geometry.radius[:, chosen], points.geometry.angle[:, chosen])
-            moving = point(_members(getattr(motion, link), member), geometry)
+            moving = point(carried, geometry) if isinstance(carried, Link) else carried
             for curve, values in zip(curves, (*moving.x, *moving.y), strict=True):
                 curve[:, chosen] = values
     x, x_first, x_second, y, y_first, y_second = curves

@@ -9,7 +9,7 @@ import numpy as np
 from cranktrain.catalogue import quantity
 from cranktrain.engine.layout import Rockers
 from cranktrain.engine.places import Place
-from cranktrain.engine.rockers import DeadPositions, RockerMotion, RockerTurn, rocker_and_rod
+from cranktrain.engine.rockers import DeadPositions, RockerMotion, RockerTurn, rocker_angle
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.crank_rocker import CrankRockerSpec
 from cranktrain.motion import Array
@@ -94,9 +94,9 @@ def load_motion(
         radius > 0, dead.smallest_rocker_angle[..., np.newaxis], dead.largest_rocker_angle[..., np.newaxis]
     )
     least, most = extremes(
-        lambda phi: rocker_and_rod(rockers, phi).rocker_first,
-        lambda phi: rocker_and_rod(rockers, phi).rocker_second,
-        samples=turn.samples.rocker_first,
+        lambda phi: rocker_angle(rockers, phi).first,
+        lambda phi: rocker_angle(rockers, phi).second,
+        samples=turn.samples.first,
     )
     return LoadMotion(
         load_displacement=radius * (motion.rocker_angle - start),

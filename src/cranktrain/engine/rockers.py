@@ -1,7 +1,6 @@
 """Motion of rockers: swing, dead positions, time ratio; with the speed, velocities."""
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 
@@ -18,19 +17,8 @@ _CURVE = ("rocker", "crank_angle")
 _THEORY = "docs/theory/crank-rocker"
 
 
-class RockerAndRod(NamedTuple):
-    """Rocker and rod angles with their derivatives, flat, shape (design, rocker, n)."""
-
-    rocker: Array
-    rocker_first: Array
-    rocker_second: Array
-    rod: Array
-    rod_first: Array
-    rod_second: Array
-
-
-def rocker_and_rod(rockers: Rockers, angle: Array) -> RockerAndRod:
-    """Every rocker and its rod.
+def rocker_angle(rockers: Rockers, angle: Array) -> Coefficient:
+    """Evaluate every rocker at φ.
 
     Parameters
     ----------
@@ -40,9 +28,9 @@ def rocker_and_rod(rockers: Rockers, angle: Array) -> RockerAndRod:
 
     Returns
     -------
-    RockerAndRod, shape (design, rocker, n). [rad, rad/rad, rad/rad²]
+    Coefficient, shape (design, rocker, n). [rad, rad/rad, rad/rad²]
     """
-    return rockers.evaluated(lambda motion: RockerAndRod(*motion.rocker.angle, *motion.rod.angle), angle)
+    return rockers.evaluated(lambda motion: motion.rocker.angle, angle)
 
 
 @dataclass(frozen=True)
@@ -51,20 +39,20 @@ class RockerTurn:
 
     Attributes
     ----------
-    samples : RockerAndRod, shape (design, rocker, 720)
+    samples : Coefficient, shape (design, rocker, 720)
         On `turn_grid()`.
     middle : Array, shape (design, rocker, 1)
         Middle of the swing, within [−π, π], about which angles are counted; NaN for a rocker that turns. [rad]
     """
 
-    samples: RockerAndRod
+    samples: Coefficient
     middle: Array
 
 
 def rocker_turn(rockers: Rockers) -> RockerTurn:
     """Sample the rockers' turn, and find which of them swing and which turn."""
-    samples = rocker_and_rod(rockers, turn_grid())
-    whole = unwrapped(samples.rocker)
+    samples = rocker_angle(rockers, turn_grid())
+    whole = unwrapped(samples.value)
     middle = 0.5 * (np.fmax.reduce(whole, axis=-1, keepdims=True) + np.fmin.reduce(whole, axis=-1, keepdims=True))
     turns = np.abs(whole[..., -1:] - whole[..., :1]) > np.pi
     return RockerTurn(samples, np.where(turns, np.nan, middle - 2 * np.pi * np.rint(middle / (2 * np.pi))))
@@ -114,10 +102,10 @@ def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) 
     """Extremes of every rocker's angle: roots of θ′."""
 
     def rocker(phi: Array) -> Coefficient:
-        motion = rocker_and_rod(rockers, phi)
-        return Coefficient(_counted(motion.rocker, turn.middle), motion.rocker_first, motion.rocker_second)
+        motion = rocker_angle(rockers, phi)
+        return Coefficient(_counted(motion.value, turn.middle), motion.first, motion.second)
 
-    least, most = turning_points(rocker, _counted(turn.samples.rocker, turn.middle))
+    least, most = turning_points(rocker, _counted(turn.samples.value, turn.middle))
     travel = np.mod(most.angle - least.angle, 2 * np.pi)
     slower = np.maximum(travel, 2 * np.pi - travel)
 
@@ -136,7 +124,7 @@ def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) 
 
 @dataclass(frozen=True)
 class RockerMotion:
-    """Motion of every rocker and its rod by the crank angle alone."""
+    """Motion of every rocker by the crank angle alone."""
 
     rocker_angle: Array = quantity(
         "θ", "rad", _CURVE, N_("Direction of the rocker, from its pivot to its joint, from the mechanism's x"), _THEORY
@@ -147,28 +135,16 @@ class RockerMotion:
     rocker_acceleration_coefficient: Array = quantity(
         "θ″", "rad/rad^2", _CURVE, N_("Rocker's angular acceleration for each (rad/s)² of the crank"), _THEORY
     )
-    coupler_angle: Array = quantity(
-        "θ_r", "rad", _CURVE, N_("Direction of the rod, from crank pin to joint, from the mechanism's x"), _THEORY
-    )
-    coupler_velocity_coefficient: Array = quantity(
-        "θ_r′", "rad/rad", _CURVE, N_("Rod's angular velocity for each rad/s of the crank"), _THEORY
-    )
-    coupler_acceleration_coefficient: Array = quantity(
-        "θ_r″", "rad/rad^2", _CURVE, N_("Rod's angular acceleration for each (rad/s)² of the crank"), _THEORY
-    )
     checks: tuple[Check, ...] = ()
 
 
 def rocker_motion(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) -> RockerMotion:
-    """Angles of every rocker and rod, without jumps, and their derivatives."""
-    motion = rocker_and_rod(rockers, crank_angle.angle)
+    """Angles of every rocker, without jumps, and their derivatives."""
+    motion = rocker_angle(rockers, crank_angle.angle)
     return RockerMotion(
-        rocker_angle=_counted(motion.rocker, turn.middle),
-        rocker_velocity_coefficient=motion.rocker_first,
-        rocker_acceleration_coefficient=motion.rocker_second,
-        coupler_angle=unwrapped(motion.rod),
-        coupler_velocity_coefficient=motion.rod_first,
-        coupler_acceleration_coefficient=motion.rod_second,
+        rocker_angle=_counted(motion.value, turn.middle),
+        rocker_velocity_coefficient=motion.first,
+        rocker_acceleration_coefficient=motion.second,
         checks=(_derivatives_check(rockers),),
     )
 
@@ -177,9 +153,9 @@ def _derivatives_check(rockers: Rockers) -> Check:
     """Compare the derivatives of cos θ and sin θ, by θ′ and θ″, with those of their Fourier series."""
 
     def direction(phi: Array) -> Coefficient:
-        motion = rocker_and_rod(rockers, phi)
-        cos, sin = np.cos(motion.rocker), np.sin(motion.rocker)
-        first, second = motion.rocker_first, motion.rocker_second
+        motion = rocker_angle(rockers, phi)
+        cos, sin = np.cos(motion.value), np.sin(motion.value)
+        first, second = motion.first, motion.second
         return Coefficient(
             np.concatenate([cos, sin], axis=1),
             np.concatenate([-sin * first, cos * first], axis=1),
@@ -196,15 +172,11 @@ def _derivatives_check(rockers: Rockers) -> Check:
 
 @dataclass(frozen=True)
 class RockerSpeeds:
-    """Velocities and accelerations of rockers and rods at the declared, constant speed."""
+    """Velocities and accelerations of rockers at the declared, constant speed."""
 
     rocker_angular_velocity: Array = quantity("ω_3", "rad/s", _CURVE, N_("Angular velocity of the rocker"), _THEORY)
     rocker_angular_acceleration: Array = quantity(
         "ε_3", "rad/s^2", _CURVE, N_("Angular acceleration of the rocker"), _THEORY
-    )
-    coupler_angular_velocity: Array = quantity("ω_2", "rad/s", _CURVE, N_("Angular velocity of the rod"), _THEORY)
-    coupler_angular_acceleration: Array = quantity(
-        "ε_2", "rad/s^2", _CURVE, N_("Angular acceleration of the rod"), _THEORY
     )
 
 
@@ -214,6 +186,4 @@ def rocker_speeds(motion: RockerMotion, speed: Speed) -> RockerSpeeds:
     return RockerSpeeds(
         rocker_angular_velocity=motion.rocker_velocity_coefficient * omega,
         rocker_angular_acceleration=motion.rocker_acceleration_coefficient * omega**2,
-        coupler_angular_velocity=motion.coupler_velocity_coefficient * omega,
-        coupler_angular_acceleration=motion.coupler_acceleration_coefficient * omega**2,
     )

@@ -8,6 +8,7 @@ from pydantic import BeforeValidator, Field, model_validator
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.mechanisms import AnyMechanism, MechanismSpec
+from cranktrain.mechanisms.kind import LISTS
 from cranktrain.quantities import (
     Angle,
     Dimension,
@@ -83,7 +84,9 @@ class BankSpec(Spec, frozen=True):
         if not isinstance(mechanism, Mapping):
             raise Refused(_("must be one table; for several angles, a field in it may be a list"), path="mechanism")
         fields = cast(Mapping[str, Any], mechanism)
-        lists = {name: items for name, value in fields.items() if (items := _items(value)) is not None}
+        lists = {
+            name: items for name, value in fields.items() if name not in LISTS and (items := _items(value)) is not None
+        }
         wrong = {name: len(items) for name, items in lists.items() if len(items) != n_angles}
         if wrong:
             allowed = _("must be one value, or a list with one for each angle of the bank: {n}").format(n=n_angles)

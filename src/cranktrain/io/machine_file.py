@@ -11,7 +11,9 @@ from cranktrain.io.document import Document
 from cranktrain.io.examples import example_called, example_document, example_near
 from cranktrain.language import _
 from cranktrain.machine import Machine, machine_problems
+from cranktrain.mechanisms.kind import LISTS
 from cranktrain.quantities import Given
+from cranktrain.spec import Spec
 
 
 @dataclass(frozen=True)
@@ -191,11 +193,18 @@ def _declared_at(declared: object, key: str, data: object) -> object:
     """What the specs made of a key: of a bank's mechanism, whose fields may be lists, one spec for each angle."""
     each = _items(declared)
     if each:
-        return tuple(getattr(one, key) for one in each) if isinstance(data, list) else getattr(each[0], key)
+        many = isinstance(data, list) and key not in LISTS
+        return tuple(getattr(one, key) for one in each) if many else getattr(each[0], key)
     if isinstance(declared, Mapping):
         return cast("Mapping[str, object]", declared)[key]
     own = getattr(declared, "overrides", {})
-    return own[key] if key in own else getattr(declared, key)
+    return own[key] if key in own else getattr(declared, _field_of(declared, key))
+
+
+def _field_of(declared: object, key: str) -> str:
+    """Field that a key of the file fills: of another name where the key is a word of Python's, such as `from`."""
+    fields = type(declared).model_fields if isinstance(declared, Spec) else {}
+    return next((name for name, field in fields.items() if field.alias == key), key)
 
 
 def _items(declared: object) -> tuple[object, ...]:

@@ -22,7 +22,7 @@ from cranktrain.spec import Spec
 
 Schema = dict[str, Any]
 
-_ONCE = ("kind", "points")
+_ONCE = ("kind", "points", "output", "fixed", "crank", "part")
 """Keys of a mechanism that are the same for all angles of a bank."""
 
 

@@ -58,4 +58,5 @@ def _arrays(motion: tuple[Any, ...]) -> list[Array]:
 
 def _with_arrays(motion: Any, arrays: Any) -> Any:
     """Put other arrays into a motion, in order."""
-    return type(motion)(*(_with_arrays(part, arrays) if isinstance(part, tuple) else next(arrays) for part in motion))
+    parts = [_with_arrays(part, arrays) if isinstance(part, tuple) else next(arrays) for part in motion]
+    return type(motion)(*parts) if hasattr(motion, "_fields") else tuple(parts)

@@ -4,15 +4,37 @@ from typing import Annotated
 
 from pydantic import Field
 
-from cranktrain.mechanisms import articulated_rod, crank_rocker, slider_crank
+from cranktrain.mechanisms import (
+    articulated_rod,
+    chain,
+    crank_rocker,
+    oscillating_cylinder,
+    scotch_yoke,
+    slider_crank,
+    slotted_lever,
+)
 from cranktrain.mechanisms.kind import Kind, MechanismSpec
 
-__all__ = ["KINDS", "AnyMechanism", "Kind", "MechanismSpec", "kind_named"]
+__all__ = ["KINDS", "AnyMechanism", "Kind", "MechanismSpec", "kind_named", "kind_of"]
 
-KINDS: tuple[Kind, ...] = (slider_crank.KIND, crank_rocker.KIND, articulated_rod.KIND)
+KINDS: tuple[Kind, ...] = (
+    slider_crank.KIND,
+    crank_rocker.KIND,
+    articulated_rod.KIND,
+    scotch_yoke.KIND,
+    oscillating_cylinder.KIND,
+    slotted_lever.KIND,
+    chain.KIND,
+)
 
 AnyMechanism = Annotated[
-    slider_crank.SliderCrankSpec | crank_rocker.CrankRockerSpec | articulated_rod.ArticulatedRodSpec,
+    slider_crank.SliderCrankSpec
+    | crank_rocker.CrankRockerSpec
+    | articulated_rod.ArticulatedRodSpec
+    | scotch_yoke.ScotchYokeSpec
+    | oscillating_cylinder.OscillatingCylinderSpec
+    | slotted_lever.SlottedLeverSpec
+    | chain.ChainSpec,
     Field(discriminator="kind"),
 ]
 
@@ -20,3 +42,9 @@ AnyMechanism = Annotated[
 def kind_named(name: str) -> Kind:
     """Give the kind of that name."""
     return next(kind for kind in KINDS if kind.name == name)
+
+
+def kind_of(spec: MechanismSpec) -> Kind:
+    """Give the kind of a mechanism; where the file composes it, a kind of its own."""
+    kind = kind_named(spec.kind)
+    return kind if kind.composed is None else kind.composed(spec)

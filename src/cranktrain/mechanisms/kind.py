@@ -12,9 +12,14 @@ from cranktrain.motion import Array, Point
 from cranktrain.quantities import Length
 from cranktrain.spec import Spec
 
+LISTS = frozenset({"part"})
+"""Fields of a mechanism that are lists by themselves, and not one value for each angle of a bank."""
+
 Geometry = TypeVar("Geometry", bound=tuple[Any, ...])
 
-_MIRRORED = frozenset({"offset", "articulation_angle", "bank_angle", "side"})
+_MIRRORED = frozenset(
+    {"offset", "shift", "y", "articulation_angle", "bank_angle", "slot_angle", "direction", "ahead", "side"}
+)
 """Geometry that changes sign when the mechanism's y is mirrored: what counts toward +y or in the sense of rotation."""
 
 
@@ -121,8 +126,10 @@ class Kind:
         Geometry fields that are lengths; of the slave alone, where there is a master.
     output : "slider" or "rocker"
         What load and gas act on.
+    has_rod : bool
+        Whether the output hangs on a link `rod`, whose motion is then a result.
     links : tuple of str
-        Links that can carry points.
+        Links that can carry points. Those that are neither output nor rod are followed as results by their names.
     drawing : callable (angle, geometry) → Drawing
     closing_advice : callable (geometry) → str
         What would let links close that cannot, as a clause: "rod_length must be more than 100 mm".
@@ -132,6 +139,18 @@ class Kind:
         The kind's own results; see cranktrain.analysis.
     example : str
         A commented `[mechanism]` table to start from.
+    sliders : tuple of str
+        What else slides, along a link or guide; followed as results by their names.
+    joints : tuple of str
+        Points of the motion that are followed as results by their names.
+    part : callable (motion, name) → Link, Coefficient or Point
+        Finds links, sliders and joints in the motion.
+    length_paths : tuple of str
+        Where `lengths` stand in the mechanism's table, where they are not the same.
+    composed : callable (spec) → Kind, optional
+        For a kind whose file says what the mechanism is made of: the kind of just this one.
+    closing_field : callable (geometry) → str, optional
+        Path in the mechanism's table of what cannot close; unless given, the spec's `rod_field`.
     """
 
     name: str
@@ -142,52 +161,80 @@ class Kind:
     gap: Callable[[Array, Any], Array]
     lengths: tuple[str, ...]
     output: Literal["slider", "rocker"]
+    has_rod: bool
     links: tuple[str, ...]
     drawing: Callable[[Array, Any], Drawing]
     closing_advice: Callable[[Any], str]
     members: type[Members]
     stages: tuple[Callable[..., object], ...]
     example: str
+    sliders: tuple[str, ...] = ()
+    joints: tuple[str, ...] = ()
+    part: Callable[[Any, str], Any] = getattr
+    length_paths: tuple[str, ...] = ()
+    composed: "Callable[[Any], Kind] | None" = None
+    closing_field: Callable[[Any], str] | None = None
+
+    @property
+    def followed_links(self) -> tuple[str, ...]:
+        """Links that are followed by their names: those whose motion no other result gives."""
+        return tuple(link for link in self.links if link != self.output and not (self.has_rod and link == "rod"))
+
+    @property
+    def length_names(self) -> tuple[str, ...]:
+        """What `lengths` are called."""
+        return self.length_paths or self.lengths
 
 
 def mirrored(geometry: Geometry) -> Geometry:
     """Give the same metal seen with y reversed, as a machine that runs astern sees it."""
+
+    def change(name: str, value: Any) -> Any:
+        if isinstance(value, tuple):
+            return mirrored(cast(tuple[Any, ...], value))
+        return -value if name in _MIRRORED else value
+
+    return _rebuilt(geometry, change)
+
+
+def _rebuilt(geometry: Geometry, change: Callable[[str, Any], Any]) -> Geometry:
+    """Change each part of a geometry by its name, or of a plain tuple by its place."""
     named = cast(Any, geometry)
-    return named._replace(
-        **{
-            name: mirrored(cast(tuple[Any, ...], value))
-            if isinstance(value, tuple)
-            else -value
-            if name in _MIRRORED
-            else value
-            for name, value in named._asdict().items()
-        }
-    )
+    if hasattr(named, "_fields"):
+        return named._replace(**{name: change(name, value) for name, value in named._asdict().items()})
+    return cast(Geometry, tuple(change(str(place), value) for place, value in enumerate(named)))
+
+
+def _part(geometry: Any, name: str) -> Any:
+    """Give one part by its name, or of a plain tuple by its place."""
+    return getattr(geometry, name) if hasattr(geometry, "_fields") else geometry[int(name)]
 
 
 def stacked(geometries: Sequence[Sequence[Geometry]]) -> Geometry:
     """Stack geometries [design][member] of floats into one of arrays, shape (design, member, 1)."""
-    first = cast(Any, geometries[0][0])
-    columns = {name: [[getattr(member, name) for member in design] for design in geometries] for name in first._fields}
-    return first._replace(
-        **{
-            name: stacked(column) if isinstance(column[0][0], tuple) else np.array(column, dtype=float)[..., np.newaxis]
-            for name, column in columns.items()
-        }
-    )
+
+    def column(name: str, value: Any) -> Any:
+        parts = [[_part(member, name) for member in design] for design in geometries]
+        return stacked(parts) if isinstance(value, tuple) else np.array(parts, dtype=float)[..., np.newaxis]
+
+    return _rebuilt(geometries[0][0], column)
 
 
 def named_part(geometry: Any, name: str) -> Array:
     """Give one part of a nested geometry by its dotted name."""
-    return reduce(getattr, name.split("."), geometry)
+    return reduce(_part, name.split("."), geometry)
 
 
 def scaled(geometry: Geometry, length: str, factor: Array) -> Geometry:
     """Give the geometry with one length, named by its dotted path, multiplied by a factor."""
-    name, _, rest = length.partition(".")
-    named = cast(Any, geometry)
-    part = getattr(named, name)
-    return named._replace(**{name: scaled(part, rest, factor) if rest else part * factor})
+    path, _, rest = length.partition(".")
+
+    def change(name: str, value: Any) -> Any:
+        if name != path:
+            return value
+        return scaled(value, rest, factor) if rest else value * factor
+
+    return _rebuilt(geometry, change)
 
 
 def leaves(geometry: tuple[Any, ...]) -> list[Array]:
@@ -201,13 +248,13 @@ def leaves(geometry: tuple[Any, ...]) -> list[Array]:
 
 def rows(geometry: Geometry, index: NDArray[np.intp]) -> Geometry:
     """Take some of a geometry's mechanisms, counted through all its axes: arrays of shape (*index.shape, 1)."""
-    named = cast(Any, geometry)
-    return named._replace(
-        **{
-            name: rows(cast(tuple[Any, ...], value), index) if isinstance(value, tuple) else value.reshape(-1, 1)[index]
-            for name, value in named._asdict().items()
-        }
-    )
+
+    def chosen(_name: str, value: Any) -> Any:
+        if isinstance(value, tuple):
+            return rows(cast(tuple[Any, ...], value), index)
+        return value.reshape(-1, 1)[index]
+
+    return _rebuilt(geometry, chosen)
 
 
 def pin_positions(**points: Point) -> dict[str, tuple[Array, Array]]:

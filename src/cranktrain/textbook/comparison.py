@@ -8,7 +8,7 @@ import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.dead_centres import PistonTurn
-from cranktrain.engine.layout import CrankAngle, Group, Pistons
+from cranktrain.engine.layout import CrankAngle, Group, PistonRods, Pistons
 from cranktrain.engine.motion import PistonMotion
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
@@ -123,9 +123,10 @@ class TextbookMotion:
 
 
 def textbook_motion(
-    pistons: Pistons, crank_angle: CrankAngle, turn: PistonTurn, motion: PistonMotion
+    pistons: Pistons, rods: PistonRods, crank_angle: CrankAngle, turn: PistonTurn, motion: PistonMotion
 ) -> TextbookMotion:
     """Motion of every piston by every method, and each method's largest errors, refined on the kernels."""
+    del rods
     exact = (
         motion.piston_displacement,
         motion.piston_velocity_coefficient,

@@ -115,7 +115,7 @@ def _ruler(
         return top - 5.0
     page.heading(left, top - 3.0, _("Dead positions of the rocker") if is_rocker else _("True dead centres"))
     _legend(page, names, textbook, right, top - 3.0)
-    words = (_("largest angle at"), _("smallest angle at")) if is_rocker else (_("TDC"), _("BDC"))
+    words = (_("largest at"), _("smallest at")) if is_rocker else (_("TDC"), _("BDC"))
     rows: dict[str, list[tuple[Mark, str]]] = {}
     for mark in found:
         word = words[0] if mark.is_top else words[1]
@@ -160,7 +160,7 @@ def _mark(
         [x], [y], "v" if mark.is_top else "^", ms=4.5, mfc=INK if is_first else "white", mec=INK, mew=0.7, zorder=6
     )
     if is_beside:
-        is_last = x > right - 22.0
+        is_last = x > right - 26.0
         page.text(x + (-2.0 if is_last else 2.0), y + 0.8, label, ha="right" if is_last else "left")
     else:
         page.text(x, y - 1.6, label, ha="center", va="top", linespacing=1.05)

@@ -19,6 +19,9 @@ _BIG_EYE, _CRANK_PIN, _SMALL_EYE, _SMALL_PIN, _JOURNAL = 0.40, 0.24, 0.22, 0.12,
 _ABOVE, _BELOW, _BELOW_IN_STAR = 0.45, 0.34, 0.14
 """Crown above and skirt below the piston pin, in parts of the bore; in a star there is no room for long skirts."""
 
+_LEAST_RING = 11.0
+"""Radius of a degree ring on paper that has room for all its figures. [mm]"""
+
 _GAP = 0.05
 """Clearance above the piston at its top, in parts of the bore."""
 
@@ -65,7 +68,7 @@ def mechanism_sketch(
 def _path(member: Member) -> Iterator[Line]:
     """Paths of pins over a turn."""
     for name in member.turn.paths:
-        if name != "A" or member.is_first:
+        if name != member.crank_pin or member.is_first:
             yield Line(np.stack(member.turn.pins[name]), "PATHS", "dotted", 1)
 
 
@@ -103,15 +106,21 @@ def _dead_positions(scene: Scene, member: Member, angles: Sequence[float]) -> It
     for angle in angles:
         pins = scene.pins(member, angle)
         if len(scene.members) <= _FEW:
-            chain = np.stack([pins[name] for name in _chain(member)], axis=1)
-            yield Line(chain, "LINKS", "thin", 3)
-            for point in chain.T:
+            for chain in _chains(member, pins):
+                yield Line(chain, "LINKS", "thin", 3)
+            for point in np.concatenate([chain.T for chain in _chains(member, pins)]):
                 yield Circle(point, 0.05 * scene.crank_radius, "LINKS", "thin", 3, "paper")
         if member.output is not None:
             line = member.stroke_line
             crown = line.place(pins[member.output]) + _ABOVE * member.width
             ends = [line.at(float(crown), side * 0.5 * member.width) for side in (-1.0, 1.0)]
             yield Line(np.stack(ends, axis=1), "LINKS", "thin", 3)
+
+
+def _chains(member: Member, pins: dict[str, Array]) -> list[Array]:
+    """Lines from pin to pin: one through all of them, or of a mechanism drawn link by link one for each link."""
+    names = [link.pins for link in member.turn.links] if member.is_plain else [_chain(member)]
+    return [np.stack([pins[name] for name in line], axis=1) for line in names]
 
 
 def _chain(member: Member) -> tuple[str, ...]:
@@ -123,7 +132,8 @@ def _crank(scene: Scene, angle: float) -> Iterator[Line | Circle]:
     """Crank web with journal; the pin is drawn with the rods."""
     radius = scene.crank_radius
     pins = scene.pins(scene.members[0], angle)
-    yield shapes.hull(pins["O"], _JOURNAL * 1.25 * radius, pins["A"], _BIG_EYE * 1.12 * radius, "light", 3)
+    pin = pins[scene.members[0].crank_pin]
+    yield shapes.hull(pins["O"], _JOURNAL * 1.25 * radius, pin, _BIG_EYE * 1.12 * radius, "light", 3)
     yield Circle(pins["O"], _JOURNAL * 0.8 * radius, "LINKS", "rod", 3, "paper")
     yield Circle(pins["O"], 0.035 * radius, "LINKS", "arrow", 8, "ink")
 
@@ -135,6 +145,9 @@ def _links(scene: Scene, member: Member, angle: float, scale: float) -> Iterator
         yield from _slider(scene, member, pins)
     if member.place.kind.name == "articulated_rod":
         yield from _slave_rod(scene, pins)
+        return
+    if member.is_plain:
+        yield from _plain_links(scene, member, pins, scale)
         return
     radius = scene.crank_radius
     fill = "dark" if member.is_first else "paper"
@@ -151,6 +164,19 @@ def _links(scene: Scene, member: Member, angle: float, scale: float) -> Iterator
         yield from shapes.pivot(pins["C"], 0.45 * radius, scale)
         yield shapes.bar(pins["C"], pins["B"], (0.40 * radius, 0.30 * radius), "light", 4)
         yield from shapes.eye(pins["C"], 0.30 * radius, 0.16 * radius, "light", 4)
+
+
+def _plain_links(scene: Scene, member: Member, pins: dict[str, Array], scale: float) -> Iterator[Line | Circle]:
+    """Every link but the crank as a bar through its pins, pins as eyes, fixed ones on their bearings."""
+    radius = scene.crank_radius
+    for link in member.turn.links[1:]:
+        for start, end in pairwise(link.pins):
+            yield shapes.bar(pins[start], pins[end], (0.24 * radius, 0.22 * radius), "paper", 5)
+    for name in (name for link in member.turn.links for name in link.pins[1:]):
+        yield from shapes.eye(pins[name], _SMALL_EYE * radius, _SMALL_PIN * radius, "paper", 7)
+    for name in member.turn.fixed:
+        if name != "O":
+            yield from shapes.pivot(pins[name], 0.45 * radius, scale)
 
 
 def _slider(scene: Scene, member: Member, pins: dict[str, Array]) -> Iterator[Line | Circle]:
@@ -188,6 +214,7 @@ def _ring(scene: Scene, angle: float, scale: float) -> Iterator[Line | Circle | 
     """Degree ring, its 0 where the shown crank angle is 0; figures that the links would hide are left out."""
     radius = ring_radius(scene)
     origin = np.zeros(2)
+    figures = 30 if radius > _LEAST_RING * scale else 360
     yield Circle(origin, radius, "DIMENSIONS", "thin", 1)
     for degree in range(0, 360, 10):
         direction = scene.crank_direction(float(degree))
@@ -196,7 +223,7 @@ def _ring(scene: Scene, angle: float, scale: float) -> Iterator[Line | Circle | 
         yield Line(np.stack([(radius - tick) * along, radius * along], axis=1), "DIMENSIONS", "thin", 1)
         place = (radius + (2.6 + 1.4 * abs(along[0])) * scale) * along
         if (
-            degree % 30 == 0
+            degree % figures == 0
             and (degree == 0 or not scene.is_star)
             and (degree == 0 or not _is_covered(scene, place, angle, 2.6 * scale))
         ):
@@ -208,8 +235,7 @@ def _is_covered(scene: Scene, point: Array, angle: float, margin: float) -> bool
     radius = scene.crank_radius
     for member in scene.members:
         pins = scene.pins(member, angle)
-        chain = [pins[name] for name in _chain(member)]
-        for start, end in pairwise(chain):
+        for start, end in (pair for line in _chains(member, pins) for pair in pairwise(line.T)):
             part = np.clip(np.dot(point - start, end - start) / np.dot(end - start, end - start), 0.0, 1.0)
             if np.hypot(*(start + part * (end - start) - point)) < 0.3 * radius + margin:
                 return True
@@ -227,7 +253,7 @@ def _free_direction(scene: Scene) -> tuple[float, float]:
     taken = [
         np.arctan2(*member.stroke_line.along[::-1])
         if member.output is not None
-        else np.arctan2(member.turn.pins["C"][1][0], member.turn.pins["C"][0][0])
+        else np.arctan2(*(part[0] for part in reversed(member.turn.pins[member.turn.fixed[-1]])))
         for member in scene.members
     ]
     tried = np.deg2rad(np.arange(0.0, 360.0, 5.0) - 90.0)

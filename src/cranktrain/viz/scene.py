@@ -17,6 +17,8 @@ from cranktrain.study.placement import first_throw, placed
 from cranktrain.viz.shapes import Along
 
 _TURN = np.linspace(0.0, 2 * np.pi, 361)
+_OUTLINED = ("slider_crank", "crank_rocker", "articulated_rod")
+"""Kinds that are drawn in outline, with eyes, pistons and cylinders."""
 _STAR = 3
 """So many slaves on one master make its big end a disc."""
 
@@ -44,7 +46,18 @@ class Member:
     @property
     def output(self) -> str | None:
         """Name of the pin that slides in this mechanism's own guide; None for a rocker."""
-        return self.turn.guides[0].pin if self.turn.guides else None
+        is_slider = self.place.kind.output == "slider"
+        return self.turn.guides[0].pin if is_slider and self.turn.guides else None
+
+    @property
+    def crank_pin(self) -> str:
+        """Name of the crank's pin: the second of the link that is drawn first."""
+        return self.turn.links[0].pins[1]
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether it is drawn link by link: a mechanism that is not one of the engine's."""
+        return self.place.kind.name not in _OUTLINED
 
     @cached_property
     def stroke_line(self) -> Along:
@@ -103,7 +116,7 @@ class Scene:
 
     def crank_direction(self, angle: float) -> float:
         """Direction of the throw from X at a shown crank angle [deg]. [rad]"""
-        pin = self.pins(self.members[0], angle)["A"]
+        pin = self.pins(self.members[0], angle)[self.members[0].crank_pin]
         return float(np.arctan2(pin[1], pin[0]))
 
     @property
@@ -140,5 +153,5 @@ def scene_of(machine: Machine) -> Scene:
         turn = Drawing(pins, drawing.links, drawing.guides, drawing.fixed, drawing.paths)
         bore = bores.get(place.name)
         members.append(Member(place, number == 0, turn, None if bore is None else shown(bore.si, "mm")))
-    pin = members[0].turn.pins["A"]
+    pin = members[0].turn.pins[members[0].crank_pin]
     return Scene(machine, tuple(members), float(np.hypot(pin[0][0], pin[1][0])))

@@ -196,6 +196,11 @@ def test_pins_on_the_sheet_are_the_kernels(results, name):
             pins = scene.pins(member, angle)
             axes = frame(machine, member.place)
             at = int(angle)
+            if member.is_plain:
+                for number, label in enumerate(result.labels["point"]):
+                    there = in_machine_axes(1e3 * result.point_x[number, at], 1e3 * result.point_y[number, at], axes)
+                    np.testing.assert_allclose(pins[label.partition(".")[2]], there, rtol=0, atol=1e-9)
+                continue
             if member.output is None:
                 turn = result.rocker_angle[0, at]
                 radius = 1e3 * member.place.geometry.rocker_length

@@ -27,6 +27,7 @@ KIND = Kind(
     gap=articulated_rod_gap,
     lengths=("master.crank_radius", "master.rod_length", "master.offset", "knuckle_radius", "rod_length", "offset"),
     output="slider",
+    has_rod=True,
     links=("rod",),
     drawing=articulated_rod_drawing,
     closing_advice=articulated_rod_advice,

@@ -23,6 +23,7 @@ KIND = Kind(
     gap=crank_rocker_gap,
     lengths=("crank_radius", "rod_length", "rocker_length", "ground_length"),
     output="rocker",
+    has_rod=True,
     links=("rod", "rocker"),
     drawing=crank_rocker_drawing,
     closing_advice=crank_rocker_advice,

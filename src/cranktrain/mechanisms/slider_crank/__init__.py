@@ -22,6 +22,7 @@ KIND = Kind(
     gap=slider_crank_gap,
     lengths=("crank_radius", "rod_length", "offset"),
     output="slider",
+    has_rod=True,
     links=("rod",),
     drawing=slider_crank_drawing,
     closing_advice=slider_crank_advice,

@@ -1,0 +1,67 @@
+"""Chain: any linkage of groups on one shaft, as its file composes it."""
+
+from typing import Any
+
+from cranktrain.language import N_
+from cranktrain.mechanisms.chain.composed import chain_geometry, chain_kind
+from cranktrain.mechanisms.chain.drawing import chain_drawing
+from cranktrain.mechanisms.chain.kinematics import ChainMotion, chain_gap, chain_motion
+from cranktrain.mechanisms.chain.spec import ChainSpec
+from cranktrain.mechanisms.chain.steps import ChainSize
+from cranktrain.mechanisms.kind import Kind, Members
+
+__all__ = ["KIND", "ChainMotion", "ChainSize", "ChainSpec", "chain_drawing", "chain_gap", "chain_motion"]
+
+
+def _of_its_own(*_ignored: Any) -> Any:
+    """Stand where only a chain of a file has something: `composed` gives its kind, and puts the chain's own here."""
+    raise TypeError
+
+
+KIND = Kind(
+    name="chain",
+    title=N_("chain, any linkage of groups on a crank"),
+    spec=ChainSpec,
+    geometry=chain_geometry,
+    motion=_of_its_own,
+    gap=_of_its_own,
+    lengths=(),
+    output="slider",
+    has_rod=False,
+    links=(),
+    drawing=_of_its_own,
+    closing_advice=_of_its_own,
+    members=Members,
+    stages=(),
+    composed=lambda spec: chain_kind(KIND, spec),
+    example="""\
+[mechanism]
+kind = "chain"                    # angles count from x toward y; the crank turns that way
+output = "ram"                    # the slider or link that the load acts on
+
+[mechanism.fixed]
+C = ["300 mm", "400 mm"]
+
+[mechanism.crank.main]            # gives the point main.pin; another crank is an eccentric, angle = ahead of main
+radius = "50 mm"
+
+[[mechanism.part]]                # a part uses only names that stand above it
+type = "pin"                      # pin, slide, swivel, yoke, trammel, point
+rod = { name = "pitman", from = "main.pin", length = "400 mm" }
+rocker = { name = "lever", from = "C", length = "250 mm" }
+joint = "B"
+side = "right"                    # of the line from the rod's first pin to the rocker's
+
+[[mechanism.part]]
+type = "slide"
+rod = { name = "link", from = "B", length = "250 mm" }
+slider = "ram"                    # gives the point ram.pin
+guide = { through = "C", direction = "-90 deg", offset = "0 mm" }
+side = "ahead"                    # the slider lies after the foot of B along the direction
+
+# [mechanism.points.G]            # a point on a link to follow
+# link = "pitman"
+# along = "200 mm"
+# across = "0 mm"
+""",
+)

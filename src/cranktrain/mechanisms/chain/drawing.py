@@ -1,0 +1,63 @@
+"""A chain, to be drawn."""
+
+from typing import Any, cast
+
+import numpy as np
+
+from cranktrain.linkage import LinkPoint, point
+from cranktrain.mechanisms.chain.kinematics import SHAFT, chain_made, pin_of
+from cranktrain.mechanisms.chain.steps import (
+    ChainSize,
+    PinStep,
+    PointStep,
+    SlideStep,
+    Structure,
+    SwivelStep,
+    TrammelStep,
+    YokeStep,
+)
+from cranktrain.mechanisms.kind import Drawing, DrawnLink, Guide
+from cranktrain.motion import Array, Point
+from cranktrain.numerics import turn_grid
+
+_COARSE = turn_grid(72)
+
+
+def chain_drawing(structure: Structure, angle: Array, size: ChainSize) -> Drawing:
+    """Positions of all points at each angle, shape (..., n), and what joins them; the output's guide comes first."""
+    made = chain_made(structure, angle, size)
+    links = [DrawnLink(_crank(name), (SHAFT, pin_of(name))) for name in structure.cranks]
+    guides: list[Guide] = []
+    for step, own in zip(structure.steps, size.steps, strict=True):
+        match step:
+            case PinStep():
+                links.append(DrawnLink(step.rod, (step.rod_from, step.joint)))
+                links.append(DrawnLink(step.rocker, (step.rocker_from, step.joint)))
+            case SlideStep():
+                links.append(DrawnLink(step.rod, (step.rod_from, pin_of(step.slider))))
+            case SwivelStep():
+                reach = np.max(np.abs(chain_made(structure, _COARSE, size)[step.slider].value), -1, keepdims=True)
+                end = f"{step.guide}.end"
+                made[end] = point(made[step.guide], LinkPoint(1.1 * reach, 0.0 * reach))
+                links.append(DrawnLink(step.guide, (step.pivot, end)))
+            case PointStep():
+                links = [one._replace(pins=(*one.pins, step.point)) if one.name == step.link else one for one in links]
+            case YokeStep() | TrammelStep():
+                pass
+        if isinstance(step, SlideStep | YokeStep | TrammelStep):
+            guide = Guide(pin_of(step.slider), cast(Any, own).direction)
+            guides.insert(0 if step.slider == structure.output else len(guides), guide)
+    still = 0.0 * angle
+    fixed = (SHAFT, *structure.fixed)
+    points = {name: part for name, part in made.items() if isinstance(part, Point)}
+    return Drawing(
+        pins={name: (part.x.value + still, part.y.value + still) for name, part in points.items()},
+        links=tuple(links),
+        guides=tuple(guides),
+        fixed=fixed,
+        paths=tuple(name for name in points if name not in fixed),
+    )
+
+
+def _crank(name: str) -> str:
+    return "crank" if name == "main" else name

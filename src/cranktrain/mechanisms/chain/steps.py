@@ -1,0 +1,141 @@
+"""A chain's structure: which group hangs on what, and what it makes, by names; the numbers are apart."""
+
+from typing import NamedTuple, TypeAlias
+
+from cranktrain.motion import Array
+
+
+class PinStep(NamedTuple):
+    """Rod and rocker, each from a point, that meet in a joint."""
+
+    rod_from: str
+    rocker_from: str
+    rod: str
+    rocker: str
+    joint: str
+
+
+class SlideStep(NamedTuple):
+    """Rod from a point to a slider on a fixed guide through a fixed point."""
+
+    rod_from: str
+    rod: str
+    slider: str
+    through: str
+
+
+class SwivelStep(NamedTuple):
+    """Guide about a pivot, which follows a slider on a pin."""
+
+    pin: str
+    pivot: str
+    guide: str
+    slider: str
+
+
+class YokeStep(NamedTuple):
+    """Slotted slider on a fixed guide through a fixed point, driven by a block on a pin."""
+
+    pin: str
+    slider: str
+    through: str
+
+
+class TrammelStep(NamedTuple):
+    """Slider on a fixed guide through a fixed point, where a link's slot crosses it."""
+
+    link: str
+    slider: str
+    through: str
+
+
+class PointStep(NamedTuple):
+    """Point fixed on a link."""
+
+    link: str
+    point: str
+
+
+Step: TypeAlias = PinStep | SlideStep | SwivelStep | YokeStep | TrammelStep | PointStep
+
+
+class Structure(NamedTuple):
+    """What a chain is made of, in the order of its file: cranks and fixed points by name, steps, the output's name."""
+
+    cranks: tuple[str, ...]
+    fixed: tuple[str, ...]
+    steps: tuple[Step, ...]
+    output: str
+
+
+class CrankSize(NamedTuple):
+    """Radius [m], and angle ahead of the crank `main` [rad]."""
+
+    radius: Array
+    ahead: Array
+
+
+class Place(NamedTuple):
+    """Where a fixed point is. [m]"""
+
+    x: Array
+    y: Array
+
+
+class PinSize(NamedTuple):
+    """Lengths [m]; side +1 where the joint lies left of the line from the rod's first pin to the rocker's."""
+
+    rod_length: Array
+    rocker_length: Array
+    side: Array
+
+
+class SlideSize(NamedTuple):
+    """Rod length [m], way +1 ahead; guide's direction from x [rad], its offset to the left of its point [m]."""
+
+    rod_length: Array
+    way: Array
+    direction: Array
+    offset: Array
+
+
+class SwivelSize(NamedTuple):
+    """Offset of the guide's line to the left of its pivot [m]; way +1 where the slider lies ahead."""
+
+    offset: Array
+    way: Array
+
+
+class YokeSize(NamedTuple):
+    """Angle from the guide to the slot [rad]; guide's direction [rad] and offset [m]."""
+
+    slot_angle: Array
+    direction: Array
+    offset: Array
+
+
+class TrammelSize(NamedTuple):
+    """Shift of the slot to the left of its link [m]; guide's direction [rad] and offset [m].
+
+    side is the sign of the sine of the angle from the guide to the slot, which must not change.
+    """
+
+    shift: Array
+    direction: Array
+    offset: Array
+    side: Array
+
+
+class PointSize(NamedTuple):
+    """Radius from the link's first pin [m], direction from the link's [rad]."""
+
+    radius: Array
+    direction: Array
+
+
+class ChainSize(NamedTuple):
+    """All numbers of a chain, in the order of its structure."""
+
+    cranks: tuple[CrankSize, ...]
+    fixed: tuple[Place, ...]
+    steps: tuple[PinSize | SlideSize | SwivelSize | YokeSize | TrammelSize | PointSize, ...]

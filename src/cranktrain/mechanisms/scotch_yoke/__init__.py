@@ -1,0 +1,34 @@
+"""Scotch yoke: pumps, actuators, testing machines; the slider moves as the cosine of the crank angle."""
+
+from cranktrain.language import N_
+from cranktrain.mechanisms.kind import Kind, Members
+from cranktrain.mechanisms.scotch_yoke.drawing import scotch_yoke_drawing
+from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke, ScotchYokeMotion, scotch_yoke, scotch_yoke_gap
+from cranktrain.mechanisms.scotch_yoke.spec import ScotchYokeSpec, scotch_yoke_advice, scotch_yoke_geometry
+
+__all__ = ["KIND", "ScotchYoke", "ScotchYokeMotion", "ScotchYokeSpec", "scotch_yoke"]
+
+KIND = Kind(
+    name="scotch_yoke",
+    title=N_("scotch yoke, a slider with a slot across it"),
+    spec=ScotchYokeSpec,
+    geometry=scotch_yoke_geometry,
+    motion=scotch_yoke,
+    gap=scotch_yoke_gap,
+    lengths=("crank_radius", "offset"),
+    output="slider",
+    has_rod=False,
+    links=(),
+    drawing=scotch_yoke_drawing,
+    closing_advice=scotch_yoke_advice,
+    members=Members,
+    stages=(),
+    example="""\
+[mechanism]
+kind = "scotch_yoke"
+crank_radius = "40 mm"
+# slot_angle = "90 deg"           # from the line of stroke to the slot, in the sense of rotation
+# offset = "0 mm"                 # of the line of stroke, toward +y
+""",
+    sliders=("block",),
+)

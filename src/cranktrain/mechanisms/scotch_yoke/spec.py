@@ -1,0 +1,49 @@
+"""The scotch yoke's table of the machine file."""
+
+from math import pi, sin
+from typing import Literal, Self
+
+from pydantic import model_validator
+
+from cranktrain.language import _
+from cranktrain.mechanisms.kind import Master, MechanismSpec
+from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke
+from cranktrain.motion import single
+from cranktrain.quantities import Angle, Given, Length, PositiveLength
+from cranktrain.spec import Refused
+
+_LEAST_SINE = 1e-3
+
+
+class ScotchYokeSpec(MechanismSpec, frozen=True):
+    """Crank by its radius, line of stroke by its offset, slot by its angle from the line of stroke."""
+
+    kind: Literal["scotch_yoke"]
+    crank_radius: PositiveLength
+    offset: Length = Given(0.0, "0 mm")
+    slot_angle: Angle = Given(pi / 2, "90 deg")
+
+    @model_validator(mode="after")
+    def _crosses(self) -> Self:
+        """Refuse a slot along the guide, where the slider would run away."""
+        if abs(sin(self.slot_angle.si)) < _LEAST_SINE:
+            allowed = _("must not lie along the line of stroke: 90 deg is across it")
+            raise Refused(allowed, path="slot_angle")
+        return self
+
+    @property
+    def rod_field(self) -> str:
+        """There is no rod: the slot decides whether it closes."""
+        return "slot_angle"
+
+
+def scotch_yoke_geometry(spec: ScotchYokeSpec, master: Master | None = None) -> ScotchYoke:
+    """Lengths and angle in SI."""
+    del master
+    return ScotchYoke(single(spec.crank_radius.si), single(spec.offset.si), single(spec.slot_angle.si))
+
+
+def scotch_yoke_advice(geometry: ScotchYoke) -> str:
+    """Say what would let it close."""
+    del geometry
+    return _("slot_angle must not lie along the line of stroke: 90 deg is across it")

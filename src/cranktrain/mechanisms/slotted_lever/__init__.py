@@ -1,0 +1,39 @@
+"""Slotted lever: shapers and slotters; a longer crank than ground is the quick return that Whitworth built."""
+
+from cranktrain.language import N_
+from cranktrain.mechanisms.kind import Kind, Members
+from cranktrain.mechanisms.slotted_lever.drawing import slotted_lever_drawing
+from cranktrain.mechanisms.slotted_lever.kinematics import (
+    SlottedLever,
+    SlottedLeverMotion,
+    slotted_lever,
+    slotted_lever_gap,
+)
+from cranktrain.mechanisms.slotted_lever.spec import SlottedLeverSpec, slotted_lever_advice, slotted_lever_geometry
+
+__all__ = ["KIND", "SlottedLever", "SlottedLeverMotion", "SlottedLeverSpec", "slotted_lever"]
+
+KIND = Kind(
+    name="slotted_lever",
+    title=N_("slotted lever, rocking or turning (Whitworth)"),
+    spec=SlottedLeverSpec,
+    geometry=slotted_lever_geometry,
+    motion=slotted_lever,
+    gap=slotted_lever_gap,
+    lengths=("crank_radius", "ground_length", "offset"),
+    output="rocker",
+    has_rod=False,
+    links=("rocker",),
+    drawing=slotted_lever_drawing,
+    closing_advice=slotted_lever_advice,
+    members=Members,
+    stages=(),
+    example="""\
+[mechanism]
+kind = "slotted_lever"
+crank_radius = "100 mm"
+ground_length = "250 mm"          # shaft centre to pivot; shorter than the crank, the lever turns all round
+# offset = "0 mm"                 # of the line of the slot from the pivot, to the left of its direction
+""",
+    sliders=("block",),
+)
