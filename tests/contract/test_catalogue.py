@@ -28,6 +28,8 @@ DIMENSIONS = {
     "chamber",
     "bank",
     "point",
+    "link",
+    "slider",
     "method",
     "crank_angle",
     "design",
@@ -42,13 +44,15 @@ EVERYTHING = {
         "L": {"angle": "-30 deg", "mechanism": slider()},
         "R": {"angle": "30 deg", "mechanism": slave("L")},
         "K": {"angle": "90 deg", "mechanism": ROCKER | {"load_radius": "1 m", "points": POINTS}},
+        "W": {"mechanism": {"kind": "slotted_lever", "crank_radius": "40 mm", "ground_length": "90 mm"}},
+        "Z": {"mechanism": {"kind": "oscillating_cylinder", "crank_radius": "40 mm", "ground_length": "190 mm"}},
     },
     "cylinder": {
         "bore": "80 mm",
         "compression_ratio": 9,
         "chambers": ["head", "crank"],
         "cycle": "four-stroke",
-        "firing_order": "1L-2R-1R-2L",
+        "firing_order": "1L-2Z-2R-1Z-1R-2L",
     },
 }
 """A machine of all kinds, which declares all there is."""
