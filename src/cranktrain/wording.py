@@ -1,6 +1,7 @@
 """Numbers and names put into sentences."""
 
 from collections.abc import Mapping, Sequence
+from math import floor, log10
 
 import numpy as np
 
@@ -14,6 +15,8 @@ ABSENT = "–"
 """Stands for a number that there is not."""
 
 _DECIMALS = {"mm": 2, "deg": 2, "m/s": 2, "m/s^2": 0, "L": 3, "cm^3": 1, "rpm": 1, "%": 2}
+_SLOW_TOO = {"m/s", "m/s^2"}
+"""Units in which a slow machine's numbers need more decimals: three figures at least."""
 _PLAIN = {"1": 1.0, "%": 100.0, "m/s^2": 1.0}
 """Units that are no input's, and how many of them one in SI is."""
 
@@ -23,7 +26,10 @@ def number(value: float, unit: str) -> str:
     if np.isnan(value):
         return ABSENT
     size = value * _PLAIN[unit] if unit in _PLAIN else shown(value, unit)
-    figure = f"{size:.{_DECIMALS.get(unit, 3)}f}"
+    decimals = _DECIMALS.get(unit, 3)
+    if unit in _SLOW_TOO and 1e-6 < abs(size) < 100:
+        decimals = max(decimals, 2 - floor(log10(abs(size))))
+    figure = f"{size:.{decimals}f}"
     figure = figure.lstrip("-") if float(figure) == 0.0 else figure
     return f"{figure} {unit}" if unit != "1" else figure
 

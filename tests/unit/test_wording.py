@@ -62,3 +62,18 @@ def test_no_angle_is_said_to_be_a_whole_turn():
         "0.00 deg",
         "180.00 deg",
     ]
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "written"),
+    [
+        (9.0, "m/s", "9.00 m/s"),
+        (0.10234, "m/s", "0.102 m/s"),
+        (2845.2, "m/s^2", "2845 m/s^2"),
+        (42.38, "m/s^2", "42.4 m/s^2"),
+        (-0.9876, "m/s^2", "-0.988 m/s^2"),
+        (0.0, "m/s^2", "0 m/s^2"),
+    ],
+)
+def test_slow_machines_have_three_figures(value, unit, written):
+    assert number(value, unit) == written
