@@ -52,6 +52,8 @@ def _crank_angle(machine: Machine) -> str:
     """Say where the crank angle is zero."""
     if machine.mechanism is not None:
         start = _("0 where the crank points along the mechanism's x axis")
+    elif len(machine.bank) == 1:
+        start = _("0 where the crank of throw 1 points along the first cylinder's axis")
     else:
         start = _("0 where the crank of throw 1 points along the axis of bank {bank}").format(
             bank=next(iter(machine.bank))

@@ -45,9 +45,10 @@ def running_words(machine: Machine) -> str:
 def zero_words(machine: Machine) -> str:
     """Say where the crank angle is 0 and how it counts."""
     axis = _("the mechanism's x")
-    if machine.mechanism is None:
-        bank = next(iter(machine.bank))
-        axis = _("the axis of bank {bank}").format(bank=bank)
+    if len(machine.bank) == 1:
+        axis = _("the first cylinder's axis")
+    elif machine.bank:
+        axis = _("the axis of bank {bank}").format(bank=next(iter(machine.bank)))
     if machine.crank_zero == "Y":
         start = _("φ = 0 where crank 1 points up")
     elif machine.crank_zero.si != 0.0:
