@@ -11,7 +11,7 @@ from pydantic import Field, ValidationError, model_validator
 from cranktrain.engine.cylinders import cylinder_problems, firing_order_of
 from cranktrain.engine.places import Place, places_of
 from cranktrain.engine.points import point_problems
-from cranktrain.engine.specs import OVERRIDES, BankSpec, CylindersSpec, ShaftsSpec
+from cranktrain.engine.specs import MAIN, OVERRIDES, BankSpec, CylindersSpec, ShaftSpec
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.mechanisms import AnyMechanism
@@ -45,7 +45,7 @@ class Machine(Spec, frozen=True):
     running: Literal["ahead", "astern"] = "ahead"
     crank_zero: Literal["Y"] | Angle = Given(0.0, "0 deg")
     angle: Angle = Given(0.0, "0 deg")
-    shaft: ShaftsSpec = ShaftsSpec()
+    shaft: Mapping[str, ShaftSpec] = Field(default={})
     mechanism: AnyMechanism | None = None
     bank: Mapping[str, BankSpec] = Field(default={})
     cylinder: CylindersSpec = CylindersSpec()
@@ -72,16 +72,42 @@ class Machine(Spec, frozen=True):
         elif self.bank and "angle" in self.model_fields_set:
             allowed = _("is for a machine with one [mechanism]; here each bank has its own, [bank.NAME] angle")
             found.append(Problem("angle", self.angle.text, allowed))
-        elif self.mechanism is not None and len(self.shaft.main.throws) > 1:
+        elif self.mechanism is not None and len(self.main_shaft.throws) > 1:
             allowed = _("must be one throw for one [mechanism]; for more, make it a bank, [bank.NAME.mechanism]")
             found.append(Problem("shaft.main.throws", None, allowed))
         for name in self.bank:
             if not re.fullmatch(r"[^\W\d]\w*", name) or name in CylindersSpec.model_fields:
                 allowed = _("must have a name of letters, digits and _, a letter first, that is no key of [cylinder]")
                 found.append(Problem(f"bank.{name}", None, allowed))
+        found += self._shaft_problems()
         if found:
             raise InputError(found)
         return self
+
+    def _shaft_problems(self) -> list[Problem]:
+        """Find what only the main shaft has, or only another, and shafts that carry nothing."""
+        found: list[Problem] = []
+        used = {bank.shaft for bank in self.bank.values()} if self.bank else {MAIN}
+        for name, shaft in self.shaft.items():
+            foreign = ("ratio", "phase") if name == MAIN else ("speed",)
+            allowed = _("is for another shaft; the crank angle is that of [shaft.main]")
+            if name != MAIN:
+                allowed = _("must stand in [shaft.main]; this shaft turns with it, by its ratio")
+                if name not in used:
+                    nothing = _("carries no bank: name it in [bank.NAME] shaft, or take it out")
+                    found.append(Problem(f"shaft.{name}", None, nothing))
+            found += [Problem(f"shaft.{name}.{key}", None, allowed) for key in foreign if key in shaft.model_fields_set]
+        return found
+
+    @property
+    def shafts(self) -> Mapping[str, ShaftSpec]:
+        """The shafts by name; `main` is there whether the file has a table for it or not."""
+        return {MAIN: ShaftSpec(), **self.shaft}
+
+    @property
+    def main_shaft(self) -> ShaftSpec:
+        """The shaft whose angle is the crank angle."""
+        return self.shafts[MAIN]
 
     @property
     def is_astern(self) -> bool:
@@ -138,11 +164,11 @@ def _at(data: object, path: str) -> object:
 def arranged(machine: Machine) -> tuple[tuple[Place, ...], tuple[Problem, ...]]:
     """Arrange the mechanisms; a bare `[mechanism]` is a bank of one. With problems there are no places."""
     if machine.mechanism is None:
-        return places_of(machine.shaft.main, machine.bank, astern=machine.is_astern)
+        return places_of(machine.shafts, machine.bank, astern=machine.is_astern)
     bank = BankSpec.model_construct(
-        angle=(machine.angle,), mechanism=(machine.mechanism,), throws=(1,), stagger=Given(0.0, "0 mm")
+        angle=(machine.angle,), mechanism=(machine.mechanism,), throws=(1,), stagger=Given(0.0, "0 mm"), shaft=MAIN
     )
-    return places_of(machine.shaft.main, {"": bank}, astern=machine.is_astern, prefix="")
+    return places_of(machine.shafts, {"": bank}, astern=machine.is_astern, prefix="")
 
 
 def machine_problems(machine: Machine, *, partial: bool = False) -> tuple[Problem, ...]:

@@ -27,7 +27,7 @@ def test_values_are_strings_with_units_or_tables():
     assert machine.mechanism.stroke.si == 0.3048
     assert machine.mechanism.stroke.status == "published"
     assert machine.crank_zero.si == 0.5
-    assert machine.shaft.main.speed.si == 10.0
+    assert machine.main_shaft.speed.si == 10.0
 
 
 def test_a_machine_is_frozen():
@@ -80,7 +80,7 @@ def test_one_value_for_all_angles_or_a_list():
         ({"shaft": {"main": {"throws": []}}, "bank": banks(L=0)}, "shaft.main.throws", "at least 1 items"),
         ({"shaft": {"main": {"throws": "0 deg"}}, "bank": banks(L=0)}, "shaft.main.throws", "must be a list"),
         ({"shaft": {"main": {"throws": [0]}}, "bank": banks(L=0)}, "shaft.main.throws[0]", "must be an angle"),
-        ({"mechanism": slider(), "shaft": {"second": {}}}, "shaft.second", "is not a key"),
+        ({"mechanism": slider(), "shaft": {"second": {}}}, "shaft.second", "carries no bank"),
         ({"mechanism": slider(), "shaft": throws(0, speed="-1 rpm")}, "shaft.main.speed", "more than 0"),
         ({"mechanism": slave("L")}, "mechanism.master", "there is no other bank"),
         ({"bank": {"L": {"mechanism": slave("L")}}}, "bank.L.mechanism.master", "a slave rod cannot carry another"),

@@ -70,8 +70,8 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
         ),
         mechanisms,
         *(group.members for group in mechanisms.groups),
-        axial_places_of([machine.shaft.main for machine in machines], designs),
-        link_points_of(designs, astern=first.is_astern),
+        axial_places_of([machine.shafts for machine in machines], designs),
+        link_points_of(designs),
         followed_of(FollowedLinks, designs[0]),
         followed_of(FollowedSliders, designs[0]),
     ]
@@ -93,10 +93,10 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
         parts += [
             swinging,
             RockerRods(rods) if (rods := has_rods(swinging)) is not None else None,
-            load_radius_of(rockers, sense=first.sense),
+            load_radius_of(rockers),
         ]
-    speeds = [machine.shaft.main.speed for machine in machines]
-    if first.shaft.main.speed is not None:
+    speeds = [machine.main_shaft.speed for machine in machines]
+    if first.main_shaft.speed is not None:
         parts.append(Speed(np.array([[[speed.si]] for speed in speeds if speed is not None])))
     return {type(part): part for part in parts if part is not None}
 

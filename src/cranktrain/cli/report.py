@@ -16,6 +16,7 @@ from cranktrain.io.machine_file import MachineFile
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.mechanisms import kind_named
+from cranktrain.wording import ranged
 
 _NAMED = 4
 """How many of the results that something would give are named."""
@@ -73,8 +74,10 @@ def show_result(
 def title(machine: Machine) -> str:
     """Say in one line which machine this is."""
     parts = [_layout(machine)]
-    if machine.shaft.main.speed is not None:
-        parts.append(machine.shaft.main.speed.text)
+    if len(machine.shafts) > 1:
+        parts.append(_shafts(machine))
+    if machine.main_shaft.speed is not None:
+        parts.append(machine.main_shaft.speed.text)
     senses = {
         "clockwise": _("clockwise"),
         "anticlockwise": _("anticlockwise"),
@@ -84,6 +87,18 @@ def title(machine: Machine) -> str:
     parts.append(f"{senses[machine.rotation]}, {senses[machine.running]}")
     name = plain(machine.name)
     return f"{name}: {'; '.join(parts)}" if name else "; ".join(parts)
+
+
+def _shafts(machine: Machine) -> str:
+    """Say which mechanisms work on which shaft."""
+    places = machine.places
+    names = [place.name for place in places]
+    on = {
+        shaft: [i for i, place in enumerate(places) if place.shaft == shaft]
+        for shaft in dict.fromkeys(place.shaft for place in places)
+    }
+    said = (_("{shaft} ({mechanisms})").format(shaft=shaft, mechanisms=ranged(names, few)) for shaft, few in on.items())
+    return _("shafts {shafts}").format(shafts=", ".join(said))
 
 
 def _layout(machine: Machine) -> str:

@@ -1,6 +1,6 @@
 """Places along the shaft: where each mechanism stands between throw 1 and the flywheel."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -22,17 +22,22 @@ class AxialPlaces:
     value: Array
 
 
-def axial_places_of(shafts: Sequence[ShaftSpec], designs: Sequence[Sequence[Place]]) -> AxialPlaces | None:
+def axial_places_of(
+    shafts: Sequence[Mapping[str, ShaftSpec]], designs: Sequence[Sequence[Place]]
+) -> AxialPlaces | None:
     """Add up the gaps between throws, and the banks' stagger; None where several throws have no spacing."""
-    throws = [throw_positions(shaft) for shaft in shafts]
-    if any(positions is None for positions in throws):
+    throws = [{name: throw_positions(shaft) for name, shaft in design.items()} for design in shafts]
+    if any(along is None for positions in throws for along in positions.values()):
         return None
     return AxialPlaces(
         np.array(
             [
-                [positions[place.throw] + place.stagger for place in design]
+                [
+                    along[place.throw] + place.stagger
+                    for place in design
+                    if (along := positions[place.shaft]) is not None
+                ]
                 for positions, design in zip(throws, designs, strict=True)
-                if positions is not None
             ]
         )
     )

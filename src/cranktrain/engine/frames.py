@@ -19,27 +19,25 @@ class Frame(NamedTuple):
     sense: float
 
 
-def frame_of(place: Place, *, first_angle: float, clockwise: bool, astern: bool) -> Frame:
+def frame_of(place: Place, *, first_angle: float, clockwise: bool) -> Frame:
     """Find how a place of a machine lies.
 
     Parameters
     ----------
     place : Place
-        Its axis counts from the first bank's, in the sense of running.
+        Its axis counts from the first bank's, in the sense of its crank.
     first_angle : float
         Of the first bank's axis from Y, in the machine's normal sense. [rad]
     clockwise : bool
-        The machine's normal sense.
-    astern : bool
-        Whether it runs against that sense: the metal stays where it is, y is turned the other way.
+        The machine's normal sense. Where a crank turns against it, the metal stays and y is turned the other way.
 
     Returns
     -------
     Frame
     """
     normal = 1.0 if clockwise else -1.0
-    running = -normal if astern else normal
-    return Frame(normal * first_angle + running * place.axis, running)
+    sense = normal * place.sense
+    return Frame(normal * first_angle + sense * place.axis, sense)
 
 
 def in_machine_axes(x: Array, y: Array, frame: Frame) -> tuple[Array, Array]:

@@ -20,20 +20,25 @@ class Place:
     ----------
     name, bank : str
         `2L`, and its bank `L`.
+    shaft : str
+        The shaft that it works on.
     throw : int
         Which throw of the shaft, from 0.
+    sense : float
+        +1 where its crank turns in the machine's normal sense, −1 where it turns against it: astern, or on a shaft that
+        is geared the other way.
     stagger : float
         Of its bank along the shaft, toward the flywheel. [m]
     axis : float
-        Direction of the mechanism's x from the first bank's, in the sense of running. [rad]
+        Direction of the mechanism's x from the first bank's, in the sense of its crank. [rad]
     throw_angle : float
-        Of its throw ahead of throw 1, in the sense of running. [rad]
+        Of its throw at φ = 0, ahead of where throw 1 of the main shaft stands, in the sense of its crank. [rad]
     phase : float
         Angle of the kernel's crank where φ is 0; a slave's kernel counts from its master's axis. [rad]
     kind : Kind
     spec : MechanismSpec
     geometry : NamedTuple of floats
-        Mirrored where the machine runs astern.
+        Mirrored where its crank turns against the normal sense.
     path : str
         Of the mechanism's table in the machine file.
     lists : mapping of str to str
@@ -42,7 +47,9 @@ class Place:
 
     name: str
     bank: str
+    shaft: str
     throw: int
+    sense: float
     stagger: float
     axis: float
     throw_angle: float
@@ -69,6 +76,7 @@ class _Slot:
 
     name: str
     bank: str
+    shaft: str
     throw: int
     stagger: float
     angle: float
@@ -78,13 +86,13 @@ class _Slot:
 
 
 def places_of(
-    shaft: ShaftSpec, banks: Mapping[str, BankSpec], *, astern: bool, prefix: str = "bank."
+    shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec], *, astern: bool, prefix: str = "bank."
 ) -> tuple[tuple[Place, ...], tuple[Problem, ...]]:
     """Arrange a machine's mechanisms.
 
     Parameters
     ----------
-    shaft : ShaftSpec
+    shafts : mapping of name to ShaftSpec
     banks : mapping of name to BankSpec
         One bank of any name gives places `1`, `2`, …; more give `1L`, `2L`, …
     astern : bool
@@ -97,11 +105,9 @@ def places_of(
     tuple of Place, tuple of Problem
         Places in the order of the file. With problems, no places.
     """
-    slots, problems = _slots(shaft, banks, prefix)
+    slots, problems = _slots(shafts, banks, prefix)
     if problems:
         return (), problems
-    sense = -1.0 if astern else 1.0
-    throws = [angle.si for angle in shaft.throws]
     places: list[Place] = []
     for slot in slots:
         master = _master_of(slot, slots)
@@ -115,19 +121,24 @@ def places_of(
             hung = Master(master_kind.geometry(master.spec, None), slot.angle - master.angle)
         geometry = kind.geometry(slot.spec, hung)
         kernel_axis = (master or slot).angle - slots[0].angle
-        throw_angle = throws[slot.throw] - throws[0]
+        shaft = shafts[slot.shaft]
+        throw_angle = shaft.phase.si + shaft.throws[slot.throw].si - shaft.throws[0].si
+        # A crank that turns the other way is the same metal seen with y reversed, at the same φ.
+        sense = -float(shaft.ratio) if astern else float(shaft.ratio)
         places.append(
             Place(
                 name=slot.name,
                 bank=slot.bank,
+                shaft=slot.shaft,
                 throw=slot.throw,
+                sense=sense,
                 stagger=slot.stagger,
                 axis=sense * (slot.angle - slots[0].angle),
                 throw_angle=sense * throw_angle,
                 phase=sense * (throw_angle - kernel_axis),
                 kind=kind,
                 spec=slot.spec,
-                geometry=mirrored(geometry) if astern else geometry,
+                geometry=mirrored(geometry) if sense < 0 else geometry,
                 path=slot.path,
                 lists=slot.lists,
             )
@@ -136,14 +147,18 @@ def places_of(
 
 
 def _slots(
-    shaft: ShaftSpec, banks: Mapping[str, BankSpec], prefix: str
+    shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec], prefix: str
 ) -> tuple[tuple[_Slot, ...], tuple[Problem, ...]]:
     """Name every place, throw by throw through the bank's angles; problems where a throw does not exist."""
     slots: list[_Slot] = []
     problems: list[Problem] = []
-    n_throws = len(shaft.throws)
     for bank, spec in banks.items():
         path = f"{prefix}{bank}." if prefix else ""
+        if spec.shaft not in shafts:
+            allowed = _("must be one of the shafts: {shafts}").format(shafts=", ".join(shafts))
+            problems.append(Problem(f"{path}shaft", spec.shaft, allowed))
+            continue
+        n_throws = len(shafts[spec.shaft].throws)
         throws = spec.throws or tuple(range(1, n_throws + 1))
         allowed = _("must be one of the shaft's throws, 1 to {n}, each once").format(n=n_throws)
         problems += [
@@ -158,6 +173,7 @@ def _slots(
             _Slot(
                 name=f"{number}{suffix}",
                 bank=bank,
+                shaft=spec.shaft,
                 throw=throw - 1,
                 stagger=spec.stagger.si,
                 angle=spec.angle[k].si,
@@ -196,7 +212,7 @@ def _master_of(slot: _Slot, slots: Sequence[_Slot]) -> _Slot | Problem | None:
     masters = [other for other in in_bank if other.spec.kind == "slider_crank"]
     if not masters:
         return Problem(path, spec.master, _("must be a bank of slider-cranks; a slave rod cannot carry another"))
-    on_throw = [other for other in masters if other.throw == slot.throw]
+    on_throw = [other for other in masters if (other.shaft, other.throw) == (slot.shaft, slot.throw)]
     if len(on_throw) != 1:
         allowed = _("must have one slider-crank on throw {throw}, where this rod is; it has {n}")
         return Problem(path, spec.master, allowed.format(throw=slot.throw + 1, n=len(on_throw)))

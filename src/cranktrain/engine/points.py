@@ -57,7 +57,7 @@ def point_problems(places: Sequence[Place]) -> tuple[Problem, ...]:
     )
 
 
-def link_points_of(designs: Sequence[Sequence[Place]], *, astern: bool) -> LinkPoints | None:
+def link_points_of(designs: Sequence[Sequence[Place]]) -> LinkPoints | None:
     """Collect the points of every mechanism, and its joints that have names; None where there are none."""
     first = [
         (i, place, name, is_joint)
@@ -67,7 +67,6 @@ def link_points_of(designs: Sequence[Sequence[Place]], *, astern: bool) -> LinkP
     ]
     if not first:
         return None
-    sense = -1.0 if astern else 1.0
 
     def lengths(field: str) -> Array:
         return np.array(
@@ -81,6 +80,7 @@ def link_points_of(designs: Sequence[Sequence[Place]], *, astern: bool) -> LinkP
         )
 
     along, across = lengths("along"), lengths("across")
+    sense = np.array([[[design[i].sense] for i, *_rest in first] for design in designs])
     return LinkPoints(
         names=tuple(f"{place.name}.{name}" for _i, place, name, _j in first),
         mechanism=np.array([i for i, _p, _n, _j in first], dtype=np.intp),

@@ -35,11 +35,11 @@ class LoadRadius:
     value: Array
 
 
-def load_radius_of(designs: Sequence[Sequence[Place]], *, sense: float) -> LoadRadius | None:
+def load_radius_of(designs: Sequence[Sequence[Place]]) -> LoadRadius | None:
     """Collect the load radius of every rocker, NaN for one that carries no load; None where there is none at all."""
     radii = [
         [
-            sense * place.spec.load_radius.si * _DIRECTIONS[place.spec.load_direction]
+            place.sense * place.spec.load_radius.si * _DIRECTIONS[place.spec.load_direction]
             if isinstance(place.spec, CrankRockerSpec) and place.spec.load_radius is not None
             else np.nan
             for place in design

@@ -34,11 +34,16 @@ OneOrMany = Annotated[tuple[Item, ...], BeforeValidator(_listed), Field(min_leng
 
 
 class ShaftSpec(Spec, frozen=True):
-    """A crankshaft: throw angles ahead of throw 1, gaps between throws along it, speed."""
+    """A crankshaft: throw angles ahead of throw 1, gaps between throws along it; of `main` the speed.
+
+    Another shaft turns by ratio·φ + phase: its throw 1 stands that far ahead of where throw 1 of `main` stood at φ = 0.
+    """
 
     throws: tuple[Angle, ...] = Field(default=(Given(0.0, "0 deg"),), min_length=1)
     spacing: OneOrMany[NonNegativeLength] | None = None
     speed: PositiveSpeed | None = None
+    ratio: Literal[1, -1] = 1
+    phase: Angle = Given(0.0, "0 deg")
 
     @model_validator(mode="after")
     def _spaced(self) -> Self:
@@ -50,23 +55,22 @@ class ShaftSpec(Spec, frozen=True):
         return self
 
 
-class ShaftsSpec(Spec, frozen=True):
-    """The shafts by name."""
-
-    main: ShaftSpec = ShaftSpec()
+MAIN = "main"
+"""Name of the shaft whose angle is the crank angle."""
 
 
 class BankSpec(Spec, frozen=True):
     """Cylinders in one direction, or a star of them where `angle` is a list: one mechanism for each angle.
 
     angle counts from Y; throws are the throws that the bank works on, counted from 1 (all unless given); stagger moves
-    the bank along Z toward the flywheel.
+    the bank along Z toward the flywheel; shaft is the one that it works on.
     """
 
     angle: OneOrMany[Angle] = (Given(0.0, "0 deg"),)
     mechanism: tuple[AnyMechanism, ...]
     throws: tuple[int, ...] | None = Field(default=None, min_length=1)
     stagger: Length = Given(0.0, "0 mm")
+    shaft: str = MAIN
 
     @model_validator(mode="before")
     @classmethod

@@ -14,16 +14,19 @@ _SENTENCES = {
             "Crank angle that is shown as 0, or `Y`: where throw 1 points up; otherwise 0 is along the first bank."
         ),
         "angle": N_("Direction of the mechanism's x axis, from straight up; for a machine with one [mechanism]."),
-        "shaft": N_("Shafts by name."),
+        "shaft": N_("Shafts by name; the angle of `main` is the crank angle."),
         "mechanism": N_("The mechanism of a machine that has only one; otherwise each bank has its own."),
         "bank": N_("Banks by name; the first one in the file is the first bank."),
         "cylinder": N_("Cylinders: what is common to all, and tables for one bank or one piston."),
     },
-    "ShaftsSpec": {"main": N_("The shaft whose angle is the crank angle.")},
     "ShaftSpec": {
         "throws": N_("How far each throw stands ahead of throw 1; one that is to fire later stands behind."),
         "spacing": N_("Distance between neighbouring throws along the shaft, or a list of all; 0 for a split pin."),
         "speed": N_("Mean speed of the shaft; with it, velocities and accelerations."),
+        "ratio": N_("Of a shaft geared to `main`: 1 where it turns with it, -1 where it turns against it."),
+        "phase": N_(
+            "Of a shaft geared to `main`: where its throw 1 stands at crank angle 0, ahead of throw 1 of `main`."
+        ),
     },
     "BankSpec": {
         "angle": N_("From straight up to the bank's line of stroke, in the sense of rotation; a list makes a star."),
@@ -31,6 +34,7 @@ _SENTENCES = {
             "The mechanism of each cylinder; with a list of angles, a field may be a list, one value for each."
         ),
         "throws": N_("Throws on which the bank works, counted from 1; all unless given."),
+        "shaft": N_("The shaft that the bank works on."),
         "stagger": N_("By how much the bank is moved along the shaft toward the flywheel."),
     },
     "CylinderSpec": {

@@ -8,6 +8,7 @@ import numpy as np
 
 from cranktrain.engine.frames import Frame, frame_of, in_machine_axes
 from cranktrain.engine.places import Place
+from cranktrain.engine.specs import MAIN
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.linkage import fixed, turned
@@ -23,8 +24,11 @@ Joints = Mapping[str, Point]
 
 
 def first_throw(machine: Machine) -> tuple[Place, ...]:
-    """Give the places on the first throw that carries any; none where the machine cannot be arranged."""
-    places = machine.places
+    """Give the places on the main shaft's first throw that carries any; none where the machine cannot be arranged.
+
+    Where other shafts lie no file says, so they are not drawn.
+    """
+    places = [place for place in machine.places if place.shaft == MAIN] or machine.places
     first = min((place.throw for place in places), default=0)
     return tuple(place for place in places if place.throw == first)
 
@@ -51,7 +55,7 @@ def place_called(machine: Machine, name: str | None) -> Place:
 def frame(machine: Machine, place: Place) -> Frame:
     """Where a place's axes lie in the machine's."""
     clockwise = machine.rotation == "clockwise"
-    return frame_of(place, first_angle=machine.first_axis, clockwise=clockwise, astern=machine.is_astern)
+    return frame_of(place, first_angle=machine.first_axis, clockwise=clockwise)
 
 
 def placed(machine: Machine, place: Place, angle: Array) -> Drawing:

@@ -103,7 +103,7 @@ def velocity_polygons(
     tuple of Polygon
         From the pole `p`: `a` of the crank pin A, `b`, `c`, `d` of the other pins; a fixed pin lies on the pole.
     """
-    unit = "m/rad" if machine.shaft.main.speed is None else "m/s"
+    unit = "m/rad" if machine.main_shaft.speed is None else "m/s"
     return _polygons(machine, "velocity", unit, _velocities, angles, mechanism, room)
 
 
@@ -126,7 +126,7 @@ def acceleration_polygons(
     tuple of Polygon
         Beside the points that the velocities have, `n_BA` ends the normal part of B's acceleration about A.
     """
-    unit = "m/rad^2" if machine.shaft.main.speed is None else "m/s^2"
+    unit = "m/rad^2" if machine.main_shaft.speed is None else "m/s^2"
     return _polygons(machine, "acceleration", unit, _accelerations, angles, mechanism, room)
 
 
@@ -142,7 +142,7 @@ def _polygons(
     """Polygons of either kind."""
     place = place_called(machine, mechanism)
     shown = closed_angles(machine, place, angles)
-    speed = machine.shaft.main.speed
+    speed = machine.main_shaft.speed
     described: list[tuple[dict[str, Array], tuple[Vector, ...]]] = []
     for angle in shown:
         phi = np.array([np.deg2rad(angle) + machine.zero])

@@ -128,7 +128,7 @@ def _piston_panels(turn: _Turn) -> Iterator[Panel]:
     names = drawn_names(result, "piston")
     members = [result.labels["piston"].index(name) for name in names]
     has_speed = "piston_velocity" in result.catalogue
-    omega = result.machines[turn.design].shaft.main.speed
+    omega = result.machines[turn.design].main_shaft.speed
     rate = omega.si if has_speed and omega is not None else 1.0
     worst = _worst(result, members, turn.design)
     told = _told(result, members, turn.design)
@@ -203,7 +203,7 @@ def _rocker_panels(turn: _Turn) -> Iterator[Panel]:
     result = turn.result
     names = drawn_names(result, "rocker")
     members = [result.labels["rocker"].index(name) for name in names]
-    speed = result.machines[turn.design].shaft.main.speed
+    speed = result.machines[turn.design].main_shaft.speed
     omega = 1.0 if speed is None else speed.si
     degrees = shown(1.0, "deg")
     rows = [

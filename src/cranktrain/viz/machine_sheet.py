@@ -86,7 +86,7 @@ def _draw_mechanism(
     origin = (left + room[0] / 2 - (low_x + high_x) / 2, bottom + foot + room[1] / 2 - (low_y + high_y) / 2)
     page.draw(sketch, origin)
     page.scale_bar(left, bottom + 9.0, sketch.scale)
-    throws = len(machine.shaft.main.throws)
+    throws = len(machine.main_shaft.throws)
     drawn = (
         _("Throw {throw} of {n}, drawn at φ = {angle:g}°").format(
             throw=scene.members[0].place.throw + 1, n=throws, angle=at

@@ -171,7 +171,7 @@ def plan_klein(
             end = _table(page, rows, (start, cell.bottom + cell.height, cell.left + cell.width - start))
             for number, note in enumerate(_klein_notes(construction)):
                 page.text(start, end - 2.0 - 4.2 * number, note, **muted())
-        speed = machine.shaft.main.speed
+        speed = machine.main_shaft.speed
         omega = 1.0 if speed is None else speed.si
         units = ("m/rad", "m/rad²") if speed is None else ("m/s", "m/s²")
         metre = 1e-3 * scale
@@ -268,7 +268,7 @@ def _table(page: Page, rows: Sequence[Sequence[str]], place: tuple[float, float,
 def _positions_table(machine: Machine, plan: PositionPlan) -> Iterator[tuple[str, ...]]:
     """Number, crank angle and motion of the output in each position."""
     place = place_called(machine, plan.mechanism)
-    speed = machine.shaft.main.speed
+    speed = machine.main_shaft.speed
     omega = 1.0 if speed is None else speed.si
     motion = output_motion(machine, place, np.deg2rad(plan.angles))
     is_slider = place.kind.output == "slider"
@@ -294,7 +294,7 @@ def _vectors_table(polygon: Polygon) -> Iterator[tuple[str, ...]]:
 
 def _klein_table(machine: Machine, construction: Klein) -> Iterator[tuple[str, ...]]:
     """What Klein's construction gives: lengths, and the velocities and accelerations that they are."""
-    speed = machine.shaft.main.speed
+    speed = machine.main_shaft.speed
     omega = 1.0 if speed is None else speed.si
     units = ("m/rad", "m/rad²") if speed is None else ("m/s", "m/s²")
     origin = np.zeros(2)

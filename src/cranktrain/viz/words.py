@@ -19,7 +19,7 @@ def layout_words(machine: Machine) -> str:
     places = machine.places
     pistons = sum(place.kind.output == "slider" for place in places)
     rockers = len(places) - pistons
-    throws = len(machine.shaft.main.throws)
+    throws = len(machine.main_shaft.throws)
     parts = [
         _("1 piston") if pistons == 1 else _("{n} pistons").format(n=pistons) if pistons else "",
         _("1 rocker") if rockers == 1 else _("{n} rockers").format(n=rockers) if rockers else "",
@@ -38,7 +38,7 @@ def running_words(machine: Machine) -> str:
         ("anticlockwise", "astern"): _("astern, clockwise"),
     }
     sense = senses[machine.rotation, machine.running]
-    speed = machine.shaft.main.speed
+    speed = machine.main_shaft.speed
     return f"n = {speed.text}, {sense}" if speed is not None else sense
 
 

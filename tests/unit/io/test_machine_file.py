@@ -34,7 +34,7 @@ def test_path_objects(tmp_path):
 
 def test_settings_are_in_machine_and_document():
     file = read_machine("3d12", ["shaft.main.speed=1800 rpm", "bank.R.mechanism.offset = 1mm"])
-    assert file.machine.shaft.main.speed.text == "1800 rpm"
+    assert file.machine.main_shaft.speed.text == "1800 rpm"
     assert file.document.data["bank"]["R"]["mechanism"]["offset"] == "1mm"
 
 

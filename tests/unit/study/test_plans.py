@@ -82,7 +82,7 @@ def test_polygons_close_and_lengths_times_scale_are_the_values(name, polygons_of
 def test_polygons_equal_the_kernels_values(name):
     machine = ct.load(name)
     place = next((one for one in machine.places if one.kind.name == "articulated_rod"), machine.places[0])
-    omega = machine.shaft.main.speed.si
+    omega = machine.main_shaft.speed.si
     zero = machine.zero
     for polygon in acceleration_polygons(machine, ANGLES):
         moving = joints(machine, place, np.array([np.deg2rad(polygon.angle) + zero]))
