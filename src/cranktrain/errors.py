@@ -45,10 +45,6 @@ class Problem:
         """Place the problem, unless it already has a line."""
         return self if position is None else replace(self, position=position)
 
-    def under(self, prefix: str) -> "Problem":
-        """Prefix the path, for a problem found in a part of the whole."""
-        return replace(self, path=".".join(part for part in (prefix, self.path) if part))
-
     def __str__(self) -> str:
         """Say it in one line: `file:line:column  path = given: allowed; repair`."""
         subject = self.path if self.given is None else f"{self.path} = {self.given}" if self.path else self.given

@@ -21,6 +21,7 @@ from cranktrain.linkage import (
     GUIDE,
     ROD,
     Crank,
+    CrankAndPivot,
     Ends,
     Leg,
     LinkPoint,
@@ -183,6 +184,10 @@ EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "slide.slide_gap": lambda angle, size, side: (crank_pin(angle, size), Slide(size(1.0), size(0.05), side)),
     "slider_crank.slider_crank": lambda angle, size, side: (angle, slider_crank_geometry(size)),
     "slider_crank.slider_crank_gap": lambda angle, size, side: (angle, slider_crank_geometry(size)),
+    "swivel.crank_swivel_gap": lambda angle, size, side: (
+        angle,
+        CrankAndPivot(size(0.3), size(0.9), size(0.05), side),
+    ),
     "swivel.swivel": lambda angle, size, side: (swivel_ends(angle, size), Swivel(size(0.05), side)),
     "swivel.swivel_gap": lambda angle, size, side: (swivel_ends(angle, size), Swivel(size(0.05), side)),
     "trammel.trammel": lambda angle, size, side: (rod(angle, size), Trammel(size(0.1), size(0.01))),

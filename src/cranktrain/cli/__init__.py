@@ -49,7 +49,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _said(
             _("standard output  cannot be written: {reason}").format(reason=error.strerror or error), _BAD_INPUT
         )
-    except Exception:
+    except Exception:  # whatever is left is a bug, and no traceback ever reaches a user
         if os.environ.get("CRANKTRAIN_TRACEBACK") == "1":
             traceback.print_exc()
         return _said(_bug_report(sys.argv[1:] if arguments is None else arguments), _BUG)

@@ -24,7 +24,15 @@ from cranktrain.linkage.pin import (
 )
 from cranktrain.linkage.point import LinkPoint, fixed, point, turned
 from cranktrain.linkage.slide import AHEAD, Slide, SlideMotion, slide, slide_gap
-from cranktrain.linkage.swivel import Swivel, SwivelEnds, SwivelMotion, swivel, swivel_gap
+from cranktrain.linkage.swivel import (
+    CrankAndPivot,
+    Swivel,
+    SwivelEnds,
+    SwivelMotion,
+    crank_swivel_gap,
+    swivel,
+    swivel_gap,
+)
 from cranktrain.linkage.trammel import Trammel, TrammelMotion, trammel, trammel_transmission, turned_link
 from cranktrain.linkage.triad import GUIDE, ROD, Leg, Pose, Triad, TriadDriver, TriadEnds, TriadMotion, triad
 from cranktrain.linkage.walk import Walk, pose_at, triad_walk
@@ -35,6 +43,7 @@ __all__ = [
     "GUIDE",
     "ROD",
     "Crank",
+    "CrankAndPivot",
     "Ends",
     "Leg",
     "Line",
@@ -62,6 +71,7 @@ __all__ = [
     "block_along",
     "compiled",
     "crank",
+    "crank_swivel_gap",
     "fixed",
     "fixed_guide",
     "in_blocks",

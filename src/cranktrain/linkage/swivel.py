@@ -4,6 +4,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cranktrain.linkage.crank import Crank, crank
+from cranktrain.linkage.point import fixed
+from cranktrain.linkage.slide import AHEAD
 from cranktrain.motion import Array, Coefficient, Link, Point
 
 
@@ -94,3 +97,28 @@ def swivel_gap(ends: SwivelEnds, geometry: Swivel) -> Array:
     dx = ends.pin.x.value - ends.pivot.x.value
     dy = ends.pin.y.value - ends.pivot.y.value
     return np.sqrt(dx * dx + dy * dy) - np.abs(geometry.offset)
+
+
+class CrankAndPivot(NamedTuple):
+    """A crank and the fixed pivot of the guide that it drives.
+
+    Crank radius, ground (shaft centre to pivot, along x), offset of the guide's line from the pivot, to its left [m];
+    way: +1 where the pivot lies outside the crank circle, −1 inside.
+    """
+
+    crank_radius: Array
+    ground_length: Array
+    offset: Array
+    way: Array
+
+
+def crank_swivel_gap(angle: Array, geometry: CrankAndPivot) -> Array:
+    """By how much the crank pin is farther from the pivot than the guide's line; negative where not. [m]
+
+    Negative also where the pivot has come to the other side of the crank circle: on the way there it was on it.
+    """
+    pin = crank(angle, Crank(geometry.crank_radius))
+    pivot = fixed(geometry.ground_length, 0.0 * geometry.ground_length)
+    nearest = geometry.ground_length - geometry.crank_radius
+    crossed = np.abs(nearest) - geometry.way * nearest
+    return swivel_gap(SwivelEnds(pin, pivot), Swivel(geometry.offset, AHEAD)) - crossed

@@ -1,6 +1,6 @@
 """Sketches of plans: a mechanism in positions, polygons of velocities and accelerations, Klein's construction."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -173,11 +173,3 @@ def klein_sketch(construction: Klein, scale: float) -> Sketch:
     wishes = [Wish(point, name, _away(point - middle)) for name, point in shown_points.items()]
     sketch.add(placed_labels(wishes, [line.points for line in sketch.lines], scale))
     return sketch
-
-
-def joined(sketches: Sequence[Sketch]) -> Sketch:
-    """Put sketches of one scale over each other."""
-    whole = Sketch(sketches[0].scale)
-    for one in sketches:
-        whole.add([*one.lines, *one.circles, *one.labels])
-    return whole

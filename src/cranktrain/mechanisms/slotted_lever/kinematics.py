@@ -2,9 +2,7 @@
 
 from typing import NamedTuple
 
-import numpy as np
-
-from cranktrain.linkage import AHEAD, Crank, Swivel, SwivelEnds, crank, fixed, swivel, swivel_gap
+from cranktrain.linkage import AHEAD, Crank, CrankAndPivot, Swivel, SwivelEnds, crank, crank_swivel_gap, fixed, swivel
 from cranktrain.motion import Array, Coefficient, Link, Point
 
 
@@ -54,12 +52,7 @@ def slotted_lever(angle: Array, geometry: SlottedLever) -> SlottedLeverMotion:
 
 
 def slotted_lever_gap(angle: Array, geometry: SlottedLever) -> Array:
-    """By how much the crank pin is farther from the pivot than the guide's line; negative where not. [m]
-
-    Negative also where the pivot has come to the other side of the crank circle: on the way there it was on it.
-    """
-    pin = crank(angle, Crank(geometry.crank_radius))
-    pivot = fixed(geometry.ground_length, 0.0 * geometry.ground_length)
-    nearest = geometry.ground_length - geometry.crank_radius
-    crossed = np.abs(nearest) - geometry.way * nearest
-    return swivel_gap(SwivelEnds(pin, pivot), Swivel(geometry.offset, AHEAD)) - crossed
+    """By how much the crank pin is far enough from the pivot; negative where not, as `crank_swivel_gap`. [m]"""
+    return crank_swivel_gap(
+        angle, CrankAndPivot(geometry.crank_radius, geometry.ground_length, geometry.offset, geometry.way)
+    )
