@@ -94,6 +94,8 @@ def _draw_mechanism(
         if throws > 1
         else _("Drawn at φ = {angle:g}°").format(angle=at)
     )
+    if len(machine.shafts) > 1:
+        drawn = _("{drawn}; of shaft main, no other is drawn").format(drawn=drawn)
     bored = all(member.bore is not None for member in scene.sliders)
     shapes = (
         _("pins and bores to scale, other shapes schematic; thin: dead positions")

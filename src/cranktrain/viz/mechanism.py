@@ -265,7 +265,8 @@ def _free_direction(scene: Scene) -> tuple[float, float]:
 def _rotation(scene: Scene, scale: float) -> Iterator[Line]:
     """Arrow of the sense in which the machine runs."""
     middle, room = _free_direction(scene)
-    radius = ring_radius(scene) + 6.5 * scale
+    # Outside the ring's figures, which reach farther out at its sides than above and below.
+    radius = ring_radius(scene) + (6.5 + 2.5 * abs(np.cos(middle))) * scale
     half = min(0.42, 11.0 * scale / radius)
     if scene.is_star:
         radius = max(_end(member) for member in scene.sliders)

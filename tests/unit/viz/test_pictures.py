@@ -7,6 +7,7 @@ from itertools import combinations
 
 import numpy as np
 import pytest
+from matplotlib.text import Text
 
 import cranktrain as ct
 from cranktrain.engine.frames import in_machine_axes
@@ -355,3 +356,10 @@ def test_plotting_library_is_loaded_only_to_draw():
         check=False,
     )
     assert done.returncode == 0
+
+
+def test_sheet_says_that_other_shafts_are_not_drawn():
+    mechanism = {"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "180 mm"}
+    banks = {"A": {"mechanism": mechanism}, "B": {"shaft": "upper", "angle": "180 deg", "mechanism": mechanism}}
+    figure = sheet(ct.run(ct.Machine(shaft={"upper": {"ratio": -1}}, bank=banks)))
+    assert any("of shaft main, no other is drawn" in text.get_text() for text in figure.findobj(Text))
