@@ -9,6 +9,7 @@ import numpy as np
 from pydantic import Field, ValidationError, model_validator
 
 from cranktrain.engine.cylinders import cylinder_problems, firing_order_of
+from cranktrain.engine.gearing import first_axis
 from cranktrain.engine.places import Place, places_of
 from cranktrain.engine.points import point_problems
 from cranktrain.engine.specs import MAIN, OVERRIDES, BankSpec, CylindersSpec, ShaftSpec
@@ -87,10 +88,10 @@ class Machine(Spec, frozen=True):
     def _shaft_problems(self) -> list[Problem]:
         """Find what only the main shaft has, or only another, and shafts that carry nothing."""
         found: list[Problem] = []
-        used = {bank.shaft for bank in self.bank.values()} if self.bank else {MAIN}
+        used = {shaft for bank in self.bank.values() for shaft in bank.shafts} if self.bank else {MAIN}
         for name, shaft in self.shaft.items():
-            foreign = ("ratio", "phase") if name == MAIN else ("speed",)
-            allowed = _("is for another shaft; the crank angle is that of [shaft.main]")
+            foreign = ("ratio", "phase", "place") if name == MAIN else ("speed",)
+            allowed = _("is for another shaft; angles and places count from [shaft.main]")
             if name != MAIN:
                 allowed = _("must stand in [shaft.main]; this shaft turns with it, by its ratio")
                 if name not in used:
@@ -122,8 +123,7 @@ class Machine(Spec, frozen=True):
     @property
     def first_axis(self) -> float:
         """Direction of the first bank's x, from Y in the normal sense of rotation. [rad]"""
-        first = self.angle if self.mechanism is not None else next(iter(self.bank.values())).angle[0]
-        return first.si
+        return self.angle.si if self.mechanism is not None else first_axis(self.bank)
 
     @property
     def zero(self) -> float:

@@ -39,9 +39,9 @@ def around_turn(angles: Array) -> Array:
     return np.radians(np.mod(np.round(shown(angles, "deg"), _DECIMALS["deg"]), 360.0))
 
 
-def precise(length: float) -> str:
-    """Write a length that is a limit, in mm, with the digits that a limit needs."""
-    return f"{shown(length, 'mm'):.7g} mm"
+def precise(limit: float, unit: str = "mm") -> str:
+    """Write a length or angle that is a limit with the digits that a limit needs."""
+    return f"{shown(limit, unit):.7g} {unit}"
 
 
 def shared(names: Sequence[str], values: Array, unit: str) -> str:

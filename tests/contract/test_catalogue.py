@@ -25,6 +25,7 @@ DIMENSIONS = {
     "piston",
     "rocker",
     "mechanism",
+    "cylinder",
     "chamber",
     "bank",
     "point",
@@ -39,20 +40,28 @@ UNITS = {"m", "rad", "deg", "s", "kg", "N", "Pa", "J", "W"}
 POINTS = {"p": {"link": "rod", "along": "10 mm", "across": "5 mm"}}
 
 EVERYTHING = {
-    "shaft": throws(0, 120, speed="900 rpm", spacing="100 mm"),
+    "shaft": throws(0, 120, speed="900 rpm", spacing="100 mm") | {"upper": {"throws": ["0 deg"], "ratio": -1}},
     "bank": {
         "L": {"angle": "-30 deg", "mechanism": slider()},
         "R": {"angle": "30 deg", "mechanism": slave("L")},
         "K": {"angle": "90 deg", "mechanism": ROCKER | {"load_radius": "1 m", "points": POINTS}},
         "W": {"mechanism": {"kind": "slotted_lever", "crank_radius": "40 mm", "ground_length": "90 mm"}},
         "Z": {"mechanism": {"kind": "oscillating_cylinder", "crank_radius": "40 mm", "ground_length": "190 mm"}},
+        "O": {
+            "exhaust": {"mechanism": slider(), "throws": [1]},
+            "scavenge": {"mechanism": slider(), "shaft": "upper"},
+            "lead": "12 deg",
+        },
     },
     "cylinder": {
         "bore": "80 mm",
         "compression_ratio": 9,
         "chambers": ["head", "crank"],
         "cycle": "four-stroke",
-        "firing_order": "1L-2Z-2R-1Z-1R-2L",
+        "firing_order": "1L-1O-2Z-2R-1Z-1R-2L",
+        "exhaust_port": "20 mm",
+        "scavenge_port": "15 mm",
+        "O": {"chambers": ["head"]},
     },
 }
 """A machine of all kinds, which declares all there is."""

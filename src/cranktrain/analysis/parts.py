@@ -7,7 +7,15 @@ from typing import cast
 import numpy as np
 
 from cranktrain.engine.axial import axial_places_of
-from cranktrain.engine.cylinders import CYCLES, chambers_of, compression_ratios_of, cylinders_of, firing_order_of
+from cranktrain.engine.cylinders import (
+    CYCLES,
+    chambers_of,
+    compression_ratios_of,
+    cylinder_pistons_of,
+    cylinders_of,
+    firing_order_of,
+    ports_of,
+)
 from cranktrain.engine.firing import Cycle
 from cranktrain.engine.followed import FollowedLinks, FollowedSliders, followed_of
 from cranktrain.engine.layout import (
@@ -21,8 +29,10 @@ from cranktrain.engine.layout import (
     has_rods,
     mechanisms_of,
 )
+from cranktrain.engine.opposed import OpposedCylinders
 from cranktrain.engine.places import Place
 from cranktrain.engine.points import link_points_of
+from cranktrain.engine.ports import TwoStroke
 from cranktrain.engine.rocker_load import load_radius_of
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
@@ -80,11 +90,16 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
     if pistons[0]:
         cylinders = [cylinders_of(machine.cylinder, some) for machine, some in zip(machines, pistons, strict=True)]
         drivers = mechanisms_of(Pistons, pistons)
+        sharing = cylinder_pistons_of(cylinders[0])
         parts += [
             drivers,
             PistonRods(rods) if (rods := has_rods(drivers)) is not None else None,
-            chambers_of(cylinders),
+            sharing,
+            OpposedCylinders(sharing) if np.any(sharing.is_opposed) else None,
+            chambers_of(cylinders, len(pistons[0])),
             compression_ratios_of(cylinders),
+            (ports := ports_of(cylinders)),
+            TwoStroke() if ports is not None or first.cylinder.cycle == "two-stroke" else None,
             Cycle(cycle) if cycle else None,
             firing_order_of(first.cylinder, pistons[0], astern=first.is_astern)[0],
         ]

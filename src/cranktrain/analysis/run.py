@@ -12,6 +12,7 @@ from cranktrain.catalogue import entries
 from cranktrain.engine.followed import FollowedLinks, FollowedSliders
 from cranktrain.engine.layout import CrankAngle, Mechanisms, Pistons, Rockers
 from cranktrain.engine.points import LinkPoints
+from cranktrain.engine.travel import CylinderPistons
 from cranktrain.engine.volumes import Chambers
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
@@ -124,6 +125,8 @@ def _labels(parts: Parts, machines: Sequence[Machine], gifts: Mapping[type, obje
     for kind in (Mechanisms, Pistons, Rockers):
         if kind in parts:
             labels[kind.dimension] = _part(parts, kind).names
+    if CylinderPistons in parts:
+        labels["cylinder"] = _part(parts, CylinderPistons).names
     if Chambers in parts:
         chambers = _part(parts, Chambers)
         labels |= {"chamber": chambers.names, "bank": tuple(dict.fromkeys(chambers.banks))}

@@ -16,10 +16,13 @@ from cranktrain.engine.dead_centres import dead_centres, piston_turn
 from cranktrain.engine.firing import firing
 from cranktrain.engine.followed import link_motion, slider_motions
 from cranktrain.engine.motion import piston_motion, piston_speeds
+from cranktrain.engine.opposed import combined_motion, combined_speeds, volumetric_dead_centres
 from cranktrain.engine.points import point_motion
+from cranktrain.engine.ports import effective_compression, port_timing
 from cranktrain.engine.rocker_load import load_motion
 from cranktrain.engine.rockers import dead_positions, rocker_motion, rocker_speeds, rocker_turn
 from cranktrain.engine.rods import rod_motion, rod_speeds
+from cranktrain.engine.travel import cylinder_travel
 from cranktrain.engine.volumes import chamber_volumes, swept_volumes
 from cranktrain.language import translated
 from cranktrain.mechanisms import KINDS
@@ -81,13 +84,19 @@ STAGES: tuple[Stage, ...] = tuple(
     for function in (
         piston_turn,
         dead_centres,
+        cylinder_travel,
+        volumetric_dead_centres,
         swept_volumes,
         chamber_volumes,
+        port_timing,
+        effective_compression,
         firing,
         piston_motion,
         rod_motion,
         piston_speeds,
         rod_speeds,
+        combined_motion,
+        combined_speeds,
         rocker_turn,
         dead_positions,
         rocker_motion,

@@ -9,7 +9,9 @@ import numpy as np
 
 from cranktrain.engine.firing import FiringOrder, firing_angles, within_turn
 from cranktrain.engine.places import Place
+from cranktrain.engine.ports import Ports
 from cranktrain.engine.specs import CylinderSpec, CylindersSpec
+from cranktrain.engine.travel import CylinderPistons
 from cranktrain.engine.volumes import Chambers, CompressionRatios
 from cranktrain.errors import Problem
 from cranktrain.language import _
@@ -22,20 +24,26 @@ CYCLES = {"two-stroke": 2 * np.pi, "four-stroke": 4 * np.pi}
 
 @dataclass(frozen=True)
 class Cylinder:
-    """One piston's cylinder: what its own table, its bank's or the common one gives, the nearest first.
+    """One cylinder: what its own table, its bank's or the common one gives, the nearest first.
 
     Attributes
     ----------
-    piston, bank : str
+    name, bank : str
+    pistons : tuple of int
+        Which of the pistons work in it: one, or the exhaust and the scavenge piston.
+    signs : tuple of float
+        Of each of them: +1 where room grows as the piston moves toward its shaft, −1 of one with side rods.
     spec : CylinderSpec
     paths : mapping of str to str
         Where in the machine file each field that is given stands.
     is_master : bool
-        Whether the piston hangs on the crank pin itself.
+        Whether its pistons hang on crank pins themselves.
     """
 
-    piston: str
+    name: str
     bank: str
+    pistons: tuple[int, ...]
+    signs: tuple[float, ...]
     spec: CylinderSpec
     paths: Mapping[str, str]
     is_master: bool
@@ -55,24 +63,36 @@ _COMMON_RATIO = "cylinder.compression_ratio"
 
 
 def cylinders_of(common: CylindersSpec, pistons: Sequence[Place]) -> tuple[Cylinder, ...]:
-    """Give every piston its cylinder."""
-    return tuple(_cylinder(common, place) for place in pistons)
+    """Give every cylinder its pistons and its dimensions."""
+    members: dict[str, list[int]] = {}
+    for i, place in enumerate(pistons):
+        members.setdefault(place.cylinder, []).append(i)
+    return tuple(_cylinder(common, pistons, tuple(index)) for index in members.values())
 
 
-def _cylinder(common: CylindersSpec, place: Place) -> Cylinder:
+def _cylinder(common: CylindersSpec, pistons: Sequence[Place], index: tuple[int, ...]) -> Cylinder:
     """Take each field from the nearest table that gives it."""
+    places = [pistons[i] for i in index]
+    name, bank = places[0].cylinder, places[0].bank
     tables: list[tuple[str, CylinderSpec]] = [
-        (f"cylinder.{name}", common.overrides[name]) for name in (place.name, place.bank) if name in common.overrides
+        (f"cylinder.{key}", common.overrides[key]) for key in (name, bank) if key in common.overrides
     ]
     fields: dict[str, Any] = {}
     paths: dict[str, str] = {}
     for path, table in (*tables, ("cylinder", common)):
-        for name in CylinderSpec.model_fields:
-            value = getattr(table, name)
-            if value is not None and name not in fields:
-                fields[name], paths[name] = value, f"{path}.{name}"
-    spec = CylinderSpec.model_construct(**fields)
-    return Cylinder(place.name, place.bank, spec, paths, is_master=place.kind.name == "slider_crank")
+        for field in CylinderSpec.model_fields:
+            value = getattr(table, field)
+            if value is not None and field not in fields:
+                fields[field], paths[field] = value, f"{path}.{field}"
+    return Cylinder(
+        name=name,
+        bank=bank,
+        pistons=index,
+        signs=tuple(-1.0 if place.is_far else 1.0 for place in places),
+        spec=CylinderSpec.model_construct(**fields),
+        paths=paths,
+        is_master=all(place.kind.name == "slider_crank" for place in places),
+    )
 
 
 def cylinder_problems(common: CylindersSpec, pistons: Sequence[Place]) -> tuple[Problem, ...]:
@@ -80,48 +100,63 @@ def cylinder_problems(common: CylindersSpec, pistons: Sequence[Place]) -> tuple[
     if not pistons:
         allowed = _("is not for this machine, which has no pistons")
         return (Problem("cylinder", None, allowed),) if common.model_fields_set else ()
-    known = dict.fromkeys([name for place in pistons for name in (place.bank, place.name) if name])
-    allowed = _("is neither a key of [cylinder] nor a bank or piston of this machine: {known}")
+    known = dict.fromkeys([name for place in pistons for name in (place.bank, place.cylinder) if name])
+    allowed = _("is neither a key of [cylinder] nor a bank or cylinder of this machine: {known}")
     problems = [
         Problem(f"cylinder.{name}", None, allowed.format(known=", ".join(known)))
         for name in common.overrides
         if name not in known
     ]
     cylinders = cylinders_of(common, pistons)
-    without = [cylinder.piston for cylinder in cylinders if cylinder.spec.bore is None]
+    without = [cylinder.name for cylinder in cylinders if cylinder.spec.bore is None]
     if without and len(without) < len(cylinders):
-        allowed = _("is missing for {pistons}, while others have one").format(pistons=", ".join(without))
+        allowed = _("is missing for {cylinders}, while others have one").format(cylinders=", ".join(without))
         problems.append(Problem("cylinder.bore", None, allowed))
     for cylinder in cylinders:
         bore, rod = cylinder.spec.bore, cylinder.spec.piston_rod
         if bore is not None and rod is not None and rod.si >= bore.si:
             allowed = _("must be less than the bore, {bore}").format(bore=bore.text)
             problems.append(Problem(cylinder.paths["piston_rod"], rod.text, allowed))
+        if len(cylinder.pistons) > 1 and cylinder.chambers != ("head",):
+            allowed = _("must be left out for opposed pistons, which have one chamber between them")
+            problems.append(Problem(cylinder.paths["chambers"], None, allowed))
     return tuple(dict.fromkeys(problems))
 
 
-def chambers_of(designs: Sequence[Sequence[Cylinder]]) -> Chambers | None:
+def cylinder_pistons_of(cylinders: Sequence[Cylinder]) -> CylinderPistons:
+    """Say which pistons work in which cylinder, and in which sense."""
+    return CylinderPistons(
+        names=tuple(cylinder.name for cylinder in cylinders),
+        index=np.array([[cylinder.pistons[0], cylinder.pistons[-1]] for cylinder in cylinders], dtype=np.intp),
+        signs=np.array([(*cylinder.signs, 0.0)[:2] for cylinder in cylinders]),
+    )
+
+
+def chambers_of(designs: Sequence[Sequence[Cylinder]], n_pistons: int) -> Chambers | None:
     """Signed area matrix of the working chambers; None where no bore is given."""
     first = designs[0]
     if not first or any(cylinder.spec.bore is None for design in designs for cylinder in design):
         return None
     sides = [(i, side) for i, cylinder in enumerate(first) for side in cylinder.chambers]
-    areas = np.zeros((len(designs), len(first), len(sides)))
+    areas = np.zeros((len(designs), n_pistons, len(sides)))
     for d, design in enumerate(designs):
         for column, (i, side) in enumerate(sides):
-            areas[d, i, column] = _signed_area(design[i].spec, side)
+            cylinder = design[i]
+            areas[d, list(cylinder.pistons), column] = _signed_area(cylinder.spec, side) * np.array(cylinder.signs)
     return Chambers(
         names=tuple(
-            first[i].piston if len(first[i].chambers) == 1 and side == "head" else f"{first[i].piston}.{side}"
+            first[i].name if len(first[i].chambers) == 1 and side == "head" else f"{first[i].name}.{side}"
             for i, side in sides
         ),
         banks=tuple(first[i].bank for i, _side in sides),
+        cylinder=np.array([i for i, _side in sides], dtype=np.intp),
+        is_head=np.array([side == "head" for _i, side in sides]),
         areas=areas,
     )
 
 
 def _signed_area(spec: CylinderSpec, side: str) -> float:
-    """Area by which a chamber grows as its piston moves toward the shaft. [m²]"""
+    """Area by which a chamber grows as a near piston moves toward the shaft. [m²]"""
     assert spec.bore is not None  # looked at before
     full = np.pi / 4 * spec.bore.si**2
     return full if side == "head" else -(full - (np.pi / 4 * spec.piston_rod.si**2 if spec.piston_rod else 0.0))
@@ -130,7 +165,7 @@ def _signed_area(spec: CylinderSpec, side: str) -> float:
 def compression_ratios_of(designs: Sequence[Sequence[Cylinder]]) -> CompressionRatios | None:
     """Compression ratio of every chamber that has one of its own; None where the leading piston has none.
 
-    The common ratio is the first master's; the heads of the other pistons share its deck and chamber.
+    The common ratio is the first master's; the heads of the other cylinders share its deck and chamber.
     """
     first = designs[0]
     sides = [(i, side) for i, cylinder in enumerate(first) for side in cylinder.chambers]
@@ -148,14 +183,37 @@ def compression_ratios_of(designs: Sequence[Sequence[Cylinder]]) -> CompressionR
     return CompressionRatios(value, np.array(leaders, dtype=np.intp))
 
 
+def ports_of(designs: Sequence[Sequence[Cylinder]]) -> Ports | None:
+    """Heights of the ports; None where any cylinder lacks one of the two."""
+    if not designs[0] or any(
+        cylinder.spec.exhaust_port is None or cylinder.spec.scavenge_port is None
+        for design in designs
+        for cylinder in design
+    ):
+        return None
+    return Ports(
+        piston=np.array([[cylinder.pistons[0], cylinder.pistons[-1]] for cylinder in designs[0]], dtype=np.intp),
+        height=np.array(
+            [
+                [
+                    [port.si for port in (cylinder.spec.exhaust_port, cylinder.spec.scavenge_port) if port is not None]
+                    for cylinder in design
+                ]
+                for design in designs
+            ]
+        ),
+    )
+
+
 def firing_order_of(
     common: CylindersSpec, pistons: Sequence[Place], *, astern: bool
 ) -> tuple[FiringOrder | None, tuple[Problem, ...]]:
-    """Read the firing order; None where the file has none. Running astern it is read backwards from the same piston.
+    """Read the firing order; None where the file has none. Running astern it is read backwards from the same cylinder.
 
     Whether the crank pins allow it can be told where the cycle is known, too.
     """
-    names = [place.name for place in pistons]
+    leading = [pistons[cylinder.pistons[0]] for cylinder in cylinders_of(common, pistons)]
+    names = [place.cylinder for place in leading]
     problems = _number_problems(common, names)
     if common.firing_order is None or problems:
         return None, problems
@@ -166,22 +224,22 @@ def firing_order_of(
     if astern:
         order = [order[0], *order[:0:-1]]
     index = [names.index(name) for name in order]
-    problems = _throw_problems(common, order, within_turn(np.array([pistons[i].nominal_top for i in index])))
-    by_piston = {name: word for word, name in common.numbers.items()}
-    numbers = tuple(by_piston.get(name, name) for name in order) if by_piston else ()
+    problems = _throw_problems(common, order, within_turn(np.array([leading[i].nominal_top for i in index])))
+    by_cylinder = {name: word for word, name in common.numbers.items()}
+    numbers = tuple(by_cylinder.get(name, name) for name in order) if by_cylinder else ()
     return (None if problems else FiringOrder(np.array(index, dtype=np.intp), numbers)), problems
 
 
 def _number_problems(common: CylindersSpec, names: Sequence[str]) -> tuple[Problem, ...]:
-    """Find a maker's numbers for no piston, or two for one."""
+    """Find a maker's numbers for no cylinder, or two for one."""
     problems: list[Problem] = []
     numbered: dict[str, str] = {}
     for word, name in common.numbers.items():
         allowed = None
         if name not in names:
-            allowed = _("must be a piston of this machine: {pistons}").format(pistons=", ".join(names))
+            allowed = _("must be a cylinder of this machine: {cylinders}").format(cylinders=", ".join(names))
         elif name in numbered:
-            allowed = _("must be another piston: this one is number {number}").format(number=numbered[name])
+            allowed = _("must be another cylinder: this one is number {number}").format(number=numbered[name])
         if allowed is not None:
             problems.append(Problem(f"cylinder.numbers.{word}", name, allowed))
         numbered.setdefault(name, word)
@@ -189,7 +247,7 @@ def _number_problems(common: CylindersSpec, names: Sequence[str]) -> tuple[Probl
 
 
 def _order_problems(common: CylindersSpec, order: Sequence[str], names: Sequence[str]) -> tuple[Problem, ...]:
-    """Find pistons that the order does not name once."""
+    """Find cylinders that the order does not name once."""
     unknown = [name for name in order if name not in names]
     twice = sorted({name for name in order if order.count(name) > 1})
     left_out = [name for name in names if name not in order]
@@ -204,8 +262,8 @@ def _order_problems(common: CylindersSpec, order: Sequence[str], names: Sequence
     ]
     if not wrong:
         return ()
-    allowed = _("must name each piston once ({pistons}); {wrong}").format(
-        pistons=", ".join(names), wrong="; ".join(wrong)
+    allowed = _("must name each cylinder once ({cylinders}); {wrong}").format(
+        cylinders=", ".join(names), wrong="; ".join(wrong)
     )
     return (Problem("cylinder.firing_order", common.firing_order, allowed),)
 

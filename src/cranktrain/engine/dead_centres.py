@@ -124,13 +124,13 @@ def dead_centres(turn: PistonTurn, crank_angle: CrankAngle) -> DeadCentres:
         stroke=different.spread(top.value - bottom.value)[..., 0],
         top_dead_centre=crank_angle.counted(different.angle(top.angle))[..., 0],
         bottom_dead_centre=crank_angle.counted(different.angle(bottom.angle))[..., 0],
-        top_shift=different.spread(_around_zero(top.angle))[..., 0],
-        bottom_shift=different.spread(_around_zero(bottom.angle - np.pi))[..., 0],
+        top_shift=different.spread(around_zero(top.angle))[..., 0],
+        bottom_shift=different.spread(around_zero(bottom.angle - np.pi))[..., 0],
         top_position=different.spread(top.value)[..., 0],
         bottom_position=different.spread(bottom.value)[..., 0],
     )
 
 
-def _around_zero(angle: Array) -> Array:
-    """Bring angles into [−π, π)."""
+def around_zero(angle: Array) -> Array:
+    """Bring angles into [−π, π). [rad]"""
     return np.mod(angle + np.pi, 2 * np.pi) - np.pi

@@ -1,4 +1,4 @@
-"""Firing: when each piston fires, at what intervals, and whether its true dead centre is there."""
+"""Firing: when each cylinder fires, at what intervals, and whether its true dead centre is there."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -7,13 +7,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
-from cranktrain.engine.dead_centres import DeadCentres
+from cranktrain.engine.dead_centres import around_zero
 from cranktrain.engine.layout import CrankAngle, Pistons
+from cranktrain.engine.travel import CylinderPistons, CylinderTravel
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.wording import Names, shared
 
-_PISTON = ("piston",)
+_CYLINDER = ("cylinder",)
 _THEORY = "docs/conventions"
 _SAME = 1e-9
 """Firings closer than this are simultaneous. [rad]"""
@@ -32,7 +33,7 @@ class Cycle:
 
 @dataclass(frozen=True)
 class FiringOrder:
-    """Pistons in the order in which they fire, as indices, shape (piston,); the same by the maker's numbers, if any."""
+    """Cylinders in the order in which they fire, as indices, shape (cylinder,); by the maker's numbers too, if any."""
 
     needs: ClassVar[str] = N_("[cylinder] firing_order")
 
@@ -42,39 +43,50 @@ class FiringOrder:
 
 @dataclass(frozen=True)
 class Firing:
-    """When each piston fires, nominally (crank along its cylinder), and how long until the next one does."""
+    """When each cylinder fires, nominally (crank along it), and how long until the next one does."""
 
     firing_angle: Array = quantity(
-        "φ_f", "deg", _PISTON, N_("Crank angle of nominal firing, the crank along the cylinder"), _THEORY
+        "φ_f",
+        "deg",
+        _CYLINDER,
+        N_("Crank angle of nominal firing, the (exhaust) crank along the cylinder"),
+        _THEORY,
     )
     firing_dead_centre: Array = quantity(
-        "φ_fT", "deg", _PISTON, N_("Crank angle of the true top dead centre at firing"), _THEORY
+        "φ_fT", "deg", _CYLINDER, N_("Crank angle of the least volume at firing: the true dead centre"), _THEORY
     )
     firing_interval: Array = quantity(
-        "Δφ_f", "deg", _PISTON, N_("From this piston's firing to the next one in the order"), _THEORY
+        "Δφ_f", "deg", _CYLINDER, N_("From this cylinder's firing to the next one in the order"), _THEORY
     )
     order: tuple[int, ...] = ()
     numbers: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str:
         """Say the order and the intervals."""
-        pistons = names["piston"]
-        order = "-".join(pistons[i] for i in self.order)
+        cylinders = names["cylinder"]
+        order = "-".join(cylinders[i] for i in self.order)
         if self.numbers:
             order = f"{'-'.join(self.numbers)} ({order})"
         intervals = self.firing_interval[design]
         if np.ptp(intervals) < _SAME:
             even = shared(("",), intervals[:1], "deg")
             return _("Firing order {order}, evenly every {interval}.").format(order=order, interval=even)
-        written = shared([pistons[i] for i in self.order], intervals[list(self.order)], "deg")
+        written = shared([cylinders[i] for i in self.order], intervals[list(self.order)], "deg")
         return _("Firing order {order}, unevenly: {intervals} to the next.").format(order=order, intervals=written)
 
 
 def firing(
-    order: FiringOrder, cycle: Cycle, pistons: Pistons, crank_angle: CrankAngle, dead_centres: DeadCentres
+    order: FiringOrder,
+    cycle: Cycle,
+    cylinders: CylinderPistons,
+    pistons: Pistons,
+    crank_angle: CrankAngle,
+    travel: CylinderTravel,
 ) -> Firing:
     """Firing angles in the turn that makes the order true."""
-    nominal = within_turn(pistons.nominal_top[..., 0])
+    top = pistons.nominal_top[:, cylinders.leading, 0]
+    nominal = within_turn(top)
+    shift = travel.inner - top
     angles = np.empty_like(nominal)
     interval = np.empty_like(nominal)
     for design, tops in enumerate(nominal):
@@ -84,9 +96,7 @@ def firing(
         interval[design, order.order] = np.diff(in_order, append=in_order[0] + cycle.length)
     return Firing(
         firing_angle=crank_angle.counted(angles[..., np.newaxis], cycle.length)[..., 0],
-        firing_dead_centre=crank_angle.counted((angles + dead_centres.top_shift)[..., np.newaxis], cycle.length)[
-            ..., 0
-        ],
+        firing_dead_centre=crank_angle.counted((angles + around_zero(shift))[..., np.newaxis], cycle.length)[..., 0],
         firing_interval=interval,
         order=tuple(order.order.tolist()),
         numbers=order.numbers,
@@ -100,21 +110,21 @@ def within_turn(tops: Array) -> Array:
 
 
 def firing_angles(tops: Array, cycle: float) -> Array | None:
-    """Choose the turn in which each piston fires, so that the order is true and the intervals are most even.
+    """Choose the turn in which each cylinder fires, so that the order is true and the intervals are most even.
 
     Parameters
     ----------
-    tops : Array, shape (piston,)
-        Crank angle in [0, 2π) at which each piston is nominally at its top, in firing order. [rad]
+    tops : Array, shape (cylinder,)
+        Crank angle in [0, 2π) at which each one's piston is nominally at its top, in firing order. [rad]
     cycle : float
         2π or 4π. [rad]
 
     Returns
     -------
-    Array, shape (piston,), or None
-        Angles that rise from the first piston's, within one cycle; None where the crank pins stand so that no choice
-        of turns gives this order. Pistons fire at the same time only where more of them are at their tops together than
-        the cycle has turns.
+    Array, shape (cylinder,), or None
+        Angles that rise from the first one's, within one cycle; None where the crank pins stand so that no choice
+        of turns gives this order. Cylinders fire at the same time only where more of
+        their pistons are at their tops together than the cycle has turns.
     """
     apart = _chosen(tops, cycle, least=_SAME)
     from_each_other = np.abs(np.mod(tops - tops[:, np.newaxis] + np.pi, 2 * np.pi) - np.pi)

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from cranktrain.engine.gearing import first_axis, opposed_angle, shaft_phases
 from cranktrain.engine.specs import BankSpec, ShaftSpec
 from cranktrain.errors import Problem
 from cranktrain.language import _
@@ -18,8 +19,10 @@ class Place:
 
     Attributes
     ----------
-    name, bank : str
-        `2L`, and its bank `L`.
+    name, cylinder, bank : str
+        `2L`, in cylinder `2L` of bank `L`; of opposed pistons `2L.exhaust`, in cylinder `2L`.
+    is_far : bool
+        Whether its piston bounds the cylinder from the far side, driven by side rods.
     shaft : str
         The shaft that it works on.
     throw : int
@@ -46,7 +49,9 @@ class Place:
     """
 
     name: str
+    cylinder: str
     bank: str
+    is_far: bool
     shaft: str
     throw: int
     sense: float
@@ -75,7 +80,9 @@ class _Slot:
     """A place before its geometry is known: bank and throw by index, angle of its axis from Y in the file's sense."""
 
     name: str
+    cylinder: str
     bank: str
+    is_far: bool
     shaft: str
     throw: int
     stagger: float
@@ -94,7 +101,7 @@ def places_of(
     ----------
     shafts : mapping of name to ShaftSpec
     banks : mapping of name to BankSpec
-        One bank of any name gives places `1`, `2`, …; more give `1L`, `2L`, …
+        One bank of any name gives places `1`, `2`, …; more give `1L`, `2L`, …; opposed pistons `1.exhaust`, ….
     astern : bool
         The same metal at −φ: all that counts in the sense of rotation or toward +y is mirrored.
     prefix : str
@@ -108,6 +115,8 @@ def places_of(
     slots, problems = _slots(shafts, banks, prefix)
     if problems:
         return (), problems
+    phases, problems = shaft_phases(shafts, banks)
+    first = first_axis(banks)
     places: list[Place] = []
     for slot in slots:
         master = _master_of(slot, slots)
@@ -120,20 +129,22 @@ def places_of(
             master_kind = kind_of(master.spec)
             hung = Master(master_kind.geometry(master.spec, None), slot.angle - master.angle)
         geometry = kind.geometry(slot.spec, hung)
-        kernel_axis = (master or slot).angle - slots[0].angle
+        kernel_axis = (master or slot).angle - first
         shaft = shafts[slot.shaft]
-        throw_angle = shaft.phase.si + shaft.throws[slot.throw].si - shaft.throws[0].si
+        throw_angle = phases[slot.shaft] + shaft.throws[slot.throw].si - shaft.throws[0].si
         # A crank that turns the other way is the same metal seen with y reversed, at the same φ.
         sense = -float(shaft.ratio) if astern else float(shaft.ratio)
         places.append(
             Place(
                 name=slot.name,
+                cylinder=slot.cylinder,
                 bank=slot.bank,
+                is_far=slot.is_far,
                 shaft=slot.shaft,
                 throw=slot.throw,
                 sense=sense,
                 stagger=slot.stagger,
-                axis=sense * (slot.angle - slots[0].angle),
+                axis=sense * (slot.angle - first),
                 throw_angle=sense * throw_angle,
                 phase=sense * (throw_angle - kernel_axis),
                 kind=kind,
@@ -149,41 +160,77 @@ def places_of(
 def _slots(
     shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec], prefix: str
 ) -> tuple[tuple[_Slot, ...], tuple[Problem, ...]]:
-    """Name every place, throw by throw through the bank's angles; problems where a throw does not exist."""
+    """Name every place, bank by bank; problems where a shaft or throw does not exist."""
     slots: list[_Slot] = []
     problems: list[Problem] = []
     for bank, spec in banks.items():
         path = f"{prefix}{bank}." if prefix else ""
-        if spec.shaft not in shafts:
-            allowed = _("must be one of the shafts: {shafts}").format(shafts=", ".join(shafts))
-            problems.append(Problem(f"{path}shaft", spec.shaft, allowed))
-            continue
-        n_throws = len(shafts[spec.shaft].throws)
-        throws = spec.throws or tuple(range(1, n_throws + 1))
-        allowed = _("must be one of the shaft's throws, 1 to {n}, each once").format(n=n_throws)
-        problems += [
-            Problem(f"{path}throws[{i}]", str(throw), allowed)
-            for i, throw in enumerate(throws)
-            if not 1 <= throw <= n_throws or throw in throws[:i]
-        ]
         suffix = bank if len(banks) > 1 else ""
-        lists = _lists(spec)
-        pairs = [(throw, k) for throw in throws for k in range(len(spec.angle))]
-        slots += [
-            _Slot(
-                name=f"{number}{suffix}",
-                bank=bank,
-                shaft=spec.shaft,
-                throw=throw - 1,
-                stagger=spec.stagger.si,
-                angle=spec.angle[k].si,
-                spec=spec.mechanism[k],
-                path=f"{path}mechanism",
-                lists=dict.fromkeys(lists, f"[{k}]"),
+        if not spec.opposed:
+            throws, wrong = _throws(shafts, spec.shaft, spec.throws, path)
+            problems += wrong
+            lists = _lists(spec)
+            slots += [
+                _Slot(
+                    name=f"{number}{suffix}",
+                    cylinder=f"{number}{suffix}",
+                    bank=bank,
+                    is_far=False,
+                    shaft=spec.shaft,
+                    throw=throw - 1,
+                    stagger=spec.stagger.si,
+                    angle=spec.angle[k].si,
+                    spec=spec.mechanism[k],
+                    path=f"{path}mechanism",
+                    lists=dict.fromkeys(lists, f"[{k}]"),
+                )
+                for number, (throw, k) in enumerate(((t, k) for t in throws for k in range(len(spec.angle))), start=1)
+            ]
+            continue
+        numbers: dict[str, int] = {}
+        for end, piston in spec.opposed.items():
+            throws, wrong = _throws(shafts, piston.shaft, piston.throws, f"{path}{end}.")
+            problems += wrong
+            numbers[end] = len(throws)
+            slots += [
+                _Slot(
+                    name=f"{number}{suffix}.{end}",
+                    cylinder=f"{number}{suffix}",
+                    bank=bank,
+                    is_far=piston.side_rods,
+                    shaft=piston.shaft,
+                    throw=throw - 1,
+                    stagger=spec.stagger.si,
+                    angle=opposed_angle(spec, end),
+                    spec=piston.mechanism,
+                    path=f"{path}{end}.mechanism",
+                    lists={},
+                )
+                for number, throw in enumerate(throws, start=1)
+            ]
+        if not problems and len(set(numbers.values())) > 1:
+            allowed = _("must be as many as the exhaust pistons have, {n}: two pistons share a cylinder")
+            problems.append(
+                Problem(f"{path}scavenge.throws", str(numbers["scavenge"]), allowed.format(n=numbers["exhaust"]))
             )
-            for number, (throw, k) in enumerate(pairs, start=1)
-        ]
     return tuple(slots), tuple(problems)
+
+
+def _throws(
+    shafts: Mapping[str, ShaftSpec], shaft: str, throws: tuple[int, ...] | None, path: str
+) -> tuple[tuple[int, ...], list[Problem]]:
+    """Throws on which pistons work, counted from 1: those given, or all of the shaft."""
+    if shaft not in shafts:
+        allowed = _("must be one of the shafts: {shafts}").format(shafts=", ".join(shafts))
+        return (), [Problem(f"{path}shaft", shaft, allowed)]
+    n_throws = len(shafts[shaft].throws)
+    chosen = throws or tuple(range(1, n_throws + 1))
+    allowed = _("must be one of the shaft's throws, 1 to {n}, each once").format(n=n_throws)
+    return chosen, [
+        Problem(f"{path}throws[{i}]", str(throw), allowed)
+        for i, throw in enumerate(chosen)
+        if not 1 <= throw <= n_throws or throw in chosen[:i]
+    ]
 
 
 def _lists(spec: BankSpec) -> tuple[str, ...]:

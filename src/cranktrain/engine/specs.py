@@ -36,14 +36,17 @@ OneOrMany = Annotated[tuple[Item, ...], BeforeValidator(_listed), Field(min_leng
 class ShaftSpec(Spec, frozen=True):
     """A crankshaft: throw angles ahead of throw 1, gaps between throws along it; of `main` the speed.
 
-    Another shaft turns by ratio·φ + phase: its throw 1 stands that far ahead of where throw 1 of `main` stood at φ = 0.
+    Another shaft turns by ratio·φ + phase: its throw 1 stands that far ahead of where throw 1 of `main` stood at φ = 0;
+    unless given, the lead of opposed pistons that work on it says so, or it is 0. Its place is where its centre lies
+    from that of `main`, to the right and up.
     """
 
     throws: tuple[Angle, ...] = Field(default=(Given(0.0, "0 deg"),), min_length=1)
     spacing: OneOrMany[NonNegativeLength] | None = None
     speed: PositiveSpeed | None = None
     ratio: Literal[1, -1] = 1
-    phase: Angle = Given(0.0, "0 deg")
+    phase: Angle | None = None
+    place: tuple[Length, Length] | None = None
 
     @model_validator(mode="after")
     def _spaced(self) -> Self:
@@ -59,18 +62,50 @@ MAIN = "main"
 """Name of the shaft whose angle is the crank angle."""
 
 
+ENDS = ("exhaust", "scavenge")
+"""The two pistons of an opposed-piston cylinder, by what they control."""
+
+
+class OpposedPistonSpec(Spec, frozen=True):
+    """One of the two pistons of a bank of opposed-piston cylinders: its mechanism, and where that works.
+
+    shaft is the one that it works on; throws are those of that shaft, counted from 1 (all unless given), the first for
+    the bank's first cylinder; side_rods says that on a shaft that both pistons share this one is the far one.
+    """
+
+    mechanism: AnyMechanism
+    shaft: str = MAIN
+    throws: tuple[int, ...] | None = Field(default=None, min_length=1)
+    side_rods: bool = False
+
+
 class BankSpec(Spec, frozen=True):
     """Cylinders in one direction, or a star of them where `angle` is a list: one mechanism for each angle.
 
     angle counts from Y; throws are the throws that the bank works on, counted from 1 (all unless given); stagger moves
-    the bank along Z toward the flywheel; shaft is the one that it works on.
+    the bank along Z toward the flywheel; shaft is the one that it works on. With opposed pistons there are, instead of
+    mechanism, throws and shaft, tables for the `exhaust` and the `scavenge` piston; angle is the direction from the
+    exhaust piston's shaft to the cylinder, and lead the angle by which the exhaust crank is ahead.
     """
 
     angle: OneOrMany[Angle] = (Given(0.0, "0 deg"),)
-    mechanism: tuple[AnyMechanism, ...]
+    mechanism: tuple[AnyMechanism, ...] = ()
     throws: tuple[int, ...] | None = Field(default=None, min_length=1)
     stagger: Length = Given(0.0, "0 mm")
     shaft: str = MAIN
+    exhaust: OpposedPistonSpec | None = None
+    scavenge: OpposedPistonSpec | None = None
+    lead: Angle | None = None
+
+    @property
+    def opposed(self) -> "Mapping[str, OpposedPistonSpec]":
+        """The exhaust and the scavenge piston by these names; none of a bank with one piston in a cylinder."""
+        return {name: piston for name in ENDS if (piston := getattr(self, name)) is not None}
+
+    @property
+    def shafts(self) -> tuple[str, ...]:
+        """Names of the shafts that the bank works on."""
+        return tuple(piston.shaft for piston in self.opposed.values()) or (self.shaft,)
 
     @model_validator(mode="before")
     @classmethod
@@ -106,6 +141,52 @@ class BankSpec(Spec, frozen=True):
             ),
         }
 
+    @model_validator(mode="after")
+    def _one_piston_or_two(self) -> Self:
+        """Refuse a bank without mechanism, one of two opposed pistons alone, and what belongs to the other way."""
+        found: list[Problem] = []
+        given = self.model_fields_set
+        if not self.opposed:
+            if not self.mechanism:
+                found.append(
+                    Problem("mechanism", None, _("is missing; or, with opposed pistons, exhaust and scavenge"))
+                )
+            if self.lead is not None:
+                found.append(Problem("lead", None, _("is for opposed pistons: give exhaust and scavenge")))
+        else:
+            found += [
+                Problem(name, None, _("is missing; opposed pistons are two, exhaust and scavenge"))
+                for name in ENDS
+                if name not in self.opposed
+            ]
+            allowed = _("must not stand beside opposed pistons, each of which has its own")
+            found += [Problem(name, None, allowed) for name in ("mechanism", "throws", "shaft") if name in given]
+            if len(self.angle) > 1:
+                found.append(Problem("angle", None, _("must be one angle for opposed pistons")))
+            found += self._side_rod_problems()
+        if found:
+            raise InputError(found)
+        return self
+
+    def _side_rod_problems(self) -> list[Problem]:
+        """Find pistons of which it cannot be told which one is the far one, or on two shafts need not be told."""
+        if len(self.opposed) < 2:
+            return []
+        far = [name for name, piston in self.opposed.items() if piston.side_rods]
+        if len(set(self.shafts)) == 2:
+            allowed = _("is for two pistons on one shaft; on two shafts they face each other")
+            return [Problem(f"{name}.side_rods", "true", allowed) for name in far]
+        found: list[Problem] = []
+        if len(far) != 1:
+            allowed = _(
+                "must be true for just one of exhaust and scavenge, the piston that is farther from their shaft"
+            )
+            found.append(Problem(f"{ENDS[1]}.side_rods", None, allowed))
+        if self.lead is not None:
+            allowed = _("is for pistons on two shafts; on one shaft its throws say how far one is ahead")
+            found.append(Problem("lead", None, allowed))
+        return found
+
 
 def _items(value: object) -> Sequence[Any] | None:
     """Items of a list, which by now may be a tuple; None for anything else."""
@@ -117,6 +198,8 @@ class CylinderSpec(Spec, frozen=True):
 
     bore: PositiveLength | None = None
     compression_ratio: Annotated[Given, Quantity(Dimension.RATIO, above=1.0)] | None = None
+    exhaust_port: PositiveLength | None = None
+    scavenge_port: PositiveLength | None = None
     chambers: tuple[Literal["head", "crank"], ...] | None = Field(default=None, min_length=1, max_length=2)
     piston_rod: PositiveLength | None = None
 
@@ -128,12 +211,12 @@ class CylinderSpec(Spec, frozen=True):
         return self
 
 
-OVERRIDES = "NAME (a bank or piston)"
-"""How the keys of [cylinder] name the tables of single banks and pistons."""
+OVERRIDES = "NAME (a bank or cylinder)"
+"""How the keys of [cylinder] name the tables of single banks and cylinders."""
 
 
 class CylindersSpec(CylinderSpec, frozen=True):
-    """All cylinders: their common dimensions, cycle and firing order, and `overrides` by bank or piston."""
+    """All cylinders: their common dimensions, cycle and firing order, and `overrides` by bank or cylinder."""
 
     cycle: Literal["two-stroke", "four-stroke"] | None = None
     firing_order: str | None = None

@@ -8,9 +8,8 @@ from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
-from cranktrain.engine.dead_centres import DeadCentres
-from cranktrain.engine.layout import Pistons
 from cranktrain.engine.motion import PistonMotion
+from cranktrain.engine.travel import CylinderTravel
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.wording import Names, shared
@@ -29,6 +28,10 @@ class Chambers:
         `1L`, or `1L.head` and `1L.crank` of a double-acting cylinder.
     banks : tuple of str
         Bank of each.
+    cylinder : array of int, shape (chamber,)
+        Which cylinder each is of.
+    is_head : array of bool, shape (chamber,)
+        Whether it is at the head, or between opposed pistons; otherwise it is on the crank's side.
     areas : Array, shape (design, piston, chamber)
         Signed: a chamber's volume grows by the area for each metre of piston displacement. [m²]
     """
@@ -37,7 +40,14 @@ class Chambers:
 
     names: tuple[str, ...]
     banks: tuple[str, ...]
+    cylinder: NDArray[np.intp]
+    is_head: NDArray[np.bool_]
     areas: Array
+
+    @property
+    def area(self) -> Array:
+        """Area of each chamber, shape (design, chamber). [m²]"""
+        return np.max(np.abs(self.areas), axis=1)
 
 
 @dataclass(frozen=True)
@@ -73,9 +83,9 @@ class SweptVolumes:
         return _("Displacement {total}; by bank: {banks}.").format(total=total, banks=banks)
 
 
-def swept_volumes(chambers: Chambers, dead_centres: DeadCentres) -> SweptVolumes:
-    """Swept volumes from piston areas and true strokes."""
-    swept = _summed(np.abs(chambers.areas), dead_centres.stroke)
+def swept_volumes(chambers: Chambers, travel: CylinderTravel) -> SweptVolumes:
+    """Swept volumes from piston areas and true strokes, of opposed pistons the combined one."""
+    swept = chambers.area * travel.stroke[:, chambers.cylinder]
     banks = tuple(dict.fromkeys(chambers.banks))
     by_bank = [np.sum(swept[:, [of == bank for of in chambers.banks]], axis=1) for bank in banks]
     return SweptVolumes(
@@ -102,40 +112,35 @@ class ChamberVolumes:
 
 
 def chamber_volumes(
-    pistons: Pistons,
-    chambers: Chambers,
-    ratios: CompressionRatios,
-    dead_centres: DeadCentres,
-    swept: SweptVolumes,
-    motion: PistonMotion,
+    chambers: Chambers, ratios: CompressionRatios, travel: CylinderTravel, swept: SweptVolumes, motion: PistonMotion
 ) -> ChamberVolumes:
     """Volume of every chamber over the cycle.
 
     Notes
     -----
     A chamber with a ratio of its own has V_c = V_h/(ε − 1). One without shares deck and chamber with its leader, so
-    that its clearance height is c = c_leader + H_leader − H, where H is the height of the piston pin at its top: the
-    ratios of articulated rods differ by stroke *and* by pin height.
+    that its clearance height is c = c_leader + H_leader − H, where H is how far its pistons reach into it, the height
+    of the piston pin at its top: the ratios of articulated rods differ by stroke *and* by pin height.
     """
-    area: Array = np.sum(np.abs(chambers.areas), axis=1)
-    height: Array = _summed(np.abs(chambers.areas), dead_centres.top_position) / area
-    own = swept.swept_volume / (ratios.value - 1) / area
+    own = swept.swept_volume / (ratios.value - 1) / chambers.area
+    reach = travel.reach[:, chambers.cylinder]
     clearance_height: Array = np.where(
-        np.isnan(ratios.value), own[:, ratios.leader] + height[:, ratios.leader] - height, own
+        np.isnan(ratios.value), own[:, ratios.leader] + reach[:, ratios.leader] - reach, own
     )
-    clearance = clearance_height * area
-    # A chamber on the shaft's side (area < 0) is smallest where its piston is at the bottom.
-    at_bottom = _summed(np.maximum(-chambers.areas, 0.0), dead_centres.stroke)
-    volume = (clearance + at_bottom)[..., np.newaxis] + _summed(chambers.areas, motion.piston_displacement)
+    clearance = clearance_height * chambers.area
+    # A chamber on the shaft's side is smallest where its piston is at the bottom.
+    smallest = np.where(chambers.is_head, travel.least[:, chambers.cylinder], -travel.stroke[:, chambers.cylinder])
+    start = clearance - chambers.area * smallest
+    volume = start[..., np.newaxis] + _summed(chambers.areas, motion.piston_displacement)
     return ChamberVolumes(
         chamber_volume=volume, clearance_volume=clearance, compression_ratio=1 + swept.swept_volume / clearance
     )
 
 
 def _summed(areas: Array, lengths: Array) -> Array:
-    """Volumes of every chamber, (design, chamber) or (design, chamber, n), from lengths of its own pistons.
+    """Volumes of every chamber, shape (design, chamber, n), from displacements of its own pistons.
 
     A piston that cannot move all round, NaN, leaves the chambers of others alone.
     """
-    weights = areas.reshape(areas.shape + (1,) * (lengths.ndim - 2))
+    weights = areas[..., np.newaxis]
     return np.sum(np.where(weights == 0.0, 0.0, weights * lengths[:, :, np.newaxis]), axis=1)

@@ -17,7 +17,7 @@ _SENTENCES = {
         "shaft": N_("Shafts by name; the angle of `main` is the crank angle."),
         "mechanism": N_("The mechanism of a machine that has only one; otherwise each bank has its own."),
         "bank": N_("Banks by name; the first one in the file is the first bank."),
-        "cylinder": N_("Cylinders: what is common to all, and tables for one bank or one piston."),
+        "cylinder": N_("Cylinders: what is common to all, and tables for one bank or one cylinder."),
     },
     "ShaftSpec": {
         "throws": N_("How far each throw stands ahead of throw 1; one that is to fire later stands behind."),
@@ -25,8 +25,10 @@ _SENTENCES = {
         "speed": N_("Mean speed of the shaft; with it, velocities and accelerations."),
         "ratio": N_("Of a shaft geared to `main`: 1 where it turns with it, -1 where it turns against it."),
         "phase": N_(
-            "Of a shaft geared to `main`: where its throw 1 stands at crank angle 0, ahead of throw 1 of `main`."
+            "Of a shaft geared to `main`: where its throw 1 stands at crank angle 0, ahead of throw 1 of `main`;"
+            " unless given, the lead of opposed pistons says so."
         ),
+        "place": N_("Where the shaft's centre lies from that of `main`: to the right, and up; with it, it is drawn."),
     },
     "BankSpec": {
         "angle": N_("From straight up to the bank's line of stroke, in the sense of rotation; a list makes a star."),
@@ -36,12 +38,23 @@ _SENTENCES = {
         "throws": N_("Throws on which the bank works, counted from 1; all unless given."),
         "shaft": N_("The shaft that the bank works on."),
         "stagger": N_("By how much the bank is moved along the shaft toward the flywheel."),
+        "exhaust": N_("With opposed pistons: the piston of each cylinder that uncovers the exhaust ports."),
+        "scavenge": N_("With opposed pistons: the piston of each cylinder that uncovers the scavenge ports."),
+        "lead": N_("By how much the exhaust crank is ahead of the scavenge crank; it phases their shafts."),
+    },
+    "OpposedPistonSpec": {
+        "mechanism": N_("The mechanism of the piston."),
+        "shaft": N_("The shaft that the piston works on."),
+        "throws": N_("Throws on which the bank's pistons work, counted from 1; all unless given."),
+        "side_rods": N_("On a shaft that both pistons share: whether this one is the far one, driven by side rods."),
     },
     "CylinderSpec": {
         "bore": N_("Diameter of the cylinder."),
         "compression_ratio": N_(
             "Largest volume over smallest, by the true stroke; a cylinder without its own has the first one's deck."
         ),
+        "exhaust_port": N_("Height of the exhaust ports, open where the piston is at its outer dead centre."),
+        "scavenge_port": N_("Height of the scavenge ports, open where the piston is at its outer dead centre."),
         "chambers": N_(
             'Sides of the piston that work: ["head", "crank"] is double-acting; the head\'s alone unless given.'
         ),
@@ -50,10 +63,10 @@ _SENTENCES = {
     "CylindersSpec": {
         "cycle": N_("Strokes of one working cycle; the crank angle runs through one or two turns."),
         "firing_order": N_(
-            'Pistons in the order in which they fire, such as "1-3-4-2"; with the cycle: firing angles.'
+            'Cylinders in the order in which they fire, such as "1-3-4-2"; with the cycle: firing angles.'
         ),
-        "numbers": N_('A maker\'s own numbers of the pistons, for use in the firing order: { 5 = "1L" }.'),
-        "overrides": N_("What one bank or one piston has of its own."),
+        "numbers": N_('A maker\'s own numbers of the cylinders, for use in the firing order: { 5 = "1L" }.'),
+        "overrides": N_("What one bank or one cylinder has of its own."),
     },
     "MechanismSpec": {
         "kind": N_("Kind of mechanism."),

@@ -112,7 +112,7 @@ class _Writer:
         return self._reference(f"{spec.__name__.removesuffix('Spec')}InBank", table | {"properties": several})
 
     def _cylinders(self) -> Schema:
-        """Describe the cylinders: what is no key of theirs is a table for one bank or piston."""
+        """Describe the cylinders: what is no key of theirs is a table for one bank or cylinder."""
         own = [name for name in CylindersSpec.model_fields if name != "overrides"]
         return {
             "type": "object",

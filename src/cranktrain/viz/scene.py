@@ -145,7 +145,11 @@ def scene_of(machine: Machine) -> Scene:
     """Collect what there is to draw of a machine's first throw."""
     places = first_throw(machine)
     pistons = [place for place in places if place.kind.output == "slider"]
-    bores = {cylinder.piston: cylinder.spec.bore for cylinder in cylinders_of(machine.cylinder, pistons)}
+    bores = {
+        pistons[i].name: cylinder.spec.bore
+        for cylinder in cylinders_of(machine.cylinder, pistons)
+        for i in cylinder.pistons
+    }
     members: list[Member] = []
     for number, place in enumerate(places):
         drawing = placed(machine, place, _TURN)

@@ -62,7 +62,7 @@ FILES = {
     ),
     "no permutation": (
         (BANKS + 'firing_order = "1-1"\n').encode(),
-        "bad.toml:10:16  cylinder.firing_order = 1-1: must name each piston once (1, 2); twice: 1; left out: 2",
+        "bad.toml:10:16  cylinder.firing_order = 1-1: must name each cylinder once (1, 2); twice: 1; left out: 2",
     ),
     "cannot fire so": (
         (

@@ -172,7 +172,7 @@ def test_order_without_a_cycle_is_said_to_lack_it():
 @pytest.mark.parametrize(
     ("numbers", "path", "said"),
     [
-        ({"1": "3"}, "cylinder.numbers.1", "must be a piston of this machine: 1, 2"),
+        ({"1": "3"}, "cylinder.numbers.1", "must be a cylinder of this machine: 1, 2"),
         ({"1": "1", "2": "1"}, "cylinder.numbers.2", "this one is number 1"),
     ],
 )

@@ -1,0 +1,226 @@
+"""Opposed pistons by closed forms: 4R cos(Δ/2), Δ/2, port angles, and phases that close round shafts."""
+
+import re
+
+import numpy as np
+import pytest
+from tests.machines import slider, turned
+
+import cranktrain as ct
+
+CRANK = {"kind": "slider_crank", "crank_radius": "127 mm", "rod_length": "508 mm"}
+
+
+def machine(lead=12.0, exhaust=CRANK, scavenge=CRANK, upper=None, cylinder=None, **tables):
+    return ct.Machine(
+        shaft={"main": {"speed": "850 rpm"}, "upper": upper or {}},
+        bank={
+            "A": {
+                "lead": f"{lead!r} deg",
+                "exhaust": {"mechanism": exhaust},
+                "scavenge": {"mechanism": scavenge, "shaft": "upper"},
+            }
+        },
+        cylinder=cylinder or {},
+        **tables,
+    )
+
+
+def travel(alpha, radius=0.127, rod=0.508):
+    return radius * (1 - np.cos(alpha)) + rod - np.sqrt(rod**2 - radius**2 * np.sin(alpha) ** 2)
+
+
+@pytest.mark.parametrize("ratio", [1, -1])
+@pytest.mark.parametrize("lead", [0.0, 5.0, 12.0, 20.0, -12.0])
+def test_equal_cranks_and_rods(lead, ratio):
+    result = ct.run(machine(lead, upper={"ratio": ratio}))
+    assert result.lead[0] == pytest.approx(lead, abs=1e-12)
+    assert result.combined_stroke[0] == pytest.approx(4 * 0.127 * np.cos(np.deg2rad(lead / 2)), rel=1e-15)
+    assert result.nominal_stroke[0] == pytest.approx(4 * 0.127, rel=1e-15)
+    assert turned(result.inner_volumetric_dead_centre[0] - lead / 2) == pytest.approx(0, abs=1e-10)
+    assert turned(result.outer_volumetric_dead_centre[0] - 180 - lead / 2) == pytest.approx(0, abs=1e-10)
+    assert result.inner_volumetric_shift[0] == pytest.approx(lead / 2, abs=1e-10)
+    assert result.least_combined_travel[0] == pytest.approx(2 * travel(np.deg2rad(lead / 2)), abs=1e-15)
+
+
+@pytest.mark.parametrize("running", ["ahead", "astern"])
+def test_combined_travel_is_the_sum_of_both(running):
+    sense = 1 if running == "ahead" else -1
+    result = ct.run(machine(running=running))
+    phi = np.deg2rad(result.crank_angle)
+    both = travel(phi) + travel(phi - sense * np.deg2rad(12))
+    np.testing.assert_allclose(result.combined_displacement[0], both - 2 * travel(np.deg2rad(6)), rtol=0, atol=1e-15)
+    assert result.lead[0] == pytest.approx(sense * 12, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("exhaust", "scavenge", "inner", "outer"), [(0.22, 0.26, 0.0970, -0.1570), (0.20, 0.30, 0.2405, -0.3976)]
+)
+def test_unequal_rods_are_off_half_the_lead(exhaust, scavenge, inner, outer):
+    """Numbers found by two other programs; half the lead is 6°."""
+    rods = [{"kind": "slider_crank", "crank_radius": "127 mm", "crank_to_rod_ratio": x} for x in (exhaust, scavenge)]
+    result = ct.run(machine(12.0, *rods))
+    assert result.inner_volumetric_shift[0] == pytest.approx(6 + inner, abs=6e-5)
+    assert result.outer_volumetric_shift[0] == pytest.approx(6 + outer, abs=6e-5)
+    assert f"is up to {-outer:.2f} deg off" in result.summary()
+
+
+def test_an_offset_counts_toward_the_side_to_which_the_own_shaft_turns():
+    """With the shafts opposite, mirror images that start together stay mirror images; with the same sense not."""
+    offset = CRANK | {"offset": "20 mm"}
+    same, opposite = (ct.run(machine(0.0, offset, offset, upper={"ratio": ratio})) for ratio in (1, -1))
+    np.testing.assert_allclose(same.piston_displacement[1], same.piston_displacement[0], rtol=0, atol=1e-15)
+    back = opposite.piston_displacement[1]
+    np.testing.assert_allclose(back, np.roll(same.piston_displacement[1][::-1], 1), rtol=0, atol=1e-15)
+    assert np.max(np.abs(back - opposite.piston_displacement[0])) > 1e-3
+
+
+def port_angle(height):
+    """Angle of the crank from its inner dead centre at which a central slider is `height` from the outer one."""
+    x = 0.508 - 0.127 + height
+    return np.degrees(np.arccos((x**2 + 0.127**2 - 0.508**2) / (2 * x * 0.127)))
+
+
+@pytest.mark.parametrize(
+    ("lead", "running", "before"),
+    [(12.0, "ahead", 17.8), (12.0, "astern", -6.2), (5.0, "ahead", 10.8), (5.0, "astern", 0.8)],
+)
+def test_ports_of_a_10d100(lead, running, before):
+    cylinder = {"bore": "207 mm", "compression_ratio": 13.7, "exhaust_port": "60 mm", "scavenge_port": "50 mm"}
+    result = ct.run(machine(lead, cylinder=cylinder, running=running))
+    sense = 1 if running == "ahead" else -1
+    exhaust, scavenge = port_angle(0.06), port_angle(0.05)
+    assert result.exhaust_opens[0] == pytest.approx(exhaust, abs=1e-10)
+    assert result.exhaust_closes[0] == pytest.approx(360 - exhaust, abs=1e-10)
+    assert result.scavenge_opens[0] == pytest.approx(scavenge + sense * lead, abs=1e-10)
+    assert result.scavenge_closes[0] == pytest.approx(360 - scavenge + sense * lead, abs=1e-10)
+    assert result.exhaust_opens_before[0] == pytest.approx(before, abs=0.05)
+    assert any("blows back" in flag for flag in result.flags) == (before < 0)
+    if (lead, running) == (12.0, "ahead"):
+        assert result.effective_compression_ratio[0] == pytest.approx(10.67, abs=5e-3)
+
+
+def test_ports_of_one_piston():
+    """A loop-scavenged cylinder: both ports on its only piston, symmetric about the bottom."""
+    cylinder = {"cycle": "two-stroke", "exhaust_port": "60 mm", "scavenge_port": "50 mm"}
+    result = ct.run(ct.Machine(mechanism=CRANK, cylinder=cylinder))
+    assert result.exhaust_opens[0] == pytest.approx(port_angle(0.06), abs=1e-10)
+    assert result.scavenge_closes[0] == pytest.approx(360 - port_angle(0.05), abs=1e-10)
+    assert result.exhaust_closes_before[0] == pytest.approx(-result.exhaust_opens_before[0], abs=1e-10)
+
+
+def test_a_port_higher_than_the_stroke_is_never_shut():
+    result = ct.run(machine(cylinder={"exhaust_port": "260 mm", "scavenge_port": "50 mm"}))
+    assert np.isnan(result.exhaust_opens[0])
+    assert any("never shut" in flag for flag in result.flags)
+
+
+def triangle(*leads, ratios=(1, 1, -1)):
+    """Three shafts at the corners of a triangle and cylinders along its sides, each with a different exhaust shaft."""
+    shafts = dict(zip(("main", "b", "c"), ({"ratio": ratio} for ratio in ratios), strict=True))
+    del shafts["main"]["ratio"]
+    ends = (("main", "b", 90.0), ("b", "c", 210.0), ("c", "main", 330.0))
+    return ct.Machine(
+        shaft=shafts,
+        bank={
+            name: {
+                "angle": f"{angle!r} deg",
+                "lead": f"{lead!r} deg",
+                "exhaust": {"mechanism": slider(), "shaft": exhaust},
+                "scavenge": {"mechanism": slider(), "shaft": scavenge},
+            }
+            for name, (exhaust, scavenge, angle), lead in zip("ABC", ends, leads, strict=True)
+        },
+    )
+
+
+def test_a_triangle_with_one_shaft_reversed_closes_at_20_degrees():
+    """3Δ + 60°·Σr ≡ 0 gives Δ = ±20° for one reversed shaft, the sign as the triangle is run round."""
+    with pytest.raises(ct.InputError) as caught:
+        ct.run(triangle(15.0, 15.0, 15.0))
+    (problem,) = caught.value.problems
+    assert problem.path.startswith("bank.")
+    wanted = float(re.search(r"; or (\S+) deg for each of the 3 banks", problem.allowed)[1])
+    assert abs(wanted) == pytest.approx(20, abs=1e-9)
+    result = ct.run(triangle(wanted, wanted, wanted))
+    np.testing.assert_allclose(result.lead, wanted, atol=1e-12)
+    # Bank phases 0, −40°, −80° (or the other way round): with six throws at 60° one firing every 20°.
+    assert np.sort(np.mod(result.inner_volumetric_dead_centre, 60)) == pytest.approx(
+        np.sort(np.mod(result.inner_volumetric_dead_centre[0] + np.array([0, 20, 40]), 60)), abs=1e-9
+    )
+
+
+def test_a_triangle_with_all_shafts_alike_wants_60_degrees():
+    with pytest.raises(ct.InputError, match=r"or -?(60|180) deg for each of the 3 banks"):
+        ct.run(triangle(20.0, 20.0, 20.0, ratios=(1, 1, 1)))
+    ct.run(triangle(60.0, 60.0, 60.0, ratios=(1, 1, 1)))
+
+
+def test_a_lead_and_a_phase_must_agree():
+    ct.run(machine(12.0, upper={"phase": "168 deg"}))
+    with pytest.raises(ct.InputError, match=r"bank.A.lead = 12.0 deg: must be 20 deg"):
+        ct.run(machine(12.0, upper={"phase": "160 deg"}))
+
+
+@pytest.mark.parametrize(
+    ("bank", "path", "words"),
+    [
+        ({"exhaust": {"mechanism": CRANK}}, "bank.A.scavenge", "opposed pistons are two"),
+        ({}, "bank.A.mechanism", "is missing"),
+        ({"mechanism": CRANK, "lead": "5 deg"}, "bank.A.lead", "is for opposed pistons"),
+        (
+            {"exhaust": {"mechanism": CRANK}, "scavenge": {"mechanism": CRANK}},
+            "bank.A.scavenge.side_rods",
+            "must be true for just one",
+        ),
+        (
+            {"exhaust": {"mechanism": CRANK, "shaft": "upper"}, "scavenge": {"mechanism": CRANK, "side_rods": True}},
+            "bank.A.scavenge.side_rods",
+            "face each other",
+        ),
+        (
+            {"mechanism": CRANK, "exhaust": {"mechanism": CRANK}, "scavenge": {"mechanism": CRANK, "shaft": "upper"}},
+            "bank.A.mechanism",
+            "must not stand beside",
+        ),
+        (
+            {"exhaust": {"mechanism": CRANK}, "scavenge": {"mechanism": CRANK, "shaft": "lower"}},
+            "bank.A.scavenge.shaft",
+            "must be one of the shafts",
+        ),
+        (
+            {"exhaust": {"mechanism": CRANK, "throws": [1]}, "scavenge": {"mechanism": CRANK, "shaft": "upper"}},
+            "bank.A.scavenge.throws",
+            "as many as the exhaust pistons have, 1",
+        ),
+        (
+            {"exhaust": {"mechanism": CRANK}, "scavenge": {"mechanism": CRANK, "side_rods": True}, "lead": "5 deg"},
+            "bank.A.lead",
+            "on one shaft its throws say",
+        ),
+        (
+            {
+                "angle": ["0 deg", "90 deg"],
+                "exhaust": {"mechanism": CRANK},
+                "scavenge": {"mechanism": CRANK, "shaft": "upper"},
+            },
+            "bank.A.angle",
+            "must be one angle",
+        ),
+    ],
+)
+def test_what_cannot_be(bank, path, words):
+    with pytest.raises(ct.InputError) as caught:
+        ct.run(
+            ct.Machine(
+                shaft={"upper": {"throws": ["0 deg", "90 deg"]}},
+                bank={"A": bank, "B": {"mechanism": CRANK, "shaft": "upper"}},
+            )
+        )
+    problems = {problem.path: problem.allowed for problem in caught.value.problems}
+    assert words in problems[path]
+
+
+def test_a_chamber_between_two_pistons_is_one():
+    with pytest.raises(ct.InputError, match=r"cylinder.chambers.*opposed pistons"):
+        ct.run(machine(cylinder={"bore": "100 mm", "chambers": ["head", "crank"]}))
