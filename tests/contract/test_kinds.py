@@ -11,6 +11,8 @@ import cranktrain as ct
 from cranktrain.mechanisms import KINDS, kind_named
 from cranktrain.mechanisms.closing import closing_margin
 from cranktrain.mechanisms.kind import leaves, named_part, scaled, stacked
+from cranktrain.study.placement import placed
+from cranktrain.study.polygons import acceleration_polygons, velocity_polygons
 
 ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "src/cranktrain/mechanisms"
@@ -32,7 +34,7 @@ def place_of(kind, **changes):
 def distances(drawing, pins):
     """Distance between each two of some pins."""
     return {
-        (one, other): np.hypot(*(np.subtract(drawing.pins[one][axis], drawing.pins[other][axis]) for axis in (0, 1)))
+        (one, other): np.hypot(*(drawing.positions[one] - drawing.positions[other]))
         for one, other in itertools.combinations(pins, 2)
     }
 
@@ -149,7 +151,7 @@ def test_guides_hold_their_pin_on_a_line(kind):
         geometry = geometry._replace(offset=7e-3)
     drawing = place.kind.drawing(PHI, geometry)
     for guide in drawing.guides:
-        x, y = (np.asarray(part) for part in drawing.pins[guide.pin])
+        x, y = drawing.positions[guide.pin]
         across = y * np.cos(guide.direction) - x * np.sin(guide.direction)
         np.testing.assert_allclose(across, across[0], atol=1e-15)
         if geometry is not place.geometry and guide is drawing.guides[0]:
@@ -166,10 +168,41 @@ def test_drawing_names_pins_that_it_has(kind):
     assert named <= set(drawing.pins)
     assert set(drawing.pins) <= named
     for name in drawing.fixed:
-        for part in drawing.pins[name]:
+        for part in drawing.positions[name]:
             assert np.ptp(part) == 0, name
     for name in drawing.paths:
-        assert max(np.ptp(part) for part in drawing.pins[name]) > 0, name
+        assert max(np.ptp(part) for part in drawing.positions[name]) > 0, name
+    blocks = {pin for block in drawing.blocks for pin in (block.pin, *block.link)}
+    assert blocks | set(drawing.ends) <= set(drawing.pins)
+    assert {block.pin for block in drawing.blocks}.isdisjoint(drawing.ends)
+    known = set(drawing.fixed)
+    for link in drawing.links:
+        assert {link.pins[0]} & (known | {guide.pin for guide in drawing.guides} | set(drawing.ends)), link.name
+        known |= set(link.pins)
+
+
+@every_kind
+def test_drawn_pins_have_the_derivatives_of_their_positions(kind):
+    """Against central differences of the positions, of eighth order: coefficients of Fornberg (1988), table 1."""
+    place = place_of(kind)
+    step = 1e-2
+    first, second = np.array([4 / 5, -1 / 5, 4 / 105, -1 / 280]), np.array([8 / 5, -1 / 5, 8 / 315, -1 / 560])
+
+    def at(shift):
+        return place.kind.drawing(PHI + shift, place.geometry).positions
+
+    here, sides = at(0.0), [(at(k * step), at(-k * step)) for k in range(1, 5)]
+    size = max(np.max(np.abs(values)) for values in here.values())
+    for name, pin in place.kind.drawing(PHI, place.geometry).pins.items():
+        velocity = sum(c * (ahead[name] - behind[name]) for c, (ahead, behind) in zip(first, sides, strict=True)) / step
+        around = sum(c * (ahead[name] + behind[name]) for c, (ahead, behind) in zip(second, sides, strict=True))
+        acceleration = (around - 205 / 72 * here[name]) / step**2
+        for part, exact in ((0, velocity), (1, velocity)):
+            found = np.broadcast_to(pin[part].first, PHI.shape)
+            np.testing.assert_allclose(found, exact[part], rtol=0, atol=1e-9 * size, err_msg=name)
+        for part in (0, 1):
+            found = np.broadcast_to(pin[part].second, PHI.shape)
+            np.testing.assert_allclose(found, acceleration[part], rtol=0, atol=1e-8 * size, err_msg=name)
 
 
 @every_kind
@@ -178,7 +211,7 @@ def test_drawing_agrees_with_the_motion(kind):
     place = place_of(kind)
     kind = place.kind
     drawing, motion = kind.drawing(PHI, place.geometry), kind.motion(PHI, place.geometry)
-    positions = list(drawing.pins.values())
+    positions = list(drawing.positions.values())
     if kind.output == "slider":
         across = (value for values in distances(drawing, drawing.pins).values() for value in (values, -values))
         directions = [guide.direction for guide in drawing.guides] or [0.0]
@@ -197,11 +230,37 @@ def test_drawing_of_many_mechanisms_at_once(kind):
     kind = place.kind
     columns = stacked([[place.geometry, place.geometry], [place.geometry, place.geometry]])
     many, one = kind.drawing(PHI, columns), kind.drawing(PHI, place.geometry)
-    for name, parts in many.pins.items():
-        for part, single in zip(parts, one.pins[name], strict=True):
+    for name, parts in many.positions.items():
+        for part, single in zip(parts, one.positions[name], strict=True):
             np.testing.assert_allclose(np.broadcast_to(part, (2, 2, PHI.size))[1, 0], single, atol=1e-15)
 
 
 @every_kind
 def test_geometry_is_numbers(kind):
     assert all(isinstance(leaf, float) for leaf in leaves(place_of(kind).geometry))
+
+
+@every_kind
+@pytest.mark.parametrize("running", ["ahead", "astern"])
+@pytest.mark.parametrize(("polygons_of", "order"), [(velocity_polygons, 1), (acceleration_polygons, 2)])
+def test_lengths_of_plans_times_their_scale_are_the_pins_motion(kind, running, polygons_of, order):
+    """From the pole to a point of the polygon, times μ, is the pin's own motion; every vector joins its two points."""
+    table = tomllib.loads(kind.example)
+    table.setdefault("shaft", {}).setdefault("main", {})["speed"] = "70 rad/s"
+    machine = ct.Machine(**table, running=running)
+    place = next(place for place in machine.places if place.kind.name == kind.name)
+    angles = [17.0, 100.0, 201.0, 333.0]
+    drawing = placed(machine, place, np.radians(angles) + machine.zero)
+    for at, polygon in enumerate(polygons_of(machine, angles, mechanism=place.name)):
+        points = {name: polygon.scale * np.array(point) for name, point in polygon.points.items()}
+        longest = max(vector.size for vector in polygon.vectors)
+        seen = set()
+        for vector in polygon.vectors:
+            between = points[vector.end] - points[vector.start]
+            np.testing.assert_allclose(between, vector.value, rtol=0, atol=1e-12 * longest, err_msg=vector.symbol)
+            if vector.part == "absolute" and not vector.pins[0].endswith("'"):
+                pin = drawing.pins[vector.pins[0]]
+                exact = 70.0**order * np.array([pin.x[order][at], pin.y[order][at]])
+                np.testing.assert_allclose(vector.value, exact, rtol=0, atol=1e-13 * longest, err_msg=vector.symbol)
+                seen.add(vector.pins[0])
+        assert seen == set(drawing.pins) - set(drawing.fixed) - set(drawing.ends)

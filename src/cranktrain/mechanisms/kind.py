@@ -1,14 +1,14 @@
 """What every kind of mechanism gives: its spec, geometry, kernel, drawing, and the lengths that let it close."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import reduce
 from typing import Any, Literal, NamedTuple, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.motion import Array, Point
+from cranktrain.motion import Array, Coefficient, Point
 from cranktrain.quantities import Length
 from cranktrain.spec import Spec
 
@@ -64,27 +64,56 @@ class Guide(NamedTuple):
     direction: Array
 
 
+class Block(NamedTuple):
+    """A sliding contact: a pin that slides along a link, and that link's pins; one pin of a link that never turns."""
+
+    pin: str
+    link: tuple[str, ...]
+
+
 @dataclass(frozen=True)
 class Drawing:
-    """A mechanism to draw: where its pins are at each crank angle, in its own axes, and what joins them.
+    """A mechanism to draw: how its pins move, in its own axes, and what joins them.
 
     Attributes
     ----------
-    pins : mapping of name to (x, y)
-        Arrays of shape (..., n). [m]
+    pins : mapping of name to Point
+        Coefficients of shape (..., n); a point that stands still may have (..., 1) or none. [m, m/rad, m/rad²]
     links : sequence of DrawnLink
+        The crank first; every link after those that hold its first pin.
     guides : sequence of Guide
+        The output's first.
     fixed : sequence of str
         Pins that stand still.
     paths : sequence of str
         Pins whose path is worth drawing.
+    blocks : sequence of Block
+    ends : sequence of str
+        Pins that only show how far a link reaches, where no length of the geometry says it: no plan speaks of them.
     """
 
-    pins: Mapping[str, tuple[Array, Array]]
+    pins: Mapping[str, Point]
     links: Sequence[DrawnLink]
     guides: Sequence[Guide]
     fixed: Sequence[str]
     paths: Sequence[str]
+    blocks: Sequence[Block] = ()
+    ends: Sequence[str] = ()
+
+    @property
+    def positions(self) -> dict[str, Array]:
+        """Where the pins are, by name: x and y, shape (2, ..., n), of all pins alike."""
+        shape = np.broadcast_shapes(*(np.shape(part.value) for pin in self.pins.values() for part in pin))
+        return {name: np.stack([np.broadcast_to(part.value, shape) for part in pin]) for name, pin in self.pins.items()}
+
+    def scaled(self, factor: float) -> "Drawing":
+        """Give the same drawing in another unit of length."""
+        pins = {name: Point(*(_times(part, factor) for part in pin)) for name, pin in self.pins.items()}
+        return replace(self, pins=pins)
+
+
+def _times(part: Coefficient, factor: float) -> Coefficient:
+    return Coefficient(*(factor * value for value in part))
 
 
 @dataclass(frozen=True)
@@ -255,8 +284,3 @@ def rows(geometry: Geometry, index: NDArray[np.intp]) -> Geometry:
         return value.reshape(-1, 1)[index]
 
     return _rebuilt(geometry, chosen)
-
-
-def pin_positions(**points: Point) -> dict[str, tuple[Array, Array]]:
-    """Give the positions of points by name, as a drawing wants them."""
-    return {name: (point.x.value, point.y.value) for name, point in points.items()}

@@ -8,7 +8,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.study.placement import frame, joints, place_called
+from cranktrain.study.placement import frame, place_called, placed
 from cranktrain.study.plans import closed_angles
 
 
@@ -70,10 +70,10 @@ def klein(machine: Machine, angle: float, *, mechanism: str | None = None) -> Kl
         raise InputError([Problem("", place.name, allowed)])
     closed_angles(machine, place, [angle])
     axes = frame(machine, place)
-    moving = joints(machine, place, np.array([np.deg2rad(angle) + machine.zero]))
+    pins = placed(machine, place, np.array([np.deg2rad(angle) + machine.zero])).positions
     stroke = np.array([np.sin(axes.direction), np.cos(axes.direction)])
     across = np.array([-stroke[1], stroke[0]])
-    pin, piston = (np.array([moving[name].x.value[0], moving[name].y.value[0]]) for name in "AB")
+    pin, piston = (pins[name][:, 0] for name in "AB")
     rod = piston - pin
     length = float(np.hypot(*rod))
     crossing = pin - np.dot(pin, stroke) / np.dot(rod, stroke) * rod

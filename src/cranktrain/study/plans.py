@@ -70,22 +70,20 @@ def position_plan(
     --------
     >>> pump = Machine(mechanism={"kind": "slider_crank", "stroke": "160 mm", "rod_length": "160 mm"})
     >>> plan = position_plan(pump)
-    >>> plan.scale, [round(float(part[0]), 6) for part in plan.drawing.pins["B"]]
+    >>> plan.scale, [round(float(part[0]), 6) for part in plan.drawing.positions["B"]]
     (0.004, [0.0, 60.0])
     """
     place = place_called(machine, mechanism)
     shown = closed_angles(machine, place, angles)
     drawing = placed(machine, place, np.deg2rad(shown) + machine.zero)
-    scale = fitting([np.concatenate([np.stack(pin) for pin in drawing.pins.values()], axis=1)], room)
-    pins = {name: (x / scale, y / scale) for name, (x, y) in drawing.pins.items()}
-    return PositionPlan(place.name, shown, scale, replace(drawing, pins=pins))
+    scale = fitting([np.concatenate(list(drawing.positions.values()), axis=1)], room)
+    return PositionPlan(place.name, shown, scale, drawing.scaled(1.0 / scale))
 
 
 def track(machine: Machine, scale: float, *, mechanism: str | None = None) -> Drawing:
     """Give a mechanism over a whole turn, for its paths: NaN where it cannot close. [drawing mm]"""
     phi = np.linspace(0.0, 2 * np.pi, 361) + machine.zero
-    drawing = placed(machine, place_called(machine, mechanism), phi)
-    return replace(drawing, pins={name: (x / scale, y / scale) for name, (x, y) in drawing.pins.items()})
+    return placed(machine, place_called(machine, mechanism), phi).scaled(1.0 / scale)
 
 
 def closed_angles(machine: Machine, place: Place, angles: int | Sequence[float]) -> Array:
@@ -98,7 +96,7 @@ def closed_angles(machine: Machine, place: Place, angles: int | Sequence[float])
     """
     shown = plan_angles(angles)
     drawing = placed(machine, place, np.deg2rad(shown) + machine.zero)
-    closed = np.all([np.isfinite(part) for pin in drawing.pins.values() for part in pin], axis=0)
+    closed = np.all(np.isfinite(list(drawing.positions.values())), axis=(0, 1))
     if np.all(closed) or (isinstance(angles, int) and np.any(closed)):
         return shown[closed]
     there = ", ".join(f"φ = {angle:g}°" for angle in shown[~closed])
@@ -107,9 +105,7 @@ def closed_angles(machine: Machine, place: Place, angles: int | Sequence[float])
 
 def rescaled(plan: PositionPlan, scale: float) -> PositionPlan:
     """Give the same plan to another scale. [m for 1 mm]"""
-    factor = plan.scale / scale
-    pins = {name: (factor * x, factor * y) for name, (x, y) in plan.drawing.pins.items()}
-    return replace(plan, scale=scale, drawing=replace(plan.drawing, pins=pins))
+    return replace(plan, scale=scale, drawing=plan.drawing.scaled(plan.scale / scale))
 
 
 def plan_angles(angles: int | Sequence[float]) -> Array:

@@ -3,36 +3,19 @@
 One drawing millimetre is μ_v m/s or μ_a m/s². All axes are the machine's: X right, Y up.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
 
 import numpy as np
 
+from cranktrain.engine.places import Place
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
 from cranktrain.machine import Machine
-from cranktrain.motion import Array, Point
-from cranktrain.study.placement import Joints, joints, place_called
+from cranktrain.motion import Array
+from cranktrain.study.placement import place_called, placed
 from cranktrain.study.plans import ROOM, closed_angles, fitting
-
-Part = Literal["absolute", "relative", "normal", "tangential"]
-"""What a vector of a polygon is."""
-
-POLE = "p"
-
-
-class Vector(NamedTuple):
-    """A vector of a polygon: symbol, part, from which point to which, exact X and Y in the polygon's unit."""
-
-    symbol: str
-    part: Part
-    start: str
-    end: str
-    value: tuple[float, float]
-
-    @property
-    def size(self) -> float:
-        """Length of the vector, in the polygon's unit."""
-        return float(np.hypot(*self.value))
+from cranktrain.study.vectors import POLE, Quantity, Vector, plan_vectors
 
 
 @dataclass(frozen=True)
@@ -55,7 +38,7 @@ class Polygon:
     """
 
     mechanism: str
-    quantity: Literal["velocity", "acceleration"]
+    quantity: Quantity
     angle: float
     scale: float
     unit: str
@@ -65,17 +48,6 @@ class Polygon:
     def length(self, vector: Vector) -> float:
         """Give a vector's length on paper. [drawing mm]"""
         return vector.size / self.scale
-
-
-class _Pair(NamedTuple):
-    """Two pins of one link, the first of which is known before the second, and whether it is fixed."""
-
-    known: str
-    pin: str
-    is_fixed: bool
-
-
-_Vectors = Callable[[Joints, Sequence[_Pair], float], Iterator[Vector]]
 
 
 def velocity_polygons(
@@ -101,10 +73,11 @@ def velocity_polygons(
     Returns
     -------
     tuple of Polygon
-        From the pole `p`: `a` of the crank pin A, `b`, `c`, `d` of the other pins; a fixed pin lies on the pole.
+        From the pole `p`: `a` of the crank pin A, `b`, `c`, `d` of the other pins; `a'` of the point of a slotted link
+        under A. A fixed pin lies on the pole.
     """
     unit = "m/rad" if machine.main_shaft.speed is None else "m/s"
-    return _polygons(machine, "velocity", unit, _velocities, angles, mechanism, room)
+    return _polygons(machine, "velocity", unit, angles, mechanism, room)
 
 
 def acceleration_polygons(
@@ -124,17 +97,17 @@ def acceleration_polygons(
     Returns
     -------
     tuple of Polygon
-        Beside the points that the velocities have, `n_BA` ends the normal part of B's acceleration about A.
+        Beside the points that the velocities have, `n_BA` ends the normal part of B's acceleration about A, `k_AA'`
+        Coriolis' part of A's in a slot.
     """
     unit = "m/rad^2" if machine.main_shaft.speed is None else "m/s^2"
-    return _polygons(machine, "acceleration", unit, _accelerations, angles, mechanism, room)
+    return _polygons(machine, "acceleration", unit, angles, mechanism, room)
 
 
 def _polygons(
     machine: Machine,
-    quantity: Literal["velocity", "acceleration"],
+    quantity: Quantity,
     unit: str,
-    vectors_of: _Vectors,
     angles: int | Sequence[float],
     mechanism: str | None,
     room: tuple[float, float],
@@ -143,16 +116,12 @@ def _polygons(
     place = place_called(machine, mechanism)
     shown = closed_angles(machine, place, angles)
     speed = machine.main_shaft.speed
-    described: list[tuple[dict[str, Array], tuple[Vector, ...]]] = []
-    for angle in shown:
-        phi = np.array([np.deg2rad(angle) + machine.zero])
-        drawing = place.kind.drawing(phi + place.phase, place.geometry)
-        pairs = [
-            _Pair(link.pins[0], pin, link.pins[0] in drawing.fixed) for link in drawing.links for pin in link.pins[1:]
-        ]
-        vectors = tuple(vectors_of(joints(machine, place, phi), pairs, 1.0 if speed is None else speed.si))
-        described.append((_points(vectors), vectors))
-    scale = fitting([np.stack(list(points.values()), axis=1) for points, _vectors in described], room)
+    drawing = placed(machine, place, np.deg2rad(shown) + machine.zero)
+    omega = 1.0 if speed is None else speed.si
+    found = [plan_vectors(drawing, at, omega, quantity) for at in range(len(shown))]
+    _refuse_boundless(place, shown, found)
+    described = [_points(vectors) for vectors in found]
+    scale = fitting([np.stack(list(points.values()), axis=1) for points in described], room)
     return tuple(
         Polygon(
             mechanism=place.name,
@@ -163,8 +132,17 @@ def _polygons(
             points={name: (float(point[0] / scale), float(point[1] / scale)) for name, point in points.items()},
             vectors=vectors,
         )
-        for angle, (points, vectors) in zip(shown, described, strict=True)
+        for angle, points, vectors in zip(shown, described, found, strict=True)
     )
+
+
+def _refuse_boundless(place: Place, shown: Array, found: Sequence[tuple[Vector, ...]]) -> None:
+    """Refuse positions that the links reach only at rest, where velocities have no bound."""
+    bounded = np.array([np.all(np.isfinite([vector.value for vector in vectors])) for vectors in found])
+    if not np.all(bounded):
+        there = ", ".join(f"φ = {angle:g}°" for angle in shown[~bounded])
+        allowed = _("there the links of {name} only just close, and velocities have no bound").format(name=place.name)
+        raise InputError([Problem("", there, allowed)])
 
 
 def _points(vectors: Sequence[Vector]) -> dict[str, Array]:
@@ -174,56 +152,3 @@ def _points(vectors: Sequence[Vector]) -> dict[str, Array]:
         if vector.end not in points:
             points[vector.end] = points[vector.start] + np.asarray(vector.value)
     return points
-
-
-def _velocities(moving: Joints, pairs: Sequence[_Pair], omega: float) -> Iterator[Vector]:
-    """Velocity of every moving pin, and of every pin about another that moves."""
-    seen: set[str] = set()
-    for known, pin, is_fixed in pairs:
-        end, value = pin.lower(), omega * _first(moving[pin])
-        if pin not in seen:
-            yield _vector(f"v_{pin}", "absolute", POLE, end, value)
-            seen.add(pin)
-        if not is_fixed:
-            yield _vector(f"v_{pin}{known}", "relative", known.lower(), end, value - omega * _first(moving[known]))
-
-
-def _accelerations(moving: Joints, pairs: Sequence[_Pair], omega: float) -> Iterator[Vector]:
-    """Acceleration of every moving pin, and the normal and tangential part of it about the link's other pin.
-
-    The crank turns evenly: it has no tangential part.
-    """
-    seen: set[str] = set()
-    for known, pin, is_fixed in pairs:
-        end, value = pin.lower(), omega**2 * _second(moving[pin])
-        if pin not in seen:
-            yield _vector(f"a_{pin}", "absolute", POLE, end, value)
-            seen.add(pin)
-        arm = _value(moving[pin]) - _value(moving[known])
-        turning = _first(moving[pin]) - _first(moving[known])
-        normal = -(omega**2) * np.dot(turning, turning) / np.dot(arm, arm) * arm
-        whole = omega**2 * (_second(moving[pin]) - _second(moving[known]))
-        if known == "O":
-            continue
-        start = POLE if is_fixed else known.lower()
-        corner = f"n_{pin}{known}"
-        yield _vector(f"a_{pin}{known}^n", "normal", start, corner, normal)
-        yield _vector(f"a_{pin}{known}^t", "tangential", corner, end, whole - normal)
-        if not is_fixed:
-            yield _vector(f"a_{pin}{known}", "relative", start, end, whole)
-
-
-def _vector(symbol: str, part: Part, start: str, end: str, value: Array) -> Vector:
-    return Vector(symbol, part, start, end, (float(value[0]), float(value[1])))
-
-
-def _value(moving: Point) -> Array:
-    return np.array([moving.x.value[0], moving.y.value[0]])
-
-
-def _first(moving: Point) -> Array:
-    return np.array([moving.x.first[0], moving.y.first[0]])
-
-
-def _second(moving: Point) -> Array:
-    return np.array([moving.x.second[0], moving.y.second[0]])

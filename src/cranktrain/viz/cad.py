@@ -114,7 +114,7 @@ def _draw_all(document: Document, machine: Machine, angles: int | Sequence[float
 def _dimensions(space: Modelspace, plan: PositionPlan) -> None:
     """Dimension the links in the first position."""
     scale = 1e3 * plan.scale
-    pins = {name: scale * np.stack(pin)[:, 0] for name, pin in plan.drawing.pins.items()}
+    pins = {name: scale * pin[:, 0] for name, pin in plan.drawing.positions.items()}
     manner = {
         "dimtxt": _TEXT * scale,
         "dimasz": _TEXT * scale,

@@ -69,7 +69,7 @@ def _path(member: Member) -> Iterator[Line]:
     """Paths of pins over a turn."""
     for name in member.turn.paths:
         if name != member.crank_pin or member.is_first:
-            yield Line(np.stack(member.turn.pins[name]), "PATHS", "dotted", 1)
+            yield Line(member.turn_pins[name], "PATHS", "dotted", 1)
 
 
 def _start(scene: Scene, member: Member) -> float:
@@ -206,7 +206,7 @@ def ring_radius(scene: Scene) -> float:
     if not scene.is_star:
         return 1.62 * scene.crank_radius
     slave = next(one for one in scene.members if one.place.kind.name == "articulated_rod")
-    knuckle = np.hypot(*slave.turn.pins["C"])
+    knuckle = np.hypot(*slave.turn_pins["C"])
     return float(np.nanmax(knuckle)) + 1.6 * _SMALL_EYE * scene.crank_radius
 
 
@@ -253,7 +253,7 @@ def _free_direction(scene: Scene) -> tuple[float, float]:
     taken = [
         np.arctan2(*member.stroke_line.along[::-1])
         if member.output is not None
-        else np.arctan2(*(part[0] for part in reversed(member.turn.pins[member.turn.fixed[-1]])))
+        else np.arctan2(*member.turn_pins[member.turn.fixed[-1]][::-1, 0])
         for member in scene.members
     ]
     tried = np.deg2rad(np.arange(0.0, 360.0, 5.0) - 90.0)

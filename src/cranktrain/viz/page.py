@@ -20,6 +20,9 @@ Text: TypeAlias = Any
 MARGIN = 10.0
 _INCH = 25.4
 _SIZES = {"A4": (297.0, 210.0), "A3": (420.0, 297.0)}
+_LETTERS = 2
+"""So many letters side by side are pins; more are a word."""
+
 _SCALES = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.5, 10.0)
 
 
@@ -172,10 +175,18 @@ def rounded_down(size: float) -> float:
 
 
 def mathematics(symbol: str) -> str:
-    """Set a symbol as mathematics: a_BA^n with index and exponent."""
+    """Set a symbol as mathematics: a_BA^n with index and exponent, letters slanted and whole words upright."""
     head, _mark, rest = symbol.partition("_")
     index, _mark, exponent = rest.partition("^")
-    return f"${head}{f'_{{{index}}}' if index else ''}{f'^{{{exponent}}}' if exponent else ''}$"
+    set_index = ",".join(map(_letters_or_word, index.split(",")))
+    return f"${_letters_or_word(head)}{f'_{{{set_index}}}' if index else ''}{f'^{{{exponent}}}' if exponent else ''}$"
+
+
+def _letters_or_word(name: str) -> str:
+    """Leave letters as they are; set a word upright."""
+    is_word = len(name.replace("'", "")) > _LETTERS or "_" in name
+    bare = name.rstrip("'")
+    return rf"\mathrm{{{bare.replace('_', chr(92) + '_')}}}{name[len(bare) :]}" if is_word else name
 
 
 def muted(**manner: Any) -> dict[str, Any]:

@@ -8,7 +8,8 @@ from cranktrain.mechanisms.kind import Drawing
 from cranktrain.motion import Array
 from cranktrain.study.klein import Klein
 from cranktrain.study.plans import PositionPlan
-from cranktrain.study.polygons import POLE, Part, Polygon
+from cranktrain.study.polygons import Polygon
+from cranktrain.study.vectors import POLE, Part, spoken_name
 from cranktrain.viz import shapes
 from cranktrain.viz.labels import Wish, placed_labels
 from cranktrain.viz.sketch import Circle, Habit, Layer, Line, Sketch
@@ -18,6 +19,17 @@ _CORNER = 3.0
 
 _LETTERS_FROM = 0.35
 """A vector shorter than this part of the longest has no room for its symbol."""
+
+_HABITS: dict[Part, Habit] = {
+    "absolute": "vector",
+    "relative": "thin",
+    "normal": "part",
+    "tangential": "part",
+    "coriolis": "part",
+}
+
+_MANY = 8
+"""Of more vectors only those from the pole have their symbols beside them: the table names the others by their ends."""
 
 
 def positions_sketch(plan: PositionPlan, track: Drawing | None = None) -> Sketch:
@@ -31,10 +43,11 @@ def positions_sketch(plan: PositionPlan, track: Drawing | None = None) -> Sketch
     """
     scale = 1e3 * plan.scale
     sketch = Sketch(scale)
-    pins = {name: scale * np.stack(pin) for name, pin in plan.drawing.pins.items()}
+    pins = {name: scale * pin for name, pin in plan.drawing.positions.items()}
     sketch.add(_frame(plan.drawing, pins, scale))
     if track is not None:
-        sketch.add(Line(scale * np.stack(track.pins[name]), "PATHS", "dotted", 1) for name in track.paths)
+        paths = track.positions
+        sketch.add(Line(scale * paths[name], "PATHS", "dotted", 1) for name in track.paths)
     n = len(plan.angles)
     for i in range(n):
         habit = "outline" if i == 0 else "thin"
@@ -46,9 +59,13 @@ def positions_sketch(plan: PositionPlan, track: Drawing | None = None) -> Sketch
             sketch.add([Circle(pins[name][:, i], 0.6 * scale, "LINKS", habit, 5, "paper")])
     if n == 1:
         middle = np.mean(np.concatenate(list(pins.values()), axis=1), axis=1)
-        wishes = [Wish(pin[:, 0], name, _away(pin[:, 0] - middle)) for name, pin in pins.items()]
+        wishes = [
+            Wish(pin[:, 0], spoken_name(name), _away(pin[:, 0] - middle))
+            for name, pin in pins.items()
+            if name not in plan.drawing.ends
+        ]
     else:
-        moving = [name for name in pins if name not in plan.drawing.fixed]
+        moving = [name for name in pins if name not in (*plan.drawing.fixed, *plan.drawing.ends)]
         wishes = [wish for name in moving for wish in _numbers(name, pins, plan.drawing, scale)]
     lines = [line.points for line in sketch.lines if line.habit != "dotted"]
     sketch.add(placed_labels(wishes, lines, scale))
@@ -101,7 +118,7 @@ def polygon_sketch(polygon: Polygon, *, with_symbols: bool = True) -> Sketch:
     """Polygon in drawing millimetres: vectors from the pole full, about another pin thin, parts dashed."""
     layer: Layer = "PLAN_V" if polygon.quantity == "velocity" else "PLAN_A"
     sketch = Sketch(1.0)
-    habits: dict[Part, Habit] = {"absolute": "vector", "relative": "thin", "normal": "part", "tangential": "part"}
+    habits = dict(_HABITS)
     if polygon.quantity == "velocity":
         habits["relative"] = "part"
     points = {name: np.array(point) for name, point in polygon.points.items()}
@@ -118,7 +135,10 @@ def polygon_sketch(polygon: Polygon, *, with_symbols: bool = True) -> Sketch:
     named = {name: point for name, point in points.items() if name not in corners}
     wishes = [Wish(point, name, _away(point - middle)) for name, point in _separate(named)]
     if with_symbols:
+        is_crowded = len(polygon.vectors) > _MANY
         for vector in polygon.vectors:
+            if is_crowded and vector.part != "absolute":
+                continue
             if polygon.length(vector) > max(_LETTERS_FROM * longest, 10.0) or (
                 vector.part != "relative" and polygon.length(vector) > 12.0
             ):

@@ -38,6 +38,10 @@ _WITH_TABLE = 2
 """Up to so many polygons stand beside the mechanism and a table of their vectors."""
 
 
+_VECTOR_COLUMNS = (0.53, 0.74, 1.0)
+"""Where the columns of a table of vectors end: names of a chain's pins are words."""
+
+
 class _Box(NamedTuple):
     """A room on paper. [mm]"""
 
@@ -142,7 +146,7 @@ def _beside(
         _center(page, polygon_sketch(polygon), middle)
         start = middle.left + middle.width + 4.0
         rows = list(_vectors_table(polygon))
-        _table(page, rows, (start, cell.bottom + cell.height, cell.left + cell.width - start))
+        _table(page, rows, (start, cell.bottom + cell.height, cell.left + cell.width - start), _VECTOR_COLUMNS)
     return _scale_of("l", scale, "m")
 
 
@@ -241,14 +245,19 @@ def _unit(unit: str) -> str:
     return unit.replace("^2", "²")
 
 
-def _table(page: Page, rows: Sequence[Sequence[str]], place: tuple[float, float, float]) -> float:
-    """Write a table: a head, rows, all but the first column to the right; give where it ends. [mm]"""
+def _table(
+    page: Page, rows: Sequence[Sequence[str]], place: tuple[float, float, float], shares: tuple[float, ...] = ()
+) -> float:
+    """Write a table: a head, rows, all but the first column to the right; give where it ends. [mm]
+
+    `shares` are where the other columns end, in parts of the width; evenly, unless given.
+    """
     left, top, width = place
     columns = len(rows[0])
     y = top - 4.0
     for number, row in enumerate(rows):
         for column, words in enumerate(row):
-            share = 0.1 + 0.9 * column / (columns - 1)
+            share = shares[column - 1] if shares else 0.1 + 0.9 * column / (columns - 1)
             is_symbol = words.startswith("$")
             page.text(
                 left if column == 0 else left + width * share,

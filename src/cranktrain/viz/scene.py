@@ -33,7 +33,7 @@ class Member:
     is_first : bool
         Drawn filled; all others hollow.
     turn : Drawing
-        Its pins over a turn, shape (361,). [mm]
+        Its pins over a turn, shape (361,). [mm, mm/rad, mm/rad²]
     bore : float or None
         None where the file has none. [mm]
     """
@@ -42,6 +42,11 @@ class Member:
     is_first: bool
     turn: Drawing
     bore: float | None
+
+    @cached_property
+    def turn_pins(self) -> dict[str, Array]:
+        """Where its pins are over a turn, by name, shape (2, 361). [mm]"""
+        return self.turn.positions
 
     @property
     def output(self) -> str | None:
@@ -64,14 +69,14 @@ class Member:
         """Line on which the output pin travels."""
         guide = self.turn.guides[0]
         along = np.array([np.cos(guide.direction), np.sin(guide.direction)]).reshape(2)
-        pin = np.stack(self.turn.pins[guide.pin])[:, 0]
+        pin = self.turn_pins[guide.pin][:, 0]
         return Along(pin - np.dot(pin, along) * along, along)
 
     @cached_property
     def travel(self) -> tuple[float, float]:
         """Nearest and farthest place of the output pin on its line. [mm]"""
         assert self.output is not None  # asked of sliders only
-        places = self.stroke_line.place(np.stack(self.turn.pins[self.output]))
+        places = self.stroke_line.place(self.turn_pins[self.output])
         return float(np.nanmin(places)), float(np.nanmax(places))
 
     @property
@@ -103,7 +108,7 @@ class Scene:
     def turned(self, member: Member, angles: Array) -> dict[str, Array]:
         """Give a member's pins at shown crank angles, shape (n,) [deg]: name to (2, n). [mm]"""
         phi = np.deg2rad(angles) + self.machine.zero
-        return {name: shown(np.stack(pin), "mm") for name, pin in placed(self.machine, member.place, phi).pins.items()}
+        return {name: shown(pin, "mm") for name, pin in placed(self.machine, member.place, phi).positions.items()}
 
     def closing_angle(self, angle: float) -> float:
         """Give the first crank angle from this one, by whole degrees, at which all links close. [deg]"""
@@ -152,10 +157,7 @@ def scene_of(machine: Machine) -> Scene:
     }
     members: list[Member] = []
     for number, place in enumerate(places):
-        drawing = placed(machine, place, _TURN)
-        pins = {name: (shown(x, "mm"), shown(y, "mm")) for name, (x, y) in drawing.pins.items()}
-        turn = Drawing(pins, drawing.links, drawing.guides, drawing.fixed, drawing.paths)
+        turn = placed(machine, place, _TURN).scaled(shown(1.0, "mm"))
         bore = bores.get(place.name)
         members.append(Member(place, number == 0, turn, None if bore is None else shown(bore.si, "mm")))
-    pin = members[0].turn.pins[members[0].crank_pin]
-    return Scene(machine, tuple(members), float(np.hypot(pin[0][0], pin[1][0])))
+    return Scene(machine, tuple(members), float(np.hypot(*members[0].turn_pins[members[0].crank_pin][:, 0])))

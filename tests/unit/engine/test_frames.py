@@ -53,7 +53,7 @@ def test_offset_is_the_same_metal_ahead_and_astern():
     """Offset 10 mm toward +y of a bank 30° left of Y, its pin 40 mm along: the 30-40-50 triangle at φ = 90°."""
     ahead, astern = (ct.Machine(**(V12 | {"running": running})) for running in ("ahead", "astern"))
     for machine, phi in ((ahead, 90.0), (astern, -90.0)):
-        pins = placed(machine, machine.places[0], np.array([np.deg2rad(phi)])).pins
+        pins = placed(machine, machine.places[0], np.array([np.deg2rad(phi)])).positions
         # crank 90° clockwise from the bank's axis: (cos 30°, sin 30°) · 30 mm
         np.testing.assert_allclose(np.ravel(pins["A"]), [0.03 * ROOT, 0.03 * HALF], rtol=0, atol=1e-15)
         # y_A − e = 20 mm, so that the pin is √(50² − 20²) mm along the axis
@@ -65,6 +65,6 @@ def test_offset_is_the_same_metal_ahead_and_astern():
 def test_pumping_unit_stands_as_its_maker_draws_it():
     """Saddle bearing 56 in to the right and 68 in up; the crank at twelve o'clock where the angle is shown as 0."""
     machine = ct.load("pumping_unit_c57")
-    pins = placed(machine, machine.places[0], np.array([machine.zero])).pins
+    pins = placed(machine, machine.places[0], np.array([machine.zero])).positions
     np.testing.assert_allclose(np.ravel(pins["C"]) / 0.0254, [56.0, 68.0], rtol=1e-14)
     np.testing.assert_allclose(np.ravel(pins["A"]) / 0.0254, [0.0, 21.0], rtol=0, atol=1e-13)

@@ -7,7 +7,7 @@ import pytest
 import cranktrain as ct
 from cranktrain.errors import InputError
 from cranktrain.study.klein import klein
-from cranktrain.study.placement import joints, placed
+from cranktrain.study.placement import placed
 from cranktrain.study.plans import position_plan, rescaled, rounded_scale
 from cranktrain.study.polygons import acceleration_polygons, velocity_polygons
 
@@ -85,7 +85,7 @@ def test_polygons_equal_the_kernels_values(name):
     omega = machine.main_shaft.speed.si
     zero = machine.zero
     for polygon in acceleration_polygons(machine, ANGLES):
-        moving = joints(machine, place, np.array([np.deg2rad(polygon.angle) + zero]))
+        moving = placed(machine, place, np.array([np.deg2rad(polygon.angle) + zero])).pins
         for vector in polygon.vectors:
             if vector.part == "absolute":
                 pin = moving[vector.symbol[2:]]
@@ -103,7 +103,7 @@ def test_normal_parts_point_along_their_links_and_tangential_ones_across(name):
         relative = {vector.symbol[2:]: vector.size for vector in velocity.vectors}
         values = {vector.symbol: np.array(vector.value) for vector in acceleration.vectors}
         for pair in {symbol[2:4] for symbol in values if symbol.endswith("^n")}:
-            pin, known = (np.array([part[i] for part in plan.drawing.pins[end]]) * plan.scale for end in pair)
+            pin, known = (plan.drawing.positions[end][:, i] * plan.scale for end in pair)
             arm = known - pin
             normal, tangential = values[f"a_{pair}^n"], values[f"a_{pair}^t"]
             speed = relative.get(pair, relative[pair[0]])
@@ -157,12 +157,12 @@ def test_positions_times_scale_are_the_pins():
     machine = ct.load("3d12")
     plan = position_plan(machine, 12, mechanism="2R")
     place = next(place for place in machine.places if place.name == "2R")
-    exact = placed(machine, place, np.deg2rad(plan.angles)).pins
-    for name, pin in plan.drawing.pins.items():
-        np.testing.assert_allclose(np.stack(pin) * plan.scale, np.stack(exact[name]), rtol=0, atol=1e-15)
-    np.testing.assert_allclose(np.hypot(*plan.drawing.pins["A"]) * plan.scale, 0.09, rtol=1e-14)
+    exact = placed(machine, place, np.deg2rad(plan.angles)).positions
+    for name, pin in plan.drawing.positions.items():
+        np.testing.assert_allclose(pin * plan.scale, exact[name], rtol=0, atol=1e-15)
+    np.testing.assert_allclose(np.hypot(*plan.drawing.positions["A"]) * plan.scale, 0.09, rtol=1e-14)
     half = rescaled(plan, 2 * plan.scale)
-    np.testing.assert_allclose(2 * half.drawing.pins["D"][0], plan.drawing.pins["D"][0], rtol=1e-15)
+    np.testing.assert_allclose(2 * half.drawing.positions["D"][0], plan.drawing.positions["D"][0], rtol=1e-15)
 
 
 @pytest.mark.parametrize(("least", "scale"), [(1.0, 1.0), (1.01, 2.0), (0.0021, 0.0025), (0.026, 0.04), (7.3, 10.0)])

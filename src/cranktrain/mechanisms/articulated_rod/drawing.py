@@ -2,26 +2,26 @@
 
 from cranktrain.linkage import fixed, turned
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
-from cranktrain.mechanisms.kind import Drawing, DrawnLink, Guide, pin_positions
+from cranktrain.mechanisms.kind import Drawing, DrawnLink, Guide
 from cranktrain.mechanisms.slider_crank.kinematics import slider_crank
 from cranktrain.motion import Array, Coefficient, Point, single
 
 
 def articulated_rod_drawing(angle: Array, geometry: ArticulatedRod) -> Drawing:
-    """Positions of shaft, crank pin, both pistons' pins and knuckle at each angle, shape (..., n)."""
+    """Shaft, crank pin, both pistons' pins and knuckle at each angle, shape (..., n)."""
     motion = articulated_rod(angle, geometry)
     still = 0.0 * angle
     level = Coefficient(still, still, still)
     master = slider_crank(angle, geometry.master)
     master_piston = Point(master.slider, level._replace(value=geometry.master.offset + still))
     return Drawing(
-        pins=pin_positions(
-            O=fixed(still, still),
-            A=turned(motion.pin, geometry.bank_angle),
-            B=turned(master_piston, geometry.bank_angle),
-            C=motion.knuckle,
-            D=Point(motion.slider, level._replace(value=geometry.offset + still)),
-        ),
+        pins={
+            "O": fixed(still, still),
+            "A": turned(motion.pin, geometry.bank_angle),
+            "B": turned(master_piston, geometry.bank_angle),
+            "C": motion.knuckle,
+            "D": Point(motion.slider, level._replace(value=geometry.offset + still)),
+        },
         links=(
             DrawnLink("crank", ("O", "A")),
             DrawnLink("master_rod", ("A", "B", "C")),

@@ -16,7 +16,7 @@ from cranktrain.mechanisms.chain.steps import (
     TrammelStep,
     YokeStep,
 )
-from cranktrain.mechanisms.kind import Drawing, DrawnLink, Guide
+from cranktrain.mechanisms.kind import Block, Drawing, DrawnLink, Guide
 from cranktrain.motion import Array, Point
 from cranktrain.numerics import turn_grid
 
@@ -24,10 +24,12 @@ _COARSE = turn_grid(72)
 
 
 def chain_drawing(structure: Structure, angle: Array, size: ChainSize) -> Drawing:
-    """Positions of all points at each angle, shape (..., n), and what joins them; the output's guide comes first."""
+    """All points at each angle, shape (..., n), and what joins them; the output's guide comes first."""
     made = chain_made(structure, angle, size)
     links = [DrawnLink(_crank(name), (SHAFT, pin_of(name))) for name in structure.cranks]
     guides: list[Guide] = []
+    blocks: list[Block] = []
+    ends: list[str] = []
     for step, own in zip(structure.steps, size.steps, strict=True):
         match step:
             case PinStep():
@@ -38,24 +40,30 @@ def chain_drawing(structure: Structure, angle: Array, size: ChainSize) -> Drawin
             case SwivelStep():
                 reach = np.max(np.abs(chain_made(structure, _COARSE, size)[step.slider].value), -1, keepdims=True)
                 end = f"{step.guide}.end"
+                ends.append(end)
+                blocks.append(Block(step.pin, (step.pivot, end)))
                 made[end] = point(made[step.guide], LinkPoint(1.1 * reach, 0.0 * reach))
                 links.append(DrawnLink(step.guide, (step.pivot, end)))
             case PointStep():
                 links = [one._replace(pins=(*one.pins, step.point)) if one.name == step.link else one for one in links]
-            case YokeStep() | TrammelStep():
-                pass
+            case YokeStep():
+                blocks.append(Block(step.pin, (pin_of(step.slider),)))
+            case TrammelStep():
+                slotted = next(one.pins for one in links if one.name == step.link)
+                blocks.append(Block(pin_of(step.slider), slotted))
         if isinstance(step, SlideStep | YokeStep | TrammelStep):
             guide = Guide(pin_of(step.slider), cast(Any, own).direction)
             guides.insert(0 if step.slider == structure.output else len(guides), guide)
-    still = 0.0 * angle
     fixed = (SHAFT, *structure.fixed)
     points = {name: part for name, part in made.items() if isinstance(part, Point)}
     return Drawing(
-        pins={name: (part.x.value + still, part.y.value + still) for name, part in points.items()},
+        pins=points,
         links=tuple(links),
         guides=tuple(guides),
         fixed=fixed,
         paths=tuple(name for name in points if name not in fixed),
+        blocks=tuple(blocks),
+        ends=tuple(ends),
     )
 
 

@@ -2,21 +2,21 @@
 
 from cranktrain.linkage import fixed
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
-from cranktrain.mechanisms.kind import Drawing, DrawnLink, pin_positions
+from cranktrain.mechanisms.kind import Drawing, DrawnLink
 from cranktrain.motion import Array
 
 
 def crank_rocker_drawing(angle: Array, geometry: CrankRocker) -> Drawing:
-    """Positions of shaft, crank pin, joint and pivot at each angle, shape (..., n), and what joins them."""
+    """Shaft, crank pin, joint and pivot at each angle, shape (..., n), and what joins them."""
     motion = crank_rocker(angle, geometry)
     still = 0.0 * angle
     return Drawing(
-        pins=pin_positions(
-            O=fixed(still, still),
-            A=motion.pin,
-            B=motion.joint,
-            C=fixed(still + geometry.ground_length, still),
-        ),
+        pins={
+            "O": fixed(still, still),
+            "A": motion.pin,
+            "B": motion.joint,
+            "C": fixed(still + geometry.ground_length, still),
+        },
         links=(DrawnLink("crank", ("O", "A")), DrawnLink("rod", ("A", "B")), DrawnLink("rocker", ("C", "B"))),
         guides=(),
         fixed=("O", "C"),

@@ -1,25 +1,27 @@
 """The oscillating cylinder, to be drawn."""
 
 from cranktrain.linkage import LinkPoint, fixed, point
-from cranktrain.mechanisms.kind import Drawing, DrawnLink, pin_positions
+from cranktrain.mechanisms.kind import Block, Drawing, DrawnLink
 from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinder, oscillating_cylinder
 from cranktrain.motion import Array
 
 
 def oscillating_cylinder_drawing(angle: Array, geometry: OscillatingCylinder) -> Drawing:
-    """Positions of shaft, crank pin, trunnion, cylinder and piston rod at each angle, shape (..., n)."""
+    """Shaft, crank pin, trunnion, cylinder and piston rod at each angle, shape (..., n)."""
     motion = oscillating_cylinder(angle, geometry)
     still = 0.0 * angle
     return Drawing(
-        pins=pin_positions(
-            O=fixed(still, still),
-            A=motion.pin,
-            C=fixed(still + geometry.ground_length, still),
-            B=point(motion.cylinder._replace(origin=motion.pin), LinkPoint(-geometry.ground_length, still)),
-            D=point(motion.cylinder, LinkPoint(-2.0 * geometry.crank_radius, still)),
-        ),
+        pins={
+            "O": fixed(still, still),
+            "A": motion.pin,
+            "C": fixed(still + geometry.ground_length, still),
+            "B": point(motion.cylinder._replace(origin=motion.pin), LinkPoint(-geometry.ground_length, still)),
+            "D": point(motion.cylinder, LinkPoint(-2.0 * geometry.crank_radius, still)),
+        },
         links=(DrawnLink("crank", ("O", "A")), DrawnLink("cylinder", ("C", "D")), DrawnLink("rod", ("A", "B"))),
         guides=(),
         fixed=("O", "C"),
         paths=("A", "B"),
+        blocks=(Block("A", ("C", "D")),),
+        ends=("B", "D"),
     )
