@@ -13,6 +13,7 @@ from cranktrain.engine.gearing import first_axis
 from cranktrain.engine.places import Place, places_of
 from cranktrain.engine.points import point_problems
 from cranktrain.engine.specs import MAIN, OVERRIDES, BankSpec, CylindersSpec, ShaftSpec
+from cranktrain.engine.standing import standing_problems
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.mechanisms import AnyMechanism
@@ -188,7 +189,13 @@ def machine_problems(machine: Machine, *, partial: bool = False) -> tuple[Proble
     if found:
         return found
     pistons = [place for place in places if place.kind.output == "slider"]
-    found = (*point_problems(places), *cylinder_problems(machine.cylinder, pistons))
+    found = (
+        *point_problems(places),
+        *cylinder_problems(machine.cylinder, pistons),
+        *standing_problems(
+            machine.shafts, places, first_angle=machine.first_axis, clockwise=machine.rotation == "clockwise"
+        ),
+    )
     if pistons:
         found = (*found, *firing_order_of(machine.cylinder, pistons, astern=machine.is_astern)[1])
     return found if partial else (*found, *_closing_problems(machine, places))

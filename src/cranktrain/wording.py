@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from math import floor, log10
+from string import digits
 
 import numpy as np
 
@@ -64,10 +65,15 @@ def shared(names: Sequence[str], values: Array, unit: str) -> str:
 
 
 def ranged(names: Sequence[str], members: Sequence[int]) -> str:
-    """Name some of many: runs of neighbours as `1L–6L`, the rest one by one."""
+    """Name some of many: runs of neighbours as `1L–6L`, the rest one by one; a run ends with its bank, but of all."""
+    is_all = len(members) == len(names)
     runs: list[list[int]] = []
     for member in members:
-        if runs and member == runs[-1][-1] + 1:
+        if (
+            runs
+            and member == runs[-1][-1] + 1
+            and (is_all or names[member].lstrip(digits) == names[member - 1].lstrip(digits))
+        ):
             runs[-1].append(member)
         else:
             runs.append([member])

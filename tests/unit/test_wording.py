@@ -47,7 +47,15 @@ def test_equal_values_are_said_once(values, text):
 
 
 @pytest.mark.parametrize(
-    ("members", "text"), [([0], "1L"), ([0, 1], "1L, 2L"), ([0, 1, 2], "1L–3L"), ([0, 2, 3, 4], "1L, 3L–2R"), ([], "")]
+    ("members", "text"),
+    [
+        ([0], "1L"),
+        ([0, 1], "1L, 2L"),
+        ([0, 1, 2], "1L–3L"),
+        ([0, 2, 3, 4], "1L, 3L, 1R, 2R"),
+        ([0, 1, 2, 3, 4, 5], "1L–3R"),
+        ([], ""),
+    ],
 )
 def test_runs_of_names(members, text):
     assert ranged(NAMES, members) == text

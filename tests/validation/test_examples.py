@@ -196,3 +196,46 @@ def test_textbook_engine():
     result = run("textbook_78x78")
     assert float(result.displacement) / LITRE == printed("1.491")
     assert (result.top_position - 0.039) * 1e3 == pytest.approx(np.full(4, 136.84), abs=0.005)
+
+
+def test_38d8():
+    """The maker publishes 1037 cubic inches, by the strokes; cos(12°/2) of it is swept."""
+    result = run("38d8")
+    area = np.pi / 4 * (8.125 * INCH) ** 2
+    assert area * float(result.nominal_stroke[0]) / INCH**3 == printed("1036.97")
+    assert float(result.swept_volume[0]) / INCH**3 == printed("1031.29")
+    assert result.firing_interval == pytest.approx(np.full(8, 45.0), abs=1e-9)
+
+
+def test_10d100():
+    result = run("10d100")
+    assert float(result.displacement) / LITRE == printed("170.02")
+    assert result.inner_volumetric_dead_centre[0] == pytest.approx(6.0, abs=1e-9)
+    assert result.outer_volumetric_dead_centre[0] == pytest.approx(186.0, abs=1e-9)
+    assert float(result.exhaust_opens_before[0]) == printed("17.8")
+    assert float(run("10d100", running="astern").exhaust_opens_before[0]) == printed("-6.2")
+    assert float(result.effective_compression_ratio[0]) == printed("10.67")
+    assert float(result.mean_piston_speed[0]) == printed("7.20")
+
+
+def test_jumo_205_with_either_lead():
+    assert float(run("jumo_205").displacement) / LITRE == printed("16.549")
+    assert float(run("jumo_205e").displacement) / LITRE == printed("16.574")
+    assert 6 * np.pi / 4 * 0.105**2 * float(run("jumo_205").nominal_stroke[0]) / LITRE == printed("16.625")
+
+
+def test_deltic():
+    """5384 cubic inches are published, by the strokes; 20° of lead leave cos 10° of them."""
+    result = run("deltic")
+    assert float(result.displacement) / INCH**3 == printed("5302.4")
+    assert result.firing_interval == pytest.approx(np.full(18, 20.0), abs=1e-9)
+    clearance = float(result.clearance_volume[0]) * 1e6
+    assert clearance == printed("264.4")
+
+
+def test_m_503_repeats_a_radial_six_times():
+    result = run("m_503")
+    assert len(result.labels["piston"]) == 42
+    np.testing.assert_allclose(result.stroke[6:12], result.stroke[36:42], rtol=1e-13)
+    assert 42 * np.pi / 4 * 0.16**2 * 0.17 / LITRE == printed("143.6")
+    assert result.compression_ratio == pytest.approx(np.full(42, 13.0), abs=0.006)

@@ -58,7 +58,7 @@ def show_result(
         step = f"{result.crank_angle[1]:g}°"
         heading = _("Largest values of the curves, in steps of {step}").format(step=step)
         heads = ("", "", _("peak"), "", _("at °"), _("of"))
-        section(console, heading, table(heads, peaks, right=(2, 4)))
+        section(console, heading, table(heads, peaks, right=(2, 4), fold=width))
     if deep:
         section(console, _("By each method, with --quantities"), [", ".join(deep)])
     if result.checks:

@@ -16,7 +16,7 @@ _GAP = 2
 _WIDTH = 80
 """Where there is no terminal."""
 
-_LEAST_FOLDED = 16
+_LEAST_FOLDED = 13
 """A cell is not folded narrower than this, however narrow the screen."""
 
 
@@ -73,7 +73,8 @@ def table(
     right : container of int
         Columns whose cells stand to the right.
     fold : int, optional
-        Width to which the last column is folded so that the table keeps it; unlimited unless given.
+        Width to which the last column is folded so that the table keeps it, with narrower gaps where there is little
+        room; unlimited unless given.
 
     Returns
     -------
@@ -82,8 +83,10 @@ def table(
     """
     every = [heads, *rows] if any(heads) else list(rows)
     widths = [max(cell_len(row[i]) for row in every) for i in range(len(heads))]
+    gap = _GAP
     if fold is not None:
-        widths[-1] = min(widths[-1], max(_LEAST_FOLDED, fold - sum(widths[:-1]) - _GAP * (len(widths) - 1)))
+        gap = _GAP if fold - _width(widths[:-1], _GAP) >= min(widths[-1], _LEAST_FOLDED) else 1
+        widths[-1] = min(widths[-1], max(_LEAST_FOLDED, fold - _width(widths[:-1], gap)))
     lines: list[Text] = []
     for row in every:
         *cells, last = row
@@ -92,9 +95,14 @@ def table(
         for i, part in enumerate(folded or [""]):
             texts = [*(cells if i == 0 else [""] * len(cells)), part]
             lines.append(
-                Text((" " * _GAP).join(_cell(text, widths[k], k in right) for k, text in enumerate(texts)), style)
+                Text((" " * gap).join(_cell(text, widths[k], k in right) for k, text in enumerate(texts)), style)
             )
     return lines
+
+
+def _width(columns: Sequence[int], gap: int) -> int:
+    """Columns of the screen that these take with a gap after each."""
+    return sum(columns) + gap * len(columns)
 
 
 def _cell(text: str, width: int, is_right: bool) -> str:

@@ -221,6 +221,37 @@ def test_what_cannot_be(bank, path, words):
     assert words in problems[path]
 
 
+@pytest.mark.parametrize(
+    ("x", "y", "words"),
+    [
+        (0, 1300, None),
+        (1, 1300, None),
+        (20, 1300, "of which this is 20 mm beside"),
+        (0, 1200, "must be more than 1268"),
+        (0, -1300, "must be more than 1268"),
+    ],
+)
+def test_where_the_other_shaft_may_stand(x, y, words):
+    """Both pistons reach 2(R + L) cos-wise into the cylinder: 1268.3 mm at a lead of 12°."""
+    declared = {"upper": {"place": [f"{x} mm", f"{y} mm"]}}
+    if words is None:
+        ct.run(machine(**declared))
+        return
+    with pytest.raises(ct.InputError, match=words) as caught:
+        ct.run(machine(**declared))
+    assert [problem.path for problem in caught.value.problems] == ["shaft.upper.place"]
+
+
+@pytest.mark.parametrize(("rotation", "side"), [("clockwise", 1), ("anticlockwise", -1)])
+def test_offset_pistons_lie_in_one_line_where_the_shaft_is_moved(rotation, side):
+    """With the same sense their own +y point to opposite sides: the upper shaft stands off by both offsets."""
+    crank = CRANK | {"offset": "30 mm"}
+    declared = {"exhaust": crank, "scavenge": crank, "rotation": rotation}
+    ct.run(machine(upper={"place": [f"{60 * side} mm", "1300 mm"]}, **declared))
+    with pytest.raises(ct.InputError, match="of which this is 120 mm beside"):
+        ct.run(machine(upper={"place": [f"{-60 * side} mm", "1300 mm"]}, **declared))
+
+
 def test_a_chamber_between_two_pistons_is_one():
     with pytest.raises(ct.InputError, match=r"cylinder.chambers.*opposed pistons"):
         ct.run(machine(cylinder={"bore": "100 mm", "chambers": ["head", "crank"]}))
