@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import cast
 
+from cranktrain.engine.specs import ENDS
 from cranktrain.errors import InputError
 from cranktrain.language import _
 
@@ -34,7 +35,9 @@ def _examples() -> Iterator[str]:
 def _mechanisms(data: Mapping[str, object]) -> list[str]:
     """Name the kinds of mechanism in a machine file, each once."""
     banks = cast("Mapping[str, Mapping[str, object]]", data.get("bank", {}))
-    mechanisms = [table["mechanism"] for table in (data, *banks.values()) if "mechanism" in table]
+    opposed = [table[end] for table in banks.values() for end in ENDS if end in table]
+    tables = cast("list[Mapping[str, object]]", [data, *banks.values(), *opposed])
+    mechanisms = [table["mechanism"] for table in tables if "mechanism" in table]
     return list(dict.fromkeys(cast("Mapping[str, str]", mechanism)["kind"] for mechanism in mechanisms))
 
 
