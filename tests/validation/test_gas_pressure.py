@@ -1,5 +1,6 @@
 """Ideal cycles of `gas_pressure`: IMEP by quadrature and closed form in 30 digits, air-standard efficiency (1.4)."""
 
+import itertools
 import json
 from pathlib import Path
 
@@ -79,7 +80,7 @@ def test_pressure_over_the_crank_angle_gives_the_same_mean_pressure(name):
     breaks = np.radians([0, expected["phi_cut_deg"], 180, 360, 540, 720])
     nodes, weights = np.polynomial.legendre.leggauss(40)
     total = 0.0
-    for start, end in zip(breaks, breaks[1:], strict=False):
+    for start, end in itertools.pairwise(breaks):
         angle = (start + end) / 2 + (end - start) / 2 * nodes
         motion = volume(angle, ratio)
         state = gas.chamber_state(motion, limits(ratio), angle, 4 * np.pi)

@@ -1,4 +1,4 @@
-"""Working fluid: one folder for each kind of gas model, with its spec, pressure and README; a new kind is one line here.
+"""Working fluid: one folder for each kind of gas model, with spec, pressure and README; a new kind is one line here.
 
 A model takes the state of a chamber (`chamber_state`) and gives its pressure; of the mechanism it knows nothing else:
 
@@ -11,7 +11,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from cranktrain.gas import diesel, dual, otto
+from cranktrain.gas import diesel, dual, indicator, otto
 from cranktrain.gas.kind import Chamber, GasKind, GasSpec
 from cranktrain.gas.state import ChamberState, VolumeLimits, chamber_state
 
@@ -28,9 +28,11 @@ __all__ = [
     "kind_of",
 ]
 
-KINDS: tuple[GasKind, ...] = (otto.KIND, diesel.KIND, dual.KIND)
+KINDS: tuple[GasKind, ...] = (indicator.KIND, otto.KIND, diesel.KIND, dual.KIND)
 
-AnyGas = Annotated[otto.OttoSpec | diesel.DieselSpec | dual.DualSpec, Field(discriminator="kind")]
+AnyGas = Annotated[
+    indicator.IndicatorSpec | otto.OttoSpec | diesel.DieselSpec | dual.DualSpec, Field(discriminator="kind")
+]
 
 
 def kind_named(name: str) -> GasKind:

@@ -27,11 +27,15 @@ class Chamber(NamedTuple):
         Floats. [m³]
     volume : callable
         From crank angles since nominal firing, shape (n,) [rad], to volumes of that shape [m³].
+    brix : callable, optional
+        From the travelled part of the stroke, 0 to 1, to the crank angle of the outward stroke by Brix's construction
+        [rad]; of central slider-cranks.
     """
 
     cycle: float
     limits: VolumeLimits
     volume: Callable[[Array], Array]
+    brix: Callable[[Array], Array] | None = None
 
 
 def _nothing(model: object) -> tuple[str, ...]:
@@ -51,7 +55,7 @@ class GasKind:
     spec : type of GasSpec
         Its table of the machine file.
     model : callable (spec, chamber) → parameters or Diagram
-        What `pressure` takes. Raises `InputError`, with paths relative to the table, where it does not suit the chamber.
+        What `pressure` takes. Raises `InputError`, paths relative to the table, where it does not suit the chamber.
     pressure : callable (ChamberState, model) → Array
         Absolute pressure at each crank angle, of the state's shape. [Pa]
     doubts : callable (spec, model) → tuple of str
