@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.language import _
@@ -94,10 +95,8 @@ def read_table(text: str, name: str) -> Table:
 def _first_row(lines: Sequence[tuple[int, str]]) -> int | None:
     """Line of the first row: it and what follows begin with a number; a title may begin with one, too."""
     written = [(number, bool(_STARTS_AS_NUMBER.match(line))) for number, line in lines if line.strip()]
-    following = [is_row for _number, is_row in written[1:]] + [True]
-    return next(
-        (number for (number, is_row), next_is in zip(written, following, strict=True) if is_row and next_is), None
-    )
+    written.append((0, True))
+    return next((number for (number, is_row), (_next, next_is) in pairwise(written) if is_row and next_is), None)
 
 
 def _separator(lines: Sequence[str]) -> str:

@@ -8,6 +8,7 @@ import numpy as np
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.gas.indicator.cycle import Samples
 from cranktrain.gas.indicator.reading import Trace
+from cranktrain.gas.indicator.spline import periodic_slopes, spline_at
 from cranktrain.gas.kind import Chamber
 from cranktrain.language import _
 from cranktrain.motion import Array
@@ -21,6 +22,8 @@ _BEYOND = 0.02
 _SAME_PLACE = 1e-9
 _AT_NOMINAL = 1e-8
 """Angles closer than this are one. [rad]"""
+_WIDEST_STEP = np.radians(1.0)
+_EXPONENT = 1.35
 
 OutwardAngle = Callable[[Array], Array]
 """From the travelled part of the stroke, 0 to 1 from the top, to the crank angle of the outward stroke. [rad]"""
@@ -99,7 +102,8 @@ def unrolled(trace: Trace, chamber: Chamber, outward: OutwardAngle | None = None
         for stroke, branch in enumerate(in_order)
     ]
     told = _("Pressures over the stroke are unrolled over the crank angle: {n} strokes.").format(n=n_strokes)
-    return Samples(*_joined(strokes, in_order, chamber.cycle), (*findings, told), ())
+    angles, pressures = _joined(strokes, in_order, chamber.cycle)
+    return Samples(*_filled(angles, pressures, chamber), (*findings, told), ())
 
 
 def _travelled(trace: Trace, chamber: Chamber) -> tuple[Array, tuple[str, ...]]:
@@ -202,6 +206,23 @@ def _joined(strokes: Sequence[Array], branches: Sequence[_Branch], cycle: float)
     places, levels = angles[order], pressures[order]
     kept = np.concatenate([[True], np.diff(places) > _AT_NOMINAL])
     return places[kept], levels[kept]
+
+
+def _filled(angles: Array, pressures: Array, chamber: Chamber) -> tuple[Array, Array]:
+    """Put points where the stroke's own are far apart in angle, as they are at dead centres, by a spline of p Vⁿ.
+
+    Along compression and expansion p Vⁿ hardly changes where p does most, so that it bridges twice as well.
+    """
+    steps = np.diff(angles, append=angles[0] + chamber.cycle)
+    more = np.ceil(steps / _WIDEST_STEP).astype(int)
+    shares = [start + step * np.arange(n) / n for start, step, n in zip(angles, steps, more, strict=True)]
+    filled = np.concatenate(shares)
+    nearly_constant = pressures * chamber.volume(angles) ** _EXPONENT
+    slopes = periodic_slopes(angles, nearly_constant, chamber.cycle)
+    between = spline_at(angles, nearly_constant, slopes, chamber.cycle, filled) / chamber.volume(filled) ** _EXPONENT
+    own = np.concatenate([[0], np.cumsum(more)[:-1]])
+    between[own] = pressures
+    return filled, between
 
 
 def _refusal(trace: Trace, allowed: str) -> InputError:
