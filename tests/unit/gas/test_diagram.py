@@ -107,9 +107,17 @@ def test_a_given_dead_centre_that_the_peak_denies_is_doubted():
 @pytest.mark.parametrize(
     ("text", "cycle", "message"),
     [
-        (csv(DEGREES[:361] - 180, PRESSURES[:361]), FOUR_STROKE, "trace.csv  holds one turn, 361°, and a four-stroke"),
-        (csv(DEGREES[:360], PRESSURES[:360]), FOUR_STROKE, "trace.csv  holds one turn, 360°, and a four-stroke"),
-        (csv(DEGREES, PRESSURES), TWO_STROKE, "trace.csv  holds 720° of crank angle, more than one cycle of 360°"),
+        (
+            csv(DEGREES[:361] - 180, PRESSURES[:361]),
+            FOUR_STROKE,
+            "file = trace.csv: holds one turn, 361°, and a four-stroke",
+        ),
+        (csv(DEGREES[:360], PRESSURES[:360]), FOUR_STROKE, "file = trace.csv: holds one turn, 360°, and a four-stroke"),
+        (
+            csv(DEGREES, PRESSURES),
+            TWO_STROKE,
+            "file = trace.csv: holds 720° of crank angle, more than one cycle of 360°",
+        ),
         (
             csv(np.delete(DEGREES, slice(100, 140)), np.delete(PRESSURES, slice(100, 140))),
             FOUR_STROKE,
@@ -120,7 +128,7 @@ def test_a_given_dead_centre_that_the_peak_denies_is_doubted():
             FOUR_STROKE,
             "trace.csv:7  has two pressures for the angle 4°, the first in line 6 (1 angles are given twice)",
         ),
-        (csv(DEGREES[::180], PRESSURES[::180]), FOUR_STROKE, "trace.csv  has 4 samples"),
+        (csv(DEGREES[::180], PRESSURES[::180]), FOUR_STROKE, "file = trace.csv: has 4 samples"),
         (csv(DEGREES + 100.0, PRESSURES), FOUR_STROKE, "firing_angle: the pressure peaks at the file's 116°"),
     ],
     ids=["one turn, closed", "one turn", "two turns", "gap", "two pressures", "too few", "no dead centre"],
@@ -173,7 +181,7 @@ def test_the_file_must_have_been_read():
         ({"axis_unit": "bar"}, "axis_unit = bar: must be one of: deg"),
         ({"peg": {}}, "peg: must have either pressure or exponent"),
         ({"peg": {"exponent": 1.3, "start": "20 deg"}}, "peg: start and end must lie within the compression"),
-        ({"text": "x"}, "trace.csv  no numbers in it"),
+        ({"text": "x"}, "file = trace.csv: has no numbers in it"),
         ({"columns": [1, 7], "text": "a,p [bar]\n0,1\n1,2"}, "columns: must be columns of the file, 1 to 2"),
     ],
 )

@@ -79,14 +79,14 @@ def test_other_axes(header, axis):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", "trace.csv  no numbers in it"),
-        ("nothing\nhere", "trace.csv  no numbers in it"),
+        ("", "file = trace.csv: has no numbers in it"),
+        ("nothing\nhere", "file = trace.csv: has no numbers in it"),
         ("angle;p [bar]\n0;1\n1;x\n2;3", "trace.csv:3:3  x: must be a number"),
         ("angle;p [bar]\n0;1\n1; nan\n2;3", "trace.csv:3:4  nan: must be a number"),
         ("angle;p [bar]\n0;1\n1;\n2;3", "trace.csv:3  1 values: must have 2 values"),
         ("angle,p [bar]\n0,1.234.5\n1,2", "trace.csv:2:3  1.234.5: must be a number"),
         ("angle [deg]\n0\n1\n2", "trace.csv:2  has one column"),
-        ("angle;p\n0;1\n1;2", "trace.csv:1  pressure_unit: does not say in which unit"),
+        ("angle;p\n0;1\n1;2", "pressure_unit: the file does not say in which unit"),
         ("V;p [bar]\n10;1\n20;2", "axis_unit: the file does not say in which unit its volumes are"),
         ("0,5,1,02\n1,0,1,03", "trace.csv:1  0,5,1,02: commas may stand here for decimal points or between columns"),
         (

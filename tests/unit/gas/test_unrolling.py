@@ -1,5 +1,7 @@
 """Pressure over volume or stroke, listed in the ways that files do it, gives the crank angles that it was made from."""
 
+import itertools
+
 import numpy as np
 import pytest
 from tests.gas_engines import FOUR_STROKE, TWO_STROKE, Engine, csv
@@ -54,7 +56,7 @@ def test_listings(listing, engine):
     ends = dead_centres_of(engine.chamber().volume)
     # Strokes of the offset engine are not of 180°; the listing goes by strokes.
     edges = [ends.top, ends.bottom, ends.top + 2 * np.pi, ends.bottom + 2 * np.pi, ends.top + 4 * np.pi]
-    angle = np.concatenate([np.linspace(a, b, 180, endpoint=False) for a, b in zip(edges, edges[1:], strict=False)])
+    angle = np.concatenate([np.linspace(a, b, 180, endpoint=False) for a, b in itertools.pairwise(edges)])
     listed = angle[LISTINGS[listing]]
     text = csv(engine.volume(listed).value * 1e3, pressure(listed), header="volume [L],p abs [Pa]")
     diagram = diagram_of(text, engine)

@@ -143,5 +143,7 @@ def _degrees(angle: float) -> str:
 
 
 def _refuse(trace: Trace, allowed: str, line: int | None = None) -> None:
-    """Refuse the file, at a line of it."""
+    """Refuse the file, at a line of it if it has one."""
+    if line is None:
+        raise InputError([Problem("file", trace.name, allowed)])
     raise InputError([Problem("", None, allowed, None, Position(trace.name, line))])

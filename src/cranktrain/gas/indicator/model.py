@@ -8,7 +8,7 @@ from cranktrain.gas.indicator.diagram import Diagram, diagram_through, pressure_
 from cranktrain.gas.indicator.pegging import polytropic_offset
 from cranktrain.gas.indicator.placing import placed
 from cranktrain.gas.indicator.spec import IndicatorSpec, PegSpec, trace_of
-from cranktrain.gas.indicator.unrolling import dead_centres_of, unrolled
+from cranktrain.gas.indicator.unrolling import OutwardAngle, dead_centres_of, unrolled
 from cranktrain.gas.kind import Chamber
 from cranktrain.gas.state import ChamberState
 from cranktrain.language import _
@@ -81,7 +81,7 @@ def _from_nominal(samples: Samples, chamber: Chamber) -> Samples:
     )
 
 
-def _outward(spec: IndicatorSpec, chamber: Chamber):
+def _outward(spec: IndicatorSpec, chamber: Chamber) -> OutwardAngle | None:
     """Choose how displacements become crank angles."""
     if spec.unrolling == "exact":
         return None

@@ -113,9 +113,9 @@ def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
     place_scale, findings = _place_scale(axis, labels[where], said, table, where)
     unit = said.pressure_unit or _unit_in(labels[level], Dimension.PRESSURE)
     if unit is None:
-        allowed = _("does not say in which unit its pressures are")
+        allowed = _("the file does not say in which unit its pressures are")
         repair = _('write pressure_unit = "bar" (or {units})').format(units=", ".join(unit_names(Dimension.PRESSURE)))
-        raise InputError([Problem("pressure_unit", None, allowed, repair, Position(name, 1))])
+        raise InputError([Problem("pressure_unit", None, allowed, repair)])
     numbers = np.array(table.rows, dtype=float)
     pressures, told = _absolute(numbers[:, level], unit, labels[level], said)
     problems = _negative(pressures, table, level, name)

@@ -73,7 +73,7 @@ def read_table(text: str, name: str) -> Table:
     lines = list(enumerate(re.split(r"\r\n|\r|\n", text.removeprefix("\ufeff")), start=1))
     start = _first_row(lines)
     if start is None:
-        raise InputError([Problem("", None, _("no numbers in it"), None, Position(name))])
+        raise InputError([Problem("file", name, _("has no numbers in it"))])
     head = [line for number, line in lines if number < start and line.strip()]
     body = [(number, line) for number, line in lines if number >= start and line.strip() and not _COMMENT.match(line)]
     separator = _separator([line for _number, line in body])
@@ -166,4 +166,4 @@ def _first_of(problems: Sequence[Problem], name: str) -> Sequence[Problem]:
     if len(problems) <= _MOST_PROBLEMS:
         return problems
     rest = _("{n} more lines or values like these").format(n=len(problems) - _MOST_PROBLEMS)
-    return (*problems[:_MOST_PROBLEMS], Problem("", None, rest, None, Position(name)))
+    return (*problems[:_MOST_PROBLEMS], Problem("file", name, rest))

@@ -4,8 +4,9 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from cranktrain.errors import InputError, Position, Problem
+from cranktrain.errors import InputError, Problem
 from cranktrain.gas.indicator.cycle import Samples
 from cranktrain.gas.indicator.reading import Trace
 from cranktrain.gas.indicator.spline import periodic_slopes, spline_at
@@ -214,17 +215,17 @@ def _filled(angles: Array, pressures: Array, chamber: Chamber) -> tuple[Array, A
     Along compression and expansion p Vⁿ hardly changes where p does most, so that it bridges twice as well.
     """
     steps = np.diff(angles, append=angles[0] + chamber.cycle)
-    more = np.ceil(steps / _WIDEST_STEP).astype(int)
-    shares = [start + step * np.arange(n) / n for start, step, n in zip(angles, steps, more, strict=True)]
-    filled = np.concatenate(shares)
+    parts: NDArray[np.intp] = np.ceil(steps / _WIDEST_STEP).astype(np.intp)
+    own: NDArray[np.intp] = np.cumsum(parts) - parts
+    step: NDArray[np.intp] = np.repeat(np.arange(len(parts)), parts)
+    filled: Array = angles[step] + steps[step] * (np.arange(len(step)) - own[step]) / parts[step]
     nearly_constant = pressures * chamber.volume(angles) ** _EXPONENT
     slopes = periodic_slopes(angles, nearly_constant, chamber.cycle)
     between = spline_at(angles, nearly_constant, slopes, chamber.cycle, filled) / chamber.volume(filled) ** _EXPONENT
-    own = np.concatenate([[0], np.cumsum(more)[:-1]])
     between[own] = pressures
     return filled, between
 
 
 def _refusal(trace: Trace, allowed: str) -> InputError:
     """Give the error that says what is wrong with the file."""
-    return InputError([Problem("", None, allowed, None, Position(trace.name))])
+    return InputError([Problem("file", trace.name, allowed)])
