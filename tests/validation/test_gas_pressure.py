@@ -1,4 +1,4 @@
-"""Ideal cycles of `gas_pressure`: IMEP by quadrature and closed form in 30 digits, air-standard efficiency (1.4)."""
+"""Ideal cycles of `gas_pressure`: closed form, confirmed there by quadrature to 7e-16; air-standard efficiency."""
 
 import itertools
 import json

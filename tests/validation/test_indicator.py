@@ -190,3 +190,21 @@ def test_pressure_over_volume_is_unrolled():
     at = angle[angle > 0]
     linear = np.interp(ENGINE.volume(at).value, volume[outward], pressure[outward])
     assert np.max(np.abs(linear - wiebe(ENGINE, WIEBE, at))) / WIEBE["p_max"] == pytest.approx(0.067, abs=1e-3)
+
+
+def test_torque_orders():
+    """Gas and inertia (m_j 0.62 kg, 350 rad/s) from a file in steps of 1°.
+
+    Heat begins with a kink, which such steps leave uncertain by 1e-5 of the largest order.
+    """
+    case = json.loads((GOLDEN / "torque_orders/case.json").read_text(encoding="utf-8"))
+    diagram = diagram_of(wiebe_text(), ENGINE)
+    angle = np.arange(720) * DEGREE
+    motion = ENGINE.volume(angle)
+    inertia = 0.62 * 350**2 * motion.first * motion.second / ENGINE.area**2
+    torque = (pressure_at(diagram, angle) - 1e5) * motion.first - inertia
+    series = np.fft.rfft(torque) / 720
+    largest = max(expected["amplitude"] for expected in case["orders"].values())
+    for order, expected in case["orders"].items():
+        found = series[round(2 * float(order))] * (2 if float(order) else 1)
+        assert abs(found - (expected["a_cos"] - 1j * expected["b_sin"])) < 1e-5 * largest, order

@@ -16,10 +16,10 @@ _NEAR = np.radians(60.0)
 """No pressure peaks farther from the firing dead centre."""
 _EARLIEST, _LATEST = np.radians(2.0), np.radians(25.0)
 """The peak of a fired cycle stands 5° to 20° after the dead centre; with some reserve."""
-_MOTORED_EARLIEST = -np.radians(2.5)
+_MOTORED_PEAK = np.radians(2.5)
 """A motored cycle peaks 0° to 2° before the dead centre; with some reserve."""
 _MOTORED = 0.04
-"""|Asymmetry| below which nothing burns: heat loss and leakage alone give −0.01 to −0.03, combustion more than 0.1."""
+"""|Asymmetry| below which nothing burns: full load gives 0.4 to 0.6, a twentieth of its heat still 0.07."""
 
 
 class _Found(NamedTuple):
@@ -28,6 +28,11 @@ class _Found(NamedTuple):
     dead_centre: float
     peak: float
     asymmetry: float
+
+    @property
+    def is_motored(self) -> bool:
+        """Whether nothing burns: no more is given than taken, and the peak is at the dead centre."""
+        return abs(self.asymmetry) <= _MOTORED and abs(self.peak) <= _MOTORED_PEAK
 
 
 def placed(samples: Samples, cycle: float, firing_angle: float | None, sense: Sense) -> Samples:
@@ -127,7 +132,7 @@ def _findings(own: _Found, count: float, is_backward: bool, sense: Sense, is_giv
         )
     elif is_backward:
         told.append(_("The file's angles are turned round, as given."))
-    if abs(own.asymmetry) <= _MOTORED:
+    if own.is_motored:
         told.append(_("Nothing burns in this cycle: it is motored, and its sense cannot be told from it."))
     return tuple(told)
 
@@ -141,11 +146,11 @@ def _doubts(own: _Found) -> tuple[str, ...]:
             ' the rotation, write sense = "backward", or "found".'
         )
         return (counted.format(peak=peak),)
-    if own.asymmetry <= _MOTORED:
+    if own.is_motored:
         misplaced = _(
             "Motored, a cycle peaks up to 2° before the dead centre, and this one at {peak}: is the zero right?"
         )
-        return () if _MOTORED_EARLIEST <= own.peak <= 0 else (misplaced.format(peak=peak),)
+        return () if own.peak <= 0 else (misplaced.format(peak=peak),)
     late = _("The peak stands {peak} after the firing dead centre; 5° to 20° are usual: is the zero right?")
     return () if _EARLIEST <= own.peak <= _LATEST else (late.format(peak=peak),)
 
