@@ -15,8 +15,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+import cranktrain.gas
 import cranktrain.linkage
 import cranktrain.mechanisms
+from cranktrain.gas.dual.pressure import IdealCycle
+from cranktrain.gas.state import ChamberState, VolumeLimits
 from cranktrain.linkage import (
     GUIDE,
     ROD,
@@ -53,6 +56,7 @@ from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCyl
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
 from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLever
+from cranktrain.motion import Coefficient
 
 NO_KERNELS = {
     "blocks.in_blocks",
@@ -86,8 +90,12 @@ def kernels() -> dict[str, Callable[..., Any]]:
         f"cranktrain.mechanisms.{folder.parent.name}.{folder.stem}"
         for folder in Path(cranktrain.mechanisms.__path__[0]).glob("*/kinematics.py")
     ]
+    gases = [
+        f"cranktrain.gas.{folder.parent.name}.{folder.stem}"
+        for folder in Path(cranktrain.gas.__path__[0]).glob("*/pressure.py")
+    ]
     found: dict[str, Callable[..., Any]] = {}
-    for path in groups + mechanisms:
+    for path in groups + mechanisms + gases + ["cranktrain.gas.state", "cranktrain.gas.polytrope"]:
         module = importlib.import_module(path)
         for name, function in inspect.getmembers(module, inspect.isfunction):
             short = f"{path.split('.')[2]}.{name}"
@@ -153,9 +161,26 @@ def articulated_rod_geometry(size):
     return ArticulatedRod(slider_crank_geometry(size), size(0.25), size(1.2), size(1.0), size(0.8), size(0.02))
 
 
+def volume(angle, size):
+    middle = size(2.0)
+    swing = 0.4 * middle
+    return Coefficient(middle - swing * np.cos(angle), swing * np.sin(angle), swing * np.cos(angle))
+
+
+def chamber(angle, size, side):
+    return ChamberState(volume(angle, size).value, size(0.9), size(3.1), side, 1.0, angle)
+
+
+def ideal_cycle(size):
+    return IdealCycle(size(1.2), size(1.1), size(1.0), size(1.36), size(1.25), size(1.5), size(1.1))
+
+
 EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "articulated_rod.articulated_rod": lambda angle, size, side: (angle, articulated_rod_geometry(size)),
     "articulated_rod.articulated_rod_gap": lambda angle, size, side: (angle, articulated_rod_geometry(size)),
+    "dual.corner_pressures": lambda angle, size, side: (ideal_cycle(size), 3.1 + 0.1 * np.cos(angle)),
+    "dual.ideal_mean_pressures": lambda angle, size, side: (ideal_cycle(size), 3.1 + 0.1 * np.cos(angle)),
+    "dual.ideal_pressure": lambda angle, size, side: (chamber(angle, size, side), ideal_cycle(size)),
     "crank.crank": lambda angle, size, side: (angle, Crank(size(0.3))),
     "crank_rocker.crank_rocker": lambda angle, size, side: (angle, crank_rocker_geometry(size, side)),
     "crank_rocker.crank_rocker_gap": lambda angle, size, side: (angle, crank_rocker_geometry(size, side)),
@@ -171,6 +196,13 @@ EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
         Pin(size(1.0), size(0.8), side),
     ),
     "pin.pin_gap": lambda angle, size, side: (ends(angle, size), Pin(size(1.0), size(0.8), side)),
+    "polytrope.polytropic_work": lambda angle, size, side: (size(2.0), 1.5 + np.cos(angle), size(1.3)),
+    "state.chamber_state": lambda angle, size, side: (
+        volume(angle, size),
+        VolumeLimits(size(1.0), size(3.0)),
+        angle,
+        4 * np.pi,
+    ),
     "point.fixed": lambda angle, size, side: (size(1.1), size(0.05)),
     "point.point": lambda angle, size, side: (rod(angle, size), LinkPoint(size(0.2), size(0.7))),
     "point.turned": lambda angle, size, side: (crank_pin(angle, size), size(0.7)),

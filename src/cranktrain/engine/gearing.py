@@ -69,7 +69,7 @@ def shaft_phases(
     -----
     α_e − α_s = Δ, where a crank's angle from its cylinder's axis, in its own sense, is α = ±(phase + throw − axis), all
     from where throw 1 of `main` stands, along the first axis:
-    docs/theory/opposed-pistons, eq. (13.8). Three shafts in a triangle close only if 3Δ + 60°·Σ(±1) ≡ 0.
+    docs/theory/opposed-pistons, eq. (18.8). Three shafts in a triangle close only if 3Δ + 60°·Σ(±1) ≡ 0.
     """
     first = first_axis(banks)
     pairs = [

@@ -107,7 +107,7 @@ def port_timing(
     Notes
     -----
     A piston uncovers its port where it is the port's height from its outer dead centre: docs/theory/opposed-pistons,
-    eq. (13.5); for a central slider-crank cos α = (x² + R² − L²)/(2Rx), with x the pin's distance from the shaft.
+    eq. (18.5); for a central slider-crank cos α = (x² + R² − L²)/(2Rx), with x the pin's distance from the shaft.
     """
     del two_stroke
     opens, closes = (

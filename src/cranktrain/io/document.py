@@ -1,11 +1,8 @@
 """The machine file as the user typed it: the truth for positions, `--set`, the page, undo and save."""
 
 import codecs
-import difflib
-import errno
 import os
 import re
-import stat
 import tomllib
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
@@ -15,6 +12,7 @@ from typing import cast
 
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io import editing
+from cranktrain.io.files import Wanted, content_of, refusal
 from cranktrain.language import N_, _
 
 LARGEST_FILE = 2**20
@@ -101,7 +99,9 @@ class Document:
             If there is no such file, it cannot be read, or it is no UTF-8 text.
         """
         name = os.fspath(path).encode(errors="backslashreplace").decode()
-        return cls(_text(_content(Path(path), name), name), name)
+        too_large = _("is larger than {limit} KiB, and no machine file is").format(limit=LARGEST_FILE // 1024)
+        wanted = Wanted(LARGEST_FILE, too_large, _("is a folder, not a machine file"))
+        return cls(_text(content_of(Path(path), name, wanted, suffix=".toml"), name), name)
 
     @classmethod
     def from_text(cls, text: str, name: str) -> "Document":
@@ -123,7 +123,7 @@ class Document:
         text = text.removeprefix("\ufeff")
         half = next((i for i, character in enumerate(text) if "\ud800" <= character <= "\udfff"), None)
         if half is not None:
-            raise _refusal(name, _("half a character stands here"), _("delete it"), _position(name, text, half))
+            raise refusal(name, _("half a character stands here"), _("delete it"), _position(name, text, half))
         return cls(text, name)
 
     @cached_property
@@ -131,7 +131,7 @@ class Document:
         """The tables, keys and values of the text; `InputError` where it is not TOML or says nothing."""
         data = _parsed(self.text, self.name)
         if not data:
-            raise _refusal(self.name, _("no machine in it"), _("start with `cranktrain new slider_crank`"))
+            raise refusal(self.name, _("no machine in it"), _("start with `cranktrain new slider_crank`"))
         return data
 
     @cached_property
@@ -235,63 +235,10 @@ def _position(name: str, text: str, place: int | None = None) -> Position:
     return Position(name, above.count("\n") + 1, len(above) - above.rfind("\n"))
 
 
-def _refusal(name: str, allowed: str, repair: str | None = None, position: Position | None = None) -> InputError:
-    """Give the error that says what is wrong with the file itself."""
-    return InputError([Problem("", None, allowed, repair, position or Position(name))])
-
-
 def _shown(text: str) -> str:
     """Write a piece of the file in one short line, without what would upset a terminal."""
     line = "".join(character for character in " ".join(text.split()) if character.isprintable())
     return line if len(line) <= _LONGEST_SHOWN else line[: _LONGEST_SHOWN - 1] + "…"
-
-
-def _content(path: Path, name: str) -> bytes:
-    """Read the bytes of a file that is not too large."""
-    too_large = _("is larger than {limit} KiB, and no machine file is").format(limit=LARGEST_FILE // 1024)
-    try:
-        about = path.stat()
-        if stat.S_ISDIR(about.st_mode):
-            raise _refusal(name, _("is a folder, not a machine file"), _first_machine_file(path))
-        if about.st_size > LARGEST_FILE:
-            raise _refusal(name, too_large)
-        with path.open("rb") as file:
-            content = file.read(LARGEST_FILE + 1)  # a pipe or device does not tell its size
-    except OSError as error:
-        raise _unreadable(path, name, error) from None
-    except InputError:
-        raise
-    except ValueError:  # a NUL or half a character in the name
-        raise _refusal(name, _("is no name that a file can have")) from None
-    if len(content) > LARGEST_FILE:
-        raise _refusal(name, too_large)
-    return content
-
-
-def _unreadable(path: Path, name: str, error: OSError) -> InputError:
-    """Say why a file could not be read."""
-    if error.errno == errno.ENOENT:
-        if not path.parent.is_dir():
-            return _refusal(name, _("there is no folder {folder}").format(folder=path.parent))
-        near = difflib.get_close_matches(path.name, _files(path.parent), n=1)
-        return _refusal(name, _("there is no such file"), _("is it {name}?").format(name=near[0]) if near else None)
-    if error.errno in (errno.EACCES, errno.EPERM):
-        return _refusal(name, _("may not be read"), _("change its permissions (or its folder's), or copy it"))
-    return _refusal(name, _("cannot be read: {reason}").format(reason=error.strerror))
-
-
-def _files(folder: Path) -> list[str]:
-    """Name the files of a folder as far as it lets itself be read."""
-    try:
-        return sorted(entry.name for entry in folder.iterdir())
-    except OSError:
-        return []
-
-
-def _first_machine_file(folder: Path) -> str | None:
-    """Say which machine file of a folder may have been meant."""
-    first = next((name for name in _files(folder) if name.endswith(".toml")), None)
-    return _("name a file in it, such as {name}").format(name=folder / first) if first else None
 
 
 def _text(content: bytes, name: str) -> str:
@@ -299,16 +246,16 @@ def _text(content: bytes, name: str) -> str:
     content = content.removeprefix(codecs.BOM_UTF8)
     wide = _wide_encoding(content)
     if wide:
-        raise _refusal(name, _("is written in {encoding}").format(encoding=wide), _("save it as UTF-8"))
+        raise refusal(name, _("is written in {encoding}").format(encoding=wide), _("save it as UTF-8"))
     if b"\0" in content:
         allowed = _("is no text: it has NUL bytes")
-        raise _refusal(name, allowed, _("a machine file is TOML: see `cranktrain new slider_crank`"))
+        raise refusal(name, allowed, _("a machine file is TOML: see `cranktrain new slider_crank`"))
     try:
         return content.decode()
     except UnicodeDecodeError as error:
         byte = f"0x{content[error.start]:02X}"
         position = _position(name, content[: error.start].decode())
-        raise _refusal(
+        raise refusal(
             name, _("the byte {byte} here is not UTF-8").format(byte=byte), _("save it as UTF-8"), position
         ) from None
 
@@ -339,14 +286,14 @@ def _parsed(text: str, name: str) -> dict[str, object]:
     except ValueError:  # Python's limit for the digits of a whole number
         long = re.search("[0-9_]{4000,}", text)
         position = _position(name, text, long.start() if long else 0)
-        raise _refusal(name, _("a number of thousands of digits stands here"), None, position) from None
+        raise refusal(name, _("a number of thousands of digits stands here"), None, position) from None
     except RecursionError:
-        raise _refusal(name, _nested_too_deep()) from None
+        raise refusal(name, _nested_too_deep()) from None
     level: list[object] = [data]
     for _depth in range(editing.DEEPEST_NESTING):
         level = [inner for outer in level for inner in _contents(outer)]
     if level:
-        raise _refusal(name, _nested_too_deep())
+        raise refusal(name, _nested_too_deep())
     return data
 
 

@@ -6,17 +6,17 @@ from pathlib import Path
 from cranktrain.io.document import Document
 from cranktrain.language import _
 
-_FOLDER = Path(__file__).parents[1] / "examples"
+EXAMPLES_FOLDER = Path(__file__).parents[1] / "examples"
 
 
 def example_names() -> tuple[str, ...]:
     """Name the examples, in alphabetical order."""
-    return tuple(sorted(path.stem for path in _FOLDER.glob("*.toml")))
+    return tuple(sorted(path.stem for path in EXAMPLES_FOLDER.glob("*.toml")))
 
 
 def example_document(name: str) -> Document:
     """Read the example of that very name."""
-    text = (_FOLDER / f"{name}.toml").read_text(encoding="utf-8")
+    text = (EXAMPLES_FOLDER / f"{name}.toml").read_text(encoding="utf-8")
     return Document.from_text(text, _("example {name}").format(name=name))
 
 

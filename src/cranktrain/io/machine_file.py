@@ -3,12 +3,14 @@
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import NamedTuple, cast
 
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io import editing
 from cranktrain.io.document import Document
-from cranktrain.io.examples import example_called, example_document, example_near
+from cranktrain.io.examples import EXAMPLES_FOLDER, example_called, example_document, example_near
+from cranktrain.io.indicator_file import with_indicator
 from cranktrain.language import _
 from cranktrain.machine import Machine, machine_problems
 from cranktrain.mechanisms.kind import LISTS
@@ -89,7 +91,7 @@ def read_machine(
     typed = document_of(source)
     document, paths = _with_settings(typed, settings)
     try:
-        machine = Machine(**document.data)
+        machine = Machine(**with_indicator(document.data, _folder_of(source)))
         found = machine_problems(machine, partial=partial)
     except InputError as error:
         found = error.problems
@@ -106,8 +108,8 @@ def read_machine(
 def document_of(source: "str | os.PathLike[str]") -> Document:
     """Read a file if it is there, else the example of that name."""
     name = os.fspath(source)
-    example = example_called(name)
-    if example is not None and not os.path.isfile(name):  # noqa: PTH113 - unlike Path, takes a name with a NUL byte
+    example = _example_meant(name)
+    if example is not None:
         return example_document(example)
     try:
         return Document.read(source)
@@ -131,6 +133,18 @@ def inputs_of(file: MachineFile) -> tuple[Input, ...]:
     tuple of Input
     """
     return tuple(Input(editing.path_text(parts), given) for parts, given in _inputs(file.document.data, file.machine))
+
+
+def _example_meant(name: str) -> str | None:
+    """Find the example that a name means, unless there is a file of that name."""
+    is_file = os.path.isfile(name)  # noqa: PTH113 - unlike Path, takes a name with a NUL byte
+    return None if is_file else example_called(name)
+
+
+def _folder_of(source: "str | os.PathLike[str]") -> Path:
+    """Folder to which a machine's other files are relative."""
+    name = os.fspath(source)
+    return Path(name).parent if _example_meant(name) is None else EXAMPLES_FOLDER
 
 
 _SETTING = Position("--set")

@@ -1,0 +1,29 @@
+"""Dual cycle (Sabathé, Trinkler): heat first at constant volume, then at constant pressure."""
+
+from cranktrain.gas.dual.pressure import IdealCycle, ideal_mean_pressures, ideal_pressure
+from cranktrain.gas.dual.spec import DualSpec, gauge_doubts, ideal_cycle
+from cranktrain.gas.kind import GasKind
+from cranktrain.language import N_
+
+__all__ = ["KIND", "DualSpec", "IdealCycle", "ideal_mean_pressures", "ideal_pressure"]
+
+KIND = GasKind(
+    name="dual",
+    title=N_("dual cycle, heat at constant volume and at constant pressure"),
+    spec=DualSpec,
+    model=ideal_cycle,
+    pressure=ideal_pressure,
+    doubts=gauge_doubts,
+    mean_pressures=ideal_mean_pressures,
+    example="""\
+[gas]
+kind = "dual"
+start_pressure = "120 kPa"        # absolute, as all pressures here; barg, ati and psig are gauge
+compression_exponent = 1.36
+expansion_exponent = 1.25
+pressure_ratio = 1.55             # p3/p2, heat at constant volume
+cut_off_ratio = 1.45              # V3/V2, heat at constant pressure
+# inlet_pressure = "120 kPa"      # on the inlet stroke
+# exhaust_pressure = "110 kPa"    # on the exhaust stroke
+""",
+)

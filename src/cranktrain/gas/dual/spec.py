@@ -1,0 +1,99 @@
+"""Tables of the ideal cycles: what the dual cycle declares, and what all three have in common."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.gas.dual.pressure import IdealCycle
+from cranktrain.gas.kind import Chamber, GasSpec
+from cranktrain.language import N_, _
+from cranktrain.motion import single
+from cranktrain.quantities import Dimension, Given, Quantity, shown
+
+Exponent = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=2.0)]
+AbsolutePressure = Annotated[Given, Quantity(Dimension.PRESSURE, above=0.0)]
+HeatRatio = Annotated[Given, Quantity(Dimension.RATIO, at_least=1.0)]
+
+_ONE = Given(1.0, "1")
+_LOWEST_USUAL = 0.5e5
+"""Absolute pressure at which no engine breathes in; below it, a gauge pressure may be meant. [Pa]"""
+
+
+class IdealCycleSpec(GasSpec, frozen=True):
+    """Ideal cycle with gas exchange: pressures, which are absolute, and exponents of the polytropes."""
+
+    start_pressure: AbsolutePressure = Field(
+        description=N_("Absolute pressure at the start of compression, at the bottom dead centre.")
+    )
+    compression_exponent: Exponent = Field(description=N_("Exponent n of the compression, p·Vⁿ = const."))
+    expansion_exponent: Exponent = Field(description=N_("Exponent n of the expansion, p·Vⁿ = const."))
+    inlet_pressure: AbsolutePressure | None = Field(
+        default=None,
+        description=N_("Absolute pressure in the cylinder on the inlet stroke; start_pressure unless given."),
+    )
+    exhaust_pressure: AbsolutePressure | None = Field(
+        default=None,
+        description=N_("Absolute pressure in the cylinder on the exhaust stroke; inlet_pressure unless given."),
+    )
+
+
+class DualSpec(IdealCycleSpec, frozen=True):
+    """Dual cycle: heat first at constant volume, then at constant pressure."""
+
+    kind: Literal["dual"] = Field(description=N_("Kind of gas model."))
+    pressure_ratio: HeatRatio = Field(description=N_("By how much heat at constant volume raises the pressure, p₃/p₂."))
+    cut_off_ratio: HeatRatio = Field(
+        description=N_("Volume when heat at constant pressure ends, over the smallest volume.")
+    )
+
+
+def ideal_cycle(spec: IdealCycleSpec, chamber: Chamber) -> IdealCycle:
+    """Take the parameters of the cycle, in SI.
+
+    Parameters
+    ----------
+    spec : IdealCycleSpec
+        Of any of the three cycles; the ratio that it has not is 1.
+    chamber : Chamber
+
+    Returns
+    -------
+    IdealCycle of floats
+
+    Raises
+    ------
+    InputError
+        If heat would still come in at the bottom dead centre.
+    """
+    cut_off: Given = getattr(spec, "cut_off_ratio", _ONE)
+    compression_ratio = float(chamber.limits.largest / chamber.limits.smallest)
+    if cut_off.si > compression_ratio:
+        allowed = _("must be at most the compression ratio, {ratio}, or heat comes in beyond the bottom dead centre")
+        raise InputError([Problem("cut_off_ratio", cut_off.text, allowed.format(ratio=f"{compression_ratio:.4g}"))])
+    inlet = spec.inlet_pressure or spec.start_pressure
+    exhaust = spec.exhaust_pressure or inlet
+    pressure_ratio: Given = getattr(spec, "pressure_ratio", _ONE)
+    return IdealCycle(
+        start_pressure=single(spec.start_pressure.si),
+        inlet_pressure=single(inlet.si),
+        exhaust_pressure=single(exhaust.si),
+        compression_exponent=single(spec.compression_exponent.si),
+        expansion_exponent=single(spec.expansion_exponent.si),
+        pressure_ratio=single(pressure_ratio.si),
+        cut_off_ratio=single(cut_off.si),
+    )
+
+
+def gauge_doubts(spec: IdealCycleSpec, model: IdealCycle) -> tuple[str, ...]:
+    """Doubt pressures that are so low that gauge pressures may be meant."""
+    del model
+    names = ("start_pressure", "inlet_pressure", "exhaust_pressure")
+    given = [(name, pressure) for name in names if (pressure := getattr(spec, name)) is not None]
+    return tuple(
+        _(
+            "{name} = {given} is {pressure} kPa absolute: if it is a gauge pressure, write it in barg, ati or psig."
+        ).format(name=name, given=pressure.text, pressure=f"{shown(pressure.si, 'kPa'):.4g}")
+        for name, pressure in given
+        if pressure.si < _LOWEST_USUAL
+    )

@@ -1,0 +1,157 @@
+"""The table of a machine file that names an indicator diagram, and what it says beside the file."""
+
+from math import pi
+from typing import Annotated, Literal, Self
+
+from pydantic import Field, model_validator
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.gas.indicator.placing import Sense
+from cranktrain.gas.indicator.reading import STANDARD_ATMOSPHERE, Axis, Columns, Trace, read_trace
+from cranktrain.gas.kind import GasSpec
+from cranktrain.language import N_, _
+from cranktrain.quantities import Angle, Dimension, Given, Quantity, QuantityError, one_of, read, unit_names
+from cranktrain.spec import Refused, Spec
+
+Pressure = Annotated[Given, Quantity(Dimension.PRESSURE, above=0.0)]
+Exponent = Annotated[Given, Quantity(Dimension.RATIO, above=1.0, at_most=2.0)]
+Width = Annotated[Given, Quantity(Dimension.ANGLE, above=0.0, at_most=pi / 12)]
+
+_AXES: dict[Axis, Dimension] = {
+    "angle": Dimension.ANGLE,
+    "displacement": Dimension.LENGTH,
+    "volume": Dimension.VOLUME,
+}
+
+
+class PegSpec(Spec, frozen=True):
+    """How the level of the pressures is found: by one known pressure, or by the exponent of the compression."""
+
+    pressure: Pressure | None = Field(
+        default=None, description=N_("Known absolute pressure at `angle`, such as the inlet manifold's at the bottom.")
+    )
+    angle: Angle = Field(
+        default=Given(-pi, "-180 deg"), description=N_("Where that pressure is known, from the firing dead centre.")
+    )
+    exponent: Exponent | None = Field(
+        default=None, description=N_("Exponent n of p·Vⁿ = const in the compression, instead of a pressure.")
+    )
+    start: Angle = Field(
+        default=Given(-100 * pi / 180, "-100 deg"),
+        description=N_("Where that piece of the compression begins, from the firing dead centre."),
+    )
+    end: Angle = Field(
+        default=Given(-65 * pi / 180, "-65 deg"),
+        description=N_("Where that piece of the compression ends, from the firing dead centre."),
+    )
+
+    @model_validator(mode="after")
+    def _one_way(self) -> Self:
+        """Refuse both ways together, neither, and a piece that is no compression."""
+        if (self.pressure is None) == (self.exponent is None):
+            raise Refused(_("must have either pressure or exponent"))
+        if self.exponent is not None and not -pi <= self.start.si < self.end.si <= 0:
+            raise Refused(_("start and end must lie within the compression, -180 deg to 0 deg, one after the other"))
+        return self
+
+
+class IndicatorSpec(GasSpec, frozen=True):
+    """Indicator diagram from a file of two columns, pressure over crank angle, volume or displacement.
+
+    Whoever loads a machine file also reads the file that `file` names, and puts what it holds into `text`.
+    """
+
+    kind: Literal["indicator"] = Field(description=N_("Kind of gas model."))
+    file: str = Field(min_length=1, description=N_("File with the diagram, relative to the machine file."))
+    text: str | None = Field(
+        default=None, description=N_("What the file holds, where it is not to be read; `file` is then only its name.")
+    )
+    columns: tuple[Annotated[int, Field(ge=1)], ...] | None = Field(
+        default=None,
+        min_length=2,
+        max_length=2,
+        description=N_("Columns of axis and pressure, counted from 1; by the header unless given."),
+    )
+    axis: Axis | None = Field(
+        default=None, description=N_("What pressures are given over; by the header unless given.")
+    )
+    axis_unit: str | None = Field(default=None, description=N_("Unit of the axis, where the header does not say it."))
+    pressure_unit: str | None = Field(
+        default=None, description=N_("Unit of the pressures, where the header does not say it.")
+    )
+    pressure: Literal["absolute", "gauge"] | None = Field(
+        default=None, description=N_("What pressures count from; by the header unless given, or else absolute.")
+    )
+    ambient: Pressure = Field(
+        default=Given(STANDARD_ATMOSPHERE, "101.325 kPa"), description=N_("What gauge pressures count from.")
+    )
+    firing_angle: Angle | None = Field(
+        default=None, description=N_("The file's angle of the firing dead centre; found by the peak unless given.")
+    )
+    sense: Sense = Field(
+        default="forward",
+        description=N_("Whether the file's angles count with the rotation, against it, or as the pressures say."),
+    )
+    peg: PegSpec | None = Field(default=None, description=N_("How the level is found that the sensor does not know."))
+    smoothing: Width | None = Field(
+        default=None, description=N_("Width σ over which noise is smoothed; none unless given.")
+    )
+    unrolling: Literal["exact", "brix"] = Field(
+        default="exact", description=N_("How displacements become crank angles: exactly, or by Brix's construction.")
+    )
+
+    @model_validator(mode="after")
+    def _readable(self) -> Self:
+        """Refuse units that are none, and a file that cannot be read as a diagram."""
+        wrong = [
+            problem
+            for path, unit, dimension in (
+                ("axis_unit", self.axis_unit, _AXES[self.axis or "angle"]),
+                ("pressure_unit", self.pressure_unit, Dimension.PRESSURE),
+            )
+            if unit is not None and (problem := _unit_problem(path, unit, dimension)) is not None
+        ]
+        if wrong:
+            raise InputError(wrong)
+        if self.text is not None:
+            trace_of(self)
+        return self
+
+
+def trace_of(spec: IndicatorSpec) -> Trace:
+    """Read the diagram that the spec holds.
+
+    Parameters
+    ----------
+    spec : IndicatorSpec
+
+    Returns
+    -------
+    Trace
+
+    Raises
+    ------
+    InputError
+        With what is wrong in the file, at line and column; or if nobody has read it.
+    """
+    if spec.text is None:
+        allowed = _("has not been read: load the machine from its file, or give what the file holds in `text`")
+        raise InputError([Problem("file", spec.file, allowed)])
+    said = Columns(
+        columns=None if spec.columns is None else (spec.columns[0], spec.columns[1]),
+        axis=spec.axis,
+        axis_unit=spec.axis_unit,
+        pressure_unit=spec.pressure_unit,
+        is_gauge=None if spec.pressure is None else spec.pressure == "gauge",
+        ambient=spec.ambient.si,
+    )
+    return read_trace(spec.text, spec.file, said)
+
+
+def _unit_problem(path: str, unit: str, dimension: Dimension) -> Problem | None:
+    """Refuse a unit that is none of its dimension."""
+    try:
+        read(f"1 {unit}", dimension)
+    except QuantityError:
+        return Problem(path, unit, one_of(unit_names(dimension)))
+    return None

@@ -1,0 +1,231 @@
+"""From pressure over volume or stroke to pressure over the crank angle: which stroke is which, and where it turned."""
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.gas.indicator.cycle import Samples
+from cranktrain.gas.indicator.reading import Trace
+from cranktrain.gas.indicator.spline import periodic_slopes, spline_at
+from cranktrain.gas.kind import Chamber
+from cranktrain.language import _
+from cranktrain.motion import Array
+from cranktrain.numerics import bracketed_roots, extremes, turn_grid
+from cranktrain.quantities import shown
+
+_JUMP = 0.5
+"""A step over more of the stroke than this goes back to where the next branch begins."""
+_BEYOND = 0.02
+"""By how much volumes of the file may lie beyond those of the machine, in parts of the swept volume."""
+_SAME_PLACE = 1e-9
+_AT_NOMINAL = 1e-8
+"""Angles closer than this are one. [rad]"""
+_WIDEST_STEP = np.radians(1.0)
+_EXPONENT = 1.35
+
+OutwardAngle = Callable[[Array], Array]
+"""From the travelled part of the stroke, 0 to 1 from the top, to the crank angle of the outward stroke. [rad]"""
+
+
+class _Branch(NamedTuple):
+    """One stroke of the file: travelled part of the stroke, rising, and the pressures. [1, Pa]"""
+
+    travelled: Array
+    pressures: Array
+
+
+class DeadCentres(NamedTuple):
+    """Where a chamber's volume is smallest, next to nominal firing, and where it is largest after that. [rad]"""
+
+    top: float
+    bottom: float
+
+
+def dead_centres_of(volume: Callable[[Array], Array]) -> DeadCentres:
+    """True dead centres of a chamber, from nominal firing.
+
+    Parameters
+    ----------
+    volume : callable
+        From crank angles since nominal firing to volumes; periodic over a turn. [m³]
+
+    Returns
+    -------
+    DeadCentres
+        What is within 1e-8 of 0 or π stands there: a curve without its derivative says no more.
+    """
+    found = extremes(volume, samples=volume(turn_grid()))
+    top = float(np.mod(found.smallest.angle[0] + np.pi, 2 * np.pi) - np.pi)
+    bottom = float(np.mod(found.largest.angle[0] - top, 2 * np.pi)) + top
+    return DeadCentres(0.0 if abs(top) < _AT_NOMINAL else top, np.pi if abs(bottom - np.pi) < _AT_NOMINAL else bottom)
+
+
+def unrolled(trace: Trace, chamber: Chamber, outward: OutwardAngle | None = None) -> Samples:
+    """Unroll pressures over volume or displacement into pressures over the crank angle from nominal firing.
+
+    Parameters
+    ----------
+    trace : Trace
+        With `axis` "volume" or "displacement"; its branches one after the other, or round the loop.
+    chamber : Chamber
+    outward : callable, optional
+        How to find the crank angle of the outward stroke; the way back is then its mirror image. Brix's construction
+        is one; exactly, by the mechanism's own volume, unless given.
+
+    Returns
+    -------
+    Samples
+        Angles in [0, cycle), rising.
+
+    Raises
+    ------
+    InputError
+        If the file has not as many strokes as the cycle, they cannot be told apart, or volumes are not the machine's.
+
+    Notes
+    -----
+    Points are moved to their angles before anything is interpolated: near the dead centres V is quadratic in φ, and
+    interpolating in V errs by some per cent of the peak. docs/theory/gas, "From volume to crank angle".
+    """
+    travelled, findings = _travelled(trace, chamber)
+    n_strokes = round(chamber.cycle / np.pi)
+    branches = _branches(travelled, trace.pressures)
+    if len(branches) != n_strokes:
+        allowed = _("has {n} strokes, and a cycle of this machine has {needed}")
+        raise _refusal(trace, allowed.format(n=len(branches), needed=n_strokes))
+    ends = dead_centres_of(chamber.volume)
+    in_order = _in_order(branches, trace)
+    strokes = [
+        2 * np.pi * (stroke // 2) + _angles(branch.travelled, stroke % 2 == 0, chamber, ends, outward)
+        for stroke, branch in enumerate(in_order)
+    ]
+    told = _("Pressures over the stroke are unrolled over the crank angle: {n} strokes.").format(n=n_strokes)
+    angles, pressures = _joined(strokes, in_order, chamber.cycle)
+    return Samples(*_filled(angles, pressures, chamber), (*findings, told), ())
+
+
+def _travelled(trace: Trace, chamber: Chamber) -> tuple[Array, tuple[str, ...]]:
+    """Travelled part of the stroke from the top; a displacement's own ends are those of the stroke."""
+    low, high = float(np.min(trace.places)), float(np.max(trace.places))
+    if not high > low:
+        raise _refusal(trace, _("has one volume only"))
+    if trace.axis == "displacement":
+        part = (trace.places - low) / (high - low)
+        is_turned = bool(part[np.argmax(trace.pressures)] > 0.5)
+        told = [_("The ends of the file's displacements are taken for the dead centres.")]
+        if is_turned:
+            told.append(_("They count from the bottom dead centre, as the peak is at their far end: turned round."))
+        return (1 - part if is_turned else part), tuple(told)
+    smallest, largest = chamber.limits
+    part = (trace.places - smallest) / (largest - smallest)
+    if np.min(part) < -_BEYOND or np.max(part) > 1 + _BEYOND:
+        allowed = _("has volumes of {low} to {high} cm³, and the machine has {smallest} to {largest} cm³")
+        own = (f"{shown(float(volume), 'cm³'):.6g}" for volume in (low, high, smallest, largest))
+        raise _refusal(trace, allowed.format(**dict(zip(("low", "high", "smallest", "largest"), own, strict=True))))
+    is_beyond = (part < -_SAME_PLACE) | (part > 1 + _SAME_PLACE)
+    moved = _("{n} volumes a little beyond the machine's are moved to its dead centres.").format(n=np.sum(is_beyond))
+    return np.clip(part, 0.0, 1.0), (moved,) if np.any(is_beyond) else ()
+
+
+def _branches(travelled: Array, pressures: Array) -> list[_Branch]:
+    """Cut the file where the stroke turns or jumps back; what begins within a stroke is joined to its end."""
+    steps = np.diff(travelled)
+    is_jump = np.abs(steps) > _JUMP
+    sense = np.sign(steps)
+    cuts, running = [0], 0.0
+    for place, (step, jump) in enumerate(zip(sense.tolist(), is_jump.tolist(), strict=True)):
+        if jump:
+            cuts.append(place + 1)
+            running = 0.0
+        elif step and running and step != running:
+            cuts.append(place)
+            running = step
+        elif step:
+            running = step
+    pieces = [
+        (travelled[start : end + (0 if jump_next else 1)], pressures[start : end + (0 if jump_next else 1)])
+        for start, end in zip(cuts, [*cuts[1:], len(travelled)], strict=True)
+        for jump_next in [end == len(travelled) or bool(is_jump[end - 1])]
+    ]
+    rises = [bool(part[-1] > part[0]) for part, _level in pieces]
+    if len(pieces) % 2 and len(pieces) > 1 and rises[0] == rises[-1]:
+        last = pieces.pop()
+        pieces[0] = (np.concatenate([last[0], pieces[0][0]]), np.concatenate([last[1], pieces[0][1]]))
+    return [_rising(part, level) for part, level in pieces]
+
+
+def _rising(travelled: Array, pressures: Array) -> _Branch:
+    """Sort a branch by the stroke, each place once."""
+    order = np.argsort(travelled, kind="stable")
+    part, level = travelled[order], pressures[order]
+    kept = np.concatenate([[True], np.diff(part) > _SAME_PLACE])
+    return _Branch(part[kept], level[kept])
+
+
+def _in_order(branches: Sequence[_Branch], trace: Trace) -> Sequence[_Branch]:
+    """Put the strokes in order: expansion, exhaust, inlet, compression; expansion and compression of a two-stroke."""
+    middle = np.linspace(0.05, 0.95, 91)
+    levels = [float(np.mean(np.interp(middle, *branch))) for branch in branches]
+    highest, second = (int(place) for place in np.argsort(levels)[::-1][:2])
+    n_strokes = len(branches)
+    if n_strokes == 2:
+        return branches[highest], branches[second]
+    if (highest - second) % n_strokes == 1:  # compression comes before expansion, cyclically
+        return [branches[(highest + i) % n_strokes] for i in range(n_strokes)]
+    if (second - highest) % n_strokes == 1:  # the file runs backwards
+        return [branches[(highest - i) % n_strokes] for i in range(n_strokes)]
+    raise _refusal(trace, _("its strokes are in no order in which an engine makes them"))
+
+
+def _angles(
+    travelled: Array, is_outward: bool, chamber: Chamber, ends: DeadCentres, outward: OutwardAngle | None
+) -> Array:
+    """Crank angles of one stroke's points, in the first turn. [rad]"""
+    if outward is not None:
+        angles = outward(travelled)
+        return ends.top + (angles if is_outward else 2 * np.pi - angles)
+    low, high = (ends.top, ends.bottom) if is_outward else (ends.bottom, ends.top + 2 * np.pi)
+    smallest, largest = chamber.limits
+    wanted = smallest + travelled * (largest - smallest)
+    full = np.full(travelled.shape, low), np.full(travelled.shape, high)
+    found = bracketed_roots(lambda angle: chamber.volume(angle) - wanted, *full)
+    # At the very ends rounding may leave no change of sign between them.
+    end = np.where((travelled < 0.5) == is_outward, low, high)
+    return np.where(np.isnan(found) | (travelled <= 0.0) | (travelled >= 1.0), end, found)
+
+
+def _joined(strokes: Sequence[Array], branches: Sequence[_Branch], cycle: float) -> tuple[Array, Array]:
+    """Put all strokes into one cycle; where two meet, the one that begins there counts, as just after it."""
+    angles = np.mod(np.concatenate(strokes), cycle)
+    angles = np.where(angles > cycle - _AT_NOMINAL, 0.0, angles)
+    pressures = np.concatenate([branch.pressures for branch in branches])
+    is_end = np.concatenate([angle == np.max(angle) for angle in strokes])
+    order = np.lexsort((is_end, np.rint(angles / _AT_NOMINAL)))
+    places, levels = angles[order], pressures[order]
+    kept = np.concatenate([[True], np.diff(places) > _AT_NOMINAL])
+    return places[kept], levels[kept]
+
+
+def _filled(angles: Array, pressures: Array, chamber: Chamber) -> tuple[Array, Array]:
+    """Put points where the stroke's own are far apart in angle, as they are at dead centres, by a spline of p Vⁿ.
+
+    Along compression and expansion p Vⁿ hardly changes where p does most, so that it bridges twice as well.
+    """
+    steps = np.diff(angles, append=angles[0] + chamber.cycle)
+    parts: NDArray[np.intp] = np.ceil(steps / _WIDEST_STEP).astype(np.intp)
+    own: NDArray[np.intp] = np.cumsum(parts) - parts
+    step: NDArray[np.intp] = np.repeat(np.arange(len(parts)), parts)
+    filled: Array = angles[step] + steps[step] * (np.arange(len(step)) - own[step]) / parts[step]
+    nearly_constant = pressures * chamber.volume(angles) ** _EXPONENT
+    slopes = periodic_slopes(angles, nearly_constant, chamber.cycle)
+    between = spline_at(angles, nearly_constant, slopes, chamber.cycle, filled) / chamber.volume(filled) ** _EXPONENT
+    between[own] = pressures
+    return filled, between
+
+
+def _refusal(trace: Trace, allowed: str) -> InputError:
+    """Give the error that says what is wrong with the file."""
+    return InputError([Problem("file", trace.name, allowed)])

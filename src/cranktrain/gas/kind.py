@@ -1,0 +1,79 @@
+"""What every kind of gas model gives: its spec, what it makes of it for a chamber, and the pressure by the state."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+from cranktrain.gas.state import ChamberState, VolumeLimits
+from cranktrain.gas.work import MeanPressures
+from cranktrain.motion import Array
+from cranktrain.spec import Spec
+
+
+class GasSpec(Spec, frozen=True):
+    """What every gas model of a machine file declares."""
+
+    kind: str
+
+
+class Chamber(NamedTuple):
+    """A working chamber as a gas model asks for it.
+
+    Attributes
+    ----------
+    cycle : float
+        2π of a two-stroke, 4π of a four-stroke. [rad]
+    limits : VolumeLimits
+        Floats. [m³]
+    volume : callable
+        From crank angles since nominal firing, shape (n,) [rad], to volumes of that shape [m³].
+    brix : callable, optional
+        From the travelled part of the stroke, 0 to 1, to the crank angle of the outward stroke by Brix's construction
+        [rad]; of central slider-cranks.
+    """
+
+    cycle: float
+    limits: VolumeLimits
+    volume: Callable[[Array], Array]
+    brix: Callable[[Array], Array] | None = None
+
+
+def _nothing(model: object) -> tuple[str, ...]:
+    """Tell nothing, for models that read no file."""
+    del model
+    return ()
+
+
+@dataclass(frozen=True)
+class GasKind:
+    """A kind of gas model, as data.
+
+    Attributes
+    ----------
+    name, title : str
+        Name in the machine file; title for people.
+    spec : type of GasSpec
+        Its table of the machine file.
+    model : callable (spec, chamber) → parameters or Diagram
+        What `pressure` takes. Raises `InputError`, paths relative to the table, where it does not suit the chamber.
+    pressure : callable (ChamberState, model) → Array
+        Absolute pressure at each crank angle, of the state's shape. [Pa]
+    doubts : callable (spec, model) → tuple of str
+        What may be meant otherwise than it was given, as sentences.
+    example : str
+        A commented `[gas]` table to start from.
+    findings : callable (model) → tuple of str
+        What was found in a file and changed, as sentences.
+    mean_pressures : callable (model, compression ratio) → MeanPressures, optional
+        In closed form, where there is one.
+    """
+
+    name: str
+    title: str
+    spec: type[GasSpec]
+    model: Callable[[Any, Chamber], Any]
+    pressure: Callable[[ChamberState, Any], Array]
+    doubts: Callable[[Any, Any], tuple[str, ...]]
+    example: str
+    findings: Callable[[Any], tuple[str, ...]] = _nothing
+    mean_pressures: Callable[[Any, Array], MeanPressures] | None = None

@@ -1,0 +1,103 @@
+"""Files as they are on the disk: their bytes, or why they cannot be read."""
+
+import difflib
+import errno
+import stat
+from pathlib import Path
+from typing import NamedTuple
+
+from cranktrain.errors import InputError, Position, Problem
+from cranktrain.language import _
+
+
+class Wanted(NamedTuple):
+    """What a file should be: at most so many bytes, and what is said of a larger one and of a folder."""
+
+    largest: int
+    too_large: str
+    folder: str
+
+
+def content_of(path: Path, name: str, wanted: Wanted, *, suffix: str) -> bytes:
+    """Read the bytes of a file that is not too large.
+
+    Parameters
+    ----------
+    path : Path
+    name : str
+        As shown in messages.
+    wanted : Wanted
+    suffix : str
+        Of the files that may have been meant, where a folder is named.
+
+    Returns
+    -------
+    bytes
+
+    Raises
+    ------
+    InputError
+        If there is no such file, or it cannot be read.
+    """
+    try:
+        about = path.stat()
+        if stat.S_ISDIR(about.st_mode):
+            raise refusal(name, wanted.folder, _first_file(path, suffix))
+        if about.st_size > wanted.largest:
+            raise refusal(name, wanted.too_large)
+        with path.open("rb") as file:
+            content = file.read(wanted.largest + 1)  # a pipe or device does not tell its size
+    except OSError as error:
+        raise _unreadable(path, name, error) from None
+    except InputError:
+        raise
+    except ValueError:  # a NUL or half a character in the name
+        raise refusal(name, _("is no name that a file can have")) from None
+    if len(content) > wanted.largest:
+        raise refusal(name, wanted.too_large)
+    return content
+
+
+def refusal(name: str, allowed: str, repair: str | None = None, position: Position | None = None) -> InputError:
+    """Give the error that says what is wrong with a file itself.
+
+    Parameters
+    ----------
+    name : str
+        As shown in messages.
+    allowed : str
+    repair : str, optional
+    position : Position, optional
+        Where in the file; the file alone unless given.
+
+    Returns
+    -------
+    InputError
+    """
+    return InputError([Problem("", None, allowed, repair, position or Position(name))])
+
+
+def _unreadable(path: Path, name: str, error: OSError) -> InputError:
+    """Say why a file could not be read."""
+    if error.errno == errno.ENOENT:
+        if not path.parent.is_dir():
+            return refusal(name, _("there is no folder {folder}").format(folder=path.parent))
+        near = difflib.get_close_matches(path.name, _files(path.parent), n=1)
+        return refusal(name, _("there is no such file"), _("is it {name}?").format(name=near[0]) if near else None)
+    if error.errno in (errno.EACCES, errno.EPERM):
+        return refusal(name, _("may not be read"), _("change its permissions (or its folder's), or copy it"))
+    return refusal(name, _("cannot be read: {reason}").format(reason=error.strerror))
+
+
+def _files(folder: Path) -> list[str]:
+    """Name the files of a folder as far as it lets itself be read."""
+    try:
+        return sorted(entry.name for entry in folder.iterdir())
+    except OSError:
+        return []
+
+
+def _first_file(folder: Path, suffix: str) -> str | None:
+    """Say which file of a folder may have been meant."""
+    first = next((name for name in _files(folder) if name.endswith(suffix)), None)
+    return _("name a file in it, such as {name}").format(name=folder / first) if first else None
