@@ -57,9 +57,9 @@ def two_plane_vectors(force: ComplexArray, couple: ComplexArray, planes: Array) 
     docs/theory/balance, eq. (16.11).
     """
     first, second = planes[..., 0], planes[..., 1]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        apart = np.where(second == first, np.nan, second - first)
-    return np.stack([-(second * force - couple) / apart, -(couple - first * force) / apart], axis=-1)
+    apart = np.where(second == first, np.nan, second - first)
+    with np.errstate(invalid="ignore"):
+        return np.stack([-(second * force - couple) / apart, -(couple - first * force) / apart], axis=-1)
 
 
 def two_plane_counterweights(

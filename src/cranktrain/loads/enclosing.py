@@ -12,6 +12,8 @@ from cranktrain.numerics import largest, turn_grid
 
 _ROUNDING = 1e-13
 """What lies outside by less, in parts of the radius, lies on the circle."""
+_ENOUGH = 1e-9
+"""By how much of the radius the curve may lie outside in the end."""
 _MOST_STEPS = 60
 
 
@@ -33,7 +35,7 @@ def smallest_circle(curve: Callable[[Array], ComplexArray]) -> Circle:
     Returns
     -------
     Circle
-        To rounding: the points where it touches are refined between the grid's.
+        Its radius to 1e-9 of itself: the points where it touches are refined between the grid's.
 
     Notes
     -----
@@ -51,7 +53,7 @@ def smallest_circle(curve: Callable[[Array], ComplexArray]) -> Circle:
             return np.abs(curve(angle) - centre)
 
         far = largest(distance, samples=np.abs(samples - centre), grid=grid)
-        if float(far.value[0]) <= circle.radius * (1 + _ROUNDING):
+        if float(far.value[0]) <= circle.radius * (1 + _ENOUGH):
             break
         circle, held = _round_points([*held, complex(curve(far.angle)[0])])
     return circle

@@ -33,9 +33,8 @@ def acceleration_harmonics(rod_ratio: Array, highest: int) -> Array:
 
     Examples
     --------
-    >>> acceleration_harmonics(0.25, 4).round(12)
-    array([ 0.          ,  1.          ,  0.254025042307,  0.          ,
-           -0.004098111172])
+    >>> float(acceleration_harmonics(0.25, 4)[4])
+    -0.004098111172...
     """
     even = _even_harmonics(np.asarray(rod_ratio, dtype=float), highest // 2)
     harmonics = np.zeros((*even.shape[:-1], highest + 1))
@@ -66,8 +65,8 @@ def torque_harmonics(rod_ratio: Array, highest: int) -> Array:
 
     Examples
     --------
-    >>> torque_harmonics(0.25, 3).round(12)
-    array([ 0.          ,  0.063506260577, -0.500130140561, -0.192055573420])
+    >>> float(torque_harmonics(0.25, 3)[3])
+    -0.192055573419...
     """
     ratio = np.asarray(rod_ratio, dtype=float)
     n_all = 2 * max(_n_terms(ratio), highest)
@@ -84,7 +83,7 @@ def torque_harmonics(rod_ratio: Array, highest: int) -> Array:
 def _even_harmonics(ratio: Array, n_wanted: int) -> Array:
     """A₂, A₄, … of each λ, at least as many as matter and as are wanted."""
     known = np.where((ratio >= 0) & (ratio <= MOST_RATIO), ratio, np.nan)
-    n_terms = max(_n_terms(ratio), n_wanted + 2)
+    n_terms = _n_terms(ratio) + n_wanted
     half_square = known**2 / 2
     middle = 1 - half_square
     quotient = np.zeros_like(known)

@@ -67,7 +67,7 @@ def fired(torque: Array, firing_angle: Array, cycle: float = TURN) -> Array:
     if np.any(np.abs(steps - whole) > _WHOLE):
         later = delayed(harmonics(spread, cycle), rest)
         spread = curve(later, np.arange(n_points, dtype=float) * (cycle / n_points))
-    place = np.mod(np.arange(n_points) - whole[..., np.newaxis], n_points).astype(np.intp)
+    place = np.mod(np.arange(n_points, dtype=float) - whole[..., np.newaxis], n_points).astype(np.intp)
     return np.take_along_axis(spread, np.broadcast_to(place, spread.shape), axis=-1)
 
 

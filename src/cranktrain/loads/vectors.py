@@ -96,13 +96,6 @@ def delayed_vectors(of: PlaneVectors, angle: Array) -> PlaneVectors:
     return PlaneVectors(of.order, of.forward * turn, of.backward / turn)
 
 
-def mirrored_vectors(of: PlaneVectors) -> PlaneVectors:
-    """Mirror the vectors in the x axis: what turned forward turns backward."""
-    forward, backward = np.conj(of.backward), np.conj(of.forward)
-    still = of.order == 0
-    return PlaneVectors(of.order, np.where(still, np.conj(of.forward), forward), np.where(still, 0.0, backward))
-
-
 def added(*parts: PlaneVectors) -> PlaneVectors:
     """Sum of vectors with the same orders."""
     forward = sum((part.forward for part in parts[1:]), parts[0].forward)
