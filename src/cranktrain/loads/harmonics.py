@@ -104,6 +104,8 @@ def curve(of: Harmonics, angle: Array) -> Array:
     Array, shape (..., k)
     """
     turned = np.asarray(angle)[..., np.newaxis] * of.order
+    if turned.ndim == 2:
+        return of.cosine @ np.cos(turned).T + of.sine @ np.sin(turned).T
     parts = of.cosine[..., np.newaxis, :] * np.cos(turned) + of.sine[..., np.newaxis, :] * np.sin(turned)
     return np.sum(parts, axis=-1)
 

@@ -80,7 +80,9 @@ def curve_vectors(x: Array, y: Array, highest: int, cycle: float = TURN) -> Plan
 def vector_curve(of: PlaneVectors, angle: Array) -> ComplexArray:
     """Sum the orders at crank angles [rad], the same for all (k,) or each its own (..., k); gives (..., k)."""
     turning = phasor(np.asarray(angle)[..., np.newaxis] * of.order)
-    parts = of.forward[..., np.newaxis, :] * turning + of.backward[..., np.newaxis, :] / turning
+    if turning.ndim == 2:
+        return of.forward @ turning.T + of.backward @ np.conj(turning).T
+    parts = of.forward[..., np.newaxis, :] * turning + of.backward[..., np.newaxis, :] * np.conj(turning)
     return np.sum(parts, axis=-1)
 
 
