@@ -16,7 +16,8 @@ class Cylinders(NamedTuple):
     Attributes
     ----------
     throw_angle : Array
-        θ, how far the cylinder's throw stands ahead. [rad]
+        θ, the direction of the cylinder's throw at φ = 0, from x in the sense of rotation. Where φ counts from throw 1
+        parallel to the first bank's axis, θ_i − θ_1 + γ_1 of a machine file. [rad]
     axis_angle : Array
         γ, the cylinder's axis, from x in the sense of rotation: its crank angle is φ + θ − γ. [rad]
     reciprocating_mass : Array

@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.loads.excess_work import ExcessWork
 from cranktrain.loads.periodic import PeriodicCurve, cycle_grid, plus
 from cranktrain.motion import Array
-from cranktrain.numerics import Curve, Extreme, bracketed_roots, extremes
+from cranktrain.numerics import Extreme, bracketed_roots, extremes
 
 Mean: TypeAlias = Literal["time", "angle", "extremes"]
 """Over time (what a counter of revolutions shows), over the crank angle, or half the sum of the extremes."""
@@ -141,26 +141,6 @@ def steady_speed(excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array, 
     low, high = np.broadcast_arrays(np.maximum(slow - aside, stops + _ASIDE * aside), fast + aside)
     energy = bracketed_roots(missing, low, high)[..., 0]
     return SteadySpeed(speed_from_energy(plus(excess.work, energy), inertia, excess.n_points), energy)
-
-
-def parameter_at_mean(speed_of: Curve, low: Array, high: Array, mean_speed: Array) -> Array:
-    """Find a parameter of load or motor that gives a wanted mean speed.
-
-    Parameters
-    ----------
-    speed_of : callable
-        From parameters of shape (..., 1) to mean speeds of the same shape.
-    low, high : Array, shape (..., 1)
-        Between which to look.
-    mean_speed : Array, shape (..., 1)
-        [rad/s]
-
-    Returns
-    -------
-    Array, shape (..., 1)
-        NaN where none of them gives it.
-    """
-    return bracketed_roots(lambda parameter: speed_of(parameter) - mean_speed, low, high)
 
 
 def _grid_mean(square: Array, mean: Mean) -> Array:

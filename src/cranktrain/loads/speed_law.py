@@ -151,7 +151,8 @@ def linear_periodic(decay: Array, source: Array, cycle: float = TURN) -> Array:
     order = np.arange(n_points // 2 + 1, dtype=float) * (TURN / cycle)
     if n_points % 2 == 0:
         order[-1] = 0.0  # the highest cosine's slope is seen only at its zeros
-    parts = np.fft.rfft(source * weight, axis=-1) / (mean + 1j * order)
+    with np.errstate(invalid="ignore"):
+        parts = np.fft.rfft(source * weight, axis=-1) / (mean + 1j * order)
     return np.fft.irfft(parts, n_points, axis=-1) / weight
 
 

@@ -98,6 +98,28 @@ def delayed_vectors(of: PlaneVectors, angle: Array) -> PlaneVectors:
     return PlaneVectors(of.order, of.forward * turn, of.backward / turn)
 
 
+def machine_axes(vector: ComplexArray, *, clockwise: bool) -> ComplexArray:
+    """Components X + iY in the machine's axes, X right and Y up as seen from the free end, of vectors x + iy.
+
+    Parameters
+    ----------
+    vector : complex
+        x is the axis of bank angle 0, which is Y; y is turned from it in the sense of rotation.
+    clockwise : bool
+        The sense of rotation, so seen.
+
+    Returns
+    -------
+    complex
+        X + iY. It mirrors a clockwise machine, so it is for values at crank angles, not for the vectors of orders.
+
+    Notes
+    -----
+    docs/theory/balance, eq. (16.14).
+    """
+    return 1j * (np.conj(vector) if clockwise else vector)
+
+
 def added(*parts: PlaneVectors) -> PlaneVectors:
     """Sum of vectors with the same orders."""
     forward = sum((part.forward for part in parts[1:]), parts[0].forward)

@@ -12,6 +12,7 @@ from cranktrain.loads.vectors import (
     delayed_vectors,
     hodograph,
     largest_length,
+    machine_axes,
     turned_vectors,
     vector_curve,
 )
@@ -73,6 +74,13 @@ def test_turned_and_delayed(angle):
     np.testing.assert_allclose(
         vector_curve(delayed_vectors(known, angle), PHI), vector_curve(known, PHI - angle), atol=1e-12
     )
+
+
+@pytest.mark.parametrize(("clockwise", "right"), [(True, 1.0), (False, -1.0)])
+def test_axes_of_the_machine(clockwise, right):
+    # bank angle 0 points up; a quarter turn of a clockwise machine on, the axis points to the right
+    assert machine_axes(1.0 + 0j, clockwise=clockwise) == 1j
+    assert machine_axes(np.exp(0.5j * np.pi), clockwise=clockwise) == pytest.approx(right, abs=1e-15)
 
 
 def test_added():
