@@ -58,7 +58,7 @@ def test_speed_with_the_exact_flywheel():
 @pytest.mark.parametrize("row", EXPECTED["constant_J_delta_definitions"], ids=lambda row: f"{row['delta_extremes']:g}")
 def test_two_definitions_of_the_coefficient(row):
     delta = row["delta_extremes"]
-    inertia = fourier_curve(np.full(4, textbook_inertia(EXCESS, SPEED, delta)))
+    inertia = fourier_curve(np.full(720, textbook_inertia(EXCESS, SPEED, delta)))
     found = steady_speed(EXCESS, inertia, SPEED, "extremes").speed
     assert found.fluctuation("extremes") == pytest.approx(delta, rel=1e-12)
     assert found.means.time == pytest.approx(row["time_mean"], rel=1e-12)

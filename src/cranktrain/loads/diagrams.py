@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.loads.excess_work import ExcessWork
 from cranktrain.loads.flywheel import Flywheel
-from cranktrain.loads.periodic import PeriodicCurve, combined, curve_extremes, cycle_grid
+from cranktrain.loads.periodic import PeriodicCurve, combined, curve_extremes
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
 
@@ -96,15 +96,14 @@ def wittenbauer(excess: ExcessWork, inertia: PeriodicCurve, flywheel: Flywheel) 
     -----
     docs/theory/evenness, eqs. (17.6) and (17.7).
     """
-    grid = cycle_grid(excess.n_points, excess.work.cycle)
 
     def tangent(speed: Array, at: Extreme) -> Tangent:
         touched = inertia.value(at.angle)[..., 0], excess.work.value(at.angle)[..., 0]
         return Tangent(speed**2 / 2, at.value[..., 0], at.angle[..., 0], *touched)
 
     return Wittenbauer(
-        inertia.value(grid),
-        excess.work.value(grid),
+        inertia.samples,
+        excess.work.samples,
         tangent(flywheel.largest_speed, flywheel.upper),
         tangent(flywheel.smallest_speed, flywheel.lower),
         -flywheel.inertia,
@@ -119,8 +118,7 @@ def mertsalov(excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array) -> 
     -----
     docs/theory/evenness, eq. (17.9).
     """
-    grid = cycle_grid(excess.n_points, excess.work.cycle)
     half_square = np.asarray(mean_speed, dtype=float) ** 2 / 2
-    work, carried = excess.work.value(grid), half_square[..., np.newaxis] * inertia.value(grid)
-    found = curve_extremes(combined(excess.work, -half_square, inertia), excess.n_points)
-    return Mertsalov(grid, work, carried, work - carried, found.smallest, found.largest)
+    work, carried = excess.work.samples, half_square[..., np.newaxis] * inertia.samples
+    found = curve_extremes(combined(excess.work, -half_square, inertia))
+    return Mertsalov(excess.work.angle, work, carried, work - carried, found.smallest, found.largest)

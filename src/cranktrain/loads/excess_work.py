@@ -22,15 +22,12 @@ class ExcessWork(NamedTuple):
         this constant. [N·m]
     smallest, largest : Extreme, shapes (..., 1)
         Of A, refined. [rad, J]
-    n_points : int
-        Of the grid on which the torque was given.
     """
 
     work: PeriodicCurve
     mean_excess: Array
     smallest: Extreme
     largest: Extreme
-    n_points: int
 
     @property
     def difference(self) -> Array:
@@ -65,6 +62,5 @@ def excess_work(excess: Array, cycle: float = TURN, by: Interpolation = fourier_
     >>> round(float(excess_work(100 + 50 * np.sin(phi)).difference), 9)
     100.0
     """
-    n_points = excess.shape[-1]
     work = by(excess, cycle)
-    return ExcessWork(work, np.mean(excess, axis=-1), *curve_extremes(work, n_points), n_points)
+    return ExcessWork(work, np.mean(excess, axis=-1), *curve_extremes(work))

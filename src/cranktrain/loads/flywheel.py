@@ -95,7 +95,7 @@ def exact_flywheel(
     def missing(middle: Array) -> Array:
         size = _between(excess, inertia, middle[..., 0] - half, middle[..., 0] + half)
         energy = plus(excess.work, size.initial_energy)
-        found = speed_from_energy(energy, plus(inertia, size.inertia), excess.n_points)
+        found = speed_from_energy(energy, plus(inertia, size.inertia))
         return (getattr(found.means, mean) - wanted)[..., np.newaxis]
 
     middle = bracketed_roots(missing, (wanted - half)[..., np.newaxis], (wanted + half)[..., np.newaxis])[..., 0]
@@ -109,7 +109,7 @@ def mertsalov_inertia(excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Ar
     -----
     docs/theory/evenness, eq. (17.9).
     """
-    low, high = curve_extremes(combined(excess.work, -(mean_speed**2) / 2, inertia), excess.n_points)
+    low, high = curve_extremes(combined(excess.work, -(mean_speed**2) / 2, inertia))
     return (high.value - low.value)[..., 0] / (fluctuation * mean_speed**2)
 
 
@@ -159,8 +159,8 @@ def flywheels_by_method(
 
 def _between(excess: ExcessWork, inertia: PeriodicCurve, smallest: Array, largest: Array) -> Flywheel:
     """Flywheel with which the speed runs just between two speeds."""
-    _, upper = curve_extremes(combined(excess.work, -(largest**2) / 2, inertia), excess.n_points)
-    lower, _ = curve_extremes(combined(excess.work, -(smallest**2) / 2, inertia), excess.n_points)
+    _, upper = curve_extremes(combined(excess.work, -(largest**2) / 2, inertia))
+    lower, _ = curve_extremes(combined(excess.work, -(smallest**2) / 2, inertia))
     apart = (largest - smallest) * (largest + smallest) / 2
     size = (upper.value - lower.value)[..., 0] / apart
     return Flywheel(size, largest**2 / 2 * size - upper.value[..., 0], largest, smallest, upper, lower)

@@ -5,20 +5,35 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.loads.harmonics import TURN, Harmonics, curve, from_vectors, harmonics
+from cranktrain.loads.harmonics import TURN, curve, from_vectors, harmonics
 from cranktrain.motion import Array
 from cranktrain.numerics import Curve, Extremes, extremes
 
 
 class PeriodicCurve(NamedTuple):
-    """A periodic curve that can be asked anywhere: value and slope at angles (k,) or (..., k), and its period [rad].
+    """A periodic curve, known at equal steps and to be asked anywhere.
 
     A kernel's own value and first derivative make one as well.
+
+    Attributes
+    ----------
+    cycle : float
+        Its period. [rad]
+    samples : Array, shape (..., n)
+        Values at 0, cycle/n, …
+    value, slope : callable
+        Value and slope at angles (k,) or (..., k).
     """
 
     cycle: float
+    samples: Array
     value: Curve
     slope: Curve
+
+    @property
+    def angle(self) -> Array:
+        """Angles of the samples, shape (n,). [rad]"""
+        return cycle_grid(self.samples.shape[-1], self.cycle)
 
 
 Interpolation = Callable[[Array, float], PeriodicCurve]
@@ -32,7 +47,16 @@ def cycle_grid(n_points: int, cycle: float = TURN) -> Array:
 
 def fourier_curve(samples: Array, cycle: float = TURN) -> PeriodicCurve:
     """Curve through samples (..., n) by their Fourier series: exact for a smooth one."""
-    return _series(harmonics(samples, cycle), cycle)
+    series = harmonics(samples, cycle)
+    derivative = from_vectors(series.order, 1j * series.order * series.vectors)
+
+    def value(angle: Array) -> Array:
+        return curve(series, angle)
+
+    def slope(angle: Array) -> Array:
+        return curve(derivative, angle)
+
+    return PeriodicCurve(cycle, samples, value, slope)
 
 
 def fourier_integral(samples: Array, cycle: float = TURN) -> PeriodicCurve:
@@ -42,14 +66,14 @@ def fourier_integral(samples: Array, cycle: float = TURN) -> PeriodicCurve:
     -----
     Each order divided by ik: no rule of quadrature has a part in it. docs/theory/evenness, eq. (17.3).
     """
-    found = harmonics(samples, cycle)
-    moving = np.arange(len(found.order)) > 0
-    if samples.shape[-1] % 2 == 0:
+    n_points = samples.shape[-1]
+    order = np.arange(n_points // 2 + 1, dtype=float) * (TURN / cycle)
+    moving = order > 0
+    if n_points % 2 == 0:
         moving[-1] = False  # the highest cosine's integral is seen only at its zeros
-    factor = np.where(moving, -1j / np.where(moving, found.order, 1.0), 0.0)
-    integral = from_vectors(found.order, found.vectors * factor)
-    integral.cosine[..., 0] = -np.sum(integral.cosine[..., 1:], axis=-1)
-    return _series(integral, cycle)
+    factor = np.where(moving, -1j / np.where(moving, order, 1.0), 0.0)
+    integral = np.fft.irfft(np.fft.rfft(samples, axis=-1) * factor, n_points, axis=-1)
+    return fourier_curve(integral - integral[..., :1], cycle)
 
 
 def spline_curve(samples: Array, cycle: float = TURN) -> PeriodicCurve:
@@ -70,7 +94,7 @@ def spline_curve(samples: Array, cycle: float = TURN) -> PeriodicCurve:
         (y0, y1, s0, s1), t = _piece((samples, slopes), angle, step)
         return 6 * t * (1 - t) * (y1 - y0) / step + s0 * (1 - t) * (1 - 3 * t) + s1 * t * (3 * t - 2)
 
-    return PeriodicCurve(cycle, value, slope)
+    return PeriodicCurve(cycle, samples, value, slope)
 
 
 def spline_integral(samples: Array, cycle: float = TURN) -> PeriodicCurve:
@@ -92,7 +116,7 @@ def spline_integral(samples: Array, cycle: float = TURN) -> PeriodicCurve:
         inside = inside + (step * (s0 + s1) - 2 * rise) * square**2 / 4
         return start + step * inside
 
-    return PeriodicCurve(cycle, value, spline.value)
+    return PeriodicCurve(cycle, nodes, value, spline.value)
 
 
 def plus(one: PeriodicCurve, constant: Array) -> PeriodicCurve:
@@ -102,11 +126,11 @@ def plus(one: PeriodicCurve, constant: Array) -> PeriodicCurve:
     def value(angle: Array) -> Array:
         return one.value(angle) + raised
 
-    return PeriodicCurve(one.cycle, value, one.slope)
+    return PeriodicCurve(one.cycle, one.samples + raised, value, one.slope)
 
 
 def combined(one: PeriodicCurve, factor: Array, other: PeriodicCurve) -> PeriodicCurve:
-    """The first curve plus a factor, shape (...), times the second."""
+    """The first curve plus a factor, shape (...), times the second; both on one grid."""
     times = np.asarray(factor)[..., np.newaxis]
 
     def value(angle: Array) -> Array:
@@ -115,25 +139,12 @@ def combined(one: PeriodicCurve, factor: Array, other: PeriodicCurve) -> Periodi
     def slope(angle: Array) -> Array:
         return one.slope(angle) + times * other.slope(angle)
 
-    return PeriodicCurve(one.cycle, value, slope)
+    return PeriodicCurve(one.cycle, one.samples + times * other.samples, value, slope)
 
 
-def curve_extremes(one: PeriodicCurve, n_points: int) -> Extremes:
-    """Smallest and largest value over the cycle, refined between so many points; shapes (..., 1)."""
-    return extremes(one.value, one.slope, grid=cycle_grid(n_points, one.cycle))
-
-
-def _series(of: Harmonics, cycle: float) -> PeriodicCurve:
-    """Fourier series as a curve."""
-    derivative = from_vectors(of.order, 1j * of.order * of.vectors)
-
-    def value(angle: Array) -> Array:
-        return curve(of, angle)
-
-    def slope(angle: Array) -> Array:
-        return curve(derivative, angle)
-
-    return PeriodicCurve(cycle, value, slope)
+def curve_extremes(one: PeriodicCurve) -> Extremes:
+    """Smallest and largest value over the cycle, refined between the samples; shapes (..., 1)."""
+    return extremes(one.value, one.slope, grid=one.angle, samples=one.samples)
 
 
 def _spline_slopes(samples: Array, step: float) -> Array:

@@ -6,7 +6,7 @@ from typing import Literal, NamedTuple, TypeAlias
 import numpy as np
 
 from cranktrain.loads.excess_work import ExcessWork
-from cranktrain.loads.periodic import PeriodicCurve, cycle_grid, plus
+from cranktrain.loads.periodic import PeriodicCurve, plus
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme, bracketed_roots, extremes
 
@@ -54,7 +54,7 @@ class SpeedOverCycle:
         return (self.largest.value - self.smallest.value)[..., 0] / getattr(self.means, mean)
 
 
-def speed_from_energy(energy: PeriodicCurve, inertia: PeriodicCurve, n_points: int) -> SpeedOverCycle:
+def speed_from_energy(energy: PeriodicCurve, inertia: PeriodicCurve) -> SpeedOverCycle:
     """Speed from kinetic energy and reduced inertia.
 
     Parameters
@@ -62,9 +62,7 @@ def speed_from_energy(energy: PeriodicCurve, inertia: PeriodicCurve, n_points: i
     energy : PeriodicCurve
         T(φ) = E₀ + A(φ). [J]
     inertia : PeriodicCurve
-        J(φ), flywheel and moving parts together. [kg·m²]
-    n_points : int
-        Of the grid over the cycle.
+        J(φ), flywheel and moving parts together, on the same grid. [kg·m²]
 
     Returns
     -------
@@ -75,7 +73,7 @@ def speed_from_energy(energy: PeriodicCurve, inertia: PeriodicCurve, n_points: i
     ω² = 2T/J. docs/theory/evenness, eqs. (17.4) and (17.5). The time is summed over the grid, which converges faster
     than any power of the step where the curves are smooth.
     """
-    angle = cycle_grid(n_points, energy.cycle)
+    angle = energy.angle
 
     def square(phi: Array) -> Array:
         return 2 * energy.value(phi) / inertia.value(phi)
@@ -83,7 +81,7 @@ def speed_from_energy(energy: PeriodicCurve, inertia: PeriodicCurve, n_points: i
     def slope(phi: Array) -> Array:
         return energy.slope(phi) * inertia.value(phi) - energy.value(phi) * inertia.slope(phi)
 
-    samples = square(angle)
+    samples = 2 * energy.samples / inertia.samples
     found = extremes(square, slope, grid=angle, samples=samples)
     with np.errstate(invalid="ignore", divide="ignore"):
         speed = np.sqrt(samples)
@@ -124,8 +122,7 @@ def steady_speed(excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array, 
     E₀ is free; the mean fixes it. docs/theory/evenness, eqs. (17.4) and (17.5).
     """
     wanted = np.asarray(mean_speed, dtype=float)[..., np.newaxis]
-    grid = cycle_grid(excess.n_points, excess.work.cycle)
-    stored, carried = excess.work.value(grid), inertia.value(grid)
+    stored, carried = excess.work.samples, inertia.samples
     stops = -excess.smallest.value
     slow = wanted**2 / 2 * np.min(carried, axis=-1, keepdims=True) - excess.largest.value
     fast = wanted**2 / 2 * np.max(carried, axis=-1, keepdims=True) + stops
@@ -133,14 +130,14 @@ def steady_speed(excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array, 
 
     def missing(energy: Array) -> Array:
         if mean == "extremes":
-            found = speed_from_energy(plus(excess.work, energy[..., 0]), inertia, excess.n_points).means.extremes
+            found = speed_from_energy(plus(excess.work, energy[..., 0]), inertia).means.extremes
         else:
             found = _grid_mean(2 * (stored + energy) / carried, mean)
         return found[..., np.newaxis] - wanted
 
     low, high = np.broadcast_arrays(np.maximum(slow - aside, stops + _ASIDE * aside), fast + aside)
     energy = bracketed_roots(missing, low, high)[..., 0]
-    return SteadySpeed(speed_from_energy(plus(excess.work, energy), inertia, excess.n_points), energy)
+    return SteadySpeed(speed_from_energy(plus(excess.work, energy), inertia), energy)
 
 
 def _grid_mean(square: Array, mean: Mean) -> Array:

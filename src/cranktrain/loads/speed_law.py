@@ -97,7 +97,6 @@ def speed_under_law(law: TorqueLaw, inertia: Array, cycle: float = TURN) -> Spee
     The energy obeys T′ = τ(φ, ω). Newton's method, whose every step is a linear periodic equation that is solved as a
     whole by Fourier series: a load kω² alone needs one step. docs/theory/evenness, eqs. (17.11) to (17.13).
     """
-    n_points = inertia.shape[-1]
     shape = np.broadcast_shapes(inertia.shape, *(np.shape(part) for part in law))
     free, linear, quadratic, carried = (np.broadcast_to(part, shape) for part in (*law, inertia))
     with np.errstate(all="ignore"):
@@ -118,7 +117,7 @@ def speed_under_law(law: TorqueLaw, inertia: Array, cycle: float = TURN) -> Spee
         energy = np.where(settled, energy, np.nan)
         speed = np.sqrt(2 * energy / carried)
         slope = (linear + 2 * quadratic * speed) / (carried * speed)
-        found = speed_from_energy(fourier_curve(energy, cycle), fourier_curve(carried, cycle), n_points)
+        found = speed_from_energy(fourier_curve(energy, cycle), fourier_curve(carried, cycle))
         torque = free + (linear + quadratic * speed) * speed
         return SpeedUnderLaw(found, energy, torque, np.exp(cycle * np.mean(slope, axis=-1)))
 
@@ -144,8 +143,7 @@ def linear_periodic(decay: Array, source: Array, cycle: float = TURN) -> Array:
     z is that of h e^G divided by ḡ + ik. docs/theory/evenness, eq. (17.12).
     """
     n_points = source.shape[-1]
-    grid = np.arange(n_points, dtype=float) * (cycle / n_points)
-    weight = np.exp(fourier_integral(decay, cycle).value(grid))
+    weight = np.exp(fourier_integral(decay, cycle).samples)
     mean = np.mean(decay, axis=-1, keepdims=True)
     mean = np.where(mean == 0, np.nan, mean)
     order = np.arange(n_points // 2 + 1, dtype=float) * (TURN / cycle)

@@ -46,8 +46,8 @@ EXCESS = excess_work(driving(PHI) - 100)
 VARIABLE = fourier_curve(carried(PHI))
 
 
-def constant(inertia, cycle=TURN):
-    return fourier_curve(np.full(4, inertia), cycle)
+def constant(inertia):
+    return fourier_curve(np.full(N, inertia))
 
 
 def test_largest_excess_work_of_a_sine():

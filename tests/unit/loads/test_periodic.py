@@ -38,6 +38,7 @@ def test_series_are_exact_for_a_smooth_curve(cycle, n_points):
     np.testing.assert_allclose(integral.value(AT), smooth_integral(AT, cycle), atol=1e-13)
     np.testing.assert_allclose(integral.slope(AT), smooth(AT, cycle) - 2, atol=1e-13)
     assert integral.value(np.zeros(1))[0] == pytest.approx(0, abs=1e-14)
+    np.testing.assert_allclose(integral.samples, smooth_integral(integral.angle, cycle), atol=1e-13)
 
 
 @pytest.mark.parametrize("cycle", CYCLES)
@@ -55,6 +56,7 @@ def test_spline_is_the_periodic_cubic_spline(cycle, n_points):
         known = CubicSpline(nodes, np.append(centred[row], centred[row, 0]), bc_type="periodic").antiderivative()
         np.testing.assert_allclose(integral.value(AT)[row], known(AT % cycle), atol=1e-12)
         np.testing.assert_allclose(integral.slope(AT)[row], known(AT % cycle, 1), atol=1e-12)
+        np.testing.assert_allclose(integral.samples[row], known(integral.angle), atol=1e-13)
 
 
 def test_each_curve_at_its_own_angles():
@@ -71,6 +73,7 @@ def test_sums_of_curves():
     factors = np.array([0.5, -2.0])
     found = combined(one, factors, other)
     np.testing.assert_allclose(found.value(AT), np.cos(AT) + factors[:, np.newaxis] * np.sin(AT), atol=1e-13)
+    np.testing.assert_allclose(found.samples, np.cos(phi) + factors[:, np.newaxis] * np.sin(phi), atol=1e-13)
     np.testing.assert_allclose(found.slope(AT), -np.sin(AT) + factors[:, np.newaxis] * np.cos(AT), atol=1e-13)
     raised = plus(one, factors)
     np.testing.assert_allclose(raised.value(AT), np.cos(AT) + factors[:, np.newaxis], atol=1e-13)
@@ -81,7 +84,7 @@ def test_sums_of_curves():
 def test_extremes_lie_between_the_nodes(cycle):
     unit = 2 * np.pi / cycle
     samples = 3 * np.cos(unit * (cycle_grid(24, cycle) - 5.01))
-    low, high = curve_extremes(fourier_curve(samples, cycle), 24)
+    low, high = curve_extremes(fourier_curve(samples, cycle))
     assert (low.value[0], high.value[0]) == pytest.approx((-3, 3), abs=1e-14)
     assert high.angle[0] == pytest.approx(5.01, abs=1e-12)
     assert low.angle[0] % cycle == pytest.approx((5.01 + cycle / 2) % cycle, abs=1e-12)
