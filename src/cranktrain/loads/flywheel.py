@@ -1,0 +1,166 @@
+"""Flywheel for a wanted coefficient of fluctuation: exact, and as Mertsalov and the textbooks have it."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.loads.excess_work import ExcessWork
+from cranktrain.loads.periodic import PeriodicCurve, combined, curve_extremes, plus
+from cranktrain.loads.speed import Mean, speed_from_energy, steady_speed
+from cranktrain.motion import Array
+from cranktrain.numerics import Extreme, bracketed_roots
+
+
+class Flywheel(NamedTuple):
+    """Flywheel that gives the wanted fluctuation.
+
+    Attributes
+    ----------
+    inertia : Array, shape (...)
+        J_f beside the moving parts' own; negative where these alone run more evenly than is asked. [kg·m²]
+    initial_energy : Array, shape (...)
+        E₀, kinetic energy at φ = 0 with it. [J]
+    largest_speed, smallest_speed : Array, shape (...)
+        [rad/s]
+    upper, lower : Extreme, shapes (..., 1)
+        Largest value of A − ½ω_M² J_v and smallest of A − ½ω_m² J_v: where the speed has its extremes. [rad, J]
+    """
+
+    inertia: Array
+    initial_energy: Array
+    largest_speed: Array
+    smallest_speed: Array
+    upper: Extreme
+    lower: Extreme
+
+    @property
+    def flywheel_moment(self) -> Array:
+        """GD² = 4 J. [kg·m²]"""
+        return 4 * self.inertia
+
+
+class FlywheelByMethod(NamedTuple):
+    """Flywheels by each method; arrays of shape (..., 3): exact, Mertsalov, textbook.
+
+    Attributes
+    ----------
+    inertia : Array
+        [kg·m²]
+    error : Array
+        In parts of the exact one. [1]
+    fluctuation : Array
+        What each flywheel really gives at the same mean of the extremes. [1]
+    """
+
+    inertia: Array
+    error: Array
+    fluctuation: Array
+
+
+METHODS = ("exact", "mertsalov", "textbook")
+
+
+def exact_flywheel(
+    excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array, fluctuation: Array, mean: Mean = "time"
+) -> Flywheel:
+    """Flywheel for a coefficient of fluctuation δ = (ω_M − ω_m)/mean, exact for any variable inertia.
+
+    Parameters
+    ----------
+    excess : ExcessWork
+        With A(φ). [J]
+    inertia : PeriodicCurve
+        J_v(φ) of the moving parts, without the flywheel. [kg·m²]
+    mean_speed : Array, shape (...)
+        [rad/s]
+    fluctuation : Array, shape (...)
+        δ, below 2. [1]
+    mean : Mean
+        Which mean is given, for the speed and for δ. For "extremes" the answer is explicit.
+
+    Returns
+    -------
+    Flywheel
+
+    Notes
+    -----
+    J_f = 2 [max(A − ½ω_M² J_v) − min(A − ½ω_m² J_v)] / (ω_M² − ω_m²): Wittenbauer's tangents in algebra.
+    docs/theory/evenness, eqs. (17.7) and (17.8).
+    """
+    wanted, delta = np.broadcast_arrays(np.asarray(mean_speed, dtype=float), np.asarray(fluctuation, dtype=float))
+    half = wanted * delta / 2
+    if mean == "extremes":
+        return _between(excess, inertia, wanted - half, wanted + half)
+
+    def missing(middle: Array) -> Array:
+        size = _between(excess, inertia, middle[..., 0] - half, middle[..., 0] + half)
+        energy = plus(excess.work, size.initial_energy)
+        found = speed_from_energy(energy, plus(inertia, size.inertia))
+        return (getattr(found.means, mean) - wanted)[..., np.newaxis]
+
+    middle = bracketed_roots(missing, (wanted - half)[..., np.newaxis], (wanted + half)[..., np.newaxis])[..., 0]
+    return _between(excess, inertia, middle - half, middle + half)
+
+
+def mertsalov_inertia(excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array, fluctuation: Array) -> Array:
+    """Flywheel by Mertsalov's method: the moving parts' energy at the mean speed. [kg·m²], shape (...)
+
+    Notes
+    -----
+    docs/theory/evenness, eq. (17.9).
+    """
+    low, high = curve_extremes(combined(excess.work, -(mean_speed**2) / 2, inertia))
+    return (high.value - low.value)[..., 0] / (fluctuation * mean_speed**2)
+
+
+def textbook_inertia(excess: ExcessWork, mean_speed: Array, fluctuation: Array) -> Array:
+    """J = ΔA/(δω²), all inertia that must turn evenly, the moving parts' being neglected. [kg·m²], shape (...)
+
+    Notes
+    -----
+    Exact where no inertia varies and the speed is the extremes' mean. docs/theory/evenness, eq. (17.10).
+    """
+    return excess.difference / (fluctuation * mean_speed**2)
+
+
+def flywheels_by_method(
+    excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array, fluctuation: Array
+) -> FlywheelByMethod:
+    """Exact, Mertsalov's and the textbooks' flywheel for the same δ, all at the mean of the extremes.
+
+    Parameters
+    ----------
+    excess : ExcessWork
+    inertia : PeriodicCurve
+        J_v(φ) of the moving parts. [kg·m²]
+    mean_speed : Array, shape (...)
+        Half the sum of the extremes. [rad/s]
+    fluctuation : Array, shape (...)
+        δ. [1]
+
+    Returns
+    -------
+    FlywheelByMethod, shape (..., 3)
+    """
+    speed = np.asarray(mean_speed, dtype=float)
+    sizes = (
+        exact_flywheel(excess, inertia, speed, fluctuation, "extremes").inertia,
+        mertsalov_inertia(excess, inertia, speed, fluctuation),
+        textbook_inertia(excess, speed, fluctuation),
+    )
+    found = [steady_speed(excess, plus(inertia, size), speed, "extremes").speed for size in sizes]
+    stacked = np.stack(np.broadcast_arrays(*sizes), axis=-1)
+    return FlywheelByMethod(
+        stacked,
+        stacked / stacked[..., :1] - 1,
+        np.stack([speed.fluctuation("extremes") for speed in found], axis=-1),
+    )
+
+
+def _between(excess: ExcessWork, inertia: PeriodicCurve, smallest: Array, largest: Array) -> Flywheel:
+    """Flywheel with which the speed runs just between two speeds."""
+    _, upper = curve_extremes(combined(excess.work, -(largest**2) / 2, inertia))
+    lower, _ = curve_extremes(combined(excess.work, -(smallest**2) / 2, inertia))
+    apart = (largest - smallest) * (largest + smallest) / 2
+    size = (upper.value - lower.value)[..., 0] / apart
+    return Flywheel(size, largest**2 / 2 * size - upper.value[..., 0], largest, smallest, upper, lower)

@@ -1,0 +1,97 @@
+"""Load or motor for a wanted mean speed, where the torques depend on the speed."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from cranktrain.loads.harmonics import TURN
+from cranktrain.loads.speed import Mean
+from cranktrain.loads.speed_law import TorqueLaw, given_torque, motor, quadratic_load, speed_under_law, together
+from cranktrain.motion import Array
+from cranktrain.numerics import bracketed_roots
+
+_SPREAD = 4.0
+"""By how much, at most, the squares of two means of a speed are thought to differ."""
+
+
+def quadratic_coefficient(
+    driving: Array, inertia: Array, mean_speed: Array, cycle: float = TURN, mean: Mean = "time"
+) -> Array:
+    """Coefficient k of a load kω² with which a driving torque gives a mean speed.
+
+    Parameters
+    ----------
+    driving, inertia : Array, shape (..., n)
+        On the grid of a cycle. [N·m, kg·m²]
+    mean_speed : Array, shape (...)
+        [rad/s]
+    cycle : float
+        [rad]
+    mean : Mean
+        Which mean is given.
+
+    Returns
+    -------
+    Array, shape (...)
+        [N·m·s²]; NaN where there is none.
+
+    Notes
+    -----
+    The mean of ω² over the angle is M̄_d/k exactly, so k lies near M̄_d/ω². docs/theory/evenness, eq. (17.11).
+    """
+    wanted = np.asarray(mean_speed, dtype=float)[..., np.newaxis]
+    near = np.mean(driving, axis=-1, keepdims=True) / wanted**2
+
+    def law(coefficient: Array) -> TorqueLaw:
+        return together(given_torque(driving), quadratic_load(coefficient))
+
+    return _at_mean(law, near / _SPREAD, near * _SPREAD, inertia, wanted, cycle, mean)
+
+
+def no_load_speed(
+    load: Array, stiffness: Array, inertia: Array, mean_speed: Array, cycle: float = TURN, mean: Mean = "time"
+) -> Array:
+    """No-load speed ω_s of a linear motor M = c (ω_s − ω) that drives a load curve at a mean speed.
+
+    Parameters
+    ----------
+    load, inertia : Array, shape (..., n)
+        Load torque, positive where it resists, and J(φ), on the grid of a cycle. [N·m, kg·m²]
+    stiffness : Array, shape (...)
+        c. [N·m·s]
+    mean_speed : Array, shape (...)
+        [rad/s]
+    cycle : float
+        [rad]
+    mean : Mean
+        Which mean is given.
+
+    Returns
+    -------
+    Array, shape (...)
+        [rad/s]; NaN where there is none.
+
+    Notes
+    -----
+    The mean of ω over the angle is ω_s − M̄/c exactly. docs/theory/evenness, eq. (17.11).
+    """
+    wanted = np.asarray(mean_speed, dtype=float)[..., np.newaxis]
+    spring = np.asarray(stiffness, dtype=float)[..., np.newaxis]
+    slip = np.mean(load, axis=-1, keepdims=True) / spring
+
+    def law(speed: Array) -> TorqueLaw:
+        return together(given_torque(-load), motor(speed, spring))
+
+    return _at_mean(law, wanted / 2 + slip, 2 * wanted + slip, inertia, wanted, cycle, mean)
+
+
+def _at_mean(
+    law: Callable[[Array], TorqueLaw], low: Array, high: Array, inertia: Array, wanted: Array, cycle: float, mean: Mean
+) -> Array:
+    """Parameter of a law that gives the mean speed wanted, between two values."""
+
+    def missing(parameter: Array) -> Array:
+        found = speed_under_law(law(parameter), inertia, cycle).speed.means
+        return getattr(found, mean)[..., np.newaxis] - wanted
+
+    return bracketed_roots(missing, *np.broadcast_arrays(low, high))[..., 0]

@@ -1,0 +1,43 @@
+"""Rim of a flywheel, and the elementwise functions compiled."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from cranktrain.linkage import compiled
+from cranktrain.loads.rim import RimDemand, rim, rim_speed
+
+
+@given(st.floats(0.01, 1e5), st.floats(0, 0.5), st.floats(0.1, 5), st.floats(0.2, 4), st.floats(1000, 9000))
+def test_rim_has_the_inertia_of_its_ring(inertia, other, diameter, ratio, density):
+    found = rim(RimDemand(inertia, other, diameter, ratio, density))
+    if np.isnan(found.height):
+        # a section that just reaches the axis has too little
+        h = diameter
+        assert np.pi * density * diameter * ratio * h**2 * (diameter**2 + h**2) / 4 <= inertia * (1 - other) * (
+            1 + 1e-9
+        )
+        return
+    outer, inner = diameter / 2 + found.height / 2, diameter / 2 - found.height / 2
+    ring = np.pi / 2 * density * found.width * (outer**4 - inner**4)
+    assert ring == pytest.approx(inertia * (1 - other), rel=1e-11)
+    assert found.mass == pytest.approx(np.pi * density * found.width * (outer**2 - inner**2), rel=1e-11)
+    assert found.outer_diameter == 2 * outer
+    assert found.width == pytest.approx(ratio * found.height)
+    assert found.textbook_mass > found.mass
+
+
+def test_speed_of_the_outside():
+    assert rim_speed(1.2, 50.0) == 30.0
+
+
+def test_compiled():
+    demand = RimDemand(
+        *(np.array(values) for values in ([90.0, 1e6], [0.1, 0.0], [1.2, 0.5], [1.5, 1.0], [7200.0, 7800.0]))
+    )
+    for one in zip(*demand, strict=True):
+        np.testing.assert_array_equal(compiled(rim)(RimDemand(*map(float, one))), rim(RimDemand(*one)))
+    np.testing.assert_array_equal(compiled(rim)(demand), rim(demand))
+    assert np.isnan(rim(demand).height[1])
+    assert compiled(rim_speed)(1.2, 50.0) == 30.0

@@ -1,0 +1,92 @@
+"""Flywheel and evenness: tests/golden/theory/flywheel_press.json, without its press.
+
+Computed by quadrature, root search and time integration in another program; its speeds' extremes are a grid's nodes.
+"""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cranktrain.loads.excess_work import excess_work
+from cranktrain.loads.flywheel import exact_flywheel, flywheels_by_method, textbook_inertia
+from cranktrain.loads.periodic import cycle_grid, fourier_curve, plus
+from cranktrain.loads.speed import steady_speed
+from cranktrain.loads.speed_law import given_torque, motor, quadratic_load, speed_under_law, together
+
+EXPECTED = json.loads((Path(__file__).parents[1] / "golden/theory/flywheel_press.json").read_text(encoding="utf-8"))
+CASE = EXPECTED["variable_J"]
+R, L, MASS, SPEED = 0.05, 0.18, 9.0, 60.0
+PHI = cycle_grid(720)
+DRIVING = 100 + 160 * np.sin(PHI) + 90 * np.sin(2 * PHI) - 40 * np.cos(PHI)
+CARRIED = MASS * (R * np.sin(PHI) * (1 + R * np.cos(PHI) / np.sqrt(L**2 - (R * np.sin(PHI)) ** 2))) ** 2
+EXCESS = excess_work(DRIVING - 100)
+VARIABLE = fourier_curve(CARRIED)
+NODES = 1e-7
+"""Extremes read off a grid's nodes are short by this much of the fluctuation."""
+
+
+def test_excess_work():
+    assert EXCESS.difference == pytest.approx(CASE["excess_work"], rel=1e-12)
+
+
+def test_flywheels():
+    found = flywheels_by_method(EXCESS, VARIABLE, SPEED, CASE["delta"])
+    names = ("exact", "mertsalov", "simple")
+    np.testing.assert_allclose(found.inertia, [CASE[f"J_{name}"] for name in names], rtol=1e-12)
+    np.testing.assert_allclose(found.fluctuation, [CASE["delta_realised"][name] for name in names], rtol=1e-12)
+
+
+@pytest.mark.parametrize("row", EXPECTED["mertsalov_error"], ids=lambda row: f"{row['delta']:g}")
+def test_errors_of_mertsalov_and_textbook(row):
+    found = flywheels_by_method(EXCESS, VARIABLE, SPEED, row["delta"])
+    assert found.inertia[0] == pytest.approx(row["J_exact"], rel=1e-12)
+    np.testing.assert_allclose(found.error, [0, row["mertsalov_rel"], row["simple_rel"]], atol=1e-12)
+
+
+def test_speed_with_the_exact_flywheel():
+    size = exact_flywheel(EXCESS, VARIABLE, SPEED, CASE["delta"], "extremes")
+    assert size.initial_energy == pytest.approx(CASE["E0"], rel=1e-12)
+    found = steady_speed(EXCESS, plus(VARIABLE, size.inertia), SPEED, "extremes").speed
+    assert found.speed[0] == pytest.approx(CASE["omega0"], rel=1e-12)
+    assert found.means.time == pytest.approx(CASE["omega_time_mean"], rel=1e-12)
+    assert found.means.angle == pytest.approx(CASE["omega_angle_mean"], rel=1e-12)
+    assert found.period == pytest.approx(CASE["period"], rel=1e-12)
+
+
+@pytest.mark.parametrize("row", EXPECTED["constant_J_delta_definitions"], ids=lambda row: f"{row['delta_extremes']:g}")
+def test_two_definitions_of_the_coefficient(row):
+    delta = row["delta_extremes"]
+    inertia = fourier_curve(np.full(720, textbook_inertia(EXCESS, SPEED, delta)))
+    found = steady_speed(EXCESS, inertia, SPEED, "extremes").speed
+    assert found.fluctuation("extremes") == pytest.approx(delta, rel=1e-12)
+    assert found.means.time == pytest.approx(row["time_mean"], rel=1e-12)
+    assert found.fluctuation() == pytest.approx(row["delta_time_mean"], rel=5 * NODES)
+    # the same from the table's own mean: its spread is δ·60
+    assert found.fluctuation() == pytest.approx(delta * SPEED / row["time_mean"], rel=1e-12)
+
+
+def test_quadratic_load():
+    case = EXPECTED["quadratic_load"]
+    law = together(given_torque(DRIVING), quadratic_load(np.array(case["k"])))
+    found = speed_under_law(law, CARRIED + case["J"])
+    assert found.speed.speed[0] == pytest.approx(case["omega0"], rel=1e-12)
+    assert found.speed.means.time == pytest.approx(case["omega_time_mean"], rel=1e-12)
+    assert found.multiplier == pytest.approx(case["floquet_multiplier"], rel=1e-12)
+    assert found.speed.fluctuation() == pytest.approx(case["delta_time_mean"], rel=NODES)
+    assert np.sqrt(np.mean(found.speed.speed**2)) == pytest.approx(case["mean_square_speed_root"], rel=1e-13)
+
+
+def test_linear_motor():
+    case = EXPECTED["linear_motor"]
+    law = together(given_torque(-DRIVING), motor(np.array(case["omega_s"]), np.array(case["c"])))
+    found = speed_under_law(law, CARRIED + case["J"])
+    speed = found.speed.speed
+    assert speed[0] == pytest.approx(case["omega0"], rel=1e-11)
+    assert found.speed.means.time == pytest.approx(case["omega_time_mean"], rel=1e-11)
+    assert found.speed.fluctuation() == pytest.approx(case["delta_time_mean"], rel=NODES)
+    torque = case["c"] * (case["omega_s"] - speed)
+    assert np.mean(torque) == pytest.approx(case["motor_torque_angle_mean"], rel=1e-11)
+    rms = np.sqrt(np.mean(torque**2 / speed) / np.mean(1 / speed))
+    assert rms == pytest.approx(case["motor_torque_rms_time"], rel=1e-11)
