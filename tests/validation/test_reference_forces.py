@@ -158,7 +158,7 @@ def test_articulated_pair():
         "wrist_pin": (alone.joints.wrist_pin, slave.joints.master_wrist_pin),
         "guide": (alone.joints.guide, slave.joints.master_guide),
     }
-    summed = {name: added(*pair) for name, pair in shares.items()}
+    summed = {name: added(one, turned_wrench(share, -gamma)) for name, (one, share) in shares.items()}
     for joints in (whole.joints._asdict(), summed):
         case.compare(
             {

@@ -46,9 +46,8 @@ class ArticulatedRodLoads(NamedTuple):
 class ArticulatedRodJoints(NamedTuple):
     """Wrenches in the slave's joints, and the slave's share of those in the master's.
 
-    In the slave cylinder's axes: of the master rod on the slave rod, the slave rod on the slider, the guide on it. In
-    the master's: of the bearing on the crank, the crank on the master rod, that on the master's slider, its guide on
-    it.
+    Of the master rod on the slave rod, the slave rod on the slider, the guide on it; of the bearing on the crank, the
+    crank on the master rod, that on the master's slider, its guide on it. All in the slave cylinder's axes.
     """
 
     knuckle: Wrench
@@ -148,8 +147,17 @@ def articulated_rod_forces(
     crank = crank_link(motion.pin, Crank(master.crank_radius))
     shaft = crank_reactions(handed_back(crank, motion.pin, share.pin))
     equation = articulated_rod_reduced(motion, geometry, bodies, loads, conditions.gravity)
+    gamma = geometry.bank_angle
     return Forces(
-        ArticulatedRodJoints(own.pin, own.joint, own.guide, shaft.bearing, share.pin, share.joint, share.guide),
+        ArticulatedRodJoints(
+            own.pin,
+            own.joint,
+            own.guide,
+            turned_wrench(shaft.bearing, gamma),
+            turned_wrench(share.pin, gamma),
+            turned_wrench(share.joint, gamma),
+            turned_wrench(share.guide, gamma),
+        ),
         shaft.driving_torque,
         torque_by_work(equation, conditions.drive) - own.guide.x * motion.slider.first,
     )

@@ -149,8 +149,9 @@ def _joints(step: Step, carriers: Mapping[str, str]) -> Iterator[Reaction]:
             pass
 
 
-def _links(structure: Structure, made: Mapping[str, Any], size: ChainSize) -> dict[str, Link]:
+def chain_links(structure: Structure, motion: ChainMotion, size: ChainSize) -> dict[str, Link]:
     """All that has mass as links in the file's axes, in the order of `chain_moving`."""
+    made = _made(structure, motion)
     links = {
         name: crank_link(made[pin_of(name)], Crank(own.radius))
         for name, own in zip(structure.cranks, size.cranks, strict=True)
@@ -159,6 +160,10 @@ def _links(structure: Structure, made: Mapping[str, Any], size: ChainSize) -> di
         for name in _moving(step):
             links[name] = _link(step, own, name, made)
     return links
+
+
+def _made(structure: Structure, motion: ChainMotion) -> dict[str, Any]:
+    return dict(zip(made_names(structure), motion.parts, strict=True))
 
 
 def _link(step: Step, own: Any, name: str, made: Mapping[str, Any]) -> Link:
@@ -174,8 +179,8 @@ def chain_load(structure: Structure, motion: ChainMotion, size: ChainSize, value
 
     A slider in a guide that swings counts along it: the guide gets the opposite force.
     """
-    made = dict(zip(made_names(structure), motion.parts, strict=True))
-    links = _links(structure, made, size)
+    made = _made(structure, motion)
+    links = chain_links(structure, motion, size)
     output = links[structure.output]
     zero = 0.0 * (value + output.cos)
     loads = dict.fromkeys(links, Wrench(zero, zero, zero))
@@ -222,8 +227,8 @@ def chain_forces(
     Assur's order: the last group bears only its own loads; solved, it hands its reactions to the links that carry it,
     and so on to the cranks. docs/theory/forces, eq. (13.3).
     """
-    made = dict(zip(made_names(structure), motion.parts, strict=True))
-    links = _links(structure, made, size)
+    made = _made(structure, motion)
+    links = chain_links(structure, motion, size)
     carried = zip(links.items(), bodies, loads, strict=True)
     walk = _Walk(
         made,
@@ -259,8 +264,7 @@ def chain_reduced(
 
     Without friction, which depends on how the crank turns. docs/theory/forces, eqs. (13.4) and (13.6).
     """
-    made = dict(zip(made_names(structure), motion.parts, strict=True))
-    links = _links(structure, made, size).values()
+    links = chain_links(structure, motion, size).values()
     shares = (reduced(*each, gravity) for each in zip(links, bodies, loads, strict=True))
     return reduce(added_reduced, shares)
 
@@ -291,7 +295,7 @@ def _solve_slide(step: SlideStep, own: SlideSize, walk: _Walk) -> None:
     found = slide_reactions(rod, Slide(own.rod_length, own.offset, own.way), loads, walk.friction[step.slider])
     _hang(walk, step.rod_from, step.rod, turned_wrench(found.pin, -own.direction))
     walk.joints[_joint(pin_of(step.slider), step.slider)] = turned_wrench(found.joint, -own.direction)
-    _note_guide(walk, step.slider, found.guide)
+    _note_guide(walk, step.slider, found.guide, own.direction)
 
 
 def _solve_swivel(step: SwivelStep, own: SwivelSize, walk: _Walk) -> None:
@@ -309,7 +313,7 @@ def _solve_yoke(step: YokeStep, own: YokeSize, walk: _Walk) -> None:
     loads = YokeLoads(_NOTHING, turned_wrench(walk.loads[step.slider], own.direction))
     found = yoke_reactions(block, Yoke(own.offset, own.slot_angle), loads, walk.friction[step.slider])
     _hang(walk, step.pin, step.slider, turned_wrench(found.pin, -own.direction))
-    _note_guide(walk, step.slider, found.guide)
+    _note_guide(walk, step.slider, found.guide, own.direction)
 
 
 def _block_of_yoke(walk: _Walk, step: YokeStep, own: YokeSize) -> Array:
@@ -326,12 +330,12 @@ def _solve_trammel(step: TrammelStep, own: TrammelSize, walk: _Walk) -> None:
     place = pin_of(step.slider)
     walk.joints[_joint(place, step.slider)] = slot
     _load(walk, step.link, walk.made[place], slot)
-    _note_guide(walk, step.slider, found.guide)
+    _note_guide(walk, step.slider, found.guide, own.direction)
 
 
-def _note_guide(walk: _Walk, slider: str, guide: Wrench) -> None:
-    """Note a fixed guide's reaction, along it and to its left."""
-    walk.joints[_joint(_GUIDE, slider)] = guide
+def _note_guide(walk: _Walk, slider: str, guide: Wrench, direction: Array) -> None:
+    """Note a fixed guide's reaction, and apart from it what the friction along it takes."""
+    walk.joints[_joint(_GUIDE, slider)] = turned_wrench(guide, -direction)
     walk.drags[slider] = guide.x
 
 
