@@ -59,9 +59,8 @@ class ArticulatedRodJoints(NamedTuple):
     master_guide: Wrench
 
 
-def articulated_rod_load(motion: ArticulatedRodMotion, geometry: ArticulatedRod, force: Array) -> ArticulatedRodLoads:
+def articulated_rod_load(motion: ArticulatedRodMotion, _geometry: ArticulatedRod, force: Array) -> ArticulatedRodLoads:
     """Loads for a force on the slave's slider along its cylinder, away from the shaft; a gas presses toward it. [N]"""
-    del geometry
     zero = 0.0 * (force + motion.slider.value)
     return ArticulatedRodLoads(Wrench(zero, zero, zero), Wrench(zero + force, zero, zero))
 

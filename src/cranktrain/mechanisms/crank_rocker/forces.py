@@ -51,9 +51,8 @@ class CrankRockerJoints(NamedTuple):
     pivot: Wrench
 
 
-def crank_rocker_load(motion: CrankRockerMotion, geometry: CrankRocker, torque: Array) -> CrankRockerLoads:
+def crank_rocker_load(motion: CrankRockerMotion, _geometry: CrankRocker, torque: Array) -> CrankRockerLoads:
     """Loads for a torque on the rocker, in the sense of rotation. [N·m]"""
-    del geometry
     zero = 0.0 * (torque + motion.rocker.cos)
     nothing = Wrench(zero, zero, zero)
     return CrankRockerLoads(nothing, nothing, Wrench(zero, zero, zero + torque))

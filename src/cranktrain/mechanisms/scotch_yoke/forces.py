@@ -53,9 +53,8 @@ class ScotchYokeJoints(NamedTuple):
     guide: Wrench
 
 
-def scotch_yoke_load(motion: ScotchYokeMotion, geometry: ScotchYoke, force: Array) -> ScotchYokeLoads:
+def scotch_yoke_load(motion: ScotchYokeMotion, _geometry: ScotchYoke, force: Array) -> ScotchYokeLoads:
     """Loads for a force on the slider along x, on the line of stroke, away from the shaft. [N]"""
-    del geometry
     zero = 0.0 * (force + motion.slider.value)
     nothing = Wrench(zero, zero, zero)
     return ScotchYokeLoads(nothing, nothing, Wrench(zero + force, zero, zero))

@@ -52,9 +52,8 @@ class SliderCrankJoints(NamedTuple):
     guide: Wrench
 
 
-def slider_crank_load(motion: SliderCrankMotion, geometry: SliderCrank, force: Array) -> SliderCrankLoads:
+def slider_crank_load(motion: SliderCrankMotion, _geometry: SliderCrank, force: Array) -> SliderCrankLoads:
     """Loads for a force on the slider along x, away from the shaft; a gas presses toward it. [N]"""
-    del geometry
     zero = 0.0 * (force + motion.slider.value)
     nothing = Wrench(zero, zero, zero)
     return SliderCrankLoads(nothing, nothing, Wrench(zero + force, zero, zero))

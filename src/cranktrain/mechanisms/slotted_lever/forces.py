@@ -52,9 +52,8 @@ class SlottedLeverJoints(NamedTuple):
     pivot: Wrench
 
 
-def slotted_lever_load(motion: SlottedLeverMotion, geometry: SlottedLever, torque: Array) -> SlottedLeverLoads:
+def slotted_lever_load(motion: SlottedLeverMotion, _geometry: SlottedLever, torque: Array) -> SlottedLeverLoads:
     """Loads for a torque on the lever, in the sense of rotation. [N·m]"""
-    del geometry
     zero = 0.0 * (torque + motion.rocker.cos)
     nothing = Wrench(zero, zero, zero)
     return SlottedLeverLoads(nothing, nothing, Wrench(zero, zero, zero + torque))
