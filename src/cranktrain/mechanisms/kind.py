@@ -116,6 +116,49 @@ def _times(part: Coefficient, factor: float) -> Coefficient:
     return Coefficient(*(factor * value for value in part))
 
 
+class Reaction(NamedTuple):
+    """A joint's reaction: its name, and the two bodies: the wrench is `by` one `on` the other."""
+
+    name: str
+    on: str
+    by: str
+
+
+FRAME = "frame"
+"""What stands still, as one of a joint's two bodies."""
+
+
+@dataclass(frozen=True)
+class Dynamics:
+    """What forces a kind of mechanism gives; every function is a kernel.
+
+    Attributes
+    ----------
+    moving : tuple of str
+        What has mass and bears loads, in the order in which `forces` takes bodies and loads.
+    reactions : tuple of Reaction
+        In the order in which `forces` gives them.
+    sliding : tuple of str
+        Sliders that may have friction, in the order in which `Conditions` has it. The sense of each is the sign of its
+        coordinate's velocity.
+    load : kernel (motion, geometry, value) → wrenches
+        Load on each of `moving` for a force along the output slider's coordinate, or a torque on the output link, or
+        of whichever else has to bear its counterpart. [N or N·m]
+    forces : kernel (motion, geometry, bodies, loads, conditions) → Forces
+        bodies and loads as `moving` has them; `Forces` has the joints' wrenches, as `reactions` has them, and the
+        driving torque by them and by virtual work.
+    reduced : kernel (motion, geometry, bodies, loads, gravity) → Reduced
+        What an equation of motion needs: reduced inertia, its derivative, and the loads' torque on the crank.
+    """
+
+    moving: tuple[str, ...]
+    reactions: tuple[Reaction, ...]
+    sliding: tuple[str, ...]
+    load: Callable[[Any, Any, Array], Any]
+    forces: Callable[[Any, Any, Any, Any, Any], Any]
+    reduced: Callable[[Any, Any, Any, Any, Any], Any]
+
+
 @dataclass(frozen=True)
 class Members:
     """The mechanisms of one kind in a machine: their names and geometry.
@@ -166,6 +209,8 @@ class Kind:
         What the kind's own stages ask for.
     stages : tuple of stages
         The kind's own results; see cranktrain.analysis.
+    dynamics : Dynamics
+        What forces act.
     example : str
         A commented `[mechanism]` table to start from.
     sliders : tuple of str
@@ -196,6 +241,7 @@ class Kind:
     closing_advice: Callable[[Any], str]
     members: type[Members]
     stages: tuple[Callable[..., object], ...]
+    dynamics: Dynamics
     example: str
     sliders: tuple[str, ...] = ()
     joints: tuple[str, ...] = ()

@@ -3,6 +3,7 @@
 from cranktrain.language import N_
 from cranktrain.mechanisms.articulated_rod.drawing import articulated_rod_drawing
 from cranktrain.mechanisms.articulated_rod.facts import ArticulatedRods, articulation
+from cranktrain.mechanisms.articulated_rod.forces import DYNAMICS
 from cranktrain.mechanisms.articulated_rod.kinematics import (
     ArticulatedRod,
     ArticulatedRodMotion,
@@ -33,6 +34,7 @@ KIND = Kind(
     closing_advice=articulated_rod_advice,
     members=ArticulatedRods,
     stages=(articulation,),
+    dynamics=DYNAMICS,
     example="""\
 [bank.L]
 angle = "-30 deg"

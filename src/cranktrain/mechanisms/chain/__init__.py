@@ -8,7 +8,7 @@ from cranktrain.mechanisms.chain.drawing import chain_drawing
 from cranktrain.mechanisms.chain.kinematics import ChainMotion, chain_gap, chain_motion
 from cranktrain.mechanisms.chain.spec import ChainSpec
 from cranktrain.mechanisms.chain.steps import ChainSize
-from cranktrain.mechanisms.kind import Kind, Members
+from cranktrain.mechanisms.kind import Dynamics, Kind, Members
 
 __all__ = ["KIND", "ChainMotion", "ChainSize", "ChainSpec", "chain_drawing", "chain_gap", "chain_motion"]
 
@@ -34,6 +34,7 @@ KIND = Kind(
     members=Members,
     stages=(),
     composed=lambda spec: chain_kind(KIND, spec),
+    dynamics=Dynamics((), (), (), _of_its_own, _of_its_own, _of_its_own),
     example="""\
 [mechanism]
 kind = "chain"                    # angles count from x toward y; the crank turns that way

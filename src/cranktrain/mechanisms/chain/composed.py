@@ -9,6 +9,7 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.mechanisms.chain.drawing import chain_drawing
+from cranktrain.mechanisms.chain.forces import chain_dynamics
 from cranktrain.mechanisms.chain.kinematics import (
     SHAFT,
     ChainMotion,
@@ -146,6 +147,7 @@ def _chain_kind(base: Kind, structure: Structure, made: tuple[tuple[str, str], .
         part=partial(_part_named, made_names(structure)),
         closing_advice=partial(_advice, structure),
         closing_field=partial(_stuck_part, structure),
+        dynamics=chain_dynamics(structure),
         composed=None,
     )
 

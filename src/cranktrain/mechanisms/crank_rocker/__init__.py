@@ -3,6 +3,7 @@
 from cranktrain.language import N_
 from cranktrain.mechanisms.crank_rocker.drawing import crank_rocker_drawing
 from cranktrain.mechanisms.crank_rocker.facts import CrankRockers, transmission
+from cranktrain.mechanisms.crank_rocker.forces import DYNAMICS
 from cranktrain.mechanisms.crank_rocker.kinematics import (
     CrankRocker,
     CrankRockerMotion,
@@ -29,6 +30,7 @@ KIND = Kind(
     closing_advice=crank_rocker_advice,
     members=CrankRockers,
     stages=(transmission,),
+    dynamics=DYNAMICS,
     example="""\
 [mechanism]
 kind = "crank_rocker"

@@ -3,6 +3,7 @@
 from cranktrain.language import N_
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.oscillating_cylinder.drawing import oscillating_cylinder_drawing
+from cranktrain.mechanisms.oscillating_cylinder.forces import DYNAMICS
 from cranktrain.mechanisms.oscillating_cylinder.kinematics import (
     OscillatingCylinder,
     OscillatingCylinderMotion,
@@ -38,6 +39,7 @@ KIND = Kind(
     closing_advice=oscillating_cylinder_advice,
     members=Members,
     stages=(),
+    dynamics=DYNAMICS,
     example="""\
 [mechanism]
 kind = "oscillating_cylinder"

@@ -3,6 +3,7 @@
 from cranktrain.language import N_
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.scotch_yoke.drawing import scotch_yoke_drawing
+from cranktrain.mechanisms.scotch_yoke.forces import DYNAMICS
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke, ScotchYokeMotion, scotch_yoke, scotch_yoke_gap
 from cranktrain.mechanisms.scotch_yoke.spec import ScotchYokeSpec, scotch_yoke_advice, scotch_yoke_geometry
 
@@ -23,6 +24,7 @@ KIND = Kind(
     closing_advice=scotch_yoke_advice,
     members=Members,
     stages=(),
+    dynamics=DYNAMICS,
     example="""\
 [mechanism]
 kind = "scotch_yoke"

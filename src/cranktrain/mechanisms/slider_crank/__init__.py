@@ -3,6 +3,7 @@
 from cranktrain.language import N_
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.slider_crank.drawing import slider_crank_drawing
+from cranktrain.mechanisms.slider_crank.forces import DYNAMICS
 from cranktrain.mechanisms.slider_crank.kinematics import (
     SliderCrank,
     SliderCrankMotion,
@@ -28,6 +29,7 @@ KIND = Kind(
     closing_advice=slider_crank_advice,
     members=Members,
     stages=(),
+    dynamics=DYNAMICS,
     example="""\
 [mechanism]
 kind = "slider_crank"

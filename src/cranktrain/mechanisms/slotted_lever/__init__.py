@@ -3,6 +3,7 @@
 from cranktrain.language import N_
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.slotted_lever.drawing import slotted_lever_drawing
+from cranktrain.mechanisms.slotted_lever.forces import DYNAMICS
 from cranktrain.mechanisms.slotted_lever.kinematics import (
     SlottedLever,
     SlottedLeverMotion,
@@ -28,6 +29,7 @@ KIND = Kind(
     closing_advice=slotted_lever_advice,
     members=Members,
     stages=(),
+    dynamics=DYNAMICS,
     example="""\
 [mechanism]
 kind = "slotted_lever"

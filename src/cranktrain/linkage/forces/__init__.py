@@ -1,0 +1,77 @@
+"""Kernels of forces: what a group's links bear gives its joints' reactions, and what it hands back to what it hangs on.
+
+Inertia is a load as any other (d'Alembert), so each group is statics: closed form for class II, a linear solve for the
+triad. A chain is solved from its last group backward, each handing its reactions to the links that carry it.
+"""
+
+from cranktrain.linkage.forces.body import (
+    Body,
+    Drive,
+    Gravity,
+    Reduced,
+    ReducedInertia,
+    added_reduced,
+    applied,
+    reduced,
+    reduced_inertia,
+    torque_by_work,
+    weight,
+)
+from cranktrain.linkage.forces.conditions import NO_FRICTION, Conditions, Friction, borne
+from cranktrain.linkage.forces.crank import CrankReactions, crank_link, crank_reactions
+from cranktrain.linkage.forces.pin import PinLoads, PinReactions, pin_reactions
+from cranktrain.linkage.forces.slide import SlideLoads, SlideReactions, slide_reactions, slider_link
+from cranktrain.linkage.forces.swivel import SwivelLoads, SwivelReactions, swivel_reactions, swivel_slider_link
+from cranktrain.linkage.forces.trammel import TrammelLoads, TrammelReactions, trammel_reactions
+from cranktrain.linkage.forces.triad import LegReactions, TriadLoads, TriadReactions, triad_reactions
+from cranktrain.linkage.forces.wrench import Wrench, added, handed_back, opposite, turned_wrench, work
+from cranktrain.linkage.forces.yoke import YokeLoads, YokeReactions, block_link, yoke_reactions
+
+__all__ = [
+    "NO_FRICTION",
+    "Body",
+    "Conditions",
+    "CrankReactions",
+    "Drive",
+    "Friction",
+    "Gravity",
+    "LegReactions",
+    "PinLoads",
+    "PinReactions",
+    "Reduced",
+    "ReducedInertia",
+    "SlideLoads",
+    "SlideReactions",
+    "SwivelLoads",
+    "SwivelReactions",
+    "TrammelLoads",
+    "TrammelReactions",
+    "TriadLoads",
+    "TriadReactions",
+    "Wrench",
+    "YokeLoads",
+    "YokeReactions",
+    "added",
+    "added_reduced",
+    "applied",
+    "block_link",
+    "borne",
+    "crank_link",
+    "crank_reactions",
+    "handed_back",
+    "opposite",
+    "pin_reactions",
+    "reduced",
+    "reduced_inertia",
+    "slide_reactions",
+    "slider_link",
+    "swivel_reactions",
+    "swivel_slider_link",
+    "torque_by_work",
+    "trammel_reactions",
+    "triad_reactions",
+    "turned_wrench",
+    "weight",
+    "work",
+    "yoke_reactions",
+]

@@ -1,0 +1,162 @@
+"""Bodies: weight and inertia of a rigid link, and its inertia reduced to the crank."""
+
+from typing import NamedTuple
+
+from cranktrain.linkage.forces.wrench import Wrench, work
+from cranktrain.motion import Array, Link
+
+
+class Body(NamedTuple):
+    """Rigid body of a link: mass [kg], centroid and inertia about the centroid [kg·m²].
+
+    The centroid lies `along` the link's direction from its first pin and `across`, to the left of it [m].
+    """
+
+    mass: Array
+    along: Array
+    across: Array
+    inertia: Array
+
+
+class Drive(NamedTuple):
+    """How the crank turns: speed ω [rad/s] and acceleration ε [rad/s²]."""
+
+    speed: Array
+    acceleration: Array
+
+
+class Gravity(NamedTuple):
+    """Acceleration of a falling body, in the link's axes. [m/s²]"""
+
+    x: Array
+    y: Array
+
+
+class ReducedInertia(NamedTuple):
+    """Inertia reduced to the crank, J [kg·m²], and its derivative by the crank angle, J′ [kg·m²/rad]."""
+
+    value: Array
+    first: Array
+
+
+class Reduced(NamedTuple):
+    """All that an equation of motion needs: reduced inertia, and the loads' and weights' torque on the crank [N·m]."""
+
+    inertia: ReducedInertia
+    load: Array
+
+
+class _Centroid(NamedTuple):
+    """Centroid from the link's first pin, and its first and second derivatives by the crank angle."""
+
+    arm_x: Array
+    arm_y: Array
+    first_x: Array
+    first_y: Array
+    second_x: Array
+    second_y: Array
+
+
+def _centroid(link: Link, body: Body) -> _Centroid:
+    """ρ; r′ = o′ + θ′ρ⊥, r″ = o″ + θ″ρ⊥ − θ′²ρ."""
+    x = body.along * link.cos - body.across * link.sin
+    y = body.along * link.sin + body.across * link.cos
+    turn = link.angle.first
+    rate = link.angle.second
+    square = turn * turn
+    origin = link.origin
+    return _Centroid(
+        x,
+        y,
+        origin.x.first - y * turn,
+        origin.y.first + x * turn,
+        origin.x.second - (y * rate + x * square),
+        origin.y.second + (x * rate - y * square),
+    )
+
+
+def applied(link: Link, body: Body, drive: Drive, gravity: Gravity) -> Wrench:
+    """Weight less inertia of a link: what it adds to the loads on itself.
+
+    Parameters
+    ----------
+    link : Link, coefficients of shape (..., n)
+    body : Body, fields broadcastable to (..., 1)
+    drive : Drive, fields broadcastable to (..., n)
+    gravity : Gravity, fields broadcastable to (..., 1)
+
+    Returns
+    -------
+    Wrench, shape (..., n)
+        About the link's first pin: m(g − a_G) and ρ × m(g − a_G) − Iθ̈. docs/theory/forces, eqs. (13.1) and (13.2).
+
+    Examples
+    --------
+    A crank of 2 kg, centroid 30 mm out, at 100 rad/s: 600 N outward.
+
+    >>> from cranktrain.linkage import Crank, crank
+    >>> link = crank_link(crank(0.0, Crank(0.04)), Crank(0.04))
+    >>> round(float(applied(link, Body(2.0, 0.03, 0.0, 0.001), Drive(100.0, 0.0), Gravity(0.0, 0.0)).x), 9)
+    600.0
+    """
+    centroid = _centroid(link, body)
+    square = drive.speed * drive.speed
+    x = body.mass * (gravity.x - (centroid.second_x * square + centroid.first_x * drive.acceleration))
+    y = body.mass * (gravity.y - (centroid.second_y * square + centroid.first_y * drive.acceleration))
+    turning = link.angle.second * square + link.angle.first * drive.acceleration
+    return Wrench(x, y, (centroid.arm_x * y - centroid.arm_y * x) - body.inertia * turning)
+
+
+def weight(link: Link, body: Body, gravity: Gravity) -> Wrench:
+    """Weight of a link, about its first pin."""
+    x = body.mass * gravity.x
+    y = body.mass * gravity.y
+    arm_x = body.along * link.cos - body.across * link.sin
+    arm_y = body.along * link.sin + body.across * link.cos
+    return Wrench(x + 0.0 * arm_x, y + 0.0 * arm_y, arm_x * y - arm_y * x)
+
+
+def reduced_inertia(link: Link, body: Body) -> ReducedInertia:
+    """Inertia of a link reduced to the crank, and its derivative.
+
+    Parameters
+    ----------
+    link : Link, coefficients of shape (..., n)
+    body : Body, fields broadcastable to (..., 1)
+
+    Returns
+    -------
+    ReducedInertia, shape (..., n)
+        J = m r′·r′ + Iθ′², J′ = 2(m r′·r″ + Iθ′θ″). docs/theory/forces, eq. (13.4).
+    """
+    centroid = _centroid(link, body)
+    turn = link.angle.first
+    square = centroid.first_x * centroid.first_x + centroid.first_y * centroid.first_y
+    half = centroid.first_x * centroid.second_x + centroid.first_y * centroid.second_y
+    return ReducedInertia(
+        body.mass * square + body.inertia * (turn * turn),
+        2.0 * (body.mass * half + body.inertia * (turn * link.angle.second)),
+    )
+
+
+def reduced(link: Link, body: Body, load: Wrench, gravity: Gravity) -> Reduced:
+    """What one link adds to the equation of motion: its inertia, and the torque of its load and weight on the crank."""
+    return Reduced(reduced_inertia(link, body), work(link, load) + work(link, weight(link, body, gravity)))
+
+
+def added_reduced(one: Reduced, other: Reduced) -> Reduced:
+    """What two links add to the equation of motion."""
+    return Reduced(
+        ReducedInertia(one.inertia.value + other.inertia.value, one.inertia.first + other.inertia.first),
+        one.load + other.load,
+    )
+
+
+def torque_by_work(equation: Reduced, drive: Drive) -> Array:
+    """Driving torque that the motion takes, by virtual work. [N·m]
+
+    M = Jε + ½J′ω² − Q; docs/theory/forces, eq. (13.7).
+    """
+    inertia = equation.inertia
+    square = drive.speed * drive.speed
+    return (inertia.value * drive.acceleration + 0.5 * inertia.first * square) - equation.load

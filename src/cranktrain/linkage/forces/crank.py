@@ -1,0 +1,39 @@
+"""The driver's forces: the bearing's reaction, and the torque that turns the crank as it turns."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.linkage.crank import Crank
+from cranktrain.linkage.forces.wrench import Wrench
+from cranktrain.linkage.point import fixed
+from cranktrain.motion import Array, Coefficient, Link, Point
+
+
+class CrankReactions(NamedTuple):
+    """Wrench of the bearing on the crank, without moment; torque that must be applied to the crank [N·m]."""
+
+    bearing: Wrench
+    driving_torque: Array
+
+
+def crank_link(pin: Point, geometry: Crank) -> Link:
+    """Crank as a link, from the shaft's centre to its pin."""
+    zero = 0.0 * pin.x.value
+    angle = Coefficient(np.arctan2(pin.y.value, pin.x.value), zero + 1.0, zero)
+    return Link(fixed(zero, zero), angle, pin.x.value / geometry.radius, pin.y.value / geometry.radius)
+
+
+def crank_reactions(load: Wrench) -> CrankReactions:
+    """Reactions of a shaft.
+
+    Parameters
+    ----------
+    load : Wrench, shape (..., n)
+        All that its cranks bear and what hangs on them hands back, about the shaft's centre.
+
+    Returns
+    -------
+    CrankReactions, shape (..., n)
+    """
+    return CrankReactions(Wrench(-load.x, -load.y, 0.0 * load.moment), -load.moment)

@@ -1,0 +1,68 @@
+"""Reactions of an RPR group: a slider on a pin, in a guide about a pivot, with friction in the guide."""
+
+from typing import NamedTuple
+
+from cranktrain.linkage.forces.conditions import Friction, dragged, pressed
+from cranktrain.linkage.forces.wrench import Wrench
+from cranktrain.linkage.legs import OnLine
+from cranktrain.linkage.swivel import Swivel
+from cranktrain.motion import Link, Point
+
+
+class SwivelLoads(NamedTuple):
+    """What slider and guide bear but for their joints: the slider's about its pin, the guide's about the pivot."""
+
+    slider: Wrench
+    guide: Wrench
+
+
+class SwivelReactions(NamedTuple):
+    """Wrenches of the driving pin on the slider, of the slider on the guide (about the pin), of the pivot on the guide.
+
+    Only the slider's has a moment: it turns with its guide.
+    """
+
+    pin: Wrench
+    slider: Wrench
+    pivot: Wrench
+
+
+def swivel_slider_link(pin: Point, guide: Link) -> Link:
+    """Slider as a link, from its pin in the guide's direction, with which it turns."""
+    return Link(pin, guide.angle, guide.cos, guide.sin)
+
+
+def swivel_reactions(held: OnLine, geometry: Swivel, loads: SwivelLoads, friction: Friction) -> SwivelReactions:
+    """Reactions of a slider and the guide that follows it.
+
+    Parameters
+    ----------
+    held : OnLine, shape (..., n)
+        The guide and the driving pin.
+    geometry : Swivel, fields broadcastable to (..., 1)
+    loads : SwivelLoads, shape (..., n)
+    friction : Friction, fields broadcastable to (..., n)
+        Its sense is that of the slider along the guide's direction.
+
+    Returns
+    -------
+    SwivelReactions, shape (..., n)
+        NaN where the guide cannot close, or friction wedges the slider.
+
+    Notes
+    -----
+    With ρ from the pivot's foot to the slider and e the guide's offset, N₀ = −(M_guide + M_slider)/ρ on the guide, to
+    its left, and N = N₀ + μσ|N| e/ρ. docs/theory/forces, eqs. (13.15) to (13.17).
+    """
+    guide, pin = held
+    reach = guide.cos * (pin.x.value - guide.origin.x.value) + guide.sin * (pin.y.value - guide.origin.y.value)
+    normal = pressed(-(loads.guide.moment + loads.slider.moment) / reach, -geometry.offset / reach, friction)
+    drag = -dragged(normal, friction)
+    x = drag * guide.cos - normal * guide.sin
+    y = drag * guide.sin + normal * guide.cos
+    zero = 0.0 * x
+    return SwivelReactions(
+        Wrench(x - loads.slider.x, y - loads.slider.y, zero),
+        Wrench(x, y, zero + loads.slider.moment),
+        Wrench(-x - loads.guide.x, -y - loads.guide.y, zero),
+    )

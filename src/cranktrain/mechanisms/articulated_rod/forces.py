@@ -1,0 +1,198 @@
+"""Forces of the articulated rod: reactions of slave rod and slider, and what they add to those of the master."""
+
+from typing import NamedTuple
+
+from cranktrain.linkage import AHEAD, Crank, Slide, turned
+from cranktrain.linkage.forces import (
+    NO_FRICTION,
+    Body,
+    Conditions,
+    Gravity,
+    Reduced,
+    SlideLoads,
+    SlideReactions,
+    Wrench,
+    added_reduced,
+    borne,
+    crank_link,
+    crank_reactions,
+    handed_back,
+    reduced,
+    slide_reactions,
+    slider_link,
+    torque_by_work,
+    turned_wrench,
+)
+from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, ArticulatedRodMotion
+from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
+from cranktrain.mechanisms.solved import Forces
+from cranktrain.motion import Array
+
+
+class ArticulatedRodBodies(NamedTuple):
+    """Slave rod, from the knuckle pin to the slider's; slider, from its pin along the slave cylinder."""
+
+    rod: Body
+    slider: Body
+
+
+class ArticulatedRodLoads(NamedTuple):
+    """Wrenches on slave rod and slider, each about its first pin, in the slave cylinder's axes."""
+
+    rod: Wrench
+    slider: Wrench
+
+
+class ArticulatedRodJoints(NamedTuple):
+    """Wrenches in the slave's joints, and the slave's share of those in the master's.
+
+    Of the master rod on the slave rod, the slave rod on the slider, the guide on it; of the bearing on the crank, the
+    crank on the master rod, that on the master's slider, its guide on it. All in the slave cylinder's axes.
+    """
+
+    knuckle: Wrench
+    wrist_pin: Wrench
+    guide: Wrench
+    main_bearing: Wrench
+    crank_pin: Wrench
+    master_wrist_pin: Wrench
+    master_guide: Wrench
+
+
+def articulated_rod_load(motion: ArticulatedRodMotion, _geometry: ArticulatedRod, force: Array) -> ArticulatedRodLoads:
+    """Loads for a force on the slave's slider along its cylinder, away from the shaft; a gas presses toward it. [N]"""
+    zero = 0.0 * (force + motion.slider.value)
+    return ArticulatedRodLoads(Wrench(zero, zero, zero), Wrench(zero + force, zero, zero))
+
+
+def slave_reactions(
+    motion: ArticulatedRodMotion,
+    geometry: ArticulatedRod,
+    bodies: ArticulatedRodBodies,
+    loads: ArticulatedRodLoads,
+    conditions: Conditions,
+) -> SlideReactions:
+    """Reactions of the slave's own joints: knuckle pin, wrist pin and guide; parameters as of the forces."""
+    slider = slider_link(motion.slider, geometry.offset)
+    return slide_reactions(
+        motion.rod,
+        Slide(geometry.rod_length, geometry.offset, AHEAD),
+        SlideLoads(
+            borne(motion.rod, bodies.rod, loads.rod, conditions),
+            borne(slider, bodies.slider, loads.slider, conditions),
+        ),
+        conditions.friction[0],
+    )
+
+
+def on_master_rod(motion: ArticulatedRodMotion, geometry: ArticulatedRod, knuckle: Wrench) -> Wrench:
+    """Load of a slave on its master's rod, about the crank pin, in the master's axes.
+
+    Parameters
+    ----------
+    motion : ArticulatedRodMotion, shape (..., n)
+    geometry : ArticulatedRod, fields broadcastable to (..., 1)
+    knuckle : Wrench, shape (..., n)
+        Of the master rod on the slave rod, in the slave cylinder's axes, as `slave_reactions` gives it.
+
+    Returns
+    -------
+    Wrench, shape (..., n)
+        The master is a slider-crank with the sum of these over its slaves on its rod: so its forces are exact, with
+        friction in its guide too. docs/theory/forces, eq. (13.3).
+    """
+    back = -geometry.bank_angle
+    return handed_back(motion.master_rod, turned(motion.knuckle, back), turned_wrench(knuckle, back))
+
+
+def articulated_rod_forces(
+    motion: ArticulatedRodMotion,
+    geometry: ArticulatedRod,
+    bodies: ArticulatedRodBodies,
+    loads: ArticulatedRodLoads,
+    conditions: Conditions,
+) -> Forces[ArticulatedRodJoints]:
+    """All forces of an articulated rod, and its share of its master's.
+
+    Parameters
+    ----------
+    motion : ArticulatedRodMotion, shape (..., n)
+    geometry : ArticulatedRod, fields broadcastable to (..., 1)
+    bodies : ArticulatedRodBodies, fields broadcastable to (..., 1)
+    loads : ArticulatedRodLoads, shape (..., n)
+    conditions : Conditions, fields broadcastable to (..., n)
+        Gravity in the slave cylinder's axes; friction of the slave's slider.
+
+    Returns
+    -------
+    Forces of ArticulatedRodJoints, shape (..., n)
+        NaN where master or slave cannot close, or friction wedges the slave's slider. The shares of the master's joints
+        add up, and to the master's own, where the master's slider has no friction.
+
+    Notes
+    -----
+    The slave loads the master's cylinder and bends its rod. Exact for rigid bodies; docs/theory/forces, eqs. (13.25)
+    and (13.26).
+    """
+    master = geometry.master
+    own = slave_reactions(motion, geometry, bodies, loads, conditions)
+    zero = 0.0 * own.pin.x
+    share = slide_reactions(
+        motion.master_rod,
+        Slide(master.rod_length, master.offset, AHEAD),
+        SlideLoads(on_master_rod(motion, geometry, own.pin), Wrench(zero, zero, zero)),
+        NO_FRICTION,
+    )
+    crank = crank_link(motion.pin, Crank(master.crank_radius))
+    shaft = crank_reactions(handed_back(crank, motion.pin, share.pin))
+    equation = articulated_rod_reduced(motion, geometry, bodies, loads, conditions.gravity)
+    gamma = geometry.bank_angle
+    return Forces(
+        ArticulatedRodJoints(
+            own.pin,
+            own.joint,
+            own.guide,
+            turned_wrench(shaft.bearing, gamma),
+            turned_wrench(share.pin, gamma),
+            turned_wrench(share.joint, gamma),
+            turned_wrench(share.guide, gamma),
+        ),
+        shaft.driving_torque,
+        torque_by_work(equation, conditions.drive) - own.guide.x * motion.slider.first,
+    )
+
+
+def articulated_rod_reduced(
+    motion: ArticulatedRodMotion,
+    geometry: ArticulatedRod,
+    bodies: ArticulatedRodBodies,
+    loads: ArticulatedRodLoads,
+    gravity: Gravity,
+) -> Reduced:
+    """Reduced inertia, its derivative, and the torque of loads and weights on the crank; parameters as of the forces.
+
+    Without friction, which depends on how the crank turns. docs/theory/forces, eqs. (13.4) and (13.6).
+    """
+    slider = slider_link(motion.slider, geometry.offset)
+    return added_reduced(
+        reduced(motion.rod, bodies.rod, loads.rod, gravity),
+        reduced(slider, bodies.slider, loads.slider, gravity),
+    )
+
+
+DYNAMICS = Dynamics(
+    moving=ArticulatedRodBodies._fields,
+    reactions=(
+        Reaction("knuckle", "rod", "master_rod"),
+        Reaction("wrist_pin", "slider", "rod"),
+        Reaction("guide", "slider", FRAME),
+        Reaction("main_bearing", "crank", FRAME),
+        Reaction("crank_pin", "master_rod", "crank"),
+        Reaction("master_wrist_pin", "master_slider", "master_rod"),
+        Reaction("master_guide", "master_slider", FRAME),
+    ),
+    sliding=("slider",),
+    load=articulated_rod_load,
+    forces=articulated_rod_forces,
+    reduced=articulated_rod_reduced,
+)

@@ -1,0 +1,139 @@
+"""Forces of the crank-rocker: reactions of crank, rod and rocker, and the driving torque."""
+
+from typing import NamedTuple
+
+from cranktrain.linkage import Crank, Pin, PinMotion
+from cranktrain.linkage.forces import (
+    Body,
+    Conditions,
+    Gravity,
+    PinLoads,
+    Reduced,
+    Wrench,
+    added,
+    added_reduced,
+    borne,
+    crank_link,
+    crank_reactions,
+    handed_back,
+    pin_reactions,
+    reduced,
+    torque_by_work,
+)
+from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, CrankRockerMotion
+from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
+from cranktrain.mechanisms.solved import Forces
+from cranktrain.motion import Array
+
+
+class CrankRockerBodies(NamedTuple):
+    """Crank, from the shaft to its pin; rod, from the crank pin to the joint; rocker, from its pivot to the joint."""
+
+    crank: Body
+    rod: Body
+    rocker: Body
+
+
+class CrankRockerLoads(NamedTuple):
+    """Wrenches on crank, rod and rocker, each about its first pin: the shaft's centre, the crank pin, the pivot."""
+
+    crank: Wrench
+    rod: Wrench
+    rocker: Wrench
+
+
+class CrankRockerJoints(NamedTuple):
+    """Wrenches of the bearing on the crank, the crank on the rod, the rod on the rocker, the pivot on the rocker."""
+
+    main_bearing: Wrench
+    crank_pin: Wrench
+    joint: Wrench
+    pivot: Wrench
+
+
+def crank_rocker_load(motion: CrankRockerMotion, _geometry: CrankRocker, torque: Array) -> CrankRockerLoads:
+    """Loads for a torque on the rocker, in the sense of rotation. [N·m]"""
+    zero = 0.0 * (torque + motion.rocker.cos)
+    nothing = Wrench(zero, zero, zero)
+    return CrankRockerLoads(nothing, nothing, Wrench(zero, zero, zero + torque))
+
+
+def crank_rocker_forces(
+    motion: CrankRockerMotion,
+    geometry: CrankRocker,
+    bodies: CrankRockerBodies,
+    loads: CrankRockerLoads,
+    conditions: Conditions,
+) -> Forces[CrankRockerJoints]:
+    """All forces of a crank-rocker, which has no sliding friction.
+
+    Parameters
+    ----------
+    motion : CrankRockerMotion, shape (..., n)
+    geometry : CrankRocker, fields broadcastable to (..., 1)
+    bodies : CrankRockerBodies, fields broadcastable to (..., 1)
+    loads : CrankRockerLoads, shape (..., n)
+    conditions : Conditions, fields broadcastable to (..., n)
+
+    Returns
+    -------
+    Forces of CrankRockerJoints, shape (..., n)
+        In the mechanism's axes; NaN where the links cannot close.
+
+    Notes
+    -----
+    Exact for rigid bodies; docs/theory/forces, eqs. (13.5), (13.7) and (13.14).
+    """
+    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
+    group = pin_reactions(
+        PinMotion(motion.joint, motion.rod, motion.rocker),
+        Pin(geometry.rod_length, geometry.rocker_length, geometry.side),
+        PinLoads(
+            borne(motion.rod, bodies.rod, loads.rod, conditions),
+            borne(motion.rocker, bodies.rocker, loads.rocker, conditions),
+        ),
+    )
+    on_crank = borne(crank, bodies.crank, loads.crank, conditions)
+    shaft = crank_reactions(added(on_crank, handed_back(crank, motion.pin, group.rod)))
+    equation = crank_rocker_reduced(motion, geometry, bodies, loads, conditions.gravity)
+    return Forces(
+        CrankRockerJoints(shaft.bearing, group.rod, group.joint, group.rocker),
+        shaft.driving_torque,
+        torque_by_work(equation, conditions.drive),
+    )
+
+
+def crank_rocker_reduced(
+    motion: CrankRockerMotion,
+    geometry: CrankRocker,
+    bodies: CrankRockerBodies,
+    loads: CrankRockerLoads,
+    gravity: Gravity,
+) -> Reduced:
+    """Reduced inertia, its derivative, and the torque of loads and weights on the crank; parameters as of the forces.
+
+    docs/theory/forces, eqs. (13.4) and (13.6).
+    """
+    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
+    return added_reduced(
+        added_reduced(
+            reduced(crank, bodies.crank, loads.crank, gravity),
+            reduced(motion.rod, bodies.rod, loads.rod, gravity),
+        ),
+        reduced(motion.rocker, bodies.rocker, loads.rocker, gravity),
+    )
+
+
+DYNAMICS = Dynamics(
+    moving=CrankRockerBodies._fields,
+    reactions=(
+        Reaction("main_bearing", "crank", FRAME),
+        Reaction("crank_pin", "rod", "crank"),
+        Reaction("joint", "rocker", "rod"),
+        Reaction("pivot", "rocker", FRAME),
+    ),
+    sliding=(),
+    load=crank_rocker_load,
+    forces=crank_rocker_forces,
+    reduced=crank_rocker_reduced,
+)

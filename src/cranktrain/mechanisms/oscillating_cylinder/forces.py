@@ -1,0 +1,162 @@
+"""Forces of the oscillating cylinder: reactions of crank, piston and cylinder, and the driving torque."""
+
+from typing import NamedTuple
+
+from cranktrain.linkage import AHEAD, Crank, OnLine, Swivel
+from cranktrain.linkage.forces import (
+    Body,
+    Conditions,
+    Friction,
+    Gravity,
+    Reduced,
+    SwivelLoads,
+    Wrench,
+    added,
+    added_reduced,
+    borne,
+    crank_link,
+    crank_reactions,
+    handed_back,
+    reduced,
+    swivel_reactions,
+    swivel_slider_link,
+    torque_by_work,
+)
+from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
+from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinder, OscillatingCylinderMotion
+from cranktrain.mechanisms.solved import Forces
+from cranktrain.motion import Array
+
+
+class OscillatingCylinderBodies(NamedTuple):
+    """Crank, from the shaft to its pin; piston with its rod, from the crank pin, and cylinder, from its trunnion.
+
+    Piston and cylinder both count along the direction from the trunnion to the crank pin: the head lies at minus.
+    """
+
+    crank: Body
+    slider: Body
+    cylinder: Body
+
+
+class OscillatingCylinderLoads(NamedTuple):
+    """Wrenches on crank, piston and cylinder, each about its first pin: shaft's centre, crank pin, trunnion."""
+
+    crank: Wrench
+    slider: Wrench
+    cylinder: Wrench
+
+
+class OscillatingCylinderJoints(NamedTuple):
+    """Wrenches of the bearing on the crank, the crank on the piston, the piston on the cylinder, the trunnion on it.
+
+    That of the piston on the cylinder is about the crank pin.
+    """
+
+    main_bearing: Wrench
+    crank_pin: Wrench
+    guide: Wrench
+    trunnion: Wrench
+
+
+def oscillating_cylinder_load(
+    motion: OscillatingCylinderMotion, geometry: OscillatingCylinder, force: Array
+) -> OscillatingCylinderLoads:
+    """Loads for a force on the piston along the slider's coordinate, toward the head; the cylinder gets its opposite.
+
+    Both act along the cylinder's axis. [N]
+    """
+    cylinder = motion.cylinder
+    zero = 0.0 * (force + cylinder.cos)
+    x = force * cylinder.cos
+    y = force * cylinder.sin
+    return OscillatingCylinderLoads(
+        Wrench(zero, zero, zero), Wrench(-x, -y, zero), Wrench(x, y, zero - geometry.offset * force)
+    )
+
+
+def oscillating_cylinder_forces(
+    motion: OscillatingCylinderMotion,
+    geometry: OscillatingCylinder,
+    bodies: OscillatingCylinderBodies,
+    loads: OscillatingCylinderLoads,
+    conditions: Conditions,
+) -> Forces[OscillatingCylinderJoints]:
+    """All forces of an oscillating cylinder.
+
+    Parameters
+    ----------
+    motion : OscillatingCylinderMotion, shape (..., n)
+    geometry : OscillatingCylinder, fields broadcastable to (..., 1)
+    bodies : OscillatingCylinderBodies, fields broadcastable to (..., 1)
+    loads : OscillatingCylinderLoads, shape (..., n)
+    conditions : Conditions, fields broadcastable to (..., n)
+        Friction's sense is that of the slider's coordinate, toward the head.
+
+    Returns
+    -------
+    Forces of OscillatingCylinderJoints, shape (..., n)
+        In the mechanism's axes; NaN where the links cannot close, or friction wedges the piston.
+
+    Notes
+    -----
+    Exact for rigid bodies; docs/theory/forces, eqs. (13.5), (13.7) and (13.17).
+    """
+    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
+    piston = swivel_slider_link(motion.pin, motion.cylinder)
+    group = swivel_reactions(
+        OnLine(motion.cylinder, motion.pin),
+        Swivel(geometry.offset, AHEAD),
+        SwivelLoads(
+            borne(piston, bodies.slider, loads.slider, conditions),
+            borne(motion.cylinder, bodies.cylinder, loads.cylinder, conditions),
+        ),
+        # The group counts its slider from the trunnion, the mechanism toward it.
+        Friction(conditions.friction[0].coefficient, -conditions.friction[0].sense),
+    )
+    on_crank = borne(crank, bodies.crank, loads.crank, conditions)
+    shaft = crank_reactions(added(on_crank, handed_back(crank, motion.pin, group.pin)))
+    equation = oscillating_cylinder_reduced(motion, geometry, bodies, loads, conditions.gravity)
+    drag = motion.cylinder.cos * group.slider.x + motion.cylinder.sin * group.slider.y
+    return Forces(
+        OscillatingCylinderJoints(shaft.bearing, group.pin, group.slider, group.pivot),
+        shaft.driving_torque,
+        torque_by_work(equation, conditions.drive) - drag * motion.slider.first,
+    )
+
+
+def oscillating_cylinder_reduced(
+    motion: OscillatingCylinderMotion,
+    geometry: OscillatingCylinder,
+    bodies: OscillatingCylinderBodies,
+    loads: OscillatingCylinderLoads,
+    gravity: Gravity,
+) -> Reduced:
+    """Reduced inertia, its derivative, and the torque of loads and weights on the crank; parameters as of the forces.
+
+    Without friction, which depends on how the crank turns. docs/theory/forces, eqs. (13.4) and (13.6).
+    """
+    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
+    piston = swivel_slider_link(motion.pin, motion.cylinder)
+    return added_reduced(
+        added_reduced(
+            reduced(crank, bodies.crank, loads.crank, gravity),
+            reduced(piston, bodies.slider, loads.slider, gravity),
+        ),
+        reduced(motion.cylinder, bodies.cylinder, loads.cylinder, gravity),
+    )
+
+
+DYNAMICS = Dynamics(
+    moving=OscillatingCylinderBodies._fields,
+    reactions=(
+        Reaction("main_bearing", "crank", FRAME),
+        Reaction("crank_pin", "slider", "crank"),
+        Reaction("guide", "cylinder", "slider"),
+        Reaction("trunnion", "cylinder", FRAME),
+    ),
+    sliding=("slider",),
+    load=oscillating_cylinder_load,
+    forces=oscillating_cylinder_forces,
+    reduced=oscillating_cylinder_reduced,
+)

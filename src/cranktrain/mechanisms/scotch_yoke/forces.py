@@ -1,0 +1,146 @@
+"""Forces of the scotch yoke: reactions of crank, block and slider, and the driving torque."""
+
+from typing import NamedTuple
+
+from cranktrain.linkage import Crank, Yoke
+from cranktrain.linkage.forces import (
+    Body,
+    Conditions,
+    Gravity,
+    Reduced,
+    Wrench,
+    YokeLoads,
+    added,
+    added_reduced,
+    block_link,
+    borne,
+    crank_link,
+    crank_reactions,
+    handed_back,
+    reduced,
+    slider_link,
+    torque_by_work,
+    yoke_reactions,
+)
+from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
+from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke, ScotchYokeMotion
+from cranktrain.mechanisms.solved import Forces
+from cranktrain.motion import Array
+
+
+class ScotchYokeBodies(NamedTuple):
+    """Crank, from the shaft to its pin; block, from the pin along the slot; slider, from where the slot meets x."""
+
+    crank: Body
+    block: Body
+    slider: Body
+
+
+class ScotchYokeLoads(NamedTuple):
+    """Wrenches on crank, block and slider, about the shaft's centre, the pin, and where the slot meets the guide."""
+
+    crank: Wrench
+    block: Wrench
+    slider: Wrench
+
+
+class ScotchYokeJoints(NamedTuple):
+    """Wrenches of the bearing on the crank, the crank on the block, the block on the slider, the guide on it."""
+
+    main_bearing: Wrench
+    crank_pin: Wrench
+    slot: Wrench
+    guide: Wrench
+
+
+def scotch_yoke_load(motion: ScotchYokeMotion, _geometry: ScotchYoke, force: Array) -> ScotchYokeLoads:
+    """Loads for a force on the slider along x, on the line of stroke, away from the shaft. [N]"""
+    zero = 0.0 * (force + motion.slider.value)
+    nothing = Wrench(zero, zero, zero)
+    return ScotchYokeLoads(nothing, nothing, Wrench(zero + force, zero, zero))
+
+
+def scotch_yoke_forces(
+    motion: ScotchYokeMotion,
+    geometry: ScotchYoke,
+    bodies: ScotchYokeBodies,
+    loads: ScotchYokeLoads,
+    conditions: Conditions,
+) -> Forces[ScotchYokeJoints]:
+    """All forces of a scotch yoke.
+
+    Parameters
+    ----------
+    motion : ScotchYokeMotion, shape (..., n)
+    geometry : ScotchYoke, fields broadcastable to (..., 1)
+    bodies : ScotchYokeBodies, fields broadcastable to (..., 1)
+    loads : ScotchYokeLoads, shape (..., n)
+    conditions : Conditions, fields broadcastable to (..., n)
+
+    Returns
+    -------
+    Forces of ScotchYokeJoints, shape (..., n)
+        In the mechanism's axes; NaN where friction wedges the slider.
+
+    Notes
+    -----
+    Exact for rigid bodies; docs/theory/forces, eqs. (13.5), (13.7) and (13.19).
+    """
+    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
+    block = block_link(motion.pin, geometry.slot_angle)
+    slider = slider_link(motion.slider, geometry.offset)
+    group = yoke_reactions(
+        motion.block.value,
+        Yoke(geometry.offset, geometry.slot_angle),
+        YokeLoads(
+            borne(block, bodies.block, loads.block, conditions),
+            borne(slider, bodies.slider, loads.slider, conditions),
+        ),
+        conditions.friction[0],
+    )
+    on_crank = borne(crank, bodies.crank, loads.crank, conditions)
+    shaft = crank_reactions(added(on_crank, handed_back(crank, motion.pin, group.pin)))
+    equation = scotch_yoke_reduced(motion, geometry, bodies, loads, conditions.gravity)
+    return Forces(
+        ScotchYokeJoints(shaft.bearing, group.pin, group.slot, group.guide),
+        shaft.driving_torque,
+        torque_by_work(equation, conditions.drive) - group.guide.x * motion.slider.first,
+    )
+
+
+def scotch_yoke_reduced(
+    motion: ScotchYokeMotion,
+    geometry: ScotchYoke,
+    bodies: ScotchYokeBodies,
+    loads: ScotchYokeLoads,
+    gravity: Gravity,
+) -> Reduced:
+    """Reduced inertia, its derivative, and the torque of loads and weights on the crank; parameters as of the forces.
+
+    Without friction, which depends on how the crank turns. docs/theory/forces, eqs. (13.4) and (13.6).
+    """
+    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
+    block = block_link(motion.pin, geometry.slot_angle)
+    slider = slider_link(motion.slider, geometry.offset)
+    return added_reduced(
+        added_reduced(
+            reduced(crank, bodies.crank, loads.crank, gravity),
+            reduced(block, bodies.block, loads.block, gravity),
+        ),
+        reduced(slider, bodies.slider, loads.slider, gravity),
+    )
+
+
+DYNAMICS = Dynamics(
+    moving=ScotchYokeBodies._fields,
+    reactions=(
+        Reaction("main_bearing", "crank", FRAME),
+        Reaction("crank_pin", "block", "crank"),
+        Reaction("slot", "slider", "block"),
+        Reaction("guide", "slider", FRAME),
+    ),
+    sliding=("slider",),
+    load=scotch_yoke_load,
+    forces=scotch_yoke_forces,
+    reduced=scotch_yoke_reduced,
+)

@@ -1,0 +1,145 @@
+"""Forces of the slotted lever: reactions of crank, block and lever, and the driving torque."""
+
+from typing import NamedTuple
+
+from cranktrain.linkage import AHEAD, Crank, OnLine, Swivel
+from cranktrain.linkage.forces import (
+    Body,
+    Conditions,
+    Gravity,
+    Reduced,
+    SwivelLoads,
+    Wrench,
+    added,
+    added_reduced,
+    borne,
+    crank_link,
+    crank_reactions,
+    handed_back,
+    reduced,
+    swivel_reactions,
+    swivel_slider_link,
+    torque_by_work,
+)
+from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
+from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLever, SlottedLeverMotion
+from cranktrain.mechanisms.solved import Forces
+from cranktrain.motion import Array
+
+
+class SlottedLeverBodies(NamedTuple):
+    """Crank, from the shaft to its pin; block, from the pin along the slot; rocker, from its pivot along the slot."""
+
+    crank: Body
+    block: Body
+    rocker: Body
+
+
+class SlottedLeverLoads(NamedTuple):
+    """Wrenches on crank, block and rocker, each about its first pin: the shaft's centre, the crank pin, the pivot."""
+
+    crank: Wrench
+    block: Wrench
+    rocker: Wrench
+
+
+class SlottedLeverJoints(NamedTuple):
+    """Wrenches of the bearing on the crank, the crank on the block, the block on the lever, the pivot on the lever."""
+
+    main_bearing: Wrench
+    crank_pin: Wrench
+    slot: Wrench
+    pivot: Wrench
+
+
+def slotted_lever_load(motion: SlottedLeverMotion, _geometry: SlottedLever, torque: Array) -> SlottedLeverLoads:
+    """Loads for a torque on the lever, in the sense of rotation. [N·m]"""
+    zero = 0.0 * (torque + motion.rocker.cos)
+    nothing = Wrench(zero, zero, zero)
+    return SlottedLeverLoads(nothing, nothing, Wrench(zero, zero, zero + torque))
+
+
+def slotted_lever_forces(
+    motion: SlottedLeverMotion,
+    geometry: SlottedLever,
+    bodies: SlottedLeverBodies,
+    loads: SlottedLeverLoads,
+    conditions: Conditions,
+) -> Forces[SlottedLeverJoints]:
+    """All forces of a slotted lever.
+
+    Parameters
+    ----------
+    motion : SlottedLeverMotion, shape (..., n)
+    geometry : SlottedLever, fields broadcastable to (..., 1)
+    bodies : SlottedLeverBodies, fields broadcastable to (..., 1)
+    loads : SlottedLeverLoads, shape (..., n)
+    conditions : Conditions, fields broadcastable to (..., n)
+        Friction's sense is that of the block along the slot, away from the pivot.
+
+    Returns
+    -------
+    Forces of SlottedLeverJoints, shape (..., n)
+        In the mechanism's axes; NaN where the links cannot close, or friction wedges the block.
+
+    Notes
+    -----
+    Exact for rigid bodies; docs/theory/forces, eqs. (13.5), (13.7) and (13.17).
+    """
+    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
+    block = swivel_slider_link(motion.pin, motion.rocker)
+    group = swivel_reactions(
+        OnLine(motion.rocker, motion.pin),
+        Swivel(geometry.offset, AHEAD),
+        SwivelLoads(
+            borne(block, bodies.block, loads.block, conditions),
+            borne(motion.rocker, bodies.rocker, loads.rocker, conditions),
+        ),
+        conditions.friction[0],
+    )
+    on_crank = borne(crank, bodies.crank, loads.crank, conditions)
+    shaft = crank_reactions(added(on_crank, handed_back(crank, motion.pin, group.pin)))
+    equation = slotted_lever_reduced(motion, geometry, bodies, loads, conditions.gravity)
+    drag = motion.rocker.cos * group.slider.x + motion.rocker.sin * group.slider.y
+    return Forces(
+        SlottedLeverJoints(shaft.bearing, group.pin, group.slider, group.pivot),
+        shaft.driving_torque,
+        torque_by_work(equation, conditions.drive) + drag * motion.block.first,
+    )
+
+
+def slotted_lever_reduced(
+    motion: SlottedLeverMotion,
+    geometry: SlottedLever,
+    bodies: SlottedLeverBodies,
+    loads: SlottedLeverLoads,
+    gravity: Gravity,
+) -> Reduced:
+    """Reduced inertia, its derivative, and the torque of loads and weights on the crank; parameters as of the forces.
+
+    Without friction, which depends on how the crank turns. docs/theory/forces, eqs. (13.4) and (13.6).
+    """
+    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
+    block = swivel_slider_link(motion.pin, motion.rocker)
+    return added_reduced(
+        added_reduced(
+            reduced(crank, bodies.crank, loads.crank, gravity),
+            reduced(block, bodies.block, loads.block, gravity),
+        ),
+        reduced(motion.rocker, bodies.rocker, loads.rocker, gravity),
+    )
+
+
+DYNAMICS = Dynamics(
+    moving=SlottedLeverBodies._fields,
+    reactions=(
+        Reaction("main_bearing", "crank", FRAME),
+        Reaction("crank_pin", "block", "crank"),
+        Reaction("slot", "rocker", "block"),
+        Reaction("pivot", "rocker", FRAME),
+    ),
+    sliding=("block",),
+    load=slotted_lever_load,
+    forces=slotted_lever_forces,
+    reduced=slotted_lever_reduced,
+)

@@ -1,0 +1,245 @@
+"""Arguments of the kernels of forces for `test_compiled`: of the angle, of `size`, and of the side."""
+
+from cranktrain.linkage import (
+    Crank,
+    Ends,
+    LinkPoint,
+    OnLine,
+    Pin,
+    Slide,
+    Swivel,
+    SwivelEnds,
+    TriadEnds,
+    Yoke,
+    crank,
+    fixed,
+    fixed_guide,
+    pin,
+    point,
+    rod_end,
+    slide,
+    swivel,
+)
+from cranktrain.linkage.forces import (
+    Body,
+    Conditions,
+    Drive,
+    Friction,
+    Gravity,
+    PinLoads,
+    Reduced,
+    ReducedInertia,
+    SlideLoads,
+    SwivelLoads,
+    TrammelLoads,
+    TriadLoads,
+    Wrench,
+    YokeLoads,
+)
+from cranktrain.linkage.triad import GUIDE, ROD, Leg, Triad
+from cranktrain.mechanisms.articulated_rod.forces import ArticulatedRodBodies, ArticulatedRodLoads
+from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
+from cranktrain.mechanisms.crank_rocker.forces import CrankRockerBodies, CrankRockerLoads
+from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
+from cranktrain.mechanisms.oscillating_cylinder.forces import OscillatingCylinderBodies, OscillatingCylinderLoads
+from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinder, oscillating_cylinder
+from cranktrain.mechanisms.scotch_yoke.forces import ScotchYokeBodies, ScotchYokeLoads
+from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke, scotch_yoke
+from cranktrain.mechanisms.slider_crank.forces import SliderCrankBodies, SliderCrankLoads
+from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
+from cranktrain.mechanisms.slotted_lever.forces import SlottedLeverBodies, SlottedLeverLoads
+from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLever, slotted_lever
+
+
+def wrench(size):
+    return Wrench(size(3.0), size(-2.0), size(0.7))
+
+
+def body(size):
+    return Body(size(2.0), size(0.2), size(0.05), size(0.03))
+
+
+def drive(size):
+    return Drive(size(4.0), size(-3.0))
+
+
+def gravity(size):
+    return Gravity(size(0.5), size(-9.0))
+
+
+def friction(size):
+    return Friction(size(0.05), 1.0)
+
+
+def conditions(size):
+    return Conditions(drive(size), gravity(size), (friction(size),))
+
+
+def crank_pin(angle, size):
+    return crank(angle, Crank(size(0.3)))
+
+
+def group(angle, size, side):
+    return slide(crank_pin(angle, size), Slide(size(1.0), size(0.05), side))
+
+
+def rod_and_rocker(angle, size, side):
+    ends = Ends(crank_pin(angle, size), fixed(size(1.1), size(0.05)))
+    return pin(ends, Pin(size(1.0), size(0.8), side))
+
+
+def guide(angle, size):
+    return swivel(SwivelEnds(crank_pin(angle, size), fixed(size(0.1), size(-0.4))), Swivel(size(0.05), 1.0)).guide
+
+
+def triad(angle, size):
+    """The link need not be where the legs would hold it: the forces only ask where it is."""
+    ends = TriadEnds(
+        rod_end(crank_pin(angle, size)),
+        rod_end(fixed(size(1.2), size(0.6))),
+        fixed_guide(size(0.4), size(-0.9), size(0.6)),
+    )
+    places = [LinkPoint(size(0.3), size(direction)) for direction in (0.5, 2.5, 4.5)]
+    legs = Triad(Leg(places[0], size(1.0), ROD), Leg(places[1], size(0.8), ROD), Leg(places[2], size(0.2), GUIDE))
+    return group(angle, size, 1.0).rod, ends, legs, TriadLoads(*(wrench(size) for _ in range(4)))
+
+
+def mechanism(kernel, geometry, bodies, loads):
+    """Motion, geometry, bodies and loads of a kind."""
+
+    def made(angle, size, side):
+        own = geometry(size, side)
+        return (
+            kernel(angle, own),
+            own,
+            bodies(*(body(size) for _ in bodies._fields)),
+            loads(*(wrench(size) for _ in loads._fields)),
+        )
+
+    return made
+
+
+def slider_crank_geometry(size, side):
+    return SliderCrank(size(0.3), size(1.0), size(0.05))
+
+
+KINDS = {
+    "slider_crank": mechanism(slider_crank, slider_crank_geometry, SliderCrankBodies, SliderCrankLoads),
+    "crank_rocker": mechanism(
+        crank_rocker,
+        lambda size, side: CrankRocker(size(0.3), size(1.0), size(0.8), size(1.1), side),
+        CrankRockerBodies,
+        CrankRockerLoads,
+    ),
+    "scotch_yoke": mechanism(
+        scotch_yoke, lambda size, side: ScotchYoke(size(0.3), size(0.1), size(1.2)), ScotchYokeBodies, ScotchYokeLoads
+    ),
+    "oscillating_cylinder": mechanism(
+        oscillating_cylinder,
+        lambda size, side: OscillatingCylinder(size(0.3), size(0.5), size(0.05), 1.0),
+        OscillatingCylinderBodies,
+        OscillatingCylinderLoads,
+    ),
+    "slotted_lever": mechanism(
+        slotted_lever,
+        lambda size, side: SlottedLever(size(0.3), size(0.5), size(0.05), 1.0),
+        SlottedLeverBodies,
+        SlottedLeverLoads,
+    ),
+    "articulated_rod": mechanism(
+        articulated_rod,
+        lambda size, side: ArticulatedRod(
+            slider_crank_geometry(size, side), size(0.25), size(1.2), size(1.0), size(0.8), size(0.02)
+        ),
+        ArticulatedRodBodies,
+        ArticulatedRodLoads,
+    ),
+}
+
+
+def of_kind(name, made):
+    """The kernels that every kind has."""
+    return {
+        f"{name}.{name}_forces": lambda angle, size, side: (*made(angle, size, side), conditions(size)),
+        f"{name}.{name}_reduced": lambda angle, size, side: (*made(angle, size, side), gravity(size)),
+        f"{name}.{name}_load": lambda angle, size, side: (*made(angle, size, side)[:2], size(5.0)),
+    }
+
+
+def reduced(size):
+    return Reduced(ReducedInertia(size(0.3), size(0.1)), size(2.0))
+
+
+EXAMPLES = {
+    **{kernel: example for name, made in KINDS.items() for kernel, example in of_kind(name, made).items()},
+    "articulated_rod.on_master_rod": lambda angle, size, side: (
+        *KINDS["articulated_rod"](angle, size, side)[:2],
+        wrench(size),
+    ),
+    "articulated_rod.slave_reactions": lambda angle, size, side: (
+        *KINDS["articulated_rod"](angle, size, side),
+        conditions(size),
+    ),
+    "forces.added": lambda angle, size, side: (wrench(size), wrench(size)),
+    "forces.added_reduced": lambda angle, size, side: (reduced(size), reduced(size)),
+    "forces.applied": lambda angle, size, side: (group(angle, size, side).rod, body(size), drive(size), gravity(size)),
+    "forces.block_link": lambda angle, size, side: (crank_pin(angle, size), size(1.2)),
+    "forces.borne": lambda angle, size, side: (
+        group(angle, size, side).rod,
+        body(size),
+        wrench(size),
+        conditions(size),
+    ),
+    "forces.crank_link": lambda angle, size, side: (crank_pin(angle, size), Crank(size(0.3))),
+    "forces.crank_reactions": lambda angle, size, side: (wrench(size),),
+    "forces.dragged": lambda angle, size, side: (size(-3.0), friction(size)),
+    "forces.handed_back": lambda angle, size, side: (
+        group(angle, size, side).rod,
+        point(group(angle, size, side).rod, LinkPoint(size(0.2), size(0.7))),
+        wrench(size),
+    ),
+    "forces.opposite": lambda angle, size, side: (wrench(size),),
+    "forces.pin_reactions": lambda angle, size, side: (
+        rod_and_rocker(angle, size, side),
+        Pin(size(1.0), size(0.8), side),
+        PinLoads(wrench(size), wrench(size)),
+    ),
+    "forces.pressed": lambda angle, size, side: (size(-3.0), size(0.4), friction(size)),
+    "forces.reduced": lambda angle, size, side: (
+        group(angle, size, side).rod,
+        body(size),
+        wrench(size),
+        gravity(size),
+    ),
+    "forces.reduced_inertia": lambda angle, size, side: (group(angle, size, side).rod, body(size)),
+    "forces.slide_reactions": lambda angle, size, side: (
+        group(angle, size, side).rod,
+        Slide(size(1.0), size(0.05), side),
+        SlideLoads(wrench(size), wrench(size)),
+        friction(size),
+    ),
+    "forces.slider_link": lambda angle, size, side: (group(angle, size, side).slider, size(0.05)),
+    "forces.swivel_reactions": lambda angle, size, side: (
+        OnLine(guide(angle, size), crank_pin(angle, size)),
+        Swivel(size(0.05), 1.0),
+        SwivelLoads(wrench(size), wrench(size)),
+        friction(size),
+    ),
+    "forces.swivel_slider_link": lambda angle, size, side: (crank_pin(angle, size), guide(angle, size)),
+    "forces.torque_by_work": lambda angle, size, side: (reduced(size), drive(size)),
+    "forces.trammel_reactions": lambda angle, size, side: (
+        guide(angle, size),
+        TrammelLoads(wrench(size), wrench(size)),
+        friction(size),
+    ),
+    "forces.triad_reactions": lambda angle, size, side: triad(angle, size),
+    "forces.turned_wrench": lambda angle, size, side: (wrench(size), size(0.7)),
+    "forces.weight": lambda angle, size, side: (group(angle, size, side).rod, body(size), gravity(size)),
+    "forces.work": lambda angle, size, side: (group(angle, size, side).rod, wrench(size)),
+    "forces.yoke_reactions": lambda angle, size, side: (
+        size(0.3),
+        Yoke(size(0.1), size(1.2)),
+        YokeLoads(wrench(size), wrench(size)),
+        friction(size),
+    ),
+}

@@ -1,0 +1,140 @@
+"""What the frame bears is the mechanism's momentum, differentiated: by its Fourier series over the turn.
+
+Constant speed, no loads: nothing but the frame acts from outside. The links close with five per cent to spare.
+"""
+
+import numpy as np
+import pytest
+from tests.exact.test_kind_forces import GEOMETRIES, LINKS, N, circumstances, records
+
+from cranktrain.linkage import LinkPoint, point
+from cranktrain.linkage.forces import Drive, Gravity, Wrench
+from cranktrain.mechanisms import kind_named
+from cranktrain.mechanisms.chain.forces import chain_dynamics, chain_links
+from cranktrain.mechanisms.chain.kinematics import chain_gap, chain_motion
+from cranktrain.mechanisms.chain.steps import (
+    ChainSize,
+    CrankSize,
+    PinSize,
+    PinStep,
+    Place,
+    PointSize,
+    PointStep,
+    SlideSize,
+    SlideStep,
+    Structure,
+    SwivelSize,
+    SwivelStep,
+    TrammelSize,
+    TrammelStep,
+    YokeSize,
+    YokeStep,
+)
+from cranktrain.mechanisms.kind import FRAME
+from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
+from cranktrain.numerics import spectral_derivative, turn_grid
+
+PHI = turn_grid(1440)
+CLOSE = 1e-11
+"""Of the largest force over the turn, as asked of a machine with that margin."""
+
+
+def momentum_change(links, bodies, speed):
+    """Change of momentum in time, x and y."""
+    change = 0.0
+    for link, body in zip(links, bodies, strict=True):
+        centre = point(link, LinkPoint(np.hypot(body.along, body.across), np.arctan2(body.across, body.along)))
+        change = change + body.mass * np.array([centre.x.first, centre.y.first])
+    return speed**2 * spectral_derivative(change)
+
+
+def steady(random, dynamics, senses):
+    """Any bodies, no loads, constant speed, no gravity."""
+    bodies, loads, conditions = circumstances(random, dynamics, senses, 0.0)
+    nothing = Wrench(*3 * [np.zeros((N, 1))])
+    drive = Drive(conditions.drive.speed, 0.0 * conditions.drive.speed)
+    return bodies, [nothing for _ in loads], conditions._replace(drive=drive, gravity=Gravity(0.0, 0.0))
+
+
+def of_frame(dynamics, joints):
+    """Sum of the frame's forces, x and y."""
+    named = zip(dynamics.reactions, joints, strict=True)
+    return sum(np.array(np.broadcast_arrays(*wrench[:2])) for joint, wrench in named if joint.by == FRAME)
+
+
+def assert_borne(total, change):
+    apart = np.max(np.abs(total - change), axis=(0, -1))
+    assert np.all(apart <= CLOSE * np.max(np.abs(change), axis=(0, -1)))
+
+
+@pytest.mark.parametrize("name", GEOMETRIES)
+def test_kinds(name):
+    kind, geometry = kind_named(name), GEOMETRIES[name]()
+    motion = kind.motion(PHI, geometry)
+    bodies, loads, conditions = steady(np.random.default_rng(2), kind.dynamics, [1.0] * len(kind.dynamics.sliding))
+    bodies, loads = (record(*parts) for record, parts in zip(records(kind), (bodies, loads), strict=True))
+    joints = kind.dynamics.forces(motion, geometry, bodies, loads, conditions).joints
+    change = momentum_change(LINKS[name](motion, geometry), bodies, conditions.drive.speed)
+    assert_borne(of_frame(kind.dynamics, joints), change)
+
+
+def test_a_rod_hardly_longer_than_the_crank():
+    """λ = 0.93: the rod's angle swings by 137°."""
+    kind, geometry = kind_named("slider_crank"), SliderCrank(*(np.full((N, 1), x) for x in (0.093, 0.1, 0.0)))
+    motion = kind.motion(PHI, geometry)
+    bodies, loads, conditions = steady(np.random.default_rng(2), kind.dynamics, [1.0])
+    bodies, loads = (record(*parts) for record, parts in zip(records(kind), (bodies, loads), strict=True))
+    forces = kind.dynamics.forces(motion, geometry, bodies, loads, conditions)
+    change = momentum_change(LINKS["slider_crank"](motion, geometry), bodies, conditions.drive.speed)
+    assert_borne(of_frame(kind.dynamics, forces.joints), change)
+    scale = np.max(np.abs(forces.torque_by_work), axis=-1, keepdims=True)
+    assert np.max(np.abs(forces.driving_torque - forces.torque_by_work) / scale) < 1e-12
+
+
+CHAIN = Structure(
+    ("main", "second"),
+    ("C", "D"),
+    (
+        PinStep("main.pin", "C", "rod", "rocker", "knee"),
+        PointStep("rocker", "horn"),
+        SlideStep("horn", "link", "ram", "C"),
+        SwivelStep("second.pin", "D", "lever", "block"),
+        TrammelStep("lever", "valve", "O"),
+        YokeStep("ram.pin", "feed", "D"),
+        PointStep("lever", "tip"),
+        PinStep("tip", "C", "arm", "bell", "end"),
+    ),
+    "ram",
+)
+"""All groups, one on the other: a toggle whose rocker drives a ram, on it a yoke; a slotted lever with all on it."""
+
+
+def test_a_chain_of_all_groups():
+    random = np.random.default_rng(4)
+
+    def about(value):
+        return value * (1 + random.uniform(-0.05, 0.05, (N, 1)))
+
+    zero = np.zeros((N, 1))
+    size = ChainSize(
+        (CrankSize(about(0.1), zero), CrankSize(about(0.08), about(1.0))),
+        (Place(about(0.7), about(0.3)), Place(about(-0.1), about(-0.5))),
+        (
+            PinSize(about(0.7), about(0.5), zero + 1),
+            PointSize(about(0.6), about(0.4)),
+            SlideSize(about(0.9), zero + 1, about(0.3), about(0.1)),
+            SwivelSize(about(0.05), zero + 1),
+            TrammelSize(about(0.02), about(0.2), about(0.1), zero + 1),
+            YokeSize(about(1.2), about(-0.6), about(0.2)),
+            PointSize(about(0.7), about(0.1)),
+            PinSize(about(0.8), about(0.9), zero - 1),
+        ),
+    )
+    assert np.all(chain_gap(CHAIN, PHI, size) > 0.02)
+    motion, dynamics = chain_motion(CHAIN, PHI, size), chain_dynamics(CHAIN)
+    bodies, loads, conditions = steady(random, dynamics, [1.0] * len(dynamics.sliding))
+    forces = dynamics.forces(motion, size, tuple(bodies), tuple(loads), conditions)
+    change = momentum_change(chain_links(CHAIN, motion, size).values(), bodies, conditions.drive.speed)
+    assert_borne(of_frame(dynamics, forces.joints), change)
+    scale = np.max(np.abs(forces.torque_by_work), axis=-1, keepdims=True)
+    assert np.max(np.abs(forces.driving_torque - forces.torque_by_work) / scale) < 1e-12
