@@ -8,13 +8,16 @@ from typing import Any, Literal, Self, cast
 import numpy as np
 from pydantic import Field, ValidationError, model_validator
 
+from cranktrain.engine.bodies import BodySpec, Friction
 from cranktrain.engine.cylinders import cylinder_problems, firing_order_of
 from cranktrain.engine.gearing import first_axis
+from cranktrain.engine.masses import Weighed, mass_problems
 from cranktrain.engine.places import Place, places_of
 from cranktrain.engine.points import point_problems
 from cranktrain.engine.specs import MAIN, OVERRIDES, BankSpec, CylindersSpec, ShaftSpec
 from cranktrain.engine.standing import standing_problems
 from cranktrain.errors import InputError, Problem
+from cranktrain.gas import AnyGas
 from cranktrain.language import _
 from cranktrain.mechanisms import AnyMechanism
 from cranktrain.mechanisms.closing import OpenRange, open_ranges
@@ -51,6 +54,10 @@ class Machine(Spec, frozen=True):
     mechanism: AnyMechanism | None = None
     bank: Mapping[str, BankSpec] = Field(default={})
     cylinder: CylindersSpec = CylindersSpec()
+    masses: Mapping[str, BodySpec] = Field(default={})
+    friction: Mapping[str, Friction] = Field(default={})
+    gravity: bool = False
+    gas: AnyGas | None = None
 
     def __init__(self, /, **data: Any) -> None:
         try:
@@ -134,6 +141,15 @@ class Machine(Spec, frozen=True):
         return -self.sense * self.first_axis
 
     @property
+    def weighed(self) -> Weighed:
+        """What the file says of masses, by the paths of its tables."""
+        tables = {"masses": self.masses} if self.masses else {}
+        for name, bank in self.bank.items():
+            own = {"": bank.masses} | {f"{end}.": piston.masses for end, piston in bank.opposed.items()}
+            tables |= {f"bank.{name}.{place}masses": bodies for place, bodies in own.items() if bodies}
+        return Weighed(tables, self.friction, self.gravity, self.first_axis, self.rotation == "clockwise")
+
+    @property
     def places(self) -> tuple[Place, ...]:
         """Every mechanism of the machine, arranged on shaft and banks; none where they cannot be arranged."""
         return arranged(self)[0]
@@ -196,6 +212,7 @@ def machine_problems(machine: Machine, *, partial: bool = False) -> tuple[Proble
             machine.shafts, places, first_angle=machine.first_axis, clockwise=machine.rotation == "clockwise"
         ),
     )
+    found = (*found, *mass_problems(places, machine.weighed))
     if pistons:
         found = (*found, *firing_order_of(machine.cylinder, pistons, astern=machine.is_astern)[1])
     return found if partial else (*found, *_closing_problems(machine, places))

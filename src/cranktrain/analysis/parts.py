@@ -18,6 +18,8 @@ from cranktrain.engine.cylinders import (
 )
 from cranktrain.engine.firing import Cycle
 from cranktrain.engine.followed import FollowedLinks, FollowedSliders, followed_of
+from cranktrain.engine.forces import carriers_of
+from cranktrain.engine.gas import DeclaredGas
 from cranktrain.engine.layout import (
     CrankAngle,
     Mechanisms,
@@ -29,6 +31,7 @@ from cranktrain.engine.layout import (
     has_rods,
     mechanisms_of,
 )
+from cranktrain.engine.masses import masses_of
 from cranktrain.engine.opposed import OpposedCylinders
 from cranktrain.engine.places import Place
 from cranktrain.engine.points import link_points_of
@@ -37,8 +40,10 @@ from cranktrain.engine.rocker_load import load_radius_of
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine, machine_problems
+from cranktrain.motion import Array, single
 from cranktrain.quantities import Given
 from cranktrain.spec import Spec
+from cranktrain.textbook.steam_engine import brix_angle
 
 Parts = dict[type, object]
 """What a machine declares, in SI: one object of each type."""
@@ -84,7 +89,10 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
         link_points_of(designs),
         followed_of(FollowedLinks, designs[0]),
         followed_of(FollowedSliders, designs[0]),
+        carriers_of(designs[0]),
     ]
+    if first.gas is not None or first.masses or first.weighed.bodies:
+        parts.append(masses_of(designs, [machine.weighed for machine in machines]))
     pistons = _with_output(designs, "slider")
     rockers = _with_output(designs, "rocker")
     if pistons[0]:
@@ -101,6 +109,7 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
             (ports := ports_of(cylinders)),
             TwoStroke() if ports is not None or first.cylinder.cycle == "two-stroke" else None,
             Cycle(cycle) if cycle else None,
+            _declared_gas(machines),
             firing_order_of(first.cylinder, pistons[0], astern=first.is_astern)[0],
         ]
     if rockers[0]:
@@ -155,6 +164,17 @@ def _structure(declared: object, path: str = "") -> Iterator[tuple[str, object]]
             yield from _structure(value, f"{path}[{place}]")
     elif declared is not None:
         yield path, declared
+
+
+def _declared_gas(machines: Sequence[Machine]) -> DeclaredGas | None:
+    """Collect the gas models; None where the file has none."""
+    specs = tuple(machine.gas for machine in machines if machine.gas is not None)
+    return DeclaredGas(specs, _brix) if specs else None
+
+
+def _brix(travelled: Array, ratio: float) -> Array:
+    """Crank angle of the outward stroke by Brix's construction read backwards."""
+    return brix_angle(2.0 * travelled, single(1.0), single(ratio))
 
 
 def _with_output(designs: Sequence[Sequence[Place]], output: str) -> list[list[Place]]:

@@ -15,6 +15,8 @@ from cranktrain.engine.couplers import coupler_motion, coupler_speeds
 from cranktrain.engine.dead_centres import dead_centres, piston_turn
 from cranktrain.engine.firing import firing
 from cranktrain.engine.followed import link_motion, slider_motions
+from cranktrain.engine.forces import joint_forces, loaded_machine, mechanism_torques, solved_cycle
+from cranktrain.engine.gas import gas_in_chambers, gas_pressures
 from cranktrain.engine.motion import piston_motion, piston_speeds
 from cranktrain.engine.opposed import combined_motion, combined_speeds, volumetric_dead_centres
 from cranktrain.engine.points import point_motion
@@ -108,6 +110,12 @@ STAGES: tuple[Stage, ...] = tuple(
         link_motion,
         slider_motions,
         *(function for kind in KINDS for function in kind.stages),
+        gas_in_chambers,
+        gas_pressures,
+        loaded_machine,
+        solved_cycle,
+        mechanism_torques,
+        joint_forces,
         axial_positions,
         closing,
         textbook_motion,

@@ -216,7 +216,8 @@ def firing_order_of(
     names = [place.cylinder for place in leading]
     problems = _number_problems(common, names)
     if common.firing_order is None or problems:
-        return None, problems
+        own = _own_order(common, leading) if not problems else None
+        return own, problems
     order = [common.numbers.get(word, word) for word in re.split(r"[\s,–-]+", common.firing_order.strip()) if word]
     problems = _order_problems(common, order, names)
     if problems:
@@ -228,6 +229,14 @@ def firing_order_of(
     by_cylinder = {name: word for word, name in common.numbers.items()}
     numbers = tuple(by_cylinder.get(name, name) for name in order) if by_cylinder else ()
     return (None if problems else FiringOrder(np.array(index, dtype=np.intp), numbers)), problems
+
+
+def _own_order(common: CylindersSpec, leading: Sequence[Place]) -> FiringOrder | None:
+    """Order in which cylinders fire that have no choice: one alone, and those of a two-stroke as their cranks come."""
+    if len(leading) > 1 and common.cycle != "two-stroke":
+        return None
+    tops = within_turn(np.array([place.nominal_top for place in leading]))
+    return FiringOrder(np.argsort(tops, kind="stable"))
 
 
 def _number_problems(common: CylindersSpec, names: Sequence[str]) -> tuple[Problem, ...]:

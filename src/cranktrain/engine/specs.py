@@ -5,6 +5,7 @@ from typing import Annotated, Any, Literal, Self, TypeVar, cast
 
 from pydantic import BeforeValidator, Field, model_validator
 
+from cranktrain.engine.bodies import BodySpec
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.mechanisms import AnyMechanism, MechanismSpec
@@ -77,6 +78,7 @@ class OpposedPistonSpec(Spec, frozen=True):
     shaft: str = MAIN
     throws: tuple[int, ...] | None = Field(default=None, min_length=1)
     side_rods: bool = False
+    masses: Mapping[str, BodySpec] = Field(default={})
 
 
 class BankSpec(Spec, frozen=True):
@@ -96,6 +98,7 @@ class BankSpec(Spec, frozen=True):
     exhaust: OpposedPistonSpec | None = None
     scavenge: OpposedPistonSpec | None = None
     lead: Angle | None = None
+    masses: Mapping[str, BodySpec] = Field(default={})
 
     @property
     def opposed(self) -> "Mapping[str, OpposedPistonSpec]":

@@ -134,6 +134,7 @@ class Dynamics:
 
     Attributes
     ----------
+    bodies : callable (*Body) → what `forces` takes as bodies
     moving : tuple of str
         What has mass and bears loads, in the order in which `forces` takes bodies and loads.
     reactions : tuple of Reaction
@@ -149,14 +150,18 @@ class Dynamics:
         driving torque by them and by virtual work.
     reduced : kernel (motion, geometry, bodies, loads, gravity) → Reduced
         What an equation of motion needs: reduced inertia, its derivative, and the loads' torque on the crank.
+    on_master : kernel (motion, geometry, wrench) → Wrench, optional
+        Of a mechanism that hangs on another's rod: what it does to that rod, from the reaction in its first joint.
     """
 
+    bodies: Callable[..., Any]
     moving: tuple[str, ...]
     reactions: tuple[Reaction, ...]
     sliding: tuple[str, ...]
     load: Callable[[Any, Any, Array], Any]
     forces: Callable[[Any, Any, Any, Any, Any], Any]
     reduced: Callable[[Any, Any, Any, Any, Any], Any]
+    on_master: Callable[[Any, Any, Any], Any] | None = None
 
 
 @dataclass(frozen=True)

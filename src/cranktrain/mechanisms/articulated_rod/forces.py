@@ -181,6 +181,7 @@ def articulated_rod_reduced(
 
 
 DYNAMICS = Dynamics(
+    bodies=ArticulatedRodBodies,
     moving=ArticulatedRodBodies._fields,
     reactions=(
         Reaction("knuckle", "rod", "master_rod"),
@@ -195,4 +196,5 @@ DYNAMICS = Dynamics(
     load=articulated_rod_load,
     forces=articulated_rod_forces,
     reduced=articulated_rod_reduced,
+    on_master=on_master_rod,
 )

@@ -252,6 +252,11 @@ def chain_forces(
     return Forces(joints, shaft.driving_torque, by_work)
 
 
+def _together(*bodies: Body) -> tuple[Body, ...]:
+    """Bodies as `chain_forces` takes them."""
+    return bodies
+
+
 def chain_reduced(
     structure: Structure,
     motion: ChainMotion,
@@ -358,6 +363,7 @@ _SOLVED: Mapping[type, Callable[[Any, Any, _Walk], None]] = {
 def chain_dynamics(structure: Structure) -> Dynamics:
     """What forces a chain gives."""
     return Dynamics(
+        _together,
         chain_moving(structure),
         chain_reactions(structure),
         chain_sliding(structure),

@@ -125,6 +125,7 @@ def crank_rocker_reduced(
 
 
 DYNAMICS = Dynamics(
+    bodies=CrankRockerBodies,
     moving=CrankRockerBodies._fields,
     reactions=(
         Reaction("main_bearing", "crank", FRAME),

@@ -148,6 +148,7 @@ def oscillating_cylinder_reduced(
 
 
 DYNAMICS = Dynamics(
+    bodies=OscillatingCylinderBodies,
     moving=OscillatingCylinderBodies._fields,
     reactions=(
         Reaction("main_bearing", "crank", FRAME),

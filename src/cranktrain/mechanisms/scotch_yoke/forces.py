@@ -132,6 +132,7 @@ def scotch_yoke_reduced(
 
 
 DYNAMICS = Dynamics(
+    bodies=ScotchYokeBodies,
     moving=ScotchYokeBodies._fields,
     reactions=(
         Reaction("main_bearing", "crank", FRAME),

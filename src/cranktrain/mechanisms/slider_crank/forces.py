@@ -145,6 +145,7 @@ def slider_crank_reduced(
 
 
 DYNAMICS = Dynamics(
+    bodies=SliderCrankBodies,
     moving=SliderCrankBodies._fields,
     reactions=(
         Reaction("main_bearing", "crank", FRAME),

@@ -131,6 +131,7 @@ def slotted_lever_reduced(
 
 
 DYNAMICS = Dynamics(
+    bodies=SlottedLeverBodies,
     moving=SlottedLeverBodies._fields,
     reactions=(
         Reaction("main_bearing", "crank", FRAME),

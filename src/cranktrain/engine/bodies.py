@@ -1,0 +1,46 @@
+"""Rigid bodies: their tables of the machine file."""
+
+from typing import Annotated, Self
+
+from pydantic import model_validator
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.quantities import Dimension, Given, Length, PositiveMass, Quantity
+from cranktrain.spec import Spec
+
+Friction = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]
+NonNegativeInertia = Annotated[Given, Quantity(Dimension.INERTIA, at_least=0.0)]
+
+
+class BodySpec(Spec, frozen=True):
+    """A rigid body on a link: mass, centroid from the link's first pin along it and to its left, inertia about that.
+
+    A rod may be weighed at both ends instead: `big_end` at its first pin, `small_end` at its second. A rod's inertia
+    that is not given is that of two such masses.
+    """
+
+    mass: PositiveMass | None = None
+    along: Length | None = None
+    across: Length = Given(0.0, "0 mm")
+    inertia: NonNegativeInertia | None = None
+    big_end: PositiveMass | None = None
+    small_end: PositiveMass | None = None
+
+    @model_validator(mode="after")
+    def _weighed_one_way(self) -> Self:
+        """Refuse a mass beside the ends' masses, neither, and one end alone."""
+        ends = {"big_end": self.big_end, "small_end": self.small_end}
+        given = [name for name, end in ends.items() if end is not None]
+        found: list[Problem] = []
+        if not given and self.mass is None:
+            found.append(Problem("mass", None, _("is missing; give it, or big_end and small_end")))
+        if len(given) == 1:
+            missing = next(name for name in ends if name not in given)
+            found.append(Problem(missing, None, _("is missing; a rod is weighed at both ends")))
+        if given:
+            allowed = _("must not stand beside the masses of both ends, which say it")
+            found += [Problem(name, None, allowed) for name in ("mass", "along") if getattr(self, name) is not None]
+        if found:
+            raise InputError(found)
+        return self

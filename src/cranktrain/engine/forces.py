@@ -1,0 +1,297 @@
+"""Forces in every joint of a machine, and the torque that its mechanisms give to the shaft."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.catalogue import quantity
+from cranktrain.checks import Check
+from cranktrain.engine.gas import GasInChambers
+from cranktrain.engine.layout import CrankAngle, Mechanisms, Speed
+from cranktrain.engine.masses import Masses
+from cranktrain.engine.places import Place
+from cranktrain.language import N_, _
+from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench
+from cranktrain.motion import Array, single
+
+_JOINT = ("joint", "crank_angle")
+_MECHANISM = ("mechanism", "crank_angle")
+_THEORY = "docs/theory/forces"
+_TORQUES_LIMIT = 1e-12
+
+
+@dataclass(frozen=True)
+class Carriers:
+    """Which mechanisms hang on which, and which pistons they are.
+
+    Attributes
+    ----------
+    master : array of int, shape (mechanism,)
+        On whose rod a slave hangs; −1 for a mechanism on the crank itself.
+    piston : array of int, shape (mechanism,)
+        Which piston it drives; −1 for none.
+    """
+
+    needs: ClassVar[str] = ""
+
+    master: NDArray[np.intp]
+    piston: NDArray[np.intp]
+
+
+def carriers_of(places: Sequence[Place]) -> Carriers:
+    """Find every slave's master: the slider-crank of the bank that it names, on the same throw."""
+    master: list[int] = []
+    pistons = 0
+    piston: list[int] = []
+    for place in places:
+        bank = getattr(place.spec, "master", None)
+        master.append(
+            next(
+                (
+                    i
+                    for i, other in enumerate(places)
+                    if other.bank == bank
+                    and (other.shaft, other.throw) == (place.shaft, place.throw)
+                    and other.kind.name == "slider_crank"
+                ),
+                -1,
+            )
+            if bank is not None
+            else -1
+        )
+        is_piston = place.kind.output == "slider"
+        piston.append(pistons if is_piston else -1)
+        pistons += is_piston
+    return Carriers(np.array(master, dtype=np.intp), np.array(piston, dtype=np.intp))
+
+
+class SolvedGroup(NamedTuple):
+    """Forces of the mechanisms of one kind: motion and `Forces`, arrays of shape (design, member, n)."""
+
+    motion: Any
+    forces: Any
+
+
+@dataclass(frozen=True)
+class LoadedMachine:
+    """A machine with all that acts on it, to be solved at any crank angle.
+
+    Attributes
+    ----------
+    mechanisms : Mechanisms
+    carriers : Carriers
+    masses : Masses
+    gas : GasInChambers or None
+    speed : Array, shape (design, 1, 1). [rad/s]
+    """
+
+    mechanisms: Mechanisms
+    carriers: Carriers
+    masses: Masses
+    gas: GasInChambers | None
+    speed: Array
+
+    def solved(self, angle: Array, friction_sense: float | None = None) -> tuple[SolvedGroup, ...]:
+        """Solve every mechanism.
+
+        Parameters
+        ----------
+        angle : Array, shape (n,) or (design, 1, n)
+            φ. [rad]
+        friction_sense : float, optional
+            +1 or −1 for the value on either side of a standstill; of each slider's own velocity unless given.
+
+        Returns
+        -------
+        tuple of SolvedGroup
+            In the order of `mechanisms.groups`.
+        """
+        pressing = self._pressing(angle)
+        on_rods: dict[int, Wrench] = {}
+        found: dict[int, SolvedGroup] = {}
+        groups = list(enumerate(self.mechanisms.groups))
+        # Slaves first: what they do to their masters' rods is a load there.
+        for place, group in sorted(groups, key=lambda one: one[1].kind.name != "articulated_rod"):
+            dynamics, size = group.kind.dynamics, group.members.geometry
+            motion = group.kind.motion(angle + group.members.phase, size)
+            made = self.masses.groups[place]
+            loads = dynamics.load(motion, size, pressing(group.index))
+            if "rod" in getattr(loads, "_fields", ()):
+                loads = loads._replace(rod=_with_slaves(loads.rod, group.index, on_rods))
+            friction = tuple(
+                Friction(
+                    coefficient,
+                    np.sign(group.kind.part(motion, name).first) if friction_sense is None else single(friction_sense),
+                )
+                for name, coefficient in zip(dynamics.sliding, made.friction, strict=True)
+            )
+            conditions = Conditions(Drive(self.speed, np.zeros_like(self.speed)), made.gravity, friction)
+            forces = dynamics.forces(motion, size, made.bodies, loads, conditions)
+            found[place] = SolvedGroup(motion, forces)
+            if dynamics.on_master is not None:
+                wrench = dynamics.on_master(motion, size, forces.joints[0])
+                for member, mechanism in enumerate(group.index.tolist()):
+                    master = int(self.carriers.master[mechanism])
+                    own = Wrench(*(part[:, member : member + 1] for part in wrench))
+                    on_rods[master] = Wrench(*map(np.add, on_rods[master], own)) if master in on_rods else own
+        return tuple(found[place] for place, _group in groups)
+
+    def _pressing(self, angle: Array) -> Callable[[NDArray[np.intp]], Array]:
+        """Force along the output of each of some mechanisms, away from the shaft, shape (design, member, n)."""
+        if self.gas is None:
+            return lambda _index: np.zeros((1, 1, 1))
+        toward = self.gas.force(self.gas.pressure(angle, self.gas.volume(angle)))
+        piston = self.carriers.piston
+
+        def of(index: NDArray[np.intp]) -> Array:
+            own = piston[index]
+            return np.where((own >= 0)[:, np.newaxis], -toward[:, np.maximum(own, 0)], 0.0)
+
+        return of
+
+
+def _with_slaves(rod: Wrench, index: NDArray[np.intp], on_rods: dict[int, Wrench]) -> Wrench:
+    """Add what slaves do to the rods of some mechanisms."""
+    if not any(int(mechanism) in on_rods for mechanism in index):
+        return rod
+    shape = np.broadcast_shapes(*(part.shape for part in rod), *(wrench.x.shape for wrench in on_rods.values()))
+    total = [np.array(np.broadcast_to(part, (shape[0], len(index), shape[-1]))) for part in rod]
+    for member, mechanism in enumerate(index.tolist()):
+        if mechanism in on_rods:
+            for part, added in zip(total, on_rods[mechanism], strict=True):
+                part[:, member : member + 1] += added
+    return Wrench(*total)
+
+
+def loaded_machine(
+    mechanisms: Mechanisms, carriers: Carriers, masses: Masses, speed: Speed, gas: GasInChambers | None
+) -> LoadedMachine:
+    """Put masses and gas to the mechanisms."""
+    return LoadedMachine(mechanisms, carriers, masses, gas, speed.value)
+
+
+@dataclass(frozen=True)
+class SolvedCycle:
+    """Forces of every mechanism on the grid of crank angles; nothing that people read as it is."""
+
+    groups: tuple[SolvedGroup, ...]
+
+
+def solved_cycle(loaded: LoadedMachine, crank_angle: CrankAngle) -> SolvedCycle:
+    """Solve the machine on its grid."""
+    return SolvedCycle(loaded.solved(crank_angle.angle))
+
+
+@dataclass(frozen=True)
+class JointForces:
+    """Reaction in every joint, in the axes of its mechanism."""
+
+    joint_force_x: Array = quantity("F_x", "N", _JOINT, N_("Force in the joint along its mechanism's x"), _THEORY)
+    joint_force_y: Array = quantity("F_y", "N", _JOINT, N_("Force in the joint along its mechanism's y"), _THEORY)
+    joint_moment: Array = quantity(
+        "M_J", "N*m", _JOINT, N_("Moment in the joint: of a guide on what slides in it, about its pin"), _THEORY
+    )
+    largest_joint_force: Array = quantity(
+        "F_max", "N", ("joint",), N_("Largest force in the joint on the grid of crank angles"), _THEORY
+    )
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"joint": ()})
+    flags: tuple[str, ...] = ()
+
+
+def joint_forces(loaded: LoadedMachine, solved: SolvedCycle) -> JointForces:
+    """Reactions of all joints; a master's hold what its slaves do to it."""
+    names: list[str] = []
+    rows: list[Wrench] = []
+    order: list[int] = []
+    for group, one in zip(loaded.mechanisms.groups, solved.groups, strict=True):
+        dynamics = group.kind.dynamics
+        for place, reaction in enumerate(dynamics.reactions):
+            if reaction.on not in dynamics.moving:
+                continue  # a slave's share of its master's, which has it already
+            for member, mechanism in enumerate(group.index.tolist()):
+                names.append(f"{loaded.mechanisms.names[mechanism]}.{reaction.name}")
+                rows.append(Wrench(*(_member(part, member) for part in one.forces.joints[place])))
+                order.append(mechanism)
+    sequence: list[int] = np.argsort(order, kind="stable").tolist()
+    x, y, moment = (
+        np.stack(np.broadcast_arrays(*(row[part] for row in rows)), axis=1)[:, sequence] for part in range(3)
+    )
+    return JointForces(
+        joint_force_x=x,
+        joint_force_y=y,
+        joint_moment=moment,
+        largest_joint_force=np.max(np.hypot(x, y), axis=-1),
+        labels={"joint": tuple(names[i] for i in sequence)},
+        flags=tuple(_flags(loaded.masses)),
+    )
+
+
+def _member(part: Array, member: int) -> Array:
+    """One mechanism's values, shape (design, n); what is one number for all stands for each."""
+    return part[:, min(member, part.shape[1] - 1)] if part.ndim == 3 else np.reshape(part, (1, 1))
+
+
+def _flags(masses: Masses) -> Iterator[str]:
+    """Mind what has no mass, and rods whose inertia is assumed."""
+    if masses.weightless:
+        yield _("Without mass: {parts}.").format(parts=", ".join(masses.weightless))
+    if masses.assumed:
+        yield _(
+            "Inertia of two masses at its ends is taken for {parts}; of measured rods it is from 3 % less to 22 % more."
+        ).format(parts=", ".join(masses.assumed))
+
+
+@dataclass(frozen=True)
+class MechanismTorques:
+    """What every mechanism does to the shaft, and all together."""
+
+    mechanism_torque: Array = quantity(
+        "M_i", "N*m", _MECHANISM, N_("Torque of the mechanism on its shaft, by virtual work"), _THEORY
+    )
+    driving_torque: Array = quantity(
+        "M", "N*m", ("crank_angle",), N_("Torque that must be applied to the shaft, by the reactions"), _THEORY
+    )
+    reduced_inertia: Array = quantity(
+        "J", "kg*m^2", ("crank_angle",), N_("Inertia of all moving parts reduced to the crank"), _THEORY
+    )
+    reduced_inertia_slope: Array = quantity(
+        "J′", "kg*m^2/rad", ("crank_angle",), N_("Derivative of the reduced inertia by the crank angle"), _THEORY
+    )
+    checks: tuple[Check, ...] = ()
+
+
+def mechanism_torques(loaded: LoadedMachine, solved: SolvedCycle) -> MechanismTorques:
+    """Torques by virtual work and by reactions, which share little, and the reduced inertia."""
+    shape = solved.groups[0].forces.torque_by_work.shape
+    by_work = np.empty((shape[0], len(loaded.mechanisms.names), shape[-1]))
+    by_reactions = np.zeros_like(by_work)
+    inertia, slope = np.zeros((2, shape[0], shape[-1]))
+    for place, (group, one) in enumerate(zip(loaded.mechanisms.groups, solved.groups, strict=True)):
+        dynamics, size, made = group.kind.dynamics, group.members.geometry, loaded.masses.groups[place]
+        by_work[:, group.index] = one.forces.torque_by_work
+        is_own = loaded.carriers.master[group.index] < 0
+        by_reactions[:, group.index[is_own]] = one.forces.driving_torque[:, is_own]
+        unloaded = dynamics.load(one.motion, size, np.zeros((1, 1, 1)))
+        reduced = dynamics.reduced(one.motion, size, made.bodies, unloaded, made.gravity).inertia
+        inertia = inertia + np.sum(reduced.value, axis=1)
+        slope = slope + np.sum(reduced.first, axis=1)
+    driving = np.sum(by_reactions, axis=1)
+    scale = np.max(np.sum(np.abs(by_work), axis=1), axis=-1)
+    residual = np.max(np.abs(driving - np.sum(by_work, axis=1)), axis=-1) / np.where(scale > 0, scale, 1.0)
+    return MechanismTorques(
+        mechanism_torque=-by_work,
+        driving_torque=driving,
+        reduced_inertia=inertia,
+        reduced_inertia_slope=slope,
+        checks=(
+            Check(
+                "torque",
+                _("Torque by the reactions of all joints against that by virtual work, relative to the parts' peak"),
+                residual,
+                _TORQUES_LIMIT,
+            ),
+        ),
+    )

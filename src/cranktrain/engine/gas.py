@@ -1,0 +1,271 @@
+"""Gas in the chambers: pressure over the cycle by the declared model, its work, and its force on every piston."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.engine.dead_centres import DeadCentres, around_zero, slider_motion
+from cranktrain.engine.firing import Cycle, Firing
+from cranktrain.engine.layout import CrankAngle, Pistons
+from cranktrain.engine.travel import CylinderPistons, CylinderTravel
+from cranktrain.engine.volumes import Chambers, ChamberVolumes, SweptVolumes
+from cranktrain.gas import Chamber, GasSpec, VolumeLimits, chamber_state, kind_of
+from cranktrain.gas.work import indicated_work
+from cranktrain.language import N_, _
+from cranktrain.motion import Array, Coefficient, single
+from cranktrain.numerics import largest
+from cranktrain.wording import Names, shared
+
+_CHAMBER = ("chamber",)
+_CURVE = ("chamber", "crank_angle")
+_THEORY = "docs/theory/gas"
+AMBIENT = 101325.0
+"""Pressure under the pistons. [Pa]"""
+_TELLING = np.array([0.0, 0.6, 1.7, 3.9])
+_ALIKE = 1e-12
+
+Unroll = Callable[[Array, float], Array]
+"""From the travelled part of the stroke and λ to the crank angle of the outward stroke. [rad]"""
+
+
+@dataclass(frozen=True)
+class DeclaredGas:
+    """The gas model of every design, as its file declares it; and Brix's construction, backward, as some ask for it."""
+
+    needs: ClassVar[str] = N_("[gas]")
+
+    specs: tuple[GasSpec, ...]
+    brix: Unroll
+
+
+@dataclass(frozen=True)
+class GasInChambers:
+    """The gas model of every chamber, to be asked at any crank angle.
+
+    Attributes
+    ----------
+    pistons, chambers : Pistons, Chambers
+    limits : VolumeLimits, fields of shape (design, chamber, 1)
+    start : Array, shape (design, chamber, 1)
+        Volume of each chamber where its pistons are at their tops. [m³]
+    tops : Array, shape (design, piston, 1)
+        Distance of each piston pin from its shaft there. [m]
+    firing : Array, shape (design, chamber, 1)
+        φ of each chamber's nominal firing. [rad]
+    cycle : float
+        [rad]
+    models : tuple of tuples
+        [design][chamber], as each design's kind of gas takes it.
+    specs : tuple of GasSpec
+        Of each design.
+    findings, doubts : tuple of str
+        What was found in a file and changed, and what may be meant otherwise.
+    """
+
+    pistons: Pistons
+    chambers: Chambers
+    limits: VolumeLimits
+    start: Array
+    tops: Array
+    firing: Array
+    cycle: float
+    models: tuple[tuple[Any, ...], ...]
+    specs: tuple[GasSpec, ...]
+    findings: tuple[str, ...]
+    doubts: tuple[str, ...]
+
+    def volume(self, angle: Array) -> Coefficient:
+        """Volume of every chamber at φ [rad], and its derivatives, shape (design, chamber, n). [m³, m³/rad, m³/rad²]"""
+        motion = slider_motion(self.pistons, angle)
+        areas = self.chambers.areas
+        return Coefficient(
+            self.start + _by_chamber(areas, self.tops - motion.value),
+            _by_chamber(areas, -motion.first),
+            _by_chamber(areas, -motion.second),
+        )
+
+    def pressure(self, angle: Array, volume: Coefficient) -> Array:
+        """Absolute pressure in every chamber at φ [rad], where its volume is known, shape (design, chamber, n). [Pa]"""
+        state = chamber_state(volume, self.limits, angle - self.firing, np.array(self.cycle))
+        found = np.empty(volume.value.shape)
+        for design, spec in enumerate(self.specs):
+            kind = kind_of(spec)
+            for place, model in enumerate(self.models[design]):
+                own = type(state)(*(_row(part, design, place) for part in state))
+                found[design, place] = kind.pressure(own, model)
+        return found
+
+    def force(self, pressure: Array) -> Array:
+        """Force of the gas less the ambient pressure on every piston, toward its shaft, (design, piston, n). [N]"""
+        areas = self.chambers.areas
+        return np.matmul(areas, pressure) - AMBIENT * np.sum(areas, axis=-1, keepdims=True)
+
+
+def _by_chamber(areas: Array, lengths: Array) -> Array:
+    """Sum by chamber what pistons move; one that cannot move all round, NaN, leaves the others alone."""
+    weights = areas[..., np.newaxis]
+    return np.sum(np.where(weights == 0.0, 0.0, weights * lengths[:, :, np.newaxis]), axis=1)
+
+
+def _row(part: Array, design: int, place: int) -> Array:
+    """One chamber's values of a state's part, which may stand for all."""
+    return part[min(design, part.shape[0] - 1), min(place, part.shape[1] - 1)] if part.ndim == 3 else part
+
+
+def gas_in_chambers(
+    gas: DeclaredGas,
+    cycle: Cycle,
+    pistons: Pistons,
+    cylinders: CylinderPistons,
+    chambers: Chambers,
+    dead_centres: DeadCentres,
+    travel: CylinderTravel,
+    volumes: ChamberVolumes,
+    swept: SweptVolumes,
+    crank_angle: CrankAngle,
+    firing: Firing,
+) -> GasInChambers:
+    """Make each chamber's model out of the file."""
+    of = chambers.cylinder
+    nominal = firing.firing_angle[:, of] + crank_angle.zero[..., 0] + np.where(chambers.is_head, 0.0, np.pi)
+    smallest = np.where(chambers.is_head, travel.least[:, of], -travel.stroke[:, of])
+    empty = GasInChambers(
+        pistons=pistons,
+        chambers=chambers,
+        limits=VolumeLimits(
+            volumes.clearance_volume[..., np.newaxis], (volumes.clearance_volume + swept.swept_volume)[..., np.newaxis]
+        ),
+        start=(volumes.clearance_volume - chambers.area * smallest)[..., np.newaxis],
+        tops=dead_centres.top_position[..., np.newaxis],
+        firing=nominal[..., np.newaxis],
+        cycle=cycle.length,
+        models=(),
+        specs=gas.specs,
+        findings=(),
+        doubts=(),
+    )
+    is_central = _central_ratios(pistons, cylinders)[:, of]
+    models = tuple(_models(spec, empty, design, gas.brix, is_central[design]) for design, spec in enumerate(gas.specs))
+    told = [
+        (kind_of(spec), spec, model) for spec, of_design in zip(gas.specs, models, strict=True) for model in of_design
+    ]
+    return replace(
+        empty,
+        models=models,
+        findings=tuple(dict.fromkeys(said for kind, _spec, model in told for said in kind.findings(model))),
+        doubts=tuple(dict.fromkeys(said for kind, spec, model in told for said in kind.doubts(spec, model))),
+    )
+
+
+def _central_ratios(pistons: Pistons, cylinders: CylinderPistons) -> Array:
+    """λ of every cylinder with a single central slider-crank, shape (design, cylinder); NaN for others."""
+    ratio = np.full(pistons.nominal_top.shape[:2], np.nan)
+    for group in pistons.groups:
+        if group.kind.name == "slider_crank":
+            size = group.members.geometry
+            ratio[:, group.index] = np.where(size.offset == 0.0, size.crank_radius / size.rod_length, np.nan)[..., 0]
+    return np.where(cylinders.is_opposed, np.nan, ratio[:, cylinders.leading])
+
+
+def _models(spec: GasSpec, chambers: GasInChambers, design: int, unroll: Unroll, ratios: Array) -> tuple[Any, ...]:
+    """Models of one design's chambers; chambers that are alike but for their phase share one."""
+    kind = kind_of(spec)
+    made: dict[tuple[float, ...], Any] = {}
+    found: list[Any] = []
+    for place in range(len(chambers.chambers.names)):
+        limits = VolumeLimits(*(single(float(part[design, place, 0])) for part in chambers.limits))
+        start = float(chambers.firing[design, place, 0])
+
+        def volume(angle: Array, start: float = start, place: int = place) -> Array:
+            return chambers.volume(angle + start).value[design, place]
+
+        ratio = float(ratios[place])
+
+        def outward(travelled: Array, ratio: float = ratio) -> Array:
+            return unroll(travelled, ratio)
+
+        # What the volume is at some angles after firing tells a chamber from those that are not like it.
+        key = tuple(float(f"{float(value):.9g}") for value in (*limits, *volume(_TELLING)))
+        if key not in made:
+            chamber = Chamber(chambers.cycle, limits, volume, None if np.isnan(ratio) else outward)
+            made[key] = kind.model(spec, chamber)
+        found.append(made[key])
+    return tuple(found)
+
+
+@dataclass(frozen=True)
+class GasPressures:
+    """Pressure of the gas, and what it does."""
+
+    gas_pressure: Array = quantity("p", "Pa", _CURVE, N_("Absolute pressure in the chamber"), _THEORY)
+    gas_force: Array = quantity(
+        "P_g", "N", ("piston", "crank_angle"), N_("Force of the gas less ambient pressure, toward the shaft"), _THEORY
+    )
+    indicated_work: Array = quantity("W_i", "J", _CHAMBER, N_("Work of the gas over a cycle, ∮p dV"), _THEORY)
+    indicated_mean_pressure: Array = quantity(
+        "p_i", "Pa", _CHAMBER, N_("Indicated mean effective pressure: work over swept volume"), _THEORY
+    )
+    peak_pressure: Array = quantity("p_max", "Pa", _CHAMBER, N_("Largest pressure"), _THEORY)
+    peak_pressure_at: Array = quantity("φ(p_max)", "deg", _CHAMBER, N_("Crank angle of the largest pressure"), _THEORY)
+    peak_pressure_after: Array = quantity(
+        "α(p_max)", "deg", _CHAMBER, N_("Largest pressure after the least volume"), _THEORY
+    )
+    flags: tuple[str, ...] = ()
+
+    def answer(self, names: Names, design: int) -> str:
+        """Say mean and largest pressures."""
+        chambers = names["chamber"]
+        return _("Indicated mean pressure {mean}; largest {peak}, {after} after the dead centre.").format(
+            mean=shared(chambers, self.indicated_mean_pressure[design], "bar"),
+            peak=shared(chambers, self.peak_pressure[design], "bar"),
+            after=shared(chambers, self.peak_pressure_after[design], "deg"),
+        )
+
+
+def gas_pressures(
+    gas: GasInChambers, travel: CylinderTravel, swept: SweptVolumes, crank_angle: CrankAngle
+) -> GasPressures:
+    """Pressure over the cycle, its force, work and peak."""
+    phi = crank_angle.angle
+    volume = gas.volume(phi)
+    pressure = gas.pressure(phi, volume)
+    work = indicated_work(pressure, volume.first, gas.cycle)
+    of = gas.chambers.cylinder
+    inner = np.where(gas.chambers.is_head, travel.inner[:, of], travel.outer[:, of])
+    firing = inner + 2 * np.pi * np.rint((gas.firing[..., 0] - inner) / (2 * np.pi))
+    after, peak = _peaks(gas, firing, phi, pressure)
+    return GasPressures(
+        gas_pressure=pressure,
+        gas_force=gas.force(pressure),
+        indicated_work=work,
+        indicated_mean_pressure=work / swept.swept_volume,
+        peak_pressure=peak,
+        peak_pressure_at=crank_angle.counted((firing + after)[..., np.newaxis], gas.cycle)[..., 0],
+        peak_pressure_after=after,
+        flags=(*gas.doubts, *gas.findings),
+    )
+
+
+def _peaks(gas: GasInChambers, firing: Array, phi: Array, pressure: Array) -> tuple[Array, Array]:
+    """Angle of the largest pressure after the dead centre at firing, and the pressure, shape (design, chamber)."""
+    after, peak = np.empty(firing.shape), np.empty(firing.shape)
+    for design, models in enumerate(gas.models):
+        known: dict[int, tuple[float, float]] = {}
+        for place, model in enumerate(models):
+            if id(model) not in known:
+                start = float(firing[design, place])
+
+                def own(angle: Array, design: int = design, place: int = place) -> Array:
+                    return gas.pressure(angle, gas.volume(angle))[design, place]
+
+                found = largest(own, grid=phi[design, 0], samples=pressure[design, place])
+                # A rise at constant volume stands at the dead centre itself, between the grid's points.
+                at_firing = float(own(np.array([start]))[0])
+                is_there = at_firing >= float(found.value[0]) * (1 - _ALIKE)
+                angle = 0.0 if is_there else float(around_zero(found.angle - start)[0])
+                known[id(model)] = angle, max(at_firing, float(found.value[0]))
+            after[design, place], peak[design, place] = known[id(model)]
+    return after, peak
