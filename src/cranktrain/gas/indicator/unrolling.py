@@ -110,7 +110,7 @@ def unrolled(trace: Trace, chamber: Chamber, outward: OutwardAngle | None = None
 def _travelled(trace: Trace, chamber: Chamber) -> tuple[Array, tuple[str, ...]]:
     """Travelled part of the stroke from the top; a displacement's own ends are those of the stroke."""
     low, high = float(np.min(trace.places)), float(np.max(trace.places))
-    if not high > low:
+    if high - low <= _SAME_PLACE * max(abs(low), abs(high)):
         raise _refusal(trace, _("has one volume only"))
     if trace.axis == "displacement":
         part = (trace.places - low) / (high - low)
