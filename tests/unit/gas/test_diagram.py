@@ -4,6 +4,8 @@ import itertools
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline
 from tests.gas_engines import FOUR_STROKE, TWO_STROKE, Engine, csv, wiebe, wiebe_cycle
 
@@ -152,6 +154,14 @@ def test_a_cycle_that_does_not_close_is_doubted():
     assert any("the cycle does not close" in doubt for doubt in diagram_of(text).doubts)
 
 
+def test_a_textbooks_table_in_steps_of_30_degrees():
+    """10° about the peak; the table ends at 720°, which is 0°."""
+    degrees = np.unique(np.concatenate([np.arange(0.0, 721, 30), [10, 20, 40, 50, 370, 380, 390, 700, 710]]))
+    diagram = diagram_of(csv(degrees, wiebe_cycle(ENGINE, CASE, np.radians(degrees))))
+    assert len(diagram.angles) == len(degrees) - 1
+    assert diagram.doubts == ()
+
+
 def test_two_stroke():
     text = csv(DEGREES[:360], wiebe(ENGINE, CASE, np.radians(np.mod(DEGREES[:360] + 180, 360) - 180)))
     diagram = diagram_of(text, cycle=TWO_STROKE)
@@ -227,3 +237,28 @@ def test_smoothing_keeps_mean_and_parabola():
     half = (3 * np.radians(2.0)) ** 2 / 2
     assert found.pressures == pytest.approx(5 + (1 + half) * np.exp(-half) * np.cos(3 * places), abs=1e-10)
     assert np.mean(found.pressures) == pytest.approx(5, rel=1e-14)
+
+
+PIECES = ["1e30", "-1e30", "1e-320", "0", "nan", "", ";", ",", "\n", "x", " ", "360", "-5", "\ufeff", "1,5", "\0", "−3"]
+CHOICES = [{}, {"sense": "found"}, {"pressure": "gauge"}, {"peg": {"exponent": 1.3}}, {"axis": "displacement"}]
+
+
+@settings(max_examples=100, deadline=None)
+@given(
+    st.lists(st.tuples(st.floats(0, 1), st.integers(0, 40), st.sampled_from(PIECES)), max_size=5),
+    st.sampled_from(CHOICES),
+)
+def test_a_spoilt_file_is_read_or_refused(spoilt, more):
+    """Whatever stands in it: numbers that are finite, or what is wrong."""
+    text = csv(DEGREES[::10], PRESSURES[::10])
+    for place, length, piece in spoilt:
+        start = round(place * len(text))
+        text = text[:start] + piece + text[start + length :]
+    try:
+        diagram = diagram_of(text, **more)
+    except InputError as refusal:
+        assert refusal.problems
+    else:
+        assert np.all(np.isfinite(diagram.pressures))
+        assert np.all(np.isfinite(diagram.slopes))
+        assert np.all(np.diff(diagram.angles) > 0)

@@ -82,6 +82,7 @@ def test_other_axes(header, axis):
         ("", "file = trace.csv: has no numbers in it"),
         ("nothing\nhere", "file = trace.csv: has no numbers in it"),
         ("angle;p [bar]\n0;1\n1;x\n2;3", "trace.csv:3:3  x: must be a number"),
+        ("angle;p [bar]\n0;1\n1;1e999\n2;3", "trace.csv:3:3  1e999: is beyond the size of any machine"),
         ("angle;p [bar]\n0;1\n1; nan\n2;3", "trace.csv:3:4  nan: must be a number"),
         ("angle;p [bar]\n0;1\n1;\n2;3", "trace.csv:3  1 values: must have 2 values"),
         ("angle,p [bar]\n0,1.234.5\n1,2", "trace.csv:2:3  1.234.5: must be a number"),

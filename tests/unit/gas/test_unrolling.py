@@ -125,8 +125,14 @@ def test_where_strokes_meet_the_one_that_begins_counts():
             {"unrolling": "brix"},
             "for a central slider-crank only",
         ),
+        (
+            csv(ENGINE.volume(ANGLE).value, pressure(ANGLE), header="V [m³],p abs [Pa]"),
+            {"sense": "found", "firing_angle": "0 deg"},
+            "firing_angle: is for a file over the crank angle; this one is over volume\nsense: is for",
+        ),
+        (csv(np.degrees(ANGLE), pressure(ANGLE)), {"unrolling": "brix"}, "is for a file over volume or displacement"),
     ],
-    ids=["two strokes", "another machine", "one place", "no order", "no rod"],
+    ids=["two strokes", "another machine", "one place", "no order", "no rod", "angles", "no strokes"],
 )
 def test_refused(text, more, message):
     with pytest.raises(InputError, match=message):

@@ -14,9 +14,13 @@ from cranktrain.quantities import shown
 _TURN = 2 * np.pi
 _SAME = 1e-3
 """Angles closer than this, in steps, are one."""
+_FEWEST = 24
+"""Samples of a cycle: textbooks print one each 30°."""
+_WIDEST_STEP = np.radians(31.0)
 _WIDEST_GAP = np.radians(15.0)
+"""In a trace of finer steps."""
 _DOUBTFUL_GAP = 3.5
-"""Steps over which a cubic is still believed, but told."""
+"""Steps over which the spline's word is doubted."""
 _ALIKE = 0.01
 """First and last sample of a closed cycle differ by less, in parts of the peak."""
 
@@ -49,19 +53,24 @@ def one_cycle(trace: Trace, cycle: float) -> Samples:
     InputError
         If it is not just one cycle of this machine, has a gap, or two pressures for one angle.
     """
+    _refuse_few(trace, len(trace.places), cycle)
     unwrapped = _without_jumps(trace.places)
     order = np.argsort(unwrapped, kind="stable")
     samples = Samples(unwrapped[order], trace.pressures[order], (), ())
-    if len(order) < _FEWEST:
-        _refuse(trace, _("has {n} samples; a cycle needs {fewest} at least").format(n=len(order), fewest=_FEWEST))
     samples, lines = _each_once(samples, trace, trace.lines[order])
+    _refuse_few(trace, len(samples.angles), cycle)
     step = float(np.median(np.diff(samples.angles)))
     samples, lines = _open_ended(samples, lines, cycle, step)
     _refuse_another_cycle(trace, samples.angles, step, cycle)
     return samples._replace(doubts=(*samples.doubts, *_gap_doubts(trace, samples.angles, lines, cycle, step)))
 
 
-_FEWEST = 8
+def _refuse_few(trace: Trace, n_samples: int, cycle: float) -> None:
+    """Refuse what is too little for a cycle."""
+    fewest = round(_FEWEST * cycle / (2 * _TURN))
+    if n_samples < fewest:
+        allowed = _("has {n} samples; a cycle needs {fewest} at least")
+        _refuse(trace, allowed.format(n=n_samples, fewest=fewest))
 
 
 def _without_jumps(angles: Array) -> Array:
@@ -125,10 +134,10 @@ def _gap_doubts(trace: Trace, angles: Array, lines: NDArray[np.intp], cycle: flo
     steps = np.diff(angles, append=angles[0] + cycle)
     widest = int(np.argmax(steps))
     gap = float(steps[widest])
-    if gap <= _DOUBTFUL_GAP * step:
+    if gap <= min(_DOUBTFUL_GAP * step, _WIDEST_STEP):
         return ()
     start, end = _degrees(angles[widest]), _degrees(angles[widest] + gap)
-    if gap > _WIDEST_GAP:
+    if gap > _WIDEST_STEP or gap > max(_WIDEST_GAP, _DOUBTFUL_GAP * step):
         allowed = _("has no samples between {start} and {end}, a gap of {gap}").format(
             start=start, end=end, gap=_degrees(gap)
         )

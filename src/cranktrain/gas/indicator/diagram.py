@@ -9,8 +9,8 @@ from cranktrain.gas.indicator.cycle import Samples
 from cranktrain.gas.indicator.spline import periodic_slopes, spline_at
 from cranktrain.motion import Array
 
-_GAUSS = np.polynomial.legendre.leggauss(6)
-"""Nodes and weights: exact to degree 11, and a cubic times V′ over a step of some degrees is less to all digits."""
+_GAUSS_POINTS = 6
+"""Exact to degree 11: a cubic times V′ over a step of some degrees is less to all digits."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,10 +92,10 @@ def diagram_work(diagram: Diagram, volume_slope: Callable[[Array], Array]) -> fl
 
     Notes
     -----
-    Gauss's quadrature with six points from sample to sample: on a step of the spline p is a cubic, and V′ smooth.
+    Gauss's quadrature from sample to sample: on a step of the spline p is a cubic, and V′ smooth.
     `indicated_work` is the sum over equal steps.
     """
-    nodes, weights = _GAUSS
+    nodes, weights = np.polynomial.legendre.leggauss(_GAUSS_POINTS)
     steps = np.diff(diagram.angles, append=diagram.angles[0] + diagram.cycle)
     angles = diagram.angles[:, np.newaxis] + steps[:, np.newaxis] * (1 + nodes) / 2
     power = pressure_at(diagram, angles) * volume_slope(angles)

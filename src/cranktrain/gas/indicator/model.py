@@ -36,11 +36,13 @@ def indicator_diagram(spec: IndicatorSpec, chamber: Chamber) -> Diagram:
     """
     trace = trace_of(spec)
     if trace.axis == "angle":
+        _refuse_strokes(spec)
         samples = one_cycle(trace, chamber.cycle)
         firing = None if spec.firing_angle is None else spec.firing_angle.si
         samples = placed(samples, chamber.cycle, firing, spec.sense)
         samples = _from_nominal(samples, chamber)
     else:
+        _refuse_angles(spec, trace.axis)
         samples = unrolled(trace, chamber, _outward(spec, chamber))
     samples = samples._replace(findings=(*trace.findings, *samples.findings), doubts=(*trace.doubts, *samples.doubts))
     diagram = diagram_through(samples, chamber.cycle)
@@ -63,6 +65,21 @@ def indicator_pressure(state: ChamberState, diagram: Diagram) -> Array:
         Absolute pressure. [Pa]
     """
     return pressure_at(diagram, state.angle_from_firing)
+
+
+def _refuse_angles(spec: IndicatorSpec, axis: str) -> None:
+    """Refuse what only a file over the crank angle can have: strokes over a volume are told by their pressures."""
+    allowed = _("is for a file over the crank angle; this one is over {axis}").format(axis=axis)
+    given = {"firing_angle": spec.firing_angle is not None, "sense": spec.sense != "forward"}
+    wrong = [Problem(name, None, allowed) for name, is_given in given.items() if is_given]
+    if wrong:
+        raise InputError(wrong)
+
+
+def _refuse_strokes(spec: IndicatorSpec) -> None:
+    """Refuse a way of unrolling for a file that is over the crank angle as it is."""
+    if spec.unrolling != "exact":
+        raise InputError([Problem("unrolling", spec.unrolling, _("is for a file over volume or displacement"))])
 
 
 def _from_nominal(samples: Samples, chamber: Chamber) -> Samples:

@@ -1,5 +1,6 @@
 """The table of a machine file that names an indicator diagram, and what it says beside the file."""
 
+from functools import lru_cache
 from math import pi
 from typing import Annotated, Literal, Self
 
@@ -118,6 +119,7 @@ class IndicatorSpec(GasSpec, frozen=True):
         return self
 
 
+@lru_cache(maxsize=8)  # asked for by every chamber
 def trace_of(spec: IndicatorSpec) -> Trace:
     """Read the diagram that the spec holds.
 

@@ -11,6 +11,7 @@ from cranktrain.language import _
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _STARTS_AS_NUMBER = re.compile(r"\s*[\"']?[+\-−]?[.,]?[0-9]")
 _COMMENT = re.compile(r"\s*(?:#|%|//)\s*")
+_LARGEST = 1e30
 _MOST_PROBLEMS = 10
 """Problems told of one file; a file of another kind has one in every line."""
 
@@ -155,10 +156,11 @@ def _problems(fields: Sequence[tuple[int, tuple[_Field, ...]]], separator: str, 
             yield Problem("", _("{n} values").format(n=len(row)), allowed, None, Position(name, number))
         else:
             for field in row:
-                if not _NUMBER.fullmatch(_plain(field.text, separator)):
-                    yield Problem(
-                        "", field.text or '""', _("must be a number"), None, Position(name, number, field.column)
-                    )
+                text = _plain(field.text, separator)
+                is_number = _NUMBER.fullmatch(text) is not None
+                if not is_number or abs(float(text)) > _LARGEST:
+                    allowed = _("is beyond the size of any machine") if is_number else _("must be a number")
+                    yield Problem("", field.text or '""', allowed, None, Position(name, number, field.column))
 
 
 def _first_of(problems: Sequence[Problem], name: str) -> Sequence[Problem]:

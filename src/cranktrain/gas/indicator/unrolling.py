@@ -110,7 +110,7 @@ def unrolled(trace: Trace, chamber: Chamber, outward: OutwardAngle | None = None
 def _travelled(trace: Trace, chamber: Chamber) -> tuple[Array, tuple[str, ...]]:
     """Travelled part of the stroke from the top; a displacement's own ends are those of the stroke."""
     low, high = float(np.min(trace.places)), float(np.max(trace.places))
-    if not high > low:
+    if high - low <= _SAME_PLACE * max(abs(low), abs(high)):
         raise _refusal(trace, _("has one volume only"))
     if trace.axis == "displacement":
         part = (trace.places - low) / (high - low)
@@ -133,23 +133,16 @@ def _travelled(trace: Trace, chamber: Chamber) -> tuple[Array, tuple[str, ...]]:
 def _branches(travelled: Array, pressures: Array) -> list[_Branch]:
     """Cut the file where the stroke turns or jumps back; what begins within a stroke is joined to its end."""
     steps = np.diff(travelled)
-    is_jump = np.abs(steps) > _JUMP
-    sense = np.sign(steps)
-    cuts, running = [0], 0.0
-    for place, (step, jump) in enumerate(zip(sense.tolist(), is_jump.tolist(), strict=True)):
-        if jump:
-            cuts.append(place + 1)
+    pieces: list[tuple[Array, Array]] = []
+    start, running = 0, 0.0
+    for place, step in enumerate((*steps.tolist(), np.inf)):  # the end of the file is a jump, too
+        is_jump = abs(step) > _JUMP
+        if is_jump or step * running < 0:
+            pieces.append((travelled[start : place + 1], pressures[start : place + 1]))
+            start = place + 1 if is_jump else place  # where the stroke turns, the point belongs to both
             running = 0.0
-        elif step and running and step != running:
-            cuts.append(place)
+        if step and not is_jump:
             running = step
-        elif step:
-            running = step
-    pieces = [
-        (travelled[start : end + (0 if jump_next else 1)], pressures[start : end + (0 if jump_next else 1)])
-        for start, end in zip(cuts, [*cuts[1:], len(travelled)], strict=True)
-        for jump_next in [end == len(travelled) or bool(is_jump[end - 1])]
-    ]
     rises = [bool(part[-1] > part[0]) for part, _level in pieces]
     if len(pieces) % 2 and len(pieces) > 1 and rises[0] == rises[-1]:
         last = pieces.pop()
