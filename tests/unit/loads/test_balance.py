@@ -21,11 +21,15 @@ from cranktrain.loads.rod_harmonics import acceleration_harmonics
 from cranktrain.loads.vectors import (
     PlaneVectors,
     added,
+    curve_vectors,
     hodograph,
     largest_length,
+    turned_vectors,
     vector_curve,
 )
 from cranktrain.loads.weights import joined, on_crank, weight_roll, weight_vectors
+from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
+from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 
 R, RATIO, MASS = 0.05, 0.25, 2.0
 UNIT = MASS * R
@@ -330,6 +334,33 @@ def test_radial_with_plain_rods(k):
         assert abs(before.force.backward[order]) == pytest.approx(
             k / 2 * abs(unit[order]) * ((order + 1) % k == 0), abs=1e-15
         )
+
+
+@pytest.mark.parametrize("knuckle_radius", [1e-9, 0.03])
+def test_radial_with_articulated_rods(knuckle_radius):
+    # forces by the mechanisms' own kernels: a knuckle in the pin's axis makes plain rods, a real one breaks the rule
+    k, rod = 5, R / RATIO
+    axes = np.arange(k) * (2 * np.pi / k)
+    master = SliderCrank(np.array(R), np.array(rod), np.array(0.0))
+    slaves = ArticulatedRod(
+        master,
+        np.array(knuckle_radius),
+        axes[1:, np.newaxis],
+        axes[1:, np.newaxis],
+        np.array(rod - knuckle_radius),
+        0.0,
+    )
+    sliders = [slider_crank(PHI, master).slider.second, *articulated_rod(PHI, slaves).slider.second]
+    force = -MASS * np.array(sliders)
+    own_axes = curve_vectors(force, np.zeros_like(force), 6)
+    found = shaking(turned_vectors(own_axes, axes), np.zeros(k)).force
+    total = vector_curve(curve_vectors(*np.stack([np.cos(axes) @ force, np.sin(axes) @ force]), 6), PHI)
+    np.testing.assert_allclose(vector_curve(found, PHI), total, atol=1e-14)
+    plain = machine(np.zeros(k), np.degrees(axes), np.zeros(k))[3].force
+    apart = np.abs(found.forward - plain.forward[:7]).max() + np.abs(found.backward - plain.backward[:7]).max()
+    assert apart < 1e-8 if knuckle_radius < 1e-6 else apart > 1e-3 * UNIT
+    # the second order, which plain rods of five cylinders do not have
+    assert (hodograph(found).major[2] > 1e-3 * UNIT) == (knuckle_radius > 1e-6)
 
 
 def test_cylinders_may_differ():
