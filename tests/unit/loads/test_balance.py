@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.optimize import minimize
 
-from cranktrain.loads.balance import Cylinders, inertia_roll, reciprocating_vectors, shaking
+from cranktrain.loads.balance import Cylinders, inertia_roll, reciprocating_vectors, shaking, throw_vectors
 from cranktrain.loads.balance_change import balance_change, gross_shaking, remainders, with_weights
 from cranktrain.loads.balance_shafts import couple_of, lanchester_shafts, roll_free_place, two_plane_shafts
 from cranktrain.loads.counterweights import (
@@ -177,9 +177,7 @@ def test_counterweights_throw_by_throw_do_the_same_on_a_v8_cross():
     throw, axis = [0, 0, 90, 90, 270, 270, 180, 180], [-45, 45] * 4
     position = np.repeat([-0.15, -0.05, 0.05, 0.15], 2)
     _, vectors, z, before = machine(throw, axis, position)
-    throws = PlaneVectors(
-        vectors.order, *(part.reshape(4, 2, -1).sum(axis=1) for part in (vectors.forward, vectors.backward))
-    )
+    throws = throw_vectors(vectors, np.repeat(np.arange(4), 2), 4)
     weights = counterweights(share_of(np.zeros(4), throws, 0.5), position[::2])
     after = with_weights(before, weights)
     assert ("couple", 1.0) in left_over(vectors, z, before, before)

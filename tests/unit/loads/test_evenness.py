@@ -16,7 +16,7 @@ from cranktrain.loads.flywheel import (
     textbook_inertia,
 )
 from cranktrain.loads.mean_speed import no_load_speed, quadratic_coefficient
-from cranktrain.loads.periodic import cycle_grid, fourier_curve, plus, spline_curve, spline_integral
+from cranktrain.loads.periodic import cycle_grid, fourier_curve, fourier_integral, plus, spline_curve, spline_integral
 from cranktrain.loads.speed import steady_speed
 from cranktrain.loads.speed_law import (
     given_torque,
@@ -77,6 +77,18 @@ def test_splines_serve_as_well(mean):
     assert found.inertia == pytest.approx(float(exact_flywheel(EXCESS, VARIABLE, 60.0, 0.04, mean).inertia), rel=1e-8)
     speed = steady_speed(excess, plus(variable, found.inertia), 60.0, mean).speed
     assert speed.fluctuation(mean) == pytest.approx(0.04, rel=1e-11)
+
+
+@pytest.mark.parametrize("by", [fourier_integral, spline_integral])
+@pytest.mark.parametrize("mean", ["time", "angle", "extremes"])
+def test_even_torque_runs_evenly(by, mean):
+    still = excess_work(np.full(N, 100.0), by=by)
+    assert still.difference == pytest.approx(0, abs=1e-12)
+    assert still.mean_excess == pytest.approx(100, rel=1e-15)
+    found = steady_speed(still, constant(2.0), 60.0, mean)
+    np.testing.assert_allclose(found.speed.speed, 60, rtol=1e-13)
+    assert found.speed.fluctuation(mean) == pytest.approx(0, abs=1e-13)
+    assert found.initial_energy == pytest.approx(3600, rel=1e-13)
 
 
 def test_a_cycle_of_two_turns_is_one_cycle():

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from cranktrain.loads.harmonics import curve, harmonics
 from cranktrain.loads.stars import even_firing_sum, linear_mode, phase_stars, shaft_harmonics
-from cranktrain.loads.torque import fired, firing_angles, journal_torque
+from cranktrain.loads.torque import fired, firing_angles, journal_torque, throw_torque
 
 LAYOUTS = json.loads((Path(__file__).parents[2] / "golden/theory/balance_layouts.json").read_text(encoding="utf-8"))
 SUMS = LAYOUTS["phase_vector_sums"]
@@ -103,6 +103,14 @@ def test_pistons_and_designs_have_axes_of_their_own():
         for piston in range(3):
             one = harmonics(samples[design, piston], FOUR_STROKE)
             np.testing.assert_allclose(found[design, piston], curve(one, phi - firing[piston]), atol=1e-12)
+
+
+def test_cylinders_of_one_throw_add_up():
+    torque = np.random.default_rng(0).normal(size=(2, 4, 5))
+    found = throw_torque(torque, np.array([1, 0, 1, 1]), 3)
+    np.testing.assert_allclose(found[:, 0], torque[:, 1], atol=1e-15)
+    np.testing.assert_allclose(found[:, 1], torque[:, 0] + torque[:, 2] + torque[:, 3], atol=1e-15)
+    np.testing.assert_array_equal(found[:, 2], 0)
 
 
 def test_journals_pass_on_what_stands_before_them():
