@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import minimize
 
@@ -257,6 +257,7 @@ def test_least_largest_vector_of_designs():
     np.testing.assert_allclose(found[1], found[0] * np.exp(1j * np.radians(30)), rtol=1e-9)
 
 
+@settings(deadline=None, max_examples=40)
 @given(st.lists(PART, min_size=4, max_size=4), st.lists(PART, min_size=3, max_size=3))
 def test_smallest_circle_of_any_hodograph(forward, backward):
     # it holds the curve, and the points that it touches do not all lie on one side of its centre
