@@ -31,6 +31,8 @@ from cranktrain.loads.weights import joined, on_crank, weight_roll, weight_vecto
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 
+FEW = settings(max_examples=40, deadline=None, derandomize=True)
+
 R, RATIO, MASS = 0.05, 0.25, 2.0
 UNIT = MASS * R
 PHI = np.arange(720) * (2 * np.pi / 720)
@@ -199,6 +201,7 @@ def test_couple_alone_and_mid_plane():
     np.testing.assert_allclose(couple_only.force.forward[1], before.force.forward[1], atol=1e-16)
 
 
+@FEW
 @given(st.complex_numbers(max_magnitude=9), st.complex_numbers(max_magnitude=9), st.floats(-2, 2), st.floats(0.1, 3))
 def test_two_planes_carry_any_force_and_couple(force, couple, first, apart):
     planes = np.array([first, first + apart])
@@ -257,7 +260,7 @@ def test_least_largest_vector_of_designs():
     np.testing.assert_allclose(found[1], found[0] * np.exp(1j * np.radians(30)), rtol=1e-9)
 
 
-@settings(deadline=None, max_examples=40)
+@FEW
 @given(st.lists(PART, min_size=4, max_size=4), st.lists(PART, min_size=3, max_size=3))
 def test_smallest_circle_of_any_hodograph(forward, backward):
     # it holds the curve, and the points that it touches do not all lie on one side of its centre
@@ -292,6 +295,7 @@ def test_smallest_circle_of_an_ellipse_and_of_a_triangle():
 angles = st.lists(st.tuples(st.floats(-180, 180), st.floats(-180, 180), st.floats(-1, 1)), min_size=1, max_size=5)
 
 
+@FEW
 @given(angles)
 def test_running_the_other_way_mirrors_the_vectors(layout):
     # astern is the same metal at −φ: with every angle turned round, F′(φ) is the mirror image of F(−φ)
@@ -303,6 +307,7 @@ def test_running_the_other_way_mirrors_the_vectors(layout):
         np.testing.assert_allclose(back.backward, np.conj(there.backward), atol=1e-15)
 
 
+@FEW
 @given(angles, st.floats(-360, 360))
 def test_turning_all_angles_turns_the_forces(layout, turn):
     throw, axis, z = np.transpose(layout)
@@ -312,6 +317,7 @@ def test_turning_all_angles_turns_the_forces(layout, turn):
     np.testing.assert_allclose(found.backward, base.backward * np.exp(1j * np.radians(turn)), atol=1e-14)
 
 
+@FEW
 @given(angles)
 def test_layouts_superpose(layout):
     throw, axis, z = np.transpose(layout)

@@ -27,6 +27,8 @@ from cranktrain.loads.speed_law import (
     together,
 )
 
+FEW = settings(max_examples=40, deadline=None, derandomize=True)
+
 N = 360
 TURN = 2 * np.pi
 PHI = cycle_grid(N)
@@ -215,7 +217,7 @@ def test_mertsalovs_diagram():
 curves = st.lists(st.floats(-100, 100), min_size=4, max_size=4)
 
 
-@settings(deadline=None, max_examples=25)
+@FEW
 @given(curves, curves, st.floats(0.01, 0.5))
 def test_flywheel_of_any_curves(torque, inertia, fluctuation):
     samples = np.cos(np.outer(np.arange(1, 5), PHI))
