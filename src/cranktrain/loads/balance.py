@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.loads.harmonics import Harmonics, from_vectors, phasor
 from cranktrain.loads.rod_harmonics import acceleration_harmonics, torque_harmonics
@@ -76,6 +77,24 @@ def reciprocating_vectors(cylinders: Cylinders, highest: int) -> PlaneVectors:
     local = phasor(order * (throw - axis))
     along = phasor(axis)
     return PlaneVectors(order, half * along * local, half * along / local)
+
+
+def throw_vectors(vectors: PlaneVectors, throw: NDArray[np.intp], n_throws: int) -> PlaneVectors:
+    """Force of each throw, from those of the cylinders that work on it.
+
+    Parameters
+    ----------
+    vectors : PlaneVectors, shape (..., cylinder, n)
+    throw : integer array, shape (cylinder,)
+        Index of each cylinder's throw.
+    n_throws : int
+
+    Returns
+    -------
+    PlaneVectors, shape (..., throw, n)
+    """
+    belongs = (throw == np.arange(n_throws)[:, np.newaxis]).astype(np.float64)
+    return PlaneVectors(vectors.order, belongs @ vectors.forward, belongs @ vectors.backward)
 
 
 def shaking(vectors: PlaneVectors, position: Array, mid_plane: Array | float = 0.0) -> Shaking:

@@ -10,10 +10,13 @@ from cranktrain.loads.harmonics import ComplexArray
 from cranktrain.motion import Array
 from cranktrain.numerics import largest, turn_grid
 
-_ROUNDING = 1e-13
-"""What lies outside by less, in parts of the radius, lies on the circle."""
 _ENOUGH = 1e-9
 """By how much of the radius the curve may lie outside in the end."""
+_SAME = 1e-5
+"""Points nearer than this to each other, in parts of the radius, are one touch: the newer one is the better."""
+_HIDDEN = 5e-3
+"""How much of the radius a peak may rise above the samples beside it."""
+_MOST_PEAKS = 6
 _MOST_STEPS = 60
 
 
@@ -39,45 +42,60 @@ def smallest_circle(curve: Callable[[Array], ComplexArray]) -> Circle:
 
     Notes
     -----
-    Exchange: the smallest circle round a few points of the curve, then the point of the curve farthest outside joins
-    them, until none is outside. Two or three points hold it.
+    Exchange: the smallest circle round a few points of the curve, then the curve's points farthest outside join them,
+    until none is outside. Two or three points hold it.
     """
-    grid = turn_grid()
-    samples = curve(grid)
+    samples = curve(turn_grid())
     held: list[complex] = [complex(samples[0])]
     circle = Circle(held[0], 0.0)
     for _ in range(_MOST_STEPS):
-        centre = circle.centre
-
-        def distance(angle: Array, centre: complex = centre) -> Array:
-            return np.abs(curve(angle) - centre)
-
-        far = largest(distance, samples=np.abs(samples - centre), grid=grid)
-        if float(far.value[0]) <= circle.radius * (1 + _ENOUGH):
+        outside = _outside(curve, samples, circle)
+        if not outside:
             break
-        circle, held = _round_points([*held, complex(curve(far.angle)[0])])
+        near = _SAME * abs(outside[0] - circle.centre)
+        old = [point for point in held if all(abs(point - new) > near for new in outside)]
+        circle, held = _round_points([*outside, *old])
     return circle
 
 
+def _outside(curve: Callable[[Array], ComplexArray], samples: ComplexArray, circle: Circle) -> list[complex]:
+    """Where the curve bulges out of a circle farthest, at most so many points, refined between the samples."""
+    grid = turn_grid()
+
+    def distance(angle: Array) -> Array:
+        return np.abs(curve(angle) - circle.centre)
+
+    far = np.abs(samples - circle.centre)
+    before, after = np.roll(far, 1), np.roll(far, -1)
+    peaks = np.flatnonzero((far >= before) & (far > after) & (far > circle.radius * (1 - _HIDDEN)))
+    points: list[complex] = []
+    for peak in peaks[np.argsort(-far[peaks])][:_MOST_PEAKS]:
+        # Three points of the grid are enough for one peak: among all of them `largest` would look at the two highest.
+        window = grid[peak] + grid[1] * np.array([-1.0, 0.0, 1.0])
+        top = largest(distance, grid=window, samples=np.array([before[peak], far[peak], after[peak]]))
+        if float(top.value[0]) > circle.radius * (1 + _ENOUGH):
+            points.append(complex(curve(top.angle)[0]))
+    return points
+
+
 def _round_points(points: Sequence[complex]) -> tuple[Circle, list[complex]]:
-    """Smallest circle round at most four points, and those that hold it."""
-    scale = max(abs(point) for point in points)
-    found: list[tuple[Circle, list[complex]]] = []
+    """Smallest circle round a few points, and those that hold it: of all circles' centres the nearest to all."""
+    best, held = Circle(points[0], float("inf")), list(points)
     for n_held in (2, 3):
         for chosen in combinations(points, n_held):
-            circle = _through(chosen)
-            if all(abs(point - circle.centre) <= circle.radius + _ROUNDING * scale for point in points):
-                found.append((circle, list(chosen)))
-    return min(found, key=lambda one: one[0].radius)
+            centre = _centre(chosen)
+            radius = max(abs(point - centre) for point in points)
+            if radius < best.radius:
+                best, held = Circle(centre, radius), list(chosen)
+    return best, held
 
 
-def _through(points: Sequence[complex]) -> Circle:
-    """Circle with two points as a diameter, or through three."""
+def _centre(points: Sequence[complex]) -> complex:
+    """Middle between two points, or centre of the circle through three."""
     if len(points) == 2:
-        return Circle((points[0] + points[1]) / 2, abs(points[1] - points[0]) / 2)
+        return (points[0] + points[1]) / 2
     first, b, c = points[0], points[1] - points[0], points[2] - points[0]
     across = 2 * (b.real * c.imag - b.imag * c.real)
     if across == 0:
-        return Circle(first, float("inf"))
-    centre = 1j * (c * abs(b) ** 2 - b * abs(c) ** 2) / -across
-    return Circle(first + centre, abs(centre))
+        return complex(np.inf)  # three on a line: two of them hold the circle
+    return first + 1j * (b * abs(c) ** 2 - c * abs(b) ** 2) / across

@@ -61,7 +61,7 @@ def rim(demand: RimDemand) -> Rim:
     Examples
     --------
     >>> found = rim(RimDemand(100.0, 0.1, 1.2, 1.5, 7200.0))
-    >>> round(0.25 * found.mass * (1.2**2 + found.height**2), 9)
+    >>> round(float(0.25 * found.mass * (1.2**2 + found.height**2)), 9)
     90.0
     """
     square = demand.mean_diameter * demand.mean_diameter

@@ -10,8 +10,8 @@ from cranktrain.loads.speed import SpeedOverCycle, speed_from_energy
 from cranktrain.motion import Array
 
 _MOST_STEPS = 60
-_SETTLED = 1e-14
-"""A step of Newton's method after which the energy is known to rounding, in parts of itself."""
+_SETTLED = 1e-12
+"""A step of Newton's method after which the next one is less than rounding, in parts of the energy."""
 
 
 class TorqueLaw(NamedTuple):
@@ -113,8 +113,7 @@ def speed_under_law(law: TorqueLaw, inertia: Array, cycle: float = TURN) -> Spee
             energy = better
             if not np.any(move > _SETTLED):
                 break
-        settled = np.max(move, axis=-1, keepdims=True) < np.sqrt(_SETTLED)
-        energy = np.where(settled, energy, np.nan)
+        energy = np.where(np.max(move, axis=-1, keepdims=True) <= _SETTLED, energy, np.nan)
         speed = np.sqrt(2 * energy / carried)
         slope = (linear + 2 * quadratic * speed) / (carried * speed)
         found = speed_from_energy(fourier_curve(energy, cycle), fourier_curve(carried, cycle))

@@ -71,6 +71,26 @@ def fired(torque: Array, firing_angle: Array, cycle: float = TURN) -> Array:
     return np.take_along_axis(spread, np.broadcast_to(place, spread.shape), axis=-1)
 
 
+def throw_torque(torque: Array, throw: NDArray[np.intp], n_throws: int) -> Array:
+    """Torque of each throw, from those of the cylinders that work on it.
+
+    Parameters
+    ----------
+    torque : Array, shape (..., cylinder, n)
+        [N·m]
+    throw : integer array, shape (cylinder,)
+        Index of each cylinder's throw.
+    n_throws : int
+
+    Returns
+    -------
+    Array, shape (..., throw, n)
+        [N·m]
+    """
+    belongs = throw == np.arange(n_throws)[:, np.newaxis]
+    return belongs.astype(np.float64) @ torque
+
+
 def journal_torque(throw_torque: Array, free_end_torque: Array | None = None) -> Array:
     """Torque that each main journal passes on, gathered from the free end toward the flywheel.
 

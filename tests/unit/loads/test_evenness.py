@@ -16,7 +16,7 @@ from cranktrain.loads.flywheel import (
     textbook_inertia,
 )
 from cranktrain.loads.mean_speed import no_load_speed, quadratic_coefficient
-from cranktrain.loads.periodic import cycle_grid, fourier_curve, plus, spline_integral
+from cranktrain.loads.periodic import cycle_grid, fourier_curve, fourier_integral, plus, spline_curve, spline_integral
 from cranktrain.loads.speed import steady_speed
 from cranktrain.loads.speed_law import (
     given_torque,
@@ -26,6 +26,8 @@ from cranktrain.loads.speed_law import (
     speed_under_law,
     together,
 )
+
+FEW = settings(max_examples=40, deadline=None, derandomize=True)
 
 N = 360
 TURN = 2 * np.pi
@@ -56,6 +58,39 @@ def test_largest_excess_work_of_a_sine():
     assert found.difference == pytest.approx(10, abs=1e-13)
     assert found.mean_excess == pytest.approx(3, abs=1e-14)
     assert found.smallest.angle[0] == pytest.approx(0.2, abs=1e-13)
+
+
+@pytest.mark.parametrize(("n_points", "lost"), [(36, 0.006), (72, 0.0016)])
+def test_coarse_steps_lose_nothing_but_by_the_trapezoid(n_points, lost):
+    exact = EXCESS.difference
+    phi = cycle_grid(n_points)
+    torque = driving(phi) - 100
+    assert excess_work(torque).difference == pytest.approx(exact, rel=1e-13)
+    sums = np.cumsum((torque + np.roll(torque, -1)) / 2) * (TURN / n_points)
+    assert 1 - (sums.max() - sums.min()) / exact == pytest.approx(lost, rel=0.15)
+
+
+@pytest.mark.parametrize("mean", ["time", "extremes"])
+def test_splines_serve_as_well(mean):
+    excess = excess_work(driving(PHI) - 100, by=spline_integral)
+    variable = spline_curve(carried(PHI))
+    found = exact_flywheel(excess, variable, 60.0, 0.04, mean)
+    # 1° steps: fourth powers of the step times the fourth derivative
+    assert found.inertia == pytest.approx(float(exact_flywheel(EXCESS, VARIABLE, 60.0, 0.04, mean).inertia), rel=1e-8)
+    speed = steady_speed(excess, plus(variable, found.inertia), 60.0, mean).speed
+    assert speed.fluctuation(mean) == pytest.approx(0.04, rel=1e-11)
+
+
+@pytest.mark.parametrize("by", [fourier_integral, spline_integral])
+@pytest.mark.parametrize("mean", ["time", "angle", "extremes"])
+def test_even_torque_runs_evenly(by, mean):
+    still = excess_work(np.full(N, 100.0), by=by)
+    assert still.difference == pytest.approx(0, abs=1e-12)
+    assert still.mean_excess == pytest.approx(100, rel=1e-15)
+    found = steady_speed(still, constant(2.0), 60.0, mean)
+    np.testing.assert_allclose(found.speed.speed, 60, rtol=1e-13)
+    assert found.speed.fluctuation(mean) == pytest.approx(0, abs=1e-13)
+    assert found.initial_energy == pytest.approx(3600, rel=1e-13)
 
 
 def test_a_cycle_of_two_turns_is_one_cycle():
@@ -182,7 +217,7 @@ def test_mertsalovs_diagram():
 curves = st.lists(st.floats(-100, 100), min_size=4, max_size=4)
 
 
-@settings(max_examples=25)
+@FEW
 @given(curves, curves, st.floats(0.01, 0.5))
 def test_flywheel_of_any_curves(torque, inertia, fluctuation):
     samples = np.cos(np.outer(np.arange(1, 5), PHI))

@@ -2,10 +2,12 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from cranktrain.loads.harmonics import curve, delayed, from_vectors, harmonics
+
+FEW = settings(max_examples=40, deadline=None, derandomize=True)
 
 CYCLES = [2 * np.pi, 4 * np.pi]
 
@@ -45,12 +47,14 @@ def test_a_grid_with_its_first_point_twice_is_off():
 samples_of = st.lists(st.floats(-5, 5), min_size=3, max_size=40).map(np.array)
 
 
+@FEW
 @given(samples_of, st.sampled_from(CYCLES))
 def test_the_sum_returns_the_samples(samples, cycle):
     found = curve(harmonics(samples, cycle), grid(len(samples), cycle))
     np.testing.assert_allclose(found, samples, rtol=0, atol=1e-12)
 
 
+@FEW
 @given(samples_of)
 def test_parseval(samples):
     found = harmonics(samples)
@@ -61,6 +65,7 @@ def test_parseval(samples):
     assert np.sum(power) == pytest.approx(np.mean(samples**2), rel=1e-12, abs=1e-12)
 
 
+@FEW
 @given(st.floats(-10, 10), st.sampled_from(CYCLES))
 def test_a_delayed_curve_is_the_curve_moved_to_the_right(angle, cycle):
     rng = np.random.default_rng(3)

@@ -2,13 +2,16 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from cranktrain.linkage import compiled
 from cranktrain.loads.rim import RimDemand, rim, rim_speed
 
+FEW = settings(max_examples=40, deadline=None, derandomize=True)
 
+
+@FEW
 @given(st.floats(0.01, 1e5), st.floats(0, 0.5), st.floats(0.1, 5), st.floats(0.2, 4), st.floats(1000, 9000))
 def test_rim_has_the_inertia_of_its_ring(inertia, other, diameter, ratio, density):
     found = rim(RimDemand(inertia, other, diameter, ratio, density))
@@ -33,11 +36,7 @@ def test_speed_of_the_outside():
 
 
 def test_compiled():
-    demand = RimDemand(
-        *(np.array(values) for values in ([90.0, 1e6], [0.1, 0.0], [1.2, 0.5], [1.5, 1.0], [7200.0, 7800.0]))
-    )
-    for one in zip(*demand, strict=True):
-        np.testing.assert_array_equal(compiled(rim)(RimDemand(*map(float, one))), rim(RimDemand(*one)))
-    np.testing.assert_array_equal(compiled(rim)(demand), rim(demand))
-    assert np.isnan(rim(demand).height[1])
+    for values in ((90.0, 0.1, 1.2, 1.5, 7200.0), (1e6, 0.0, 0.5, 1.0, 7800.0)):
+        np.testing.assert_array_equal(compiled(rim)(RimDemand(*values)), rim(RimDemand(*values)))
+    assert np.isnan(rim(RimDemand(1e6, 0.0, 0.5, 1.0, 7800.0)).height)
     assert compiled(rim_speed)(1.2, 50.0) == 30.0

@@ -5,12 +5,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from cranktrain.loads.harmonics import curve, harmonics
 from cranktrain.loads.stars import even_firing_sum, linear_mode, phase_stars, shaft_harmonics
-from cranktrain.loads.torque import fired, firing_angles, journal_torque
+from cranktrain.loads.torque import fired, firing_angles, journal_torque, throw_torque
+
+FEW = settings(max_examples=40, deadline=None, derandomize=True)
 
 LAYOUTS = json.loads((Path(__file__).parents[2] / "golden/theory/balance_layouts.json").read_text(encoding="utf-8"))
 SUMS = LAYOUTS["phase_vector_sums"]
@@ -52,6 +54,7 @@ def test_even_firing_adds_up_at_multiples_of_half_the_cylinders(n_cylinders):
     )
 
 
+@FEW
 @given(st.integers(1, 9), st.floats(0.01, 6))
 def test_firing_at_any_equal_interval_has_a_closed_sum(n_cylinders, interval):
     orders = np.arange(1, 13) / 2
@@ -70,6 +73,7 @@ def test_weighted_stars_can_be_major_without_adding_up():
     assert phase_stars(np.array([1.0]), np.radians([0.0, 180.0]), np.array([1.0, -1.0])).is_major[0]
 
 
+@FEW
 @given(st.lists(st.floats(-7, 7), min_size=1, max_size=5).map(np.array))
 def test_the_shafts_harmonics_are_those_of_the_sum_of_curves(firing):
     samples = np.random.default_rng(0).normal(size=(1, 45))
@@ -103,6 +107,14 @@ def test_pistons_and_designs_have_axes_of_their_own():
         for piston in range(3):
             one = harmonics(samples[design, piston], FOUR_STROKE)
             np.testing.assert_allclose(found[design, piston], curve(one, phi - firing[piston]), atol=1e-12)
+
+
+def test_cylinders_of_one_throw_add_up():
+    torque = np.random.default_rng(0).normal(size=(2, 4, 5))
+    found = throw_torque(torque, np.array([1, 0, 1, 1]), 3)
+    np.testing.assert_allclose(found[:, 0], torque[:, 1], atol=1e-15)
+    np.testing.assert_allclose(found[:, 1], torque[:, 0] + torque[:, 2] + torque[:, 3], atol=1e-15)
+    np.testing.assert_array_equal(found[:, 2], 0)
 
 
 def test_journals_pass_on_what_stands_before_them():

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from cranktrain.loads.vectors import (
@@ -16,6 +16,8 @@ from cranktrain.loads.vectors import (
     turned_vectors,
     vector_curve,
 )
+
+FEW = settings(max_examples=40, deadline=None, derandomize=True)
 
 PHI = np.arange(360) * (2 * np.pi / 360)
 PART = st.complex_numbers(max_magnitude=5)
@@ -46,6 +48,7 @@ def test_highest_order_of_an_even_grid_is_shared():
     assert found.forward[4] == found.backward[4] == 0.5
 
 
+@FEW
 @given(PART, PART)
 def test_ellipse_bounds_the_vector(forward, backward):
     one = PlaneVectors(np.array([3.0]), np.array([forward]), np.array([backward]))
@@ -65,6 +68,7 @@ def test_sense_of_the_tip():
     np.testing.assert_array_equal(hodograph(vectors).sense, [1, 0, -1])
 
 
+@FEW
 @given(st.floats(-7, 7))
 def test_turned_and_delayed(angle):
     known = random_vectors()
