@@ -236,6 +236,12 @@ EXAMPLES = {
         gravity(size),
     ),
     "forces.reduced_inertia": lambda angle, size, side: (group(angle, size, side).rod, body(size)),
+    "forces.reduced_of_three": lambda angle, size, side: (
+        tuple(group(angle, size, side).rod for _ in range(3)),
+        tuple(body(size) for _ in range(3)),
+        tuple(wrench(size) for _ in range(3)),
+        gravity(size),
+    ),
     "forces.slide_reactions": lambda angle, size, side: (
         group(angle, size, side).rod,
         Slide(size(1.0), size(0.05), side),

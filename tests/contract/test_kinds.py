@@ -47,7 +47,7 @@ def test_kinds_are_the_folders():
 
 @every_kind
 def test_folder_and_pages(kind):
-    for part in ("README.md", "spec.py", "kinematics.py", "drawing.py"):
+    for part in ("README.md", "spec.py", "kinematics.py", "forces.py", "drawing.py"):
         assert (FOLDER / kind.name / part).is_file(), part
     page = kind.name.replace("_", "-")
     assert (ROOT / f"docs/theory/{page}.md").is_file()
