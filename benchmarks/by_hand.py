@@ -88,6 +88,81 @@ def crank_rocker_numpy(angle, crank_radius, rod_length, rocker_length, ground_le
     )
 
 
+def slider_crank_forces_numpy(angle, geometry, crank, rod, piston_mass, pressing, speed, acceleration, gravity):
+    """Bearing on crank, crank on rod, rod on slider (x and y of each), wall on slider, torque by reactions and by work.
+
+    Bodies are (mass, along, across, inertia); gravity is (x, y); without friction.
+    """
+    crank_radius, rod_length, offset = geometry
+    crank_mass, crank_along, crank_across, crank_inertia = crank
+    rod_mass, along, across, rod_inertia = rod
+    gx, gy = gravity
+    square = speed * speed
+    cos = np.cos(angle)
+    sin = np.sin(angle)
+    x = crank_radius * cos
+    y = crank_radius * sin
+    drop = offset - y
+    reach = np.sqrt((rod_length - drop) * (rod_length + drop))
+    turn = -x / reach
+    rate = (y + drop * turn * turn) / reach
+    s1 = -(y + drop * turn)
+    s2 = x * turn - (x + drop * rate)
+    rod_cos = reach / rod_length
+    rod_sin = drop / rod_length
+    arm_x = along * rod_cos - across * rod_sin
+    arm_y = along * rod_sin + across * rod_cos
+    vx = -y - turn * arm_y
+    vy = x + turn * arm_x
+    ax = -x - rate * arm_y - turn * turn * arm_x
+    ay = -y + rate * arm_x - turn * turn * arm_y
+    rod_x = rod_mass * (gx - (ax * square + vx * acceleration))
+    rod_y = rod_mass * (gy - (ay * square + vy * acceleration))
+    moment = arm_x * rod_y - arm_y * rod_x - rod_inertia * (rate * square + turn * acceleration)
+    wrist_x = piston_mass * (s2 * square + s1 * acceleration - gx) + pressing
+    wrist_y = (wrist_x * drop + moment) / reach
+    pin_x = wrist_x - rod_x
+    pin_y = wrist_y - rod_y
+    crank_x = crank_along * cos - crank_across * sin
+    crank_y = crank_along * sin + crank_across * cos
+    on_x = crank_mass * (gx + crank_x * square + crank_y * acceleration)
+    on_y = crank_mass * (gy + crank_y * square - crank_x * acceleration)
+    torque = crank_inertia * acceleration + (crank_y * on_x - crank_x * on_y) + (x * pin_y - y * pin_x)
+    crank_square = crank_x * crank_x + crank_y * crank_y
+    inertia = (
+        crank_inertia
+        + crank_mass * crank_square
+        + rod_mass * (vx * vx + vy * vy)
+        + rod_inertia * turn * turn
+        + piston_mass * s1 * s1
+    )
+    slope = rod_mass * (vx * ax + vy * ay) + rod_inertia * turn * rate + piston_mass * s1 * s2
+    weights = crank_mass * (crank_x * gy - crank_y * gx) + rod_mass * (vx * gx + vy * gy) + piston_mass * s1 * gx
+    by_work = inertia * acceleration + slope * square - weights + pressing * s1
+    return pin_x - on_x, pin_y - on_y, pin_x, pin_y, wrist_x, wrist_y, -wrist_y - piston_mass * gy, torque, by_work
+
+
+slider_crank_forces_at = njit(error_model="numpy")(slider_crank_forces_numpy)
+
+
+@njit(error_model="numpy")
+def slider_crank_forces_numba(angles, geometry, crank, rod, piston_mass, pressing, speed, acceleration, gravity, table):
+    """Fill `table`, a row per angle, with the columns of `slider_crank_forces_numpy`."""
+    for i in range(angles.size):
+        row = slider_crank_forces_at(
+            angles[i], geometry, crank, rod, piston_mass, pressing, speed, acceleration, gravity
+        )
+        table[i, 0] = row[0]
+        table[i, 1] = row[1]
+        table[i, 2] = row[2]
+        table[i, 3] = row[3]
+        table[i, 4] = row[4]
+        table[i, 5] = row[5]
+        table[i, 6] = row[6]
+        table[i, 7] = row[7]
+        table[i, 8] = row[8]
+
+
 @njit(error_model="numpy")
 def slider_crank_numba(angles, crank_radius, rod_length, offset, table):
     """Fill `table`, a row per angle, with the columns of `slider_crank_numpy`."""

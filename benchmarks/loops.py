@@ -8,10 +8,13 @@ from numba import njit
 
 from cranktrain.linkage import compiled
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
+from cranktrain.mechanisms.slider_crank.forces import slider_crank_forces, slider_crank_load
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 
 slider_crank_at = compiled(slider_crank)
 crank_rocker_at = compiled(crank_rocker)
+slider_crank_forces_at = compiled(slider_crank_forces)
+slider_crank_load_at = compiled(slider_crank_load)
 
 
 @njit(error_model="numpy")
@@ -105,3 +108,22 @@ def crank_rocker_points_loop(angles, crank_radius, rod_length, rocker_length, gr
         table[i, 9] = joint.y.value
         table[i, 10] = joint.y.first
         table[i, 11] = joint.y.second
+
+
+@njit(error_model="numpy")
+def slider_crank_forces_loop(angles, geometry, bodies, pressing, conditions, table):
+    """Fill `table`, a row per angle, with the columns of `by_hand.slider_crank_forces_numpy`."""
+    for i in range(angles.size):
+        motion = slider_crank_at(angles[i], geometry)
+        load = slider_crank_load_at(motion, geometry, -pressing)
+        forces = slider_crank_forces_at(motion, geometry, bodies, load, conditions)
+        joints = forces.joints
+        table[i, 0] = joints.main_bearing.x
+        table[i, 1] = joints.main_bearing.y
+        table[i, 2] = joints.crank_pin.x
+        table[i, 3] = joints.crank_pin.y
+        table[i, 4] = joints.wrist_pin.x
+        table[i, 5] = joints.wrist_pin.y
+        table[i, 6] = joints.guide.y
+        table[i, 7] = forces.driving_torque
+        table[i, 8] = forces.torque_by_work

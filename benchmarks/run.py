@@ -16,6 +16,7 @@ import peers
 from timing import interleaved_ratio
 
 from cranktrain.linkage import in_blocks
+from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity
 from cranktrain.mechanisms.chain.kinematics import chain_motion, made_names
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
@@ -28,6 +29,7 @@ from cranktrain.mechanisms.chain.steps import (
     Structure,
 )
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
+from cranktrain.mechanisms.slider_crank.forces import SliderCrankBodies, slider_crank_forces, slider_crank_load
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 
 SAME = 1e-12
@@ -63,6 +65,12 @@ CHAIN_SIZE = ChainSize(
         for size in (PinSize(rod, rocker, side), SlideSize(link, 1.0, direction, offset))
     ),
 )
+
+
+FORCED = (Body(3.2, 0.021, -0.004, 0.006), Body(1.15, 0.05, 0.006, 0.0069), Body(0.95, 0.0, 0.0, 0.0))
+"""Bodies of crank, rod and slider."""
+PRESSING = 5200.0
+DRIVE, GRAVITY = Drive(157.0, 850.0), Gravity(-9.2, -3.4)
 
 
 class Mechanism(NamedTuple):
@@ -171,6 +179,34 @@ def chain_comparison(n):
     )
 
 
+def force_columns(forces):
+    joints = forces.joints
+    pins = [part for wrench in (joints.main_bearing, joints.crank_pin, joints.wrist_pin) for part in wrench[:2]]
+    return [*pins, joints.guide.y, forces.driving_torque, forces.torque_by_work]
+
+
+def force_comparisons(n):
+    """Motion, reactions and both torques of a slider-crank with a rigid rod, from the crank angle."""
+    angles = np.arange(n) * (2 * np.pi / n)
+    geometry, bodies = SliderCrank(*SLIDER_CRANK), SliderCrankBodies(*FORCED)
+    conditions = Conditions(DRIVE, GRAVITY, (NO_FRICTION,))
+    crank, rod, piston = (tuple(body) for body in FORCED)
+    given = tuple(geometry), crank, rod, piston[0], PRESSING, *DRIVE, tuple(GRAVITY)
+
+    def forces():
+        motion = slider_crank(angles, geometry)
+        load = slider_crank_load(motion, geometry, -PRESSING)
+        return slider_crank_forces(motion, geometry, bodies, load, conditions)
+
+    def forces_by_hand():
+        return by_hand.slider_crank_forces_numpy(angles, *given)
+
+    loop = filled(loops.slider_crank_forces_loop, angles, (geometry, bodies, PRESSING, conditions), 9)
+    loop_by_hand = filled(by_hand.slider_crank_forces_numba, angles, given, 9)
+    yield Comparison("NumPy", "NumPy by hand", forces, forces_by_hand, force_columns, list, 3.0)
+    yield Comparison("compiled", "Numba by hand", loop, loop_by_hand, list, list, 1.5)
+
+
 def filled(loop, angles, geometry, n_columns):
     """A loop as a function without arguments, with its table made beforehand; a column of the table a row."""
     table = np.empty((angles.size, n_columns))
@@ -252,6 +288,7 @@ def main(arguments):
         for mechanism in MECHANISMS
         for comparison in comparisons(mechanism, n)
     ]
+    kept += [is_kept("forces", n, each, n_repetitions) for n in (720, 100_000) for each in force_comparisons(n)]
     kept += [is_kept("chain", n, chain_comparison(n), n_repetitions) for n in (720, 100_000)]
     sys.exit(not all(kept))
 

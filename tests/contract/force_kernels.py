@@ -37,6 +37,8 @@ from cranktrain.linkage.forces import (
     YokeLoads,
 )
 from cranktrain.linkage.triad import GUIDE, ROD, Leg, Triad
+from cranktrain.loads.crank_pin import PinLoad
+from cranktrain.loads.piston import PistonForces
 from cranktrain.mechanisms.articulated_rod.forces import ArticulatedRodBodies, ArticulatedRodLoads
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.crank_rocker.forces import CrankRockerBodies, CrankRockerLoads
@@ -166,6 +168,28 @@ def of_kind(name, made):
     }
 
 
+def slider_crank_at(angle, size, side):
+    return KINDS["slider_crank"](angle, size, side)[:2]
+
+
+def rigid_rod(size):
+    """A rod with its centroid on its line."""
+    return Body(size(2.0), size(0.3), 0.0, size(0.1))
+
+
+def rod_of_masses(angle, size, side):
+    return group(angle, size, side).rod, rigid_rod(size), size(1.0), drive(size), gravity(size)
+
+
+def of_piston(angle, size, side):
+    motion, geometry = slider_crank_at(angle, size, side)
+    return size(5.0), motion, geometry
+
+
+def piston_parts(angle, size, side):
+    return (PistonForces(*(size(value) for value in (3.0, 0.5, 3.1, 2.0, 2.4))), *of_piston(angle, size, side)[1:])
+
+
 def reduced(size):
     return Reduced(ReducedInertia(size(0.3), size(0.1)), size(2.0))
 
@@ -212,6 +236,12 @@ EXAMPLES = {
         gravity(size),
     ),
     "forces.reduced_inertia": lambda angle, size, side: (group(angle, size, side).rod, body(size)),
+    "forces.reduced_of_three": lambda angle, size, side: (
+        tuple(group(angle, size, side).rod for _ in range(3)),
+        tuple(body(size) for _ in range(3)),
+        tuple(wrench(size) for _ in range(3)),
+        gravity(size),
+    ),
     "forces.slide_reactions": lambda angle, size, side: (
         group(angle, size, side).rod,
         Slide(size(1.0), size(0.05), side),
@@ -242,4 +272,34 @@ EXAMPLES = {
         YokeLoads(wrench(size), wrench(size)),
         friction(size),
     ),
+    "crank_pin.pin_load": lambda angle, size, side: (
+        wrench(size),
+        fixed_guide(size(0.4), size(-0.9), size(0.6)),
+    ),
+    "crank_pin.with_rotating_mass": lambda angle, size, side: (
+        PinLoad(size(3.0), size(-2.0)),
+        size(0.4),
+        size(0.3),
+        drive(size),
+    ),
+    "piston.inertia_force": lambda angle, size, side: (
+        slider_crank_at(angle, size, side)[0].slider,
+        size(0.6),
+        drive(size),
+    ),
+    "piston.piston_forces": of_piston,
+    "piston.piston_identities": piston_parts,
+    "piston.two_harmonic_inertia_force": lambda angle, size, side: (
+        angle,
+        SliderCrank(size(0.3), size(1.0), 0.0),
+        size(0.6),
+        size(4.0),
+    ),
+    "rod_masses.as_rigid_body": rod_of_masses,
+    "rod_masses.by_three_masses": rod_of_masses,
+    "rod_masses.by_two_masses": rod_of_masses,
+    "rod_masses.by_two_masses_and_couple": rod_of_masses,
+    "rod_masses.excess_inertia": lambda angle, size, side: (rigid_rod(size), size(1.0)),
+    "rod_masses.three_masses": lambda angle, size, side: (rigid_rod(size), size(1.0)),
+    "rod_masses.two_masses": lambda angle, size, side: (rigid_rod(size), size(1.0)),
 }

@@ -86,8 +86,10 @@ NO_KERNELS = {
 ONLY_DESIGNS = {"triad.triad"} | force_kernels.EXAMPLES.keys()
 """What takes long to compile for arrays: with designs there are crank angles too."""
 
-ONLY_NUMBERS = {name for name in force_kernels.EXAMPLES if name.endswith("_forces")} | {"forces.triad_reactions"}
-"""What takes ten seconds to compile for arrays: a transient asks for numbers, and on arrays NumPy is as good."""
+ONLY_NUMBERS = {name for name in force_kernels.EXAMPLES if name.split(".")[0] in force_kernels.KINDS} | {
+    "forces.triad_reactions"
+}
+"""What takes up to ten seconds to compile for arrays: a transient asks for numbers, and on arrays NumPy is as good."""
 
 ANGLES = np.array([0.0, 0.3, 1.1, 2.2, 3.3, 4.7, 5.9])
 DESIGNS = 4
@@ -109,7 +111,8 @@ def kernels() -> dict[str, Callable[..., Any]]:
         for folder in Path(cranktrain.gas.__path__[0]).glob("*/pressure.py")
     ]
     found: dict[str, Callable[..., Any]] = {}
-    for path in groups + mechanisms + gases + ["cranktrain.gas.state", "cranktrain.gas.polytrope"]:
+    loads = [f"cranktrain.loads.{name}" for name in ("crank_pin", "piston", "rod_masses")]
+    for path in groups + mechanisms + loads + gases + ["cranktrain.gas.state", "cranktrain.gas.polytrope"]:
         module = importlib.import_module(path)
         for name, function in inspect.getmembers(module, inspect.isfunction):
             short = f"{path.split('.')[2]}.{name}"

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import cranktrain as ct
+from cranktrain.linkage.forces import Body, Conditions, Drive, Friction, Gravity
 from cranktrain.mechanisms import KINDS, kind_named
 from cranktrain.mechanisms.closing import closing_margin
 from cranktrain.mechanisms.kind import leaves, named_part, scaled, stacked
@@ -48,7 +49,7 @@ def test_kinds_are_the_folders():
 
 @every_kind
 def test_folder_and_pages(kind):
-    for part in ("README.md", "spec.py", "kinematics.py", "drawing.py"):
+    for part in ("README.md", "spec.py", "kinematics.py", "forces.py", "drawing.py"):
         assert (FOLDER / kind.name / part).is_file(), part
     page = kind.name.replace("_", "-")
     assert (ROOT / f"docs/theory/{page}.md").is_file()
@@ -264,3 +265,55 @@ def test_lengths_of_plans_times_their_scale_are_the_pins_motion(kind, running, p
                 np.testing.assert_allclose(vector.value, exact, rtol=0, atol=1e-13 * longest, err_msg=vector.symbol)
                 seen.add(vector.pins[0])
         assert seen == set(drawing.pins) - set(drawing.fixed) - set(drawing.ends)
+
+
+def dynamics_of(kind):
+    """A mechanism of that kind with any bodies, loads of its output, and an accelerating crank under gravity."""
+    place = place_of(kind)
+    dynamics, random = place.kind.dynamics, np.random.default_rng(1)
+    motion = place.kind.motion(PHI, place.geometry)
+    bodies = [Body(*random.uniform([1, -0.1, -0.1, 0.01], [4, 0.1, 0.1, 0.1])) for _ in dynamics.moving]
+    friction = tuple(Friction(0.0, 1.0) for _ in dynamics.sliding)
+    conditions = Conditions(Drive(30.0, 200.0), Gravity(-4.0, -9.0), friction)
+    loads = dynamics.load(motion, place.geometry, 250.0)
+    return place, motion, dynamics.bodies(*bodies), loads, conditions
+
+
+@every_kind
+def test_moving_and_sliding_are_in_the_motion(kind):
+    """But for cranks and blocks, which the motion has as pins."""
+    place = place_of(kind)
+    dynamics, motion = place.kind.dynamics, place.kind.motion(PHI, place.geometry)
+    assert len(set(dynamics.moving)) == len(dynamics.moving)
+    assert {*place.kind.links, *dynamics.sliding} - {"block"} <= set(dynamics.moving)
+    for name in dynamics.sliding:
+        assert np.shape(place.kind.part(motion, name).first) == PHI.shape
+
+
+@every_kind
+def test_joints_have_names_and_bodies(kind):
+    place, motion, bodies, loads, conditions = dynamics_of(kind)
+    dynamics = place.kind.dynamics
+    joints = dynamics.forces(motion, place.geometry, bodies, loads, conditions).joints
+    names = [joint.name for joint in dynamics.reactions]
+    assert len(set(names)) == len(names) == len(joints)
+    assert list(getattr(joints, "_fields", names)) == names
+    assert all(joint.on != joint.by for joint in dynamics.reactions)
+    assert all(np.shape(part) == PHI.shape for wrench in joints for part in wrench)
+
+
+@every_kind
+def test_both_torques_agree(kind):
+    place, *others = dynamics_of(kind)
+    forces = place.kind.dynamics.forces(others[0], place.geometry, *others[1:])
+    scale = np.max(np.abs(forces.torque_by_work))
+    np.testing.assert_allclose(forces.driving_torque, forces.torque_by_work, rtol=0, atol=1e-12 * scale)
+
+
+@every_kind
+def test_load_works_along_the_output(kind):
+    """Its torque on the crank is force by slider's derivative, or torque by link's; weights are off."""
+    place, motion, bodies, loads, _ = dynamics_of(kind)
+    found = place.kind.dynamics.reduced(motion, place.geometry, bodies, loads, Gravity(0.0, 0.0)).load
+    output = motion.slider if place.kind.output == "slider" else motion.rocker.angle
+    np.testing.assert_allclose(found, 250.0 * output.first, atol=1e-13 * 250.0 * np.max(np.abs(output.first)))

@@ -4,6 +4,8 @@ Angles are in radians, everything else is in SI. Axes are a mechanism's own or t
 0, y is x turned by 90° in the sense of rotation. Leading axes (designs, cylinders) broadcast; the last one is the crank
 angle or the order.
 
+`piston`, `crank_pin`, `rod_masses`
+    forces of a piston, and of its rod on the crank pin; rods replaced by masses
 `rod_harmonics`, `harmonic_series`
     exact harmonics of a slider-crank; the texts' series and their errors
 `harmonics`

@@ -14,6 +14,7 @@ from cranktrain.linkage.forces.body import (
     applied,
     reduced,
     reduced_inertia,
+    reduced_of_three,
     torque_by_work,
     weight,
 )
@@ -63,6 +64,7 @@ __all__ = [
     "pin_reactions",
     "reduced",
     "reduced_inertia",
+    "reduced_of_three",
     "slide_reactions",
     "slider_link",
     "swivel_reactions",

@@ -152,6 +152,20 @@ def added_reduced(one: Reduced, other: Reduced) -> Reduced:
     )
 
 
+def reduced_of_three(
+    links: tuple[Link, Link, Link],
+    bodies: tuple[Body, Body, Body],
+    loads: tuple[Wrench, Wrench, Wrench],
+    gravity: Gravity,
+) -> Reduced:
+    """What a mechanism of three links adds to the equation of motion."""
+    pair = added_reduced(
+        reduced(links[0], bodies[0], loads[0], gravity),
+        reduced(links[1], bodies[1], loads[1], gravity),
+    )
+    return added_reduced(pair, reduced(links[2], bodies[2], loads[2], gravity))
+
+
 def torque_by_work(equation: Reduced, drive: Drive) -> Array:
     """Driving torque that the motion takes, by virtual work. [N·m]
 

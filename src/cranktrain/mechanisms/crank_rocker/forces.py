@@ -11,13 +11,12 @@ from cranktrain.linkage.forces import (
     Reduced,
     Wrench,
     added,
-    added_reduced,
     borne,
     crank_link,
     crank_reactions,
     handed_back,
     pin_reactions,
-    reduced,
+    reduced_of_three,
     torque_by_work,
 )
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, CrankRockerMotion
@@ -95,7 +94,7 @@ def crank_rocker_forces(
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
     shaft = crank_reactions(added(on_crank, handed_back(crank, motion.pin, group.rod)))
-    equation = crank_rocker_reduced(motion, geometry, bodies, loads, conditions.gravity)
+    equation = reduced_of_three((crank, motion.rod, motion.rocker), bodies, loads, conditions.gravity)
     return Forces(
         CrankRockerJoints(shaft.bearing, group.rod, group.joint, group.rocker),
         shaft.driving_torque,
@@ -115,13 +114,7 @@ def crank_rocker_reduced(
     docs/theory/forces, eqs. (13.4) and (13.6).
     """
     crank = crank_link(motion.pin, Crank(geometry.crank_radius))
-    return added_reduced(
-        added_reduced(
-            reduced(crank, bodies.crank, loads.crank, gravity),
-            reduced(motion.rod, bodies.rod, loads.rod, gravity),
-        ),
-        reduced(motion.rocker, bodies.rocker, loads.rocker, gravity),
-    )
+    return reduced_of_three((crank, motion.rod, motion.rocker), bodies, loads, gravity)
 
 
 DYNAMICS = Dynamics(

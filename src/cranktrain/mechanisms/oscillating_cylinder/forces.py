@@ -12,12 +12,11 @@ from cranktrain.linkage.forces import (
     SwivelLoads,
     Wrench,
     added,
-    added_reduced,
     borne,
     crank_link,
     crank_reactions,
     handed_back,
-    reduced,
+    reduced_of_three,
     swivel_reactions,
     swivel_slider_link,
     torque_by_work,
@@ -116,7 +115,7 @@ def oscillating_cylinder_forces(
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
     shaft = crank_reactions(added(on_crank, handed_back(crank, motion.pin, group.pin)))
-    equation = oscillating_cylinder_reduced(motion, geometry, bodies, loads, conditions.gravity)
+    equation = reduced_of_three((crank, piston, motion.cylinder), bodies, loads, conditions.gravity)
     drag = motion.cylinder.cos * group.slider.x + motion.cylinder.sin * group.slider.y
     return Forces(
         OscillatingCylinderJoints(shaft.bearing, group.pin, group.slider, group.pivot),
@@ -138,13 +137,7 @@ def oscillating_cylinder_reduced(
     """
     crank = crank_link(motion.pin, Crank(geometry.crank_radius))
     piston = swivel_slider_link(motion.pin, motion.cylinder)
-    return added_reduced(
-        added_reduced(
-            reduced(crank, bodies.crank, loads.crank, gravity),
-            reduced(piston, bodies.slider, loads.slider, gravity),
-        ),
-        reduced(motion.cylinder, bodies.cylinder, loads.cylinder, gravity),
-    )
+    return reduced_of_three((crank, piston, motion.cylinder), bodies, loads, gravity)
 
 
 DYNAMICS = Dynamics(

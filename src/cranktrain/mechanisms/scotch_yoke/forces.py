@@ -11,13 +11,12 @@ from cranktrain.linkage.forces import (
     Wrench,
     YokeLoads,
     added,
-    added_reduced,
     block_link,
     borne,
     crank_link,
     crank_reactions,
     handed_back,
-    reduced,
+    reduced_of_three,
     slider_link,
     torque_by_work,
     yoke_reactions,
@@ -100,7 +99,7 @@ def scotch_yoke_forces(
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
     shaft = crank_reactions(added(on_crank, handed_back(crank, motion.pin, group.pin)))
-    equation = scotch_yoke_reduced(motion, geometry, bodies, loads, conditions.gravity)
+    equation = reduced_of_three((crank, block, slider), bodies, loads, conditions.gravity)
     return Forces(
         ScotchYokeJoints(shaft.bearing, group.pin, group.slot, group.guide),
         shaft.driving_torque,
@@ -122,13 +121,7 @@ def scotch_yoke_reduced(
     crank = crank_link(motion.pin, Crank(geometry.crank_radius))
     block = block_link(motion.pin, geometry.slot_angle)
     slider = slider_link(motion.slider, geometry.offset)
-    return added_reduced(
-        added_reduced(
-            reduced(crank, bodies.crank, loads.crank, gravity),
-            reduced(block, bodies.block, loads.block, gravity),
-        ),
-        reduced(slider, bodies.slider, loads.slider, gravity),
-    )
+    return reduced_of_three((crank, block, slider), bodies, loads, gravity)
 
 
 DYNAMICS = Dynamics(

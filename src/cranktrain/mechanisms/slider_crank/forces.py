@@ -11,12 +11,11 @@ from cranktrain.linkage.forces import (
     SlideLoads,
     Wrench,
     added,
-    added_reduced,
     borne,
     crank_link,
     crank_reactions,
     handed_back,
-    reduced,
+    reduced_of_three,
     slide_reactions,
     slider_link,
     torque_by_work,
@@ -114,7 +113,7 @@ def slider_crank_forces(
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
     shaft = crank_reactions(added(on_crank, handed_back(crank, motion.pin, group.pin)))
-    equation = slider_crank_reduced(motion, geometry, bodies, loads, conditions.gravity)
+    equation = reduced_of_three((crank, motion.rod, slider), bodies, loads, conditions.gravity)
     return Forces(
         SliderCrankJoints(shaft.bearing, group.pin, group.joint, group.guide),
         shaft.driving_torque,
@@ -135,13 +134,7 @@ def slider_crank_reduced(
     """
     crank = crank_link(motion.pin, Crank(geometry.crank_radius))
     slider = slider_link(motion.slider, geometry.offset)
-    return added_reduced(
-        added_reduced(
-            reduced(crank, bodies.crank, loads.crank, gravity),
-            reduced(motion.rod, bodies.rod, loads.rod, gravity),
-        ),
-        reduced(slider, bodies.slider, loads.slider, gravity),
-    )
+    return reduced_of_three((crank, motion.rod, slider), bodies, loads, gravity)
 
 
 DYNAMICS = Dynamics(

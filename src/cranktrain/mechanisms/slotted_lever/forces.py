@@ -11,12 +11,11 @@ from cranktrain.linkage.forces import (
     SwivelLoads,
     Wrench,
     added,
-    added_reduced,
     borne,
     crank_link,
     crank_reactions,
     handed_back,
-    reduced,
+    reduced_of_three,
     swivel_reactions,
     swivel_slider_link,
     torque_by_work,
@@ -99,7 +98,7 @@ def slotted_lever_forces(
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
     shaft = crank_reactions(added(on_crank, handed_back(crank, motion.pin, group.pin)))
-    equation = slotted_lever_reduced(motion, geometry, bodies, loads, conditions.gravity)
+    equation = reduced_of_three((crank, block, motion.rocker), bodies, loads, conditions.gravity)
     drag = motion.rocker.cos * group.slider.x + motion.rocker.sin * group.slider.y
     return Forces(
         SlottedLeverJoints(shaft.bearing, group.pin, group.slider, group.pivot),
@@ -121,13 +120,7 @@ def slotted_lever_reduced(
     """
     crank = crank_link(motion.pin, Crank(geometry.crank_radius))
     block = swivel_slider_link(motion.pin, motion.rocker)
-    return added_reduced(
-        added_reduced(
-            reduced(crank, bodies.crank, loads.crank, gravity),
-            reduced(block, bodies.block, loads.block, gravity),
-        ),
-        reduced(motion.rocker, bodies.rocker, loads.rocker, gravity),
-    )
+    return reduced_of_three((crank, block, motion.rocker), bodies, loads, gravity)
 
 
 DYNAMICS = Dynamics(

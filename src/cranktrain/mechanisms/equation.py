@@ -1,0 +1,57 @@
+"""The equation of motion of a kind as a function of the crank angle: what a transient integrates."""
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any, TypeAlias, cast
+
+from cranktrain.linkage import compiled
+from cranktrain.linkage.forces import Gravity, Reduced
+from cranktrain.mechanisms.kind import Kind
+from cranktrain.motion import Array
+
+Equation: TypeAlias = Callable[[Array, Any, Any, Array, Gravity], Reduced]
+"""From crank angle, geometry, bodies, load on the output and gravity to reduced inertia, its derivative and torque."""
+
+
+def equation_of_motion(kind: Kind) -> Equation:
+    """Give a kind's equation of motion.
+
+    Parameters
+    ----------
+    kind : Kind
+
+    Returns
+    -------
+    function (angle, geometry, bodies, load, gravity) → Reduced
+        J, J′ and Q of M = Jε + ½J′ω² − Q at crank angles of shape (..., n); load is a force along the output slider's
+        coordinate or a torque on the output link. Without friction. docs/theory/forces, eq. (13.7).
+    """
+    return cast(Equation, _joined(kind.motion, kind.dynamics.load, kind.dynamics.reduced))
+
+
+@cache
+def compiled_equation(kind: Kind) -> Equation:
+    """Give a kind's equation of motion under Numba, for numbers; every kind but a chain has one.
+
+    Parameters
+    ----------
+    kind : Kind
+
+    Returns
+    -------
+    function
+        As `equation_of_motion` gives it, to be called from other compiled code too.
+    """
+    import numba
+
+    own = kind.dynamics
+    joined = _joined(compiled(kind.motion), compiled(own.load), compiled(own.reduced))
+    return cast(Equation, numba.njit(error_model="numpy")(joined))
+
+
+def _joined(motion_at: Any, load_of: Any, reduced_by: Any) -> Any:
+    def at(angle: Any, geometry: Any, bodies: Any, load: Any, gravity: Any) -> Any:
+        motion = motion_at(angle, geometry)
+        return reduced_by(motion, geometry, bodies, load_of(motion, geometry, load), gravity)
+
+    return at
