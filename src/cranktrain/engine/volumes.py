@@ -1,5 +1,6 @@
 """Volumes: what each chamber sweeps, holds and compresses; V = V₀ + Σ A x with a signed area for each piston."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -12,7 +13,7 @@ from cranktrain.engine.motion import PistonMotion
 from cranktrain.engine.travel import CylinderTravel
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
-from cranktrain.wording import Names, shared
+from cranktrain.wording import Names, ranged, shared
 
 _CHAMBER = ("chamber",)
 _THEORY = "docs/conventions"
@@ -103,6 +104,7 @@ class ChamberVolumes:
         "ε", "1", _CHAMBER, N_("Geometric compression ratio, largest volume over smallest"), _THEORY
     )
     checks: tuple[Check, ...] = ()
+    flags: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str:
         """Say the compression ratios."""
@@ -133,8 +135,21 @@ def chamber_volumes(
     start = clearance - chambers.area * smallest
     volume = start[..., np.newaxis] + _summed(chambers.areas, motion.piston_displacement)
     return ChamberVolumes(
-        chamber_volume=volume, clearance_volume=clearance, compression_ratio=1 + swept.swept_volume / clearance
+        chamber_volume=volume,
+        clearance_volume=clearance,
+        compression_ratio=1 + swept.swept_volume / clearance,
+        flags=tuple(_flags(chambers, clearance)),
     )
+
+
+def _flags(chambers: Chambers, clearance: Array) -> Iterator[str]:
+    """Mind chambers that a shared deck leaves no room."""
+    short = np.flatnonzero(np.any(clearance <= 0, axis=0)).tolist()
+    if short:
+        said = _(
+            "With the first one's deck no room is left over {chambers}: give these a compression_ratio of their own."
+        )
+        yield said.format(chambers=ranged(chambers.names, short))
 
 
 def _summed(areas: Array, lengths: Array) -> Array:
