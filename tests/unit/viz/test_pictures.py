@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+import tomllib
 from io import BytesIO
 from itertools import combinations
 
@@ -14,13 +15,19 @@ from cranktrain.engine.frames import in_machine_axes
 from cranktrain.errors import InputError
 from cranktrain.io.examples import example_names
 from cranktrain.io.output import write_whole_bytes
+from cranktrain.mechanisms import KINDS
 from cranktrain.study.placement import frame
 from cranktrain.viz import (
     animation,
     dxf,
     plan_accelerations,
+    plan_arc,
+    plan_brix,
+    plan_brix_backward,
+    plan_centres,
     plan_klein,
     plan_positions,
+    plan_projection,
     plan_velocities,
     save,
     save_animation,
@@ -69,7 +76,13 @@ PLANS = {
     "velocities": plan_velocities,
     "accelerations": plan_accelerations,
     "klein": plan_klein,
+    "centres": plan_centres,
 }
+
+WORKS = {kind.name: ct.Machine(**tomllib.loads(kind.example)) for kind in KINDS} | {
+    name: ct.load(name) for name in ("shaper", "great_northern", "jaw_crusher", "toggle_press")
+}
+"""A machine of every kind, and the examples whose names of pins are words."""
 
 
 @pytest.fixture(scope="module")
@@ -171,11 +184,43 @@ def test_sheet_says_what_it_shows(results):
 @pytest.mark.parametrize("angles", [12, [30.0, 60.0]])
 def test_plan_is_readable(name, kind, angles):
     machine = ct.load(name)
-    if kind == "klein" and (angles == 12 or "pumping" in name):
+    if (kind == "klein" and "pumping" in name) or (kind in ("klein", "centres") and angles == 12):
         with pytest.raises(InputError):
-            plan_klein(machine, angles)
+            PLANS[kind](machine, angles)
         return
     assert_words_are_readable(PLANS[kind](machine, angles))
+
+
+@pytest.mark.parametrize("case", WORKS)
+@pytest.mark.parametrize("plan", ["positions", "velocities", "accelerations", "centres"])
+@pytest.mark.parametrize("angles", [[60.0], [30.0, 60.0], 6])
+def test_plan_of_every_kind_is_readable(case, plan, angles):
+    if plan == "centres" and angles == 6:
+        with pytest.raises(InputError, match="at most 2 for instant centres"):
+            plan_centres(WORKS[case], angles)
+        return
+    assert_words_are_readable(PLANS[plan](WORKS[case], angles))
+
+
+@pytest.mark.parametrize("name", ["3d12", "vaz_21213", "mud_pump_12p160", "eccentric_press"])
+@pytest.mark.parametrize("draw", [plan_arc, plan_projection, plan_brix, plan_brix_backward])
+@pytest.mark.parametrize("angles", [12, 24, [60.0]])
+def test_construction_is_readable(name, draw, angles):
+    figure = draw(ct.load(name), angles)
+    assert_words_are_readable(figure)
+    words = " | ".join(text for text, _box in words_of(figure))
+    for part in ("m/mm", "paper, mm", "S, mm", "exact"):
+        assert part in words
+    if draw is not plan_arc:
+        assert "Range of the source: central mechanism, λ" in words
+
+
+def test_instant_centres_that_are_not_drawn_are_said():
+    machine = ct.Machine(mechanism={"kind": "slider_crank", "crank_radius": "30 mm", "rod_length": "50 mm"})
+    words = " | ".join(text for text, _box in words_of(plan_centres(machine, [90.0])))
+    assert "are parallel: it only" in words
+    words = " | ".join(text for text, _box in words_of(plan_centres(machine, [89.0])))
+    assert "too far away to be drawn: $P_{13}$" in words
 
 
 @pytest.mark.parametrize(
