@@ -120,8 +120,9 @@ def instant_centres(machine: Machine, angle: float, *, mechanism: str | None = N
     closed_angles(machine, place, [angle])
     drawing = placed(machine, place, np.array([np.deg2rad(angle) + machine.zero]))
     pins = {name: _pin_motion(drawing, name) for name in drawing.pins}
-    bodies, across = _bodies(drawing, pins)
-    centres = tuple(_centre(bodies, pair, pins, across) for pair in combinations(range(len(bodies)), 2))
+    with np.errstate(all="ignore"):  # where links only just close velocities have no bound, and centres are nowhere
+        bodies, across = _bodies(drawing, pins)
+        centres = tuple(_centre(bodies, pair, pins, across) for pair in combinations(range(len(bodies)), 2))
     return InstantCentres(place.name, angle, bodies, centres, drawing)
 
 

@@ -47,7 +47,7 @@ def placed_labels(wishes: Sequence[Wish], lines: Iterable[Array], scale: float) 
     ------
     Label
     """
-    obstacles = np.concatenate([_dots(line / scale) for line in lines], axis=1)
+    obstacles = np.concatenate([dots(line / scale) for line in lines], axis=1)
     points = np.stack([wish.point for wish in wishes], axis=1) / scale
     taken: list[tuple[float, float, float, float]] = []
     for wish in wishes:
@@ -111,8 +111,8 @@ def _cost(
     )
 
 
-def _dots(line: Array) -> Array:
-    """Points along a polyline, half a millimetre of paper apart."""
+def dots(line: Array) -> Array:
+    """Points along a polyline, half a millimetre of paper apart, shape (2, n)."""
     parts: list[Array] = []
     for start, end in zip(line.T[:-1], line.T[1:], strict=True):
         length = float(np.hypot(*(end - start)))

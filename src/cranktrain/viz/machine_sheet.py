@@ -6,6 +6,7 @@ from cranktrain.analysis import Result
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.viz.curves import TEXTBOOK_DASHES, Mark, draw_panels, marks, panels, textbook_words
+from cranktrain.viz.detail import draw_detail, wants_detail
 from cranktrain.viz.mechanism import mechanism_sketch
 from cranktrain.viz.page import MARGIN, Figure, Page, drawing_settings, fitting_scale, muted, paper
 from cranktrain.viz.scene import scene_of
@@ -81,10 +82,12 @@ def _draw_mechanism(
     for _pass in range(_PASSES):
         low_x, high_x, low_y, high_y = sketch.bounds()
         scale = fitting_scale(high_x - low_x, high_y - low_y, (room[0] - 3.0, room[1] - 10.0))
-        sketch = mechanism_sketch(scene, at, scale, dead)
+        sketch = mechanism_sketch(scene, at, scale, dead, has_ring=not wants_detail(scene, scale))
     low_x, high_x, low_y, high_y = (value / sketch.scale for value in sketch.bounds())
     origin = (left + room[0] / 2 - (low_x + high_x) / 2, bottom + foot + room[1] / 2 - (low_y + high_y) / 2)
     page.draw(sketch, origin)
+    if wants_detail(scene, sketch.scale):
+        draw_detail(page, scene, (at, dead), sketch, origin, (left, bottom + foot, *room))
     page.scale_bar(left, bottom + 9.0, sketch.scale)
     throws = len(machine.main_shaft.throws)
     drawn = (

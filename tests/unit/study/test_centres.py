@@ -146,3 +146,9 @@ def test_links_that_cannot_close_have_none():
     short = ct.Machine(mechanism={"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "40 mm"})
     with pytest.raises(InputError, match="cannot close there"):
         instant_centres(short, 90.0)
+
+
+def test_centres_are_nowhere_where_links_only_just_close():
+    even = ct.Machine(mechanism={"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "50 mm"})
+    found = instant_centres(even, 90.0)
+    assert np.all(np.isnan(found.centre(1, 3).place))
