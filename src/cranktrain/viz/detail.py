@@ -53,7 +53,7 @@ def draw_detail(
     """
     angle, dead = moment
     size = ring_radius(scene)
-    scale = fitting_scale(size, size, (_RADIUS - _FIGURES,) * 2)
+    scale = fitting_scale(size, size, (_RADIUS - _FIGURES, _RADIUS - _FIGURES))
     place = _free_place(whole, origin, room)
     page.draw(mechanism_sketch(scene, angle, scale, dead), place, within=_RADIUS)
     marks = Sketch(1.0)

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from io import BytesIO
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any
 
 import numpy as np
 
@@ -11,9 +11,6 @@ from cranktrain.viz.mechanism import mechanism_sketch
 from cranktrain.viz.page import Artist, Page, drawing_settings, fitting_scale
 from cranktrain.viz.scene import Scene, scene_of
 from cranktrain.viz.sketch import Sketch
-
-if TYPE_CHECKING:
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 _SIDE, _HEAD = 110.0, 8.0
 """Width of the picture, and the room above the mechanism. [mm]"""
@@ -80,9 +77,9 @@ def _frames(
         page.figure.set_dpi(_DOTS_PER_INCH)
         still, moving = _parted(mechanism_sketch(scene, float(angles[0]), scale, is_plain=True))
         page.draw(still, origin)
-        canvas = cast("FigureCanvasAgg", page.figure.canvas)
+        canvas: Any = page.figure.canvas
         canvas.draw()
-        background: Any = canvas.copy_from_bbox(page.figure.bbox)
+        background = canvas.copy_from_bbox(page.figure.bbox)
         artists = page.draw(moving, origin)
         words = page.text(4.0, size[1] - 6.0, "")
         for angle in angles:

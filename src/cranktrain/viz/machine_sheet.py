@@ -61,7 +61,8 @@ def title_block(page: Page, machine: Machine, about: Sequence[str], below: Seque
     """Head a sheet; give where it ends. [mm]"""
     top = page.height - MARGIN
     page.text(MARGIN, top - 4.5, machine.name or _("Machine without a name"), fontsize=TITLE, fontweight="bold")
-    page.text(MARGIN, top - 10.0, ". ".join([layout_words(machine), *about]))
+    layout = layout_words(machine)
+    page.text(MARGIN, top - 10.0, ". ".join([layout[:1].upper() + layout[1:], *about]))
     page.text(MARGIN, top - 14.5, ". ".join(below), **muted())
     page.text(page.width - MARGIN, top - 10.0, provenance_words(machine), ha="right")
     page.rule(top - 17.5)

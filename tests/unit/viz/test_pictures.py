@@ -4,7 +4,7 @@ import subprocess
 import sys
 import tomllib
 from io import BytesIO
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import numpy as np
 import pytest
@@ -14,6 +14,7 @@ import cranktrain as ct
 from cranktrain.engine.frames import in_machine_axes
 from cranktrain.errors import InputError
 from cranktrain.io.examples import example_names
+from cranktrain.io.machine_file import inputs_of, read_machine
 from cranktrain.io.output import write_whole_bytes
 from cranktrain.mechanisms import KINDS
 from cranktrain.study.placement import frame
@@ -37,6 +38,7 @@ from cranktrain.viz.curves import marks, panels
 from cranktrain.viz.mechanism import mechanism_sketch
 from cranktrain.viz.page import fitting_scale, mathematics, scale_words
 from cranktrain.viz.scene import scene_of
+from cranktrain.viz.words import counted_by_status, provenance_words
 
 MILLIMETRE = 1 / 25.4
 
@@ -163,7 +165,7 @@ def test_sheet_says_what_it_shows(results):
         "12 pistons, 6 throws, banks L, R",
         "n = 1500 rpm, clockwise",
         "φ = 0 where crank 1 is on the axis of bank L",
-        "published 4 · derived 2 · fitted 3 · assumed 1",
+        "Inputs: 4 published, 2 derived, 1 assumed, 3 fitted, 6 without a status",
         "TDC 60.82°",
         "BDC 235.74°",
         "γ = 60°",
@@ -277,6 +279,41 @@ def test_links_keep_their_lengths_on_paper(results):
         np.testing.assert_allclose(second["B"], first["B"], rtol=0, atol=1e-9)
 
 
+def test_small_crank_has_a_detail(results):
+    """At 1:7.5 the jaw crusher's 12 mm are 1.6 mm: the ring stands in a detail."""
+    words = [text for text, _box in words_of(sheet(results["jaw_crusher"]))]
+    assert {"A", "A (1:1.5)", "200 mm, scale 1:7.5"} <= set(words)
+    assert words.count("90") == 2  # one of the curves' axis
+    assert not any("A (" in text for text, _box in words_of(sheet(results["vaz_21213"])))
+
+
+def test_every_slider_of_a_chain_is_drawn(results):
+    """The locomotive's valve is where the result has it."""
+    result = results["great_northern"]
+    scene = scene_of(result.machines[0])
+    member = scene.members[0]
+    assert [guide.pin for guide in member.turn.guides] == ["piston.pin", "valve.pin"]
+    sketch = mechanism_sketch(scene, 50.0, 40.0)
+    middles = [np.mean(line.points, axis=1) for line in sketch.lines if line.is_closed and line.points.shape == (2, 4)]
+    valve = scene.pins(member, 50.0)["valve.pin"]
+    assert min(np.hypot(*(middle - valve)) for middle in middles) < 1e-9
+
+
+def test_no_dead_position_runs_through_a_figure_of_the_ring(results):
+    """The shaper's lever at its dead positions crosses where 150 would stand."""
+    scene = scene_of(results["shaper"].machines[0])
+    dead = [[mark.angle for mark in marks(results["shaper"])]]
+    sketch = mechanism_sketch(scene, 50.0, 7.5, dead)
+    for label in sketch.labels:
+        for angle in dead[0]:
+            pins = scene.pins(scene.members[0], angle)
+            for link in scene.members[0].turn.links:
+                ends = [pins[pin] for pin in link.pins]
+                for start, end in pairwise(ends):
+                    part = np.clip(np.dot(label.position - start, end - start) / np.dot(end - start, end - start), 0, 1)
+                    assert label.text == "0" or np.hypot(*(start + part * (end - start) - label.position)) > 2.0 * 7.5
+
+
 def test_drawn_parts_lie_on_the_layers_of_a_drawing_office(results):
     sketch = mechanism_sketch(scene_of(results["kamaz_740"].machines[0]), 50.0, 5.0)
     assert {line.layer for line in sketch.lines} == {"LINKS", "GUIDES", "PATHS", "DIMENSIONS"}
@@ -388,7 +425,16 @@ def test_scales_are_a_draughtsmans(width, height, words):
     assert scale_words(fitting_scale(width, height, (100.0, 100.0))) == words
 
 
+@pytest.mark.parametrize("name", example_names())
+def test_sheet_and_terminal_count_the_same_numbers(name):
+    file = read_machine(name)
+    assert provenance_words(file.machine) == "Inputs: " + counted_by_status(one.given for one in inputs_of(file))
+
+
 def test_symbols_are_set_as_mathematics():
+    assert mathematics("v_B,main") == r"$v_{B,\mathrm{main}}$"
+    assert mathematics("a_long_rod'^n") == r"$a_{\mathrm{long\_rod}'}^{n}$"
+    assert mathematics("v_AA'") == "$v_{AA'}$"
     assert mathematics("a_BA^n") == "$a_{BA}^{n}$"
     assert mathematics("p") == "$p$"
 
