@@ -215,10 +215,12 @@ def mathematics(symbol: str) -> str:
 
 
 def _letters_or_word(name: str) -> str:
-    """Leave letters as they are; set a word upright."""
-    is_word = len(name.replace("'", "")) > _LETTERS or "_" in name
+    """Leave letters as they are; set a word upright. A prime's own sign is larger than what ' becomes."""
     bare = name.rstrip("'")
-    return rf"\mathrm{{{bare.replace('_', chr(92) + '_')}}}{name[len(bare) :]}" if is_word else name
+    primes = "′" * (len(name) - len(bare))
+    if len(bare.replace("'", "")) <= _LETTERS and "_" not in bare:
+        return bare.replace("'", "′") + primes
+    return rf"\mathrm{{{bare.replace('_', chr(92) + '_')}}}{primes}"
 
 
 def muted(**manner: Any) -> dict[str, Any]:

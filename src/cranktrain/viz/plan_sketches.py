@@ -59,6 +59,7 @@ def line_drawing(plan: PositionPlan, track: Drawing | None = None) -> tuple[Sket
     sketch = Sketch(scale)
     pins = {name: scale * pin for name, pin in plan.drawing.positions.items()}
     sketch.add(_frame(plan.drawing, pins, scale))
+    sketch.add(_blocks(plan.drawing, pins, scale))
     if track is not None:
         paths = track.positions
         sketch.add(Line(scale * paths[name], "PATHS", "dotted", 1) for name in track.paths)
@@ -126,6 +127,20 @@ def _frame(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[L
         yield Line(np.stack([foot, foot + (max(places) + 8 * scale) * along], axis=1), "GUIDES", "axis", 1)
     for name in drawing.fixed:
         yield from shapes.pivot(pins[name][:, 0], 2.0 * scale, scale)
+
+
+def _blocks(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[Line]:
+    """Blocks in slots in the first position: along the drawn link that has the slot, or toward the slider that has."""
+    for block in drawing.blocks:
+        slotted = next((link.pins for link in drawing.links if {*block.link} <= {*link.pins}), (block.pin, *block.link))
+        ends = pins[slotted[-1]][:, 0] - pins[slotted[0]][:, 0]
+        if np.hypot(*ends) < 0.1 * scale:
+            continue
+        along = ends / np.hypot(*ends)
+        line = shapes.Along(pins[block.pin][:, 0], along)
+        corners = [(-2.0, -1.2), (2.0, -1.2), (2.0, 1.2), (-2.0, 1.2)]
+        points = [line.at(scale * u, scale * v) for u, v in corners]
+        yield Line(np.stack(points, axis=1), "LINKS", "outline", 2, is_closed=True, fill="light")
 
 
 def _away(direction: Array) -> float:

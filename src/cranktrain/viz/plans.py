@@ -67,7 +67,12 @@ def plan_positions(
         start = box.left + wide + 8.0
         end = write_table(page, rows, (start, box.bottom + box.height, box.left + box.width - start))
         if place_called(machine, mechanism).kind.output == "slider":
-            page.text(start, end - 2.0, _("from the shaft along the line of stroke, positive away from it"), **muted())
+            counted = (
+                _("from the shaft along the line of stroke, positive away from it")
+                if plan.drawing.guides
+                else _("in the cylinder, positive toward its head")
+            )
+            page.text(start, end - 2.0, counted, **muted())
         return page.figure
 
 

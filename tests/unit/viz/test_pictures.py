@@ -433,8 +433,8 @@ def test_sheet_and_terminal_count_the_same_numbers(name):
 
 def test_symbols_are_set_as_mathematics():
     assert mathematics("v_B,main") == r"$v_{B,\mathrm{main}}$"
-    assert mathematics("a_long_rod'^n") == r"$a_{\mathrm{long\_rod}'}^{n}$"
-    assert mathematics("v_AA'") == "$v_{AA'}$"
+    assert mathematics("a_long_rod'^n") == r"$a_{\mathrm{long\_rod}′}^{n}$"
+    assert mathematics("v_AA'") == "$v_{AA′}$"
     assert mathematics("a_BA^n") == "$a_{BA}^{n}$"
     assert mathematics("p") == "$p$"
 
