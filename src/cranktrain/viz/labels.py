@@ -33,7 +33,7 @@ class Wish(NamedTuple):
 
 
 def placed_labels(wishes: Sequence[Wish], lines: Iterable[Array], scale: float) -> Iterator[Label]:
-    """Place labels one by one, each at the free place that is best for it.
+    """Place labels one by one, each at the free place that is best for it; a number without any is left out.
 
     Parameters
     ----------
@@ -67,6 +67,8 @@ def placed_labels(wishes: Sequence[Wish], lines: Iterable[Array], scale: float) 
                 + _NOT_ITS_OWN * _is_nearer_to_another(middle, point, points)
             ),
         )
+        if wish.is_number and _n_under(_box(best, size), taken):
+            continue
         taken.append(_box(best, size))
         yield Label(best * scale, wish.text, is_framed=wish.is_number, is_symbol=not wish.is_number)
 
@@ -98,7 +100,7 @@ def _cost(
 ) -> float:
     """How bad a place is: over a label, over lines, far away, on the wrong side."""
     left, right, low, high = _box(middle, size)
-    over = sum(left < box[1] and box[0] < right and low < box[3] and box[2] < high for box in taken)
+    over = _n_under((left, right, low, high), taken)
     inside = (obstacles[0] > left) & (obstacles[0] < right) & (obstacles[1] > low) & (obstacles[1] < high)
     away = middle - point
     turn = np.arctan2(away[1], away[0]) - wish.towards
@@ -109,6 +111,12 @@ def _cost(
         + 1.5 * float(np.hypot(*away))
         + (8.0 if wish.is_number else 2.0) * (1 - float(np.cos(turn)))
     )
+
+
+def _n_under(own: tuple[float, float, float, float], taken: Sequence[tuple[float, float, float, float]]) -> int:
+    """How many labels a label would lie over."""
+    left, right, low, high = own
+    return sum(left < box[1] and box[0] < right and low < box[3] and box[2] < high for box in taken)
 
 
 def dots(line: Array) -> Array:
