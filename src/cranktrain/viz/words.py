@@ -1,7 +1,7 @@
 """What a sheet says of its machine: layout, speed, conventions, where the numbers are from."""
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import cast
 
 from cranktrain.language import _
@@ -12,19 +12,19 @@ from cranktrain.spec import Spec
 
 
 def layout_words(machine: Machine) -> str:
-    """Say what the machine is: its mechanism, or its pistons, banks and throws."""
+    """Say what the machine is, to begin no sentence: its mechanism, or its pistons, throws and banks."""
     if machine.mechanism is not None:
-        title = _(kind_named(machine.mechanism.kind).title)
-        return title[:1].upper() + title[1:]
+        return _(kind_named(machine.mechanism.kind).title)
     places = machine.places
     pistons = sum(place.kind.output == "slider" for place in places)
     rockers = len(places) - pistons
     throws = len(machine.main_shaft.throws)
+    banks = ", ".join(machine.bank)
     parts = [
         _("1 piston") if pistons == 1 else _("{n} pistons").format(n=pistons) if pistons else "",
         _("1 rocker") if rockers == 1 else _("{n} rockers").format(n=rockers) if rockers else "",
         _("1 throw") if throws == 1 else _("{n} throws").format(n=throws),
-        _("banks {banks}").format(banks=", ".join(machine.bank)) if len(machine.bank) > 1 else "",
+        (_("bank {banks}") if len(machine.bank) == 1 else _("banks {banks}")).format(banks=banks),
     ]
     return ", ".join(part for part in parts if part)
 
@@ -61,18 +61,23 @@ def zero_words(machine: Machine) -> str:
     return _("{start}; counted in the sense of running; seen from the free end").format(start=start)
 
 
-def provenance_words(machine: Machine) -> str:
-    """Count the given numbers by where they are from."""
-    counts = Counter(given.status for _path, given in set(_given(machine, "")))
+def counted_by_status(numbers: Iterable[Given]) -> str:
+    """Count given numbers by where they are from."""
+    counts = Counter(number.status for number in numbers)
     words = {
-        "published": _("published {n}"),
-        "derived": _("derived {n}"),
-        "fitted": _("fitted {n}"),
-        "assumed": _("assumed {n}"),
-        None: _("unsaid {n}"),
+        "published": _("{n} published"),
+        "derived": _("{n} derived"),
+        "assumed": _("{n} assumed"),
+        "fitted": _("{n} fitted"),
+        None: _("{n} without a status"),
     }
-    counted = " · ".join(word.format(n=counts[status]) for status, word in words.items() if counts[status])
-    return _("Inputs: {counts}").format(counts=counted)
+    return ", ".join(word.format(n=counts[status]) for status, word in words.items() if counts[status])
+
+
+def provenance_words(machine: Machine) -> str:
+    """Count the numbers that a machine's file gives by where they are from."""
+    given = dict.fromkeys(_given(machine, ""))
+    return _("Inputs: {counts}").format(counts=counted_by_status(number for _path, number in given))
 
 
 def _given(part: object, path: str) -> Iterator[tuple[str, Given]]:

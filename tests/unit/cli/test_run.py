@@ -36,7 +36,7 @@ def test_answer_first_then_the_numbers(typed):
     output = typed("run", "3d12").output
     lines = output.splitlines()
     assert lines[0].startswith("3D12 marine diesel")
-    assert "12 pistons, banks L, R; 1500 rpm; clockwise, ahead" in " ".join(lines[:2])
+    assert "12 pistons, 6 throws, banks L, R; 1500 rpm; clockwise, ahead" in " ".join(lines[:2])
     # strokes of the fit, to which the example's rods were fitted: 180 and 186.7 mm
     assert "Strokes: 180.00 mm (1L–6L), 186.70 mm (1R–6R)." in " ".join(lines[2:5])
     table = rows(output)
