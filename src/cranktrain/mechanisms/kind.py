@@ -151,6 +151,8 @@ class Kind:
         For a kind whose file says what the mechanism is made of: the kind of just this one.
     closing_field : callable (geometry) → str, optional
         Path in the mechanism's table of what cannot close; unless given, the spec's `rod_field`.
+    margin_precision : float
+        Relative precision to which the closing margin can be told.
     """
 
     name: str
@@ -174,6 +176,7 @@ class Kind:
     length_paths: tuple[str, ...] = ()
     composed: "Callable[[Any], Kind] | None" = None
     closing_field: Callable[[Any], str] | None = None
+    margin_precision: float = 1e-15
 
     @property
     def followed_links(self) -> tuple[str, ...]:

@@ -8,12 +8,16 @@ from cranktrain.linkage import LinkPoint, point
 from cranktrain.mechanisms.chain.kinematics import SHAFT, chain_made, pin_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
+    GuideLegStep,
+    MountStep,
     PinStep,
     PointStep,
+    RodLegStep,
     SlideStep,
     Structure,
     SwivelStep,
     TrammelStep,
+    TriadStep,
     YokeStep,
 )
 from cranktrain.mechanisms.kind import Drawing, DrawnLink, Guide
@@ -42,6 +46,17 @@ def chain_drawing(structure: Structure, angle: Array, size: ChainSize) -> Drawin
                 links.append(DrawnLink(step.guide, (step.pivot, end)))
             case PointStep():
                 links = [one._replace(pins=(*one.pins, step.point)) if one.name == step.link else one for one in links]
+            case MountStep():
+                links.append(DrawnLink(step.point, (step.pin, step.point)))
+            case TriadStep():
+                pins = [leg.joint if isinstance(leg, RodLegStep) else pin_of(leg.slider) for leg in step.legs]
+                links.append(DrawnLink(step.link, (*pins, pins[0])))
+                rods = [leg for leg in step.legs if isinstance(leg, RodLegStep)]
+                links += [DrawnLink(leg.rod, (leg.rod_from, leg.joint)) for leg in rods]
+                for leg, size_of_leg in zip(step.legs, cast(Any, own).legs, strict=True):
+                    if isinstance(leg, GuideLegStep):
+                        guide = Guide(pin_of(leg.slider), size_of_leg.direction)
+                        guides.insert(0 if leg.slider == structure.output else len(guides), guide)
             case YokeStep() | TrammelStep():
                 pass
         if isinstance(step, SlideStep | YokeStep | TrammelStep):
