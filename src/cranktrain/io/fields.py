@@ -160,9 +160,25 @@ _SENTENCES = {
     "PointPartSpec": {
         "type": N_("Type of group."),
         "name": N_("Name of the point."),
-        "link": N_("The link that carries it."),
-        "along": N_("Distance from the link's first pin toward its second."),
-        "across": N_("Distance from the line of pins, to its left."),
+        "link": N_("The link that carries it, or the slider in a fixed guide."),
+        "along": N_("Distance from the link's first pin toward its second; from a slider's pin along its guide."),
+        "across": N_("Distance from the line of pins, or from the guide, to its left."),
+    },
+    "TriadPartSpec": {
+        "type": N_("Type of group."),
+        "link": N_("Name of the link that the three legs hold."),
+        "leg": N_("The three legs, each with its joint on the link."),
+    },
+    "TriadLegSpec": {
+        "along": N_(
+            "Joint's distance along the link, from a point of it that is chosen freely, the same for all legs."
+        ),
+        "across": N_("Joint's distance from the link's line through that point, to its left."),
+        "joint": N_("Name of the joint, of a leg that is a rod."),
+        "rod": N_("The rod, from a point above to the joint; for a circular slot, from the slot's centre."),
+        "slider": N_("Name of the slider, of a leg that is a guide; its pin, NAME.pin, is the joint."),
+        "guide": N_("The fixed guide."),
+        "near": N_("Where about the joint lies when the crank lies along x: chooses the assembly mode."),
     },
     "ArticulatedRodSpec": {
         "master": N_("The bank whose rod, on the same throw, carries the knuckle pin."),

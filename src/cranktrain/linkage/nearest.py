@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.linkage.triad import Leg, Pose, Triad, TriadEnds
 from cranktrain.motion import Array, Link
 
-_STEPS = 25
+_STEPS = 40
 _FIRST_DAMPING = 1e-3
 _LEAST_DAMPING, _MOST_DAMPING = 1e-16, 1e6
 _SETTLED = 1e-13  # of the link's size

@@ -46,7 +46,7 @@ C = ["300 mm", "400 mm"]
 radius = "50 mm"
 
 [[mechanism.part]]                # a part uses only names that stand above it
-type = "pin"                      # pin, slide, swivel, yoke, trammel, point
+type = "pin"                      # pin, slide, swivel, yoke, trammel, triad, point
 rod = { name = "pitman", from = "main.pin", length = "400 mm" }
 rocker = { name = "lever", from = "C", length = "250 mm" }
 joint = "B"

@@ -19,7 +19,7 @@ from cranktrain.mechanisms.chain.steps import (
     TriadSize,
     TriadStep,
 )
-from cranktrain.mechanisms.chain.walks import side_of
+from cranktrain.mechanisms.chain.walks import sign_of
 from cranktrain.motion import Array, single
 
 _TRIED = 12
@@ -105,8 +105,8 @@ def _start(step: TriadStep, own: TriadSize, made: Made, near: Array) -> StartSiz
     if not modes:
         return _least_open(ends, legs)
     best = min(modes, key=lambda mode: float(np.nansum((mode.joints - near) ** 2)))
-    side = side_of(ends, legs, best.pose)
-    return StartSize(*(single(float(part)) for part in (*best.pose, side)))
+    sign = sign_of(ends, legs, best.pose)
+    return StartSize(*(single(float(part)) for part in (*best.pose, sign, 1.0)))
 
 
 def _least_open(ends: TriadEnds, legs: Triad) -> StartSize:
@@ -116,7 +116,7 @@ def _least_open(ends: TriadEnds, legs: Triad) -> StartSize:
         y = float(np.mean([end.origin.y.value for end in ends]))
         tries = [nearest_pose(ends, legs, _pose(x, y, 2 * np.pi * i / _TRIED)) for i in range(_TRIED)]
     best = min(tries, key=lambda one: float(np.nan_to_num(one.opening, nan=np.inf)))
-    return StartSize(*(single(float(part)) for part in (*best.pose, 1.0)))
+    return StartSize(*(single(float(part)) for part in (*best.pose, 1.0, 1.0)))
 
 
 def _pose(x: float, y: float, angle: float) -> Pose:

@@ -152,7 +152,7 @@ def _size(part: PartSpec, guides: Mapping[str, ChainGuideSpec]) -> Any:
             turned = guides[part.link].direction.si if part.link in guides else 0.0
             return _joint(part.along.si, part.across.si, turned)
         case TriadPartSpec():
-            return TriadSize(tuple(map(_leg_size, part.leg)), StartSize(*(single(0.0),) * 4))
+            return TriadSize(tuple(map(_leg_size, part.leg)), StartSize(*(single(0.0),) * 5))
 
 
 def _leg_size(leg: TriadLegSpec) -> RodLegSize | GuideLegSize:
@@ -166,7 +166,9 @@ def _leg_size(leg: TriadLegSpec) -> RodLegSize | GuideLegSize:
 def structure_of(spec: ChainSpec) -> Structure:
     """What the chain is made of, without its numbers."""
     guides = _guides(spec)
-    return Structure(tuple(spec.crank), tuple(spec.fixed), tuple(_step(part, guides) for part in spec.part), spec.output)
+    return Structure(
+        tuple(spec.crank), tuple(spec.fixed), tuple(_step(part, guides) for part in spec.part), spec.output
+    )
 
 
 def _step(part: PartSpec, guides: Mapping[str, ChainGuideSpec]) -> Step:
@@ -212,7 +214,7 @@ def mode_problems(spec: ChainSpec) -> tuple[Problem, ...]:
             allowed = _(
                 "fits in {n} ways where the crank lies along x; say where about a joint lies, near = [x, y] in its leg: {ways}"
             )
-            found.append(Problem(f"part[{place}].leg", None, allowed.format(n=len(modes), ways=ways)))
+            found.append(Problem(f"part[{place}].link", part.link, allowed.format(n=len(modes), ways=ways)))
     return tuple(found)
 
 

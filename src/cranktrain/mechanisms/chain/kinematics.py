@@ -177,7 +177,7 @@ def chain_gaps(structure: Structure, angle: Array, size: ChainSize) -> list[Arra
     for place, (step, own) in enumerate(zip(structure.steps, size.steps, strict=True)):
         if isinstance(step, TriadStep) and isinstance(own, TriadSize):
             motion = _triad_motion(structure, place, angle, size, made)
-            gaps.append(_gap_of_triad(triad_branch(structure, place, size), step, own, motion, made))
+            gaps.append(_gap_of_triad(triad_branch(structure, place, size), triad_ends(step, own, made), own, motion))
             _place_triad(step, own, motion.link, made)
         else:
             gaps.append(_GAPS[type(step)](step, own, made, radius))
@@ -373,12 +373,12 @@ def triad_legs(own: TriadSize) -> Triad:
     )
 
 
-def _gap_of_triad(branch: Branch, step: TriadStep, own: TriadSize, motion: TriadMotion, made: Made) -> Array:
+def _gap_of_triad(branch: Branch, ends: TriadEnds, own: TriadSize, motion: TriadMotion) -> Array:
     """Square of the transmission, which must keep its sign; where the link cannot be, what one leg lacks. [m]
 
     Toward the end of a branch the transmission goes as the root of what is left of a length.
     """
-    ends, legs = triad_ends(step, own, made), triad_legs(own)
+    legs = triad_legs(own)
     firmness = motion.transmission**2 / np.maximum.reduce([leg.point.radius for leg in legs])
     is_open = np.isnan(firmness)
     if not np.any(is_open):

@@ -185,12 +185,14 @@ class GuideLegSize(NamedTuple):
 class StartSize(NamedTuple):
     """Where a triad's link lies when the crank `main` is along x, or near there: origin [m], direction [rad].
 
-    side is the sign of the legs' transmission there, which is kept.
+    sign is that of the legs' transmission there, in the file's own axes, which is kept; side is +1 in these axes, −1
+    where the mechanism is seen with y reversed.
     """
 
     x: Array
     y: Array
     direction: Array
+    sign: Array
     side: Array
 
 

@@ -4,6 +4,7 @@ from collections.abc import Callable, Hashable
 from typing import Any, NamedTuple, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.linkage import Pose, Triad, TriadDriver, TriadEnds, Walk, pose_at, triad, triad_walk
 from cranktrain.linkage.nearest import nearest_pose
@@ -12,6 +13,9 @@ from cranktrain.motion import Array, Coefficient, single
 
 EndsAt = Callable[[Array], TriadEnds]
 
+_ALIKE = 1e-6
+"""Poses that differ by less, in parts of the link's size, are one. Of two modes only those of a loose link are near."""
+
 _KEPT = 32
 """Walks that are remembered: root finding asks for the same mechanisms at other angles again and again."""
 
@@ -19,7 +23,8 @@ _KEPT = 32
 class Branch(NamedTuple):
     """A triad's link round the turn from φ = 0: forward and, where it cannot turn on for all machines, backward.
 
-    start: pose at φ = 0; apart: how far off the link is after a turn on which it went over to another mode, else 0 [m].
+    start: pose at φ = 0; apart: how far off the link is
+    after a turn on which it went over to another mode, or from where it comes backward; else 0 [m].
     """
 
     start: Pose
@@ -48,15 +53,25 @@ def _branch(ends: EndsAt, legs: Triad, start: StartSize) -> Branch:
     with np.errstate(all="ignore"):
         at_start = ends(np.zeros(1))
         pose = nearest_pose(at_start, legs, Pose(start.x, start.y, start.direction)).pose
-        keeps_side = triad(TriadDriver(at_start, pose), legs).transmission * start.side > 0
+        keeps_side = triad(TriadDriver(at_start, pose), legs).transmission * _side(start, legs) > 0
         begun = Pose(*(np.where(keeps_side, part, np.nan) for part in pose))
         forward = triad_walk(ends, legs, begun)
         turns = ~np.isnan(forward.pose.value[0, ..., -1:])
         left = Pose(*(np.where(turns, np.nan, part) for part in begun))
         back = None if np.all(turns) else triad_walk(lambda angle: _reversed(ends(-angle)), legs, left)
-        first, last = forward.pose.value[..., :1], forward.pose.value[..., -1:]
-        apart = np.where(turns & ~forward.comes_back, np.hypot(*(last - first)[:2]), 0.0)
+        apart = _apart(forward, back)
+        apart = np.where(apart > _ALIKE * np.maximum.reduce([leg.point.radius for leg in legs]), apart, 0.0)
     return Branch(pose, forward, back, apart)
+
+
+def _apart(forward: Walk, back: Walk | None) -> Array:
+    """How far apart the link is at one crank angle, reached forward and backward; 0 where it cannot be both ways. [m]"""
+    last, angle = _last(forward), _last_angle(forward)
+    other = Pose(*forward.pose.value[..., :1])
+    if back is not None:
+        back_there = pose_at(back, -angle)
+        other = Pose(*(np.where(angle < 2 * np.pi, one, two) for one, two in zip(back_there, other, strict=True)))
+    return np.nan_to_num(np.hypot(last.x - other.x, last.y - other.y))
 
 
 def start_at(branch: Branch, angle: Array) -> Pose:
@@ -66,12 +81,11 @@ def start_at(branch: Branch, angle: Array) -> Pose:
     if branch.backward is None:
         return pose
     other = pose_at(branch.backward, -angle)
-    return Pose(*(np.where(np.isnan(part), back, part) for part, back in zip(pose, other, strict=True)))
+    return Pose(*map(_given, pose, other))
 
 
 def lacking(branch: Branch, ends: TriadEnds, legs: Triad, is_open: Array) -> Array:
-    """By how much one leg is too short or too long, where the link cannot be: from the nearest that it can. [m]"""
-    starts = [branch.start, *(_last(walk, branch.start) for walk in (branch.forward, branch.backward) if walk)]
+    """By how much one leg is too short or too long, where the link cannot be: from the ends of its branch. [m]"""
     chosen = np.nonzero(is_open)
 
     def there(value: Any) -> Any:
@@ -79,18 +93,30 @@ def lacking(branch: Branch, ends: TriadEnds, legs: Triad, is_open: Array) -> Arr
             return type(value)(*(there(part) for part in cast(tuple[Any, ...], value)))
         return np.broadcast_to(value, is_open.shape)[chosen]
 
-    openings = [nearest_pose(there(ends), there(legs), there(pose)).opening for pose in starts]
+    starts = [_last(walk) for walk in (branch.forward, branch.backward) if walk is not None]
+    starts = [Pose(*map(_given, start, branch.start)) for start in starts]
+    openings = [nearest_pose(there(ends), there(legs), there(start)).opening for start in starts]
     found = np.zeros(is_open.shape)
     found[chosen] = np.fmin.reduce(openings)
     return np.where(branch.apart > 0, branch.apart, found)
 
 
-def _last(walk: Walk, start: Pose) -> Pose:
-    """Where a walk ends; the start, where it has not begun."""
-    n_nodes = np.sum(~np.isnan(walk.pose.value[0]), axis=-1, keepdims=True)
-    place = np.maximum(n_nodes - 1, 0)[np.newaxis]
-    last = np.take_along_axis(walk.pose.value, np.broadcast_to(place, (3, *place.shape[1:])), axis=-1)
-    return Pose(*(np.where(n_nodes > 0, one, other) for one, other in zip(last, start, strict=True)))
+def _given(one: Array, other: Array) -> Array:
+    return np.where(np.isnan(one), other, one)
+
+
+def _last(walk: Walk) -> Pose:
+    """Where a walk ends; NaN, where it has not begun."""
+    return Pose(*np.take_along_axis(walk.pose.value, np.broadcast_to(_end(walk), (3, *_end(walk).shape)), axis=-1))
+
+
+def _last_angle(walk: Walk) -> Array:
+    return np.take_along_axis(walk.angle, _end(walk), axis=-1)
+
+
+def _end(walk: Walk) -> NDArray[np.intp]:
+    """Number of the last node that a walk has reached."""
+    return np.maximum(np.sum(~np.isnan(walk.pose.value[0]), axis=-1, keepdims=True) - 1, 0)
 
 
 def _reversed(ends: Any) -> Any:
@@ -102,7 +128,12 @@ def _reversed(ends: Any) -> Any:
     return ends
 
 
-def side_of(ends: TriadEnds, legs: Triad, pose: Pose) -> Array:
+def _side(start: StartSize, legs: Triad) -> Array:
+    """Sign of the transmission that is kept. Seen with y reversed, a guide's normal points to the other side."""
+    return start.sign * start.side ** sum(leg.kind for leg in legs)
+
+
+def sign_of(ends: TriadEnds, legs: Triad, pose: Pose) -> Array:
     """Sign of the transmission in a pose; 1 where there is none."""
     with np.errstate(all="ignore"):
         sign = np.sign(triad(TriadDriver(ends, pose), legs).transmission)
