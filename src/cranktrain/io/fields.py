@@ -170,9 +170,7 @@ _SENTENCES = {
         "leg": N_("The three legs, each with its joint on the link."),
     },
     "TriadLegSpec": {
-        "along": N_(
-            "Joint's distance along the link, from a point of it that is chosen freely, the same for all legs."
-        ),
+        "along": N_("Joint's distance along the link, from a point of it that is the same for all legs."),
         "across": N_("Joint's distance from the link's line through that point, to its left."),
         "joint": N_("Name of the joint, of a leg that is a rod."),
         "rod": N_("The rod, from a point above to the joint; for a circular slot, from the slot's centre."),

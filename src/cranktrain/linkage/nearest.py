@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.linkage.triad import Leg, Pose, Triad, TriadEnds
 from cranktrain.motion import Array, Link
@@ -68,7 +69,7 @@ def nearest_pose(ends: TriadEnds, geometry: Triad, start: Pose) -> NearestPose:
         square_there = _square(there)
         is_less = square_there < square
         pose = Pose(*(np.where(is_less, new, old) for new, old in zip(tried, pose, strict=True)))
-        rows = [_Row(*(np.where(is_less, *parts) for parts in zip(*pair, strict=True))) for pair in zip(there, rows)]
+        rows = [_chosen(is_less, *pair) for pair in zip(there, rows, strict=True)]
         square = np.where(is_less, square_there, square)
         damping = np.clip(np.where(is_less, 0.1 * damping, 10.0 * damping), _LEAST_DAMPING, _MOST_DAMPING)
         moved = np.abs(step.x) + np.abs(step.y) + size * np.abs(step.angle)
@@ -76,6 +77,10 @@ def nearest_pose(ends: TriadEnds, geometry: Triad, start: Pose) -> NearestPose:
             break
     largest = np.maximum.reduce([np.abs(row.opening) for row in rows])
     return NearestPose(pose, np.where(largest > 0, square / np.where(largest > 0, largest, 1.0), largest))
+
+
+def _chosen(condition: NDArray[np.bool_], one: _Row, other: _Row) -> _Row:
+    return _Row(*(np.where(condition, *parts) for parts in zip(one, other, strict=True)))
 
 
 def _square(rows: list[_Row]) -> Array:

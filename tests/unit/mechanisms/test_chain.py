@@ -329,15 +329,9 @@ def test_a_triad_that_does_not_close_at_all():
 def test_a_triad_of_two_pin_groups_is_what_they_are():
     """Two joints of the link on one point: a rod of the triad carries the first pin group's joint."""
     pins = chain()
-    pins["part"] = pins["part"][:1] + [
-        {
-            "type": "pin",
-            "rod": {"name": "link", "from": "B", "length": "300 mm"},
-            "rocker": {"name": "out", "from": "D", "length": "350 mm"},
-            "joint": "E",
-            "side": "left",
-        }
-    ]
+    links = (("link", "B", 300), ("out", "D", 350))
+    rod, rocker = ({"name": name, "from": start, "length": f"{length} mm"} for name, start, length in links)
+    pins["part"][1] = {"type": "pin", "rod": rod, "rocker": rocker, "joint": "E", "side": "left"}
     pins |= {"output": "out", "fixed": {"C": ["300 mm", "400 mm"], "D": ["600 mm", "200 mm"]}}
     one = ct.run(ct.Machine(mechanism=pins))
     at = {name: position(one, name)[0] for name in ("B", "E")}

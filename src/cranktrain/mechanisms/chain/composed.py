@@ -84,11 +84,6 @@ _LENGTHS: dict[type, tuple[tuple[str, str], ...]] = {
 }
 """Lengths of each group but the triad: as its numbers call them, and as the file does."""
 
-_LEG_LEG_LENGTHS: dict[type, tuple[str, str]] = {
-    RodLegStep: ("length", "rod.length"),
-    GuideLegStep: ("offset", "guide.offset"),
-}
-
 _WALKED = 1e-6
 """A walk round the turn tells to this, in parts of a length, whether a triad's link can pass."""
 
@@ -212,7 +207,8 @@ def mode_problems(spec: ChainSpec) -> tuple[Problem, ...]:
         if len(modes) > 1:
             ways = "; ".join(_joints(part, mode.joints) for mode in modes)
             allowed = _(
-                "fits in {n} ways where the crank lies along x; say where about a joint lies, near = [x, y] in its leg: {ways}"
+                "fits in {n} ways where the crank lies along x; say where about a joint lies, near = [x, y] in its leg: "
+                "{ways}"
             )
             found.append(Problem(f"part[{place}].link", part.link, allowed.format(n=len(modes), ways=ways)))
     return tuple(found)

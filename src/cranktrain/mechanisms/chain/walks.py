@@ -65,7 +65,7 @@ def _branch(ends: EndsAt, legs: Triad, start: StartSize) -> Branch:
 
 
 def _apart(forward: Walk, back: Walk | None) -> Array:
-    """How far apart the link is at one crank angle, reached forward and backward; 0 where it cannot be both ways. [m]"""
+    """How far apart the link is at one crank angle, reached forward and backward; 0 where only one way leads. [m]"""
     last, angle = _last(forward), _last_angle(forward)
     other = Pose(*forward.pose.value[..., :1])
     if back is not None:
@@ -90,7 +90,8 @@ def lacking(branch: Branch, ends: TriadEnds, legs: Triad, is_open: Array) -> Arr
 
     def there(value: Any) -> Any:
         if isinstance(value, tuple):
-            return type(value)(*(there(part) for part in cast(tuple[Any, ...], value)))
+            parts = cast(tuple[Any, ...], value)
+            return cast(Any, type(parts))(*map(there, parts))
         return np.broadcast_to(value, is_open.shape)[chosen]
 
     starts = [_last(walk) for walk in (branch.forward, branch.backward) if walk is not None]
@@ -124,7 +125,8 @@ def _reversed(ends: Any) -> Any:
     if isinstance(ends, Coefficient):
         return ends._replace(first=-ends.first)
     if isinstance(ends, tuple):
-        return type(ends)(*(_reversed(part) for part in cast(tuple[Any, ...], ends)))
+        parts = cast(tuple[Any, ...], ends)
+        return cast(Any, type(parts))(*map(_reversed, parts))
     return ends
 
 
