@@ -32,6 +32,8 @@ class Cylinder:
         Where in the machine file each field that is given stands.
     is_master : bool
         Whether the piston hangs on the crank pin itself.
+    is_piston : bool
+        Whether it is one, and not a valve.
     """
 
     piston: str
@@ -39,6 +41,7 @@ class Cylinder:
     spec: CylinderSpec
     paths: Mapping[str, str]
     is_master: bool
+    is_piston: bool
 
     @property
     def has_own_ratio(self) -> bool:
@@ -47,8 +50,8 @@ class Cylinder:
 
     @property
     def chambers(self) -> tuple[str, ...]:
-        """Sides of the piston on which there is a chamber."""
-        return self.spec.chambers or ("head",)
+        """Sides of the piston on which there is a chamber; a valve has none."""
+        return (self.spec.chambers or ("head",)) if self.is_piston else ()
 
 
 _COMMON_RATIO = "cylinder.compression_ratio"
@@ -72,11 +75,15 @@ def _cylinder(common: CylindersSpec, place: Place) -> Cylinder:
             if value is not None and name not in fields:
                 fields[name], paths[name] = value, f"{path}.{name}"
     spec = CylinderSpec.model_construct(**fields)
-    return Cylinder(place.name, place.bank, spec, paths, is_master=place.kind.name == "slider_crank")
+    kind = place.kind
+    return Cylinder(
+        place.name, place.bank, spec, paths, is_master=kind.name == "slider_crank", is_piston=kind.has_chambers
+    )
 
 
 def cylinder_problems(common: CylindersSpec, pistons: Sequence[Place]) -> tuple[Problem, ...]:
     """Find cylinders and overrides of nothing, bores given for some pistons only, piston rods that do not fit."""
+    pistons = [place for place in pistons if place.kind.has_chambers]
     if not pistons:
         allowed = _("is not for this machine, which has no pistons")
         return (Problem("cylinder", None, allowed),) if common.model_fields_set else ()
@@ -103,7 +110,9 @@ def cylinder_problems(common: CylindersSpec, pistons: Sequence[Place]) -> tuple[
 def chambers_of(designs: Sequence[Sequence[Cylinder]]) -> Chambers | None:
     """Signed area matrix of the working chambers; None where no bore is given."""
     first = designs[0]
-    if not first or any(cylinder.spec.bore is None for design in designs for cylinder in design):
+    if all(not cylinder.chambers for cylinder in first):
+        return None
+    if any(cylinder.spec.bore is None for design in designs for cylinder in design if cylinder.chambers):
         return None
     sides = [(i, side) for i, cylinder in enumerate(first) for side in cylinder.chambers]
     areas = np.zeros((len(designs), len(first), len(sides)))
@@ -136,7 +145,7 @@ def compression_ratios_of(designs: Sequence[Sequence[Cylinder]]) -> CompressionR
     sides = [(i, side) for i, cylinder in enumerate(first) for side in cylinder.chambers]
     heads = [(k, i) for k, (i, side) in enumerate(sides) if side == "head"]
     leader, leading = next(((k, i) for k, i in heads if first[i].is_master), heads[0] if heads else (0, 0))
-    if any(design[leading].spec.compression_ratio is None for design in designs):
+    if not heads or any(design[leading].spec.compression_ratio is None for design in designs):
         return None
     value = np.full((len(designs), len(sides)), np.nan)
     for d, design in enumerate(designs):

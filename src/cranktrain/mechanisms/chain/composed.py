@@ -70,9 +70,6 @@ from cranktrain.wording import precise
 _HUNG_ON = ("rod_from", "rocker_from", "pin", "pivot", "link", "through")
 _SIDES = {"left": 1.0, "right": -1.0, "ahead": 1.0, "behind": -1.0}
 
-_WALKED = 1e-6
-"""A walk round the turn tells to this, in parts of a length, whether a triad's link can pass."""
-
 _LENGTHS: dict[type, tuple[tuple[str, str], ...]] = {
     PinStep: (("rod_length", "rod.length"), ("rocker_length", "rocker.length")),
     SlideStep: (("rod_length", "rod.length"), ("offset", "guide.offset")),
@@ -207,7 +204,7 @@ def mode_problems(spec: ChainSpec) -> tuple[Problem, ...]:
         if len(modes) > 1:
             ways = "; ".join(_joints(part, mode.joints) for mode in modes)
             allowed = _(
-                "fits in {n} ways where the crank lies along x; say where about a joint lies, near = [x, y] in its leg: "
+                "fits in {n} ways where the crank lies along x; say where about a joint lies, near = [x, y] in a leg: "
                 "{ways}"
             )
             found.append(Problem(f"part[{place}].link", part.link, allowed.format(n=len(modes), ways=ways)))
