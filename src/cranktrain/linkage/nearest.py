@@ -57,8 +57,9 @@ def nearest_pose(ends: TriadEnds, geometry: Triad, start: Pose) -> NearestPose:
     """
     size = np.maximum.reduce([leg.point.radius for leg in geometry])
     size = np.where(size > 0, size, 1.0)
-    none = sum((end.origin.x.value for end in ends), 0.0) * 0.0 + sum((leg.length for leg in geometry), 0.0) * 0.0
-    pose = Pose(*(part + none + 0.0 * size for part in start))
+    numbers = (*start, size, *(end.origin.x.value for end in ends), *(leg.length for leg in geometry))
+    shape = np.broadcast_shapes(*map(np.shape, numbers))
+    pose = Pose(*(np.broadcast_to(part, shape) for part in start))
     rows = _rows(ends, geometry, pose)
     square = _square(rows)
     damping = _FIRST_DAMPING + 0.0 * square

@@ -73,7 +73,16 @@ def _put_together(structure: Structure, place: int, size: ChainSize, near: Mappi
 def made_above(structure: Structure, place: int, size: ChainSize) -> Made:
     """All that stands above a group, where the crank `main` lies along x."""
     with np.errstate(all="ignore"):
-        return chain_made(structure._replace(steps=structure.steps[:place]), single(0.0), size)
+        made = chain_made(structure._replace(steps=structure.steps[:place]), single(0.0), size)
+    return {name: _numbers(part) for name, part in made.items()}
+
+
+def _numbers(part: Any) -> Any:
+    """Give numbers for arrays of one."""
+    if isinstance(part, tuple):
+        parts = cast(tuple[Any, ...], part)
+        return cast(Any, type(parts))(*map(_numbers, parts))
+    return np.asarray(part).item()
 
 
 def _outside(structure: Structure, step: SwivelStep, made: Made) -> float:
