@@ -82,7 +82,7 @@ def lead_angle(table):
 
 
 def stephenson(table, angle, near):
-    """Valve on its line, by seven unknowns: both joints of the rods and the middle of the link, and the valve."""
+    """Valve on its line, by four unknowns: the middle of the slot, the link's turn, the valve."""
     given = metres(table)
     ahead = lead_angle(table) + given["angle_of_advance"]
     ecc, rod, half = given["eccentricity"], given["eccentric_rod_length"], given["pin_spacing"] / 2
@@ -97,16 +97,17 @@ def stephenson(table, angle, near):
         up = (way * -mp.sin(turn), way * mp.cos(turn))  # toward the ahead rod's joint
         back = (-mp.cos(turn), -mp.sin(turn))  # toward the shaft
         joints = [
-            tuple(at + sign * half * one + given["pin_setback"] * other for at, one, other in zip((x, y), up, back))
+            tuple(
+                at + sign * half * one + given["pin_setback"] * other
+                for at, one, other in zip((x, y), up, back, strict=True)
+            )
             for sign in (1, -1)
         ]
-        saddle = tuple(at + given["saddle_setback"] * other for at, other in zip((x, y), back))
-        held = [
-            mp.hypot(joint[0] - pin[0], joint[1] - pin[1]) - rod for joint, pin in zip(joints, pins, strict=True)
-        ]
+        saddle = tuple(at + given["saddle_setback"] * other for at, other in zip((x, y), back, strict=True))
+        held = [mp.hypot(joint[0] - pin[0], joint[1] - pin[1]) - rod for joint, pin in zip(joints, pins, strict=True)]
         hung = mp.hypot(saddle[0] - end_x, saddle[1] - end_y) - given["lifting_link_length"]
         if "link_radius" in table:
-            centre = tuple(at + given["link_radius"] * other for at, other in zip((x, y), back))
+            centre = tuple(at + given["link_radius"] * other for at, other in zip((x, y), back, strict=True))
             slot = mp.hypot(valve - centre[0], given["offset"] - centre[1]) - given["link_radius"]
         else:
             slot = (valve - x) * back[0] + (given["offset"] - y) * back[1]
@@ -114,7 +115,7 @@ def stephenson(table, angle, near):
 
     down = end_y + mp.sign(given["offset"] - end_y) * given["lifting_link_length"]
     start = (near, down, mp.mpf(0), near)
-    found = mp.findroot(lambda *unknown: openings(*unknown), start, tol=mp.mpf("1e-70"), maxsteps=60)
+    found = mp.findroot(openings, start, tol=mp.mpf("1e-70"), maxsteps=60)
     assert abs(found[2]) < 0.6
     return found[3]
 
@@ -138,7 +139,7 @@ def test_stephenson(notch, rods, admission, straight):
 
 
 def walschaerts(data, bank_angle, angle, near):
-    """Valve on its line, by four unknowns: the link's turn, the lever's pin on the radius rod and its turn, the valve."""
+    """Valve on its line, by five unknowns: the link's turn, the lever's pin and turn, the valve."""
     gear, engine = metres(data["bank"]["valve"]["mechanism"]), metres(data["bank"]["cylinder"]["mechanism"])
     crank = angle - bank_angle
     radius, rod, height = engine["crank_radius"], engine["rod_length"], engine["offset"]
@@ -170,7 +171,7 @@ def walschaerts(data, bank_angle, angle, near):
         ]
 
     start = (mp.mpf(0), near, gear["offset"] - to_valve, mp.mpf(0), near)
-    found = mp.findroot(lambda *unknown: openings(*unknown), start, tol=mp.mpf("1e-70"), maxsteps=60)
+    found = mp.findroot(openings, start, tol=mp.mpf("1e-70"), maxsteps=60)
     assert abs(found[0]) < 0.7
     assert abs(found[3]) < 0.7
     return found[4]
@@ -178,7 +179,13 @@ def walschaerts(data, bank_angle, angle, near):
 
 @pytest.mark.parametrize(
     ("notch", "admission", "bank", "offset"),
-    [(1, "inside", 0, 0), (0.35, "outside", 3, 10), (0, "inside", 0, 0), (-1, "inside", -4, 5), (-0.6, "outside", 0, 0)],
+    [
+        (1, "inside", 0, 0),
+        (0.35, "outside", 3, 10),
+        (0, "inside", 0, 0),
+        (-1, "inside", -4, 5),
+        (-0.6, "outside", 0, 0),
+    ],
 )
 def test_walschaerts(notch, admission, bank, offset):
     data = tomllib.loads(kind_named("walschaerts").example)

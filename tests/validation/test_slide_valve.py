@@ -1,7 +1,7 @@
 """The slide valve of a steam engine on one eccentric: cut-off and compression as solved elsewhere.
 
-R = 200, L = 1000 mm, eccentricity 45, eccentric rod 900, steam lap 22, exhaust lap 3 mm, δ = 35°, outside admission. The
-angles are closed forms, φ = ±arccos[(s² + r² − l²)/(2 r s)] − 90° − δ with s = l − u, printed to 1e-6 degrees; the
+R = 200, L = 1000 mm, eccentricity 45, eccentric rod 900, steam lap 22, exhaust lap 3 mm, δ = 35°, outside admission.
+The angles are closed forms, φ = ±arccos[(s² + r² − l²)/(2 r s)] − 90° − δ with s = l − u, printed to 1e-6 degrees; the
 fractions of the stroke are each end's own.
 """
 

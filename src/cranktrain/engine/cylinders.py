@@ -144,7 +144,9 @@ def compression_ratios_of(designs: Sequence[Sequence[Cylinder]]) -> CompressionR
     first = designs[0]
     sides = [(i, side) for i, cylinder in enumerate(first) for side in cylinder.chambers]
     heads = [(k, i) for k, (i, side) in enumerate(sides) if side == "head"]
-    leader, leading = next(((k, i) for k, i in heads if first[i].is_master), heads[0] if heads else (0, sides[0][0] if sides else 0))
+    leader, leading = next(
+        ((k, i) for k, i in heads if first[i].is_master), heads[0] if heads else (0, sides[0][0] if sides else 0)
+    )
     if not sides or any(design[leading].spec.compression_ratio is None for design in designs):
         return None
     value = np.full((len(designs), len(sides)), np.nan)

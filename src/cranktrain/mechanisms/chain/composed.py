@@ -36,6 +36,7 @@ from cranktrain.mechanisms.chain.spec import (
     YokePartSpec,
 )
 from cranktrain.mechanisms.chain.steps import (
+    NO_START,
     ChainSize,
     CrankSize,
     GuideLegSize,
@@ -50,7 +51,6 @@ from cranktrain.mechanisms.chain.steps import (
     RodLegStep,
     SlideSize,
     SlideStep,
-    StartSize,
     Step,
     Structure,
     SwivelSize,
@@ -144,7 +144,7 @@ def _size(part: PartSpec, guides: Mapping[str, ChainGuideSpec]) -> Any:
             turned = guides[part.link].direction.si if part.link in guides else 0.0
             return _joint(part.along.si, part.across.si, turned)
         case TriadPartSpec():
-            return TriadSize(tuple(map(_leg_size, part.leg)), StartSize(*(single(0.0),) * 5))
+            return TriadSize(tuple(map(_leg_size, part.leg)), NO_START)
 
 
 def _leg_size(leg: TriadLegSpec) -> RodLegSize | GuideLegSize:

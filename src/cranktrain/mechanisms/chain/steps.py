@@ -2,7 +2,7 @@
 
 from typing import NamedTuple, TypeAlias
 
-from cranktrain.motion import Array
+from cranktrain.motion import Array, single
 
 
 class PinStep(NamedTuple):
@@ -194,6 +194,10 @@ class StartSize(NamedTuple):
     direction: Array
     sign: Array
     side: Array
+
+
+NO_START = StartSize(single(0.0), single(0.0), single(0.0), single(0.0), single(1.0))
+"""What stands there before a triad is put together."""
 
 
 class TriadSize(NamedTuple):

@@ -12,7 +12,7 @@ from cranktrain.motion import Array
 
 
 class Eccentric(NamedTuple):
-    """Eccentricity, rod length, offset of the valve's line toward +y [m]; how far ahead of the crank it stands [rad]."""
+    """Eccentricity, rod length, offset of the valve's line toward +y [m]; how far ahead of the crank it is [rad]."""
 
     eccentricity: Array
     rod_length: Array

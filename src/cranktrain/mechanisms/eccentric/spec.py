@@ -46,9 +46,7 @@ def eccentric_geometry(spec: EccentricSpec, master: Master | None = None) -> Ecc
     else:
         assert spec.angle_of_advance is not None  # the spec asks for one of the two
         ahead = set_ahead(spec.angle_of_advance.si, spec.admission)
-    return Eccentric(
-        single(spec.eccentricity.si), single(spec.rod_length.si), single(spec.offset.si), single(ahead)
-    )
+    return Eccentric(single(spec.eccentricity.si), single(spec.rod_length.si), single(spec.offset.si), single(ahead))
 
 
 def eccentric_advice(geometry: Eccentric) -> str:

@@ -41,7 +41,7 @@ _LENGTHS = {
 @cache
 def _kind(structure: Structure) -> Kind:
     """Give the kind of gears with a curved slot, or with a straight one."""
-    lengths = _LENGTHS if structure is STRAIGHT else _LENGTHS | {"link_radius": "link_radius"}
+    lengths = _LENGTHS if structure is STRAIGHT else _LENGTHS | {"slot_arc": "link_radius"}
     return replace(
         KIND,
         motion=partial(stephenson, structure),

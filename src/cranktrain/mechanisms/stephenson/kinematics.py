@@ -58,8 +58,8 @@ class Stephenson(NamedTuple):
 
     eccentricity, rod_length: of both eccentrics and their rods; ahead: how far the eccentric for running ahead stands
     ahead of the crank, the other as far behind [rad]; pin_spacing: of the rods' joints on the link, pin_setback: of the
-    line of these joints from the middle of the slot toward the shaft; link_radius: of the slot's arc about a centre
-    toward the shaft; saddle_setback: of the joint of the lifting link, in the middle, toward the shaft; offset: of the
+    line of these joints from the middle of the slot toward the shaft; slot_arc: the slot's radius, its centre toward
+    the shaft; saddle_setback: of the joint of the lifting link, in the middle, toward the shaft; offset: of the
     valve's line toward +y [m]; side: +1 where the ahead rod's joint lies toward −y, −1 toward +y; start: pose of the
     link where the crank lies along x.
     """
@@ -69,7 +69,7 @@ class Stephenson(NamedTuple):
     rod_length: Array
     pin_spacing: Array
     pin_setback: Array
-    link_radius: Array
+    slot_arc: Array
     saddle_setback: Array
     lifting_link_length: Array
     arm: LiftingArm
@@ -109,8 +109,8 @@ def stephenson_size(structure: Structure, geometry: Stephenson) -> ChainSize:
     if structure is STRAIGHT:
         rest = (TrammelSize(none, along, geometry.offset, -geometry.side),)
     else:
-        centre = PointSize(geometry.link_radius, toward_shaft * (0.5 * np.pi))
-        rest = (centre, SlideSize(geometry.link_radius, AHEAD, along, geometry.offset))
+        centre = PointSize(geometry.slot_arc, toward_shaft * (0.5 * np.pi))
+        rest = (centre, SlideSize(geometry.slot_arc, AHEAD, along, geometry.offset))
     return ChainSize(
         (CrankSize(geometry.eccentricity, geometry.ahead), CrankSize(geometry.eccentricity, -geometry.ahead)),
         (

@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.mechanisms.chain.assembly import assembled
-from cranktrain.mechanisms.chain.steps import StartSize, Structure, TriadSize
+from cranktrain.mechanisms.chain.steps import NO_START, Structure, TriadSize
 from cranktrain.mechanisms.kind import Master, MechanismSpec
 from cranktrain.mechanisms.stephenson.kinematics import CURVED, STRAIGHT, LiftingArm, Stephenson, stephenson_size
 from cranktrain.mechanisms.valve_gear import Admission, Notch, set_ahead
@@ -63,13 +63,13 @@ def stephenson_geometry(spec: StephensonSpec, master: Master | None = None) -> S
         rod_length=single(spec.eccentric_rod_length.si),
         pin_spacing=single(spec.pin_spacing.si),
         pin_setback=single(spec.pin_setback.si),
-        link_radius=single(0.0 if spec.link_radius is None else spec.link_radius.si),
+        slot_arc=single(0.0 if spec.link_radius is None else spec.link_radius.si),
         saddle_setback=single(spec.saddle_setback.si),
         lifting_link_length=single(spec.lifting_link_length.si),
         arm=arm,
         offset=single(spec.offset.si),
         side=single(1.0 if spec.rods == "open" else -1.0),
-        start=StartSize(*(single(0.0),) * 4, single(1.0)),
+        start=NO_START,
     )
     structure = structure_of(spec)
     size = assembled(structure, stephenson_size(structure, geometry), {"link": _upright(geometry)})

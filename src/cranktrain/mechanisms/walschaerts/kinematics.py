@@ -48,7 +48,7 @@ STRUCTURE = Structure(
     ),
     "valve",
 )
-"""Of the gear: the link about its trunnion is a rocker, the combination lever hangs on radius rod, union link, valve."""
+"""The link about its trunnion is a rocker; the combination lever hangs on radius rod, union link and valve."""
 
 
 class Lever(NamedTuple):

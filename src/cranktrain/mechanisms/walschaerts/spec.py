@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.mechanisms.chain.assembly import assembled
-from cranktrain.mechanisms.chain.steps import Place, StartSize, TriadSize
+from cranktrain.mechanisms.chain.steps import NO_START, Place, TriadSize
 from cranktrain.mechanisms.kind import Master, MechanismSpec
 from cranktrain.mechanisms.valve_gear import Admission, Notch, set_ahead
 from cranktrain.mechanisms.walschaerts.kinematics import STRUCTURE, Lever, Walschaerts, upright, walschaerts_size
@@ -48,7 +48,7 @@ class WalschaertsSpec(MechanismSpec, frozen=True):
 def walschaerts_geometry(spec: WalschaertsSpec, master: Master | None) -> Walschaerts:
     """Geometry in SI in the notch of the file, with the combination lever put together across the valve's line."""
     assert master is not None  # the layout finds the crosshead or refuses the machine
-    is_inside = spec.admission == "inside"
+    valve_pin = spec.valve_pin_distance.si if spec.admission == "inside" else -spec.valve_pin_distance.si
     geometry = Walschaerts(
         master=master.geometry,
         bank_angle=single(master.bank_angle),
@@ -60,14 +60,12 @@ def walschaerts_geometry(spec: WalschaertsSpec, master: Master | None) -> Walsch
         foot_setback=single(spec.foot_setback.si),
         die=single(spec.notch.si * spec.full_gear_die.si),
         radius_rod_length=single(spec.radius_rod_length.si),
-        lever=Lever(
-            single(spec.lever_length.si), single(spec.valve_pin_distance.si if is_inside else -spec.valve_pin_distance.si)
-        ),
+        lever=Lever(single(spec.lever_length.si), single(valve_pin)),
         union_link_length=single(spec.union_link_length.si),
         drop=Place(single(spec.drop_x.si), single(spec.drop_y.si)),
         offset=single(spec.offset.si),
         side=single(float(-np.copysign(1.0, spec.trunnion_y.si))),
-        start=StartSize(*(single(0.0),) * 4, single(1.0)),
+        start=NO_START,
     )
     size = assembled(STRUCTURE, walschaerts_size(geometry), {"combination_lever": upright(geometry)})
     lever = size.steps[-1]
@@ -79,6 +77,6 @@ def walschaerts_advice(geometry: Walschaerts) -> str:
     """Say what holds the lever."""
     del geometry
     return _(
-        "eccentric rod and link must reach each other, radius rod and union link the lever; see trunnion_x, trunnion_y, "
-        "foot_distance, radius_rod_length, lever_length, union_link_length and drop_y"
+        "eccentric rod and link must reach each other, radius rod and union link the lever; see trunnion_x, "
+        "trunnion_y, foot_distance, radius_rod_length, lever_length, union_link_length and drop_y"
     )
