@@ -225,20 +225,23 @@ def chain_kind(base: Kind, spec: ChainSpec) -> Kind:
 
 @cache
 def _chain_kind(base: Kind, structure: Structure) -> Kind:
+    return replace(base, composed=None, **fields_of(structure))
+
+
+def fields_of(structure: Structure) -> dict[str, Any]:
+    """What a kind says that depends on the chain's structure."""
     places = tuple(_length_places(structure))
-    return replace(
-        base,
-        motion=partial(chain_motion, structure),
-        gap=partial(chain_gap, structure),
-        lengths=tuple(path for path, _name in places),
-        length_paths=tuple(name for _path, name in places),
-        drawing=partial(chain_drawing, structure),
-        closing_advice=partial(_advice, structure),
-        closing_field=partial(_stuck_part, structure),
-        composed=None,
-        margin_precision=_WALKED if any(isinstance(step, TriadStep) for step in structure.steps) else 1e-15,
+    return {
+        "motion": partial(chain_motion, structure),
+        "gap": partial(chain_gap, structure),
+        "lengths": tuple(path for path, _name in places),
+        "length_paths": tuple(name for _path, name in places),
+        "drawing": partial(chain_drawing, structure),
+        "closing_advice": partial(_advice, structure),
+        "closing_field": partial(_stuck_part, structure),
+        "margin_precision": _WALKED if any(isinstance(step, TriadStep) for step in structure.steps) else 1e-15,
         **parts_of(structure),
-    )
+    }
 
 
 def parts_of(structure: Structure) -> dict[str, Any]:
