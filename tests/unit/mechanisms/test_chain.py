@@ -393,3 +393,37 @@ def swivel(ground):
 def test_a_swivel_cannot_pass_where_its_pivot_lies_on_the_pins_circle(ground, margin):
     result = ct.run(ct.Machine(mechanism=swivel(ground)))
     assert result.closing_margin[0] == pytest.approx(margin, rel=1e-9)
+
+
+def test_a_triad_that_is_elsewhere_after_a_turn_is_refused():
+    """One whose link goes over to another assembly mode without ever being loose; found among random ones."""
+    legs = [
+        {"joint": "P", "along": f"{0.9126752006841798 * np.cos(-2.131787870635355)} m"},
+        {"joint": "Q", "along": f"{0.20490304593019504 * np.cos(0.4095501403288182)} m"},
+        {"slider": "block", "along": f"{0.3577143214166978 * np.cos(-2.4872976134728964)} m"},
+    ]
+    across = (
+        0.9126752006841798 * np.sin(-2.131787870635355),
+        0.20490304593019504 * np.sin(0.4095501403288182),
+        0.3577143214166978 * np.sin(-2.4872976134728964),
+    )
+    legs = [leg | {"across": f"{value} m"} for leg, value in zip(legs, across, strict=True)]
+    legs[0]["rod"] = {"name": "first", "from": "main.pin", "length": "0.7242548468413007 m"}
+    legs[1]["rod"] = {"name": "second", "from": "A", "length": "1.7427752319628997 m"}
+    legs[2]["guide"] = {"through": "B", "direction": "-0.11776628844784076 rad", "offset": "-0.0067475478667854485 m"}
+    origin, direction = 0.42064509230060004 + 0.022428509547091385j, -0.20498818834430946
+    first = origin + (0.9126752006841798 * np.exp(1j * (direction - 2.131787870635355)))
+    legs[0]["near"] = [f"{first.real} m", f"{first.imag} m"]
+    table = {
+        "kind": "chain",
+        "output": "block",
+        "crank": {"main": {"radius": "0.13562929260572187 m"}},
+        "fixed": {
+            "A": ["1.7841999602341219 m", "1.3620788116852358 m"],
+            "B": ["-0.08770258618699905 m", "-0.10412440142359436 m"],
+        },
+        "part": [{"type": "triad", "link": "plate", "leg": legs}],
+    }
+    problem = refusal(table)
+    assert "at no crank angle" in problem.allowed
+    assert "on each turn its link goes over to another assembly mode" in problem.allowed
