@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import reduce
-from typing import Any, Literal, NamedTuple, TypeVar, cast
+from typing import Any, ClassVar, Literal, NamedTuple, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,6 +36,9 @@ class MechanismSpec(Spec, frozen=True):
 
     kind: str
     points: Mapping[str, LinkPointSpec] = {}
+
+    master_field: ClassVar[str | None] = None
+    """Field that names the bank whose slider-crank, on the same throw, this mechanism hangs on."""
 
     @property
     def rod_field(self) -> str:
@@ -230,6 +233,10 @@ class Kind:
         For a kind whose file says what the mechanism is made of: the kind of just this one.
     closing_field : callable (geometry) → str, optional
         Path in the mechanism's table of what cannot close; unless given, the spec's `rod_field`.
+    margin_precision : float
+        Relative precision to which the closing margin can be told.
+    has_chambers : bool
+        Whether its slider is a piston, which can have a cylinder, and not a valve.
     """
 
     name: str
@@ -254,6 +261,8 @@ class Kind:
     length_paths: tuple[str, ...] = ()
     composed: "Callable[[Any], Kind] | None" = None
     closing_field: Callable[[Any], str] | None = None
+    margin_precision: float = 1e-15
+    has_chambers: bool = True
 
     @property
     def followed_links(self) -> tuple[str, ...]:

@@ -260,3 +260,11 @@ def test_bug_is_reported_in_a_sentence(typed, monkeypatch):
     assert "Traceback" not in answer.errors
     monkeypatch.setenv("CRANKTRAIN_TRACEBACK", "1")
     assert "ZeroDivisionError" in typed("run", "some file.toml").errors
+
+
+def test_a_notch_from_the_terminal(typed):
+    """Another notch for one run."""
+    for notch, travel in (("1", "164.77"), ("0", "88.95")):
+        answer = typed("run", "lms_class5", "--set", f"bank.valve.mechanism.notch={notch}", "--quantities", "stroke")
+        assert answer.status == 0, answer.errors
+        assert travel in answer.output
