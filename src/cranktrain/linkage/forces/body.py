@@ -95,7 +95,7 @@ def applied(link: Link, body: Body, drive: Drive, gravity: Gravity) -> Wrench:
     A crank of 2 kg, centroid 30 mm out, at 100 rad/s: 600 N outward.
 
     >>> from cranktrain.linkage import Crank, crank
-    >>> from cranktrain.linkage.forces import crank_link
+    >>> from cranktrain.linkage.forces.crank import crank_link
     >>> link = crank_link(crank(0.0, Crank(0.04)), Crank(0.04))
     >>> round(float(applied(link, Body(2.0, 0.03, 0.0, 0.001), Drive(100.0, 0.0), Gravity(0.0, 0.0)).x), 9)
     600.0
