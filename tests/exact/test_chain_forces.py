@@ -7,7 +7,8 @@ from tests.multibody import FRAME, Multibody
 
 from cranktrain.linkage import Crank
 from cranktrain.linkage.forces import added, block_link, crank_link, swivel_slider_link
-from cranktrain.mechanisms.chain.forces import chain_dynamics, chain_forces, chain_load, chain_moving
+from cranktrain.mechanisms.chain.forces import chain_dynamics, chain_forces, chain_load
+from cranktrain.mechanisms.chain.joints import chain_moving
 from cranktrain.mechanisms.chain.kinematics import chain_gaps, chain_made, chain_motion, pin_of, with_sides
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,

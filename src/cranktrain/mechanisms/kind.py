@@ -18,9 +18,12 @@ LISTS = frozenset({"part"})
 Geometry = TypeVar("Geometry", bound=tuple[Any, ...])
 
 _MIRRORED = frozenset(
-    {"offset", "shift", "y", "articulation_angle", "bank_angle", "slot_angle", "direction", "ahead", "side"}
+    {
+        *("offset", "shift", "y", "articulation_angle", "bank_angle", "slot_angle", "direction", "ahead", "side"),
+        *("across", "moment"),
+    }
 )
-"""Geometry that changes sign when the mechanism's y is mirrored: what counts toward +y or in the sense of rotation."""
+"""What changes sign when the mechanism's y is mirrored: what counts toward +y or in the sense of rotation."""
 
 
 class LinkPointSpec(Spec, frozen=True):
@@ -276,7 +279,7 @@ class Kind:
 
 
 def mirrored(geometry: Geometry) -> Geometry:
-    """Give the same metal seen with y reversed, as a machine that runs astern sees it."""
+    """Give geometry, bodies or loads seen with y reversed, as a machine that runs astern sees the same metal."""
 
     def change(name: str, value: Any) -> Any:
         if isinstance(value, tuple):
