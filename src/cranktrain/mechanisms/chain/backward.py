@@ -12,6 +12,7 @@ from cranktrain.linkage.forces import (
     SlideLoads,
     SwivelLoads,
     TrammelLoads,
+    TriadLoads,
     Wrench,
     YokeLoads,
     added,
@@ -20,16 +21,19 @@ from cranktrain.linkage.forces import (
     slide_reactions,
     swivel_reactions,
     trammel_reactions,
+    triad_reactions,
     turned_wrench,
     yoke_reactions,
 )
 from cranktrain.mechanisms.chain.joints import GUIDE, joint_name
-from cranktrain.mechanisms.chain.kinematics import pin_of
+from cranktrain.mechanisms.chain.kinematics import pin_of, triad_ends, triad_legs
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
+    MountStep,
     PinSize,
     PinStep,
     PointStep,
+    RodLegStep,
     SlideSize,
     SlideStep,
     Structure,
@@ -37,6 +41,8 @@ from cranktrain.mechanisms.chain.steps import (
     SwivelStep,
     TrammelSize,
     TrammelStep,
+    TriadSize,
+    TriadStep,
     YokeSize,
     YokeStep,
 )
@@ -134,7 +140,22 @@ def _note_guide(walk: BackwardWalk, slider: str, guide: Wrench, direction: Array
     walk.drags[slider] = guide.x
 
 
-def _solve_point(step: PointStep, own: Any, walk: BackwardWalk) -> None:
+def _solve_triad(step: TriadStep, own: TriadSize, walk: BackwardWalk) -> None:
+    moving = [leg.rod if isinstance(leg, RodLegStep) else leg.slider for leg in step.legs]
+    first, second, third = (walk.loads[name] for name in moving)
+    ends = triad_ends(step, own, walk.made)
+    loads = TriadLoads(walk.loads[step.link], first, second, third)
+    found = triad_reactions(walk.made[step.link], ends, triad_legs(own), loads)
+    for leg, reactions in zip(step.legs, found, strict=True):
+        if isinstance(leg, RodLegStep):
+            walk.joints[joint_name(leg.joint, step.link)] = reactions.joint
+            _hang(walk, leg.rod_from, leg.rod, reactions.end)
+        else:
+            walk.joints[joint_name(pin_of(leg.slider), step.link)] = reactions.joint
+            walk.joints[joint_name(GUIDE, leg.slider)] = reactions.end
+
+
+def _solve_point(step: PointStep | MountStep, own: Any, walk: BackwardWalk) -> None:
     """Nothing hangs on a point but by the link that carries it."""
     del step, own, walk
 
@@ -145,6 +166,8 @@ _SOLVED: Mapping[type, Callable[[Any, Any, BackwardWalk], None]] = {
     SwivelStep: _solve_swivel,
     YokeStep: _solve_yoke,
     TrammelStep: _solve_trammel,
+    TriadStep: _solve_triad,
     PointStep: _solve_point,
+    MountStep: _solve_point,
 }
 """How each group is solved: from its links' loads to its joints and the loads of what carries it."""

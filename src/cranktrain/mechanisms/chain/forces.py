@@ -1,7 +1,7 @@
 """Forces of a chain: its groups solved from the last backward, each loading what it hangs on."""
 
-from collections.abc import Mapping
-from functools import partial, reduce
+from collections.abc import Callable, Mapping
+from functools import reduce
 from typing import Any
 
 from cranktrain.linkage import Crank
@@ -24,7 +24,7 @@ from cranktrain.linkage.forces import (
 from cranktrain.mechanisms.chain.backward import BackwardWalk, walk_backward
 from cranktrain.mechanisms.chain.joints import carriers_of, chain_moving, chain_reactions, chain_sliding, moving_of
 from cranktrain.mechanisms.chain.kinematics import ChainMotion, made_names, pin_of
-from cranktrain.mechanisms.chain.steps import ChainSize, Step, Structure, SwivelSize, SwivelStep
+from cranktrain.mechanisms.chain.steps import ChainSize, Step, Structure, SwivelSize, SwivelStep, TriadStep
 from cranktrain.mechanisms.kind import Dynamics
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import Array, Link
@@ -52,6 +52,8 @@ def _link(step: Step, own: Any, name: str, made: Mapping[str, Any]) -> Link:
         return made[name]
     if isinstance(step, SwivelStep):
         return swivel_slider_link(made[step.pin], made[step.guide])
+    if isinstance(step, TriadStep):
+        own = next(leg_size for leg, leg_size in zip(step.legs, own.legs, strict=True) if name in leg)
     return block_link(made[pin_of(name)], own.direction)
 
 
@@ -154,14 +156,40 @@ def chain_reduced(
     return reduce(added_reduced, shares)
 
 
-def chain_dynamics(structure: Structure) -> Dynamics:
-    """What forces a chain gives."""
+def _as_it_is(size: ChainSize) -> ChainSize:
+    """Numbers of a chain that stand in the file."""
+    return size
+
+
+def chain_dynamics(structure: Structure, size_of: Callable[[Any], ChainSize] = _as_it_is) -> Dynamics:
+    """What forces a chain gives.
+
+    Parameters
+    ----------
+    structure : Structure
+    size_of : callable (geometry) → ChainSize, optional
+        Of a kind that composes a chain out of numbers of its own.
+
+    Returns
+    -------
+    Dynamics
+    """
+
+    def load(motion: ChainMotion, geometry: Any, value: Array) -> tuple[Wrench, ...]:
+        return chain_load(structure, motion, size_of(geometry), value)
+
+    def forces(motion: ChainMotion, geometry: Any, *acting: Any) -> Forces[tuple[Wrench, ...]]:
+        return chain_forces(structure, motion, size_of(geometry), *acting)
+
+    def equation(motion: ChainMotion, geometry: Any, *acting: Any) -> Reduced:
+        return chain_reduced(structure, motion, size_of(geometry), *acting)
+
     return Dynamics(
         _together,
         chain_moving(structure),
         chain_reactions(structure),
         chain_sliding(structure),
-        partial(chain_load, structure),
-        partial(chain_forces, structure),
-        partial(chain_reduced, structure),
+        load,
+        forces,
+        equation,
     )

@@ -4,13 +4,17 @@ from collections.abc import Iterator, Mapping
 
 from cranktrain.mechanisms.chain.kinematics import SHAFT, pin_of
 from cranktrain.mechanisms.chain.steps import (
+    GuideLegStep,
+    MountStep,
     PinStep,
     PointStep,
+    RodLegStep,
     SlideStep,
     Step,
     Structure,
     SwivelStep,
     TrammelStep,
+    TriadStep,
     YokeStep,
 )
 from cranktrain.mechanisms.kind import FRAME, Reaction
@@ -35,13 +39,17 @@ def moving_of(step: Step) -> tuple[str, ...]:
             return step.slider, step.guide
         case YokeStep() | TrammelStep():
             return (step.slider,)
-        case PointStep():
+        case TriadStep():
+            return step.link, *(leg.rod if isinstance(leg, RodLegStep) else leg.slider for leg in step.legs)
+        case PointStep() | MountStep():
             return ()
 
 
 def chain_sliding(structure: Structure) -> tuple[str, ...]:
-    """Names of the sliders."""
-    return tuple(step.slider for step in structure.steps if not isinstance(step, PinStep | PointStep))
+    """Names of the sliders that may have friction: all but those of triads."""
+    return tuple(
+        step.slider for step in structure.steps if isinstance(step, SlideStep | SwivelStep | YokeStep | TrammelStep)
+    )
 
 
 def chain_reactions(structure: Structure) -> tuple[Reaction, ...]:
@@ -62,6 +70,15 @@ def carriers_of(structure: Structure) -> dict[str, str]:
                 carriers[pin_of(step.slider)] = step.slider
             case PointStep():
                 carriers[step.point] = step.link
+            case MountStep():
+                carriers[step.point] = carriers[step.pin]
+            case TriadStep():
+                for leg in step.legs:
+                    match leg:
+                        case RodLegStep():
+                            carriers[leg.joint] = step.link
+                        case GuideLegStep():
+                            carriers[pin_of(leg.slider)] = leg.slider
             case SwivelStep():
                 pass
     return carriers
@@ -93,5 +110,14 @@ def _joints(step: Step, carriers: Mapping[str, str]) -> Iterator[Reaction]:
         case TrammelStep():
             yield Reaction(joint_name(pin_of(step.slider), step.slider), step.slider, step.link)
             yield Reaction(joint_name(GUIDE, step.slider), step.slider, FRAME)
-        case PointStep():
+        case TriadStep():
+            for leg in step.legs:
+                match leg:
+                    case RodLegStep():
+                        yield Reaction(joint_name(leg.rod_from, leg.rod), leg.rod, carriers[leg.rod_from])
+                        yield Reaction(joint_name(leg.joint, step.link), step.link, leg.rod)
+                    case GuideLegStep():
+                        yield Reaction(joint_name(pin_of(leg.slider), step.link), step.link, leg.slider)
+                        yield Reaction(joint_name(GUIDE, leg.slider), leg.slider, FRAME)
+        case PointStep() | MountStep():
             pass

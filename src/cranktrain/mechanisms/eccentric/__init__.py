@@ -2,6 +2,7 @@
 
 from cranktrain.language import N_
 from cranktrain.mechanisms.eccentric.drawing import eccentric_drawing
+from cranktrain.mechanisms.eccentric.forces import DYNAMICS
 from cranktrain.mechanisms.eccentric.kinematics import Eccentric, eccentric, eccentric_gap
 from cranktrain.mechanisms.eccentric.spec import EccentricSpec, eccentric_advice, eccentric_geometry
 from cranktrain.mechanisms.kind import Kind, Members
@@ -20,6 +21,7 @@ KIND = Kind(
     has_rod=True,
     links=("rod",),
     drawing=eccentric_drawing,
+    dynamics=DYNAMICS,
     closing_advice=eccentric_advice,
     members=Members,
     stages=(),
