@@ -5,9 +5,9 @@ from collections.abc import Iterator, Sequence
 from rich.text import Text
 
 from cranktrain.cli.screen import plain, table
+from cranktrain.io.description import counted_by_status
 from cranktrain.io.machine_file import Input, MachineFile, inputs_of
 from cranktrain.language import _
-from cranktrain.viz.words import counted_by_status
 
 _TOLD = ("assumed", "fitted")
 """Status of numbers that nobody measured: each of them is named."""

@@ -12,10 +12,10 @@ from cranktrain.cli.facts import fact_tables
 from cranktrain.cli.figures import ABSENT, figures
 from cranktrain.cli.inputs import input_table, provenance
 from cranktrain.cli.screen import INDENT, paragraph, plain, section, table
+from cranktrain.io.description import layout_words
 from cranktrain.io.machine_file import MachineFile
 from cranktrain.language import _
 from cranktrain.machine import Machine
-from cranktrain.viz.words import layout_words
 from cranktrain.wording import ranged
 
 _NAMED = 4

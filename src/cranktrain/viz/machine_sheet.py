@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from cranktrain.analysis import Result
+from cranktrain.io.description import layout_words
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.viz.curves import TEXTBOOK_DASHES, Mark, draw_panels, marks, panels, textbook_words
@@ -11,7 +12,7 @@ from cranktrain.viz.mechanism import mechanism_sketch
 from cranktrain.viz.page import MARGIN, Figure, Page, drawing_settings, fitting_scale, muted, paper
 from cranktrain.viz.scene import scene_of
 from cranktrain.viz.style import INK, TITLE
-from cranktrain.viz.words import layout_words, provenance_words, running_words, zero_words
+from cranktrain.viz.words import provenance_words, running_words, zero_words
 
 _FEW = 2
 """Up to so many mechanisms, each has a ruler of its own."""

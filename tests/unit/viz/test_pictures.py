@@ -13,6 +13,7 @@ from matplotlib.text import Text
 import cranktrain as ct
 from cranktrain.engine.frames import in_machine_axes
 from cranktrain.errors import InputError
+from cranktrain.io.description import counted_by_status
 from cranktrain.io.examples import example_names
 from cranktrain.io.machine_file import inputs_of, read_machine
 from cranktrain.io.output import write_whole_bytes
@@ -38,7 +39,7 @@ from cranktrain.viz.curves import marks, panels
 from cranktrain.viz.mechanism import mechanism_sketch
 from cranktrain.viz.page import fitting_scale, mathematics, scale_words
 from cranktrain.viz.scene import scene_of
-from cranktrain.viz.words import counted_by_status, provenance_words
+from cranktrain.viz.words import provenance_words
 
 MILLIMETRE = 1 / 25.4
 
