@@ -13,5 +13,5 @@ Notch: TypeAlias = Annotated[Given, Quantity(Dimension.RATIO, at_least=-1.0, at_
 
 
 def set_ahead(angle_of_advance: float, admission: Admission) -> float:
-    """How far ahead of the crank an eccentric for running ahead stands; docs/theory/eccentric, eq. (13.2). [rad]"""
+    """How far ahead of the crank an eccentric for running ahead stands; docs/theory/eccentric, eq. (20.2). [rad]"""
     return angle_of_advance + (pi / 2 if admission == "outside" else -pi / 2)

@@ -36,7 +36,7 @@ def eccentric(angle: Array, geometry: Eccentric) -> SliderCrankMotion:
 
     Notes
     -----
-    The slider-crank at φ + ζ. Exact; docs/theory/eccentric, eq. (13.1).
+    The slider-crank at φ + ζ. Exact; docs/theory/eccentric, eq. (20.1).
     """
     return slider_crank(angle + geometry.ahead, SliderCrank(*geometry[:3]))
 

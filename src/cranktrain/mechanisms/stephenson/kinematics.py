@@ -93,7 +93,7 @@ def stephenson_size(structure: Structure, geometry: Stephenson) -> ChainSize:
 
     Notes
     -----
-    docs/theory/stephenson, eqs. (14.1) to (14.3).
+    docs/theory/stephenson, eqs. (21.1) to (21.3).
     """
     arm = geometry.arm
     half = 0.5 * geometry.pin_spacing

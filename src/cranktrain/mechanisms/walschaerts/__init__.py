@@ -5,7 +5,13 @@ from cranktrain.mechanisms.chain.composed import parts_of
 from cranktrain.mechanisms.chain.forces import chain_dynamics
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.walschaerts.drawing import walschaerts_drawing
-from cranktrain.mechanisms.walschaerts.kinematics import STRUCTURE, Walschaerts, walschaerts, walschaerts_gap
+from cranktrain.mechanisms.walschaerts.kinematics import (
+    STRUCTURE,
+    Walschaerts,
+    walschaerts,
+    walschaerts_gap,
+    walschaerts_size,
+)
 from cranktrain.mechanisms.walschaerts.spec import WalschaertsSpec, walschaerts_advice, walschaerts_geometry
 
 __all__ = ["KIND", "Walschaerts", "WalschaertsSpec", "walschaerts"]
