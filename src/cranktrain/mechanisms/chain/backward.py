@@ -55,7 +55,7 @@ _NOTHING = Wrench(single(0.0), single(0.0), single(0.0))
 class BackwardWalk(NamedTuple):
     """What the walk goes by, and what it fills: each link's load, each joint's wrench, each slider's friction."""
 
-    made: Mapping[str, Any]
+    made: dict[str, Any]
     links: Mapping[str, Link]
     carriers: Mapping[str, str]
     friction: Mapping[str, Friction]
@@ -102,7 +102,7 @@ def _solve_slide(step: SlideStep, own: SlideSize, walk: BackwardWalk) -> None:
 def _solve_swivel(step: SwivelStep, own: SwivelSize, walk: BackwardWalk) -> None:
     held = OnLine(walk.made[step.guide], walk.made[step.pin])
     loads = SwivelLoads(walk.loads[step.slider], walk.loads[step.guide])
-    found = swivel_reactions(held, Swivel(*own), loads, walk.friction[step.slider])
+    found = swivel_reactions(held, Swivel(own.offset, own.way), loads, walk.friction[step.slider])
     _hang(walk, step.pin, step.slider, found.pin)
     _hang(walk, step.pivot, step.guide, found.pivot)
     walk.joints[joint_name(step.slider, step.guide)] = found.slider

@@ -5,17 +5,16 @@ from functools import cache, partial
 
 from cranktrain.language import N_
 from cranktrain.mechanisms.chain.composed import parts_of
-from cranktrain.mechanisms.chain.forces import chain_dynamics
 from cranktrain.mechanisms.chain.steps import Structure
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.stephenson.drawing import stephenson_drawing
+from cranktrain.mechanisms.stephenson.forces import stephenson_dynamics
 from cranktrain.mechanisms.stephenson.kinematics import (
     CURVED,
     STRAIGHT,
     Stephenson,
     stephenson,
     stephenson_gap,
-    stephenson_size,
 )
 from cranktrain.mechanisms.stephenson.spec import (
     StephensonSpec,
@@ -51,7 +50,7 @@ def _kind(structure: Structure) -> Kind:
         lengths=tuple(lengths),
         length_paths=tuple(lengths.values()),
         drawing=partial(stephenson_drawing, structure),
-        dynamics=chain_dynamics(structure, partial(stephenson_size, structure)),
+        dynamics=stephenson_dynamics(structure),
         composed=None,
         **parts_of(structure),
     )
@@ -69,7 +68,7 @@ KIND = Kind(
     has_rod=False,
     links=(),
     drawing=partial(stephenson_drawing, CURVED),
-    dynamics=chain_dynamics(CURVED, partial(stephenson_size, CURVED)),
+    dynamics=stephenson_dynamics(CURVED),
     closing_advice=stephenson_advice,
     members=Members,
     stages=(),

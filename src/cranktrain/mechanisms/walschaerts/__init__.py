@@ -2,9 +2,9 @@
 
 from cranktrain.language import N_
 from cranktrain.mechanisms.chain.composed import parts_of
-from cranktrain.mechanisms.chain.forces import chain_dynamics
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.walschaerts.drawing import walschaerts_drawing
+from cranktrain.mechanisms.walschaerts.forces import DYNAMICS
 from cranktrain.mechanisms.walschaerts.kinematics import (
     STRUCTURE,
     Walschaerts,
@@ -46,7 +46,7 @@ KIND = Kind(
     length_paths=tuple(_LENGTHS.values()),
     has_rod=False,
     drawing=walschaerts_drawing,
-    dynamics=chain_dynamics(STRUCTURE, walschaerts_size),
+    dynamics=DYNAMICS,
     closing_advice=walschaerts_advice,
     members=Members,
     stages=(),
