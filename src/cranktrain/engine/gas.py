@@ -12,7 +12,8 @@ from cranktrain.engine.firing import Cycle, Firing
 from cranktrain.engine.layout import CrankAngle, Pistons
 from cranktrain.engine.travel import CylinderPistons, CylinderTravel
 from cranktrain.engine.volumes import Chambers, ChamberVolumes, SweptVolumes
-from cranktrain.gas import Chamber, GasSpec, VolumeLimits, chamber_state, kind_of
+from cranktrain.errors import InputError
+from cranktrain.gas import Chamber, GasKind, GasSpec, VolumeLimits, chamber_state, kind_of
 from cranktrain.gas.work import indicated_work
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient, single
@@ -191,9 +192,17 @@ def _models(spec: GasSpec, chambers: GasInChambers, design: int, unroll: Unroll,
         key = tuple(float(f"{float(value):.9g}") for value in (*limits, *volume(_TELLING)))
         if key not in made:
             chamber = Chamber(chambers.cycle, limits, volume, None if np.isnan(ratio) else outward)
-            made[key] = kind.model(spec, chamber)
+            made[key] = _model(kind, spec, chamber)
         found.append(made[key])
     return tuple(found)
+
+
+def _model(kind: GasKind, spec: GasSpec, chamber: Chamber) -> Any:
+    """Make one chamber's model; what does not suit it is wrong in [gas]."""
+    try:
+        return kind.model(spec, chamber)
+    except InputError as error:
+        raise InputError(replace(problem, path=f"gas.{problem.path}") for problem in error.problems) from None
 
 
 @dataclass(frozen=True)
