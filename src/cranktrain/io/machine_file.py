@@ -93,14 +93,20 @@ def read_machine(
     """
     typed = document_of(source)
     document, paths = _with_settings(typed, settings)
+    found: tuple[Problem, ...] = ()
+    data: Mapping[str, Any] = document.data
     try:
-        machine = Machine(**with_indicator(document.data, _folder_of(source)))
-        found = machine_problems(machine, partial=partial)
+        data = with_indicator(document.data, _folder_of(source))
     except InputError as error:
+        # A diagram that cannot be read is one problem among the others.
         found = error.problems
-    else:
+    try:
+        machine = Machine(**data)
+        found = (*found, *machine_problems(machine, partial=partial))
         if not found:
             return MachineFile(document, machine)
+    except InputError as error:
+        found = (*found, *error.problems)
     problems = tuple(_placed(problem, typed, paths) for problem in found)
     if settings and not any(problem.position == _SETTING for problem in problems):
         allowed = _("was set for this run; the file alone may be right")
