@@ -14,7 +14,7 @@ from cranktrain.engine.layout import CrankAngle, Mechanisms, Speed
 from cranktrain.engine.masses import Masses
 from cranktrain.engine.places import Place
 from cranktrain.language import N_, _
-from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench
+from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench, added, work
 from cranktrain.motion import Array, single
 
 _JOINT = ("joint", "crank_angle")
@@ -69,10 +69,14 @@ def carriers_of(places: Sequence[Place]) -> Carriers:
 
 
 class SolvedGroup(NamedTuple):
-    """Forces of the mechanisms of one kind: motion and `Forces`, arrays of shape (design, member, n)."""
+    """Forces of the mechanisms of one kind: motion and `Forces`, arrays of shape (design, member, n).
+
+    slaves is what hangs on the rods of these mechanisms does to them; None where nothing does.
+    """
 
     motion: Any
     forces: Any
+    slaves: Wrench | None
 
 
 @dataclass(frozen=True)
@@ -119,8 +123,9 @@ class LoadedMachine:
             motion = group.kind.motion(angle + group.members.phase, size)
             made = self.masses.groups[place]
             loads = dynamics.load(motion, size, pressing(group.index))
-            if "rod" in getattr(loads, "_fields", ()):
-                loads = loads._replace(rod=_with_slaves(loads.rod, group.index, on_rods))
+            slaves = _slaves(group.index, on_rods)
+            if slaves is not None:
+                loads = loads._replace(rod=added(loads.rod, slaves))
             friction = tuple(
                 Friction(
                     coefficient,
@@ -130,7 +135,7 @@ class LoadedMachine:
             )
             conditions = Conditions(Drive(self.speed, np.zeros_like(self.speed)), made.gravity, friction)
             forces = dynamics.forces(motion, size, made.bodies, loads, conditions)
-            found[place] = SolvedGroup(motion, forces)
+            found[place] = SolvedGroup(motion, forces, slaves)
             if dynamics.on_master is not None:
                 wrench = dynamics.on_master(motion, size, forces.joints[0])
                 for member, mechanism in enumerate(group.index.tolist()):
@@ -153,16 +158,15 @@ class LoadedMachine:
         return of
 
 
-def _with_slaves(rod: Wrench, index: NDArray[np.intp], on_rods: dict[int, Wrench]) -> Wrench:
-    """Add what slaves do to the rods of some mechanisms."""
-    if not any(int(mechanism) in on_rods for mechanism in index):
-        return rod
-    shape = np.broadcast_shapes(*(part.shape for part in rod), *(wrench.x.shape for wrench in on_rods.values()))
-    total = [np.array(np.broadcast_to(part, (shape[0], len(index), shape[-1]))) for part in rod]
+def _slaves(index: NDArray[np.intp], on_rods: dict[int, Wrench]) -> Wrench | None:
+    """What slaves do to the rods of some mechanisms, shape (design, member, n); None where there are none."""
+    if not any(mechanism in on_rods for mechanism in index.tolist()):
+        return None
+    shape = next(iter(on_rods.values())).x.shape
+    total = np.zeros((3, shape[0], len(index), shape[-1]))
     for member, mechanism in enumerate(index.tolist()):
         if mechanism in on_rods:
-            for part, added in zip(total, on_rods[mechanism], strict=True):
-                part[:, member : member + 1] += added
+            total[:, :, member] += np.array(on_rods[mechanism])[:, :, 0]
     return Wrench(*total)
 
 
@@ -271,7 +275,9 @@ def mechanism_torques(loaded: LoadedMachine, solved: SolvedCycle) -> MechanismTo
     inertia, slope = np.zeros((2, shape[0], shape[-1]))
     for place, (group, one) in enumerate(zip(loaded.mechanisms.groups, solved.groups, strict=True)):
         dynamics, size, made = group.kind.dynamics, group.members.geometry, loaded.masses.groups[place]
-        by_work[:, group.index] = one.forces.torque_by_work
+        # What slaves do to a master is theirs: each gives its own torque.
+        hung = 0.0 if one.slaves is None else work(one.motion.rod, one.slaves)
+        by_work[:, group.index] = one.forces.torque_by_work + hung
         is_own = loaded.carriers.master[group.index] < 0
         by_reactions[:, group.index[is_own]] = one.forces.driving_torque[:, is_own]
         unloaded = dynamics.load(one.motion, size, np.zeros((1, 1, 1)))
