@@ -88,6 +88,24 @@ class GasInChambers:
             _by_chamber(areas, -motion.second),
         )
 
+    def volume_of(self, design: int, place: int, angle: Array) -> Coefficient:
+        """Volume of one chamber of one design at φ [rad], shape (n,), and its derivatives. [m³, m³/rad, m³/rad²]"""
+        areas = self.chambers.areas[design, :, place]
+        value, first, second = np.zeros((3, *angle.shape))
+        for piston in np.flatnonzero(areas).tolist():
+            slider = self.pistons.alone(design, piston, angle).slider
+            value = value + areas[piston] * (self.tops[design, piston] - slider.value[0])
+            first = first - areas[piston] * slider.first[0]
+            second = second - areas[piston] * slider.second[0]
+        return Coefficient(self.start[design, place] + value, first, second)
+
+    def pressure_of(self, design: int, place: int, angle: Array) -> Array:
+        """Absolute pressure in one chamber of one design at φ [rad], shape (n,). [Pa]"""
+        spec, limits = self.specs[design], VolumeLimits(*(part[design, place] for part in self.limits))
+        volume = self.volume_of(design, place, angle)
+        state = chamber_state(volume, limits, angle - self.firing[design, place], np.array(self.cycle))
+        return kind_of(spec).pressure(state, self.models[design][place])
+
     def pressure(self, angle: Array, volume: Coefficient) -> Array:
         """Absolute pressure in every chamber at φ [rad], where its volume is known, shape (design, chamber, n). [Pa]"""
         state = chamber_state(volume, self.limits, angle - self.firing, np.array(self.cycle))
@@ -181,7 +199,7 @@ def _models(spec: GasSpec, chambers: GasInChambers, design: int, unroll: Unroll,
         start = float(chambers.firing[design, place, 0])
 
         def volume(angle: Array, start: float = start, place: int = place) -> Array:
-            return chambers.volume(angle + start).value[design, place]
+            return chambers.volume_of(design, place, angle + start).value
 
         ratio = float(ratios[place])
 
@@ -268,7 +286,7 @@ def _peaks(gas: GasInChambers, firing: Array, phi: Array, pressure: Array) -> tu
                 start = float(firing[design, place])
 
                 def own(angle: Array, design: int = design, place: int = place) -> Array:
-                    return gas.pressure(angle, gas.volume(angle))[design, place]
+                    return gas.pressure_of(design, place, angle)
 
                 found = largest(own, grid=phi[design, 0], samples=pressure[design, place])
                 # A rise at constant volume stands at the dead centre itself, between the grid's points.
