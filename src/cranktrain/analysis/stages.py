@@ -24,8 +24,11 @@ from cranktrain.engine.ports import effective_compression, port_timing
 from cranktrain.engine.rocker_load import load_motion
 from cranktrain.engine.rockers import dead_positions, rocker_motion, rocker_speeds, rocker_turn
 from cranktrain.engine.rods import rod_motion, rod_speeds
+from cranktrain.engine.torque import gear_torques, journal_torques, shaft_torques
+from cranktrain.engine.torque_orders import phase_star_sums, torque_orders
 from cranktrain.engine.travel import cylinder_travel
 from cranktrain.engine.volumes import chamber_volumes, swept_volumes
+from cranktrain.engine.work_check import work_balance
 from cranktrain.language import translated
 from cranktrain.mechanisms import KINDS
 from cranktrain.textbook.comparison import textbook_motion
@@ -114,7 +117,13 @@ STAGES: tuple[Stage, ...] = tuple(
         gas_pressures,
         loaded_machine,
         solved_cycle,
+        shaft_torques,
+        gear_torques,
+        work_balance,
+        torque_orders,
+        phase_star_sums,
         mechanism_torques,
+        journal_torques,
         joint_forces,
         axial_positions,
         closing,

@@ -98,6 +98,13 @@ class GasInChambers:
                 found[design, places] = kind.pressure(own, model)
         return found
 
+    def dead_centres(self, travel: CylinderTravel) -> tuple[Array, Array]:
+        """φ of every chamber's least volume at its firing, and of its greatest, shape (design, chamber). [rad]"""
+        of, is_head = self.chambers.cylinder, self.chambers.is_head
+        least = np.where(is_head, travel.inner[:, of], travel.outer[:, of])
+        turns = 2 * np.pi * np.rint((self.firing[..., 0] - least) / (2 * np.pi))
+        return least + turns, np.where(is_head, travel.outer[:, of], travel.inner[:, of])
+
     def alike(self, design: int) -> list[tuple[Any, list[int]]]:
         """Models of one design's chambers, each with the chambers that share it."""
         sharing: dict[int, tuple[Any, list[int]]] = {}
@@ -243,9 +250,7 @@ def gas_pressures(
     volume = gas.volume(phi)
     pressure = gas.pressure(phi, volume)
     work = indicated_work(pressure, volume.first, gas.cycle)
-    of = gas.chambers.cylinder
-    inner = np.where(gas.chambers.is_head, travel.inner[:, of], travel.outer[:, of])
-    firing = inner + 2 * np.pi * np.rint((gas.firing[..., 0] - inner) / (2 * np.pi))
+    firing, _opposite = gas.dead_centres(travel)
     after, peak = _peaks(gas, firing, phi, pressure)
     return GasPressures(
         gas_pressure=pressure,
