@@ -7,6 +7,7 @@ from typing import cast
 import numpy as np
 
 from cranktrain.engine.axial import axial_places_of
+from cranktrain.engine.crank_pins import crank_pins_of
 from cranktrain.engine.cylinders import (
     CYCLES,
     chambers_of,
@@ -33,6 +34,7 @@ from cranktrain.engine.layout import (
 )
 from cranktrain.engine.masses import masses_of
 from cranktrain.engine.opposed import OpposedCylinders
+from cranktrain.engine.piston_forces import direct_pistons_of
 from cranktrain.engine.places import Place
 from cranktrain.engine.points import link_points_of
 from cranktrain.engine.ports import TwoStroke
@@ -91,6 +93,7 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
         followed_of(FollowedLinks, designs[0]),
         followed_of(FollowedSliders, designs[0]),
         carriers_of(designs[0]),
+        crank_pins_of(mechanisms),
         (shafts := shafts_of(first.shafts, designs[0])),
         GearedShafts(shafts) if len(shafts.names) > 1 else None,
     ]
@@ -106,6 +109,7 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
             drivers,
             PistonRods(rods) if (rods := has_rods(drivers)) is not None else None,
             sharing,
+            direct_pistons_of(drivers),
             OpposedCylinders(sharing) if np.any(sharing.is_opposed) else None,
             chambers_of(cylinders, len(pistons[0])),
             compression_ratios_of(cylinders),
