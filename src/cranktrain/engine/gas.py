@@ -112,10 +112,24 @@ class GasInChambers:
         found = np.empty(volume.value.shape)
         for design, spec in enumerate(self.specs):
             kind = kind_of(spec)
-            for place, model in enumerate(self.models[design]):
-                own = type(state)(*(_row(part, design, place) for part in state))
-                found[design, place] = kind.pressure(own, model)
+            for model, places in self.alike(design):
+                own = type(state)(*(_rows(part, design, places) for part in state))
+                found[design, places] = kind.pressure(own, model)
         return found
+
+    def dead_centres(self, travel: CylinderTravel) -> tuple[Array, Array]:
+        """φ of every chamber's least volume at its firing, and of its greatest, shape (design, chamber). [rad]"""
+        of, is_head = self.chambers.cylinder, self.chambers.is_head
+        least = np.where(is_head, travel.inner[:, of], travel.outer[:, of])
+        turns = 2 * np.pi * np.rint((self.firing[..., 0] - least) / (2 * np.pi))
+        return least + turns, np.where(is_head, travel.outer[:, of], travel.inner[:, of])
+
+    def alike(self, design: int) -> list[tuple[Any, list[int]]]:
+        """Models of one design's chambers, each with the chambers that share it."""
+        sharing: dict[int, tuple[Any, list[int]]] = {}
+        for place, model in enumerate(self.models[design]):
+            sharing.setdefault(id(model), (model, []))[1].append(place)
+        return list(sharing.values())
 
     def force(self, pressure: Array) -> Array:
         """Force of the gas less the ambient pressure on every piston, toward its shaft, (design, piston, n). [N]"""
@@ -129,9 +143,12 @@ def _by_chamber(areas: Array, lengths: Array) -> Array:
     return np.sum(np.where(weights == 0.0, 0.0, weights * lengths[:, :, np.newaxis]), axis=1)
 
 
-def _row(part: Array, design: int, place: int) -> Array:
-    """One chamber's values of a state's part, which may stand for all."""
-    return part[min(design, part.shape[0] - 1), min(place, part.shape[1] - 1)] if part.ndim == 3 else part
+def _rows(part: Array, design: int, places: list[int]) -> Array:
+    """Some chambers' values of a state's part, which may stand for all."""
+    if part.ndim < 3:
+        return part
+    of_design = part[min(design, part.shape[0] - 1)]
+    return of_design if len(of_design) == 1 else of_design[places]
 
 
 def gas_in_chambers(
@@ -260,9 +277,7 @@ def gas_pressures(
     volume = gas.volume(phi)
     pressure = gas.pressure(phi, volume)
     work = indicated_work(pressure, volume.first, gas.cycle)
-    of = gas.chambers.cylinder
-    inner = np.where(gas.chambers.is_head, travel.inner[:, of], travel.outer[:, of])
-    firing = inner + 2 * np.pi * np.rint((gas.firing[..., 0] - inner) / (2 * np.pi))
+    firing, _opposite = gas.dead_centres(travel)
     after, peak = _peaks(gas, firing, phi, pressure)
     return GasPressures(
         gas_pressure=pressure,
