@@ -91,9 +91,7 @@ class PistonForceSet:
     radial_force: Array = quantity(
         "K", "N", _CURVE, N_("Force at the crank pin toward the shaft, without the rod's rotating mass"), _THEORY
     )
-    tangential_force: Array = quantity(
-        "T", "N", _CURVE, N_("Force at the crank pin in the sense of rotation"), _THEORY
-    )
+    tangential_force: Array = quantity("T", "N", _CURVE, N_("Force at the crank pin in the sense of rotation"), _THEORY)
     checks: tuple[Check, ...] = ()
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"force_method": tuple(_INERTIA)})
 
@@ -164,5 +162,8 @@ def _residual(forces: PistonForces, one: _Direct) -> Array:
     peak = np.max(np.abs(forces.rod), axis=-1)
     arm = (geometry.crank_radius + geometry.rod_length)[..., 0]
     scales = (peak * peak, peak * arm, peak * arm)
-    parts = [np.max(np.abs(part), axis=-1) / np.where(scale > 0, scale, 1.0) for part, scale in zip(found, scales, strict=True)]
+    parts = [
+        np.max(np.abs(part), axis=-1) / np.where(scale > 0, scale, 1.0)
+        for part, scale in zip(found, scales, strict=True)
+    ]
     return np.max(np.where(np.isnan(parts), 0.0, parts), axis=(0, 2))

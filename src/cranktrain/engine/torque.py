@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.forces import LoadedMachine, SolvedCycle, driving_torques
@@ -50,9 +51,7 @@ class ShaftTorques:
         )
 
 
-def shaft_torques(
-    loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, crank_angle: CrankAngle
-) -> ShaftTorques:
+def shaft_torques(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, crank_angle: CrankAngle) -> ShaftTorques:
     """Torque on every shaft over the cycle, and the extremes of all together, refined on the mechanisms.
 
     Notes
@@ -118,7 +117,11 @@ class GearTorques:
     """What the gear passes from every other shaft to the main one, and each shaft's share of the work."""
 
     gear_torque: Array = quantity(
-        "T_g", "N*m", ("shaft", "crank_angle"), N_("Torque that the gear passes from the shaft to the main one"), _THEORY
+        "T_g",
+        "N*m",
+        ("shaft", "crank_angle"),
+        N_("Torque that the gear passes from the shaft to the main one"),
+        _THEORY,
     )
     gear_reversals: Array = quantity(
         "n_r", "1", _SHAFT, N_("How often the gear's torque changes its sign over a cycle"), _THEORY
@@ -172,9 +175,9 @@ def reversals(curve: Array) -> Array:
     A zero between two values of one sign is no change.
     """
     sign = np.sign(np.nan_to_num(curve))
-    place = np.where(sign == 0, 0, np.arange(1, curve.shape[-1] + 1))
-    last = np.maximum.accumulate(place, axis=-1)
+    place: NDArray[np.intp] = np.where(sign == 0, 0, np.arange(1, curve.shape[-1] + 1, dtype=np.intp))
+    last: NDArray[np.intp] = np.maximum.accumulate(place, axis=-1)
     # What stands before the first sign is the last one of the cycle before.
     last = np.where(last == 0, last[..., -1:], last)
-    held = np.take_along_axis(sign, np.maximum(last - 1, 0), axis=-1)
+    held: Array = np.take_along_axis(sign, np.maximum(last - 1, 0), axis=-1)
     return np.sum(held != np.roll(held, 1, axis=-1), axis=-1).astype(np.float64)

@@ -1,4 +1,4 @@
-"""Work of the torque over a cycle against the work of the gas: the torque by Gauss's quadrature, the gas in closed form.
+"""Work of the torque over a cycle, by Gauss's quadrature, against the work of the gas, in closed form.
 
 Between dead centres and other kinks everything is smooth, so that few points are exact; where the gas goes through
 samples, the run's own sum over its grid is compared with the exact integral of what was laid through them.
@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
@@ -131,7 +132,7 @@ def _kinks(gas: GasInChambers, firing: Array) -> Array:
     if kinks.volume.size == 0:
         return kinks.volume
     n_each = kinks.volume.shape[1] // firing.shape[1]
-    place = np.repeat(np.arange(firing.shape[1]), n_each)[:, np.newaxis]
+    place: NDArray[np.intp] = np.repeat(np.arange(firing.shape[1], dtype=np.intp), n_each)[:, np.newaxis]
     centre = firing[:, place[:, 0]] + np.where(kinks.turn > 0, 0.0, 2 * np.pi)
 
     def volume(angle: Array) -> tuple[Array, ...]:
