@@ -18,6 +18,8 @@ from cranktrain.wording import Names, number
 
 _SHAFT = ("shaft",)
 _THEORY = "docs/theory/forces"
+_ROUNDING = 1e-12
+"""Torques smaller than this part of the peak may be of either sign."""
 _NOTHING = 1e-9
 """A mean torque below this part of the peak is none: a machine without gas gives no work."""
 
@@ -170,11 +172,13 @@ def gear_torques(geared: GearedShafts, torques: ShaftTorques) -> GearTorques:
 
 
 def reversals(curve: Array) -> Array:
-    """How often a periodic curve, shape (..., n), changes its sign round the cycle; NaN counts for none.
+    """How often a periodic curve, shape (..., n), changes its sign round the cycle.
 
-    A zero between two values of one sign is no change.
+    Neither a zero between two values of one sign is a change, nor what rounding leaves of it; NaN is passed over.
     """
-    sign = np.sign(np.nan_to_num(curve))
+    known = np.nan_to_num(curve)
+    felt = np.abs(known) > _ROUNDING * np.max(np.abs(known), axis=-1, keepdims=True)
+    sign = np.where(felt, np.sign(known), 0.0)
     place: NDArray[np.intp] = np.where(sign == 0, 0, np.arange(1, curve.shape[-1] + 1, dtype=np.intp))
     last: NDArray[np.intp] = np.maximum.accumulate(place, axis=-1)
     # What stands before the first sign is the last one of the cycle before.
