@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from tests.reference_case import GOLDEN, Array, ReferenceCase
 from tests.validation.test_machine_forces import kg, m
-from tests.validation.test_torque_orders import BORE, CYCLE, MASS, OMEGA, R, L, pressure
+from tests.validation.test_torque_orders import BORE, CYCLE, MASS, OMEGA, L, R, pressure
 
 import cranktrain as ct
 

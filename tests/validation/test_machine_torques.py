@@ -1,6 +1,7 @@
 """Torques of whole machines, from the file's words: opposed pistons on two geared shafts and on one.
 
-Cases computed by a multibody solver in 40 digits, tests/golden/opposed_*; x along the cylinder, y anticlockwise from it.
+Cases computed by a multibody solver in 40 digits, tests/golden/opposed_*; x along the cylinder, y anticlockwise
+from it.
 """
 
 from typing import Any
@@ -85,7 +86,7 @@ def test_two_geared_shafts():
 
 
 def test_astern_the_other_shaft_leads():
-    """The same metal at −φ: with pressures read backwards all torques are those ahead, turned round in time and sign."""
+    """The same metal at −φ: pressures read backwards give the torques ahead, turned round in time and sign."""
     given = ReferenceCase.load("opposed_two_shafts").machine
     declared = two_shafts(given)
     rows = [line.split(",") for line in declared["gas"]["text"].split()]
