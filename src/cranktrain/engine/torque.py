@@ -59,7 +59,7 @@ def shaft_torques(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, cr
     Notes
     -----
     A mechanism's crank angle counts in its own shaft's sense and all shafts turn alike fast, so the torques of all
-    simply add up to what the main shaft feels. docs/theory/forces, eq. (13.37).
+    simply add up to what the main shaft feels. docs/theory/forces, eq. (13.38).
     """
     by_mechanism = -driving_torques(loaded, solved.groups)
     by_shaft = along_shaft.throw_torque(by_mechanism, shafts.shaft, len(shafts.names))
@@ -157,7 +157,7 @@ def gear_torques(geared: GearedShafts, torques: ShaftTorques) -> GearTorques:
     """What an ideal gear passes from each shaft to the main one; NaN for that one itself.
 
     At constant speed a balanced shaft takes nothing for itself: the gear passes all. Work shares are NaN where the
-    machine does no work. docs/theory/forces, eq. (13.38).
+    machine does no work. docs/theory/forces, eq. (13.39).
     """
     other = np.arange(len(geared.shafts.names)) != geared.shafts.main
     passed = np.where(other[:, np.newaxis], torques.shaft_torque, np.nan)

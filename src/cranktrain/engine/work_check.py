@@ -56,7 +56,7 @@ def work_balance(
 
     Notes
     -----
-    docs/theory/forces, eqs. (13.39) and (13.40).
+    docs/theory/forces, eq. (13.40).
     """
     kinds = [kind_of(spec) for spec in gas.specs]
     works = np.stack([_gas_works(gas, kind, design, swept) for design, kind in enumerate(kinds)])
