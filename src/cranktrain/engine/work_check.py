@@ -6,7 +6,7 @@ samples, the run's own sum over its grid is compared with the exact integral of 
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,9 +19,9 @@ from cranktrain.engine.layout import CrankAngle
 from cranktrain.engine.torque import ShaftTorques
 from cranktrain.engine.travel import CylinderTravel
 from cranktrain.engine.volumes import SweptVolumes
-from cranktrain.gas import GasKind, VolumeLimits, kind_of
+from cranktrain.gas import GasKind, Kink, VolumeLimits, kind_of
 from cranktrain.language import N_, _
-from cranktrain.motion import Array, single
+from cranktrain.motion import Array, Coefficient, single
 
 _THEORY = "docs/theory/forces"
 _EXACT_LIMIT = 1e-12
@@ -118,56 +118,46 @@ def _events(gas: GasInChambers, travel: CylinderTravel) -> Array:
     return np.concatenate([centres.reshape(len(centres), -1), _kinks(gas, firing)], axis=-1)
 
 
-class _Kinks(NamedTuple):
-    """Kinks of all chambers, shape (design, chamber · kink): volumes, and the branches that they are on."""
-
-    volume: Array
-    sense: Array
-    turn: Array
-
-
 def _kinks(gas: GasInChambers, firing: Array) -> Array:
     """φ of the kinks of all chambers, by Newton's method from the dead centre, shape (design, chamber · kink). [rad]"""
-    kinks = _told_kinks(gas)
-    if kinks.volume.size == 0:
-        return kinks.volume
-    n_each = kinks.volume.shape[1] // firing.shape[1]
-    place: NDArray[np.intp] = np.repeat(np.arange(firing.shape[1], dtype=np.intp), n_each)[:, np.newaxis]
-    centre = firing[:, place[:, 0]] + np.where(kinks.turn > 0, 0.0, 2 * np.pi)
+    told = _told_kinks(gas)
+    places = [place for place in gas.distinct for _kink in range(told.shape[-1])]
+    volume, sense, turn = told.reshape(3, len(firing), -1)[..., np.newaxis]
+    if volume.size == 0:
+        return volume[..., 0]
+    centre = firing[:, places, np.newaxis]
 
-    def volume(angle: Array) -> tuple[Array, ...]:
-        found = gas.volume(angle[:, np.newaxis])
-        column = np.arange(len(place))[:, np.newaxis]
-        return tuple(part[:, place, column][..., 0] for part in found)
+    def at(away: Array) -> Coefficient:
+        return Coefficient(*gas.at_own(centre + sense * away, places, lambda angle: np.stack(gas.volume(angle))))
 
-    least, _slope, curvature = volume(centre)
+    least = at(np.zeros_like(volume))
     # Near the dead centre the volume is a parabola.
-    away = np.minimum(np.sqrt(2 * (kinks.volume - least) / curvature), 0.75 * np.pi)
+    away = np.minimum(np.sqrt(2 * (volume - least.value) / least.second), 0.75 * np.pi)
     for _step in range(_MOST_STEPS):
-        value, slope, _curvature = volume(centre + kinks.sense * away)
-        before, away = away, np.clip(away - kinks.sense * (value - kinks.volume) / slope, away / 4, np.pi)
+        found = at(away)
+        before, away = away, np.clip(away - sense * (found.value - volume) / found.first, away / 4, np.pi)
         if not np.any(np.abs(away - before) > _SETTLED):
             break
-    return centre + kinks.sense * away
+    after = np.where(turn > 0, 0.0, 2 * np.pi) + sense * away
+    each = after.reshape(len(firing), len(gas.distinct), -1)
+    design = np.arange(len(firing))[:, np.newaxis]
+    return (firing[..., np.newaxis] + each[design, gas.origin]).reshape(len(firing), -1)
 
 
-def _told_kinks(gas: GasInChambers) -> _Kinks:
-    """Kinks as the gas models tell them, the same number for each chamber: NaN fills up."""
-    told: list[list[Sequence[Any]]] = []
+def _told_kinks(gas: GasInChambers) -> Array:
+    """Volume, sense and turn of the kinks of the distinct chambers, (3, design, distinct, kink): NaN fills up."""
+    told: list[list[Sequence[Kink]]] = []
     for design, spec in enumerate(gas.specs):
-        limits = [VolumeLimits(*(single(float(part[design, i, 0])) for part in gas.limits)) for i in _places(gas)]
-        told.append([kind_of(spec).kinks(model, limits[i]) for i, model in enumerate(gas.models[design])])
+        limits = [VolumeLimits(*(single(float(part[design, i, 0])) for part in gas.limits)) for i in gas.distinct]
+        models = [gas.models[design][place] for place in gas.distinct]
+        told.append([kind_of(spec).kinks(model, own) for model, own in zip(models, limits, strict=True)])
     most = max(len(kinks) for of_design in told for kinks in of_design)
-    filled = np.full((3, len(told), len(_places(gas)), most), np.nan)
+    filled = np.full((3, len(told), len(gas.distinct), most), np.nan)
     for design, of_design in enumerate(told):
         for place, kinks in enumerate(of_design):
             for number, kink in enumerate(kinks):
                 filled[:, design, place, number] = (float(kink.volume), kink.sense, kink.turn)
-    return _Kinks(*(part.reshape(len(told), -1) for part in filled))
-
-
-def _places(gas: GasInChambers) -> range:
-    return range(len(gas.chambers.names))
+    return filled
 
 
 class _Quadrature(NamedTuple):
