@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
@@ -27,9 +26,10 @@ _THEORY = "docs/theory/forces"
 _EXACT_LIMIT = 1e-12
 _WIDEST = np.pi / 6
 """Intervals of the quadrature are at most as wide. [rad]"""
-_NODES = ((0.0, 0.02, 4), (0.02, 0.2, 7), (0.2, 1.0, 13))
-"""Intervals from a width to another [rad], and how many points are enough there: p falls as V⁻ⁿ, and V has its zeros
-some 20° off the dead centre in the complex plane."""
+_REACH = 1.3
+"""How wide they may be for the distance of the volume's zeros in the complex plane, where p ~ V⁻ⁿ has its poles."""
+_NODES = ((0.0, 0.04, 3), (0.04, 0.2, 5), (0.2, 0.6, 8), (0.6, 1.01, 12))
+"""Intervals from a part of the widest to another, and how many points are enough there for 13 digits."""
 _NARROWEST = 1e-13
 _MOST_STEPS, _SETTLED = 30, 1e-14
 
@@ -105,7 +105,7 @@ def _slope_of(gas: GasInChambers, design: int, place: int) -> Callable[[Array], 
 
 def _work_of_torque(loaded: LoadedMachine, gas: GasInChambers, travel: CylinderTravel) -> Array:
     """Work that the machine's torque by the reactions does over a cycle, shape (design,). [J]"""
-    quadrature = _quadrature(_events(gas, travel), gas.cycle)
+    quadrature = _quadrature(_events(gas, travel), _widest(gas, travel), gas.cycle)
     torque = np.sum(driving_torques(loaded, loaded.solved(quadrature.angle[:, np.newaxis])), axis=1)
     return -np.sum(quadrature.weight * torque, axis=-1)
 
@@ -160,6 +160,16 @@ def _told_kinks(gas: GasInChambers) -> Array:
     return filled
 
 
+def _widest(gas: GasInChambers, travel: CylinderTravel) -> Array:
+    """How wide intervals may be, by the chamber with the least room for its stroke, shape (design,). [rad]"""
+    firing, _opposite = gas.dead_centres(travel)
+    centre = firing[:, gas.distinct, np.newaxis]
+    least = Coefficient(*gas.at_own(centre, gas.distinct, lambda angle: np.stack(gas.volume(angle))))
+    # Near its least value V = V_c + ½V″φ², which is 0 at an imaginary φ.
+    away = np.sqrt(2 * least.value / least.second)
+    return np.fmin(_WIDEST, _REACH * np.fmin.reduce(away, axis=(1, 2)))
+
+
 class _Quadrature(NamedTuple):
     """Angles and weights, shape (design, n); designs with fewer intervals have weights of 0. [rad]"""
 
@@ -167,9 +177,9 @@ class _Quadrature(NamedTuple):
     weight: Array
 
 
-def _quadrature(events: Array, cycle: float) -> _Quadrature:
+def _quadrature(events: Array, widest: Array, cycle: float) -> _Quadrature:
     """Gauss's points between events over one cycle."""
-    designs = [_gauss(events[design], cycle) for design in range(len(events))]
+    designs = [_gauss(own, wide, cycle) for own, wide in zip(events, widest.tolist(), strict=True)]
     longest = max(angle.size for angle, _weight in designs)
     return _Quadrature(
         np.stack([np.pad(angle, (0, longest - angle.size), mode="edge") for angle, _weight in designs]),
@@ -177,18 +187,18 @@ def _quadrature(events: Array, cycle: float) -> _Quadrature:
     )
 
 
-def _gauss(events: Array, cycle: float) -> tuple[Array, Array]:
+def _gauss(events: Array, widest: float, cycle: float) -> tuple[Array, Array]:
     """Gauss's points and weights of one design; without events, where links do not close, over equal parts."""
     known = np.mod(events[~np.isnan(events)], cycle)
-    marks = np.arange(0.0, cycle, _WIDEST)
-    start = known[0] if known.size else 0.0
-    edges = np.sort(np.concatenate([known, np.mod(start + marks, cycle)]))
+    n_parts = int(np.ceil(cycle / widest - _NARROWEST))
+    marks = np.arange(n_parts) * (cycle / n_parts) + (known[0] if known.size else 0.0)
+    edges = np.sort(np.concatenate([known, np.mod(marks, cycle)]))
     edges = np.append(edges, edges[0] + cycle)
     widths = np.diff(edges)
     angles: list[Array] = []
     weights: list[Array] = []
     for narrow, wide, n_nodes in _NODES:
-        chosen = (np.maximum(narrow, _NARROWEST) < widths) & (widths <= wide)
+        chosen = (np.maximum(narrow * widest, _NARROWEST) < widths) & (widths <= wide * widest)
         node, weight = np.polynomial.legendre.leggauss(n_nodes)
         half = widths[chosen, np.newaxis] / 2
         angles.append((edges[:-1][chosen, np.newaxis] + half * (1 + node)).ravel())
