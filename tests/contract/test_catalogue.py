@@ -32,7 +32,12 @@ DIMENSIONS = {
     "point",
     "link",
     "slider",
+    "shaft",
+    "journal",
+    "order",
     "method",
+    "force_method",
+    "rod_method",
     "crank_angle",
     "design",
     *(kind.name for kind in KINDS),
@@ -62,6 +67,7 @@ EVERYTHING = {
         "firing_order": "1L-1O-2Z-2R-1Z-1R-2L",
         "exhaust_port": "20 mm",
         "scavenge_port": "15 mm",
+        "mechanical_efficiency": 0.8,
         "O": {"chambers": ["head"], "compression_ratio": 9},
         "R": {"compression_ratio": 9},
         "Z": {"compression_ratio": 9},
@@ -210,7 +216,9 @@ class TestMissing:
 
     def test_firing_order(self):
         found = self.missing(cylinder__firing_order=None)
-        assert found == {("[cylinder] firing_order",): {"firing_angle", "firing_dead_centre", "firing_interval"}}
+        assert found == {
+            ("[cylinder] firing_order",): {"firing_angle", "firing_dead_centre", "firing_interval", "phase_star_sum"}
+        }
 
     def test_cycle(self):
         assert list(self.missing(cylinder__cycle=None)) == [("[cylinder] cycle",)]

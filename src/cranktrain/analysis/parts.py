@@ -38,6 +38,7 @@ from cranktrain.engine.piston_forces import direct_pistons_of
 from cranktrain.engine.places import Place
 from cranktrain.engine.points import link_points_of
 from cranktrain.engine.ports import TwoStroke
+from cranktrain.engine.powers import losses_of
 from cranktrain.engine.rocker_load import load_radius_of
 from cranktrain.engine.shafts import GearedShafts, shafts_of
 from cranktrain.errors import InputError, Problem
@@ -117,6 +118,7 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
             TwoStroke() if ports is not None or first.cylinder.cycle == "two-stroke" else None,
             Cycle(cycle) if cycle else None,
             _declared_gas(machines),
+            losses_of([machine.cylinder for machine in machines]),
             firing_order_of(first.cylinder, pistons[0], astern=first.is_astern)[0],
         ]
     if rockers[0]:

@@ -23,6 +23,7 @@ from cranktrain.engine.opposed import combined_motion, combined_speeds, volumetr
 from cranktrain.engine.piston_forces import piston_force_set
 from cranktrain.engine.points import point_motion
 from cranktrain.engine.ports import effective_compression, port_timing
+from cranktrain.engine.powers import brake_powers, indicated_powers
 from cranktrain.engine.rocker_load import load_motion
 from cranktrain.engine.rockers import dead_positions, rocker_motion, rocker_speeds, rocker_turn
 from cranktrain.engine.rod_methods import rod_methods
@@ -118,6 +119,8 @@ STAGES: tuple[Stage, ...] = tuple(
         *(function for kind in KINDS for function in kind.stages),
         gas_in_chambers,
         gas_pressures,
+        indicated_powers,
+        brake_powers,
         loaded_machine,
         solved_cycle,
         piston_force_set,

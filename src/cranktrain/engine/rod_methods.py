@@ -53,7 +53,7 @@ def rod_methods(direct: DirectPistons, loaded: LoadedMachine, solved: SolvedCycl
     Notes
     -----
     All methods have the rod's mass and centroid, so that they differ by a couple on the rod alone: it presses the guide
-    with −C/(L cos β) and turns the crank by Cθ′. docs/theory/forces, eq. (13.41).
+    with −C/(L cos θ) and turns the crank by Cθ′. docs/theory/forces, eq. (13.37).
     """
     shape = (len(loaded.speed), len(ROD_METHODS), direct.n_pistons)
     side, torque = np.full((2, *shape), np.nan)

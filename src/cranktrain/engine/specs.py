@@ -18,6 +18,7 @@ from cranktrain.quantities import (
     NonNegativeLength,
     PositiveLength,
     PositiveSpeed,
+    Pressure,
     Quantity,
 )
 from cranktrain.spec import Refused, Spec
@@ -58,6 +59,9 @@ class ShaftSpec(Spec, frozen=True):
             raise Refused(allowed.format(gaps=gaps), path="spacing")
         return self
 
+
+_GAUGE = ("barg", "бари", "ati", "ати", "psig")
+"""Spellings of units that count from ambient pressure."""
 
 MAIN = "main"
 """Name of the shaft whose angle is the crank angle."""
@@ -219,12 +223,26 @@ OVERRIDES = "NAME (a bank or cylinder)"
 
 
 class CylindersSpec(CylinderSpec, frozen=True):
-    """All cylinders: their common dimensions, cycle and firing order, and `overrides` by bank or cylinder."""
+    """All cylinders: their common dimensions, cycle, firing order and friction, and `overrides` by bank or cylinder."""
 
     cycle: Literal["two-stroke", "four-stroke"] | None = None
     firing_order: str | None = None
     numbers: Mapping[str, str] = {}
+    mechanical_efficiency: Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=1.0)] | None = None
+    friction_pressure: Pressure | None = None
     overrides: Mapping[str, CylinderSpec] = Field(default={}, alias=OVERRIDES)
+
+    @model_validator(mode="after")
+    def _friction_one_way(self) -> Self:
+        """Refuse friction that is said twice, and a mean pressure in a gauge unit."""
+        if self.friction_pressure is None:
+            return self
+        if self.mechanical_efficiency is not None:
+            raise Refused(_("must not stand beside mechanical_efficiency, which says it"), path="friction_pressure")
+        if self.friction_pressure.text.endswith(_GAUGE):
+            allowed = _("must be in a unit that is not gauge, as bar or kPa: it is work over volume")
+            raise Refused(allowed, path="friction_pressure")
+        return self
 
     @model_validator(mode="before")
     @classmethod

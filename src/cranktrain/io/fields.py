@@ -82,6 +82,12 @@ _SENTENCES = {
             'Cylinders in the order in which they fire, such as "1-3-4-2"; with the cycle: firing angles.'
         ),
         "numbers": N_('A maker\'s own numbers of the cylinders, for use in the firing order: { 5 = "1L" }.'),
+        "mechanical_efficiency": N_(
+            "Brake power over indicated power; of a driven machine the other way round. Or give friction_pressure."
+        ),
+        "friction_pressure": N_(
+            "Work that friction takes in a cycle, over the displacement; it is no absolute pressure."
+        ),
         "overrides": N_("What one bank or one cylinder has of its own."),
     },
     "MechanismSpec": {
