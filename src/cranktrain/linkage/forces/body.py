@@ -46,6 +46,13 @@ class Reduced(NamedTuple):
     load: Array
 
 
+class Momentum(NamedTuple):
+    """Momentum of a link for each rad/s of the crank, along its axes. [kg·m]"""
+
+    x: Array
+    y: Array
+
+
 class _Centroid(NamedTuple):
     """Centroid from the link's first pin, and its first and second derivatives by the crank angle."""
 
@@ -115,6 +122,12 @@ def weight(link: Link, body: Body, gravity: Gravity) -> Wrench:
     arm_x = body.along * link.cos - body.across * link.sin
     arm_y = body.along * link.sin + body.across * link.cos
     return Wrench(x + 0.0 * arm_x, y + 0.0 * arm_y, arm_x * y - arm_y * x)
+
+
+def momentum(link: Link, body: Body) -> Momentum:
+    """Momentum of a link for each rad/s of the crank, m r′, shape (..., n). [kg·m]"""
+    centroid = _centroid(link, body)
+    return Momentum(body.mass * centroid.first_x, body.mass * centroid.first_y)
 
 
 def reduced_inertia(link: Link, body: Body) -> ReducedInertia:

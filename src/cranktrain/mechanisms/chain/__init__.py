@@ -34,7 +34,7 @@ KIND = Kind(
     members=Members,
     stages=(),
     composed=lambda spec: chain_kind(KIND, spec),
-    dynamics=Dynamics(_of_its_own, (), (), (), _of_its_own, _of_its_own, _of_its_own),
+    dynamics=Dynamics(_of_its_own, (), (), (), _of_its_own, _of_its_own, _of_its_own, _of_its_own),
     example="""\
 [mechanism]
 kind = "chain"                    # angles count from x toward y; the crank turns that way

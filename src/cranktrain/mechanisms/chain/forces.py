@@ -162,6 +162,11 @@ def chain_links(structure: Structure, motion: ChainMotion, size: ChainSize) -> d
     return links
 
 
+def _in_order(structure: Structure, motion: ChainMotion, size: ChainSize) -> tuple[Link, ...]:
+    """What moves, as links, without their names."""
+    return tuple(chain_links(structure, motion, size).values())
+
+
 def _made(structure: Structure, motion: ChainMotion) -> dict[str, Any]:
     return dict(zip(made_names(structure), motion.parts, strict=True))
 
@@ -269,7 +274,7 @@ def chain_reduced(
 
     Without friction, which depends on how the crank turns. docs/theory/forces, eqs. (13.4) and (13.6).
     """
-    links = chain_links(structure, motion, size).values()
+    links = _in_order(structure, motion, size)
     shares = (reduced(*each, gravity) for each in zip(links, bodies, loads, strict=True))
     return reduce(added_reduced, shares)
 
@@ -367,6 +372,7 @@ def chain_dynamics(structure: Structure) -> Dynamics:
         chain_moving(structure),
         chain_reactions(structure),
         chain_sliding(structure),
+        partial(_in_order, structure),
         partial(chain_load, structure),
         partial(chain_forces, structure),
         partial(chain_reduced, structure),
