@@ -84,9 +84,9 @@ class BalanceShaftsSpec(Spec, frozen=True):
 class BalanceSpec(Spec, frozen=True):
     """What balances the machine: given weights, counterweights solved for, and balance shafts solved for after them.
 
-    counterweights take from each throw all that rotates, and a `share` of what reciprocates ("rotating"), or what leaves
-    the throw the least largest force ("least_force"). In two `planes` of the shaft, z from throw 1, they take the same
-    from the whole shaft, force and couple.
+    counterweights take from each throw all that rotates, and a `share` of what reciprocates ("rotating"), or so much
+    that the throw's largest force is the least ("least_force"). In two `planes` of the shaft, z from throw 1, they take
+    the same from the whole shaft, of force and couple.
     """
 
     weight: tuple[WeightSpec, ...] = ()
@@ -104,7 +104,9 @@ class BalanceSpec(Spec, frozen=True):
             found.append(Problem("share", self.share.text, allowed))
         if self.planes is not None:
             if self.counterweights is None:
-                found.append(Problem("planes", None, _("is for counterweights that are solved for; give these as well")))
+                found.append(
+                    Problem("planes", None, _("is for counterweights that are solved for; give these as well"))
+                )
             elif (problem := _together(self.planes)) is not None:
                 found.append(problem)
         if found:

@@ -47,10 +47,11 @@ class Reduced(NamedTuple):
 
 
 class Momentum(NamedTuple):
-    """Momentum of a link for each rad/s of the crank, along its axes. [kg·m]"""
+    """Momentum of a link [kg·m] and its moment about the axes' origin [kg·m²], for each rad/s of the crank."""
 
     x: Array
     y: Array
+    moment: Array
 
 
 class _Centroid(NamedTuple):
@@ -125,9 +126,24 @@ def weight(link: Link, body: Body, gravity: Gravity) -> Wrench:
 
 
 def momentum(link: Link, body: Body) -> Momentum:
-    """Momentum of a link for each rad/s of the crank, m r′, shape (..., n). [kg·m]"""
+    """Momentum of a link and its moment about the origin for each rad/s of the crank.
+
+    Parameters
+    ----------
+    link : Link, coefficients of shape (..., n)
+    body : Body, fields broadcastable to (..., 1)
+
+    Returns
+    -------
+    Momentum, shape (..., n)
+        m r′, and r × m r′ + Iθ′. docs/theory/balance, eq. (16.16).
+    """
     centroid = _centroid(link, body)
-    return Momentum(body.mass * centroid.first_x, body.mass * centroid.first_y)
+    x = body.mass * centroid.first_x
+    y = body.mass * centroid.first_y
+    place_x = link.origin.x.value + centroid.arm_x
+    place_y = link.origin.y.value + centroid.arm_y
+    return Momentum(x, y, (place_x * y - place_y * x) + body.inertia * link.angle.first)
 
 
 def reduced_inertia(link: Link, body: Body) -> ReducedInertia:

@@ -58,7 +58,9 @@ class OscillatingCylinderJoints(NamedTuple):
     trunnion: Wrench
 
 
-def oscillating_cylinder_links(motion: OscillatingCylinderMotion, geometry: OscillatingCylinder) -> tuple[Link, Link, Link]:
+def oscillating_cylinder_links(
+    motion: OscillatingCylinderMotion, geometry: OscillatingCylinder
+) -> tuple[Link, Link, Link]:
     """What moves, as links: crank, slider and cylinder."""
     crank = crank_link(motion.pin, Crank(geometry.crank_radius))
     piston = swivel_slider_link(motion.pin, motion.cylinder)
