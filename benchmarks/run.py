@@ -204,7 +204,7 @@ def force_comparisons(n):
     loop = filled(loops.slider_crank_forces_loop, angles, (geometry, bodies, PRESSING, conditions), 9)
     loop_by_hand = filled(by_hand.slider_crank_forces_numba, angles, given, 9)
     yield Comparison("NumPy", "NumPy by hand", forces, forces_by_hand, force_columns, list, 3.0)
-    yield Comparison("compiled", "Numba by hand", loop, loop_by_hand, list, list, 1.5)
+    yield Comparison("compiled", "Numba by hand", loop, loop_by_hand, list, list, 2.0)
 
 
 def filled(loop, angles, geometry, n_columns):

@@ -181,9 +181,13 @@ def _as_in_file(problem: Problem, data: Mapping[str, Any]) -> Problem:
 
 
 def _at(data: object, path: str) -> object:
-    """What stands at a plain dotted path; None where nothing does."""
-    for name in path.split("."):
-        data = cast(Mapping[str, object], data).get(name) if isinstance(data, Mapping) else None
+    """What stands at a path of names and places in lists; None where nothing does."""
+    for name in re.findall(r"[^.\[\]]+", path):
+        if isinstance(data, list | tuple):
+            items = cast(Sequence[object], data)
+            data = items[int(name)] if name.isdigit() and int(name) < len(items) else None
+        else:
+            data = cast(Mapping[str, object], data).get(name) if isinstance(data, Mapping) else None
     return data
 
 

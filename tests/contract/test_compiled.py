@@ -53,6 +53,7 @@ from cranktrain.linkage import (
 )
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker
+from cranktrain.mechanisms.eccentric.kinematics import Eccentric
 from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinder
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
@@ -69,17 +70,25 @@ NO_KERNELS = {
     "chain.chain_load",
     "chain.chain_made",
     "chain.chain_motion",
-    "chain.chain_moving",
-    "chain.chain_reactions",
     "chain.chain_reduced",
-    "chain.chain_sliding",
+    "chain.made_by",
     "chain.made_names",
     "chain.pin_of",
-    "chain.with_sides",
+    "chain.triad_branch",
+    "chain.triad_ends",
+    "chain.triad_legs",
     "compile.compiled",
     "modes.triad_modes",
+    "nearest.nearest_pose",
+    "stephenson.stephenson",
+    "stephenson.stephenson_gap",
+    "stephenson.stephenson_size",
     "walk.pose_at",
     "walk.triad_walk",
+    "walschaerts.upright",
+    "walschaerts.walschaerts",
+    "walschaerts.walschaerts_gap",
+    "walschaerts.walschaerts_size",
 }
 """What supplies kernels, or takes them: `cranktrain.linkage` names it."""
 
@@ -166,6 +175,10 @@ def slider_crank_geometry(size):
     return SliderCrank(size(0.3), size(1.0), size(0.05))
 
 
+def eccentric_geometry(size):
+    return Eccentric(size(0.3), size(1.0), size(0.05), size(1.9))
+
+
 def crank_rocker_geometry(size, side):
     return CrankRocker(size(0.3), size(1.0), size(0.8), size(1.1), side)
 
@@ -202,6 +215,8 @@ EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "crank.crank": lambda angle, size, side: (angle, Crank(size(0.3))),
     "crank_rocker.crank_rocker": lambda angle, size, side: (angle, crank_rocker_geometry(size, side)),
     "crank_rocker.crank_rocker_gap": lambda angle, size, side: (angle, crank_rocker_geometry(size, side)),
+    "eccentric.eccentric": lambda angle, size, side: (angle, eccentric_geometry(size)),
+    "eccentric.eccentric_gap": lambda angle, size, side: (angle, eccentric_geometry(size)),
     "legs.block_along": lambda angle, size, side: (OnLine(rod(angle, size), crank_pin(angle, size)),),
     "legs.fixed_guide": lambda angle, size, side: (size(0.4), size(-0.9), size(0.6)),
     "legs.rod_between": lambda angle, size, side: (RodEnds(crank_pin(angle, size), fixed(size(1.1), size(0.05))),),

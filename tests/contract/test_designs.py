@@ -13,6 +13,9 @@ from cranktrain.mechanisms import KINDS
 TURNED_BY_ITS_VALUE = re.compile(r"_at$|closing_angle")
 """Angles of extremes without a slope are as exact as the root of rounding allows."""
 
+WALKED = {"closing_margin": 1e-5, "closing_angle": 0.02}
+"""How far closing margins may differ that are found by walks round the turn, to a millionth; their angle [deg]."""
+
 
 def varied(data, k, place=0):
     """The same machine with every number a little different: k per mille for the first, more for each further one."""
@@ -34,7 +37,7 @@ def machine_of(kind):
     table = data["mechanism"] if "mechanism" in data else next(reversed(data["bank"].values()))["mechanism"]
     if links := next(place.kind.links for place in ct.Machine(**data).places if place.kind.name == kind.name):
         table["points"] = {"p": {"link": links[0], "along": "30 mm", "across": "11 mm"}}
-    if kind.output == "slider":
+    if kind.output == "slider" and kind.has_chambers:
         data["cylinder"] = {"bore": "90 mm", "compression_ratio": 12.0}
     elif "load_radius" in kind.spec.model_fields:
         table["load_radius"] = "300 mm"
@@ -48,6 +51,16 @@ MACHINES = {kind.name: machine_of(kind) for kind in KINDS} | {"V12": V12}
 def runs(request):
     machines = [ct.Machine(**varied(MACHINES[request.param], k)) for k in range(3)]
     return ct.run(machines), [ct.run(machine) for machine in machines]
+
+
+def is_walked(result):
+    return any(place.kind.margin_precision > 1e-12 for place in result.machines[0].places)
+
+
+def said(result, design):
+    """What a result says; where the closing margin is not told to rounding, without it."""
+    lines = result.summary(design).splitlines()
+    return [line for line in lines if not (is_walked(result) and line.startswith("Closing margin"))]
 
 
 def test_designs_differ(runs):
@@ -71,13 +84,15 @@ def test_each_design_is_as_if_alone(runs):
             allowed = (
                 1e-7 if TURNED_BY_ITS_VALUE.search(name) else 4e-15 * scale + (1e-12 if entry.unit == "deg" else 0)
             )
+            if is_walked(result):
+                allowed = WALKED.get(name, allowed)
             np.testing.assert_allclose(together, single, rtol=0, atol=allowed, err_msg=name)
 
 
 def test_sentences_and_checks_of_each_design(runs):
     several, alone = runs
     for design, result in enumerate(alone):
-        assert several.summary(design) == result.summary()
+        assert said(several, design) == said(result, 0)
         assert [check.verdict(design) for check in several.checks] == [check.verdict() for check in result.checks]
 
 

@@ -149,14 +149,14 @@ def test_guides_hold_their_pin_on_a_line(kind):
     place = place_of(kind)
     geometry = place.geometry
     if "offset" in getattr(geometry, "_fields", ()):
-        geometry = geometry._replace(offset=7e-3)
+        geometry = geometry._replace(offset=geometry.offset + 7e-3)
     drawing = place.kind.drawing(PHI, geometry)
     for guide in drawing.guides:
         x, y = drawing.positions[guide.pin]
         across = y * np.cos(guide.direction) - x * np.sin(guide.direction)
         np.testing.assert_allclose(across, across[0], atol=1e-15)
         if geometry is not place.geometry and guide is drawing.guides[0]:
-            np.testing.assert_allclose(across, 7e-3, atol=1e-15)
+            np.testing.assert_allclose(across, geometry.offset, atol=1e-15)
         assert np.ptp(x * np.cos(guide.direction) + y * np.sin(guide.direction)) > 1e-3
 
 

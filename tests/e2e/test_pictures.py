@@ -35,6 +35,24 @@ def test_plan(cranktrain, tmp_path):
     assert (tmp_path / "plan.pdf").read_bytes().startswith(b"%PDF-")
 
 
+@pytest.mark.parametrize("plan", ["arc", "projection", "brix", "brix-backward", "centres"])
+def test_constructions_and_centres(cranktrain, tmp_path, plan):
+    done = cranktrain("plot", "mud_pump_12p160", "--plan", plan, "-o", "plan.png")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "written: plan.png\n", "")
+    with Image.open(tmp_path / "plan.png") as picture:
+        assert np.allclose(picture.size, np.multiply((297, 210), DOTS_PER_MILLIMETRE), atol=1)
+
+
+def test_twelve_positions_of_the_source(cranktrain, tmp_path):
+    """Across the line of stroke and at the pressure angle asin λ of the 78 × 78 engine: λ = 39/128."""
+    done = cranktrain("plot", "textbook_78x78", "--plan", "positions", "--at", "source", "-o", "plan.svg")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "written: plan.svg\n", "")
+    done = cranktrain("plot", "3d12", "--plan", "velocities", "--at", "source", "-o", "other.svg")
+    assert done.returncode == 2 and "--at = source: must be crank angles" in done.stderr
+    done = cranktrain("plot", "pumping_unit_c57", "--plan", "positions", "--at", "source", "-o", "other.svg")
+    assert done.returncode == 2 and "is no slider-crank" in done.stderr
+
+
 def test_animation(cranktrain, tmp_path):
     done = cranktrain("plot", "pumping_unit_c57", "-o", "unit.gif")
     assert (done.returncode, done.stdout, done.stderr) == (0, "written: unit.gif\n", "")

@@ -148,7 +148,7 @@ def test_shaper():
     size = ChainSize(
         (CrankSize(radius, zero),),
         (Place(zero, -ground),),
-        (SwivelSize(zero, zero + 1), PointSize(length, zero), SlideSize(link, zero + 1, zero, height)),
+        (SwivelSize(zero, zero + 1, zero + 1), PointSize(length, zero), SlideSize(link, zero + 1, zero, height)),
     )
     angle = random.uniform(0, 2 * np.pi, (N, 4))
     exact = oracles.coefficients(shaper, angle, radius, ground, length, link, height)

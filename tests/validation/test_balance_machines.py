@@ -7,6 +7,7 @@ the piston is all that reciprocates. φ_theory = φ + γ_1 − θ_1; their x is 
 
 import csv
 import json
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -36,7 +37,7 @@ def machine(throw_degrees, axis_degrees, z, rod_length, masses=PISTON, **fields)
     first = throws[0][1]
     main = {"throws": [f"{angle - first!r} deg" for _along, angle in throws], "speed": f"{SPEED!r} rad/s"}
     if len(throws) > 1:
-        main["spacing"] = [f"{float(after[0] - before[0]) * PITCH!r} m" for before, after in zip(throws, throws[1:])]
+        main["spacing"] = [f"{float(after[0] - before[0]) * PITCH!r} m" for before, after in pairwise(throws)]
     banks = {}
     for along, angle, axis in cylinders:
         bank = banks.setdefault(

@@ -232,13 +232,22 @@ def _plot(
     ] = None,
     plan: Annotated[
         str | None,
-        typer.Option(metavar="PLAN", help=_("A plan of: positions, velocities, accelerations, klein.")),
+        typer.Option(
+            metavar="PLAN",
+            help=_(
+                "A plan of: positions, velocities, accelerations, klein, centres; "
+                "or a construction: arc, projection, brix, brix-backward."
+            ),
+        ),
     ] = None,
     at: Annotated[
         str | None,
         typer.Option(
             metavar="ANGLES",
-            help=_("Crank angles in degrees, such as 30,60. Of a plan, one number alone is how many over a turn."),
+            help=_(
+                "Crank angles in degrees, such as 30,60. Of a plan, one number alone is how many over a turn; "
+                "`source` the source's twelve."
+            ),
         ),
     ] = None,
     mechanism: Annotated[

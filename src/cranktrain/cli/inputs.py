@@ -1,11 +1,11 @@
 """Where the numbers of a machine file are from."""
 
-from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from rich.text import Text
 
 from cranktrain.cli.screen import plain, table
+from cranktrain.io.description import counted_by_status
 from cranktrain.io.machine_file import Input, MachineFile, inputs_of
 from cranktrain.language import _
 
@@ -16,15 +16,7 @@ _TOLD = ("assumed", "fitted")
 def provenance(file: MachineFile, width: int) -> Iterator[str | Text]:
     """Count the numbers of a file by status, and name those that are assumed or fitted, in a width of columns."""
     inputs = inputs_of(file)
-    counts = Counter(one.given.status for one in inputs)
-    words = {
-        "published": _("{n} published"),
-        "derived": _("{n} derived"),
-        "assumed": _("{n} assumed"),
-        "fitted": _("{n} fitted"),
-        None: _("{n} without a status"),
-    }
-    counted = ", ".join(word.format(n=counts[status]) for status, word in words.items() if counts[status])
+    counted = counted_by_status(one.given for one in inputs)
     yield _("{n} numbers of the file: {counted}").format(n=len(inputs), counted=counted)
     told = [one for status in _TOLD for one in inputs if one.given.status == status]
     if told:

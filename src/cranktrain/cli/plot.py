@@ -1,13 +1,13 @@
 """`plot`: a machine as a sheet, a plan, a moving picture or a DXF; the file's name says which."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import PurePath
 from typing import TYPE_CHECKING, TypeAlias
 
 from cranktrain.cli.screen import plain
 from cranktrain.errors import InputError, Position, Problem
-from cranktrain.io.machine_file import MachineFile, read_machine
+from cranktrain.io.machine_file import MachineFile, computed, read_machine
 from cranktrain.language import _
 from cranktrain.quantities import Dimension, QuantityError, read, shown, unlisted
 
@@ -17,9 +17,27 @@ if TYPE_CHECKING:
 Angles: TypeAlias = int | Sequence[float]
 """How many crank angles over a turn, or which. [deg]"""
 
-PLANS = ("positions", "velocities", "accelerations", "klein")
+PLANS = {
+    "positions": "plan_positions",
+    "velocities": "plan_velocities",
+    "accelerations": "plan_accelerations",
+    "klein": "plan_klein",
+    "centres": "plan_centres",
+    "arc": "plan_arc",
+    "projection": "plan_projection",
+    "brix": "plan_brix",
+    "brix-backward": "plan_brix_backward",
+}
+"""Plans by name: what of `cranktrain.viz` draws them."""
+
+SOURCE_ANGLES = "source"
+"""What `--at` says for the twelve positions of [slider-crank-synthesis]."""
+
 SHEETS, ANIMATION, DRAWING = (".png", ".svg", ".pdf"), ".gif", ".dxf"
 SUFFIXES = (*SHEETS, ANIMATION, DRAWING)
+
+_TWELVE = ("positions", "arc", "projection", "brix")
+"""Plans that can have the source's twelve positions."""
 
 _SIZES = ("A4", "A3")
 _POSITIONS = 12
@@ -54,6 +72,7 @@ class Picture:
     angles: Angles | None
     mechanism: str | None
     size: str
+    is_at_source_angles: bool = False
 
 
 def write_picture(request: Request) -> None:
@@ -105,18 +124,21 @@ def understood(request: Request) -> Picture:
         problems += _misplaced(request, suffix)
     plan = request.plan and request.plan.strip().casefold()
     if plan is not None and plan not in PLANS:
-        problems.append(unlisted("--plan", request.plan, PLANS))
+        problems.append(unlisted("--plan", request.plan, tuple(PLANS)))
     size = (request.size or _SIZES[0]).strip().upper()
     if size not in _SIZES:
         problems.append(unlisted("--size", request.size, _SIZES))
+    is_at_source_angles = plan in _TWELVE and (request.at or "").strip().casefold() == SOURCE_ANGLES
     angles = None
     try:
-        angles = _angles(request.at, is_count_meant=plan is not None or suffix == DRAWING)
+        angles = (
+            None if is_at_source_angles else _angles(request.at, is_count_meant=plan is not None or suffix == DRAWING)
+        )
     except InputError as error:
         problems += error.problems
     if problems:
         raise InputError(problems)
-    return Picture(request.output or "", suffix, plan, angles, request.mechanism, size)
+    return Picture(request.output or "", suffix, plan, angles, request.mechanism, size, is_at_source_angles)
 
 
 def _misplaced(request: Request, suffix: str) -> Iterator[Problem]:
@@ -183,32 +205,31 @@ def _drawn(file: MachineFile, picture: Picture, request: Request) -> None:
         angles = _POSITIONS if picture.angles is None else picture.angles
         dxf(file.machine, angles, picture.output, mechanism=picture.mechanism, force=request.force)
     elif picture.suffix == ANIMATION:
-        from cranktrain.analysis import run
-
-        save_animation(run(file.machine, partial=request.is_partial), picture.output, force=request.force)
+        save_animation(computed(file, partial=request.is_partial), picture.output, force=request.force)
     else:
         save(lambda: _figure(file, picture, request), picture.output, force=request.force)
 
 
 def _figure(file: MachineFile, picture: Picture, request: Request) -> "Figure":
     """Draw a plan, or the sheet."""
-    from cranktrain.viz import plan_accelerations, plan_klein, plan_positions, plan_velocities, sheet
+    from cranktrain import viz
 
     if picture.plan is None:
-        from cranktrain.analysis import run
-
-        result = run(file.machine, partial=request.is_partial)
+        result = computed(file, partial=request.is_partial)
         if isinstance(picture.angles, Sequence):
-            return sheet(result, size=picture.size, at=picture.angles[0])
-        return sheet(result, size=picture.size)
-    plans: Mapping[str, Callable[..., Figure]] = {
-        "positions": plan_positions,
-        "velocities": plan_velocities,
-        "accelerations": plan_accelerations,
-        "klein": plan_klein,
-    }
-    chosen = {} if picture.angles is None else {"angles": picture.angles}
-    return plans[picture.plan](file.machine, **chosen, mechanism=picture.mechanism, size=picture.size)
+            return viz.sheet(result, size=picture.size, at=picture.angles[0])
+        return viz.sheet(result, size=picture.size)
+    draw: Callable[..., Figure] = getattr(viz, PLANS[picture.plan])
+    angles = _source_angles(file, picture) if picture.is_at_source_angles else picture.angles
+    chosen = {} if angles is None else {"angles": angles}
+    return draw(file.machine, **chosen, mechanism=picture.mechanism, size=picture.size)
+
+
+def _source_angles(file: MachineFile, picture: Picture) -> Sequence[float]:
+    """Crank angles of the source's positions, counted as the plan counts them."""
+    from cranktrain.study.plans import source_angles
+
+    return source_angles(file.machine, mechanism=picture.mechanism, is_shown=picture.plan == "positions")
 
 
 def _placed(problems: Sequence[Problem], file: MachineFile, request: Request) -> Iterator[Problem]:

@@ -12,10 +12,10 @@ from cranktrain.cli.facts import fact_tables
 from cranktrain.cli.figures import ABSENT, figures
 from cranktrain.cli.inputs import input_table, provenance
 from cranktrain.cli.screen import INDENT, paragraph, plain, section, table
+from cranktrain.io.description import layout_words
 from cranktrain.io.machine_file import MachineFile
 from cranktrain.language import _
 from cranktrain.machine import Machine
-from cranktrain.mechanisms import kind_named
 from cranktrain.wording import ranged
 
 _NAMED = 4
@@ -73,7 +73,7 @@ def show_result(
 
 def title(machine: Machine) -> str:
     """Say in one line which machine this is."""
-    parts = [_layout(machine)]
+    parts = [plain(layout_words(machine))]
     if len(machine.shafts) > 1:
         parts.append(_shafts(machine))
     if machine.main_shaft.speed is not None:
@@ -99,23 +99,6 @@ def _shafts(machine: Machine) -> str:
     }
     said = (_("{shaft} ({mechanisms})").format(shaft=shaft, mechanisms=ranged(names, few)) for shaft, few in on.items())
     return _("shafts {shafts}").format(shafts=", ".join(said))
-
-
-def _layout(machine: Machine) -> str:
-    """Say how many pistons or rockers there are, and in which banks."""
-    if machine.mechanism is not None:
-        return _(kind_named(machine.mechanism.kind).title)
-    outputs = [place.kind.output for place in machine.places]
-    counts: list[str] = []
-    for output, one, many in (
-        ("slider", _("1 piston"), _("{n} pistons")),
-        ("rocker", _("1 rocker"), _("{n} rockers")),
-    ):
-        if n := outputs.count(output):
-            counts.append(one if n == 1 else many.format(n=n))
-    banks = ", ".join(map(plain, machine.bank))
-    named = _("bank {banks}") if len(machine.bank) == 1 else _("banks {banks}")
-    return ", ".join([*counts, named.format(banks=banks)])
 
 
 def _peaks(result: Result, names: Sequence[str]) -> Iterator[tuple[str, ...]]:

@@ -47,9 +47,9 @@ def write_schema(output: str | None, *, force: bool) -> None:
 def starting_file(kind: Kind) -> str:
     """Give a machine file with one mechanism of a kind, commented, that works as it is."""
     head = _HEAD.format(schema=_SCHEMA_FILE, title=_(kind.title))
-    if kind.output != "slider":
+    if kind.output != "slider" or not (kind.has_chambers or "[bank." in kind.example):
         return f"{head}\n{kind.example}"
-    order = "1L-1R" if "[bank." in kind.example else "1"
+    order = "1L-1R" if "[bank.L]" in kind.example else "1"
     return f"{head}\n{kind.example}{_CYLINDER.format(order=order)}"
 
 

@@ -20,6 +20,7 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array, single
 from cranktrain.references import REFERENCES
+from cranktrain.study.constructions import Construction, construction
 from cranktrain.textbook.comparison import FORMS
 from cranktrain.textbook.ranges import RANGES, Range
 from cranktrain.wording import around_turn, number, ranged
@@ -28,6 +29,8 @@ _ERRATA = "errata"
 _STEP = 30.0
 """Of the crank angle in tables. [deg]"""
 _TURN = 360.0
+_PARTS, _FINE = 10, 720
+"""Of the stroke or turn: where a table of a construction is shown, and where its largest error is sought."""
 
 _Key = TypeVar("_Key", bound=Hashable)
 
@@ -95,11 +98,53 @@ def _show_methods(console: Console, machine: Machine, result: Result, *, with_ta
         "points along the cylinder. λ is crank radius by rod, of a slave its master's."
     )
     section(console, _("Largest errors over the turn"), [explained])
+    _show_constructions(console, machine, with_table=with_table)
     if with_table:
         for places in _alike(machine.places):
             _show_motion(console, result, places)
     rows = [(f"[{key}]", REFERENCES[key].text) for key in dict.fromkeys(one.source for one in ranges)]
     section(console, _("Sources"), table(("", ""), rows, fold=width))
+
+
+def _show_constructions(console: Console, machine: Machine, *, with_table: bool) -> None:
+    """Show what is constructed and no curve of the turn: arc, Brix's pole, Brix read backwards."""
+    cranks = [place for place in machine.places if place.kind.name == "slider_crank"]
+    if not cranks:
+        return
+    width = console.width - INDENT
+    groups = _grouped([place.geometry for place in cranks])
+    names = [place.name for place in cranks]
+    said = [ranged(names, members) for members in groups.values()]
+    firsts = [cranks[members[0]] for members in groups.values()]
+    arcs = [construction(machine, "arc", _FINE, mechanism=first.name) for first in firsts]
+    off = max(float(np.max(np.abs(arc.displacement - arc.exact_displacement) / arc.stroke)) for arc in arcs)
+    words = _("exact, for an offset line of stroke too; largest error {off:.0e} of the stroke, from rounding")
+    section(console, _("Arcs of the rod's length about the piston's pin"), [words.format(off=off)])
+    read = [construction(machine, "brix_backward", _FINE, mechanism=first.name) for first in firsts]
+    errors = [np.rad2deg(one.angle - one.exact_angle) for one in read]
+    worst = [int(np.nanargmax(np.abs(error))) for error in errors]
+    columns = [
+        Column("OP = λR/2", "mm", tuple(_millimetres(-one.pole) for one in read)),
+        Column("Δφ", "deg", tuple(f"{error[at]:.2f}" for error, at in zip(errors, worst, strict=True))),
+        Column("S", "mm", tuple(_millimetres(one.displacement[at]) for one, at in zip(read, worst, strict=True))),
+    ]
+    about = _("crank angle from the displacement: largest error, and where; the pole P lies away from the cylinder")
+    lines = [about, *column_tables(columns, said, width)]
+    section(console, _("Brix's construction backwards: fig. 147 [steam-engine]"), lines)
+    if with_table:
+        _show_backwards(console, construction(machine, "brix_backward", _PARTS, mechanism=firsts[0].name))
+
+
+def _show_backwards(console: Console, read: Construction) -> None:
+    """Show the angles that Brix's construction gives for tenths of the stroke, beside the exact ones."""
+    labels = [f"{_millimetres(value)} mm" for value in read.displacement]
+    angles = (read.angle, read.exact_angle, read.angle - read.exact_angle)
+    columns = [
+        Column(head, "deg", tuple(f"{np.rad2deg(value):.2f}" for value in values))
+        for head, values in zip(("brix", "exact", "Δφ"), angles, strict=True)
+    ]
+    heading = _("φ of piston {piston} by the displacement S, on the way to the shaft").format(piston=read.mechanism)
+    section(console, heading, list(column_tables(columns, labels, console.width - INDENT)))
 
 
 def _method(machine: Machine, result: Result, one: Range, width: int) -> Iterator[str | Text]:

@@ -95,7 +95,7 @@ class ShakingCouples:
     def answer(self, labels: Names, design: int) -> str:
         """Say which orders of couple shake the frame, and what the balance weights leave of them."""
         of = self.shaking_couple_largest[design]
-        said = [orders_told(labels["order"], one, float(self.gross[design]), "N·m") for one in of]
+        said = [orders_told(labels["order"], one, float(self.gross[design]), "N*m") for one in of]
         if len(said) == 1:
             return _("Shaking couple: {couple}.").format(couple=said[0])
         return _("Shaking couple: {couple}; left with [balance]: {left}.").format(couple=said[0], left=said[1])
@@ -108,7 +108,7 @@ def shaking_forces(
     balanced = None if weights is None else Balanced(weights.weights, np.ones_like(weights.weights.moment))
     arm = np.ones(frame.force.shape[:2])
     found = shaken(frame, frames, crank_angle, speed, arm=arm, balanced=balanced)
-    return ShakingForces(*found[:-1], gross=found.gross, labels=found.labels)
+    return ShakingForces(*found[:7], gross=found.gross, labels=found.labels)
 
 
 def shaking_couples(
@@ -123,7 +123,7 @@ def shaking_couples(
     middle = axial.mid_plane[:, np.newaxis]
     balanced = None if weights is None else Balanced(weights.weights, weights.weights.position - middle)
     found = shaken(frame, frames, crank_angle, speed, arm=axial.value - middle, balanced=balanced)
-    return ShakingCouples(*found[:-1], gross=found.gross, labels=found.labels)
+    return ShakingCouples(*found[:7], gross=found.gross, labels=found.labels)
 
 
 @dataclass(frozen=True)

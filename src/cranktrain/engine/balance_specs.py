@@ -12,7 +12,7 @@ from cranktrain.quantities import Angle, Dimension, Given, Length, PositiveLengt
 from cranktrain.spec import Spec
 
 HIGHEST_ORDER = 12
-"""Up to which orders shaking is told, and shafts may turn."""
+"""Up to which orders torque and shaking are told, and balance shafts may turn."""
 
 Share = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=1.0)]
 Spot = tuple[Length, Length]

@@ -146,7 +146,7 @@ def balance_weights(
     ahead = frames.running * (weights.angle - frames.first[:, np.newaxis])
     return BalanceWeights(
         balance_weight_moment=weights.moment,
-        balance_weight_angle=np.mod(ahead + np.pi, 2 * np.pi) - np.pi,
+        balance_weight_angle=np.where(weights.moment > 0, np.mod(ahead + np.pi, 2 * np.pi) - np.pi, np.nan),
         balance_weight_position=weights.position,
         balance_weight_ratio=weights.ratio,
         weights=weights,

@@ -38,6 +38,8 @@ class Cylinder:
         Where in the machine file each field that is given stands.
     is_master : bool
         Whether its pistons hang on crank pins themselves.
+    is_piston : bool
+        Whether these are pistons, and not a valve.
     """
 
     name: str
@@ -47,6 +49,7 @@ class Cylinder:
     spec: CylinderSpec
     paths: Mapping[str, str]
     is_master: bool
+    is_piston: bool
 
     @property
     def has_own_ratio(self) -> bool:
@@ -55,8 +58,8 @@ class Cylinder:
 
     @property
     def chambers(self) -> tuple[str, ...]:
-        """Sides of the piston on which there is a chamber."""
-        return self.spec.chambers or ("head",)
+        """Sides of the piston on which there is a chamber; a valve has none."""
+        return (self.spec.chambers or ("head",)) if self.is_piston else ()
 
 
 _COMMON_RATIO = "cylinder.compression_ratio"
@@ -92,11 +95,13 @@ def _cylinder(common: CylindersSpec, pistons: Sequence[Place], index: tuple[int,
         spec=CylinderSpec.model_construct(**fields),
         paths=paths,
         is_master=all(place.kind.name == "slider_crank" for place in places),
+        is_piston=all(place.kind.has_chambers for place in places),
     )
 
 
 def cylinder_problems(common: CylindersSpec, pistons: Sequence[Place]) -> tuple[Problem, ...]:
     """Find cylinders and overrides of nothing, bores given for some pistons only, piston rods that do not fit."""
+    pistons = [place for place in pistons if place.kind.has_chambers]
     if not pistons:
         allowed = _("is not for this machine, which has no pistons")
         return (Problem("cylinder", None, allowed),) if common.model_fields_set else ()
@@ -135,7 +140,9 @@ def cylinder_pistons_of(cylinders: Sequence[Cylinder]) -> CylinderPistons:
 def chambers_of(designs: Sequence[Sequence[Cylinder]], n_pistons: int) -> Chambers | None:
     """Signed area matrix of the working chambers; None where no bore is given."""
     first = designs[0]
-    if not first or any(cylinder.spec.bore is None for design in designs for cylinder in design):
+    if all(not cylinder.chambers for cylinder in first):
+        return None
+    if any(cylinder.spec.bore is None for design in designs for cylinder in design if cylinder.chambers):
         return None
     sides = [(i, side) for i, cylinder in enumerate(first) for side in cylinder.chambers]
     areas = np.zeros((len(designs), n_pistons, len(sides)))
@@ -170,8 +177,10 @@ def compression_ratios_of(designs: Sequence[Sequence[Cylinder]]) -> CompressionR
     first = designs[0]
     sides = [(i, side) for i, cylinder in enumerate(first) for side in cylinder.chambers]
     heads = [(k, i) for k, (i, side) in enumerate(sides) if side == "head"]
-    leader, leading = next(((k, i) for k, i in heads if first[i].is_master), heads[0] if heads else (0, 0))
-    if any(design[leading].spec.compression_ratio is None for design in designs):
+    leader, leading = next(
+        ((k, i) for k, i in heads if first[i].is_master), heads[0] if heads else (0, sides[0][0] if sides else 0)
+    )
+    if not sides or any(design[leading].spec.compression_ratio is None for design in designs):
         return None
     value = np.full((len(designs), len(sides)), np.nan)
     for d, design in enumerate(designs):

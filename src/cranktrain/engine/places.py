@@ -9,7 +9,6 @@ from cranktrain.engine.specs import BankSpec, ShaftSpec
 from cranktrain.errors import Problem
 from cranktrain.language import _
 from cranktrain.mechanisms import Kind, MechanismSpec, kind_of
-from cranktrain.mechanisms.articulated_rod import ArticulatedRodSpec
 from cranktrain.mechanisms.kind import Master, mirrored
 
 
@@ -246,21 +245,23 @@ def _lists(spec: BankSpec) -> tuple[str, ...]:
 def _master_of(slot: _Slot, slots: Sequence[_Slot]) -> _Slot | Problem | None:
     """Find the slider-crank on the same throw that a slave hangs on; None for a mechanism that needs none."""
     spec = slot.spec
-    if not isinstance(spec, ArticulatedRodSpec):
+    field = spec.master_field
+    if field is None:
         return None
-    path = f"{slot.path}.master{slot.lists.get('master', '')}"
-    in_bank = [other for other in slots if other.bank == spec.master]
+    name = getattr(spec, field)
+    path = f"{slot.path}.{field}{slot.lists.get(field, '')}"
+    in_bank = [other for other in slots if other.bank == name]
     if not in_bank:
         banks = ", ".join(dict.fromkeys(other.bank for other in slots if other.bank != slot.bank and other.bank))
         allowed = _("must be the name of a bank of slider-cranks, but there is no other bank")
         if banks:
             allowed = _("must be the name of a bank of slider-cranks; the other banks are: {banks}").format(banks=banks)
-        return Problem(path, spec.master, allowed)
+        return Problem(path, name, allowed)
     masters = [other for other in in_bank if other.spec.kind == "slider_crank"]
     if not masters:
-        return Problem(path, spec.master, _("must be a bank of slider-cranks; a slave rod cannot carry another"))
+        return Problem(path, name, _("must be a bank of slider-cranks; a slave rod cannot carry another"))
     on_throw = [other for other in masters if (other.shaft, other.throw) == (slot.shaft, slot.throw)]
     if len(on_throw) != 1:
         allowed = _("must have one slider-crank on throw {throw}, where this rod is; it has {n}")
-        return Problem(path, spec.master, allowed.format(throw=slot.throw + 1, n=len(on_throw)))
+        return Problem(path, name, allowed.format(throw=slot.throw + 1, n=len(on_throw)))
     return on_throw[0]

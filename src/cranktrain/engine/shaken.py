@@ -9,10 +9,12 @@ from cranktrain.engine.balance_specs import HIGHEST_ORDER
 from cranktrain.engine.frame_forces import FrameForces
 from cranktrain.engine.frames import Frames
 from cranktrain.engine.layout import CrankAngle, Speed
+from cranktrain.engine.torque_orders import order_labels, orders
 from cranktrain.language import _
 from cranktrain.loads.vectors import PlaneVectors, hodograph, machine_axes, vector_curve
 from cranktrain.loads.weights import RotatingWeights, weight_vectors
 from cranktrain.motion import Array
+from cranktrain.wording import number
 
 _GONE = 1e-9
 """What is less than this share of what all parts could do together is rounding."""
@@ -23,9 +25,9 @@ _TOLD = 3
 class Shaken(NamedTuple):
     """Force [N] or couple [N·m] on the frame, first without balance weights, then, where there are any, with them.
 
-    x, y are curves in the machine's axes, shape (design, balance, crank_angle); the others, by order from 1, have shape
-    (design, balance, order), direction in radians from Y in the normal sense; gross, shape (design,), is what all parts
-    would do if they added up.
+    x, y are curves in the machine's axes, shape (design, balance, crank_angle); the others, by the cycle's orders, have
+    shape (design, balance, order), direction in radians from Y in the normal sense; gross, shape (design,), is what all
+    parts would do if they added up; labels are the names along both dimensions.
     """
 
     x: Array
@@ -37,14 +39,7 @@ class Shaken(NamedTuple):
     direction: Array
     gross: Array
 
-    @property
-    def labels(self) -> dict[str, tuple[str, ...]]:
-        """Names along both dimensions."""
-        names = ("without", "with")
-        return {
-            "balance": names[: self.largest.shape[1]],
-            "order": tuple(str(order) for order in range(1, HIGHEST_ORDER + 1)),
-        }
+    labels: dict[str, tuple[str, ...]]
 
 
 class Balanced(NamedTuple):
@@ -96,10 +91,12 @@ def shaken(
         size = size + np.sum(np.abs(balanced.arm) * np.sum(hodograph(own).major, axis=-1), axis=-1)
     square = speed.value**2
     curve = square * machine_axes(np.stack(curves, axis=1), clockwise=frames.clockwise)
-    vectors = PlaneVectors(
-        frame.vectors.order[1:],
-        square * np.stack([one.forward[:, 1:] for one in by_order], axis=1),
-        square * np.stack([one.backward[:, 1:] for one in by_order], axis=1),
+    vectors = _in_cycle(
+        [
+            PlaneVectors(one.order, speed.value[:, 0] ** 2 * one.forward, speed.value[:, 0] ** 2 * one.backward)
+            for one in by_order
+        ],
+        turns,
     )
     ellipse = hodograph(vectors)
     gross = square[:, 0, 0] * size
@@ -117,7 +114,18 @@ def shaken(
         ellipse.minor,
         np.where(has_axis, along, np.nan),
         gross,
+        {"balance": ("without", "with")[: len(by_order)], **order_labels(crank_angle.cycle)},
     )
+
+
+def _in_cycle(lots: Sequence[PlaneVectors], turns: int) -> PlaneVectors:
+    """Vectors by the orders of a cycle, shape (design, lot, order): what turns with the crank has no half orders."""
+    shape = (len(lots[0].forward), len(lots), HIGHEST_ORDER * turns)
+    forward, backward = np.zeros((2, *shape), dtype=np.complex128)
+    for i, one in enumerate(lots):
+        forward[:, i, turns - 1 :: turns] = one.forward[:, 1:]
+        backward[:, i, turns - 1 :: turns] = one.backward[:, 1:]
+    return PlaneVectors(orders(turns * 2 * np.pi), forward, backward)
 
 
 def _summed(vectors: PlaneVectors, arm: Array) -> PlaneVectors:
@@ -125,26 +133,26 @@ def _summed(vectors: PlaneVectors, arm: Array) -> PlaneVectors:
     return PlaneVectors(vectors.order, *(np.sum(arm * part, axis=1) for part in vectors[1:]))
 
 
-def orders_told(orders: Sequence[str], largest: Array, gross: float, unit: str) -> str:
-    """Say which orders there are and how large, the largest first: `order 2, 123 N·m`; or that there is none.
+def orders_told(names: Sequence[str], largest: Array, gross: float, unit: str) -> str:
+    """Say which orders there are and how large, the largest first: `order 2, 123 N`; or that there is none.
 
     Parameters
     ----------
-    orders : sequence of str
+    names : sequence of str
+        Of the orders.
     largest : Array, shape (order,)
-        Of one design.
+        Of one design, in SI.
     gross : float
         What is nothing beside this is none.
     unit : str
-        As printed.
+        To show.
     """
     if not np.all(np.isfinite(largest)):
         return _("not known, as the links do not close all round")
     left = [i for i in np.argsort(-largest, kind="stable").tolist() if largest[i] > _GONE * gross]
     if not left:
         return _("none")
-    named = [
-        _("order {order}, {size} {unit}").format(order=orders[i], size=f"{largest[i]:.4g}", unit=unit)
-        for i in left[:_TOLD]
+    said = [
+        _("order {order}, {size}").format(order=names[i], size=number(float(largest[i]), unit)) for i in left[:_TOLD]
     ]
-    return "; ".join([*named, _("and less of others")] if len(left) > _TOLD else named)
+    return "; ".join([*said, _("and less of others")] if len(left) > _TOLD else said)

@@ -8,10 +8,13 @@ from cranktrain.mechanisms import (
     articulated_rod,
     chain,
     crank_rocker,
+    eccentric,
     oscillating_cylinder,
     scotch_yoke,
     slider_crank,
     slotted_lever,
+    stephenson,
+    walschaerts,
 )
 from cranktrain.mechanisms.kind import Kind, MechanismSpec
 
@@ -24,6 +27,9 @@ KINDS: tuple[Kind, ...] = (
     scotch_yoke.KIND,
     oscillating_cylinder.KIND,
     slotted_lever.KIND,
+    eccentric.KIND,
+    stephenson.KIND,
+    walschaerts.KIND,
     chain.KIND,
 )
 
@@ -34,6 +40,9 @@ AnyMechanism = Annotated[
     | scotch_yoke.ScotchYokeSpec
     | oscillating_cylinder.OscillatingCylinderSpec
     | slotted_lever.SlottedLeverSpec
+    | eccentric.EccentricSpec
+    | stephenson.StephensonSpec
+    | walschaerts.WalschaertsSpec
     | chain.ChainSpec,
     Field(discriminator="kind"),
 ]

@@ -64,7 +64,10 @@ def closing_margin(kind: Kind, geometry: Any) -> ClosingMargin:
         way, row, low, high = _first_openings(kind, flat)
         opened = rows(flat, row)
         change = bracketed_roots(
-            lambda trial: _least_gap(kind, _changed(kind, opened, way, trial)).value, low, high, precision=1e-15
+            lambda trial: _least_gap(kind, _changed(kind, opened, way, trial)).value,
+            low,
+            high,
+            precision=kind.margin_precision,
         )
         at = np.mod(_least_gap(kind, _changed(kind, opened, way, change)).angle, 2 * np.pi)
         order = np.lexsort((change[:, 0], row))

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import reduce
-from typing import Any, Literal, NamedTuple, TypeVar, cast
+from typing import Any, ClassVar, Literal, NamedTuple, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,9 +18,12 @@ LISTS = frozenset({"part"})
 Geometry = TypeVar("Geometry", bound=tuple[Any, ...])
 
 _MIRRORED = frozenset(
-    {"offset", "shift", "y", "articulation_angle", "bank_angle", "slot_angle", "direction", "ahead", "side"}
+    {
+        *("offset", "shift", "y", "articulation_angle", "bank_angle", "slot_angle", "direction", "ahead", "side"),
+        *("across", "moment"),
+    }
 )
-"""Geometry that changes sign when the mechanism's y is mirrored: what counts toward +y or in the sense of rotation."""
+"""What changes sign when the mechanism's y is mirrored: what counts toward +y or in the sense of rotation."""
 
 
 class LinkPointSpec(Spec, frozen=True):
@@ -36,6 +39,9 @@ class MechanismSpec(Spec, frozen=True):
 
     kind: str
     points: Mapping[str, LinkPointSpec] = {}
+
+    master_field: ClassVar[str | None] = None
+    """Field that names the bank whose slider-crank, on the same throw, this mechanism hangs on."""
 
     @property
     def rod_field(self) -> str:
@@ -233,6 +239,10 @@ class Kind:
         For a kind whose file says what the mechanism is made of: the kind of just this one.
     closing_field : callable (geometry) → str, optional
         Path in the mechanism's table of what cannot close; unless given, the spec's `rod_field`.
+    margin_precision : float
+        Relative precision to which the closing margin can be told.
+    has_chambers : bool
+        Whether its slider is a piston, which can have a cylinder, and not a valve.
     """
 
     name: str
@@ -257,6 +267,8 @@ class Kind:
     length_paths: tuple[str, ...] = ()
     composed: "Callable[[Any], Kind] | None" = None
     closing_field: Callable[[Any], str] | None = None
+    margin_precision: float = 1e-15
+    has_chambers: bool = True
 
     @property
     def followed_links(self) -> tuple[str, ...]:
@@ -270,7 +282,7 @@ class Kind:
 
 
 def mirrored(geometry: Geometry) -> Geometry:
-    """Give the same metal seen with y reversed, as a machine that runs astern sees it."""
+    """Give geometry, bodies or loads seen with y reversed, as a machine that runs astern sees the same metal."""
 
     def change(name: str, value: Any) -> Any:
         if isinstance(value, tuple):

@@ -4,11 +4,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.study.placement import frame, place_called, placed
+from cranktrain.study.placement import frame, placed, slider_crank_called
 from cranktrain.study.plans import closed_angles
 
 
@@ -63,11 +61,7 @@ def klein(machine: Machine, angle: float, *, mechanism: str | None = None) -> Kl
     C lies where the rod's line crosses x = 0 of the cylinder's axes. By similar triangles AD = AC²/AB, which is where
     the chord crosses the rod. Exact for an offset line of stroke too.
     """
-    cranks = [place.name for place in machine.places if place.kind.name == "slider_crank"]
-    place = place_called(machine, mechanism or (cranks[0] if cranks else None))
-    if place.kind.name != "slider_crank":
-        allowed = _("is no slider-crank; Klein's construction is made for no other mechanism")
-        raise InputError([Problem("", place.name, allowed)])
+    place = slider_crank_called(machine, mechanism)
     closed_angles(machine, place, [angle])
     axes = frame(machine, place)
     pins = placed(machine, place, np.array([np.deg2rad(angle) + machine.zero])).positions

@@ -43,6 +43,22 @@ def place_called(machine: Machine, name: str | None) -> Place:
     raise InputError([Problem("", name, allowed.format(names=names))])
 
 
+def slider_crank_called(machine: Machine, name: str | None) -> Place:
+    """Find a slider-crank by name; the first one unless given.
+
+    Raises
+    ------
+    InputError
+        If no place has that name, or it is another mechanism.
+    """
+    cranks = [place.name for place in machine.places if place.kind.name == "slider_crank"]
+    place = place_called(machine, name or (cranks[0] if cranks else None))
+    if place.kind.name != "slider_crank":
+        allowed = _("is no slider-crank; this construction is made for no other mechanism")
+        raise InputError([Problem("", place.name, allowed)])
+    return place
+
+
 def frame(machine: Machine, place: Place) -> Frame:
     """Where a place's axes lie in the machine's."""
     clockwise = machine.rotation == "clockwise"
@@ -64,14 +80,14 @@ def placed(machine: Machine, place: Place, angle: Array) -> Drawing:
     Drawing
         Pins with their derivatives, shape (n,) [m, m/rad, m/rad²]; directions of guides from X, anticlockwise [rad].
     """
-    with np.errstate(all="ignore"):  # what cannot close is NaN
-        own = place.kind.drawing(angle + place.phase, place.geometry)
     axes = frame(machine, place)
+    with np.errstate(all="ignore"):  # what cannot close is NaN, and where it just closes velocities have no bound
+        own = place.kind.drawing(angle + place.phase, place.geometry)
+        pins = {name: _in_machine_axes(pin, axes, np.zeros(np.shape(angle))) for name, pin in own.pins.items()}
     guides = [
         Guide(guide.pin, np.arctan2(*in_machine_axes(np.cos(guide.direction), np.sin(guide.direction), axes)[::-1]))
         for guide in own.guides
     ]
-    pins = {name: _in_machine_axes(pin, axes, np.zeros(np.shape(angle))) for name, pin in own.pins.items()}
     return replace(own, pins=pins, guides=guides)
 
 

@@ -14,10 +14,13 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.kind import Drawing
 from cranktrain.motion import Array
-from cranktrain.study.placement import place_called, placed
+from cranktrain.study.placement import place_called, placed, slider_crank_called
 
 ROOM = (80.0, 80.0)
 """Width and height for which a scale is chosen, unless given. [mm]"""
+
+_DIGITS = 9
+"""Of a crank angle in degrees, so that 30 stays 30."""
 
 _STEPS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)
 
@@ -119,6 +122,42 @@ def plan_angles(angles: int | Sequence[float]) -> Array:
         if isinstance(angles, int)
         else np.asarray(angles, dtype=np.float64)
     )
+
+
+def source_angles(machine: Machine, *, mechanism: str | None = None, is_shown: bool = True) -> tuple[float, ...]:
+    """Twelve crank angles at which [slider-crank-synthesis] draws a slider-crank.
+
+    The crank along the line of stroke and across it, at the largest pressure angle and half a turn after it, and six
+    between: one after the pressure angle and two after the right angle, and half a turn after these.
+
+    Parameters
+    ----------
+    machine : Machine
+    mechanism : str, optional
+        A slider-crank's name; the first one unless given.
+    is_shown : bool
+        Count as the machine shows crank angles; else from where the crank points along the cylinder.
+
+    Returns
+    -------
+    tuple of float
+        In the order in which they come after the crank points along the cylinder. [deg]
+
+    Examples
+    --------
+    The source's permissible pressure angle of 30°, and a rod twice the crank: steps of 30°.
+
+    >>> pump = Machine(mechanism={"kind": "slider_crank", "stroke": "160 mm", "rod_length": "160 mm"})
+    >>> [round(angle) for angle in source_angles(pump)]
+    [0, 30, 60, 90, 120, 150, 180, 210, 240, 270, 300, 330]
+    """
+    place = slider_crank_called(machine, mechanism)
+    geometry = place.geometry
+    pressure = np.rad2deg(np.arcsin((geometry.crank_radius + abs(geometry.offset)) / geometry.rod_length))
+    half = np.array([0.0, pressure, (pressure + 90.0) / 2, 90.0, 120.0, 150.0])
+    start = np.rad2deg(-place.phase - machine.zero) if is_shown else 0.0
+    turn = (np.concatenate([half, half + 180.0]) + start) % 360.0
+    return tuple(round(float(angle), _DIGITS) % 360.0 for angle in turn)
 
 
 def fitting(outlines: Sequence[Array], room: tuple[float, float]) -> float:

@@ -118,7 +118,8 @@ def _polygons(
     speed = machine.main_shaft.speed
     drawing = placed(machine, place, np.deg2rad(shown) + machine.zero)
     omega = 1.0 if speed is None else speed.si
-    found = [plan_vectors(drawing, at, omega, quantity) for at in range(len(shown))]
+    with np.errstate(all="ignore"):
+        found = [plan_vectors(drawing, at, omega, quantity) for at in range(len(shown))]
     _refuse_boundless(place, shown, found)
     described = [_points(vectors) for vectors in found]
     scale = fitting([np.stack(list(points.values()), axis=1) for points in described], room)

@@ -5,6 +5,8 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from cranktrain.viz.cad import dxf
+    from cranktrain.viz.centre_plans import plan_centres
+    from cranktrain.viz.construction_plans import plan_arc, plan_brix, plan_brix_backward, plan_projection
     from cranktrain.viz.gif import animation
     from cranktrain.viz.machine_sheet import sheet
     from cranktrain.viz.output import save, save_animation
@@ -14,8 +16,13 @@ __all__ = [
     "animation",
     "dxf",
     "plan_accelerations",
+    "plan_arc",
+    "plan_brix",
+    "plan_brix_backward",
+    "plan_centres",
     "plan_klein",
     "plan_positions",
+    "plan_projection",
     "plan_velocities",
     "save",
     "save_animation",
@@ -26,8 +33,13 @@ _HOMES = {
     "animation": "cranktrain.viz.gif",
     "dxf": "cranktrain.viz.cad",
     "plan_accelerations": "cranktrain.viz.plans",
+    "plan_arc": "cranktrain.viz.construction_plans",
+    "plan_brix": "cranktrain.viz.construction_plans",
+    "plan_brix_backward": "cranktrain.viz.construction_plans",
+    "plan_centres": "cranktrain.viz.centre_plans",
     "plan_klein": "cranktrain.viz.plans",
     "plan_positions": "cranktrain.viz.plans",
+    "plan_projection": "cranktrain.viz.construction_plans",
     "plan_velocities": "cranktrain.viz.plans",
     "save": "cranktrain.viz.output",
     "save_animation": "cranktrain.viz.output",

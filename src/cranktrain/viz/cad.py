@@ -36,7 +36,7 @@ _TEXT = 3.0
 """Height of text. [mm of paper]"""
 
 _COLOURS = {"LINKS": 7, "GUIDES": 8, "PATHS": 9, "PLAN_V": 3, "PLAN_A": 30, "TEXT": 7, "DIMENSIONS": 5}
-_LINE_TYPES = {"dotted": "DOT2", "axis": "DASHDOT2", "part": "DASHED2"}
+_LINE_TYPES = {"dotted": "DOT2", "axis": "DASHDOT2", "part": "DASHED2", "construction": "DASHED2"}
 
 
 def dxf(

@@ -293,7 +293,7 @@ def _head(page: Page, panel: Panel, place: tuple[float, float, float]) -> None:
     end = page.end(page.heading(left, y, panel.title))
     if panel.symbol:
         colour = COLOURS[panel.curves[0].letter]
-        end = page.end(page.text(end + 1.5, y, f"${panel.symbol}$", color=colour, fontsize=SYMBOL))
+        end = page.end(page.text(end + 1.5, y, f"${panel.symbol}$".replace("'", "′"), color=colour, fontsize=SYMBOL))
     page.text(end, y, f", {panel.unit}", fontsize=HEADING)
     for number, curve in enumerate(reversed([curve for curve in panel.curves if curve.habit == "error"])):
         end, colour = right - 15.0 * number, COLOURS[curve.letter]

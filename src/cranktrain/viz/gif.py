@@ -1,24 +1,25 @@
 """A moving picture of a machine's first throw: a small GIF of one turn."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from io import BytesIO
-from typing import TYPE_CHECKING, cast
+from typing import Any
 
 import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.viz.mechanism import mechanism_sketch
-from cranktrain.viz.page import Page, drawing_settings, fitting_scale
+from cranktrain.viz.page import Artist, Page, drawing_settings, fitting_scale
 from cranktrain.viz.scene import Scene, scene_of
-
-if TYPE_CHECKING:
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
+from cranktrain.viz.sketch import Sketch
 
 _SIDE, _HEAD = 110.0, 8.0
 """Width of the picture, and the room above the mechanism. [mm]"""
 
 _DOTS_PER_INCH = 110
 _COLOURS = 32
+_STILL = 2
+"""Order of the uppermost lines that stand still."""
+
 _SECONDS = 3.0
 """Time that a turn takes in the picture."""
 
@@ -48,7 +49,7 @@ def animation(result: Result, *, n_frames: int = 36, design: int = 0) -> bytes:
     scale = fitting_scale(bounds[1] - bounds[0], bounds[3] - bounds[2], (_SIDE - 8.0, _SIDE - 8.0))
     size = ((bounds[1] - bounds[0]) / scale + 8.0, (bounds[3] - bounds[2]) / scale + 8.0 + _HEAD)
     origin = (4.0 - bounds[0] / scale, 4.0 - bounds[2] / scale)
-    frames = [Image.fromarray(_frame(scene, angle, scale, size, origin)).convert("RGB") for angle in angles]
+    frames = [Image.fromarray(pixels).convert("RGB") for pixels in _frames(scene, angles, scale, (size, origin))]
     palette = frames[0].quantize(_COLOURS)
     reduced = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
     content = BytesIO()
@@ -66,15 +67,37 @@ def _bounds(scene: Scene, angles: Sequence[float]) -> tuple[float, float, float,
     return float(low[0]), float(high[1]), float(low[2]), float(high[3])
 
 
-def _frame(
-    scene: Scene, angle: float, scale: float, size: tuple[float, float], origin: tuple[float, float]
-) -> "np.ndarray[tuple[int, ...], np.dtype[np.uint8]]":
-    """Draw one frame as pixels."""
+def _frames(
+    scene: Scene, angles: Sequence[float], scale: float, paper: tuple[tuple[float, float], tuple[float, float]]
+) -> "Iterator[np.ndarray[tuple[int, ...], np.dtype[np.uint8]]]":
+    """Draw frames as pixels: what stands still once, what moves with the same artists every time."""
+    size, origin = paper
     with drawing_settings():
         page = Page(*size)
         page.figure.set_dpi(_DOTS_PER_INCH)
-        page.draw(mechanism_sketch(scene, float(angle), scale, is_plain=True), origin)
-        page.text(4.0, size[1] - 6.0, f"φ = {angle:g}°")
-        canvas = cast("FigureCanvasAgg", page.figure.canvas)
+        still, moving = _parted(mechanism_sketch(scene, float(angles[0]), scale, is_plain=True))
+        page.draw(still, origin)
+        canvas: Any = page.figure.canvas
         canvas.draw()
-        return np.asarray(canvas.buffer_rgba()).copy()
+        background = canvas.copy_from_bbox(page.figure.bbox)
+        artists = page.draw(moving, origin)
+        words = page.text(4.0, size[1] - 6.0, "")
+        for angle in angles:
+            canvas.restore_region(background)
+            page.move(artists, _parted(mechanism_sketch(scene, float(angle), scale, is_plain=True))[1], origin)
+            words.set_text(f"φ = {angle:g}°")
+            for artist in (*sorted(artists, key=_layer), words):
+                page.paper.draw_artist(artist)
+            yield np.asarray(canvas.buffer_rgba()).copy()
+
+
+def _layer(artist: Artist) -> float:
+    return float(artist.get_zorder())
+
+
+def _parted(sketch: Sketch) -> tuple[Sketch, Sketch]:
+    """Part guides and paths, which lie below all links and stand still, from the rest."""
+    return (
+        Sketch(sketch.scale, [line for line in sketch.lines if line.order <= _STILL], []),
+        Sketch(sketch.scale, [line for line in sketch.lines if line.order > _STILL], sketch.circles),
+    )

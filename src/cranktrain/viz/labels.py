@@ -33,7 +33,7 @@ class Wish(NamedTuple):
 
 
 def placed_labels(wishes: Sequence[Wish], lines: Iterable[Array], scale: float) -> Iterator[Label]:
-    """Place labels one by one, each at the free place that is best for it.
+    """Place labels one by one, each at the free place that is best for it; a number without any is left out.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def placed_labels(wishes: Sequence[Wish], lines: Iterable[Array], scale: float) 
     ------
     Label
     """
-    obstacles = np.concatenate([_dots(line / scale) for line in lines], axis=1)
+    obstacles = np.concatenate([dots(line / scale) for line in lines], axis=1)
     points = np.stack([wish.point for wish in wishes], axis=1) / scale
     taken: list[tuple[float, float, float, float]] = []
     for wish in wishes:
@@ -67,6 +67,8 @@ def placed_labels(wishes: Sequence[Wish], lines: Iterable[Array], scale: float) 
                 + _NOT_ITS_OWN * _is_nearer_to_another(middle, point, points)
             ),
         )
+        if wish.is_number and _n_under(_box(best, size), taken):
+            continue
         taken.append(_box(best, size))
         yield Label(best * scale, wish.text, is_framed=wish.is_number, is_symbol=not wish.is_number)
 
@@ -98,7 +100,7 @@ def _cost(
 ) -> float:
     """How bad a place is: over a label, over lines, far away, on the wrong side."""
     left, right, low, high = _box(middle, size)
-    over = sum(left < box[1] and box[0] < right and low < box[3] and box[2] < high for box in taken)
+    over = _n_under((left, right, low, high), taken)
     inside = (obstacles[0] > left) & (obstacles[0] < right) & (obstacles[1] > low) & (obstacles[1] < high)
     away = middle - point
     turn = np.arctan2(away[1], away[0]) - wish.towards
@@ -111,8 +113,14 @@ def _cost(
     )
 
 
-def _dots(line: Array) -> Array:
-    """Points along a polyline, half a millimetre of paper apart."""
+def _n_under(own: tuple[float, float, float, float], taken: Sequence[tuple[float, float, float, float]]) -> int:
+    """How many labels a label would lie over."""
+    left, right, low, high = own
+    return sum(left < box[1] and box[0] < right and low < box[3] and box[2] < high for box in taken)
+
+
+def dots(line: Array) -> Array:
+    """Points along a polyline, half a millimetre of paper apart, shape (2, n)."""
     parts: list[Array] = []
     for start, end in zip(line.T[:-1], line.T[1:], strict=True):
         length = float(np.hypot(*(end - start)))

@@ -3,14 +3,16 @@
 from collections.abc import Sequence
 
 from cranktrain.analysis import Result
+from cranktrain.io.description import layout_words
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.viz.curves import TEXTBOOK_DASHES, Mark, draw_panels, marks, panels, textbook_words
+from cranktrain.viz.detail import draw_detail, wants_detail
 from cranktrain.viz.mechanism import mechanism_sketch
 from cranktrain.viz.page import MARGIN, Figure, Page, drawing_settings, fitting_scale, muted, paper
 from cranktrain.viz.scene import scene_of
 from cranktrain.viz.style import INK, TITLE
-from cranktrain.viz.words import layout_words, provenance_words, running_words, zero_words
+from cranktrain.viz.words import provenance_words, running_words, zero_words
 
 _FEW = 2
 """Up to so many mechanisms, each has a ruler of its own."""
@@ -60,7 +62,8 @@ def title_block(page: Page, machine: Machine, about: Sequence[str], below: Seque
     """Head a sheet; give where it ends. [mm]"""
     top = page.height - MARGIN
     page.text(MARGIN, top - 4.5, machine.name or _("Machine without a name"), fontsize=TITLE, fontweight="bold")
-    page.text(MARGIN, top - 10.0, ". ".join([layout_words(machine), *about]))
+    layout = layout_words(machine)
+    page.text(MARGIN, top - 10.0, ". ".join([layout[:1].upper() + layout[1:], *about]))
     page.text(MARGIN, top - 14.5, ". ".join(below), **muted())
     page.text(page.width - MARGIN, top - 10.0, provenance_words(machine), ha="right")
     page.rule(top - 17.5)
@@ -81,10 +84,12 @@ def _draw_mechanism(
     for _pass in range(_PASSES):
         low_x, high_x, low_y, high_y = sketch.bounds()
         scale = fitting_scale(high_x - low_x, high_y - low_y, (room[0] - 3.0, room[1] - 10.0))
-        sketch = mechanism_sketch(scene, at, scale, dead)
+        sketch = mechanism_sketch(scene, at, scale, dead, has_ring=not wants_detail(scene, scale))
     low_x, high_x, low_y, high_y = (value / sketch.scale for value in sketch.bounds())
     origin = (left + room[0] / 2 - (low_x + high_x) / 2, bottom + foot + room[1] / 2 - (low_y + high_y) / 2)
     page.draw(sketch, origin)
+    if wants_detail(scene, sketch.scale):
+        draw_detail(page, scene, (at, dead), sketch, origin, (left, bottom + foot, *room))
     page.scale_bar(left, bottom + 9.0, sketch.scale)
     throws = len(machine.main_shaft.throws)
     drawn = (

@@ -27,7 +27,13 @@ _GAP = 0.05
 
 
 def mechanism_sketch(
-    scene: Scene, angle: float, scale: float, dead: Sequence[Sequence[float]] = (), *, is_plain: bool = False
+    scene: Scene,
+    angle: float,
+    scale: float,
+    dead: Sequence[Sequence[float]] = (),
+    *,
+    is_plain: bool = False,
+    has_ring: bool = True,
 ) -> Sketch:
     """Draw a throw.
 
@@ -42,6 +48,8 @@ def mechanism_sketch(
         Shown crank angles of the dead positions of each member, drawn thin. [deg]
     is_plain : bool
         Leave out ring, labels and hatches, as a moving picture wants.
+    has_ring : bool
+        Draw the degree ring and the arrow of rotation; where they are too small a detail has them.
 
     Returns
     -------
@@ -58,8 +66,9 @@ def mechanism_sketch(
     for member in scene.members:
         sketch.add(_links(scene, member, angle, scale))
     if not is_plain:
-        sketch.add(_ring(scene, angle, scale))
-        sketch.add(_rotation(scene, scale))
+        if has_ring:
+            sketch.add(_ring(scene, _lines_of_links(scene, angle, dead), angle, scale))
+            sketch.add(_rotation(scene, scale))
         sketch.add(_names(scene, scale))
         sketch.add(_bank_angle(scene, scale))
     return sketch
@@ -172,11 +181,33 @@ def _plain_links(scene: Scene, member: Member, pins: dict[str, Array], scale: fl
     for link in member.turn.links[1:]:
         for start, end in pairwise(link.pins):
             yield shapes.bar(pins[start], pins[end], (0.24 * radius, 0.22 * radius), "paper", 5)
+    yield from _other_sliders(scene, member, pins, scale)
     for name in (name for link in member.turn.links for name in link.pins[1:]):
         yield from shapes.eye(pins[name], _SMALL_EYE * radius, _SMALL_PIN * radius, "paper", 7)
     for name in member.turn.fixed:
         if name != "O":
             yield from shapes.pivot(pins[name], 0.45 * radius, scale)
+
+
+def _other_sliders(scene: Scene, member: Member, pins: dict[str, Array], scale: float) -> Iterator[Line | Circle]:
+    """Sliders beside the output: blocks between short guides, joined to the pin that drives them in a slot."""
+    size = max(0.4 * scene.crank_radius, 1.5 * scale)
+    for guide in member.turn.guides[1:]:
+        along = np.array([np.cos(guide.direction), np.sin(guide.direction)]).reshape(2)
+        travel = along @ member.turn_pins[guide.pin]
+        pin = pins[guide.pin]
+        line = shapes.Along(pin - (along @ pin) * along, along)
+        low, high = float(np.nanmin(travel)) - 1.4 * size, float(np.nanmax(travel)) + 1.4 * size
+        for side in (-1.0, 1.0):
+            ends = [line.at(place, side * 0.55 * size) for place in (low, high)]
+            yield Line(np.stack(ends, axis=1), "GUIDES", "thin", 7)
+        for block in member.turn.blocks:
+            if block.link == (guide.pin,):
+                yield Line(np.stack([pin, pins[block.pin]], axis=1), "LINKS", "outline", 7)
+        middle = float(along @ pin)
+        corners = [(-size, -0.55 * size), (size, -0.55 * size), (size, 0.55 * size), (-size, 0.55 * size)]
+        points = [line.at(middle + ahead, across) for ahead, across in corners]
+        yield Line(np.stack(points, axis=1), "LINKS", "rod", 7, is_closed=True, fill="light")
 
 
 def _slider(scene: Scene, member: Member, pins: dict[str, Array]) -> Iterator[Line | Circle]:
@@ -210,7 +241,22 @@ def ring_radius(scene: Scene) -> float:
     return float(np.nanmax(knuckle)) + 1.6 * _SMALL_EYE * scene.crank_radius
 
 
-def _ring(scene: Scene, angle: float, scale: float) -> Iterator[Line | Circle | Label]:
+def _lines_of_links(scene: Scene, angle: float, dead: Sequence[Sequence[float]]) -> list[tuple[Array, float]]:
+    """Lines from pin to pin with half the width of what is drawn there [mm]: links, and if few are drawn dead ones."""
+    lines = [
+        (line, 0.3 * scene.crank_radius)
+        for member in scene.members
+        for line in _chains(member, scene.pins(member, angle))
+    ]
+    if len(scene.members) <= _FEW:
+        for member, angles in zip(scene.members, dead, strict=False):
+            lines += [(line, 0.0) for one in angles for line in _chains(member, scene.pins(member, one))]
+    return lines
+
+
+def _ring(
+    scene: Scene, lines: Sequence[tuple[Array, float]], angle: float, scale: float
+) -> Iterator[Line | Circle | Label]:
     """Degree ring, its 0 where the shown crank angle is 0; figures that the links would hide are left out."""
     radius = ring_radius(scene)
     origin = np.zeros(2)
@@ -225,20 +271,20 @@ def _ring(scene: Scene, angle: float, scale: float) -> Iterator[Line | Circle | 
         if (
             degree % figures == 0
             and (degree == 0 or not scene.is_star)
-            and (degree == 0 or not _is_covered(scene, place, angle, 2.6 * scale))
+            and (degree == 0 or not _is_covered(scene, lines, place, angle, 2.6 * scale))
         ):
             yield Label(place, f"{degree}", is_bold=degree == 0, is_framed=degree == 0)
 
 
-def _is_covered(scene: Scene, point: Array, angle: float, margin: float) -> bool:
+def _is_covered(scene: Scene, lines: Sequence[tuple[Array, float]], point: Array, angle: float, margin: float) -> bool:
     """Whether links or cylinders lie over a point."""
-    radius = scene.crank_radius
+    for line, half in lines:
+        for start, end in pairwise(line.T):
+            part = np.clip(np.dot(point - start, end - start) / np.dot(end - start, end - start), 0.0, 1.0)
+            if np.hypot(*(start + part * (end - start) - point)) < half + margin:
+                return True
     for member in scene.members:
         pins = scene.pins(member, angle)
-        for start, end in (pair for line in _chains(member, pins) for pair in pairwise(line.T)):
-            part = np.clip(np.dot(point - start, end - start) / np.dot(end - start, end - start), 0.0, 1.0)
-            if np.hypot(*(start + part * (end - start) - point)) < 0.3 * radius + margin:
-                return True
         if member.output is not None:
             line = member.stroke_line
             across = float(np.dot(point - line.foot, line.across))

@@ -1,6 +1,6 @@
 """A sheet of paper: a figure on which everything is placed in millimetres, and a sketch drawn on it to scale."""
 
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
 from contextlib import contextmanager
 from importlib import import_module
 from typing import Any, TypeAlias
@@ -9,10 +9,12 @@ import numpy as np
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.viz.sketch import Sketch
+from cranktrain.motion import Array
+from cranktrain.viz.sketch import Label, Line, Sketch
 from cranktrain.viz.style import FILLS, HEADING, INK, MUTED, RULE, SETTINGS, SYMBOL, TEXT, pen_of
 
 # The plotting library is loaded only where a sheet is drawn, and its own types are partial.
+Artist: TypeAlias = Any
 Axes: TypeAlias = Any
 Figure: TypeAlias = Any
 Text: TypeAlias = Any
@@ -20,6 +22,9 @@ Text: TypeAlias = Any
 MARGIN = 10.0
 _INCH = 25.4
 _SIZES = {"A4": (297.0, 210.0), "A3": (420.0, 297.0)}
+_LABEL = 2.5
+"""What a label needs inside the edge of a detail. [mm]"""
+
 _LETTERS = 2
 """So many letters side by side are pins; more are a word."""
 
@@ -94,34 +99,31 @@ class Page:
         self.text(end + 2.0, y - 0.4, words)
         return end
 
-    def draw(self, sketch: Sketch, origin: tuple[float, float]) -> None:
-        """Draw a sketch to its scale, its origin at a place on the sheet. [mm]"""
+    def draw(self, sketch: Sketch, origin: tuple[float, float], within: float | None = None) -> list[Artist]:
+        """Draw a sketch to its scale, its origin at a place on the sheet; only what is so near to its origin. [mm]
+
+        Gives what draws its lines and circles, in their order, so that `move` can draw the next one with it.
+        """
         from matplotlib.lines import Line2D
         from matplotlib.patches import Circle, Polygon
 
         place = np.array(origin)
+        artists: list[Artist] = []
         for order, line in enumerate(sketch.lines):
-            points = (place[:, np.newaxis] + line.points / sketch.scale).T
+            points = _on_paper(line, sketch, place)
             pen = pen_of(line)
             layer = line.order + 1e-4 * order
             if line.is_closed:
-                patch = Polygon(
-                    points,
-                    facecolor=pen.colour if line.fill == "ink" else FILLS[line.fill],
-                    edgecolor=pen.colour,
-                    linewidth=pen.width,
-                    zorder=layer,
-                )
-                self.paper.add_artist(patch)
+                fill = pen.colour if line.fill == "ink" else FILLS[line.fill]
+                artist = Polygon(points, facecolor=fill, edgecolor=pen.colour, linewidth=pen.width, zorder=layer)
             else:
                 style: Any = (0, pen.dashes) if pen.dashes else "-"
-                self.paper.add_artist(
-                    Line2D(points[:, 0], points[:, 1], color=pen.colour, lw=pen.width, ls=style, zorder=layer)
-                )
+                artist = Line2D(points[:, 0], points[:, 1], color=pen.colour, lw=pen.width, ls=style, zorder=layer)
+            artists.append(artist)
         for order, circle in enumerate(sketch.circles):
             pen = pen_of(circle)
             centre = place + circle.centre / sketch.scale
-            self.paper.add_artist(
+            artists.append(
                 Circle(
                     (float(centre[0]), float(centre[1])),
                     circle.radius / sketch.scale,
@@ -131,19 +133,49 @@ class Page:
                     zorder=circle.order + 0.5 + 1e-4 * order,
                 )
             )
+        edge = None if within is None else Circle(origin, within, transform=self.paper.transData)
+        for artist in artists:
+            self.paper.add_artist(artist)
+            if edge is not None:
+                artist.set_clip_path(edge)
         for label in sketch.labels:
-            at = place + label.position / sketch.scale
-            self.text(
-                float(at[0]),
-                float(at[1]),
-                mathematics(label.text) if label.is_symbol else label.text,
-                ha="center",
-                va="center_baseline",
-                fontsize=SYMBOL if label.is_symbol else TEXT,
-                fontweight="bold" if label.is_bold else "normal",
-                bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6} if label.is_framed else None,
-                zorder=20,
-            )
+            at = label.position / sketch.scale
+            if within is None or np.hypot(*at) < within - _LABEL:
+                self._label(label, place + at)
+        return artists
+
+    def _label(self, label: Label, at: Array) -> None:
+        """Write a label, its middle at a place. [mm]"""
+        self.text(
+            float(at[0]),
+            float(at[1]),
+            mathematics(label.text) if label.is_symbol else label.text,
+            ha="center",
+            va="center_baseline",
+            fontsize=SYMBOL if label.is_symbol else TEXT,
+            fontweight="bold" if label.is_bold else "normal",
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6} if label.is_framed else None,
+            zorder=20,
+        )
+
+    def move(self, artists: Sequence[Artist], sketch: Sketch, origin: tuple[float, float]) -> None:
+        """Move what `draw` gave to where the same parts are in another sketch."""
+        place = np.array(origin)
+        lines, circles = artists[: len(sketch.lines)], artists[len(sketch.lines) :]
+        for artist, line in zip(lines, sketch.lines, strict=True):
+            points = _on_paper(line, sketch, place)
+            if line.is_closed:
+                artist.set_xy(points)
+            else:
+                artist.set_data(points[:, 0], points[:, 1])
+        for artist, circle in zip(circles, sketch.circles, strict=True):
+            artist.set_center(tuple(place + circle.centre / sketch.scale))
+            artist.set_radius(circle.radius / sketch.scale)
+
+
+def _on_paper(line: Line, sketch: Sketch, place: Array) -> Array:
+    """Points of a line on the sheet, shape (n, 2). [mm]"""
+    return (place[:, np.newaxis] + line.points / sketch.scale).T
 
 
 def paper(size: str) -> tuple[float, float]:
@@ -183,10 +215,12 @@ def mathematics(symbol: str) -> str:
 
 
 def _letters_or_word(name: str) -> str:
-    """Leave letters as they are; set a word upright."""
-    is_word = len(name.replace("'", "")) > _LETTERS or "_" in name
+    """Leave letters as they are; set a word upright. A prime's own sign is larger than what ' becomes."""
     bare = name.rstrip("'")
-    return rf"\mathrm{{{bare.replace('_', chr(92) + '_')}}}{name[len(bare) :]}" if is_word else name
+    primes = "′" * (len(name) - len(bare))
+    if len(bare.replace("'", "")) <= _LETTERS and "_" not in bare:
+        return bare.replace("'", "′") + primes
+    return rf"\mathrm{{{bare.replace('_', chr(92) + '_')}}}{primes}"
 
 
 def muted(**manner: Any) -> dict[str, Any]:

@@ -41,29 +41,10 @@ def positions_sketch(plan: PositionPlan, track: Drawing | None = None) -> Sketch
     track : Drawing, optional
         The same mechanism over a turn, for the paths of its pins. [drawing mm]
     """
-    scale = 1e3 * plan.scale
-    sketch = Sketch(scale)
-    pins = {name: scale * pin for name, pin in plan.drawing.positions.items()}
-    sketch.add(_frame(plan.drawing, pins, scale))
-    if track is not None:
-        paths = track.positions
-        sketch.add(Line(scale * paths[name], "PATHS", "dotted", 1) for name in track.paths)
-    n = len(plan.angles)
-    for i in range(n):
-        habit = "outline" if i == 0 else "thin"
-        for link in plan.drawing.links:
-            for name in link.pins[1:]:
-                ends = np.stack([pins[link.pins[0]][:, i], pins[name][:, i]], axis=1)
-                sketch.add([Line(ends, "LINKS", habit, 4 if i == 0 else 3)])
-        for name in pins:
-            sketch.add([Circle(pins[name][:, i], 0.6 * scale, "LINKS", habit, 5, "paper")])
-    if n == 1:
-        middle = np.mean(np.concatenate(list(pins.values()), axis=1), axis=1)
-        wishes = [
-            Wish(pin[:, 0], spoken_name(name), _away(pin[:, 0] - middle))
-            for name, pin in pins.items()
-            if name not in plan.drawing.ends
-        ]
+    sketch, pins = line_drawing(plan, track)
+    scale = sketch.scale
+    if len(plan.angles) == 1:
+        wishes = pin_wishes(plan.drawing, pins)
     else:
         moving = [name for name in pins if name not in (*plan.drawing.fixed, *plan.drawing.ends)]
         wishes = [wish for name in moving for wish in _numbers(name, pins, plan.drawing, scale)]
@@ -72,23 +53,61 @@ def positions_sketch(plan: PositionPlan, track: Drawing | None = None) -> Sketch
     return sketch
 
 
+def line_drawing(plan: PositionPlan, track: Drawing | None = None) -> tuple[Sketch, dict[str, Array]]:
+    """Links, guides and pivots of a mechanism in its positions, without words; its pins by name, in mm of metal."""
+    scale = 1e3 * plan.scale
+    sketch = Sketch(scale)
+    pins = {name: scale * pin for name, pin in plan.drawing.positions.items()}
+    sketch.add(_frame(plan.drawing, pins, scale))
+    sketch.add(_blocks(plan.drawing, pins, scale))
+    if track is not None:
+        paths = track.positions
+        sketch.add(Line(scale * paths[name], "PATHS", "dotted", 1) for name in track.paths)
+    for i in range(len(plan.angles)):
+        habit = "outline" if i == 0 else "thin"
+        for link in plan.drawing.links:
+            for name in link.pins[1:]:
+                ends = np.stack([pins[link.pins[0]][:, i], pins[name][:, i]], axis=1)
+                sketch.add([Line(ends, "LINKS", habit, 4 if i == 0 else 3)])
+        for name in pins:
+            sketch.add([Circle(pins[name][:, i], 0.6 * scale, "LINKS", habit, 5, "paper")])
+    return sketch, pins
+
+
+def pin_wishes(drawing: Drawing, pins: dict[str, Array]) -> list[Wish]:
+    """Names of the pins in the first position, outside the mechanism."""
+    middle = np.mean(np.concatenate(list(pins.values()), axis=1), axis=1)
+    return [
+        Wish(pin[:, 0], spoken_name(name), _away(pin[:, 0] - middle))
+        for name, pin in pins.items()
+        if name not in drawing.ends
+    ]
+
+
 def _numbers(name: str, pins: dict[str, Array], drawing: Drawing, scale: float) -> Iterator[Wish]:
     """Numbers of a pin's positions; where it passes a place twice, both stand together."""
     pin = pins[name]
-    together: dict[tuple[int, int], list[int]] = {}
-    for i, point in enumerate(pin.T):
-        key = (round(float(point[0]) / (0.5 * scale)), round(float(point[1]) / (0.5 * scale)))
-        together.setdefault(key, []).append(i)
     bases = [link.pins[0] for link in drawing.links if name in link.pins[1:] and link.pins[0] in drawing.fixed]
     across = [float(np.squeeze(guide.direction)) - np.pi / 2 for guide in drawing.guides if guide.pin == name]
-    for number, alike in enumerate(sorted(together.values(), key=lambda alike: tuple(pin[:, alike[0]]))):
-        point = pin[:, alike[0]]
+    for number, together in enumerate(sorted(alike(pin, scale), key=lambda few: tuple(pin[:, few[0]]))):
+        point = pin[:, together[0]]
         if across:
             outward = across[0] + np.pi * (number % 2)
             point = point + 2.6 * scale * np.array([np.cos(outward), np.sin(outward)])
         else:
             outward = _away(point - pins[bases[0] if bases else "O"][:, 0])
-        yield Wish(point, ",".join(map(str, alike)), outward, is_number=True)
+        yield Wish(point, ",".join(map(str, together)), outward, is_number=True)
+
+
+def alike(points: Array, scale: float) -> list[list[int]]:
+    """Put points together that fall on one place on paper, by their numbers; without those that are nowhere."""
+    together: dict[tuple[int, int], list[int]] = {}
+    for i, point in enumerate(points.T):
+        if not np.all(np.isfinite(point)):
+            continue
+        key = (round(float(point[0]) / (0.5 * scale)), round(float(point[1]) / (0.5 * scale)))
+        together.setdefault(key, []).append(i)
+    return list(together.values())
 
 
 def _frame(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[Line | Circle]:
@@ -108,6 +127,20 @@ def _frame(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[L
         yield Line(np.stack([foot, foot + (max(places) + 8 * scale) * along], axis=1), "GUIDES", "axis", 1)
     for name in drawing.fixed:
         yield from shapes.pivot(pins[name][:, 0], 2.0 * scale, scale)
+
+
+def _blocks(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[Line]:
+    """Blocks in slots in the first position: along the drawn link that has the slot, or toward the slider that has."""
+    for block in drawing.blocks:
+        slotted = next((link.pins for link in drawing.links if {*block.link} <= {*link.pins}), (block.pin, *block.link))
+        ends = pins[slotted[-1]][:, 0] - pins[slotted[0]][:, 0]
+        if np.hypot(*ends) < 0.1 * scale:
+            continue
+        along = ends / np.hypot(*ends)
+        line = shapes.Along(pins[block.pin][:, 0], along)
+        corners = [(-2.0, -1.2), (2.0, -1.2), (2.0, 1.2), (-2.0, 1.2)]
+        points = [line.at(scale * u, scale * v) for u, v in corners]
+        yield Line(np.stack(points, axis=1), "LINKS", "outline", 2, is_closed=True, fill="light")
 
 
 def _away(direction: Array) -> float:

@@ -1,11 +1,9 @@
 """Sheets of plans: positions, polygons of velocities and accelerations, Klein's construction, each with its numbers."""
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.quantities import shown
@@ -14,41 +12,28 @@ from cranktrain.study.placement import output_motion, place_called
 from cranktrain.study.plans import (
     PositionPlan,
     closed_angles,
-    plan_angles,
     position_plan,
     rescaled,
     rounded_scale,
     track,
 )
 from cranktrain.study.polygons import Polygon, acceleration_polygons, velocity_polygons
-from cranktrain.viz.machine_sheet import title_block
-from cranktrain.viz.page import MARGIN, Figure, Page, drawing_settings, mathematics, muted, paper, scale_words
+from cranktrain.viz.page import Figure, Page, drawing_settings, mathematics, muted
+from cranktrain.viz.plan_sheet import (
+    VECTOR_COLUMNS,
+    WITH_TABLE,
+    Box,
+    cells_of,
+    centre,
+    few_angles,
+    figure,
+    plan_page,
+    scale_of,
+    unit_words,
+    write_scales,
+    write_table,
+)
 from cranktrain.viz.plan_sketches import klein_sketch, polygon_sketch, positions_sketch
-from cranktrain.viz.sketch import Sketch
-from cranktrain.viz.style import SYMBOL
-from cranktrain.viz.words import running_words, zero_words
-
-MOST = 24
-"""Positions or polygons on one sheet."""
-
-_LINE = 5.2
-"""Height of a row of a table. [mm]"""
-
-_WITH_TABLE = 2
-"""Up to so many polygons stand beside the mechanism and a table of their vectors."""
-
-
-_VECTOR_COLUMNS = (0.53, 0.74, 1.0)
-"""Where the columns of a table of vectors end: names of a chain's pins are words."""
-
-
-class _Box(NamedTuple):
-    """A room on paper. [mm]"""
-
-    left: float
-    bottom: float
-    width: float
-    height: float
 
 
 def plan_positions(
@@ -70,19 +55,24 @@ def plan_positions(
     Figure
     """
     with drawing_settings():
-        page, box = _page(machine, angles, size, _("Plan of positions"), mechanism)
+        page, box = plan_page(machine, angles, size, _("Plan of positions"), mechanism)
         wide = 0.62 * box.width
-        left = _Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
+        left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
         room = (left.width - 22.0, left.height - 22.0)
         scale = position_plan(machine, 180, mechanism=mechanism, room=room).scale
         plan = rescaled(position_plan(machine, angles, mechanism=mechanism, room=room), scale)
-        _center(page, positions_sketch(plan, track(machine, scale, mechanism=mechanism)), left)
-        _scales(page, box, [_scale_of("l", scale, "m")], 1e3 * scale)
+        centre(page, positions_sketch(plan, track(machine, scale, mechanism=mechanism)), left)
+        write_scales(page, box, [scale_of("l", scale, "m")], 1e3 * scale)
         rows = list(_positions_table(machine, plan))
         start = box.left + wide + 8.0
-        end = _table(page, rows, (start, box.bottom + box.height, box.left + box.width - start))
+        end = write_table(page, rows, (start, box.bottom + box.height, box.left + box.width - start))
         if place_called(machine, mechanism).kind.output == "slider":
-            page.text(start, end - 2.0, _("from the shaft along the line of stroke, positive away from it"), **muted())
+            counted = (
+                _("from the shaft along the line of stroke, positive away from it")
+                if plan.drawing.guides
+                else _("in the cylinder, positive toward its head")
+            )
+            page.text(start, end - 2.0, counted, **muted())
         return page.figure
 
 
@@ -110,28 +100,28 @@ def _polygon_sheet(
 ) -> Figure:
     """Polygons, few of them beside the mechanism and a table of vectors."""
     with drawing_settings():
-        page, box = _page(machine, angles, size, title, mechanism)
+        page, box = plan_page(machine, angles, size, title, mechanism)
         n = len(closed_angles(machine, place_called(machine, mechanism), angles))
-        cells = list(_cells(box, n))
-        has_table = n <= _WITH_TABLE
+        cells = list(cells_of(box, n))
+        has_table = n <= WITH_TABLE
         cell = cells[0]
         width = 0.38 * cell.width if has_table else cell.width
         room = (width - 22.0, cell.height - (18.0 if has_table else 16.0))
         polygons = polygons_of(machine, angles, mechanism=mechanism, room=room)
         symbol = "v" if polygons[0].quantity == "velocity" else "a"
-        scales = [_scale_of(symbol, polygons[0].scale, _unit(polygons[0].unit))]
+        scales = [scale_of(symbol, polygons[0].scale, unit_words(polygons[0].unit))]
         if has_table:
             scales.append(_beside(page, machine, polygons, cells, mechanism))
         else:
             for polygon, place in zip(polygons, cells, strict=True):
                 page.heading(place.left, place.bottom + place.height - 4.0, f"φ = {polygon.angle:g}°")
-                _center(page, polygon_sketch(polygon, with_symbols=False), place._replace(height=place.height - 6.0))
-        _scales(page, box, scales, None)
+                centre(page, polygon_sketch(polygon, with_symbols=False), place._replace(height=place.height - 6.0))
+        write_scales(page, box, scales, None)
         return page.figure
 
 
 def _beside(
-    page: Page, machine: Machine, polygons: Sequence[Polygon], cells: Sequence[_Box], mechanism: str | None
+    page: Page, machine: Machine, polygons: Sequence[Polygon], cells: Sequence[Box], mechanism: str | None
 ) -> str:
     """Draw mechanism, polygon and table side by side for each angle; say the mechanism's scale."""
     first = 0.30 * cells[0].width
@@ -140,28 +130,25 @@ def _beside(
     scale = max(plan.scale for plan in plans)
     for plan, polygon, cell in zip(plans, polygons, cells, strict=True):
         page.heading(cell.left, cell.bottom + cell.height - 4.0, f"φ = {polygon.angle:g}°")
-        left = _Box(cell.left, cell.bottom, first, cell.height - 5.0)
-        _center(page, positions_sketch(rescaled(plan, scale)), left)
-        middle = _Box(cell.left + first, cell.bottom, 0.38 * cell.width, cell.height - 2.0)
-        _center(page, polygon_sketch(polygon), middle)
+        left = Box(cell.left, cell.bottom, first, cell.height - 5.0)
+        centre(page, positions_sketch(rescaled(plan, scale)), left)
+        middle = Box(cell.left + first, cell.bottom, 0.38 * cell.width, cell.height - 2.0)
+        centre(page, polygon_sketch(polygon), middle)
         start = middle.left + middle.width + 4.0
         rows = list(_vectors_table(polygon))
-        _table(page, rows, (start, cell.bottom + cell.height, cell.left + cell.width - start), _VECTOR_COLUMNS)
-    return _scale_of("l", scale, "m")
+        write_table(page, rows, (start, cell.bottom + cell.height, cell.left + cell.width - start), VECTOR_COLUMNS)
+    return scale_of("l", scale, "m")
 
 
 def plan_klein(
     machine: Machine, angles: int | Sequence[float] = (60.0,), *, mechanism: str | None = None, size: str = "A4"
 ) -> Figure:
     """Draw Klein's construction of a slider-crank; parameters as `plan_positions` takes them, two angles at most."""
-    chosen = plan_angles(angles)
-    if len(chosen) > _WITH_TABLE:
-        allowed = _("must be at most {n} for Klein's construction").format(n=_WITH_TABLE)
-        raise InputError([Problem("", _("{n} crank angles").format(n=len(chosen)), allowed)])
+    chosen = few_angles(angles, _("Klein's construction"))
     constructions = [klein(machine, float(angle), mechanism=mechanism) for angle in chosen]
     with drawing_settings():
-        page, box = _page(machine, angles, size, _("Klein's construction"), constructions[0].mechanism)
-        cells = list(_cells(box, len(constructions)))
+        page, box = plan_page(machine, angles, size, _("Klein's construction"), constructions[0].mechanism)
+        cells = list(cells_of(box, len(constructions)))
         wide = 0.62 * cells[0].width
         room = (wide - 16.0, cells[0].height - 14.0)
         rough = [klein_sketch(construction, 1.0).bounds() for construction in constructions]
@@ -169,10 +156,10 @@ def plan_klein(
         scale = 1e3 * rounded_scale(1e-3 * max(spans))
         for construction, cell in zip(constructions, cells, strict=True):
             page.heading(cell.left, cell.bottom + cell.height - 4.0, f"φ = {construction.angle:g}°")
-            _center(page, klein_sketch(construction, scale), cell._replace(width=wide))
+            centre(page, klein_sketch(construction, scale), cell._replace(width=wide))
             rows = list(_klein_table(machine, construction))
             start = cell.left + wide + 6.0
-            end = _table(page, rows, (start, cell.bottom + cell.height, cell.left + cell.width - start))
+            end = write_table(page, rows, (start, cell.bottom + cell.height, cell.left + cell.width - start))
             for number, note in enumerate(_klein_notes(construction)):
                 page.text(start, end - 2.0 - 4.2 * number, note, **muted())
         speed = machine.main_shaft.speed
@@ -180,98 +167,12 @@ def plan_klein(
         units = ("m/rad", "m/rad²") if speed is None else ("m/s", "m/s²")
         metre = 1e-3 * scale
         scales = [
-            _scale_of("l", metre, "m"),
-            _scale_of("v", omega * metre, units[0]),
-            _scale_of("a", omega**2 * metre, units[1]),
+            scale_of("l", metre, "m"),
+            scale_of("v", omega * metre, units[0]),
+            scale_of("a", omega**2 * metre, units[1]),
         ]
-        _scales(page, box, scales, scale)
+        write_scales(page, box, scales, scale)
         return page.figure
-
-
-def _page(
-    machine: Machine, angles: int | Sequence[float], size: str, title: str, mechanism: str | None
-) -> tuple[Page, _Box]:
-    """Begin a sheet; give the room below its head."""
-    n = len(plan_angles(angles))
-    if n > MOST:
-        allowed = _("must be at most {most} to a sheet").format(most=MOST)
-        raise InputError([Problem("", _("{n} crank angles").format(n=n), allowed)])
-    width, height = paper(size)
-    page = Page(width, height)
-    place = place_called(machine, mechanism)
-    whose = _("{title}, mechanism {name}").format(title=title, name=place.name) if len(machine.places) > 1 else title
-    top = title_block(page, machine, [running_words(machine)], [f"{whose}. {zero_words(machine)}"])
-    return page, _Box(MARGIN, MARGIN, width - 2 * MARGIN, top - 4.0 - MARGIN)
-
-
-def _cells(box: _Box, n: int) -> Iterator[_Box]:
-    """Divide a room among n pictures: one above the other if few, else in a grid, row by row."""
-    columns = (
-        1
-        if n <= _WITH_TABLE
-        else next(columns for columns in (2, 3, 4, 6) if columns * (columns - 1) >= n or columns == 6)
-    )
-    rows = -(-n // columns)
-    width, height = box.width / columns, (box.height - 6.0) / rows
-    for i in range(n):
-        bottom = box.bottom + 6.0 + (rows - 1 - i // columns) * height
-        yield _Box(box.left + i % columns * width, bottom, width, height)
-
-
-def _center(page: Page, sketch: Sketch, box: _Box) -> None:
-    """Draw a sketch in the middle of a room."""
-    low_x, high_x, low_y, high_y = (value / sketch.scale for value in sketch.bounds())
-    page.draw(
-        sketch,
-        (box.left + box.width / 2 - (low_x + high_x) / 2, box.bottom + box.height / 2 - (low_y + high_y) / 2),
-    )
-
-
-def _scale_of(letter: str, scale: float, unit: str) -> str:
-    """Write a scale factor."""
-    return f"$\\mu_{letter}$ = {scale:.6g} {unit}/mm"
-
-
-def _scales(page: Page, box: _Box, scales: Sequence[str], metal: float | None) -> None:
-    """Say the scale factors at the foot."""
-    start = box.left
-    if metal is not None:
-        start = page.scale_bar(box.left, box.bottom, metal) + 6.0 + 2.0 * len(scale_words(metal)) + 34.0
-    page.text(start, box.bottom - 0.4, "     ".join(scales), fontsize=9.0)
-    page.text(box.left + box.width, box.bottom - 0.4, _("1 mm is 1 mm on the sheet as printed"), ha="right", **muted())
-
-
-def _unit(unit: str) -> str:
-    return unit.replace("^2", "²")
-
-
-def _table(
-    page: Page, rows: Sequence[Sequence[str]], place: tuple[float, float, float], shares: tuple[float, ...] = ()
-) -> float:
-    """Write a table: a head, rows, all but the first column to the right; give where it ends. [mm]
-
-    `shares` are where the other columns end, in parts of the width; evenly, unless given.
-    """
-    left, top, width = place
-    columns = len(rows[0])
-    y = top - 4.0
-    for number, row in enumerate(rows):
-        for column, words in enumerate(row):
-            share = shares[column - 1] if shares else 0.1 + 0.9 * column / (columns - 1)
-            is_symbol = words.startswith("$")
-            page.text(
-                left if column == 0 else left + width * share,
-                y,
-                words,
-                ha="left" if column == 0 else "right",
-                fontsize=SYMBOL if is_symbol else 8.0,
-                fontweight="bold" if number == 0 else "normal",
-            )
-        if number == 0:
-            page.rule(y - 1.6, left, left + width)
-            y -= 1.2
-        y -= _LINE
-    return y
 
 
 def _positions_table(machine: Machine, plan: PositionPlan) -> Iterator[tuple[str, ...]]:
@@ -295,7 +196,7 @@ def _positions_table(machine: Machine, plan: PositionPlan) -> Iterator[tuple[str
 
 def _vectors_table(polygon: Polygon) -> Iterator[tuple[str, ...]]:
     """Every vector: where it is, its length on paper and its size."""
-    yield (_("vector"), _("from, to"), "mm", _unit(polygon.unit))
+    yield (_("vector"), _("from, to"), "mm", unit_words(polygon.unit))
     for vector in polygon.vectors:
         ends = f"{mathematics(vector.start)} {mathematics(vector.end)}"
         yield (mathematics(vector.symbol), ends, f"{polygon.length(vector):.2f}", figure(vector.size))
@@ -329,10 +230,3 @@ def _klein_notes(construction: Klein) -> Iterator[str]:
     x, y = 1e3 * construction.centre
     if np.isfinite(x):
         yield _("Instant centre of the rod: X = {x}, Y = {y} mm").format(x=figure(x), y=figure(y))
-
-
-def figure(value: float) -> str:
-    """Write a number with five figures, and a true minus."""
-    digits = max(0, 4 - int(np.floor(np.log10(abs(value))))) if abs(value) > 1e-9 else 0
-    text = f"{value:.{min(digits, 5)}f}"
-    return text.replace("-", "−") if float(text) != 0.0 else text.lstrip("-")

@@ -103,7 +103,16 @@ class Scene:
 
     def pins(self, member: Member, angle: float) -> dict[str, Array]:
         """Give a member's pins at a shown crank angle [deg]: name to (X, Y). [mm]"""
-        return {name: pin[:, 0] for name, pin in self.turned(member, np.array([angle])).items()}
+        key = (member.place.name, angle)
+        if key not in self._pins_at:
+            turned = self.turned(member, np.array([angle]))
+            self._pins_at[key] = {name: pin[:, 0] for name, pin in turned.items()}
+        return self._pins_at[key]
+
+    @cached_property
+    def _pins_at(self) -> dict[tuple[str, float], dict[str, Array]]:
+        """Pins that were asked for, by member and angle: a frame of a moving picture asks for them many times."""
+        return {}
 
     def turned(self, member: Member, angles: Array) -> dict[str, Array]:
         """Give a member's pins at shown crank angles, shape (n,) [deg]: name to (2, n). [mm]"""

@@ -1,32 +1,13 @@
-"""What a sheet says of its machine: layout, speed, conventions, where the numbers are from."""
+"""What a sheet says of its machine: speed, conventions, where the numbers are from."""
 
-from collections import Counter
 from collections.abc import Iterator, Mapping
 from typing import cast
 
+from cranktrain.io.description import counted_by_status
 from cranktrain.language import _
 from cranktrain.machine import Machine
-from cranktrain.mechanisms import kind_named
 from cranktrain.quantities import Given, shown
 from cranktrain.spec import Spec
-
-
-def layout_words(machine: Machine) -> str:
-    """Say what the machine is: its mechanism, or its pistons, banks and throws."""
-    if machine.mechanism is not None:
-        title = _(kind_named(machine.mechanism.kind).title)
-        return title[:1].upper() + title[1:]
-    places = machine.places
-    pistons = sum(place.kind.output == "slider" for place in places)
-    rockers = len(places) - pistons
-    throws = len(machine.main_shaft.throws)
-    parts = [
-        _("1 piston") if pistons == 1 else _("{n} pistons").format(n=pistons) if pistons else "",
-        _("1 rocker") if rockers == 1 else _("{n} rockers").format(n=rockers) if rockers else "",
-        _("1 throw") if throws == 1 else _("{n} throws").format(n=throws),
-        _("banks {banks}").format(banks=", ".join(machine.bank)) if len(machine.bank) > 1 else "",
-    ]
-    return ", ".join(part for part in parts if part)
 
 
 def running_words(machine: Machine) -> str:
@@ -62,17 +43,9 @@ def zero_words(machine: Machine) -> str:
 
 
 def provenance_words(machine: Machine) -> str:
-    """Count the given numbers by where they are from."""
-    counts = Counter(given.status for _path, given in set(_given(machine, "")))
-    words = {
-        "published": _("published {n}"),
-        "derived": _("derived {n}"),
-        "fitted": _("fitted {n}"),
-        "assumed": _("assumed {n}"),
-        None: _("unsaid {n}"),
-    }
-    counted = " · ".join(word.format(n=counts[status]) for status, word in words.items() if counts[status])
-    return _("Inputs: {counts}").format(counts=counted)
+    """Count the numbers that a machine's file gives by where they are from."""
+    given = dict.fromkeys(_given(machine, ""))
+    return _("Inputs: {counts}").format(counts=counted_by_status(number for _path, number in given))
 
 
 def _given(part: object, path: str) -> Iterator[tuple[str, Given]]:

@@ -15,7 +15,60 @@ rod_length = "136 mm"
 cycle = "four-stroke"
 """
 
+CHAIN = """\
+[mechanism]
+kind = "chain"
+output = "out"
+[mechanism.fixed]
+A = ["1500 mm", "200 mm"]
+B = ["400 mm", "1600 mm"]
+[mechanism.crank.main]
+radius = "100 mm"
+[[mechanism.part]]
+type = "triad"
+link = "plate"
+leg = [
+    { joint = "P", rod = { name = "first", from = "main.pin", length = "1200 mm" }, near = ["0 m", "1.2 m"] },
+    { joint = "Q", along = "800 mm", rod = { name = "second", from = "A", length = "1100 mm" } },
+    { joint = "S", along = "500 mm", across = "1200 mm", rod = { name = "out", from = "B", length = "900 mm" } },
+]
+[[mechanism.part]]
+type = "slide"
+rod = { name = "link", from = "S", length = "3 m" }
+slider = "ram"
+guide = { through = "O", direction = "0 deg" }
+"""
+
 FILES = {
+    "name before it exists": (
+        CHAIN.replace('from = "main.pin"', 'from = "ram.pin"').encode(),
+        "bad.toml:13:51  mechanism.part[0].leg[0].rod.from = ram.pin: is made only here or further down; must be",
+    ),
+    "not driven": (
+        CHAIN.replace('from = "main.pin"', 'from = "A"').encode(),
+        "bad.toml:9:1  mechanism.part[0]: is not driven: all that it hangs on stands still",
+    ),
+    "two speeds": (
+        CHAIN.replace("[[", '[mechanism.crank.other]\nradius = "5 mm"\nratio = 2\n[[', 1).encode(),
+        "bad.toml:11:9  mechanism.crank.other.ratio = 2: must be 1: all cranks of a chain are on one shaft",
+    ),
+    "triad that cannot turn": (
+        CHAIN.replace('"100 mm"', '"500 mm"').encode(),
+        "bad.toml:9:1  mechanism.part[0]: the links cannot close at crank angles 33.87 deg to 142.66 deg (short by",
+    ),
+    "triad of unclear mode": (
+        CHAIN.replace(', near = ["0 m", "1.2 m"]', "").encode(),
+        "bad.toml:11:8  mechanism.part[0].link = plate: fits in 2 ways where the crank lies along x",
+    ),
+    "guide without a direction": (
+        CHAIN.replace('"0 deg"', '"0 mm"').encode(),
+        "bad.toml:21:38  mechanism.part[1].guide.direction = 0 mm: mm measures a length; must be an angle",
+    ),
+    "no output": (CHAIN.replace('output = "out"\n', "").encode(), "bad.toml:1:1  mechanism.output: is missing"),
+    "output that is none": (
+        CHAIN.replace('output = "out"', 'output = "oud"').encode(),
+        "bad.toml:3:10  mechanism.output = oud: must be a slider or a link of this chain",
+    ),
     "empty": (b"", "bad.toml  no machine in it"),
     "comment": (b"# nothing\n", "bad.toml  no machine in it"),
     "binary": (b"\x7fELF\x02\x01\x01\x00\x00\x00", "bad.toml  is no text"),

@@ -36,7 +36,7 @@ def test_answer_first_then_the_numbers(typed):
     output = typed("run", "3d12").output
     lines = output.splitlines()
     assert lines[0].startswith("3D12 marine diesel")
-    assert "12 pistons, banks L, R; 1500 rpm; clockwise, ahead" in " ".join(lines[:2])
+    assert "12 pistons, 6 throws, banks L, R; 1500 rpm; clockwise, ahead" in " ".join(lines[:2])
     # strokes of the fit, to which the example's rods were fitted: 180 and 186.7 mm
     assert "Strokes: 180.00 mm (1L–6L), 186.70 mm (1R–6R)." in " ".join(lines[2:5])
     table = rows(output)
@@ -260,3 +260,11 @@ def test_bug_is_reported_in_a_sentence(typed, monkeypatch):
     assert "Traceback" not in answer.errors
     monkeypatch.setenv("CRANKTRAIN_TRACEBACK", "1")
     assert "ZeroDivisionError" in typed("run", "some file.toml").errors
+
+
+def test_a_notch_from_the_terminal(typed):
+    """Another notch for one run."""
+    for notch, travel in (("1", "164.77"), ("0", "88.95")):
+        answer = typed("run", "lms_class5", "--set", f"bank.valve.mechanism.notch={notch}", "--quantities", "stroke")
+        assert answer.status == 0, answer.errors
+        assert travel in answer.output

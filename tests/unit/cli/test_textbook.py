@@ -127,3 +127,22 @@ def test_set(typed, written):
 )
 def test_refused(typed, arguments, said):
     assert typed("textbook", *arguments) == (2, "", said)
+
+
+def test_brix_backwards_beside_exact(typed, written):
+    """λ = 0.25: 0.32° at most, docs/theory/textbook-forms; OP = λR/2; half the stroke at cos φ = (R² + L² − L²)/2RL."""
+    written(CENTRAL)
+    found = parts(typed("textbook", "machine.toml", "--table").output)
+    distance, error, _place = errors(found["Brix's construction backwards: fig. 147 [steam-engine]"], "1")
+    assert (distance, abs(error)) == (6.25, 0.32)
+    rows = {line.split()[0]: line.split()[2:] for line in found[_heading(found, "φ of piston 1")][2:]}
+    middle = np.degrees(np.arccos(50 / (2 * 200)))  # triangle of 50, 200 and 200 mm
+    assert rows["50.00"] == [f"{np.degrees(np.arctan2(1, 0.125)):.2f}", f"{middle:.2f}", "0.06"]
+
+
+def _heading(found, start):
+    return next(heading for heading in found if heading.startswith(start))
+
+
+def test_constructions_are_of_slider_cranks(typed):
+    assert "Arcs of" not in typed("textbook", "pumping_unit_c57").output

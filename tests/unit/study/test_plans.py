@@ -184,3 +184,78 @@ def test_unknown_mechanisms_are_refused():
         position_plan(ct.load("3d12"), mechanism="9X")
     with pytest.raises(InputError, match="no slider-crank"):
         klein(ct.load("pumping_unit_c57"), 30.0)
+
+
+SLOTS = {
+    "slotted_lever": ({"crank_radius": "100 mm", "ground_length": "250 mm"}, "rocker", "block", 1.0),
+    "oscillating_cylinder": ({"crank_radius": "20 mm", "ground_length": "90 mm"}, "cylinder", "slider", -1.0),
+    "scotch_yoke": ({"crank_radius": "40 mm", "slot_angle": "70 deg"}, None, "block", 1.0),
+}
+"""Length of each, the link with the slot, what slides, and its sign along the slot."""
+
+
+@pytest.mark.parametrize("kind", SLOTS)
+@pytest.mark.parametrize("angle", ANGLES)
+@pytest.mark.parametrize("offset", ["0 mm", "7 mm"])
+def test_sliding_along_a_slot(kind, angle, offset):
+    """Relative velocity and acceleration are the kernel's of the block, along the slot; Coriolis' part is 2ωv_r."""
+    lengths, link, block, sign = SLOTS[kind]
+    machine = ct.Machine(mechanism={"kind": kind, "offset": offset, **lengths})
+    place = machine.places[0]
+    motion = place.kind.motion(np.radians([angle]), place.geometry)
+    sliding = getattr(motion, block)
+    velocities = {vector.symbol: vector for vector in velocity_polygons(machine, [angle])[0].vectors}
+    accelerations = {vector.symbol: vector for vector in acceleration_polygons(machine, [angle])[0].vectors}
+    if link is None:
+        turning, slot = 0.0, place.geometry.slot_angle
+        relative, along = velocities["v_AB"], accelerations["a_AB"]
+        assert "a_AB^c" not in accelerations
+    else:
+        turning, slot = (float(part[0]) for part in getattr(motion, link).angle[1::-1])
+        relative, along = velocities["v_AA'"], accelerations["a_AA'^r"]
+        coriolis = np.array(accelerations["a_AA'^c"].value)
+        expected = 2 * abs(turning * sliding.first[0])
+        assert np.hypot(*coriolis) == pytest.approx(float(expected), rel=1e-11)
+        # turned by 90° from the sliding in the sense of the link's turning: clockwise here where it is positive
+        turned = np.array([relative.value[1], -relative.value[0]]) * 2 * turning
+        np.testing.assert_allclose(coriolis, turned, rtol=0, atol=1e-13)
+    direction = np.array([np.sin(slot), np.cos(slot)])  # x is Y and y is X
+    np.testing.assert_allclose(relative.value, sign * sliding.first[0] * direction, rtol=0, atol=1e-14)
+    np.testing.assert_allclose(along.value, sign * sliding.second[0] * direction, rtol=0, atol=1e-14)
+
+
+def test_velocities_without_bound_are_refused():
+    """Crank and rod of one length: across the line of stroke the piston may stop at the shaft or go on."""
+    even = ct.Machine(mechanism={"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "50 mm"})
+    with pytest.raises(InputError, match="velocities have no bound"):
+        velocity_polygons(even, [90.0])
+
+
+def test_names_of_a_chains_pins_are_words():
+    """The crank pin `main.pin` goes by `main`; a pin called P is not the pole."""
+    machine = ct.load("shaper")
+    symbols = {vector.symbol for vector in velocity_polygons(machine, [60.0])[0].vectors}
+    assert {"v_main", "v_main'", "v_main,main'", "v_D", "v_ram,D"} <= symbols
+    chain = {
+        "kind": "chain",
+        "output": "ram",
+        "crank": {"main": {"radius": "50 mm"}},
+        "fixed": {"C": ["300 mm", "0 mm"]},
+        "part": [
+            {
+                "type": "pin",
+                "rod": {"name": "rod", "from": "main.pin", "length": "300 mm"},
+                "rocker": {"name": "lever", "from": "C", "length": "200 mm"},
+                "joint": "P",
+                "side": "right",
+            },
+            {
+                "type": "slide",
+                "rod": {"name": "link", "from": "P", "length": "400 mm"},
+                "slider": "ram",
+                "guide": {"through": "C", "direction": "0 deg"},
+            },
+        ],
+    }
+    ends = {vector.symbol: vector.end for vector in velocity_polygons(ct.Machine(mechanism=chain), [60.0])[0].vectors}
+    assert ends["v_P"] == "p'"

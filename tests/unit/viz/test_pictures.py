@@ -2,8 +2,9 @@
 
 import subprocess
 import sys
+import tomllib
 from io import BytesIO
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import numpy as np
 import pytest
@@ -12,15 +13,23 @@ from matplotlib.text import Text
 import cranktrain as ct
 from cranktrain.engine.frames import in_machine_axes
 from cranktrain.errors import InputError
+from cranktrain.io.description import counted_by_status
 from cranktrain.io.examples import example_names
+from cranktrain.io.machine_file import inputs_of, read_machine
 from cranktrain.io.output import write_whole_bytes
+from cranktrain.mechanisms import KINDS
 from cranktrain.study.placement import frame
 from cranktrain.viz import (
     animation,
     dxf,
     plan_accelerations,
+    plan_arc,
+    plan_brix,
+    plan_brix_backward,
+    plan_centres,
     plan_klein,
     plan_positions,
+    plan_projection,
     plan_velocities,
     save,
     save_animation,
@@ -30,6 +39,7 @@ from cranktrain.viz.curves import marks, panels
 from cranktrain.viz.mechanism import mechanism_sketch
 from cranktrain.viz.page import fitting_scale, mathematics, scale_words
 from cranktrain.viz.scene import scene_of
+from cranktrain.viz.words import provenance_words
 
 MILLIMETRE = 1 / 25.4
 
@@ -69,7 +79,13 @@ PLANS = {
     "velocities": plan_velocities,
     "accelerations": plan_accelerations,
     "klein": plan_klein,
+    "centres": plan_centres,
 }
+
+WORKS = {kind.name: ct.Machine(**tomllib.loads(kind.example)) for kind in KINDS} | {
+    name: ct.load(name) for name in ("shaper", "great_northern", "jaw_crusher", "toggle_press")
+}
+"""A machine of every kind, and the examples whose names of pins are words."""
 
 
 @pytest.fixture(scope="module")
@@ -128,6 +144,11 @@ def test_sheet_of_other_machines_is_readable(case):
     assert_words_are_readable(sheet(ct.run(ct.Machine(**ODD[case]))))
 
 
+@pytest.mark.parametrize("case", [kind.name for kind in KINDS])
+def test_sheet_of_every_kind_is_readable(case):
+    assert_words_are_readable(sheet(ct.run(WORKS[case])))
+
+
 def test_sheet_of_links_that_part_is_readable():
     short = ct.Machine(mechanism={"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "45 mm"})
     figure = sheet(ct.run(short, partial=True), at=90.0)
@@ -150,7 +171,7 @@ def test_sheet_says_what_it_shows(results):
         "12 pistons, 6 throws, banks L, R",
         "n = 1500 rpm, clockwise",
         "φ = 0 where crank 1 is on the axis of bank L",
-        "published 4 · derived 2 · fitted 3 · assumed 1",
+        "Inputs: 4 published, 2 derived, 1 assumed, 3 fitted, 6 without a status",
         "TDC 60.82°",
         "BDC 235.74°",
         "γ = 60°",
@@ -171,11 +192,43 @@ def test_sheet_says_what_it_shows(results):
 @pytest.mark.parametrize("angles", [12, [30.0, 60.0]])
 def test_plan_is_readable(name, kind, angles):
     machine = ct.load(name)
-    if kind == "klein" and (angles == 12 or "pumping" in name):
+    if (kind == "klein" and "pumping" in name) or (kind in ("klein", "centres") and angles == 12):
         with pytest.raises(InputError):
-            plan_klein(machine, angles)
+            PLANS[kind](machine, angles)
         return
     assert_words_are_readable(PLANS[kind](machine, angles))
+
+
+@pytest.mark.parametrize("case", WORKS)
+@pytest.mark.parametrize("plan", ["positions", "velocities", "accelerations", "centres"])
+@pytest.mark.parametrize("angles", [[60.0], 24])
+def test_plan_of_every_kind_is_readable(case, plan, angles):
+    if plan == "centres" and isinstance(angles, int):
+        with pytest.raises(InputError, match="at most 2 for instant centres"):
+            plan_centres(WORKS[case], angles)
+        return
+    assert_words_are_readable(PLANS[plan](WORKS[case], angles))
+
+
+@pytest.mark.parametrize("name", ["3d12", "vaz_21213", "eccentric_press"])
+@pytest.mark.parametrize("draw", [plan_arc, plan_projection, plan_brix, plan_brix_backward])
+@pytest.mark.parametrize("angles", [24, [60.0]])
+def test_construction_is_readable(name, draw, angles):
+    figure = draw(ct.load(name), angles)
+    assert_words_are_readable(figure)
+    words = " | ".join(text for text, _box in words_of(figure))
+    for part in ("m/mm", "paper, mm", "S, mm", "exact"):
+        assert part in words
+    if draw is not plan_arc:
+        assert "Range of the source: central mechanism, λ" in words
+
+
+def test_instant_centres_that_are_not_drawn_are_said():
+    machine = ct.Machine(mechanism={"kind": "slider_crank", "crank_radius": "30 mm", "rod_length": "50 mm"})
+    words = " | ".join(text for text, _box in words_of(plan_centres(machine, [90.0])))
+    assert "are parallel: it only" in words
+    words = " | ".join(text for text, _box in words_of(plan_centres(machine, [89.0])))
+    assert "too far away to be drawn: $P_{13}$" in words
 
 
 @pytest.mark.parametrize(
@@ -198,9 +251,12 @@ def test_pins_on_the_sheet_are_the_kernels(results, name):
             axes = frame(machine, member.place)
             at = int(angle)
             if member.is_plain:
-                for number, label in enumerate(result.labels["point"]):
+                for number, label in enumerate(result.labels.get("point", ())):
+                    owner, _, name = label.partition(".")
+                    if owner != member.place.name or name not in pins:
+                        continue
                     there = in_machine_axes(1e3 * result.point_x[number, at], 1e3 * result.point_y[number, at], axes)
-                    np.testing.assert_allclose(pins[label.partition(".")[2]], there, rtol=0, atol=1e-9)
+                    np.testing.assert_allclose(pins[name], there, rtol=0, atol=1e-9)
                 continue
             if member.output is None:
                 turn = result.rocker_angle[0, at]
@@ -230,6 +286,41 @@ def test_links_keep_their_lengths_on_paper(results):
         assert np.hypot(*(second["D"] - second["C"])) == pytest.approx(242.426, abs=1e-9)
         np.testing.assert_allclose(second["A"], first["A"], rtol=0, atol=1e-9)
         np.testing.assert_allclose(second["B"], first["B"], rtol=0, atol=1e-9)
+
+
+def test_small_crank_has_a_detail(results):
+    """At 1:7.5 the jaw crusher's 12 mm are 1.6 mm: the ring stands in a detail."""
+    words = [text for text, _box in words_of(sheet(results["jaw_crusher"]))]
+    assert {"A", "A (1:1.5)", "200 mm, scale 1:7.5"} <= set(words)
+    assert words.count("90") == 2  # one of the curves' axis
+    assert not any("A (" in text for text, _box in words_of(sheet(results["vaz_21213"])))
+
+
+def test_every_slider_of_a_chain_is_drawn(results):
+    """The locomotive's valve is where the result has it."""
+    result = results["great_northern"]
+    scene = scene_of(result.machines[0])
+    member = scene.members[0]
+    assert [guide.pin for guide in member.turn.guides] == ["piston.pin", "valve.pin"]
+    sketch = mechanism_sketch(scene, 50.0, 40.0)
+    middles = [np.mean(line.points, axis=1) for line in sketch.lines if line.is_closed and line.points.shape == (2, 4)]
+    valve = scene.pins(member, 50.0)["valve.pin"]
+    assert min(np.hypot(*(middle - valve)) for middle in middles) < 1e-9
+
+
+def test_no_dead_position_runs_through_a_figure_of_the_ring(results):
+    """The shaper's lever at its dead positions crosses where 150 would stand."""
+    scene = scene_of(results["shaper"].machines[0])
+    dead = [[mark.angle for mark in marks(results["shaper"])]]
+    sketch = mechanism_sketch(scene, 50.0, 7.5, dead)
+    for label in sketch.labels:
+        for angle in dead[0]:
+            pins = scene.pins(scene.members[0], angle)
+            for link in scene.members[0].turn.links:
+                ends = [pins[pin] for pin in link.pins]
+                for start, end in pairwise(ends):
+                    part = np.clip(np.dot(label.position - start, end - start) / np.dot(end - start, end - start), 0, 1)
+                    assert label.text == "0" or np.hypot(*(start + part * (end - start) - label.position)) > 2.0 * 7.5
 
 
 def test_drawn_parts_lie_on_the_layers_of_a_drawing_office(results):
@@ -328,6 +419,15 @@ def test_dxf_has_layers_true_lengths_and_no_date(tmp_path):
     np.testing.assert_allclose(dimensions, expected, rtol=1e-9)
 
 
+@pytest.mark.parametrize("case", WORKS)
+def test_dxf_of_every_kind(tmp_path, case):
+    ezdxf = pytest.importorskip("ezdxf")
+    dxf(WORKS[case], [60.0], tmp_path / "one.dxf")
+    document = ezdxf.readfile(tmp_path / "one.dxf")
+    assert not document.audit().errors
+    assert {"LINKS", "PLAN_V", "PLAN_A"} <= {entity.dxf.layer for entity in document.modelspace()}
+
+
 def test_dxf_without_its_package_says_what_to_install(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "ezdxf", None)
     with pytest.raises(InputError, match="needs the package ezdxf"):
@@ -343,7 +443,16 @@ def test_scales_are_a_draughtsmans(width, height, words):
     assert scale_words(fitting_scale(width, height, (100.0, 100.0))) == words
 
 
+@pytest.mark.parametrize("name", example_names())
+def test_sheet_and_terminal_count_the_same_numbers(name):
+    file = read_machine(name)
+    assert provenance_words(file.machine) == "Inputs: " + counted_by_status(one.given for one in inputs_of(file))
+
+
 def test_symbols_are_set_as_mathematics():
+    assert mathematics("v_B,main") == r"$v_{B,\mathrm{main}}$"
+    assert mathematics("a_long_rod'^n") == r"$a_{\mathrm{long\_rod}′}^{n}$"
+    assert mathematics("v_AA'") == "$v_{AA′}$"
     assert mathematics("a_BA^n") == "$a_{BA}^{n}$"
     assert mathematics("p") == "$p$"
 

@@ -43,10 +43,9 @@ def pressed(frictionless: Array, lever: Array, friction: Friction) -> Array:
     docs/theory/forces, eqs. (13.9) and (13.10).
     """
     slope = friction.coefficient * friction.sense * lever
-    free = 1.0 - slope * slope
-    # 1 where friction lets the slider go, NaN where it is too much.
-    released = np.sqrt(free) / np.sqrt(free)
-    return released * frictionless / (1.0 + slope * np.sign(frictionless))
+    # 0 where friction lets the slider go, NaN where it is too much.
+    held = 0.0 * np.sqrt(1.0 - slope * slope)
+    return frictionless / (1.0 + slope * np.sign(frictionless)) + held
 
 
 def dragged(normal: Array, friction: Friction) -> Array:

@@ -1,6 +1,6 @@
 """The articulated rod's table of the machine file."""
 
-from typing import Literal
+from typing import ClassVar, Literal
 
 import numpy as np
 
@@ -22,6 +22,8 @@ class ArticulatedRodSpec(MechanismSpec, frozen=True):
     rod_length: PositiveLength
     articulation_angle: Angle
     offset: Length = Given(0.0, "0 mm")
+
+    master_field: ClassVar[str | None] = "master"
 
 
 def articulated_rod_geometry(spec: ArticulatedRodSpec, master: Master | None) -> ArticulatedRod:

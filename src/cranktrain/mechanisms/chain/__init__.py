@@ -1,40 +1,29 @@
 """Chain: any linkage of groups on one shaft, as its file composes it."""
 
-from typing import Any
-
 from cranktrain.language import N_
-from cranktrain.mechanisms.chain.composed import chain_geometry, chain_kind
+from cranktrain.mechanisms.chain.composed import chain_geometry, chain_kind, fields_of
 from cranktrain.mechanisms.chain.drawing import chain_drawing
 from cranktrain.mechanisms.chain.kinematics import ChainMotion, chain_gap, chain_motion
 from cranktrain.mechanisms.chain.spec import ChainSpec
-from cranktrain.mechanisms.chain.steps import ChainSize
-from cranktrain.mechanisms.kind import Dynamics, Kind, Members
+from cranktrain.mechanisms.chain.steps import ChainSize, SlideStep, Structure
+from cranktrain.mechanisms.kind import Kind, Members
 
 __all__ = ["KIND", "ChainMotion", "ChainSize", "ChainSpec", "chain_drawing", "chain_gap", "chain_motion"]
 
 
-def _of_its_own(*_ignored: Any) -> Any:
-    """Stand where only a chain of a file has something: `composed` gives its kind, and puts the chain's own here."""
-    raise TypeError
-
+_SIMPLEST = Structure(("main",), (), (SlideStep("main.pin", "rod", "slider", "O"),), "slider")
+"""A slider-crank; in its place `composed` puts the chain that the file has."""
 
 KIND = Kind(
     name="chain",
     title=N_("chain, any linkage of groups on a crank"),
     spec=ChainSpec,
     geometry=chain_geometry,
-    motion=_of_its_own,
-    gap=_of_its_own,
-    lengths=(),
-    output="slider",
     has_rod=False,
-    links=(),
-    drawing=_of_its_own,
-    closing_advice=_of_its_own,
     members=Members,
     stages=(),
     composed=lambda spec: chain_kind(KIND, spec),
-    dynamics=Dynamics(_of_its_own, (), (), (), _of_its_own, _of_its_own, _of_its_own, _of_its_own),
+    **fields_of(_SIMPLEST),
     example="""\
 [mechanism]
 kind = "chain"                    # angles count from x toward y; the crank turns that way
@@ -47,7 +36,7 @@ C = ["300 mm", "400 mm"]
 radius = "50 mm"
 
 [[mechanism.part]]                # a part uses only names that stand above it
-type = "pin"                      # pin, slide, swivel, yoke, trammel, point
+type = "pin"                      # pin, slide, swivel, yoke, trammel, triad, point
 rod = { name = "pitman", from = "main.pin", length = "400 mm" }
 rocker = { name = "lever", from = "C", length = "250 mm" }
 joint = "B"

@@ -8,12 +8,16 @@ from cranktrain.linkage import LinkPoint, point
 from cranktrain.mechanisms.chain.kinematics import SHAFT, chain_made, pin_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
+    GuideLegStep,
+    MountStep,
     PinStep,
     PointStep,
+    RodLegStep,
     SlideStep,
     Structure,
     SwivelStep,
     TrammelStep,
+    TriadStep,
     YokeStep,
 )
 from cranktrain.mechanisms.kind import Block, Drawing, DrawnLink, Guide
@@ -51,6 +55,17 @@ def chain_drawing(structure: Structure, angle: Array, size: ChainSize) -> Drawin
             case TrammelStep():
                 slotted = next(one.pins for one in links if one.name == step.link)
                 blocks.append(Block(pin_of(step.slider), slotted))
+            case MountStep():
+                links.append(DrawnLink(step.point, (step.pin, step.point)))
+            case TriadStep():
+                pins = [leg.joint if isinstance(leg, RodLegStep) else pin_of(leg.slider) for leg in step.legs]
+                links.append(DrawnLink(step.link, (*pins, pins[0])))
+                rods = [leg for leg in step.legs if isinstance(leg, RodLegStep)]
+                links += [DrawnLink(leg.rod, (leg.rod_from, leg.joint)) for leg in rods]
+                for leg, size_of_leg in zip(step.legs, cast(Any, own).legs, strict=True):
+                    if isinstance(leg, GuideLegStep):
+                        guide = Guide(pin_of(leg.slider), size_of_leg.direction)
+                        guides.insert(0 if leg.slider == structure.output else len(guides), guide)
         if isinstance(step, SlideStep | YokeStep | TrammelStep):
             guide = Guide(pin_of(step.slider), cast(Any, own).direction)
             guides.insert(0 if step.slider == structure.output else len(guides), guide)

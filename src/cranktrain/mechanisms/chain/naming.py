@@ -16,6 +16,8 @@ from cranktrain.mechanisms.chain.spec import (
     SlidePartSpec,
     SwivelPartSpec,
     TrammelPartSpec,
+    TriadLegSpec,
+    TriadPartSpec,
     YokePartSpec,
 )
 from cranktrain.quantities import nearest
@@ -24,7 +26,14 @@ MAIN = "main"
 _NAME = re.compile(r"[^\W\d]\w*")
 _LEAST_SINE = 1e-3
 
-_SORTS = {"point": N_("a point"), "link": N_("a link"), "fixed": N_("a fixed point"), "slider": N_("a slider")}
+_SORTS = {
+    "point": N_("a point"),
+    "link": N_("a link"),
+    "fixed": N_("a fixed point"),
+    "carrier": N_("a link or a slider in a fixed guide"),
+}
+_FITTING = {"point": ("point", "fixed"), "carrier": ("link", "slider")}
+"""Sorts of what may stand where one is asked for, where they are not just that."""
 
 
 class Use(NamedTuple):
@@ -58,7 +67,16 @@ def uses(part: PartSpec) -> tuple[Use, ...]:
         case TrammelPartSpec():
             return Use("link", part.link, "link"), Use("guide.through", part.guide.through, "fixed")
         case PointPartSpec():
-            return (Use("link", part.link, "link"),)
+            return (Use("link", part.link, "carrier"),)
+        case TriadPartSpec():
+            return tuple(use for place, leg in enumerate(part.leg) for use in _leg_uses(f"leg[{place}]", leg))
+
+
+def _leg_uses(path: str, leg: TriadLegSpec) -> Iterator[Use]:
+    if leg.rod is not None:
+        yield Use(f"{path}.rod.from", leg.rod.start, "point")
+    if leg.guide is not None:
+        yield Use(f"{path}.guide.through", leg.guide.through, "fixed")
 
 
 def makes(part: PartSpec) -> tuple[Made, ...]:
@@ -75,10 +93,21 @@ def makes(part: PartSpec) -> tuple[Made, ...]:
             return _slider(part.slider)
         case PointPartSpec():
             return (Made("name", part.name, "point"),)
+        case TriadPartSpec():
+            legs = tuple(made for place, leg in enumerate(part.leg) for made in _made_by_leg(f"leg[{place}]", leg))
+            return Made("link", part.link, "link"), *legs
 
 
-def _slider(name: str) -> tuple[Made, ...]:
-    return Made("slider", name, "slider"), Made("slider", pin_of(name), "point", is_own=False)
+def _made_by_leg(path: str, leg: TriadLegSpec) -> Iterator[Made]:
+    if leg.joint is not None and leg.rod is not None:
+        yield Made(f"{path}.joint", leg.joint, "point")
+        yield Made(f"{path}.rod.name", leg.rod.name, "link")
+    if leg.slider is not None:
+        yield from _slider(leg.slider, f"{path}.slider")
+
+
+def _slider(name: str, field: str = "slider") -> tuple[Made, ...]:
+    return Made(field, name, "slider"), Made(field, pin_of(name), "point", is_own=False)
 
 
 def naming_problems(spec: ChainSpec) -> tuple[Problem, ...]:
@@ -142,10 +171,11 @@ def _new_name(path: str, name: str, known: dict[str, str]) -> Iterator[Problem]:
 
 def _wrong_use(path: str, use: Use, known: dict[str, str], later: set[str]) -> Iterator[Problem]:
     """Refuse a name that is unknown, made only further down, or of another sort."""
-    sorts = ("point", "fixed") if use.sort == "point" else (use.sort,)
-    if known.get(use.name) in sorts:
+    sorts = _FITTING.get(use.sort, (use.sort,))
+    # A block on a pin, of a swivel, is no slider to fix a point on.
+    fitting = [name for name, sort in known.items() if sort in sorts and (sort != "slider" or pin_of(name) in known)]
+    if use.name in fitting:
         return
-    fitting = [name for name, sort in known.items() if sort in sorts]
     allowed = _("must be {sort} that stands above: {names}").format(
         sort=_(_SORTS[use.sort]), names=", ".join(fitting) or "–"
     )

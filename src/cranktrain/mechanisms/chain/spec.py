@@ -7,9 +7,10 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from cranktrain.errors import InputError
+from cranktrain.language import _
 from cranktrain.mechanisms.kind import MechanismSpec
 from cranktrain.quantities import Angle, Given, Length, PositiveLength, Ratio
-from cranktrain.spec import Spec
+from cranktrain.spec import Refused, Spec
 
 FixedPoint = Annotated[tuple[Length, ...], Field(min_length=2, max_length=2)]
 """x and y in the file's own axes."""
@@ -98,7 +99,7 @@ class TrammelPartSpec(Spec, frozen=True):
 
 
 class PointPartSpec(Spec, frozen=True):
-    """A point fixed on a link, on which other parts may hang."""
+    """A point fixed on a link, or on a slider in a fixed guide, on which other parts may hang."""
 
     type: Literal["point"]
     name: str
@@ -107,8 +108,36 @@ class PointPartSpec(Spec, frozen=True):
     across: Length = Given(0.0, "0 mm")
 
 
+class TriadLegSpec(Spec, frozen=True):
+    """A joint of a triad's link, on a rod (`joint`, `rod`) or in a fixed guide (`slider`, `guide`)."""
+
+    along: Length = Given(0.0, "0 mm")
+    across: Length = Given(0.0, "0 mm")
+    joint: str | None = None
+    rod: ChainLinkSpec | None = None
+    slider: str | None = None
+    guide: ChainGuideSpec | None = None
+    near: FixedPoint | None = None
+
+    @model_validator(mode="after")
+    def _of_one_sort(self) -> Self:
+        """Refuse a leg that is neither rod nor guide, or both."""
+        given = {name for name in ("joint", "rod", "slider", "guide") if getattr(self, name) is not None}
+        if given not in ({"joint", "rod"}, {"slider", "guide"}):
+            raise Refused(_("must have joint and rod, or slider and guide"))
+        return self
+
+
+class TriadPartSpec(Spec, frozen=True):
+    """Link on three legs, each a rod or a guide; a circular slot is a rod to its centre."""
+
+    type: Literal["triad"]
+    link: str
+    leg: Annotated[tuple[TriadLegSpec, ...], Field(min_length=3, max_length=3)]
+
+
 PartSpec = Annotated[
-    PinPartSpec | SlidePartSpec | SwivelPartSpec | YokePartSpec | TrammelPartSpec | PointPartSpec,
+    PinPartSpec | SlidePartSpec | SwivelPartSpec | YokePartSpec | TrammelPartSpec | PointPartSpec | TriadPartSpec,
     Field(discriminator="type"),
 ]
 
@@ -129,10 +158,11 @@ class ChainSpec(MechanismSpec, frozen=True):
 
     @model_validator(mode="after")
     def _hangs_together(self) -> Self:
-        """Refuse names that are unknown or stand twice, parts that nothing drives, an output that is none."""
+        """Refuse names unknown or twice, parts that nothing drives, an output that is none, triads of unclear mode."""
+        from cranktrain.mechanisms.chain.composed import mode_problems
         from cranktrain.mechanisms.chain.naming import naming_problems
 
-        found = naming_problems(self)
+        found = naming_problems(self) or mode_problems(self)
         if found:
             raise InputError(found)
         return self

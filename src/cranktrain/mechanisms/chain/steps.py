@@ -2,7 +2,7 @@
 
 from typing import NamedTuple, TypeAlias
 
-from cranktrain.motion import Array
+from cranktrain.motion import Array, single
 
 
 class PinStep(NamedTuple):
@@ -56,7 +56,36 @@ class PointStep(NamedTuple):
     point: str
 
 
-Step: TypeAlias = PinStep | SlideStep | SwivelStep | YokeStep | TrammelStep | PointStep
+class MountStep(NamedTuple):
+    """Point fixed on a slider that does not turn, by the slider's pin."""
+
+    pin: str
+    point: str
+
+
+class RodLegStep(NamedTuple):
+    """Rod from a point to a joint on a triad's link."""
+
+    rod_from: str
+    rod: str
+    joint: str
+
+
+class GuideLegStep(NamedTuple):
+    """Slider on a fixed guide through a fixed point, whose pin is a joint on a triad's link."""
+
+    slider: str
+    through: str
+
+
+class TriadStep(NamedTuple):
+    """Link on three legs."""
+
+    link: str
+    legs: tuple[RodLegStep | GuideLegStep, ...]
+
+
+Step: TypeAlias = PinStep | SlideStep | SwivelStep | YokeStep | TrammelStep | PointStep | MountStep | TriadStep
 
 
 class Structure(NamedTuple):
@@ -100,10 +129,15 @@ class SlideSize(NamedTuple):
 
 
 class SwivelSize(NamedTuple):
-    """Offset of the guide's line to the left of its pivot [m]; way +1 where the slider lies ahead."""
+    """Offset of the guide's line to the left of its pivot [m]; way +1 where the slider lies ahead.
+
+    outside is +1 where the fixed pivot lies outside the circle of the crank pin that drives the slider, −1 inside; 0
+    where no crank pin drives it, or the pivot moves.
+    """
 
     offset: Array
     way: Array
+    outside: Array
 
 
 class YokeSize(NamedTuple):
@@ -127,10 +161,53 @@ class TrammelSize(NamedTuple):
 
 
 class PointSize(NamedTuple):
-    """Radius from the link's first pin [m], direction from the link's [rad]."""
+    """Radius from the link's first pin [m], direction from the link's [rad]; on a slider, from its pin and from x."""
 
     radius: Array
     direction: Array
+
+
+class RodLegSize(NamedTuple):
+    """Joint on the link; rod length. [m]"""
+
+    joint: PointSize
+    length: Array
+
+
+class GuideLegSize(NamedTuple):
+    """Joint on the link; guide's direction [rad] and offset [m]."""
+
+    joint: PointSize
+    direction: Array
+    offset: Array
+
+
+class StartSize(NamedTuple):
+    """Where a triad's link lies when the crank `main` is along x, or near there: origin [m], direction [rad].
+
+    sign is that of the legs' transmission there, in the file's own axes, which is kept; side is +1 in these axes, −1
+    where the mechanism is seen with y reversed.
+    """
+
+    x: Array
+    y: Array
+    direction: Array
+    sign: Array
+    side: Array
+
+
+NO_START = StartSize(single(0.0), single(0.0), single(0.0), single(0.0), single(1.0))
+"""What stands there before a triad is put together."""
+
+
+class TriadSize(NamedTuple):
+    """The three legs, and the start of the walk round the turn, which chooses the assembly mode."""
+
+    legs: tuple[RodLegSize | GuideLegSize, ...]
+    start: StartSize
+
+
+StepSize: TypeAlias = PinSize | SlideSize | SwivelSize | YokeSize | TrammelSize | PointSize | TriadSize
 
 
 class ChainSize(NamedTuple):
@@ -138,4 +215,4 @@ class ChainSize(NamedTuple):
 
     cranks: tuple[CrankSize, ...]
     fixed: tuple[Place, ...]
-    steps: tuple[PinSize | SlideSize | SwivelSize | YokeSize | TrammelSize | PointSize, ...]
+    steps: tuple[StepSize, ...]

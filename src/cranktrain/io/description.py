@@ -1,0 +1,40 @@
+"""What a machine is, and where its numbers are from, as every sheet and report says it."""
+
+from collections import Counter
+from collections.abc import Iterable
+
+from cranktrain.language import _
+from cranktrain.machine import Machine
+from cranktrain.mechanisms import kind_named
+from cranktrain.quantities import Given
+
+
+def layout_words(machine: Machine) -> str:
+    """Say what the machine is, to begin no sentence: its mechanism, or its pistons, throws and banks."""
+    if machine.mechanism is not None:
+        return _(kind_named(machine.mechanism.kind).title)
+    places = machine.places
+    pistons = sum(place.kind.output == "slider" for place in places)
+    rockers = len(places) - pistons
+    throws = len(machine.main_shaft.throws)
+    banks = ", ".join(machine.bank)
+    parts = [
+        _("1 piston") if pistons == 1 else _("{n} pistons").format(n=pistons) if pistons else "",
+        _("1 rocker") if rockers == 1 else _("{n} rockers").format(n=rockers) if rockers else "",
+        _("1 throw") if throws == 1 else _("{n} throws").format(n=throws),
+        (_("bank {banks}") if len(machine.bank) == 1 else _("banks {banks}")).format(banks=banks),
+    ]
+    return ", ".join(part for part in parts if part)
+
+
+def counted_by_status(numbers: Iterable[Given]) -> str:
+    """Count given numbers by where they are from."""
+    counts = Counter(number.status for number in numbers)
+    words = {
+        "published": _("{n} published"),
+        "derived": _("{n} derived"),
+        "assumed": _("{n} assumed"),
+        "fitted": _("{n} fitted"),
+        None: _("{n} without a status"),
+    }
+    return ", ".join(word.format(n=counts[status]) for status, word in words.items() if counts[status])

@@ -1,0 +1,123 @@
+"""Bodies and joints of a chain by name: what moves and what slides, which body carries a point, who acts on whom."""
+
+from collections.abc import Iterator, Mapping
+
+from cranktrain.mechanisms.chain.kinematics import SHAFT, pin_of
+from cranktrain.mechanisms.chain.steps import (
+    GuideLegStep,
+    MountStep,
+    PinStep,
+    PointStep,
+    RodLegStep,
+    SlideStep,
+    Step,
+    Structure,
+    SwivelStep,
+    TrammelStep,
+    TriadStep,
+    YokeStep,
+)
+from cranktrain.mechanisms.kind import FRAME, Reaction
+
+GUIDE = "guide"
+"""Where a slider meets its fixed guide, in a joint's name."""
+
+
+def chain_moving(structure: Structure) -> tuple[str, ...]:
+    """Names of what has mass: cranks, then links and sliders in the order of the file."""
+    return (*structure.cranks, *(name for step in structure.steps for name in moving_of(step)))
+
+
+def moving_of(step: Step) -> tuple[str, ...]:
+    """Names of what a part adds that has mass."""
+    match step:
+        case PinStep():
+            return step.rod, step.rocker
+        case SlideStep():
+            return step.rod, step.slider
+        case SwivelStep():
+            return step.slider, step.guide
+        case YokeStep() | TrammelStep():
+            return (step.slider,)
+        case TriadStep():
+            return step.link, *(leg.rod if isinstance(leg, RodLegStep) else leg.slider for leg in step.legs)
+        case PointStep() | MountStep():
+            return ()
+
+
+def chain_sliding(structure: Structure) -> tuple[str, ...]:
+    """Names of the sliders that may have friction: all but those of triads."""
+    return tuple(
+        step.slider for step in structure.steps if isinstance(step, SlideStep | SwivelStep | YokeStep | TrammelStep)
+    )
+
+
+def chain_reactions(structure: Structure) -> tuple[Reaction, ...]:
+    """Joints of a chain: the bearing of its cranks, then each part's, named `point/link` by where and on what."""
+    carriers = carriers_of(structure)
+    parts = (joint for step in structure.steps for joint in _joints(step, carriers))
+    return (Reaction("main_bearing", structure.cranks[0], FRAME), *parts)
+
+
+def carriers_of(structure: Structure) -> dict[str, str]:
+    """Which body carries each point; a joint's pin belongs to the rod."""
+    carriers = dict.fromkeys((SHAFT, *structure.fixed), FRAME) | {pin_of(name): name for name in structure.cranks}
+    for step in structure.steps:
+        match step:
+            case PinStep():
+                carriers[step.joint] = step.rod
+            case SlideStep() | YokeStep() | TrammelStep():
+                carriers[pin_of(step.slider)] = step.slider
+            case PointStep():
+                carriers[step.point] = step.link
+            case MountStep():
+                carriers[step.point] = carriers[step.pin]
+            case TriadStep():
+                for leg in step.legs:
+                    match leg:
+                        case RodLegStep():
+                            carriers[leg.joint] = step.link
+                        case GuideLegStep():
+                            carriers[pin_of(leg.slider)] = leg.slider
+            case SwivelStep():
+                pass
+    return carriers
+
+
+def joint_name(at: str, on: str) -> str:
+    """Name of the joint at a place, or of a slider's guide, by the link on which it acts."""
+    return f"{at}/{on}"
+
+
+def _joints(step: Step, carriers: Mapping[str, str]) -> Iterator[Reaction]:
+    """Joints that a part adds."""
+    match step:
+        case PinStep():
+            yield Reaction(joint_name(step.rod_from, step.rod), step.rod, carriers[step.rod_from])
+            yield Reaction(joint_name(step.rocker_from, step.rocker), step.rocker, carriers[step.rocker_from])
+            yield Reaction(joint_name(step.joint, step.rocker), step.rocker, step.rod)
+        case SlideStep():
+            yield Reaction(joint_name(step.rod_from, step.rod), step.rod, carriers[step.rod_from])
+            yield Reaction(joint_name(pin_of(step.slider), step.slider), step.slider, step.rod)
+            yield Reaction(joint_name(GUIDE, step.slider), step.slider, FRAME)
+        case SwivelStep():
+            yield Reaction(joint_name(step.pin, step.slider), step.slider, carriers[step.pin])
+            yield Reaction(joint_name(step.slider, step.guide), step.guide, step.slider)
+            yield Reaction(joint_name(step.pivot, step.guide), step.guide, carriers[step.pivot])
+        case YokeStep():
+            yield Reaction(joint_name(step.pin, step.slider), step.slider, carriers[step.pin])
+            yield Reaction(joint_name(GUIDE, step.slider), step.slider, FRAME)
+        case TrammelStep():
+            yield Reaction(joint_name(pin_of(step.slider), step.slider), step.slider, step.link)
+            yield Reaction(joint_name(GUIDE, step.slider), step.slider, FRAME)
+        case TriadStep():
+            for leg in step.legs:
+                match leg:
+                    case RodLegStep():
+                        yield Reaction(joint_name(leg.rod_from, leg.rod), leg.rod, carriers[leg.rod_from])
+                        yield Reaction(joint_name(leg.joint, step.link), step.link, leg.rod)
+                    case GuideLegStep():
+                        yield Reaction(joint_name(pin_of(leg.slider), step.link), step.link, leg.slider)
+                        yield Reaction(joint_name(GUIDE, leg.slider), leg.slider, FRAME)
+        case PointStep() | MountStep():
+            pass

@@ -1,0 +1,38 @@
+"""Eccentric: a valve, a pump or a shear driven by a slider-crank of small crank, set ahead of the main one."""
+
+from cranktrain.language import N_
+from cranktrain.mechanisms.eccentric.drawing import eccentric_drawing
+from cranktrain.mechanisms.eccentric.forces import DYNAMICS
+from cranktrain.mechanisms.eccentric.kinematics import Eccentric, eccentric, eccentric_gap
+from cranktrain.mechanisms.eccentric.spec import EccentricSpec, eccentric_advice, eccentric_geometry
+from cranktrain.mechanisms.kind import Kind, Members
+
+__all__ = ["KIND", "Eccentric", "EccentricSpec", "eccentric"]
+
+KIND = Kind(
+    name="eccentric",
+    title=N_("eccentric that drives a valve"),
+    spec=EccentricSpec,
+    geometry=eccentric_geometry,
+    motion=eccentric,
+    gap=eccentric_gap,
+    lengths=("eccentricity", "rod_length", "offset"),
+    output="slider",
+    has_rod=True,
+    links=("rod",),
+    drawing=eccentric_drawing,
+    dynamics=DYNAMICS,
+    closing_advice=eccentric_advice,
+    members=Members,
+    stages=(),
+    has_chambers=False,
+    example="""\
+[mechanism]
+kind = "eccentric"
+eccentricity = "60 mm"            # half of the valve's travel, nearly
+rod_length = "1400 mm"
+angle_of_advance = "30 deg"       # beyond the right angle from the crank; or angle_ahead = "120 deg", from the crank
+admission = "outside"             # or "inside": then the eccentric stands half a turn away
+# offset = "0 mm"
+""",
+)

@@ -1,0 +1,55 @@
+"""The eccentric's table of the machine file."""
+
+from typing import Literal, Self
+
+from pydantic import model_validator
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.mechanisms.eccentric.kinematics import Eccentric
+from cranktrain.mechanisms.kind import Master, MechanismSpec
+from cranktrain.mechanisms.valve_gear import Admission, set_ahead
+from cranktrain.motion import single
+from cranktrain.quantities import Angle, Given, Length, PositiveLength
+from cranktrain.wording import precise
+
+
+class EccentricSpec(MechanismSpec, frozen=True):
+    """One eccentric that drives a valve or a pump; set by its angle of advance, or by how far ahead it stands."""
+
+    kind: Literal["eccentric"]
+    eccentricity: PositiveLength
+    rod_length: PositiveLength
+    angle_of_advance: Angle | None = None
+    admission: Admission = "outside"
+    angle_ahead: Angle | None = None
+    offset: Length = Given(0.0, "0 mm")
+
+    @model_validator(mode="after")
+    def _set_once(self) -> Self:
+        """Refuse an eccentric that is set twice or not at all."""
+        if self.angle_of_advance is None and self.angle_ahead is None:
+            allowed = _("is missing; give it, or angle_ahead")
+            raise InputError([Problem("angle_of_advance", None, allowed)])
+        if self.angle_ahead is not None:
+            for name in ("angle_of_advance", "admission"):
+                if name in self.model_fields_set:
+                    raise InputError([Problem(name, None, _("must not stand beside angle_ahead"))])
+        return self
+
+
+def eccentric_geometry(spec: EccentricSpec, master: Master | None = None) -> Eccentric:
+    """Geometry in SI, however the eccentric is set."""
+    del master
+    if spec.angle_ahead is not None:
+        ahead = spec.angle_ahead.si
+    else:
+        assert spec.angle_of_advance is not None  # the spec asks for one of the two
+        ahead = set_ahead(spec.angle_of_advance.si, spec.admission)
+    return Eccentric(single(spec.eccentricity.si), single(spec.rod_length.si), single(spec.offset.si), single(ahead))
+
+
+def eccentric_advice(geometry: Eccentric) -> str:
+    """Say how long the rod must be for the shaft to turn."""
+    least = geometry.eccentricity + abs(geometry.offset)
+    return _("rod_length must be more than eccentricity + |offset| = {least}").format(least=precise(float(least)))

@@ -1,0 +1,99 @@
+"""Stephenson's link motion: a valve gear of two eccentrics and a link that is raised and lowered."""
+
+from dataclasses import replace
+from functools import cache, partial
+
+from cranktrain.language import N_
+from cranktrain.mechanisms.chain.composed import parts_of
+from cranktrain.mechanisms.chain.steps import Structure
+from cranktrain.mechanisms.kind import Kind, Members
+from cranktrain.mechanisms.stephenson.drawing import stephenson_drawing
+from cranktrain.mechanisms.stephenson.forces import stephenson_dynamics
+from cranktrain.mechanisms.stephenson.kinematics import (
+    CURVED,
+    STRAIGHT,
+    Stephenson,
+    stephenson,
+    stephenson_gap,
+)
+from cranktrain.mechanisms.stephenson.spec import (
+    StephensonSpec,
+    stephenson_advice,
+    stephenson_geometry,
+    structure_of,
+)
+
+__all__ = ["KIND", "Stephenson", "StephensonSpec", "stephenson"]
+
+_LENGTHS = {
+    "eccentricity": "eccentricity",
+    "rod_length": "eccentric_rod_length",
+    "pin_spacing": "pin_spacing",
+    "pin_setback": "pin_setback",
+    "saddle_setback": "saddle_setback",
+    "lifting_link_length": "lifting_link_length",
+    "arm.length": "lifting_arm_length",
+    "arm.x": "reverse_shaft_x",
+    "arm.y": "reverse_shaft_y",
+    "offset": "offset",
+}
+
+
+@cache
+def _kind(structure: Structure) -> Kind:
+    """Give the kind of gears with a curved slot, or with a straight one."""
+    lengths = _LENGTHS if structure is STRAIGHT else _LENGTHS | {"slot_arc": "link_radius"}
+    return replace(
+        KIND,
+        motion=partial(stephenson, structure),
+        gap=partial(stephenson_gap, structure),
+        lengths=tuple(lengths),
+        length_paths=tuple(lengths.values()),
+        drawing=partial(stephenson_drawing, structure),
+        dynamics=stephenson_dynamics(structure),
+        composed=None,
+        **parts_of(structure),
+    )
+
+
+KIND = Kind(
+    name="stephenson",
+    title=N_("Stephenson's link motion"),
+    spec=StephensonSpec,
+    geometry=stephenson_geometry,
+    motion=partial(stephenson, CURVED),
+    gap=partial(stephenson_gap, CURVED),
+    lengths=tuple(_LENGTHS),
+    output="slider",
+    has_rod=False,
+    links=(),
+    drawing=partial(stephenson_drawing, CURVED),
+    dynamics=stephenson_dynamics(CURVED),
+    closing_advice=stephenson_advice,
+    members=Members,
+    stages=(),
+    margin_precision=1e-6,
+    has_chambers=False,
+    composed=lambda spec: _kind(structure_of(spec)),
+    example="""\
+[mechanism]
+kind = "stephenson"
+notch = 1                         # 1 full gear ahead, 0 mid gear, -1 full gear astern
+eccentricity = "70 mm"
+angle_of_advance = "15 deg"
+admission = "outside"             # or "inside"
+rods = "open"                     # or "crossed": open if they do not cross while the eccentrics face the link
+eccentric_rod_length = "1400 mm"
+pin_spacing = "300 mm"            # between the joints of the rods on the link
+# pin_setback = "75 mm"           # of these joints from the slot, toward the shaft
+link_radius = "1400 mm"           # of the slot; without it the slot is straight
+# saddle_setback = "0 mm"
+lifting_link_length = "400 mm"    # hangs the middle of the link on the arm of the reverse shaft
+lifting_arm_length = "450 mm"
+lifting_arm_angle = "180 deg"     # at mid gear, from x, away from the shaft, toward y
+lifting_arm_swing = "-18 deg"     # from there to full gear ahead
+reverse_shaft_x = "1850 mm"
+reverse_shaft_y = "-400 mm"
+# offset = "0 mm"                 # of the valve's line, toward +y
+""",
+)

@@ -1,0 +1,153 @@
+"""Kinematics of Stephenson's link motion: a chain of two eccentrics, their rods, the hung link and the valve."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.linkage import AHEAD
+from cranktrain.mechanisms.chain.kinematics import ChainMotion, chain_gap, chain_motion
+from cranktrain.mechanisms.chain.steps import (
+    ChainSize,
+    CrankSize,
+    Place,
+    PointSize,
+    PointStep,
+    RodLegSize,
+    RodLegStep,
+    SlideSize,
+    SlideStep,
+    StartSize,
+    Structure,
+    TrammelSize,
+    TrammelStep,
+    TriadSize,
+    TriadStep,
+)
+from cranktrain.motion import Array, single
+
+_LINK = TriadStep(
+    "link",
+    (
+        RodLegStep("ahead.pin", "ahead_rod", "ahead_joint"),
+        RodLegStep("back.pin", "back_rod", "back_joint"),
+        RodLegStep("arm_end", "lifting_link", "saddle"),
+    ),
+)
+_CRANKS, _FIXED = ("ahead", "back"), ("arm_end", "reverse_shaft")
+
+CURVED = Structure(
+    _CRANKS, _FIXED, (_LINK, PointStep("link", "centre"), SlideStep("centre", "slot", "valve", "O")), "valve"
+)
+"""The slot is an arc: a rod from its centre, which the link carries, to the valve's block."""
+
+STRAIGHT = Structure(_CRANKS, _FIXED, (_LINK, TrammelStep("link", "valve", "O")), "valve")
+"""The slot is straight, along the link."""
+
+
+class LiftingArm(NamedTuple):
+    """Arm on the reverse shaft: where the shaft is, length [m], direction in this notch from x [rad]."""
+
+    x: Array
+    y: Array
+    length: Array
+    direction: Array
+
+
+class Stephenson(NamedTuple):
+    """Stephenson's link motion in one notch.
+
+    eccentricity, rod_length: of both eccentrics and their rods; ahead: how far the eccentric for running ahead stands
+    ahead of the crank, the other as far behind [rad]; pin_spacing: of the rods' joints on the link, pin_setback: of the
+    line of these joints from the middle of the slot toward the shaft; slot_arc: the slot's radius, its centre toward
+    the shaft; saddle_setback: of the joint of the lifting link, in the middle, toward the shaft; offset: of the
+    valve's line toward +y [m]; side: +1 where the ahead rod's joint lies toward −y, −1 toward +y; start: pose of the
+    link where the crank lies along x.
+    """
+
+    eccentricity: Array
+    ahead: Array
+    rod_length: Array
+    pin_spacing: Array
+    pin_setback: Array
+    slot_arc: Array
+    saddle_setback: Array
+    lifting_link_length: Array
+    arm: LiftingArm
+    offset: Array
+    side: Array
+    start: StartSize
+
+
+def stephenson_size(structure: Structure, geometry: Stephenson) -> ChainSize:
+    """Give the gear's numbers as those of its chain, the link's axis from the back joint to the ahead joint.
+
+    Parameters
+    ----------
+    structure : Structure
+        `CURVED` or `STRAIGHT`.
+    geometry : Stephenson
+
+    Returns
+    -------
+    ChainSize
+
+    Notes
+    -----
+    docs/theory/stephenson, eqs. (21.1) to (21.3).
+    """
+    arm = geometry.arm
+    half = 0.5 * geometry.pin_spacing
+    none = 0.0 * half
+    # Seen along the link, the shaft lies to the right where the ahead joint lies toward −y.
+    toward_shaft = -geometry.side
+    legs = (
+        RodLegSize(_joint(half, toward_shaft * geometry.pin_setback), geometry.rod_length),
+        RodLegSize(_joint(-half, toward_shaft * geometry.pin_setback), geometry.rod_length),
+        RodLegSize(_joint(none, toward_shaft * geometry.saddle_setback), geometry.lifting_link_length),
+    )
+    along = single(0.0)
+    if structure is STRAIGHT:
+        rest = (TrammelSize(none, along, geometry.offset, -geometry.side),)
+    else:
+        centre = PointSize(geometry.slot_arc, toward_shaft * (0.5 * np.pi))
+        rest = (centre, SlideSize(geometry.slot_arc, AHEAD, along, geometry.offset))
+    return ChainSize(
+        (CrankSize(geometry.eccentricity, geometry.ahead), CrankSize(geometry.eccentricity, -geometry.ahead)),
+        (
+            Place(arm.x + arm.length * np.cos(arm.direction), arm.y + arm.length * np.sin(arm.direction)),
+            Place(arm.x, arm.y),
+        ),
+        (TriadSize(legs, geometry.start), *rest),
+    )
+
+
+def _joint(along: Array, across: Array) -> PointSize:
+    return PointSize(np.hypot(along, across), np.arctan2(across, along))
+
+
+def stephenson(structure: Structure, angle: Array, geometry: Stephenson) -> ChainMotion:
+    """Link and valve, and their derivatives by the crank angle.
+
+    Parameters
+    ----------
+    structure : Structure
+        `CURVED` or `STRAIGHT`.
+    angle : Array, shape (..., n)
+        Angle of the main crank from x, the valve's line away from the shaft. [rad]
+    geometry : Stephenson, fields broadcastable to (..., 1)
+
+    Returns
+    -------
+    ChainMotion, shape (..., n)
+        NaN where the links cannot close.
+
+    Notes
+    -----
+    Exact, the link's rise and fall on its lifting link included; docs/theory/stephenson.
+    """
+    return chain_motion(structure, angle, stephenson_size(structure, geometry))
+
+
+def stephenson_gap(structure: Structure, angle: Array, geometry: Stephenson) -> Array:
+    """By how much link and slot can close; negative where they cannot. [m]"""
+    return chain_gap(structure, angle, stephenson_size(structure, geometry))

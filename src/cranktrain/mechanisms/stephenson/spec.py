@@ -1,0 +1,99 @@
+"""Stephenson's link motion in the machine file, and how its link is put together."""
+
+from typing import Literal
+
+import numpy as np
+
+from cranktrain.language import _
+from cranktrain.mechanisms.chain.assembly import assembled
+from cranktrain.mechanisms.chain.steps import NO_START, Structure, TriadSize
+from cranktrain.mechanisms.kind import Master, MechanismSpec
+from cranktrain.mechanisms.stephenson.kinematics import CURVED, STRAIGHT, LiftingArm, Stephenson, stephenson_size
+from cranktrain.mechanisms.valve_gear import Admission, Notch, set_ahead
+from cranktrain.motion import Array, single
+from cranktrain.quantities import Angle, Given, Length, PositiveLength
+
+
+class StephensonSpec(MechanismSpec, frozen=True):
+    """Stephenson's link motion: two eccentrics, a link hung from the reverse shaft's arm, the valve on its line."""
+
+    kind: Literal["stephenson"]
+    notch: Notch = Given(1.0, "1")
+    eccentricity: PositiveLength
+    angle_of_advance: Angle
+    admission: Admission = "outside"
+    rods: Literal["open", "crossed"] = "open"
+    eccentric_rod_length: PositiveLength
+    pin_spacing: PositiveLength
+    pin_setback: Length = Given(0.0, "0 mm")
+    link_radius: PositiveLength | None = None
+    saddle_setback: Length = Given(0.0, "0 mm")
+    lifting_link_length: PositiveLength
+    lifting_arm_length: PositiveLength
+    lifting_arm_angle: Angle
+    lifting_arm_swing: Angle
+    reverse_shaft_x: Length
+    reverse_shaft_y: Length
+    offset: Length = Given(0.0, "0 mm")
+
+    @property
+    def rod_field(self) -> str:
+        """The eccentric rods."""
+        return "eccentric_rod_length"
+
+
+def structure_of(spec: StephensonSpec) -> Structure:
+    """Give the gear's chain: its slot is an arc where it has a radius."""
+    return STRAIGHT if spec.link_radius is None else CURVED
+
+
+def stephenson_geometry(spec: StephensonSpec, master: Master | None = None) -> Stephenson:
+    """Geometry in SI in the notch of the file, with the link put together upright between its rods and the arm."""
+    del master
+    arm = LiftingArm(
+        single(spec.reverse_shaft_x.si),
+        single(spec.reverse_shaft_y.si),
+        single(spec.lifting_arm_length.si),
+        single(spec.lifting_arm_angle.si + spec.notch.si * spec.lifting_arm_swing.si),
+    )
+    ahead = set_ahead(spec.angle_of_advance.si, spec.admission)
+    geometry = Stephenson(
+        eccentricity=single(spec.eccentricity.si),
+        ahead=single(ahead),
+        rod_length=single(spec.eccentric_rod_length.si),
+        pin_spacing=single(spec.pin_spacing.si),
+        pin_setback=single(spec.pin_setback.si),
+        slot_arc=single(0.0 if spec.link_radius is None else spec.link_radius.si),
+        saddle_setback=single(spec.saddle_setback.si),
+        lifting_link_length=single(spec.lifting_link_length.si),
+        arm=arm,
+        offset=single(spec.offset.si),
+        side=single(1.0 if spec.rods == "open" else -1.0),
+        start=NO_START,
+    )
+    structure = structure_of(spec)
+    size = assembled(structure, stephenson_size(structure, geometry), {"link": _upright(geometry)})
+    link = size.steps[0]
+    assert isinstance(link, TriadSize)
+    return geometry._replace(start=link.start)
+
+
+def _upright(geometry: Stephenson) -> Array:
+    """Where about the link's three joints lie: across the valve's line, its saddle below or above the arm's end."""
+    arm = geometry.arm
+    end = arm.y + arm.length * np.sin(arm.direction)
+    height = end + np.copysign(geometry.lifting_link_length, geometry.offset - end)
+    half = 0.5 * geometry.side * geometry.pin_spacing
+    across = np.array([height - half, height + half, height])
+    x = np.sqrt(np.maximum(geometry.rod_length**2 - np.abs(across[:2]) ** 2, 0.0))
+    saddle = np.mean(x) + geometry.pin_setback - geometry.saddle_setback
+    return np.stack([np.append(x, saddle), across], axis=-1)
+
+
+def stephenson_advice(geometry: Stephenson) -> str:
+    """Say what holds the link."""
+    del geometry
+    return _(
+        "eccentric rods, link and lifting link must reach each other, and the slot the valve's line; see pin_spacing, "
+        "lifting_link_length, lifting_arm_angle and the place of the reverse shaft"
+    )

@@ -1,0 +1,167 @@
+"""Kinematics of Walschaerts' gear: a chain of main crank and crosshead, return crank, link and combination lever."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.linkage import AHEAD
+from cranktrain.mechanisms.chain.kinematics import ChainMotion, chain_gap, chain_motion
+from cranktrain.mechanisms.chain.steps import (
+    ChainSize,
+    CrankSize,
+    GuideLegSize,
+    GuideLegStep,
+    MountStep,
+    PinSize,
+    PinStep,
+    Place,
+    PointSize,
+    PointStep,
+    RodLegSize,
+    RodLegStep,
+    SlideSize,
+    SlideStep,
+    StartSize,
+    Structure,
+    TriadSize,
+    TriadStep,
+)
+from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
+from cranktrain.motion import Array, single
+
+STRUCTURE = Structure(
+    ("main", "return"),
+    ("trunnion",),
+    (
+        SlideStep("main.pin", "main_rod", "crosshead", "O"),
+        MountStep("crosshead.pin", "drop_pin"),
+        PinStep("return.pin", "trunnion", "eccentric_rod", "link", "foot"),
+        PointStep("link", "die"),
+        TriadStep(
+            "combination_lever",
+            (
+                RodLegStep("die", "radius_rod", "radius_pin"),
+                RodLegStep("drop_pin", "union_link", "union_pin"),
+                GuideLegStep("valve", "O"),
+            ),
+        ),
+    ),
+    "valve",
+)
+"""The link about its trunnion is a rocker; the combination lever hangs on radius rod, union link and valve."""
+
+
+class Lever(NamedTuple):
+    """Combination lever: from radius rod's pin to union link's, and from there toward it to the valve's pin. [m]"""
+
+    length: Array
+    valve_pin: Array
+
+
+class Walschaerts(NamedTuple):
+    """Walschaerts' gear in one notch.
+
+    master: the main crank, rod and crosshead; bank_angle: of the valve's line ahead of the cylinder's axis [rad];
+    eccentricity: of the return crank's pin from the shaft; ahead: how far that stands ahead of the main crank [rad];
+    rod_length: of the eccentric rod; trunnion: of the link; foot, foot_setback: joint of the eccentric rod on the link,
+    from the trunnion along it and toward the shaft; die: of the block in this notch from the trunnion, toward the foot,
+    which the slot's arc of radius `radius_rod_length` takes; union_link_length; drop: union link's pin on the
+    crosshead, from its pin in the cylinder's axes; offset: of the valve's line toward +y [m]; side: +1 where the foot
+    lies toward +y of the trunnion, −1 toward −y; start: pose of the lever where the crank lies along x.
+    """
+
+    master: SliderCrank
+    bank_angle: Array
+    eccentricity: Array
+    ahead: Array
+    rod_length: Array
+    trunnion: Place
+    foot: Array
+    foot_setback: Array
+    die: Array
+    radius_rod_length: Array
+    lever: Lever
+    union_link_length: Array
+    drop: Place
+    offset: Array
+    side: Array
+    start: StartSize
+
+
+def walschaerts_size(geometry: Walschaerts) -> ChainSize:
+    """Give the gear's numbers as those of its chain, in the axes of the valve's line.
+
+    Parameters
+    ----------
+    geometry : Walschaerts
+
+    Returns
+    -------
+    ChainSize
+
+    Notes
+    -----
+    docs/theory/walschaerts, eqs. (22.1) to (22.4).
+    """
+    cylinder = -geometry.bank_angle
+    master, lever, drop = geometry.master, geometry.lever, geometry.drop
+    none = 0.0 * geometry.die
+    radius = geometry.radius_rod_length
+    # From the trunnion to the foot the shaft lies to the left where the foot lies toward +y.
+    foot_angle = np.arctan2(geometry.side * geometry.foot_setback, geometry.foot)
+    sagitta = geometry.die * geometry.die / (radius + np.sqrt((radius - geometry.die) * (radius + geometry.die)))
+    die_angle = np.arctan2(-geometry.side * sagitta, geometry.die)
+    legs = (
+        RodLegSize(PointSize(none, none), radius),
+        RodLegSize(PointSize(lever.length, none), geometry.union_link_length),
+        GuideLegSize(PointSize(np.abs(lever.valve_pin), np.arctan2(none, lever.valve_pin)), none, geometry.offset),
+    )
+    return ChainSize(
+        (
+            CrankSize(master.crank_radius, cylinder),
+            CrankSize(geometry.eccentricity, geometry.ahead + cylinder),
+        ),
+        (geometry.trunnion,),
+        (
+            SlideSize(master.rod_length, AHEAD, cylinder, master.offset),
+            PointSize(np.hypot(drop.x, drop.y), cylinder + np.arctan2(drop.y, drop.x)),
+            PinSize(geometry.rod_length, np.hypot(geometry.foot, geometry.foot_setback), geometry.side),
+            PointSize(np.hypot(geometry.die, sagitta), die_angle - foot_angle),
+            TriadSize(legs, geometry.start),
+        ),
+    )
+
+
+def walschaerts(angle: Array, geometry: Walschaerts) -> ChainMotion:
+    """Link, lever and valve, and their derivatives by the crank angle.
+
+    Parameters
+    ----------
+    angle : Array, shape (..., n)
+        Angle of the main crank from the *cylinder's* axis. [rad]
+    geometry : Walschaerts, fields broadcastable to (..., 1)
+
+    Returns
+    -------
+    ChainMotion, shape (..., n)
+        In the axes of the valve's line. NaN where the links cannot close.
+
+    Notes
+    -----
+    Exact, for a block that keeps its place in the link; docs/theory/walschaerts.
+    """
+    return chain_motion(STRUCTURE, angle, walschaerts_size(geometry))
+
+
+def walschaerts_gap(angle: Array, geometry: Walschaerts) -> Array:
+    """By how much the links can close; negative where they cannot. [m]"""
+    return chain_gap(STRUCTURE, angle, walschaerts_size(geometry))
+
+
+def upright(geometry: Walschaerts) -> Array:
+    """Where about the combination lever's three joints lie, shape (3, 2): across the valve's line. [m]"""
+    trunnion, lever = geometry.trunnion, geometry.lever
+    x = trunnion.x + geometry.radius_rod_length
+    down = np.copysign(single(1.0), geometry.drop.y - geometry.offset)
+    pin = geometry.offset - down * lever.valve_pin
+    return np.array([[x, pin], [x, pin + down * lever.length], [x, geometry.offset]])

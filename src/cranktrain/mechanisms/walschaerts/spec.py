@@ -1,0 +1,82 @@
+"""Walschaerts' gear in the machine file, and how its combination lever is put together."""
+
+from typing import ClassVar, Literal
+
+import numpy as np
+
+from cranktrain.language import _
+from cranktrain.mechanisms.chain.assembly import assembled
+from cranktrain.mechanisms.chain.steps import NO_START, Place, TriadSize
+from cranktrain.mechanisms.kind import Master, MechanismSpec
+from cranktrain.mechanisms.valve_gear import Admission, Notch, set_ahead
+from cranktrain.mechanisms.walschaerts.kinematics import STRUCTURE, Lever, Walschaerts, upright, walschaerts_size
+from cranktrain.motion import single
+from cranktrain.quantities import Angle, Given, Length, PositiveLength
+
+
+class WalschaertsSpec(MechanismSpec, frozen=True):
+    """Walschaerts' gear: a return crank rocks the link, and the crosshead of a bank adds its part by a lever."""
+
+    kind: Literal["walschaerts"]
+    crosshead: str
+    notch: Notch = Given(1.0, "1")
+    admission: Admission = "inside"
+    eccentricity: PositiveLength
+    eccentric_advance: Angle = Given(0.0, "0 deg")
+    eccentric_rod_length: PositiveLength
+    trunnion_x: Length
+    trunnion_y: Length
+    foot_distance: PositiveLength
+    foot_setback: Length = Given(0.0, "0 mm")
+    full_gear_die: PositiveLength
+    radius_rod_length: PositiveLength
+    lever_length: PositiveLength
+    valve_pin_distance: PositiveLength
+    union_link_length: PositiveLength
+    drop_x: Length = Given(0.0, "0 mm")
+    drop_y: Length
+    offset: Length = Given(0.0, "0 mm")
+
+    master_field: ClassVar[str | None] = "crosshead"
+
+    @property
+    def rod_field(self) -> str:
+        """The radius rod."""
+        return "radius_rod_length"
+
+
+def walschaerts_geometry(spec: WalschaertsSpec, master: Master | None) -> Walschaerts:
+    """Geometry in SI in the notch of the file, with the combination lever put together across the valve's line."""
+    assert master is not None  # the layout finds the crosshead or refuses the machine
+    valve_pin = spec.valve_pin_distance.si if spec.admission == "inside" else -spec.valve_pin_distance.si
+    geometry = Walschaerts(
+        master=master.geometry,
+        bank_angle=single(master.bank_angle),
+        eccentricity=single(spec.eccentricity.si),
+        ahead=single(set_ahead(spec.eccentric_advance.si, spec.admission)),
+        rod_length=single(spec.eccentric_rod_length.si),
+        trunnion=Place(single(spec.trunnion_x.si), single(spec.trunnion_y.si)),
+        foot=single(spec.foot_distance.si),
+        foot_setback=single(spec.foot_setback.si),
+        die=single(spec.notch.si * spec.full_gear_die.si),
+        radius_rod_length=single(spec.radius_rod_length.si),
+        lever=Lever(single(spec.lever_length.si), single(valve_pin)),
+        union_link_length=single(spec.union_link_length.si),
+        drop=Place(single(spec.drop_x.si), single(spec.drop_y.si)),
+        offset=single(spec.offset.si),
+        side=single(float(-np.copysign(1.0, spec.trunnion_y.si))),
+        start=NO_START,
+    )
+    size = assembled(STRUCTURE, walschaerts_size(geometry), {"combination_lever": upright(geometry)})
+    lever = size.steps[-1]
+    assert isinstance(lever, TriadSize)
+    return geometry._replace(start=lever.start)
+
+
+def walschaerts_advice(geometry: Walschaerts) -> str:
+    """Say what holds the lever."""
+    del geometry
+    return _(
+        "eccentric rod and link must reach each other, radius rod and union link the lever; see trunnion_x, "
+        "trunnion_y, foot_distance, radius_rod_length, lever_length, union_link_length and drop_y"
+    )
