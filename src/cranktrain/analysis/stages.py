@@ -10,6 +10,8 @@ import numpy as np
 
 from cranktrain.catalogue import entries
 from cranktrain.engine.axial import axial_positions
+from cranktrain.engine.balance import rolling_moment, shaking_couples, shaking_forces
+from cranktrain.engine.balance_weights import balance_weights
 from cranktrain.engine.closing import closing
 from cranktrain.engine.couplers import coupler_motion, coupler_speeds
 from cranktrain.engine.crank_pins import crank_pin_loads
@@ -17,6 +19,7 @@ from cranktrain.engine.dead_centres import dead_centres, piston_turn
 from cranktrain.engine.firing import firing
 from cranktrain.engine.followed import link_motion, slider_motions
 from cranktrain.engine.forces import joint_forces, loaded_machine, mechanism_torques, solved_cycle
+from cranktrain.engine.frame_forces import frame_forces
 from cranktrain.engine.gas import gas_in_chambers, gas_pressures
 from cranktrain.engine.motion import piston_motion, piston_speeds
 from cranktrain.engine.opposed import combined_motion, combined_speeds, volumetric_dead_centres
@@ -134,6 +137,11 @@ STAGES: tuple[Stage, ...] = tuple(
         mechanism_torques,
         journal_torques,
         joint_forces,
+        frame_forces,
+        balance_weights,
+        shaking_forces,
+        shaking_couples,
+        rolling_moment,
         axial_positions,
         closing,
         textbook_motion,

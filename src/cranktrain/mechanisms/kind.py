@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Literal, NamedTuple, TypeVar, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.motion import Array, Coefficient, Point
+from cranktrain.motion import Array, Coefficient, Link, Point
 from cranktrain.quantities import Length
 from cranktrain.spec import Spec
 
@@ -148,6 +148,8 @@ class Dynamics:
     sliding : tuple of str
         Sliders that may have friction, in the order in which `Conditions` has it. The sense of each is the sign of its
         coordinate's velocity.
+    links : kernel (motion, geometry) → tuple of Link
+        In the order of `moving`, in the mechanism's axes.
     load : kernel (motion, geometry, value) → wrenches
         Load on each of `moving` for a force along the output slider's coordinate, or a torque on the output link, or
         of whichever else has to bear its counterpart. [N or N·m]
@@ -164,6 +166,7 @@ class Dynamics:
     moving: tuple[str, ...]
     reactions: tuple[Reaction, ...]
     sliding: tuple[str, ...]
+    links: Callable[[Any, Any], tuple[Link, ...]]
     load: Callable[[Any, Any, Array], Any]
     forces: Callable[[Any, Any, Any, Any, Any], Any]
     reduced: Callable[[Any, Any, Any, Any, Any], Any]

@@ -43,6 +43,11 @@ def chain_links(structure: Structure, motion: ChainMotion, size: ChainSize) -> d
     return links
 
 
+def _in_order(structure: Structure, motion: ChainMotion, size: ChainSize) -> tuple[Link, ...]:
+    """What moves, as links, without their names."""
+    return tuple(chain_links(structure, motion, size).values())
+
+
 def _made(structure: Structure, motion: ChainMotion) -> dict[str, Any]:
     return dict(zip(made_names(structure), motion.parts, strict=True))
 
@@ -151,7 +156,7 @@ def chain_reduced(
 
     Without friction, which depends on how the crank turns. docs/theory/forces, eqs. (13.4) and (13.6).
     """
-    links = chain_links(structure, motion, size).values()
+    links = _in_order(structure, motion, size)
     shares = (reduced(*each, gravity) for each in zip(links, bodies, loads, strict=True))
     return reduce(added_reduced, shares)
 
@@ -175,6 +180,9 @@ def chain_dynamics(structure: Structure, size_of: Callable[[Any], ChainSize] = _
     Dynamics
     """
 
+    def links(motion: ChainMotion, geometry: Any) -> tuple[Link, ...]:
+        return _in_order(structure, motion, size_of(geometry))
+
     def load(motion: ChainMotion, geometry: Any, value: Array) -> tuple[Wrench, ...]:
         return chain_load(structure, motion, size_of(geometry), value)
 
@@ -189,6 +197,7 @@ def chain_dynamics(structure: Structure, size_of: Callable[[Any], ChainSize] = _
         chain_moving(structure),
         chain_reactions(structure),
         chain_sliding(structure),
+        links,
         load,
         forces,
         equation,
