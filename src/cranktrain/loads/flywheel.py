@@ -6,9 +6,9 @@ import numpy as np
 
 from cranktrain.loads.excess_work import ExcessWork
 from cranktrain.loads.periodic import PeriodicCurve, combined, curve_extremes, plus
-from cranktrain.loads.speed import Mean, speed_from_energy, steady_speed
+from cranktrain.loads.speed import Mean, grid_mean, steady_speed
 from cranktrain.motion import Array
-from cranktrain.numerics import Extreme, bracketed_roots
+from cranktrain.numerics import Extreme, bracketed_roots, largest, smallest
 
 
 class Flywheel(NamedTuple):
@@ -44,14 +44,16 @@ class FlywheelByMethod(NamedTuple):
 
     Attributes
     ----------
+    exact : Flywheel
     inertia : Array
         [kg·m²]
     error : Array
         In parts of the exact one. [1]
     fluctuation : Array
-        What each flywheel really gives at the same mean of the extremes. [1]
+        What each flywheel really gives at the same mean speed. [1]
     """
 
+    exact: Flywheel
     inertia: Array
     error: Array
     fluctuation: Array
@@ -94,9 +96,9 @@ def exact_flywheel(
 
     def missing(middle: Array) -> Array:
         size = _between(excess, inertia, middle[..., 0] - half, middle[..., 0] + half)
-        energy = plus(excess.work, size.initial_energy)
-        found = speed_from_energy(energy, plus(inertia, size.inertia))
-        return (getattr(found.means, mean) - wanted)[..., np.newaxis]
+        energy = excess.work.samples + size.initial_energy[..., np.newaxis]
+        carried = inertia.samples + size.inertia[..., np.newaxis]
+        return (grid_mean(2 * energy / carried, mean) - wanted)[..., np.newaxis]
 
     middle = bracketed_roots(missing, (wanted - half)[..., np.newaxis], (wanted + half)[..., np.newaxis])[..., 0]
     return _between(excess, inertia, middle - half, middle + half)
@@ -124,9 +126,13 @@ def textbook_inertia(excess: ExcessWork, mean_speed: Array, fluctuation: Array) 
 
 
 def flywheels_by_method(
-    excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array, fluctuation: Array
+    excess: ExcessWork,
+    inertia: PeriodicCurve,
+    mean_speed: Array,
+    fluctuation: Array,
+    mean: Mean = "extremes",
 ) -> FlywheelByMethod:
-    """Exact, Mertsalov's and the textbooks' flywheel for the same δ, all at the mean of the extremes.
+    """Exact, Mertsalov's and the textbooks' flywheel for the same δ, all at the same mean speed.
 
     Parameters
     ----------
@@ -134,33 +140,39 @@ def flywheels_by_method(
     inertia : PeriodicCurve
         J_v(φ) of the moving parts. [kg·m²]
     mean_speed : Array, shape (...)
-        Half the sum of the extremes. [rad/s]
+        [rad/s]
     fluctuation : Array, shape (...)
         δ. [1]
+    mean : Mean
+        Which mean is given; the two approximations mean that of the extremes, and take any for it.
 
     Returns
     -------
     FlywheelByMethod, shape (..., 3)
     """
     speed = np.asarray(mean_speed, dtype=float)
+    exact = exact_flywheel(excess, inertia, speed, fluctuation, mean)
     sizes = (
-        exact_flywheel(excess, inertia, speed, fluctuation, "extremes").inertia,
+        exact.inertia,
         mertsalov_inertia(excess, inertia, speed, fluctuation),
         textbook_inertia(excess, speed, fluctuation),
     )
-    found = [steady_speed(excess, plus(inertia, size), speed, "extremes").speed for size in sizes]
+    found = [steady_speed(excess, plus(inertia, size), speed, mean).speed for size in sizes]
     stacked = np.stack(np.broadcast_arrays(*sizes), axis=-1)
     return FlywheelByMethod(
+        exact,
         stacked,
         stacked / stacked[..., :1] - 1,
-        np.stack([speed.fluctuation("extremes") for speed in found], axis=-1),
+        np.stack([speed.fluctuation(mean) for speed in found], axis=-1),
     )
 
 
-def _between(excess: ExcessWork, inertia: PeriodicCurve, smallest: Array, largest: Array) -> Flywheel:
+def _between(excess: ExcessWork, inertia: PeriodicCurve, slowest: Array, fastest: Array) -> Flywheel:
     """Flywheel with which the speed runs just between two speeds."""
-    _, upper = curve_extremes(combined(excess.work, -(largest**2) / 2, inertia))
-    lower, _ = curve_extremes(combined(excess.work, -(smallest**2) / 2, inertia))
-    apart = (largest - smallest) * (largest + smallest) / 2
+    over = combined(excess.work, -(fastest**2) / 2, inertia)
+    under = combined(excess.work, -(slowest**2) / 2, inertia)
+    upper = largest(over.value, over.slope, grid=over.angle, samples=over.samples)
+    lower = smallest(under.value, under.slope, grid=under.angle, samples=under.samples)
+    apart = (fastest - slowest) * (fastest + slowest) / 2
     size = (upper.value - lower.value)[..., 0] / apart
-    return Flywheel(size, largest**2 / 2 * size - upper.value[..., 0], largest, smallest, upper, lower)
+    return Flywheel(size, fastest**2 / 2 * size - upper.value[..., 0], fastest, slowest, upper, lower)

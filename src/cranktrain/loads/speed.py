@@ -132,7 +132,7 @@ def steady_speed(excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array, 
         if mean == "extremes":
             found = speed_from_energy(plus(excess.work, energy[..., 0]), inertia).means.extremes
         else:
-            found = _grid_mean(2 * (stored + energy) / carried, mean)
+            found = grid_mean(2 * (stored + energy) / carried, mean)
         return found[..., np.newaxis] - wanted
 
     low, high = np.broadcast_arrays(np.maximum(slow - aside, stops + _ASIDE * aside), fast + aside)
@@ -140,8 +140,8 @@ def steady_speed(excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array, 
     return SteadySpeed(speed_from_energy(plus(excess.work, energy), inertia), energy)
 
 
-def _grid_mean(square: Array, mean: Mean) -> Array:
-    """Mean over time or angle of a speed whose square is known on the grid."""
+def grid_mean(square: Array, mean: Literal["time", "angle"]) -> Array:
+    """Mean over time or angle of a speed whose square is known on the grid, shape (..., n). [rad²/s²]"""
     with np.errstate(invalid="ignore", divide="ignore"):
         speed = np.sqrt(square)
         return 1 / np.mean(1 / speed, axis=-1) if mean == "time" else np.mean(speed, axis=-1)
