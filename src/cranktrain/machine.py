@@ -10,6 +10,7 @@ from pydantic import Field, ValidationError, model_validator
 
 from cranktrain.engine.bodies import BodySpec, Friction
 from cranktrain.engine.cylinders import cylinder_problems, firing_order_of
+from cranktrain.engine.evenness_table import EvennessSpec
 from cranktrain.engine.gearing import first_axis
 from cranktrain.engine.masses import Weighed, mass_problems
 from cranktrain.engine.places import Place, places_of
@@ -58,6 +59,7 @@ class Machine(Spec, frozen=True):
     friction: Mapping[str, Friction] = Field(default={})
     gravity: bool = False
     gas: AnyGas | None = None
+    evenness: EvennessSpec | None = None
 
     def __init__(self, /, **data: Any) -> None:
         try:

@@ -33,6 +33,7 @@ DIMENSIONS = {
     "link",
     "slider",
     "method",
+    "flywheel_method",
     "crank_angle",
     "design",
     *(kind.name for kind in KINDS),
@@ -74,6 +75,7 @@ EVERYTHING = {
         "expansion_exponent": 1.27,
         "pressure_ratio": 3.6,
     },
+    "evenness": {"flywheel": "2 kg·m²", "coefficient": 0.02, "rim": {"mean_diameter": "600 mm"}},
 }
 """A machine of all kinds, which declares all there is."""
 
@@ -218,6 +220,10 @@ class TestMissing:
     def test_what_is_for_another_kind_of_machine_is_not_spoken_of(self):
         result = ct.run(ct.Machine(mechanism=ROCKER))
         assert sorted({need for missing in result.missing for need in missing.needs}) == [
+            "[evenness.rim] mean_diameter",
+            "[evenness]",
+            "[evenness] coefficient",
+            "[evenness] flywheel or flywheel_moment",
             "[masses]",
             "[mechanism.points.NAME] link, along, across",
             "[mechanism] load_radius",

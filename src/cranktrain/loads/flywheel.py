@@ -6,9 +6,9 @@ import numpy as np
 
 from cranktrain.loads.excess_work import ExcessWork
 from cranktrain.loads.periodic import PeriodicCurve, combined, curve_extremes, plus
-from cranktrain.loads.speed import Mean, grid_mean, steady_speed
+from cranktrain.loads.speed import Mean, grid_mean, speed_from_energy, steady_speed
 from cranktrain.motion import Array
-from cranktrain.numerics import Extreme, bracketed_roots, largest, smallest
+from cranktrain.numerics import Extreme, corrected_roots, largest, smallest
 
 
 class Flywheel(NamedTuple):
@@ -94,13 +94,24 @@ def exact_flywheel(
     if mean == "extremes":
         return _between(excess, inertia, wanted - half, wanted + half)
 
-    def missing(middle: Array) -> Array:
-        size = _between(excess, inertia, middle[..., 0] - half, middle[..., 0] + half)
-        energy = excess.work.samples + size.initial_energy[..., np.newaxis]
-        carried = inertia.samples + size.inertia[..., np.newaxis]
-        return (grid_mean(2 * energy / carried, mean) - wanted)[..., np.newaxis]
+    stored, carried = excess.work.samples, inertia.samples
 
-    middle = bracketed_roots(missing, (wanted - half)[..., np.newaxis], (wanted + half)[..., np.newaxis])[..., 0]
+    def off(size: Array, energy: Array) -> Array:
+        square = 2 * (stored + energy[..., np.newaxis]) / (carried + size[..., np.newaxis])
+        return (grid_mean(square, mean) - wanted)[..., np.newaxis]
+
+    def missing(middle: Array) -> Array:
+        found = _between(excess, inertia, middle[..., 0] - half, middle[..., 0] + half)
+        return off(found.inertia, found.initial_energy)
+
+    def missing_on_grid(middle: Array) -> Array:
+        slow, fast = (middle - half[..., np.newaxis]) ** 2 / 2, (middle + half[..., np.newaxis]) ** 2 / 2
+        upper = np.max(stored - fast * carried, axis=-1)
+        size = (upper - np.min(stored - slow * carried, axis=-1)) / (fast - slow)[..., 0]
+        return off(size, fast[..., 0] * size - upper)
+
+    ends = (wanted - half)[..., np.newaxis], (wanted + half)[..., np.newaxis]
+    middle = corrected_roots(missing, missing_on_grid, *ends)[..., 0]
     return _between(excess, inertia, middle - half, middle + half)
 
 
@@ -157,7 +168,10 @@ def flywheels_by_method(
         mertsalov_inertia(excess, inertia, speed, fluctuation),
         textbook_inertia(excess, speed, fluctuation),
     )
-    found = [steady_speed(excess, plus(inertia, size), speed, mean).speed for size in sizes]
+    found = [
+        speed_from_energy(plus(excess.work, exact.initial_energy), plus(inertia, exact.inertia)),
+        *(steady_speed(excess, plus(inertia, size), speed, mean).speed for size in sizes[1:]),
+    ]
     stacked = np.stack(np.broadcast_arrays(*sizes), axis=-1)
     return FlywheelByMethod(
         exact,

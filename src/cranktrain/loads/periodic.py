@@ -157,7 +157,7 @@ def _spline_slopes(samples: Array, step: float) -> Array:
 
 
 def _piece(nodes: Array, angle: Array, step: float) -> tuple[Array, Array, Array]:
-    """What is known of the nodes, (k, ..., n), at both ends of the piece that holds an angle; its share of the piece."""
+    """What is known of the nodes, (k, ..., n), at both ends of the piece that holds an angle, and its share of it."""
     lead, n_points = nodes.shape[1:-1], nodes.shape[-1]
     place = np.floor(angle / step)
     # Of an angle that is NaN any piece will do, as its share is NaN.
