@@ -124,9 +124,8 @@ def corrected_roots(curve: Curve, likely: Curve, low: Array, high: Array) -> Arr
             root = root - move
             if not np.any(np.abs(move) > _SETTLED * np.abs(root)):
                 break
-        if np.any(~np.isfinite(root) | (np.abs(move) > _SETTLED * np.abs(root))):
-            return bracketed_roots(curve, low, high)
-        return root
+        is_found = (np.abs(move) <= _SETTLED * np.abs(root)) & (low <= root) & (root <= high)
+        return root if np.all(is_found) else bracketed_roots(curve, low, high)
 
 
 def turn_grid(n_points: int = 720) -> Array:

@@ -91,7 +91,7 @@ class ShaftWork:
     def answer(self, _names: Names, design: int) -> str:
         """Say mean torque and largest excess work."""
         return _("Mean torque {torque}; largest excess work {work} within a cycle.").format(
-            torque=number(float(self.mean_torque[design]), "N·m"),
+            torque=number(float(self.mean_torque[design]), "N*m"),
             work=number(float(self.largest_excess_work[design]), "J"),
         )
 

@@ -53,7 +53,7 @@ class FlywheelSize:
         size = self.flywheel_inertia[design]
         others = ", ".join(
             _("{method} {inertia} ({error})").format(
-                method=name, inertia=number(float(value), "kg·m²"), error=_percents(float(error))
+                method=name, inertia=number(float(value), "kg*m^2"), error=_percents(float(error))
             )
             for name, value, error in zip(
                 names[_METHOD][1:], size[1:], self.flywheel_inertia_error[design, 1:], strict=True
@@ -63,8 +63,8 @@ class FlywheelSize:
             "For a coefficient of fluctuation of {delta} the flywheel takes J = {inertia}, GD² = {moment}; {others}."
         ).format(
             delta=f"{float(self.wanted[design]):.4g}",
-            inertia=number(float(size[0]), "kg·m²"),
-            moment=number(4 * float(size[0]), "kg·m²"),
+            inertia=number(float(size[0]), "kg*m^2"),
+            moment=number(4 * float(size[0]), "kg*m^2"),
             others=others,
         )
 

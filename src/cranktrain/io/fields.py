@@ -17,6 +17,12 @@ _SENTENCES = {
         "shaft": N_("Shafts by name; the angle of `main` is the crank angle."),
         "mechanism": N_("The mechanism of a machine that has only one; otherwise each bank has its own."),
         "bank": N_("Banks by name; the first one in the file is the first bank."),
+        "masses": N_(
+            "Bodies by the part that they are: piston, rod, crank, a chain's own names; a bank may have its own."
+        ),
+        "friction": N_("Coefficients of friction by what slides: piston, or a chain's slider."),
+        "gravity": N_("Whether weights count, downward."),
+        "gas": N_("What the chambers hold: the kind of gas model and its numbers."),
         "cylinder": N_("Cylinders: what is common to all, and tables for one bank or one cylinder."),
     },
     "ShaftSpec": {
@@ -40,9 +46,19 @@ _SENTENCES = {
         "stagger": N_("By how much the bank is moved along the shaft toward the flywheel."),
         "exhaust": N_("With opposed pistons: the piston of each cylinder that uncovers the exhaust ports."),
         "scavenge": N_("With opposed pistons: the piston of each cylinder that uncovers the scavenge ports."),
+        "masses": N_("Bodies of this bank's mechanisms, where they are not those of all."),
         "lead": N_("By how much the exhaust crank is ahead of the scavenge crank; it phases their shafts."),
     },
+    "BodySpec": {
+        "mass": N_("Mass of the body; or, of a rod, those of both its ends."),
+        "along": N_("Centroid's distance from the link's first pin, toward its second."),
+        "across": N_("Centroid's distance from the link's line, to its left."),
+        "inertia": N_("Moment of inertia about the centroid; of a rod, that of two masses at its ends unless given."),
+        "big_end": N_("Mass at the rod's first pin, as weighed."),
+        "small_end": N_("Mass at the rod's second pin, as weighed."),
+    },
     "OpposedPistonSpec": {
+        "masses": N_("Bodies of this piston's mechanism, where they are not those of all."),
         "mechanism": N_("The mechanism of the piston."),
         "shaft": N_("The shaft that the piston works on."),
         "throws": N_("Throws on which the bank's pistons work, counted from 1; all unless given."),

@@ -110,7 +110,8 @@ def exact_flywheel(
         size = (upper - np.min(stored - slow * carried, axis=-1)) / (fast - slow)[..., 0]
         return off(size, fast[..., 0] * size - upper)
 
-    ends = (wanted - half)[..., np.newaxis], (wanted + half)[..., np.newaxis]
+    # The smallest speed is not negative: its square would be that of another.
+    ends = np.maximum(wanted - half, half)[..., np.newaxis], (wanted + half)[..., np.newaxis]
     middle = corrected_roots(missing, missing_on_grid, *ends)[..., 0]
     return _between(excess, inertia, middle - half, middle + half)
 

@@ -162,9 +162,8 @@ def linear_periodic(decay: Array, source: Array, cycle: float = TURN) -> Array:
     mean = np.mean(decay, axis=-1, keepdims=True)
     mean = np.where(mean == 0, np.nan, mean)
     order = np.arange(n_points // 2 + 1, dtype=float) * (TURN / cycle)
-    if n_points % 2 == 0:
-        order[-1] = 0.0  # the highest cosine's slope is seen only at its zeros
     with np.errstate(invalid="ignore"):
+        # Of the highest order the inverse transform takes the cosine, which is all of it that the grid sees.
         parts = np.fft.rfft(source * weight, axis=-1) / (mean + 1j * order)
     return np.fft.irfft(parts, n_points, axis=-1) / weight
 

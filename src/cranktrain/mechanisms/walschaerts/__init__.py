@@ -10,7 +10,6 @@ from cranktrain.mechanisms.walschaerts.kinematics import (
     Walschaerts,
     walschaerts,
     walschaerts_gap,
-    walschaerts_size,
 )
 from cranktrain.mechanisms.walschaerts.spec import WalschaertsSpec, walschaerts_advice, walschaerts_geometry
 
