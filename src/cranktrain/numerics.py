@@ -111,8 +111,8 @@ def corrected_roots(curve: Curve, likely: Curve, low: Array, high: Array) -> Arr
 
     Notes
     -----
-    The chord method with the cheap curve's slope: every step leaves as much of the error as the slopes differ. What does
-    not settle is searched for by `bracketed_roots`.
+    The chord method with the cheap curve's slope: every step leaves as much of the error as the slopes differ. What
+    does not settle is searched for by `bracketed_roots`.
     """
     with np.errstate(all="ignore"):
         root = bracketed_roots(likely, low, high)

@@ -76,23 +76,15 @@ class ShaftWork:
     applied_torque: Array = quantity(
         "M_d", "N*m", _CURVE, N_("Torque of gas, weight and friction on the shaft, without inertia"), _THEORY
     )
-    mean_torque: Array = quantity(
-        "M_m",
-        "N*m",
-        (),
-        N_("Mean of that torque, which the load takes; a motor gives it where it is negative"),
-        _THEORY,
-    )
     excess_work: Array = quantity("A", "J", _CURVE, N_("Work of that torque less its mean"), _THEORY)
     largest_excess_work: Array = quantity(
         "ΔA", "J", (), N_("Largest excess work: from the least to the most that is stored within a cycle"), _THEORY
     )
 
     def answer(self, _names: Names, design: int) -> str:
-        """Say mean torque and largest excess work."""
-        return _("Mean torque {torque}; largest excess work {work} within a cycle.").format(
-            torque=number(float(self.mean_torque[design]), "N*m"),
-            work=number(float(self.largest_excess_work[design]), "J"),
+        """Say the largest excess work."""
+        return _("Largest excess work {work} within a cycle.").format(
+            work=number(float(self.largest_excess_work[design]), "J")
         )
 
 
@@ -119,7 +111,6 @@ def shaft_work(
         inertia=by.curve(torques.reduced_inertia, crank_angle.cycle),
         by=by,
         applied_torque=applied,
-        mean_torque=excess.mean_excess,
         excess_work=excess.work.samples,
         largest_excess_work=excess.difference,
     )
@@ -211,7 +202,7 @@ def _found(load: ShaftLoad, work: ShaftWork, inertia: PeriodicCurve, wanted: Arr
     torque = work.applied_torque
     if load.motor is None and not load.is_quadratic:
         steady = steady_speed(work.excess, inertia, wanted, load.mean).speed
-        return _Found(steady, torque - work.mean_torque[:, np.newaxis], np.ones(1))
+        return _Found(steady, torque - work.excess.mean_excess[:, np.newaxis], np.ones(1))
     law = together(given_torque(torque), _law(load, work, inertia, wanted, cycle))
     under = speed_under_law(law, inertia.samples, cycle, work.by.curve)
     return _Found(under.speed, under.torque, under.multiplier)
@@ -254,7 +245,7 @@ def _flags(load: ShaftLoad, work: ShaftWork, found: SpeedOverCycle, multiplier: 
             yield _(
                 "No steady running: the motor cannot carry the shaft through the cycle; a flywheel or a motor more."
             )
-        elif load.is_quadratic and np.any(work.mean_torque <= 0):
+        elif load.is_quadratic and np.any(work.excess.mean_excess <= 0):
             yield _("No steady running: a load that rises with the speed is for a machine that gives work.")
         else:
             yield _("No steady running at this speed: flywheel and moving parts are too light to carry the shaft.")

@@ -1,6 +1,7 @@
 """Evenness of whole machines: against the equation of motion step by step in closed form, and what files may say."""
 
 import re
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -91,8 +92,7 @@ def cut_off():
 CORNERS = (0.0, cut_off(), np.pi, 2 * np.pi, 3 * np.pi, CYCLE)
 """Between them the torque is smooth."""
 WORK = sum(
-    quad(gas_torque, low + 1e-12, high - 1e-12, epsabs=1e-11, epsrel=1e-12)[0]
-    for low, high in zip(CORNERS[:-1], CORNERS[1:], strict=True)
+    quad(gas_torque, low + 1e-12, high - 1e-12, epsabs=1e-11, epsrel=1e-12)[0] for low, high in pairwise(CORNERS)
 )
 
 
@@ -110,7 +110,7 @@ def integrated(start, load, flywheel=FLYWHEEL):
 
     at = np.radians(np.arange(721.0))
     speeds, state = np.empty(721), [start, 0.0]
-    for low, high in zip(CORNERS[:-1], CORNERS[1:], strict=True):
+    for low, high in pairwise(CORNERS):
         own = (at >= low - 1e-9) & (at <= high + 1e-9)
         found = solve_ivp(slope, (low, high), state, "DOP853", dense_output=True, rtol=1e-11, atol=1e-11, max_step=0.1)
         speeds[own] = found.sol(at[own])[0]
