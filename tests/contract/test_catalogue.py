@@ -35,11 +35,13 @@ DIMENSIONS = {
     "shaft",
     "journal",
     "order",
+    "shaking_order",
     "method",
     "force_method",
     "rod_method",
     "balance",
     "weight",
+    "flywheel_method",
     "crank_angle",
     "design",
     *(kind.name for kind in KINDS),
@@ -89,6 +91,7 @@ EVERYTHING = {
         "weight": [{"mass": "1 kg", "radius": "40 mm", "throw": 2}],
         "shafts": [{"order": 2, "against": "both", "planes": ["0 mm", "100 mm"]}],
     },
+    "evenness": {"flywheel": "2 kg·m²", "coefficient": 0.02, "rim": {"mean_diameter": "600 mm"}},
 }
 """A machine of all kinds, which declares all there is."""
 
@@ -237,6 +240,10 @@ class TestMissing:
         result = ct.run(ct.Machine(mechanism=ROCKER))
         assert sorted({need for missing in result.missing for need in missing.needs}) == [
             "[balance]",
+            "[evenness.rim] mean_diameter",
+            "[evenness]",
+            "[evenness] coefficient",
+            "[evenness] flywheel or flywheel_moment",
             "[masses]",
             "[mechanism.points.NAME] link, along, across",
             "[mechanism] load_radius",

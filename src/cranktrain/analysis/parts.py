@@ -18,6 +18,7 @@ from cranktrain.engine.cylinders import (
     firing_order_of,
     ports_of,
 )
+from cranktrain.engine.evenness_table import evenness_parts
 from cranktrain.engine.firing import Cycle
 from cranktrain.engine.followed import FollowedLinks, FollowedSliders, followed_of
 from cranktrain.engine.forces import carriers_of
@@ -135,6 +136,8 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
             RockerRods(rods) if (rods := has_rods(swinging)) is not None else None,
             load_radius_of(rockers),
         ]
+    if first.evenness is not None:
+        parts += evenness_parts([machine.evenness for machine in machines if machine.evenness is not None])
     speeds = [machine.main_shaft.speed for machine in machines]
     if first.main_shaft.speed is not None:
         parts.append(Speed(np.array([[[speed.si]] for speed in speeds if speed is not None])))

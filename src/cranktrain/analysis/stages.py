@@ -16,7 +16,9 @@ from cranktrain.engine.closing import closing
 from cranktrain.engine.couplers import coupler_motion, coupler_speeds
 from cranktrain.engine.crank_pins import crank_pin_loads
 from cranktrain.engine.dead_centres import dead_centres, piston_turn
+from cranktrain.engine.evenness import flywheel_moment, running_speed, shaft_work
 from cranktrain.engine.firing import firing
+from cranktrain.engine.flywheel import flywheel_size, rim_size
 from cranktrain.engine.followed import link_motion, slider_motions
 from cranktrain.engine.forces import joint_forces, loaded_machine, mechanism_torques, solved_cycle
 from cranktrain.engine.frame_forces import frame_forces
@@ -142,6 +144,11 @@ STAGES: tuple[Stage, ...] = tuple(
         shaking_forces,
         shaking_couples,
         rolling_moment,
+        flywheel_moment,
+        shaft_work,
+        running_speed,
+        flywheel_size,
+        rim_size,
         axial_positions,
         closing,
         textbook_motion,

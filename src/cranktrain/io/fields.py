@@ -24,6 +24,7 @@ _SENTENCES = {
         "gravity": N_("Whether weights count, downward."),
         "gas": N_("What the chambers hold: the kind of gas model and its numbers."),
         "cylinder": N_("Cylinders: what is common to all, and tables for one bank or one cylinder."),
+        "evenness": N_("What balances the machine, its flywheel, and how evenly it is to run."),
         "balance": N_("Counterweights and balance shafts, given or solved for."),
     },
     "BalanceSpec": {
