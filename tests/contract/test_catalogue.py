@@ -35,7 +35,6 @@ DIMENSIONS = {
     "shaft",
     "journal",
     "order",
-    "shaking_order",
     "method",
     "force_method",
     "rod_method",

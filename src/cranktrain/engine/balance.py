@@ -23,7 +23,7 @@ from cranktrain.motion import Array
 from cranktrain.wording import Names
 
 _CURVE = ("balance", "crank_angle")
-_ORDER = ("balance", "shaking_order")
+_ORDER = ("balance", "order")
 _THEORY = "docs/theory/balance"
 
 
@@ -49,12 +49,12 @@ class ShakingForces:
         "δ_F", "rad", _ORDER, N_("Of the order's largest shaking force, from Y in the normal sense"), _THEORY
     )
     gross: Array = field(kw_only=True)
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"balance": (), "shaking_order": ()})
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"balance": (), "order": ()})
 
     def answer(self, labels: Names, design: int) -> str:
         """Say which orders of force shake the frame, and what the balance weights leave of them."""
         of = self.shaking_force_largest[design]
-        said = [orders_told(labels["shaking_order"], one, float(self.gross[design]), "N") for one in of]
+        said = [orders_told(labels["order"], one, float(self.gross[design]), "N") for one in of]
         if len(said) == 1:
             return _("Shaking force: {force}.").format(force=said[0])
         return _("Shaking force: {force}; left with [balance]: {left}.").format(force=said[0], left=said[1])
@@ -90,12 +90,12 @@ class ShakingCouples:
         _THEORY,
     )
     gross: Array = field(kw_only=True)
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"balance": (), "shaking_order": ()})
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"balance": (), "order": ()})
 
     def answer(self, labels: Names, design: int) -> str:
         """Say which orders of couple shake the frame, and what the balance weights leave of them."""
         of = self.shaking_couple_largest[design]
-        said = [orders_told(labels["shaking_order"], one, float(self.gross[design]), "N*m") for one in of]
+        said = [orders_told(labels["order"], one, float(self.gross[design]), "N*m") for one in of]
         if len(said) == 1:
             return _("Shaking couple: {couple}.").format(couple=said[0])
         return _("Shaking couple: {couple}; left with [balance]: {left}.").format(couple=said[0], left=said[1])
