@@ -59,6 +59,11 @@ class FlywheelSize:
                 names[_METHOD][1:], size[1:], self.flywheel_inertia_error[design, 1:], strict=True
             )
         )
+        if size[0] <= 0:
+            told = _(
+                "For a coefficient of fluctuation of {delta} no flywheel is needed, the moving parts do; {others}."
+            )
+            return told.format(delta=f"{float(self.wanted[design]):.4g}", others=others)
         return _(
             "For a coefficient of fluctuation of {delta} the flywheel takes J = {inertia}, GD² = {moment}; {others}."
         ).format(
