@@ -155,8 +155,9 @@ _Pins = Mapping[str, _PinMotion]
 
 
 def _turning(pins: _Pins, link: Sequence[str]) -> float:
-    """Turn of a link for each radian of the crank, anticlockwise."""
-    first, last = pins[link[0]], pins[link[-1]]
+    """Turn of a link for each radian of the crank, anticlockwise, by its first pin and the one farthest from it."""
+    first = pins[link[0]]
+    last = max((pins[name] for name in link[1:]), key=lambda pin: float(np.hypot(*(pin.place - first.place))))
     arm = last.place - first.place
     return _cross(arm, last.first - first.first) / float(np.dot(arm, arm))
 
