@@ -56,7 +56,7 @@ def plan_centres(
     Figure
     """
     chosen = few_angles(angles, _("instant centres"))
-    found = [instant_centres(machine, float(angle), mechanism=mechanism) for angle in chosen]
+    found = [instant_centres(machine, float(angle), mechanism=mechanism, is_lettered=True) for angle in chosen]
     with drawing_settings():
         page, box = plan_page(machine, angles, size, _("Instant centres"), found[0].mechanism)
         cells = list(cells_of(box, len(found)))
@@ -134,7 +134,7 @@ def _body_words(body: Body) -> str:
     if body.sort == "frame":
         return _("frame")
     if body.sort == "link":
-        return body.name
+        return body.name.replace("_", " ")
     return (_("slider {name}") if body.sort == "slider" else _("block {name}")).format(name=body.name)
 
 

@@ -9,8 +9,10 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.study.placement import place_called
+from cranktrain.study.lettering import pin_letters
+from cranktrain.study.placement import place_called, placed
 from cranktrain.study.plans import plan_angles
+from cranktrain.study.vectors import spoken_name
 from cranktrain.viz.machine_sheet import title_block
 from cranktrain.viz.page import MARGIN, Page, muted, paper, scale_words
 from cranktrain.viz.sketch import Sketch
@@ -53,6 +55,11 @@ def plan_page(
     place = place_called(machine, mechanism)
     whose = _("{title}, mechanism {name}").format(title=title, name=place.name) if len(machine.places) > 1 else title
     top = title_block(page, machine, [running_words(machine)], [f"{whose}. {zero_words(machine)}"])
+    letters = pin_letters(placed(machine, place, np.zeros(1)))
+    if letters:
+        key = ", ".join(f"{letter} {spoken_name(pin).replace('_', ' ')}" for pin, letter in letters.items())
+        page.text(MARGIN, top - 4.5, _("Pins: {key}").format(key=key))
+        top -= 6.0
     return page, Box(MARGIN, MARGIN, width - 2 * MARGIN, top - 4.0 - MARGIN)
 
 

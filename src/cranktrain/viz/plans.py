@@ -8,6 +8,7 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.quantities import shown
 from cranktrain.study.klein import Klein, klein
+from cranktrain.study.lettering import lettered
 from cranktrain.study.placement import output_motion, place_called
 from cranktrain.study.plans import (
     PositionPlan,
@@ -60,8 +61,8 @@ def plan_positions(
         left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
         room = (left.width - 22.0, left.height - 22.0)
         scale = position_plan(machine, 180, mechanism=mechanism, room=room).scale
-        plan = rescaled(position_plan(machine, angles, mechanism=mechanism, room=room), scale)
-        centre(page, positions_sketch(plan, track(machine, scale, mechanism=mechanism)), left)
+        plan = rescaled(position_plan(machine, angles, mechanism=mechanism, room=room, is_lettered=True), scale)
+        centre(page, positions_sketch(plan, lettered(track(machine, scale, mechanism=mechanism))), left)
         write_scales(page, box, [scale_of("l", scale, "m")], 1e3 * scale)
         rows = list(_positions_table(machine, plan))
         start = box.left + wide + 8.0
@@ -107,7 +108,7 @@ def _polygon_sheet(
         cell = cells[0]
         width = 0.38 * cell.width if has_table else cell.width
         room = (width - 22.0, cell.height - (18.0 if has_table else 16.0))
-        polygons = polygons_of(machine, angles, mechanism=mechanism, room=room)
+        polygons = polygons_of(machine, angles, mechanism=mechanism, room=room, is_lettered=True)
         symbol = "v" if polygons[0].quantity == "velocity" else "a"
         scales = [scale_of(symbol, polygons[0].scale, unit_words(polygons[0].unit))]
         if has_table:
@@ -126,7 +127,10 @@ def _beside(
     """Draw mechanism, polygon and table side by side for each angle; say the mechanism's scale."""
     first = 0.30 * cells[0].width
     room = (first - 14.0, cells[0].height - 20.0)
-    plans = [position_plan(machine, [polygon.angle], mechanism=mechanism, room=room) for polygon in polygons]
+    plans = [
+        position_plan(machine, [polygon.angle], mechanism=mechanism, room=room, is_lettered=True)
+        for polygon in polygons
+    ]
     scale = max(plan.scale for plan in plans)
     for plan, polygon, cell in zip(plans, polygons, cells, strict=True):
         page.heading(cell.left, cell.bottom + cell.height - 4.0, f"φ = {polygon.angle:g}°")
