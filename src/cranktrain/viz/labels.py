@@ -16,7 +16,7 @@ _REACHES = (3.0, 4.2, 6.5, 9.5, 13.0)
 """How far from its point a label is tried. [mm of paper]"""
 
 
-_NOT_ITS_OWN = 5.0
+_NOT_ITS_OWN = 40.0
 """What it costs to stand nearer to another label's point."""
 
 

@@ -22,8 +22,8 @@ from cranktrain.viz.words import running_words, zero_words
 MOST = 24
 """Positions or polygons on one sheet."""
 
-_LINE = 5.2
-"""Height of a row of a table. [mm]"""
+ROW, LEAST_ROW = 5.2, 4.5
+"""Height of a row of a table, and how low it may be made where there is no room. [mm]"""
 
 WITH_TABLE = 2
 """Up to so many polygons stand beside the mechanism and a table of their vectors."""
@@ -115,11 +115,15 @@ def unit_words(unit: str) -> str:
 
 
 def write_table(
-    page: Page, rows: Sequence[Sequence[str]], place: tuple[float, float, float], shares: tuple[float, ...] = ()
+    page: Page,
+    rows: Sequence[Sequence[str]],
+    place: tuple[float, float, float],
+    shares: tuple[float, ...] = (),
+    line: float = ROW,
 ) -> float:
     """Write a table: a head, rows, all but the first column to the right; give where it ends. [mm]
 
-    `shares` are where the other columns end, in parts of the width; evenly, unless given.
+    `shares` are where the other columns end, in parts of the width; evenly, unless given. `line` is a row's height.
     """
     left, top, width = place
     columns = len(rows[0])
@@ -139,7 +143,7 @@ def write_table(
         if number == 0:
             page.rule(y - 1.6, left, left + width)
             y -= 1.2
-        y -= _LINE
+        y -= line
     return y
 
 

@@ -19,8 +19,11 @@ from cranktrain.study.plans import (
     track,
 )
 from cranktrain.study.polygons import Polygon, acceleration_polygons, velocity_polygons
+from cranktrain.study.vectors import Vector
 from cranktrain.viz.page import Figure, Page, drawing_settings, mathematics, muted
 from cranktrain.viz.plan_sheet import (
+    LEAST_ROW,
+    ROW,
     VECTOR_COLUMNS,
     WITH_TABLE,
     Box,
@@ -139,8 +142,12 @@ def _beside(
         middle = Box(cell.left + first, cell.bottom, 0.38 * cell.width, cell.height - 2.0)
         centre(page, polygon_sketch(polygon), middle)
         start = middle.left + middle.width + 4.0
-        rows = list(_vectors_table(polygon))
-        write_table(page, rows, (start, cell.bottom + cell.height, cell.left + cell.width - start), VECTOR_COLUMNS)
+        rows, line = _fitting_rows(polygon, cell.height)
+        end = (start, cell.bottom + cell.height, cell.left + cell.width - start)
+        foot = write_table(page, rows, end, VECTOR_COLUMNS, line)
+        left_out = len(polygon.vectors) + 1 - len(rows)
+        if left_out:
+            page.text(start, foot, _("without {n} vectors between pins").format(n=left_out), **muted())
     return scale_of("l", scale, "m")
 
 
@@ -198,10 +205,22 @@ def _positions_table(machine: Machine, plan: PositionPlan) -> Iterator[tuple[str
         yield (f"{i}", f"{angle:g}", *(figure(value) for value in values))
 
 
-def _vectors_table(polygon: Polygon) -> Iterator[tuple[str, ...]]:
-    """Every vector: where it is, its length on paper and its size."""
+def _fitting_rows(polygon: Polygon, height: float) -> tuple[list[tuple[str, ...]], float]:
+    """Rows of a table of vectors, and how high each is; without room those between pins are left out, wholes first."""
+    is_split = any(vector.part == "normal" for vector in polygon.vectors)
+    parts = [vector for vector in polygon.vectors if vector.part != "relative" or not is_split]
+    whole = [vector for vector in polygon.vectors if vector.part == "absolute"]
+    for vectors in (polygon.vectors, parts, whole):
+        line = min(ROW, (height - 12.0) / (len(vectors) + 1))
+        if line >= LEAST_ROW:
+            break
+    return list(_vectors_table(polygon, vectors)), max(line, LEAST_ROW)
+
+
+def _vectors_table(polygon: Polygon, vectors: Sequence[Vector]) -> Iterator[tuple[str, ...]]:
+    """Vectors: where each is, its length on paper and its size."""
     yield (_("vector"), _("from, to"), "mm", unit_words(polygon.unit))
-    for vector in polygon.vectors:
+    for vector in vectors:
         ends = f"{mathematics(vector.start)} {mathematics(vector.end)}"
         yield (mathematics(vector.symbol), ends, f"{polygon.length(vector):.2f}", figure(vector.size))
 
