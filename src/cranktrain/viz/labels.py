@@ -1,7 +1,7 @@
 """Where labels go: beside their points, clear of each other and, where there is room, of the lines."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -23,13 +23,18 @@ _NOT_ITS_OWN = 40.0
 class Wish(NamedTuple):
     """A label to place: its point [mm of the sketch], the direction from it that it would rather lie in [rad].
 
-    A symbol keeps off the lines; a number stands on white and may lie over them.
+    A symbol or a name keeps off the lines; a number stands on white and may lie over them.
     """
 
     point: Array
     text: str
     towards: float
-    is_number: bool = False
+    manner: Literal["symbol", "number", "name"] = "symbol"
+
+    @property
+    def is_number(self) -> bool:
+        """Whether it stands on white, over lines, and is left out where there is no room."""
+        return self.manner == "number"
 
 
 def placed_labels(wishes: Sequence[Wish], lines: Iterable[Array], scale: float) -> Iterator[Label]:
@@ -51,10 +56,7 @@ def placed_labels(wishes: Sequence[Wish], lines: Iterable[Array], scale: float) 
     points = np.stack([wish.point for wish in wishes], axis=1) / scale
     taken: list[tuple[float, float, float, float]] = []
     for wish in wishes:
-        size = (
-            _CHARACTER * len(wish.text.translate({ord(mark): None for mark in "_^"})) + 0.8,
-            _LINE if wish.is_number else _SYMBOL_LINE,
-        )
+        size = _size(wish.text.translate({ord(mark): None for mark in "_^"}), is_symbol=wish.manner == "symbol")
         point = wish.point / scale
         best = min(
             (
@@ -70,7 +72,22 @@ def placed_labels(wishes: Sequence[Wish], lines: Iterable[Array], scale: float) 
         if wish.is_number and _n_under(_box(best, size), taken):
             continue
         taken.append(_box(best, size))
-        yield Label(best * scale, wish.text, is_framed=wish.is_number, is_symbol=not wish.is_number)
+        is_symbol = wish.manner == "symbol"
+        yield Label(
+            best * scale, wish.text, is_bold=wish.manner == "name", is_framed=not is_symbol, is_symbol=is_symbol
+        )
+
+
+def _size(text: str, *, is_symbol: bool) -> tuple[float, float]:
+    """Width and height of a label. [mm of paper]"""
+    return _CHARACTER * len(text) + 0.8, _SYMBOL_LINE if is_symbol else _LINE
+
+
+def label_outline(label: Label, scale: float) -> Array:
+    """Outline of a label's box, closed, shape (2, 5). [mm of the sketch]"""
+    width, height = _size(label.text, is_symbol=label.is_symbol)
+    corners = 0.5 * np.array([[-width, width, width, -width, -width], [-height, -height, height, height, -height]])
+    return label.position[:, np.newaxis] + scale * corners
 
 
 def _is_nearer_to_another(middle: Array, point: Array, points: Array) -> bool:
