@@ -219,12 +219,30 @@ def _plain_links(scene: Scene, member: Member, pins: dict[str, Array], scale: fl
     for link in member.turn.links[1:]:
         for start, end in pairwise(link.pins):
             yield shapes.bar(pins[start], pins[end], (0.24 * radius, 0.22 * radius), "paper", 5)
+    if member.cut and member.output is not None:
+        yield from _break(pins[member.crank_pin], pins[member.output], radius, scale)
     yield from _other_sliders(scene, member, pins, scale)
     for name in (name for link in member.turn.links for name in link.pins[1:]):
         yield from shapes.eye(pins[name], _SMALL_EYE * radius, _SMALL_PIN * radius, "paper", 7)
     for name in member.turn.fixed:
         if name != "O":
             yield from shapes.pivot(pins[name], 0.45 * radius, scale)
+
+
+def _break(start: Array, end: Array, radius: float, scale: float) -> Iterator[Line]:
+    """Gap in a rod that is drawn too short, between two wavy lines."""
+    middle = 0.5 * (start + end)
+    along = (end - start) / np.hypot(*(end - start))
+    line = shapes.Along(middle - np.dot(middle, along) * along, along)
+    place, half = float(line.place(middle)), 0.17 * radius + 0.6 * scale
+    across = np.linspace(-half, half, 17)
+    edges = [
+        np.stack([line.at(place + side * scale + 0.35 * scale * np.sin(2 * np.pi * u / (2 * half)), u) for u in across])
+        for side in (-1.0, 1.0)
+    ]
+    yield Line(np.concatenate([edges[0], edges[1][::-1]]).T, "LINKS", "none", 5, is_closed=True, fill="paper")
+    for edge in edges:
+        yield Line(edge.T, "LINKS", "thin", 5)
 
 
 def _other_sliders(scene: Scene, member: Member, pins: dict[str, Array], scale: float) -> Iterator[Line | Circle]:
