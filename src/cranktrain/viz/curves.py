@@ -16,7 +16,7 @@ from cranktrain.study.placement import first_throw
 from cranktrain.viz.page import Axes, Page
 from cranktrain.viz.style import COLOURS, GRID, HEADING, INK, MUTED, SYMBOL, TEXT
 
-QUANTITIES = (
+SHEET_QUANTITIES = (
     *("piston_displacement", "piston_velocity", "piston_velocity_coefficient", "piston_acceleration_coefficient"),
     *("displacement_by_method", "velocity_coefficient_by_method", "acceleration_coefficient_by_method"),
     *("displacement_error", "acceleration_error", "top_dead_centre", "bottom_dead_centre"),
@@ -24,7 +24,7 @@ QUANTITIES = (
     *("rocker_angle", "rocker_velocity_coefficient", "rocker_acceleration_coefficient"),
     *("largest_rocker_angle_at", "smallest_rocker_angle_at", "load_velocity_coefficient"),
 )
-"""All that a sheet shows of a result: `run(machine, quantities=QUANTITIES)` suffices for it."""
+"""All that a sheet shows of a result: `run(machine, quantities=SHEET_QUANTITIES)` suffices for it."""
 
 Habit = Literal["first", "other", "textbook", "error"]
 

@@ -138,10 +138,11 @@ def _n_under(own: tuple[float, float, float, float], taken: Sequence[tuple[float
 
 def dots(line: Array) -> Array:
     """Points along a polyline, half a millimetre of paper apart, shape (2, n)."""
-    parts: list[Array] = []
-    for start, end in zip(line.T[:-1], line.T[1:], strict=True):
-        length = float(np.hypot(*(end - start)))
-        if np.isfinite(length):
-            steps = np.linspace(0.0, 1.0, max(2, int(length / 0.5)))
-            parts.append(start[:, np.newaxis] + (end - start)[:, np.newaxis] * steps)
-    return np.concatenate(parts, axis=1) if parts else np.zeros((2, 0))
+    starts, steps = line[:, :-1], np.diff(line, axis=1)
+    lengths = np.hypot(*steps)
+    closed = np.isfinite(lengths)
+    starts, steps = starts[:, closed], steps[:, closed]
+    counts = np.maximum(2, (lengths[closed] / 0.5).astype(np.intp))
+    of = np.repeat(np.arange(counts.size), counts)
+    number = np.arange(of.size) - np.repeat(np.cumsum(counts) - counts, counts)
+    return starts[:, of] + steps[:, of] * (number / (counts[of] - 1))

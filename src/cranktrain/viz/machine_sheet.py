@@ -118,25 +118,7 @@ def _extent(sketch: Sketch) -> tuple[float, float, float, float]:
 
 def _notes(scene: Scene, angle: float) -> Iterator[str]:
     """Say what is drawn, at which crank angle, and what of it is to scale."""
-    machine = scene.machine
-    cranks = [member.throw for member in scene.cranks]
-    throws = len(machine.main_shaft.throws)
-    if len(cranks) > 1:
-        shafts = dict.fromkeys(shaft for shaft, _throw in cranks)
-        said = (f"{shaft} {'+'.join(str(throw + 1) for name, throw in cranks if name == shaft)}" for shaft in shafts)
-        words = _("Throws, by shaft: {throws}, of {n}; drawn at φ = {angle:g}°")
-        drawn = words.format(throws=", ".join(said), n=throws, angle=angle)
-        left_out = [shaft for shaft in machine.shafts if shaft not in shafts]
-        if left_out:
-            drawn = _("{drawn}; not drawn: {shafts}").format(drawn=drawn, shafts=", ".join(left_out))
-    else:
-        drawn = _("Drawn at φ = {angle:g}°").format(angle=angle)
-        if throws > 1:
-            words = _("Throw {throw} of {n}, drawn at φ = {angle:g}°")
-            drawn = words.format(throw=cranks[0][1] + 1, n=throws, angle=angle)
-        if len(machine.shafts) > 1:
-            drawn = _("{drawn}; of shaft main, no other is drawn").format(drawn=drawn)
-    yield drawn
+    yield _drawn_words(scene, angle)
     if scene.assumed:
         yield _("distance of the shafts assumed for the drawing: the file does not give it")
     if any(member.place.is_far for member in scene.members):
@@ -144,19 +126,45 @@ def _notes(scene: Scene, angle: float) -> Iterator[str]:
     broken = [member.place.name for member in scene.members if member.cut]
     if broken:
         yield _("rod of {names} broken, its slider drawn nearer to the shaft").format(names=", ".join(broken))
-    bored = all(member.bore is not None for member in scene.sliders)
-    yield (
-        _("pins and bores to scale, other shapes schematic; thin: dead positions")
-        if scene.sliders and bored
-        else _("pins to scale, shapes schematic; thin: dead positions")
-    )
+    shapes = _("pins to scale, shapes schematic")
+    pistons = [member for member in scene.sliders if member.place.kind.has_chambers]
+    if pistons and all(member.bore is not None for member in pistons):
+        shapes = _("pins and bores to scale, other shapes schematic")
+    thin = _("thin: volumetric dead centres") if scene.pairs else _("thin: dead positions")
+    yield f"{shapes}; {thin}"
+
+
+def _drawn_words(scene: Scene, angle: float) -> str:
+    """Say which throws are drawn, of which shafts, and at which crank angle."""
+    machine = scene.machine
+    n = len(machine.main_shaft.throws)
+    places = [member.place for member in scene.cranks]
+    shafts = [shaft for shaft in machine.shafts if shaft in {place.shaft for place in places}]
+    throws = sorted({place.throw + 1 for place in places})
+    if len(shafts) > 1 and len(throws) > 1:
+        each = ", ".join(f"{place.shaft} {place.throw + 1}" for place in places)
+        drawn = _("Throws {throws}, drawn at φ = {angle:g}°").format(throws=each, angle=angle)
+    elif len(throws) > 1:
+        words = _("Throws {throws} of {n}, drawn at φ = {angle:g}°")
+        drawn = words.format(throws=", ".join(map(str, throws)), n=n, angle=angle)
+    elif n > 1:
+        drawn = _("Throw {throw} of {n}, drawn at φ = {angle:g}°").format(throw=throws[0], n=n, angle=angle)
+    else:
+        drawn = _("Drawn at φ = {angle:g}°").format(angle=angle)
+    if len(shafts) == len(machine.shafts):
+        if len(shafts) > 1:
+            drawn = _("{drawn}; shafts {shafts}").format(drawn=drawn, shafts=", ".join(shafts))
+        return drawn
+    if len(shafts) == 1:
+        return _("{drawn}; of shaft {shaft}, no other is drawn").format(drawn=drawn, shaft=shafts[0])
+    return _("{drawn}; shafts {shafts}, no other is drawn").format(drawn=drawn, shafts=", ".join(shafts))
 
 
 class _Ruler(NamedTuple):
     """What is written over the curves.
 
-    words: of a mark at the top and at the bottom, or largest and smallest; pistons: names of the curves; rows: whether
-    the marks' names stand beside their rows; textbook: forms beside the curves, if any.
+    words: of a mark at the top and at the bottom, or largest and smallest; pistons: names of the curves; textbook:
+    forms beside the curves, if any; is_of_cylinders: whether the marks are of cylinders and not of these pistons.
     """
 
     heading: str
@@ -214,7 +222,10 @@ def _draw_ruler(page: Page, ruler: _Ruler, place: tuple[float, float, float]) ->
     for number, (row, labelled) in enumerate(rows.items()):
         page.rule(y, left, right)
         if ruler.pistons and len(row) <= _SHORT + 2:
-            page.text(left - 14.0, y - 1.0, row, fontweight="bold")
+            if ruler.is_of_cylinders or not ruler.is_few:
+                page.text(left - 2.0, y - 1.0, row, ha="right", fontweight="bold")
+            else:
+                page.text(left - 14.0, y - 1.0, row, fontweight="bold")
         if ruler.pistons and ruler.is_few and not ruler.is_of_cylinders:
             _sample(page, (left - 8.5, left - 2.0, y), number)
         for mark, label in labelled:

@@ -23,6 +23,9 @@ _BELOW, _BELOW_IN_STAR = 0.34, 0.14
 _LEAST_RING = 11.0
 """Radius of a degree ring on paper that has room for all its figures. [mm]"""
 
+_LEADER = 5.0
+"""A name farther from what it names than this has a line to it. [mm of paper]"""
+
 _GAP = 0.05
 """Clearance above the piston at its top, in parts of the bore."""
 
@@ -75,7 +78,7 @@ def mechanism_sketch(
             sketch.add(_rotation(scene, scale))
             for member in _other_shafts(scene):
                 sketch.add(_rotation_of_other(scene, member, scale))
-        sketch.add(_names(scene, sketch))
+        sketch.add(_names(scene, angle, sketch))
         sketch.add(_bank_angle(scene, scale))
     return sketch
 
@@ -222,11 +225,12 @@ def _plain_links(scene: Scene, member: Member, pins: dict[str, Array], scale: fl
     if member.cut and member.output is not None:
         yield from _break(pins[member.crank_pin], pins[member.output], radius, scale)
     yield from _other_sliders(scene, member, pins, scale)
-    for name in (name for link in member.turn.links for name in link.pins[1:]):
+    fixed = [name for name in member.turn.fixed if name != "O"]
+    moving = [name for link in member.turn.links for name in link.pins[1:]]
+    for name in dict.fromkeys([*fixed, *moving, *([] if member.output is None else [member.output])]):
         yield from shapes.eye(pins[name], _SMALL_EYE * radius, _SMALL_PIN * radius, "paper", 7)
-    for name in member.turn.fixed:
-        if name != "O":
-            yield from shapes.pivot(pins[name], 0.45 * radius, scale)
+    for name in fixed:
+        yield from shapes.pivot(pins[name], 0.45 * radius, scale)
 
 
 def _break(start: Array, end: Array, radius: float, scale: float) -> Iterator[Line]:
@@ -408,28 +412,46 @@ def _arc_arrow(
     yield shapes.arrowhead(tip, float(end + sense * (np.pi / 2 - 1.1 * scale / radius)), 2.6 * scale)
 
 
-def _names(scene: Scene, sketch: Sketch) -> Iterator[Label]:
+def _names(scene: Scene, angle: float, sketch: Sketch) -> Iterator[Label | Line]:
     """Names of the pistons: over the heads, of two in one cylinder beside them."""
     if len(scene.members) == 1 and scene.members[0].place.name == "1":
         return
     scale = sketch.scale
     wishes: list[Wish] = []
+    named: list[Array] = []
     for member in scene.singles:
         line = member.stroke_line
-        point = line.at(_end(member) + 2.0 * scale, 0.0)
-        wishes.append(Wish(point, member.place.name, _away(line.along), manner="name"))
+        wishes.append(Wish(line.at(_end(member) + 2.0 * scale, 0.0), member.place.name, _away(line.along), "name"))
+        is_piston = member.place.kind.has_chambers or member.output is None
+        named.append(wishes[-1].point if is_piston else scene.pins(member, angle)[str(member.output)])
+    obstacles = [line.points for line in sketch.lines if line.habit != "hatch"]
     for pair in scene.pairs:
-        middle = 0.5 * (_middle(pair[0]) + _middle(pair[1]))
+        outward = 0.5 * (_middle(pair[0]) + _middle(pair[1])) - np.mean([one.centre for one in scene.members], axis=0)
+        across = pair[0].stroke_line.across
+        lies_out = float(np.dot(outward, across))
+        # Where the shafts lie in one line, names stand to the right of it.
+        outer = across * np.sign(lies_out if abs(lies_out) > 1e-6 * scale else across @ np.array([1.0, -1e-3]))
         for member in pair:
-            outward = middle - np.mean([one.centre for one in scene.members], axis=0)
-            across = member.stroke_line.across
-            side = 1.0 if np.dot(outward, across) > 1e-9 * scale else -1.0
-            wall = _middle(member) + side * (0.5 * member.width + 1.5 * scale) * across
-            wishes.append(Wish(wall, member.place.name, _away(side * across), manner="name"))
-    if wishes:
-        lines = [line.points for line in sketch.lines if line.habit != "hatch"]
-        lines += [label_outline(label, scale) for label in sketch.labels]
-        yield from placed_labels(wishes, lines, scale)
+            beside = 0.5 * member.width * outer
+            wishes.append(Wish(_middle(member) + beside + 1.5 * scale * outer, member.place.name, _away(outer), "name"))
+            named.append(wishes[-1].point)
+        ends = np.stack([_end_of_travel(member) for member in pair], axis=1)
+        obstacles += [ends + side * beside[:, np.newaxis] for side in (-1.0, 0.0, 1.0)]
+    if not wishes:
+        return
+    obstacles += [label_outline(label, scale) for label in sketch.labels]
+    obstacles += [shapes.arc(circle.centre, circle.radius, 0.0, 2 * np.pi) for circle in sketch.circles]
+    for point, label in zip(named, placed_labels(wishes, obstacles, scale), strict=True):
+        yield label
+        box = label_outline(label, scale)
+        nearest = np.clip(point, np.min(box, axis=1), np.max(box, axis=1))
+        if np.hypot(*(nearest - point)) > _LEADER * scale:
+            yield Line(np.stack([point, label.position], axis=1), "DIMENSIONS", "thin", 8)
+
+
+def _end_of_travel(member: Member) -> Array:
+    """Where a piston's pin is farthest from the other piston."""
+    return member.stroke_line.at(member.travel[member.place.is_far], 0.0)
 
 
 def _middle(member: Member) -> Array:
