@@ -24,7 +24,7 @@ _TOLD = 3
 
 
 def orders(cycle: float) -> Array:
-    """Orders of a cycle up to 24, which eighteen cylinders in a turn need: ½, 1, 1½, … of a four-stroke, whole ones of others."""
+    """Orders of a cycle up to 24, for 18 cylinders in a turn: ½, 1, 1½, … of a four-stroke, whole ones of others."""
     turns = round(cycle / TURN)
     return np.arange(1, HIGHEST_ORDER * turns + 1) / turns
 
