@@ -35,8 +35,8 @@ ChainMotion: TypeAlias = SliderChainMotion | LinkChainMotion
 def chain_made(structure: Structure, angle: Array, size: ChainSize) -> Made:
     """All points, links and sliders of a chain by name; parameters as of `chain_motion`."""
     made = driven(structure, angle, size)
-    # A chain that is just being put together has more numbers than groups.
-    for place, (step, own) in enumerate(zip(structure.steps, size.steps, strict=False)):
+    for place, step in enumerate(structure.steps):
+        own = size.steps[place]
         if isinstance(step, TriadStep) and isinstance(own, TriadSize):
             place_triad(step, own, triad_motion(structure, place, angle, size, made).link, made)
         else:

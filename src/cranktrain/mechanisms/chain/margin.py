@@ -125,14 +125,16 @@ def _nearly_open(chains: _Chains, poses: Array) -> tuple[_State, _State]:
         expected = last.poses + np.where(reached > 0, step / reached, 0.0) * (last.poses - before.poses)
         tried = _at(chains, _GRID, last.change + step, expected)
         misses = np.max(np.abs(tried.poses - expected) / scale, axis=(0, 1))
-        fits = np.all(tried.gaps > 0, axis=0) & (misses <= _MOST_MISSED)
+        misses = np.where(np.all(tried.gaps > 0, axis=0), misses / _MOST_MISSED, np.inf)
         is_nothing = ~_leaves_something(chains.way.sign, tried.change)
-        is_taken = np.all(fits | is_nothing, axis=(1, 2), keepdims=True) & ~is_done
+        missed = np.max(np.where(is_nothing, 0.0, misses), axis=(1, 2), keepdims=True)
+        is_taken = (missed <= 1) & ~is_done
         before = _State(*(np.where(is_taken, *pair) for pair in zip(last, before, strict=True)))
         last = _State(*(np.where(is_taken, *pair) for pair in zip(tried, last, strict=True)))
         left = np.min(_left(chains, before, last), axis=(0, 2, 3), keepdims=True)[0]
-        step = np.where(is_taken, np.minimum(2 * step, _SHARE * left), 0.25 * step)
-        is_done |= left <= _NEAR * (last.change + left)
+        # What a prediction along the secant misses goes as the square of the step.
+        step = np.minimum(step * np.clip(0.8 / np.sqrt(missed), 0.2, 2.0), np.where(is_taken, _SHARE * left, np.inf))
+        is_done |= np.isfinite(left) & (left <= _NEAR * (last.change + left))
         is_done |= (last.change > _MOST_CHANGE) | (step < _SMALLEST_STEP)
         if np.all(is_done):
             break
@@ -191,9 +193,10 @@ def _refined(
         poses = np.where(is_new, _between(state.poses, shift), poses)
         nearer = np.where(closes, change + _CLOSER * (root - change), 0.5 * (known[0] + change))
         known = (np.where(is_new, change, known[0]), np.where(is_new, least, known[1]))
-        is_settled |= np.abs(root - known[0]) <= _SETTLED * root
+        is_inside = closes & (np.abs(shift) < 1)
+        is_settled |= is_inside & (np.abs(root - known[0]) <= _SETTLED * root)
         change = nearer
-        half = np.where(closes, _FINER, 0.5) * half
+        half = np.where(is_inside, _FINER, np.where(closes, 1.0, 0.5)) * half
         if np.all(is_settled):
             break
     return root, np.mod(angle, 2 * np.pi)
