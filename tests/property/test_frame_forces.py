@@ -124,7 +124,7 @@ def test_a_chain_of_all_groups():
             PinSize(about(0.7), about(0.5), zero + 1),
             PointSize(about(0.6), about(0.4)),
             SlideSize(about(0.9), zero + 1, about(0.3), about(0.1)),
-            SwivelSize(about(0.05), zero + 1),
+            SwivelSize(about(0.05), zero + 1, zero),
             TrammelSize(about(0.02), about(0.2), about(0.1), zero + 1),
             YokeSize(about(1.2), about(-0.6), about(0.2)),
             PointSize(about(0.7), about(0.1)),

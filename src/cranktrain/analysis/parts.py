@@ -7,6 +7,7 @@ from typing import cast
 import numpy as np
 
 from cranktrain.engine.axial import axial_places_of
+from cranktrain.engine.crank_pins import crank_pins_of
 from cranktrain.engine.cylinders import (
     CYCLES,
     chambers_of,
@@ -33,10 +34,12 @@ from cranktrain.engine.layout import (
 )
 from cranktrain.engine.masses import masses_of
 from cranktrain.engine.opposed import OpposedCylinders
+from cranktrain.engine.piston_forces import direct_pistons_of
 from cranktrain.engine.places import Place
 from cranktrain.engine.points import link_points_of
 from cranktrain.engine.ports import TwoStroke
 from cranktrain.engine.rocker_load import load_radius_of
+from cranktrain.engine.shafts import GearedShafts, shafts_of
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine, machine_problems
@@ -77,7 +80,7 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
     turn = cycle or 2 * np.pi
     n_angles = round(turn / step)
     mechanisms = mechanisms_of(Mechanisms, designs)
-    parts: list[object] = [
+    parts: list[object | None] = [
         CrankAngle(
             shown=np.arange(n_angles, dtype=np.float64) * turn / n_angles,
             zero=np.array([[[machine.zero]] for machine in machines]),
@@ -90,6 +93,9 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
         followed_of(FollowedLinks, designs[0]),
         followed_of(FollowedSliders, designs[0]),
         carriers_of(designs[0]),
+        crank_pins_of(mechanisms),
+        (shafts := shafts_of(first.shafts, designs[0])),
+        GearedShafts(shafts) if len(shafts.names) > 1 else None,
     ]
     if first.gas is not None or first.masses or first.weighed.bodies:
         parts.append(masses_of(designs, [machine.weighed for machine in machines]))
@@ -103,6 +109,7 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
             drivers,
             PistonRods(rods) if (rods := has_rods(drivers)) is not None else None,
             sharing,
+            direct_pistons_of(drivers),
             OpposedCylinders(sharing) if np.any(sharing.is_opposed) else None,
             chambers_of(cylinders, len(pistons[0])),
             compression_ratios_of(cylinders),

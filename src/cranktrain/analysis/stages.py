@@ -12,6 +12,7 @@ from cranktrain.catalogue import entries
 from cranktrain.engine.axial import axial_positions
 from cranktrain.engine.closing import closing
 from cranktrain.engine.couplers import coupler_motion, coupler_speeds
+from cranktrain.engine.crank_pins import crank_pin_loads
 from cranktrain.engine.dead_centres import dead_centres, piston_turn
 from cranktrain.engine.firing import firing
 from cranktrain.engine.followed import link_motion, slider_motions
@@ -19,13 +20,18 @@ from cranktrain.engine.forces import joint_forces, loaded_machine, mechanism_tor
 from cranktrain.engine.gas import gas_in_chambers, gas_pressures
 from cranktrain.engine.motion import piston_motion, piston_speeds
 from cranktrain.engine.opposed import combined_motion, combined_speeds, volumetric_dead_centres
+from cranktrain.engine.piston_forces import piston_force_set
 from cranktrain.engine.points import point_motion
 from cranktrain.engine.ports import effective_compression, port_timing
 from cranktrain.engine.rocker_load import load_motion
 from cranktrain.engine.rockers import dead_positions, rocker_motion, rocker_speeds, rocker_turn
+from cranktrain.engine.rod_methods import rod_methods
 from cranktrain.engine.rods import rod_motion, rod_speeds
+from cranktrain.engine.torque import gear_torques, journal_torques, shaft_torques
+from cranktrain.engine.torque_orders import phase_star_sums, torque_orders
 from cranktrain.engine.travel import cylinder_travel
 from cranktrain.engine.volumes import chamber_volumes, swept_volumes
+from cranktrain.engine.work_check import work_balance
 from cranktrain.language import translated
 from cranktrain.mechanisms import KINDS
 from cranktrain.textbook.comparison import textbook_motion
@@ -114,7 +120,16 @@ STAGES: tuple[Stage, ...] = tuple(
         gas_pressures,
         loaded_machine,
         solved_cycle,
+        piston_force_set,
+        rod_methods,
+        crank_pin_loads,
+        shaft_torques,
+        gear_torques,
+        work_balance,
+        torque_orders,
+        phase_star_sums,
         mechanism_torques,
+        journal_torques,
         joint_forces,
         axial_positions,
         closing,

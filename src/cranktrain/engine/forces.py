@@ -14,13 +14,15 @@ from cranktrain.engine.layout import CrankAngle, Mechanisms, Speed
 from cranktrain.engine.masses import Masses
 from cranktrain.engine.places import Place
 from cranktrain.language import N_, _
-from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench
+from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench, added, work
 from cranktrain.motion import Array, single
 
 _JOINT = ("joint", "crank_angle")
 _MECHANISM = ("mechanism", "crank_angle")
 _THEORY = "docs/theory/forces"
 _TORQUES_LIMIT = 1e-12
+_MASTER = "slider_crank"
+"""Kind of what slaves hang on."""
 
 
 @dataclass(frozen=True)
@@ -55,7 +57,7 @@ def carriers_of(places: Sequence[Place]) -> Carriers:
                     for i, other in enumerate(places)
                     if other.bank == bank
                     and (other.shaft, other.throw) == (place.shaft, place.throw)
-                    and other.kind.name == "slider_crank"
+                    and other.kind.name == _MASTER
                 ),
                 -1,
             )
@@ -69,7 +71,11 @@ def carriers_of(places: Sequence[Place]) -> Carriers:
 
 
 class SolvedGroup(NamedTuple):
-    """Forces of the mechanisms of one kind: motion and `Forces`, arrays of shape (design, member, n)."""
+    """Forces of the mechanisms of one kind, arrays of shape (design, member, n).
+
+    motion, and `Forces`: the joints bear what slaves hand over as well; torque by virtual work is that of a mechanism's
+    own loads, weights, inertia and friction.
+    """
 
     motion: Any
     forces: Any
@@ -119,8 +125,9 @@ class LoadedMachine:
             motion = group.kind.motion(angle + group.members.phase, size)
             made = self.masses.groups[place]
             loads = dynamics.load(motion, size, pressing(group.index))
-            if "rod" in getattr(loads, "_fields", ()):
-                loads = loads._replace(rod=_with_slaves(loads.rod, group.index, on_rods))
+            handed = _of_slaves(group.index, on_rods) if group.kind.name == _MASTER else None
+            if handed is not None:
+                loads = loads._replace(rod=added(loads.rod, handed))
             friction = tuple(
                 Friction(
                     coefficient,
@@ -130,6 +137,9 @@ class LoadedMachine:
             )
             conditions = Conditions(Drive(self.speed, np.zeros_like(self.speed)), made.gravity, friction)
             forces = dynamics.forces(motion, size, made.bodies, loads, conditions)
+            if handed is not None:
+                # What slaves hand over is their own work, which counts once.
+                forces = forces._replace(torque_by_work=forces.torque_by_work + work(motion.rod, handed))
             found[place] = SolvedGroup(motion, forces)
             if dynamics.on_master is not None:
                 wrench = dynamics.on_master(motion, size, forces.joints[0])
@@ -153,17 +163,13 @@ class LoadedMachine:
         return of
 
 
-def _with_slaves(rod: Wrench, index: NDArray[np.intp], on_rods: dict[int, Wrench]) -> Wrench:
-    """Add what slaves do to the rods of some mechanisms."""
+def _of_slaves(index: NDArray[np.intp], on_rods: Mapping[int, Wrench]) -> Wrench | None:
+    """What slaves do to the rods of some mechanisms, shape (design, member, n); None where there is none."""
     if not any(int(mechanism) in on_rods for mechanism in index):
-        return rod
-    shape = np.broadcast_shapes(*(part.shape for part in rod), *(wrench.x.shape for wrench in on_rods.values()))
-    total = [np.array(np.broadcast_to(part, (shape[0], len(index), shape[-1]))) for part in rod]
-    for member, mechanism in enumerate(index.tolist()):
-        if mechanism in on_rods:
-            for part, added in zip(total, on_rods[mechanism], strict=True):
-                part[:, member : member + 1] += added
-    return Wrench(*total)
+        return None
+    nothing = Wrench(*(np.zeros_like(part) for part in next(iter(on_rods.values()))))
+    rods = [on_rods.get(int(mechanism), nothing) for mechanism in index]
+    return Wrench(*(np.concatenate(parts, axis=1) for parts in zip(*rods, strict=True)))
 
 
 def loaded_machine(
@@ -171,6 +177,28 @@ def loaded_machine(
 ) -> LoadedMachine:
     """Put masses and gas to the mechanisms."""
     return LoadedMachine(mechanisms, carriers, masses, gas, speed.value)
+
+
+def driving_torques(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Array:
+    """Torque that must be applied at each mechanism's crank, by the reactions.
+
+    Parameters
+    ----------
+    loaded : LoadedMachine
+    solved : sequence of SolvedGroup
+        What `LoadedMachine.solved` gave.
+
+    Returns
+    -------
+    Array, shape (design, mechanism, n)
+        A slave's comes through its master's crank pin: 0 for itself. [N·m]
+    """
+    shape = solved[0].forces.driving_torque.shape
+    torque = np.zeros((shape[0], len(loaded.mechanisms.names), shape[-1]))
+    for group, one in zip(loaded.mechanisms.groups, solved, strict=True):
+        is_own = loaded.carriers.master[group.index] < 0
+        torque[:, group.index[is_own]] = one.forces.driving_torque[:, is_own]
+    return torque
 
 
 @dataclass(frozen=True)
@@ -265,15 +293,13 @@ class MechanismTorques:
 
 def mechanism_torques(loaded: LoadedMachine, solved: SolvedCycle) -> MechanismTorques:
     """Torques by virtual work and by reactions, which share little, and the reduced inertia."""
-    shape = solved.groups[0].forces.torque_by_work.shape
-    by_work = np.empty((shape[0], len(loaded.mechanisms.names), shape[-1]))
-    by_reactions = np.zeros_like(by_work)
+    by_reactions = driving_torques(loaded, solved.groups)
+    shape = by_reactions.shape
+    by_work = np.empty(shape)
     inertia, slope = np.zeros((2, shape[0], shape[-1]))
     for place, (group, one) in enumerate(zip(loaded.mechanisms.groups, solved.groups, strict=True)):
         dynamics, size, made = group.kind.dynamics, group.members.geometry, loaded.masses.groups[place]
         by_work[:, group.index] = one.forces.torque_by_work
-        is_own = loaded.carriers.master[group.index] < 0
-        by_reactions[:, group.index[is_own]] = one.forces.driving_torque[:, is_own]
         unloaded = dynamics.load(one.motion, size, np.zeros((1, 1, 1)))
         reduced = dynamics.reduced(one.motion, size, made.bodies, unloaded, made.gravity).inertia
         inertia = inertia + np.sum(reduced.value, axis=1)

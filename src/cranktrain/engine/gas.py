@@ -12,7 +12,8 @@ from cranktrain.engine.firing import Cycle, Firing
 from cranktrain.engine.layout import CrankAngle, Pistons
 from cranktrain.engine.travel import CylinderPistons, CylinderTravel
 from cranktrain.engine.volumes import Chambers, ChamberVolumes, SweptVolumes
-from cranktrain.gas import Chamber, GasSpec, VolumeLimits, chamber_state, kind_of
+from cranktrain.errors import InputError
+from cranktrain.gas import Chamber, GasKind, GasSpec, VolumeLimits, chamber_state, kind_of
 from cranktrain.gas.work import indicated_work
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient, single
@@ -87,16 +88,48 @@ class GasInChambers:
             _by_chamber(areas, -motion.second),
         )
 
+    def volume_of(self, design: int, place: int, angle: Array) -> Coefficient:
+        """Volume of one chamber of one design at φ [rad], shape (n,), and its derivatives. [m³, m³/rad, m³/rad²]"""
+        areas = self.chambers.areas[design, :, place]
+        value, first, second = np.zeros((3, *angle.shape))
+        for piston in np.flatnonzero(areas).tolist():
+            slider = self.pistons.alone(design, piston, angle).slider
+            value = value + areas[piston] * (self.tops[design, piston] - slider.value[0])
+            first = first - areas[piston] * slider.first[0]
+            second = second - areas[piston] * slider.second[0]
+        return Coefficient(self.start[design, place] + value, first, second)
+
+    def pressure_of(self, design: int, place: int, angle: Array) -> Array:
+        """Absolute pressure in one chamber of one design at φ [rad], shape (n,). [Pa]"""
+        spec, limits = self.specs[design], VolumeLimits(*(part[design, place] for part in self.limits))
+        volume = self.volume_of(design, place, angle)
+        state = chamber_state(volume, limits, angle - self.firing[design, place], np.array(self.cycle))
+        return kind_of(spec).pressure(state, self.models[design][place])
+
     def pressure(self, angle: Array, volume: Coefficient) -> Array:
         """Absolute pressure in every chamber at φ [rad], where its volume is known, shape (design, chamber, n). [Pa]"""
         state = chamber_state(volume, self.limits, angle - self.firing, np.array(self.cycle))
         found = np.empty(volume.value.shape)
         for design, spec in enumerate(self.specs):
             kind = kind_of(spec)
-            for place, model in enumerate(self.models[design]):
-                own = type(state)(*(_row(part, design, place) for part in state))
-                found[design, place] = kind.pressure(own, model)
+            for model, places in self.alike(design):
+                own = type(state)(*(_rows(part, design, places) for part in state))
+                found[design, places] = kind.pressure(own, model)
         return found
+
+    def dead_centres(self, travel: CylinderTravel) -> tuple[Array, Array]:
+        """φ of every chamber's least volume at its firing, and of its greatest, shape (design, chamber). [rad]"""
+        of, is_head = self.chambers.cylinder, self.chambers.is_head
+        least = np.where(is_head, travel.inner[:, of], travel.outer[:, of])
+        turns = 2 * np.pi * np.rint((self.firing[..., 0] - least) / (2 * np.pi))
+        return least + turns, np.where(is_head, travel.outer[:, of], travel.inner[:, of])
+
+    def alike(self, design: int) -> list[tuple[Any, list[int]]]:
+        """Models of one design's chambers, each with the chambers that share it."""
+        sharing: dict[int, tuple[Any, list[int]]] = {}
+        for place, model in enumerate(self.models[design]):
+            sharing.setdefault(id(model), (model, []))[1].append(place)
+        return list(sharing.values())
 
     def force(self, pressure: Array) -> Array:
         """Force of the gas less the ambient pressure on every piston, toward its shaft, (design, piston, n). [N]"""
@@ -110,9 +143,12 @@ def _by_chamber(areas: Array, lengths: Array) -> Array:
     return np.sum(np.where(weights == 0.0, 0.0, weights * lengths[:, :, np.newaxis]), axis=1)
 
 
-def _row(part: Array, design: int, place: int) -> Array:
-    """One chamber's values of a state's part, which may stand for all."""
-    return part[min(design, part.shape[0] - 1), min(place, part.shape[1] - 1)] if part.ndim == 3 else part
+def _rows(part: Array, design: int, places: list[int]) -> Array:
+    """Some chambers' values of a state's part, which may stand for all."""
+    if part.ndim < 3:
+        return part
+    of_design = part[min(design, part.shape[0] - 1)]
+    return of_design if len(of_design) == 1 else of_design[places]
 
 
 def gas_in_chambers(
@@ -180,7 +216,7 @@ def _models(spec: GasSpec, chambers: GasInChambers, design: int, unroll: Unroll,
         start = float(chambers.firing[design, place, 0])
 
         def volume(angle: Array, start: float = start, place: int = place) -> Array:
-            return chambers.volume(angle + start).value[design, place]
+            return chambers.volume_of(design, place, angle + start).value
 
         ratio = float(ratios[place])
 
@@ -191,9 +227,17 @@ def _models(spec: GasSpec, chambers: GasInChambers, design: int, unroll: Unroll,
         key = tuple(float(f"{float(value):.9g}") for value in (*limits, *volume(_TELLING)))
         if key not in made:
             chamber = Chamber(chambers.cycle, limits, volume, None if np.isnan(ratio) else outward)
-            made[key] = kind.model(spec, chamber)
+            made[key] = _model(kind, spec, chamber)
         found.append(made[key])
     return tuple(found)
+
+
+def _model(kind: GasKind, spec: GasSpec, chamber: Chamber) -> Any:
+    """Make one chamber's model; what does not suit it is wrong in [gas]."""
+    try:
+        return kind.model(spec, chamber)
+    except InputError as error:
+        raise InputError(replace(problem, path=f"gas.{problem.path}") for problem in error.problems) from None
 
 
 @dataclass(frozen=True)
@@ -233,9 +277,7 @@ def gas_pressures(
     volume = gas.volume(phi)
     pressure = gas.pressure(phi, volume)
     work = indicated_work(pressure, volume.first, gas.cycle)
-    of = gas.chambers.cylinder
-    inner = np.where(gas.chambers.is_head, travel.inner[:, of], travel.outer[:, of])
-    firing = inner + 2 * np.pi * np.rint((gas.firing[..., 0] - inner) / (2 * np.pi))
+    firing, _opposite = gas.dead_centres(travel)
     after, peak = _peaks(gas, firing, phi, pressure)
     return GasPressures(
         gas_pressure=pressure,
@@ -259,7 +301,7 @@ def _peaks(gas: GasInChambers, firing: Array, phi: Array, pressure: Array) -> tu
                 start = float(firing[design, place])
 
                 def own(angle: Array, design: int = design, place: int = place) -> Array:
-                    return gas.pressure(angle, gas.volume(angle))[design, place]
+                    return gas.pressure_of(design, place, angle)
 
                 found = largest(own, grid=phi[design, 0], samples=pressure[design, place])
                 # A rise at constant volume stands at the dead centre itself, between the grid's points.

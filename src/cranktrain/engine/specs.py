@@ -182,7 +182,7 @@ class BankSpec(Spec, frozen=True):
         found: list[Problem] = []
         if len(far) != 1:
             allowed = _(
-                "must be true for just one of exhaust and scavenge, the piston that is farther from their shaft"
+                "must be true for just one of the two, the far piston on their shaft; or give one another shaft"
             )
             found.append(Problem(f"{ENDS[1]}.side_rods", None, allowed))
         if self.lead is not None:
