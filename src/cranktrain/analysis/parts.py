@@ -119,7 +119,7 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
             PistonRods(rods) if (rods := has_rods(drivers)) is not None else None,
             sharing,
             direct_pistons_of(drivers),
-            OpposedCylinders(sharing) if np.any(sharing.is_opposed) else None,
+            OpposedCylinders(sharing) if sharing is not None and np.any(sharing.is_opposed) else None,
             chambers_of(cylinders, len(pistons[0])),
             compression_ratios_of(cylinders),
             (ports := ports_of(cylinders)),

@@ -6,6 +6,7 @@ from typing import Annotated, Any, Literal, Self, TypeVar, cast
 from pydantic import BeforeValidator, Field, model_validator
 
 from cranktrain.engine.bodies import BodySpec
+from cranktrain.engine.ends import ENDS
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.mechanisms import AnyMechanism, MechanismSpec
@@ -65,10 +66,6 @@ _GAUGE = ("barg", "бари", "ati", "ати", "psig")
 
 MAIN = "main"
 """Name of the shaft whose angle is the crank angle."""
-
-
-ENDS = ("exhaust", "scavenge")
-"""The two pistons of an opposed-piston cylinder, by what they control."""
 
 
 class OpposedPistonSpec(Spec, frozen=True):
