@@ -217,7 +217,9 @@ def _draw_ruler(page: Page, ruler: _Ruler, place: tuple[float, float, float]) ->
     rows: dict[str, list[tuple[Mark, str]]] = {}
     for mark in ruler.marks:
         word = ruler.words[0] if mark.is_top else ruler.words[1]
-        row, label = (mark.name, f"{word} {mark.angle:.2f}°") if ruler.is_few else (word, f"{mark.name}\n{mark.angle:.1f}")
+        row, label = (
+            (mark.name, f"{word} {mark.angle:.2f}°") if ruler.is_few else (word, f"{mark.name}\n{mark.angle:.1f}")
+        )
         rows.setdefault(row, []).append((mark, label))
     for number, (row, labelled) in enumerate(rows.items()):
         page.rule(y, left, right)

@@ -121,9 +121,7 @@ def _cylinder(scene: Scene, member: Member, scale: float, *, is_plain: bool) -> 
             yield shapes.hatch(wall.points[:, 0], wall.points[:, 1], outside, scale)
 
 
-def _common_cylinder(
-    scene: Scene, pair: tuple[Member, Member], scale: float, *, is_plain: bool
-) -> Iterator[Line]:
+def _common_cylinder(scene: Scene, pair: tuple[Member, Member], scale: float, *, is_plain: bool) -> Iterator[Line]:
     """Centre line, and walls from where one piston's begin to where the other's do, with gaps for the ports."""
     one, other = pair
     line = one.stroke_line
@@ -401,9 +399,7 @@ def _rotation_of_other(scene: Scene, member: Member, scale: float) -> Iterator[L
     yield from _arc_arrow(member.centre, radius, (middle, min(0.6, 9.0 * scale / radius)), sense, scale)
 
 
-def _arc_arrow(
-    centre: Array, radius: float, span: tuple[float, float], sense: float, scale: float
-) -> Iterator[Line]:
+def _arc_arrow(centre: Array, radius: float, span: tuple[float, float], sense: float, scale: float) -> Iterator[Line]:
     """Arc with an arrowhead at its end, so far to each side of a direction. [mm, rad]"""
     middle, half = span
     yield Line(shapes.arc(centre, radius, middle - half, middle + half), "DIMENSIONS", "outline", 5)
