@@ -85,6 +85,13 @@ def made_ready(machine: Machine) -> LoadedMachine:
     InputError
         If its file says of nothing that acts, or no speed.
     """
+    refuse_idle(machine)
+    result = run(machine, step_degrees=_STEP, quantities=("driving_torque",))
+    return next(gift for gift in result.gifts if isinstance(gift, LoadedMachine))
+
+
+def refuse_idle(machine: Machine) -> None:
+    """Refuse a machine on whose links nothing acts, or of which no speed is known."""
     problems: list[Problem] = []
     if machine.main_shaft.speed is None:
         problems.append(Problem("shaft.main.speed", None, _("is missing: forces of inertia need it")))
@@ -92,8 +99,6 @@ def made_ready(machine: Machine) -> LoadedMachine:
         problems.append(Problem("masses", None, _("is missing, and [gas] too: nothing acts on the links")))
     if problems:
         raise InputError(problems)
-    result = run(machine, step_degrees=_STEP, quantities=("driving_torque",))
-    return next(gift for gift in result.gifts if isinstance(gift, LoadedMachine))
 
 
 def member_of(machine: Machine, loaded: LoadedMachine, place: Place, angle: Array) -> Member:

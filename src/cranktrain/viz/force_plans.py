@@ -4,11 +4,13 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.study.force_polygons import ForcePolygon, force_polygons, rescaled
 from cranktrain.study.plans import fitting, position_plan
 from cranktrain.study.plans import rescaled as rescaled_plan
+from cranktrain.study.vectors import spoken_name
 from cranktrain.viz import shapes
 from cranktrain.viz.labels import Wish, placed_labels
 from cranktrain.viz.page import Figure, Page, drawing_settings, mathematics, muted
@@ -27,7 +29,17 @@ _HEADED = 2.5
 """A force shorter than this has no arrowhead. [mm]"""
 
 _SYMBOL = 4.0
-"""A force shorter than this part of a millimetre's scale has no symbol beside it; the table has it. [mm]"""
+"""A force shorter than this has no symbol beside it; the table has it. [mm]"""
+
+
+_ASIDE, _BACK = 0.9, -0.9995
+"""How far a force stands beside the one on which it goes back [mm], and the cosine of what is back."""
+
+_LEAST = 1e-9
+"""Of a length by which is divided. [mm]"""
+
+_LETTERS = 13
+"""Of a joint's name there is room for so many."""
 
 
 def plan_forces(
@@ -76,9 +88,7 @@ def plan_forces(
         page.text(
             box.left + left,
             box.bottom + 4.2,
-            _("Forces on each link, head to tail from the ring; F_34 is the force of 3 on 4; dashed: inertia").replace(
-                "F_34", mathematics("F_34")
-            ),
+            _("Forces on each link, head to tail from the ring; F₃₄ is the force of 3 on 4; dashed: inertia"),
             **muted(),
         )
         return page.figure
@@ -93,8 +103,15 @@ def _columns(groups: Sequence[Sequence[ForcePolygon]], room: tuple[float, float]
         width, height = room[0] / columns - _EDGE[0], room[1] / -(-most // columns) - _EDGE[1]
         if min(width, height) > 0.0:
             found.append((fitting(outlines, (width, height)), columns))
+    if not found:
+        raise InputError([Problem("", groups[0][0].mechanism, too_many_words())])
     scale, columns = min(found)
     return columns, scale
+
+
+def too_many_words() -> str:
+    """Say what to do about more forces than a sheet has room for."""
+    return _("has too many forces for this paper: ask for one crank angle, or for A3")
 
 
 def _draw(page: Page, polygons: Sequence[ForcePolygon], box: Box, columns: int) -> None:
@@ -117,16 +134,23 @@ def force_polygon_sketch(polygon: ForcePolygon) -> Sketch:
     sketch = Sketch(1.0)
     middle = np.mean(polygon.corners, axis=1)
     wishes: list[Wish] = []
+    before = np.zeros(2)
     for force, start, end in zip(polygon.forces, polygon.corners.T[:-1], polygon.corners.T[1:], strict=True):
+        side = (end - start) / max(polygon.length(force), _LEAST)
+        # Where a force goes back on the one before, it is drawn beside it.
+        aside = _ASIDE * np.array([side[1], -side[0]]) * float(side @ before < _BACK)
         habit = "part" if force.cause == "inertia" else "vector"
-        sketch.add([Line(np.stack([start, end], axis=1), "LINKS", habit, 3)])
-        along = float(np.arctan2(*(end - start)[::-1]))
+        sketch.add([Line(np.stack([start + aside, end + aside], axis=1), "LINKS", habit, 3)])
+        along = float(np.arctan2(side[1], side[0]))
         if polygon.length(force) > _HEADED:
-            sketch.add([shapes.arrowhead(end, along, 2.0)])
+            sketch.add([shapes.arrowhead(end + aside, along, 2.0)])
         if polygon.length(force) > _SYMBOL:
-            wishes.append(Wish(0.5 * (start + end), force.symbol, _outward(0.5 * (start + end) - middle, along)))
+            half = 0.5 * (start + end) + aside
+            wishes.append(Wish(half, force.symbol, _outward(half - middle, along)))
+        before = side
     sketch.add([Circle(polygon.corners[:, 0], 0.7, "LINKS", "outline", 6, "paper")])
-    sketch.add(placed_labels(wishes, list(sketch.outline()), 1.0))
+    if wishes:
+        sketch.add(placed_labels(wishes, list(sketch.outline()), 1.0))
     return sketch
 
 
@@ -171,5 +195,11 @@ def _rows(polygon: ForcePolygon) -> Iterator[tuple[str, str, str, str]]:
     """Every force of a link."""
     causes = {"load": _("load"), "weight": _("weight"), "inertia": _("inertia"), "reaction": ""}
     for force in polygon.forces:
-        said = causes[force.cause] or force.joint.replace("_", " ")
+        said = causes[force.cause] or _joint_words(force.joint)
         yield mathematics(force.symbol), said, f"{polygon.length(force):.2f}", figure(force.size)
+
+
+def _joint_words(joint: str) -> str:
+    """Name of a joint in words; a chain's is the point's, as the symbol says which links meet there."""
+    words = spoken_name(joint.partition("/")[0]).replace("_", " ")
+    return words if len(words) <= _LETTERS else f"{words[: _LETTERS - 1]}…"
