@@ -10,13 +10,18 @@ import numpy as np
 
 from cranktrain.catalogue import entries
 from cranktrain.engine.axial import axial_positions
+from cranktrain.engine.balance import rolling_moment, shaking_couples, shaking_forces
+from cranktrain.engine.balance_weights import balance_weights
 from cranktrain.engine.closing import closing
 from cranktrain.engine.couplers import coupler_motion, coupler_speeds
 from cranktrain.engine.crank_pins import crank_pin_loads
 from cranktrain.engine.dead_centres import dead_centres, piston_turn
+from cranktrain.engine.evenness import flywheel_moment, running_speed, shaft_work
 from cranktrain.engine.firing import firing
+from cranktrain.engine.flywheel import flywheel_size, rim_size
 from cranktrain.engine.followed import link_motion, slider_motions
 from cranktrain.engine.forces import joint_forces, loaded_machine, mechanism_torques, solved_cycle
+from cranktrain.engine.frame_forces import frame_forces
 from cranktrain.engine.gas import gas_in_chambers, gas_pressures
 from cranktrain.engine.motion import piston_motion, piston_speeds
 from cranktrain.engine.opposed import combined_motion, combined_speeds, volumetric_dead_centres
@@ -134,6 +139,16 @@ STAGES: tuple[Stage, ...] = tuple(
         mechanism_torques,
         journal_torques,
         joint_forces,
+        frame_forces,
+        balance_weights,
+        shaking_forces,
+        shaking_couples,
+        rolling_moment,
+        flywheel_moment,
+        shaft_work,
+        running_speed,
+        flywheel_size,
+        rim_size,
         axial_positions,
         closing,
         textbook_motion,

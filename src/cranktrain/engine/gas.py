@@ -11,9 +11,11 @@ from cranktrain.catalogue import quantity
 from cranktrain.engine.dead_centres import DeadCentres, around_zero, slider_motion
 from cranktrain.engine.firing import Cycle, Firing
 from cranktrain.engine.layout import CrankAngle, Pistons
+from cranktrain.engine.motion import PistonMotion
 from cranktrain.engine.travel import CylinderPistons, CylinderTravel
-from cranktrain.engine.volumes import Chambers, ChamberVolumes, SweptVolumes, by_chamber
-from cranktrain.gas import Chamber, GasSpec, VolumeLimits, chamber_state, kind_of
+from cranktrain.engine.volumes import Chambers, ChamberVolumes, SweptVolumes
+from cranktrain.errors import InputError
+from cranktrain.gas import Chamber, GasKind, GasSpec, VolumeLimits, chamber_state, kind_of
 from cranktrain.gas.work import indicated_work
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient, single
@@ -80,13 +82,23 @@ class GasInChambers:
 
     def volume(self, angle: Array) -> Coefficient:
         """Volume of every chamber at φ [rad], and its derivatives, shape (design, chamber, n). [m³, m³/rad, m³/rad²]"""
-        motion = slider_motion(self.pistons, angle)
-        areas = self.chambers.areas
-        return Coefficient(
-            self.start + by_chamber(areas, self.tops - motion.value),
-            by_chamber(areas, -motion.first),
-            by_chamber(areas, -motion.second),
-        )
+        return self.volume_by(slider_motion(self.pistons, angle))
+
+    def volume_by(self, slider: Coefficient) -> Coefficient:
+        """Volume of every chamber, as `volume` gives it, from the pistons' distances from their shafts."""
+        summed = self.chambers.summed
+        return Coefficient(self.start + summed(self.tops - slider.value), summed(-slider.first), summed(-slider.second))
+
+    def volume_of(self, design: int, place: int, angle: Array) -> Coefficient:
+        """Volume of one chamber of one design at φ [rad], shape (n,), and its derivatives. [m³, m³/rad, m³/rad²]"""
+        areas = self.chambers.areas[design, :, place]
+        value, first, second = np.zeros((3, *angle.shape))
+        for piston in np.flatnonzero(areas).tolist():
+            slider = self.pistons.alone(design, piston, angle).slider
+            value = value + areas[piston] * (self.tops[design, piston] - slider.value[0])
+            first = first - areas[piston] * slider.first[0]
+            second = second - areas[piston] * slider.second[0]
+        return Coefficient(self.start[design, place] + value, first, second)
 
     def pressure(self, angle: Array, volume: Coefficient) -> Array:
         """Absolute pressure in every chamber at φ [rad], where its volume is known, shape (design, chamber, n). [Pa]"""
@@ -227,7 +239,7 @@ def _models(spec: GasSpec, chambers: GasInChambers, design: int, unroll: Unroll,
         start = float(chambers.firing[design, place, 0])
 
         def volume(angle: Array, start: float = start, place: int = place) -> Array:
-            return chambers.volume(angle + start).value[design, place]
+            return chambers.volume_of(design, place, angle + start).value
 
         ratio = float(ratios[place])
 
@@ -238,9 +250,17 @@ def _models(spec: GasSpec, chambers: GasInChambers, design: int, unroll: Unroll,
         key = tuple(float(f"{float(value):.9g}") for value in (*limits, *volume(_TELLING)))
         if key not in made:
             chamber = Chamber(chambers.cycle, limits, volume, None if np.isnan(ratio) else outward)
-            made[key] = kind.model(spec, chamber)
+            made[key] = _model(kind, spec, chamber)
         found.append(made[key])
     return tuple(found)
+
+
+def _model(kind: GasKind, spec: GasSpec, chamber: Chamber) -> Any:
+    """Make one chamber's model; what does not suit it is wrong in [gas]."""
+    try:
+        return kind.model(spec, chamber)
+    except InputError as error:
+        raise InputError(replace(problem, path=f"gas.{problem.path}") for problem in error.problems) from None
 
 
 @dataclass(frozen=True)
@@ -273,11 +293,17 @@ class GasPressures:
 
 
 def gas_pressures(
-    gas: GasInChambers, travel: CylinderTravel, swept: SweptVolumes, crank_angle: CrankAngle
+    gas: GasInChambers, travel: CylinderTravel, swept: SweptVolumes, crank_angle: CrankAngle, motion: PistonMotion
 ) -> GasPressures:
     """Pressure over the cycle, its force, work and peak."""
     phi = crank_angle.angle
-    volume = gas.volume(phi)
+    volume = gas.volume_by(
+        Coefficient(
+            gas.tops - motion.piston_displacement,
+            -motion.piston_velocity_coefficient,
+            -motion.piston_acceleration_coefficient,
+        )
+    )
     pressure = gas.pressure(phi, volume)
     work = indicated_work(pressure, volume.first, gas.cycle)
     firing, _opposite = gas.dead_centres(travel)

@@ -6,6 +6,7 @@ from typing import Annotated, Any, Literal, Self, TypeVar, cast
 from pydantic import BeforeValidator, Field, model_validator
 
 from cranktrain.engine.bodies import BodySpec
+from cranktrain.engine.ends import ENDS
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.mechanisms import AnyMechanism, MechanismSpec
@@ -65,10 +66,6 @@ _GAUGE = ("barg", "бари", "ati", "ати", "psig")
 
 MAIN = "main"
 """Name of the shaft whose angle is the crank angle."""
-
-
-ENDS = ("exhaust", "scavenge")
-"""The two pistons of an opposed-piston cylinder, by what they control."""
 
 
 class OpposedPistonSpec(Spec, frozen=True):
@@ -186,7 +183,7 @@ class BankSpec(Spec, frozen=True):
         found: list[Problem] = []
         if len(far) != 1:
             allowed = _(
-                "must be true for just one of exhaust and scavenge, the piston that is farther from their shaft"
+                "must be true for just one of the two, the far piston on their shaft; or give one another shaft"
             )
             found.append(Problem(f"{ENDS[1]}.side_rods", None, allowed))
         if self.lead is not None:

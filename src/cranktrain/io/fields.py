@@ -17,7 +17,42 @@ _SENTENCES = {
         "shaft": N_("Shafts by name; the angle of `main` is the crank angle."),
         "mechanism": N_("The mechanism of a machine that has only one; otherwise each bank has its own."),
         "bank": N_("Banks by name; the first one in the file is the first bank."),
+        "masses": N_(
+            "Bodies by the part that they are: piston, rod, crank, a chain's own names; a bank may have its own."
+        ),
+        "friction": N_("Coefficients of friction by what slides: piston, or a chain's slider."),
+        "gravity": N_("Whether weights count, downward."),
+        "gas": N_("What the chambers hold: the kind of gas model and its numbers."),
         "cylinder": N_("Cylinders: what is common to all, and tables for one bank or one cylinder."),
+        "evenness": N_("What balances the machine, its flywheel, and how evenly it is to run."),
+        "balance": N_("Counterweights and balance shafts, given or solved for."),
+    },
+    "BalanceSpec": {
+        "weight": N_("Weights that turn: on the crankshaft, or on shafts of their own."),
+        "counterweights": N_(
+            "Solved for: `rotating` takes all that rotates on each throw, `least_force` leaves the least largest force."
+        ),
+        "share": N_("Share of what reciprocates that counterweights take besides all that rotates: 0 unless given."),
+        "planes": N_("Two places along the shaft, from throw 1, for the counterweights; unless given, every throw."),
+        "shafts": N_("Pairs of balance shafts, solved for after all other weights."),
+    },
+    "WeightSpec": {
+        "mass": N_("Mass of the weight."),
+        "radius": N_("Of its centroid from the axis of its shaft."),
+        "angle": N_(
+            "Where it stands at crank angle 0 of throw 1, ahead of throw 1; on a throw, opposite that unless given."
+        ),
+        "throw": N_("The throw of the crankshaft that it is on, counted from 1."),
+        "z": N_("Its place along the shaft, from throw 1 toward the flywheel."),
+        "ratio": N_("Turns for one of the crank, less than 0 against it; 1 unless given."),
+        "place": N_("Where its shaft lies from the crankshaft's centre: to the right, and up."),
+    },
+    "BalanceShaftsSpec": {
+        "order": N_("How many times as fast as the crank both shafts turn."),
+        "against": N_("Whether they take away the force of that order, the couple, or both."),
+        "planes": N_("Places of their weights along the shaft, from throw 1: one against a force, two for a couple."),
+        "forward": N_("Where the shaft lies that turns with the crank: to the right of its centre, and up."),
+        "backward": N_("Where the shaft lies that turns against the crank: to the right of its centre, and up."),
     },
     "ShaftSpec": {
         "throws": N_("How far each throw stands ahead of throw 1; one that is to fire later stands behind."),
@@ -40,9 +75,19 @@ _SENTENCES = {
         "stagger": N_("By how much the bank is moved along the shaft toward the flywheel."),
         "exhaust": N_("With opposed pistons: the piston of each cylinder that uncovers the exhaust ports."),
         "scavenge": N_("With opposed pistons: the piston of each cylinder that uncovers the scavenge ports."),
+        "masses": N_("Bodies of this bank's mechanisms, where they are not those of all."),
         "lead": N_("By how much the exhaust crank is ahead of the scavenge crank; it phases their shafts."),
     },
+    "BodySpec": {
+        "mass": N_("Mass of the body; or, of a rod, those of both its ends."),
+        "along": N_("Centroid's distance from the link's first pin, toward its second."),
+        "across": N_("Centroid's distance from the link's line, to its left."),
+        "inertia": N_("Moment of inertia about the centroid; of a rod, that of two masses at its ends unless given."),
+        "big_end": N_("Mass at the rod's first pin, as weighed."),
+        "small_end": N_("Mass at the rod's second pin, as weighed."),
+    },
     "OpposedPistonSpec": {
+        "masses": N_("Bodies of this piston's mechanism, where they are not those of all."),
         "mechanism": N_("The mechanism of the piston."),
         "shaft": N_("The shaft that the piston works on."),
         "throws": N_("Throws on which the bank's pistons work, counted from 1; all unless given."),
