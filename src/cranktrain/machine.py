@@ -12,6 +12,7 @@ from cranktrain.engine.balance_specs import BalanceSpec
 from cranktrain.engine.balance_weights import balance_problems
 from cranktrain.engine.bodies import BodySpec, Friction
 from cranktrain.engine.cylinders import cylinder_problems, firing_order_of
+from cranktrain.engine.evenness_table import EvennessSpec
 from cranktrain.engine.frames import Orientation
 from cranktrain.engine.gearing import first_axis
 from cranktrain.engine.masses import Weighed, mass_problems
@@ -62,6 +63,7 @@ class Machine(Spec, frozen=True):
     gravity: bool = False
     gas: AnyGas | None = None
     balance: BalanceSpec | None = None
+    evenness: EvennessSpec | None = None
 
     def __init__(self, /, **data: Any) -> None:
         try:

@@ -32,10 +32,15 @@ DIMENSIONS = {
     "point",
     "link",
     "slider",
-    "method",
-    "balance",
+    "shaft",
+    "journal",
     "order",
+    "method",
+    "force_method",
+    "rod_method",
+    "balance",
     "weight",
+    "flywheel_method",
     "crank_angle",
     "design",
     *(kind.name for kind in KINDS),
@@ -66,6 +71,7 @@ EVERYTHING = {
         "firing_order": "1L-1O-2Z-2R-1Z-1R-2L",
         "exhaust_port": "20 mm",
         "scavenge_port": "15 mm",
+        "mechanical_efficiency": 0.8,
         "O": {"chambers": ["head"], "compression_ratio": 9},
         "R": {"compression_ratio": 9},
         "Z": {"compression_ratio": 9},
@@ -84,6 +90,7 @@ EVERYTHING = {
         "weight": [{"mass": "1 kg", "radius": "40 mm", "throw": 2}],
         "shafts": [{"order": 2, "against": "both", "planes": ["0 mm", "100 mm"]}],
     },
+    "evenness": {"flywheel": "2 kg·m²", "coefficient": 0.02, "rim": {"mean_diameter": "600 mm"}},
 }
 """A machine of all kinds, which declares all there is."""
 
@@ -221,7 +228,9 @@ class TestMissing:
 
     def test_firing_order(self):
         found = self.missing(cylinder__firing_order=None)
-        assert found == {("[cylinder] firing_order",): {"firing_angle", "firing_dead_centre", "firing_interval"}}
+        assert found == {
+            ("[cylinder] firing_order",): {"firing_angle", "firing_dead_centre", "firing_interval", "phase_star_sum"}
+        }
 
     def test_cycle(self):
         assert list(self.missing(cylinder__cycle=None)) == [("[cylinder] cycle",)]
@@ -230,6 +239,10 @@ class TestMissing:
         result = ct.run(ct.Machine(mechanism=ROCKER))
         assert sorted({need for missing in result.missing for need in missing.needs}) == [
             "[balance]",
+            "[evenness.rim] mean_diameter",
+            "[evenness]",
+            "[evenness] coefficient",
+            "[evenness] flywheel or flywheel_moment",
             "[masses]",
             "[mechanism.points.NAME] link, along, across",
             "[mechanism] load_radius",

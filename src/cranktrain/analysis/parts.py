@@ -18,6 +18,7 @@ from cranktrain.engine.cylinders import (
     firing_order_of,
     ports_of,
 )
+from cranktrain.engine.evenness_table import evenness_parts
 from cranktrain.engine.firing import Cycle
 from cranktrain.engine.followed import FollowedLinks, FollowedSliders, followed_of
 from cranktrain.engine.forces import carriers_of
@@ -40,6 +41,7 @@ from cranktrain.engine.piston_forces import direct_pistons_of
 from cranktrain.engine.places import Place
 from cranktrain.engine.points import link_points_of
 from cranktrain.engine.ports import TwoStroke
+from cranktrain.engine.powers import losses_of
 from cranktrain.engine.rocker_load import load_radius_of
 from cranktrain.engine.shafts import GearedShafts, shafts_of
 from cranktrain.engine.throws import shaft_centres_of, throws_of
@@ -117,13 +119,14 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
             PistonRods(rods) if (rods := has_rods(drivers)) is not None else None,
             sharing,
             direct_pistons_of(drivers),
-            OpposedCylinders(sharing) if np.any(sharing.is_opposed) else None,
+            OpposedCylinders(sharing) if sharing is not None and np.any(sharing.is_opposed) else None,
             chambers_of(cylinders, len(pistons[0])),
             compression_ratios_of(cylinders),
             (ports := ports_of(cylinders)),
             TwoStroke() if ports is not None or first.cylinder.cycle == "two-stroke" else None,
             Cycle(cycle) if cycle else None,
             _declared_gas(machines),
+            losses_of([machine.cylinder for machine in machines]),
             firing_order_of(first.cylinder, pistons[0], astern=first.is_astern)[0],
         ]
     if rockers[0]:
@@ -133,6 +136,8 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
             RockerRods(rods) if (rods := has_rods(swinging)) is not None else None,
             load_radius_of(rockers),
         ]
+    if first.evenness is not None:
+        parts += evenness_parts([machine.evenness for machine in machines if machine.evenness is not None])
     speeds = [machine.main_shaft.speed for machine in machines]
     if first.main_shaft.speed is not None:
         parts.append(Speed(np.array([[[speed.si]] for speed in speeds if speed is not None])))

@@ -16,7 +16,9 @@ from cranktrain.engine.closing import closing
 from cranktrain.engine.couplers import coupler_motion, coupler_speeds
 from cranktrain.engine.crank_pins import crank_pin_loads
 from cranktrain.engine.dead_centres import dead_centres, piston_turn
+from cranktrain.engine.evenness import flywheel_moment, running_speed, shaft_work
 from cranktrain.engine.firing import firing
+from cranktrain.engine.flywheel import flywheel_size, rim_size
 from cranktrain.engine.followed import link_motion, slider_motions
 from cranktrain.engine.forces import joint_forces, loaded_machine, mechanism_torques, solved_cycle
 from cranktrain.engine.frame_forces import frame_forces
@@ -26,6 +28,7 @@ from cranktrain.engine.opposed import combined_motion, combined_speeds, volumetr
 from cranktrain.engine.piston_forces import piston_force_set
 from cranktrain.engine.points import point_motion
 from cranktrain.engine.ports import effective_compression, port_timing
+from cranktrain.engine.powers import brake_powers, indicated_powers
 from cranktrain.engine.rocker_load import load_motion
 from cranktrain.engine.rockers import dead_positions, rocker_motion, rocker_speeds, rocker_turn
 from cranktrain.engine.rod_methods import rod_methods
@@ -121,6 +124,8 @@ STAGES: tuple[Stage, ...] = tuple(
         *(function for kind in KINDS for function in kind.stages),
         gas_in_chambers,
         gas_pressures,
+        indicated_powers,
+        brake_powers,
         loaded_machine,
         solved_cycle,
         piston_force_set,
@@ -139,6 +144,11 @@ STAGES: tuple[Stage, ...] = tuple(
         shaking_forces,
         shaking_couples,
         rolling_moment,
+        flywheel_moment,
+        shaft_work,
+        running_speed,
+        flywheel_size,
+        rim_size,
         axial_positions,
         closing,
         textbook_motion,

@@ -11,7 +11,7 @@ from cranktrain.language import _
 from cranktrain.quantities import Angle, Dimension, Given, Length, PositiveLength, PositiveMass, Quantity
 from cranktrain.spec import Spec
 
-HIGHEST_ORDER = 12
+HIGHEST_ORDER = 24
 """Up to which orders torque and shaking are told, and balance shafts may turn."""
 
 Share = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=1.0)]

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.balance_specs import HIGHEST_ORDER
@@ -23,7 +24,7 @@ _TOLD = 3
 
 
 def orders(cycle: float) -> Array:
-    """Orders of a cycle up to 12: ½, 1, 1½, … of a four-stroke, whole ones of others."""
+    """Orders of a cycle up to 24, for 18 cylinders in a turn: ½, 1, 1½, … of a four-stroke, whole ones of others."""
     turns = round(cycle / TURN)
     return np.arange(1, HIGHEST_ORDER * turns + 1) / turns
 
@@ -74,13 +75,13 @@ def torque_orders(torques: ShaftTorques, crank_angle: CrankAngle) -> TorqueOrder
 
 @dataclass(frozen=True)
 class PhaseStarSums:
-    """How far the cylinders' torques of one order add up, by their firing angles: cylinders where all do, 0 where none."""
+    """How far the cylinders' torques of one order add up by their firing: as many as cylinders where all do."""
 
     phase_star_sum: Array = quantity(
         "|Σe^(−ikφ_i)|", "1", _ORDER, N_("Sum of the cylinders' phase vectors of the order, by nominal firing"), _THEORY
     )
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"order": ()})
-    is_major: Array = field(default_factory=lambda: np.zeros((1, 0)))
+    is_major: NDArray[np.bool_] = field(default_factory=lambda: np.zeros((1, 0), dtype=np.bool_))
 
     def answer(self, names: Names, design: int) -> str | None:
         """Name the major orders, of a machine with several cylinders."""

@@ -24,6 +24,7 @@ _SENTENCES = {
         "gravity": N_("Whether weights count, downward."),
         "gas": N_("What the chambers hold: the kind of gas model and its numbers."),
         "cylinder": N_("Cylinders: what is common to all, and tables for one bank or one cylinder."),
+        "evenness": N_("What balances the machine, its flywheel, and how evenly it is to run."),
         "balance": N_("Counterweights and balance shafts, given or solved for."),
     },
     "BalanceSpec": {
@@ -110,6 +111,12 @@ _SENTENCES = {
             'Cylinders in the order in which they fire, such as "1-3-4-2"; with the cycle: firing angles.'
         ),
         "numbers": N_('A maker\'s own numbers of the cylinders, for use in the firing order: { 5 = "1L" }.'),
+        "mechanical_efficiency": N_(
+            "Brake power over indicated power; of a driven machine the other way round. Or give friction_pressure."
+        ),
+        "friction_pressure": N_(
+            "Work that friction takes in a cycle, over the displacement; it is no absolute pressure."
+        ),
         "overrides": N_("What one bank or one cylinder has of its own."),
     },
     "MechanismSpec": {

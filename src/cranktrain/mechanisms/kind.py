@@ -239,8 +239,8 @@ class Kind:
         For a kind whose file says what the mechanism is made of: the kind of just this one.
     closing_field : callable (geometry) → str, optional
         Path in the mechanism's table of what cannot close; unless given, the spec's `rod_field`.
-    margin_precision : float
-        Relative precision to which the closing margin can be told.
+    openings : callable (geometry) → Openings, optional
+        Finds what `closing_margin` looks for; for a kind whose gap has to be walked for.
     has_chambers : bool
         Whether its slider is a piston, which can have a cylinder, and not a valve.
     """
@@ -267,7 +267,7 @@ class Kind:
     length_paths: tuple[str, ...] = ()
     composed: "Callable[[Any], Kind] | None" = None
     closing_field: Callable[[Any], str] | None = None
-    margin_precision: float = 1e-15
+    openings: Callable[[Any], Any] | None = None
     has_chambers: bool = True
 
     @property

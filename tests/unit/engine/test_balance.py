@@ -8,6 +8,7 @@ from tests.machines import RADIUS, ROD, V12, banks, slave, slider, throws
 
 import cranktrain as ct
 from cranktrain.analysis.parts import parts_of
+from cranktrain.engine.balance_specs import HIGHEST_ORDER
 from cranktrain.engine.forces import Carriers
 from cranktrain.engine.frame_forces import frame_forces
 from cranktrain.engine.frames import Frames
@@ -21,7 +22,7 @@ AT = {"speed": f"{SPEED!r} rad/s", "spacing": "100 mm"}
 PISTON = {"piston": {"mass": "1 kg"}}
 CRANK = {"crank": {"mass": "2 kg", "along": "30 mm", "across": "5 mm", "inertia": "0.01 kg*m^2"}}
 UNIT = RADIUS * SPEED**2
-A = np.abs(acceleration_harmonics(RADIUS / ROD, 12))
+A = np.abs(acceleration_harmonics(RADIUS / ROD, HIGHEST_ORDER))
 EIGHT = {"shaft": throws(0, 90, 270, 180, **AT), "bank": banks(L=-45, R=45), "masses": PISTON}
 
 
@@ -202,7 +203,7 @@ def test_opposed_pistons(lead, ratio):
         },
         masses=PISTON,
     )
-    order = np.arange(1, 13)
+    order = np.arange(1, HIGHEST_ORDER + 1)
     left = 2 * UNIT * A[1:] * np.abs(np.sin(order * np.radians(lead) / 2))
     np.testing.assert_allclose(found.shaking_force_largest[0], left, atol=1e-9 * UNIT)
     np.testing.assert_allclose(found.shaking_force_x, 0, atol=1e-9 * UNIT)
@@ -358,7 +359,7 @@ BAD = [
         {"weight": [{"mass": "1 kg", "radius": "1 mm", "angle": "0 deg", "z": "0 mm", "ratio": 0}]},
         {"balance.weight[0].ratio"},
     ),
-    ({"shafts": [{"order": 0}, {"order": 13}]}, {"balance.shafts[0].order", "balance.shafts[1].order"}),
+    ({"shafts": [{"order": 0}, {"order": HIGHEST_ORDER + 1}]}, {"balance.shafts[0].order", "balance.shafts[1].order"}),
     ({"shafts": [{"order": 1, "planes": ["0 mm", "1 mm"]}]}, {"balance.shafts[0].planes"}),
     ({"shafts": [{"order": 1, "against": "couple", "planes": "0 mm"}]}, {"balance.shafts[0].planes"}),
     ({"shafts": [{"order": 1, "against": "roll"}]}, {"balance.shafts[0].against"}),

@@ -23,7 +23,8 @@ from cranktrain.linkage.forces import (
 )
 from cranktrain.mechanisms.chain.backward import BackwardWalk, walk_backward
 from cranktrain.mechanisms.chain.joints import carriers_of, chain_moving, chain_reactions, chain_sliding, moving_of
-from cranktrain.mechanisms.chain.kinematics import ChainMotion, made_names, pin_of
+from cranktrain.mechanisms.chain.kinematics import ChainMotion
+from cranktrain.mechanisms.chain.made import made_names, pin_of
 from cranktrain.mechanisms.chain.steps import ChainSize, Step, Structure, SwivelSize, SwivelStep, TriadStep
 from cranktrain.mechanisms.kind import Dynamics
 from cranktrain.mechanisms.solved import Forces
