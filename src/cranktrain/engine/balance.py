@@ -147,7 +147,7 @@ def rolling_moment(
 ) -> RollingMoment:
     """Take what drives the shaft less what the moving parts keep of it, and the forces of shafts beside `main`.
 
-    The frame holds the gears between shafts; what drives or is driven is on `main`. docs/theory/balance, eq. (16.15).
+    The frame holds the gears between shafts; what drives or is driven is on `main`. docs/theory/balance, eq. (16.16).
     """
     turns = round(crank_angle.cycle / (2 * np.pi))
     centre = running_axes(centres.value, clockwise=frames.clockwise)[..., np.newaxis]
