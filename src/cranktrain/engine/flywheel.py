@@ -48,24 +48,21 @@ class FlywheelSize:
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {_METHOD: METHODS})
     flags: tuple[str, ...] = ()
 
-    def answer(self, names: Names, design: int) -> str:
+    def answer(self, _names: Names, design: int) -> str:
         """Say the exact flywheel, with GD², and the others beside it."""
-        size = self.flywheel_inertia[design]
-        others = ", ".join(
-            _("{method} {inertia} ({error})").format(
-                method=name, inertia=number(float(value), "kg*m^2"), error=_percents(float(error))
-            )
-            for name, value, error in zip(
-                names[_METHOD][1:], size[1:], self.flywheel_inertia_error[design, 1:], strict=True
-            )
-        )
+        sizes = [number(float(value), "kg*m^2") for value in self.flywheel_inertia[design]]
+        errors = [f"{100 * float(error):+.2f} %" for error in self.flywheel_inertia_error[design]]
         return _(
-            "For a coefficient of fluctuation of {delta} the flywheel takes J = {inertia}, GD² = {moment}; {others}."
+            "For a coefficient of fluctuation of {delta} the flywheel takes J = {exact}, GD² = {moment};"
+            " by Mertsalov {mertsalov} ({off}), by textbooks {textbook} ({far})."
         ).format(
             delta=f"{float(self.wanted[design]):.4g}",
-            inertia=number(float(size[0]), "kg*m^2"),
-            moment=number(4 * float(size[0]), "kg*m^2"),
-            others=others,
+            exact=sizes[0],
+            moment=number(4 * float(self.flywheel_inertia[design, 0]), "kg*m^2"),
+            mertsalov=sizes[1],
+            off=errors[1],
+            textbook=sizes[2],
+            far=errors[2],
         )
 
 
@@ -98,11 +95,6 @@ def _size_flags(load: ShaftLoad, inertia: Array) -> Iterator[str]:
         )
 
 
-def _percents(share: float) -> str:
-    """Write an error with its sign."""
-    return f"{100 * share:+.2f} %"
-
-
 @dataclass(frozen=True)
 class RimSize:
     """Rim of the flywheel that is wanted, or where none is, of the one that there is."""
@@ -120,7 +112,7 @@ class RimSize:
     def answer(self, _names: Names, design: int) -> str:
         """Say the rim's section, mass and speed."""
         return _(
-            "Its rim is {height} high and {width} wide, outer diameter {diameter}, {mass}; it runs at {speed}."
+            "The rim is {height} high and {width} wide, outer diameter {diameter}, {mass}; it runs at {speed}."
         ).format(
             height=number(float(self.rim_height[design]), "mm"),
             width=number(float(self.rim_width[design]), "mm"),

@@ -7,6 +7,7 @@ if TYPE_CHECKING:
     from cranktrain.viz.cad import dxf
     from cranktrain.viz.centre_plans import plan_centres
     from cranktrain.viz.construction_plans import plan_arc, plan_brix, plan_brix_backward, plan_projection
+    from cranktrain.viz.evenness import plan_mertsalov, plan_wittenbauer
     from cranktrain.viz.gif import animation
     from cranktrain.viz.machine_sheet import sheet
     from cranktrain.viz.output import save, save_animation
@@ -21,9 +22,11 @@ __all__ = [
     "plan_brix_backward",
     "plan_centres",
     "plan_klein",
+    "plan_mertsalov",
     "plan_positions",
     "plan_projection",
     "plan_velocities",
+    "plan_wittenbauer",
     "save",
     "save_animation",
     "sheet",
@@ -38,9 +41,11 @@ _HOMES = {
     "plan_brix_backward": "cranktrain.viz.construction_plans",
     "plan_centres": "cranktrain.viz.centre_plans",
     "plan_klein": "cranktrain.viz.plans",
+    "plan_mertsalov": "cranktrain.viz.evenness",
     "plan_positions": "cranktrain.viz.plans",
     "plan_projection": "cranktrain.viz.construction_plans",
     "plan_velocities": "cranktrain.viz.plans",
+    "plan_wittenbauer": "cranktrain.viz.evenness",
     "save": "cranktrain.viz.output",
     "save_animation": "cranktrain.viz.output",
     "sheet": "cranktrain.viz.machine_sheet",
