@@ -11,7 +11,8 @@ from cranktrain.linkage import LinkPoint, point
 from cranktrain.linkage.forces import Drive, Gravity, Wrench
 from cranktrain.mechanisms import kind_named
 from cranktrain.mechanisms.chain.forces import chain_dynamics, chain_links
-from cranktrain.mechanisms.chain.kinematics import chain_gap, chain_motion
+from cranktrain.mechanisms.chain.gaps import chain_gap
+from cranktrain.mechanisms.chain.kinematics import chain_motion
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     CrankSize,

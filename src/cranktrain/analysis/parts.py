@@ -7,6 +7,7 @@ from typing import cast
 import numpy as np
 
 from cranktrain.engine.axial import axial_places_of
+from cranktrain.engine.balance_weights import declared_balance
 from cranktrain.engine.crank_pins import crank_pins_of
 from cranktrain.engine.cylinders import (
     CYCLES,
@@ -21,6 +22,7 @@ from cranktrain.engine.evenness_table import evenness_parts
 from cranktrain.engine.firing import Cycle
 from cranktrain.engine.followed import FollowedLinks, FollowedSliders, followed_of
 from cranktrain.engine.forces import carriers_of
+from cranktrain.engine.frames import frames_of
 from cranktrain.engine.gas import DeclaredGas
 from cranktrain.engine.layout import (
     CrankAngle,
@@ -39,8 +41,10 @@ from cranktrain.engine.piston_forces import direct_pistons_of
 from cranktrain.engine.places import Place
 from cranktrain.engine.points import link_points_of
 from cranktrain.engine.ports import TwoStroke
+from cranktrain.engine.powers import losses_of
 from cranktrain.engine.rocker_load import load_radius_of
 from cranktrain.engine.shafts import GearedShafts, shafts_of
+from cranktrain.engine.throws import shaft_centres_of, throws_of
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine, machine_problems
@@ -94,6 +98,10 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
         followed_of(FollowedLinks, designs[0]),
         followed_of(FollowedSliders, designs[0]),
         carriers_of(designs[0]),
+        frames_of(designs, [machine.orientation for machine in machines]),
+        throws_of(designs[0]),
+        shaft_centres_of([machine.shafts for machine in machines], designs),
+        declared_balance([machine.balance for machine in machines], [machine.shafts for machine in machines]),
         crank_pins_of(mechanisms),
         (shafts := shafts_of(first.shafts, designs[0])),
         GearedShafts(shafts) if len(shafts.names) > 1 else None,
@@ -111,13 +119,14 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
             PistonRods(rods) if (rods := has_rods(drivers)) is not None else None,
             sharing,
             direct_pistons_of(drivers),
-            OpposedCylinders(sharing) if np.any(sharing.is_opposed) else None,
+            OpposedCylinders(sharing) if sharing is not None and np.any(sharing.is_opposed) else None,
             chambers_of(cylinders, len(pistons[0])),
             compression_ratios_of(cylinders),
             (ports := ports_of(cylinders)),
             TwoStroke() if ports is not None or first.cylinder.cycle == "two-stroke" else None,
             Cycle(cycle) if cycle else None,
             _declared_gas(machines),
+            losses_of([machine.cylinder for machine in machines]),
             firing_order_of(first.cylinder, pistons[0], astern=first.is_astern)[0],
         ]
     if rockers[0]:

@@ -207,13 +207,14 @@ def _mechanism_found(file: MachineFile, picture: Picture) -> None:
 
 def _drawn(file: MachineFile, picture: Picture, request: Request) -> None:
     """Draw once the file is known to be possible, and write it."""
-    from cranktrain.viz import dxf, save, save_animation
+    from cranktrain.viz import SHEET_QUANTITIES, dxf, save, save_animation
 
     if picture.suffix == DRAWING:
         angles = _POSITIONS if picture.angles is None else picture.angles
         dxf(file.machine, angles, picture.output, mechanism=picture.mechanism, force=request.force)
     elif picture.suffix == ANIMATION:
-        save_animation(computed(file, partial=request.is_partial), picture.output, force=request.force)
+        result = computed(file, partial=request.is_partial, quantities=SHEET_QUANTITIES)
+        save_animation(result, picture.output, force=request.force)
     else:
         save(lambda: _figure(file, picture, request), picture.output, force=request.force)
 
@@ -223,7 +224,7 @@ def _figure(file: MachineFile, picture: Picture, request: Request) -> "Figure":
     from cranktrain import viz
 
     if picture.plan is None:
-        result = computed(file, partial=request.is_partial)
+        result = computed(file, partial=request.is_partial, quantities=viz.SHEET_QUANTITIES)
         if isinstance(picture.angles, Sequence):
             return viz.sheet(result, size=picture.size, at=picture.angles[0])
         return viz.sheet(result, size=picture.size)

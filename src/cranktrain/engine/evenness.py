@@ -141,6 +141,8 @@ class RunningSpeed:
 
     def answer(self, _names: Names, design: int) -> str:
         """Say the speed's bounds, its coefficient of fluctuation and its means."""
+        if np.isnan(self.coefficient_of_fluctuation[design]):
+            return ""
         return _(
             "The shaft runs at {least} to {most}, coefficient of fluctuation {delta};"
             " mean {time} over time, {middle} of the extremes."

@@ -50,19 +50,27 @@ class FlywheelSize:
 
     def answer(self, _names: Names, design: int) -> str:
         """Say the exact flywheel, with GD², and the others beside it."""
-        sizes = [number(float(value), "kg*m^2") for value in self.flywheel_inertia[design]]
-        errors = [f"{100 * float(error):+.2f} %" for error in self.flywheel_inertia_error[design]]
+        delta = f"{float(self.wanted[design]):.4g}"
+        size = float(self.flywheel_inertia[design, 0])
+        if np.isnan(size):
+            return ""
+        if size <= 0:
+            return _(
+                "For a coefficient of fluctuation of {delta} no flywheel is needed: the moving parts do, and more."
+            ).format(delta=delta)
+        exact, mertsalov, textbook = (number(float(value), "kg*m^2") for value in self.flywheel_inertia[design])
+        _zero, off, far = (f"{100 * float(error):+.2f} %" for error in self.flywheel_inertia_error[design])
         return _(
             "For a coefficient of fluctuation of {delta} the flywheel takes J = {exact}, GD² = {moment};"
             " by Mertsalov {mertsalov} ({off}), by textbooks {textbook} ({far})."
         ).format(
-            delta=f"{float(self.wanted[design]):.4g}",
-            exact=sizes[0],
-            moment=number(4 * float(self.flywheel_inertia[design, 0]), "kg*m^2"),
-            mertsalov=sizes[1],
-            off=errors[1],
-            textbook=sizes[2],
-            far=errors[2],
+            delta=delta,
+            exact=exact,
+            moment=number(4 * size, "kg*m^2"),
+            mertsalov=mertsalov,
+            off=off,
+            textbook=textbook,
+            far=far,
         )
 
 
@@ -111,6 +119,8 @@ class RimSize:
 
     def answer(self, _names: Names, design: int) -> str:
         """Say the rim's section, mass and speed."""
+        if np.isnan(self.rim_height[design]):
+            return ""
         return _(
             "The rim is {height} high and {width} wide, outer diameter {diameter}, {mass}; it runs at {speed}."
         ).format(

@@ -100,7 +100,15 @@ class LoadedMachine:
     gas: GasInChambers | None
     speed: Array
 
-    def solved(self, angle: Array, friction_sense: float | None = None) -> tuple[SolvedGroup, ...]:
+    def motions(self, angle: Array) -> tuple[Any, ...]:
+        """Motion of every mechanism at crank angles φ [rad], in the order of `mechanisms.groups`."""
+        return tuple(
+            group.kind.motion(angle + group.members.phase, group.members.geometry) for group in self.mechanisms.groups
+        )
+
+    def solved(
+        self, angle: Array, friction_sense: float | None = None, motions: Sequence[Any] | None = None
+    ) -> tuple[SolvedGroup, ...]:
         """Solve every mechanism.
 
         Parameters
@@ -109,6 +117,8 @@ class LoadedMachine:
             φ. [rad]
         friction_sense : float, optional
             +1 or −1 for the value on either side of a standstill; of each slider's own velocity unless given.
+        motions : sequence, optional
+            Of `motions` at the same angles, where the caller has them.
 
         Returns
         -------
@@ -119,10 +129,11 @@ class LoadedMachine:
         on_rods: dict[int, Wrench] = {}
         found: dict[int, SolvedGroup] = {}
         groups = list(enumerate(self.mechanisms.groups))
+        moving = self.motions(angle) if motions is None else motions
         # Slaves first: what they do to their masters' rods is a load there.
         for place, group in sorted(groups, key=lambda one: one[1].kind.name != "articulated_rod"):
             dynamics, size = group.kind.dynamics, group.members.geometry
-            motion = group.kind.motion(angle + group.members.phase, size)
+            motion = moving[place]
             made = self.masses.groups[place]
             loads = dynamics.load(motion, size, pressing(group.index))
             handed = _of_slaves(group.index, on_rods) if group.kind.name == _MASTER else None

@@ -1,17 +1,18 @@
 """Gas in the chambers: pressure over the cycle by the declared model, its work, and its force on every piston."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.dead_centres import DeadCentres, around_zero, slider_motion
 from cranktrain.engine.firing import Cycle, Firing
 from cranktrain.engine.layout import CrankAngle, Pistons
 from cranktrain.engine.travel import CylinderPistons, CylinderTravel
-from cranktrain.engine.volumes import Chambers, ChamberVolumes, SweptVolumes
+from cranktrain.engine.volumes import Chambers, ChamberVolumes, SweptVolumes, by_chamber
 from cranktrain.errors import InputError
 from cranktrain.gas import Chamber, GasKind, GasSpec, VolumeLimits, chamber_state, kind_of
 from cranktrain.gas.work import indicated_work
@@ -83,9 +84,9 @@ class GasInChambers:
         motion = slider_motion(self.pistons, angle)
         areas = self.chambers.areas
         return Coefficient(
-            self.start + _by_chamber(areas, self.tops - motion.value),
-            _by_chamber(areas, -motion.first),
-            _by_chamber(areas, -motion.second),
+            self.start + by_chamber(areas, self.tops - motion.value),
+            by_chamber(areas, -motion.first),
+            by_chamber(areas, -motion.second),
         )
 
     def volume_of(self, design: int, place: int, angle: Array) -> Coefficient:
@@ -98,13 +99,6 @@ class GasInChambers:
             first = first - areas[piston] * slider.first[0]
             second = second - areas[piston] * slider.second[0]
         return Coefficient(self.start[design, place] + value, first, second)
-
-    def pressure_of(self, design: int, place: int, angle: Array) -> Array:
-        """Absolute pressure in one chamber of one design at φ [rad], shape (n,). [Pa]"""
-        spec, limits = self.specs[design], VolumeLimits(*(part[design, place] for part in self.limits))
-        volume = self.volume_of(design, place, angle)
-        state = chamber_state(volume, limits, angle - self.firing[design, place], np.array(self.cycle))
-        return kind_of(spec).pressure(state, self.models[design][place])
 
     def pressure(self, angle: Array, volume: Coefficient) -> Array:
         """Absolute pressure in every chamber at φ [rad], where its volume is known, shape (design, chamber, n). [Pa]"""
@@ -124,6 +118,41 @@ class GasInChambers:
         turns = 2 * np.pi * np.rint((self.firing[..., 0] - least) / (2 * np.pi))
         return least + turns, np.where(is_head, travel.outer[:, of], travel.inner[:, of])
 
+    @property
+    def distinct(self) -> list[int]:
+        """Chambers that stand for all others of their design which share their model."""
+        return sorted({places[0] for design in range(len(self.models)) for _model, places in self.alike(design)})
+
+    @property
+    def origin(self) -> NDArray[np.intp]:
+        """Which of the distinct chambers stands for each, shape (design, chamber)."""
+        found = np.empty((len(self.models), len(self.chambers.names)), dtype=np.intp)
+        chosen = self.distinct
+        for design in range(len(self.models)):
+            for _model, places in self.alike(design):
+                found[design, places] = chosen.index(places[0])
+        return found
+
+    def at_own(self, angle: Array, places: Sequence[int], values: Callable[[Array], Array]) -> Array:
+        """Values of some chambers, each at its own angles φ.
+
+        Parameters
+        ----------
+        angle : Array, shape (design, place, k). [rad]
+        places : sequence of int
+            Which chambers.
+        values : callable
+            From angles of shape (design, 1, n) to values of all chambers, shape (..., design, chamber, n).
+
+        Returns
+        -------
+        Array, shape (..., design, place, k)
+        """
+        n_designs, n_places, n_angles = angle.shape
+        found = values(angle.reshape(n_designs, 1, -1))
+        apart = found.reshape(*found.shape[:-1], n_places, n_angles)
+        return apart[..., list(places), np.arange(n_places), :]
+
     def alike(self, design: int) -> list[tuple[Any, list[int]]]:
         """Models of one design's chambers, each with the chambers that share it."""
         sharing: dict[int, tuple[Any, list[int]]] = {}
@@ -135,12 +164,6 @@ class GasInChambers:
         """Force of the gas less the ambient pressure on every piston, toward its shaft, (design, piston, n). [N]"""
         areas = self.chambers.areas
         return np.matmul(areas, pressure) - AMBIENT * np.sum(areas, axis=-1, keepdims=True)
-
-
-def _by_chamber(areas: Array, lengths: Array) -> Array:
-    """Sum by chamber what pistons move; one that cannot move all round, NaN, leaves the others alone."""
-    weights = areas[..., np.newaxis]
-    return np.sum(np.where(weights == 0.0, 0.0, weights * lengths[:, :, np.newaxis]), axis=1)
 
 
 def _rows(part: Array, design: int, places: list[int]) -> Array:
@@ -278,7 +301,7 @@ def gas_pressures(
     pressure = gas.pressure(phi, volume)
     work = indicated_work(pressure, volume.first, gas.cycle)
     firing, _opposite = gas.dead_centres(travel)
-    after, peak = _peaks(gas, firing, phi, pressure)
+    after, peak = _peaks(gas, firing, crank_angle, pressure)
     return GasPressures(
         gas_pressure=pressure,
         gas_force=gas.force(pressure),
@@ -291,23 +314,22 @@ def gas_pressures(
     )
 
 
-def _peaks(gas: GasInChambers, firing: Array, phi: Array, pressure: Array) -> tuple[Array, Array]:
+def _peaks(gas: GasInChambers, firing: Array, crank_angle: CrankAngle, pressure: Array) -> tuple[Array, Array]:
     """Angle of the largest pressure after the dead centre at firing, and the pressure, shape (design, chamber)."""
-    after, peak = np.empty(firing.shape), np.empty(firing.shape)
-    for design, models in enumerate(gas.models):
-        known: dict[int, tuple[float, float]] = {}
-        for place, model in enumerate(models):
-            if id(model) not in known:
-                start = float(firing[design, place])
+    places = gas.distinct
+    zero = crank_angle.zero
 
-                def own(angle: Array, design: int = design, place: int = place) -> Array:
-                    return gas.pressure_of(design, place, angle)
+    def own(shown_angle: Array) -> Array:
+        """Pressure in each distinct chamber at its own angles, shape (design, distinct, k)."""
+        phi = shown_angle + zero
+        return gas.at_own(phi, places, lambda angle: gas.pressure(angle, gas.volume(angle)))
 
-                found = largest(own, grid=phi[design, 0], samples=pressure[design, place])
-                # A rise at constant volume stands at the dead centre itself, between the grid's points.
-                at_firing = float(own(np.array([start]))[0])
-                is_there = at_firing >= float(found.value[0]) * (1 - _ALIKE)
-                angle = 0.0 if is_there else float(around_zero(found.angle - start)[0])
-                known[id(model)] = angle, max(at_firing, float(found.value[0]))
-            after[design, place], peak[design, place] = known[id(model)]
-    return after, peak
+    found = largest(own, grid=crank_angle.shown, samples=pressure[:, places])
+    # A rise at constant volume stands at the dead centre itself, between the grid's points.
+    start = firing[:, places, np.newaxis]
+    at_firing = own(start - zero)
+    is_there = at_firing >= found.value * (1 - _ALIKE)
+    after = np.where(is_there, 0.0, around_zero(found.angle + zero - start))[..., 0]
+    peak = np.maximum(at_firing, found.value)[..., 0]
+    design = np.arange(len(gas.models))[:, np.newaxis]
+    return after[design, gas.origin], peak[design, gas.origin]

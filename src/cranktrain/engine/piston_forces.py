@@ -95,9 +95,11 @@ class PistonForceSet:
     checks: tuple[Check, ...] = ()
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"force_method": tuple(_INERTIA)})
 
-    def answer(self, names: Names, design: int) -> str:
-        """Say the largest forces on piston, wall and pin."""
+    def answer(self, names: Names, design: int) -> str | None:
+        """Say the largest forces on piston, wall and rod."""
         del names
+        if np.all(np.isnan(self.piston_force[design, 0])):
+            return None
 
         def peak(curve: Array) -> str:
             return number(float(np.nanmax(np.abs(curve[design, 0]))), "kN")

@@ -21,6 +21,10 @@ _TURN = turn_grid(360)
 _WEIGHTLESS = Gravity(single(0.0), single(0.0))
 
 
+_TOLD = 1e-9
+"""An error that is told; less is rounding, where a rod's inertia was assumed to be that of two masses."""
+
+
 @dataclass(frozen=True)
 class RodMethods:
     """Errors of rods replaced by masses, in parts of the exact peak; 0 where a method is exact.
@@ -40,7 +44,7 @@ class RodMethods:
         """Say what two masses lose."""
         row = names["rod_method"].index("two_masses")
         side, torque = self.side_force_error[design, row], self.driving_torque_error[design, row]
-        if np.all(np.isnan(side)) or not np.nanmax(side) > 0:
+        if np.all(np.isnan(side)) or not np.nanmax(side) > _TOLD:
             return None
         return _("A rod of two masses is off by up to {side} in the side force, {torque} in the torque.").format(
             side=number(float(np.nanmax(side)), "%"), torque=number(float(np.nanmax(torque)), "%")
@@ -53,7 +57,7 @@ def rod_methods(direct: DirectPistons, loaded: LoadedMachine, solved: SolvedCycl
     Notes
     -----
     All methods have the rod's mass and centroid, so that they differ by a couple on the rod alone: it presses the guide
-    with −C/(L cos β) and turns the crank by Cθ′. docs/theory/forces, eq. (13.41).
+    with −C/(L cos θ) and turns the crank by Cθ′. docs/theory/forces, eq. (13.37).
     """
     shape = (len(loaded.speed), len(ROD_METHODS), direct.n_pistons)
     side, torque = np.full((2, *shape), np.nan)

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.forces import LoadedMachine, SolvedCycle, driving_torques
@@ -17,6 +18,8 @@ from cranktrain.wording import Names, number
 
 _SHAFT = ("shaft",)
 _THEORY = "docs/theory/forces"
+_ROUNDING = 1e-12
+"""Torques smaller than this part of the peak may be of either sign."""
 _NOTHING = 1e-9
 """A mean torque below this part of the peak is none: a machine without gas gives no work."""
 
@@ -56,7 +59,7 @@ def shaft_torques(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, cr
     Notes
     -----
     A mechanism's crank angle counts in its own shaft's sense and all shafts turn alike fast, so the torques of all
-    simply add up to what the main shaft feels. docs/theory/forces, eq. (13.37).
+    simply add up to what the main shaft feels. docs/theory/forces, eq. (13.38).
     """
     by_mechanism = -driving_torques(loaded, solved.groups)
     by_shaft = along_shaft.throw_torque(by_mechanism, shafts.shaft, len(shafts.names))
@@ -154,7 +157,7 @@ def gear_torques(geared: GearedShafts, torques: ShaftTorques) -> GearTorques:
     """What an ideal gear passes from each shaft to the main one; NaN for that one itself.
 
     At constant speed a balanced shaft takes nothing for itself: the gear passes all. Work shares are NaN where the
-    machine does no work. docs/theory/forces, eq. (13.38).
+    machine does no work. docs/theory/forces, eq. (13.39).
     """
     other = np.arange(len(geared.shafts.names)) != geared.shafts.main
     passed = np.where(other[:, np.newaxis], torques.shaft_torque, np.nan)
@@ -169,14 +172,16 @@ def gear_torques(geared: GearedShafts, torques: ShaftTorques) -> GearTorques:
 
 
 def reversals(curve: Array) -> Array:
-    """How often a periodic curve, shape (..., n), changes its sign round the cycle; NaN counts for none.
+    """How often a periodic curve, shape (..., n), changes its sign round the cycle.
 
-    A zero between two values of one sign is no change.
+    Neither a zero between two values of one sign is a change, nor what rounding leaves of it; NaN is passed over.
     """
-    sign = np.sign(np.nan_to_num(curve))
-    place = np.where(sign == 0, 0, np.arange(1, curve.shape[-1] + 1))
-    last = np.maximum.accumulate(place, axis=-1)
+    known = np.nan_to_num(curve)
+    felt = np.abs(known) > _ROUNDING * np.max(np.abs(known), axis=-1, keepdims=True)
+    sign = np.where(felt, np.sign(known), 0.0)
+    place: NDArray[np.intp] = np.where(sign == 0, 0, np.arange(1, curve.shape[-1] + 1, dtype=np.intp))
+    last: NDArray[np.intp] = np.maximum.accumulate(place, axis=-1)
     # What stands before the first sign is the last one of the cycle before.
     last = np.where(last == 0, last[..., -1:], last)
-    held = np.take_along_axis(sign, np.maximum(last - 1, 0), axis=-1)
+    held: Array = np.take_along_axis(sign, np.maximum(last - 1, 0), axis=-1)
     return np.sum(held != np.roll(held, 1, axis=-1), axis=-1).astype(np.float64)

@@ -4,8 +4,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
+from cranktrain.engine.balance_specs import HIGHEST_ORDER
 from cranktrain.engine.firing import Cycle, Firing
 from cranktrain.engine.layout import CrankAngle
 from cranktrain.engine.torque import ShaftTorques
@@ -17,18 +19,18 @@ from cranktrain.wording import Names, number
 
 _ORDER = ("order",)
 _THEORY = "docs/theory/harmonics-and-orders"
-_HIGHEST = 12
 _TOLD = 3
 """How many of the largest orders the answer names."""
 
 
 def orders(cycle: float) -> Array:
-    """Orders of a cycle up to 12: ½, 1, 1½, … of a four-stroke, whole ones of others."""
+    """Orders of a cycle up to 24, for 18 cylinders in a turn: ½, 1, 1½, … of a four-stroke, whole ones of others."""
     turns = round(cycle / TURN)
-    return np.arange(1, _HIGHEST * turns + 1) / turns
+    return np.arange(1, HIGHEST_ORDER * turns + 1) / turns
 
 
-def _labels(cycle: float) -> dict[str, tuple[str, ...]]:
+def order_labels(cycle: float) -> dict[str, tuple[str, ...]]:
+    """Names of a cycle's orders."""
     return {"order": tuple(f"{order:g}" for order in orders(cycle).tolist())}
 
 
@@ -68,18 +70,18 @@ def torque_orders(torques: ShaftTorques, crank_angle: CrankAngle) -> TorqueOrder
     taken = min(wanted, shown)
     amplitude[:, :taken] = found.amplitude[:, 1 : taken + 1]
     phase[:, :taken] = found.phase[:, 1 : taken + 1]
-    return TorqueOrders(amplitude, phase, _labels(crank_angle.cycle))
+    return TorqueOrders(amplitude, phase, order_labels(crank_angle.cycle))
 
 
 @dataclass(frozen=True)
 class PhaseStarSums:
-    """How far the cylinders' torques of one order add up, by their firing angles: cylinders where all do, 0 where none."""
+    """How far the cylinders' torques of one order add up by their firing: as many as cylinders where all do."""
 
     phase_star_sum: Array = quantity(
         "|Σe^(−ikφ_i)|", "1", _ORDER, N_("Sum of the cylinders' phase vectors of the order, by nominal firing"), _THEORY
     )
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"order": ()})
-    is_major: Array = field(default_factory=lambda: np.zeros((1, 0)))
+    is_major: NDArray[np.bool_] = field(default_factory=lambda: np.zeros((1, 0), dtype=np.bool_))
 
     def answer(self, names: Names, design: int) -> str | None:
         """Name the major orders, of a machine with several cylinders."""
@@ -92,4 +94,4 @@ class PhaseStarSums:
 def phase_star_sums(firing: Firing, cycle: Cycle) -> PhaseStarSums:
     """Stars of the phase vectors of all cylinders; docs/theory/harmonics-and-orders, eq. (15.14)."""
     stars = phase_stars(orders(cycle.length), firing.firing_angle)
-    return PhaseStarSums(stars.length, _labels(cycle.length), stars.is_major)
+    return PhaseStarSums(stars.length, order_labels(cycle.length), stars.is_major)

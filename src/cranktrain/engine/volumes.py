@@ -133,7 +133,7 @@ def chamber_volumes(
     # A chamber on the shaft's side is smallest where its piston is at the bottom.
     smallest = np.where(chambers.is_head, travel.least[:, chambers.cylinder], -travel.stroke[:, chambers.cylinder])
     start = clearance - chambers.area * smallest
-    volume = start[..., np.newaxis] + _summed(chambers.areas, motion.piston_displacement)
+    volume = start[..., np.newaxis] + by_chamber(chambers.areas, motion.piston_displacement)
     return ChamberVolumes(
         chamber_volume=volume,
         clearance_volume=clearance,
@@ -152,10 +152,21 @@ def _flags(chambers: Chambers, clearance: Array) -> Iterator[str]:
         yield said.format(chambers=ranged(chambers.names, short))
 
 
-def _summed(areas: Array, lengths: Array) -> Array:
-    """Volumes of every chamber, shape (design, chamber, n), from displacements of its own pistons.
+def by_chamber(areas: Array, lengths: Array) -> Array:
+    """Sum by chamber what pistons move.
 
-    A piston that cannot move all round, NaN, leaves the chambers of others alone.
+    Parameters
+    ----------
+    areas : Array, shape (design, piston, chamber)
+        As `Chambers` has them. [m²]
+    lengths : Array, shape (design, piston, n). [m]
+
+    Returns
+    -------
+    Array, shape (design, chamber, n)
+        [m³]. A piston that cannot move all round, NaN, leaves the chambers of others alone.
     """
+    if np.all(np.isfinite(lengths)):
+        return np.matmul(np.swapaxes(areas, 1, 2), lengths)
     weights = areas[..., np.newaxis]
     return np.sum(np.where(weights == 0.0, 0.0, weights * lengths[:, :, np.newaxis]), axis=1)

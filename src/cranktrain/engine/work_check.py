@@ -1,4 +1,4 @@
-"""Work of the torque over a cycle against the work of the gas: the torque by Gauss's quadrature, the gas in closed form.
+"""Work of the torque over a cycle, by Gauss's quadrature, against the work of the gas, in closed form.
 
 Between dead centres and other kinks everything is smooth, so that few points are exact; where the gas goes through
 samples, the run's own sum over its grid is compared with the exact integral of what was laid through them.
@@ -6,7 +6,7 @@ samples, the run's own sum over its grid is compared with the exact integral of 
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,17 +18,18 @@ from cranktrain.engine.layout import CrankAngle
 from cranktrain.engine.torque import ShaftTorques
 from cranktrain.engine.travel import CylinderTravel
 from cranktrain.engine.volumes import SweptVolumes
-from cranktrain.gas import GasKind, VolumeLimits, kind_of
+from cranktrain.gas import GasKind, Kink, VolumeLimits, kind_of
 from cranktrain.language import N_, _
-from cranktrain.motion import Array, single
+from cranktrain.motion import Array, Coefficient, single
 
 _THEORY = "docs/theory/forces"
 _EXACT_LIMIT = 1e-12
 _WIDEST = np.pi / 6
 """Intervals of the quadrature are at most as wide. [rad]"""
-_NODES = ((0.0, 0.02, 4), (0.02, 0.2, 7), (0.2, 1.0, 13))
-"""Intervals from a width to another [rad], and how many points are enough there: p falls as V⁻ⁿ, and V has its zeros
-some 20° off the dead centre in the complex plane."""
+_REACH = 1.3
+"""How wide they may be for the distance of the volume's zeros in the complex plane, where p ~ V⁻ⁿ has its poles."""
+_NODES = ((0.0, 0.04, 3), (0.04, 0.2, 5), (0.2, 0.6, 8), (0.6, 1.01, 12))
+"""Intervals from a part of the widest to another, and how many points are enough there for 13 digits."""
 _NARROWEST = 1e-13
 _MOST_STEPS, _SETTLED = 30, 1e-14
 
@@ -55,7 +56,7 @@ def work_balance(
 
     Notes
     -----
-    docs/theory/forces, eqs. (13.39) and (13.40).
+    docs/theory/forces, eq. (13.40).
     """
     kinds = [kind_of(spec) for spec in gas.specs]
     works = np.stack([_gas_works(gas, kind, design, swept) for design, kind in enumerate(kinds)])
@@ -104,7 +105,7 @@ def _slope_of(gas: GasInChambers, design: int, place: int) -> Callable[[Array], 
 
 def _work_of_torque(loaded: LoadedMachine, gas: GasInChambers, travel: CylinderTravel) -> Array:
     """Work that the machine's torque by the reactions does over a cycle, shape (design,). [J]"""
-    quadrature = _quadrature(_events(gas, travel), gas.cycle)
+    quadrature = _quadrature(_events(gas, travel), _widest(gas, travel), gas.cycle)
     torque = np.sum(driving_torques(loaded, loaded.solved(quadrature.angle[:, np.newaxis])), axis=1)
     return -np.sum(quadrature.weight * torque, axis=-1)
 
@@ -117,56 +118,56 @@ def _events(gas: GasInChambers, travel: CylinderTravel) -> Array:
     return np.concatenate([centres.reshape(len(centres), -1), _kinks(gas, firing)], axis=-1)
 
 
-class _Kinks(NamedTuple):
-    """Kinks of all chambers, shape (design, chamber · kink): volumes, and the branches that they are on."""
-
-    volume: Array
-    sense: Array
-    turn: Array
-
-
 def _kinks(gas: GasInChambers, firing: Array) -> Array:
     """φ of the kinks of all chambers, by Newton's method from the dead centre, shape (design, chamber · kink). [rad]"""
-    kinks = _told_kinks(gas)
-    if kinks.volume.size == 0:
-        return kinks.volume
-    n_each = kinks.volume.shape[1] // firing.shape[1]
-    place = np.repeat(np.arange(firing.shape[1]), n_each)[:, np.newaxis]
-    centre = firing[:, place[:, 0]] + np.where(kinks.turn > 0, 0.0, 2 * np.pi)
+    told = _told_kinks(gas)
+    places = [place for place in gas.distinct for _kink in range(told.shape[-1])]
+    volume, sense, turn = told.reshape(3, len(firing), -1)[..., np.newaxis]
+    if volume.size == 0:
+        return volume[..., 0]
+    centre = firing[:, places, np.newaxis]
 
-    def volume(angle: Array) -> tuple[Array, ...]:
-        found = gas.volume(angle[:, np.newaxis])
-        column = np.arange(len(place))[:, np.newaxis]
-        return tuple(part[:, place, column][..., 0] for part in found)
+    def at(away: Array) -> Coefficient:
+        return Coefficient(*gas.at_own(centre + sense * away, places, lambda angle: np.stack(gas.volume(angle))))
 
-    least, _slope, curvature = volume(centre)
+    least = at(np.zeros_like(volume))
     # Near the dead centre the volume is a parabola.
-    away = np.minimum(np.sqrt(2 * (kinks.volume - least) / curvature), 0.75 * np.pi)
+    away = np.minimum(np.sqrt(2 * (volume - least.value) / least.second), 0.75 * np.pi)
     for _step in range(_MOST_STEPS):
-        value, slope, _curvature = volume(centre + kinks.sense * away)
-        before, away = away, np.clip(away - kinks.sense * (value - kinks.volume) / slope, away / 4, np.pi)
+        found = at(away)
+        before, away = away, np.clip(away - sense * (found.value - volume) / found.first, away / 4, np.pi)
         if not np.any(np.abs(away - before) > _SETTLED):
             break
-    return centre + kinks.sense * away
+    after = np.where(turn > 0, 0.0, 2 * np.pi) + sense * away
+    each = after.reshape(len(firing), len(gas.distinct), -1)
+    design = np.arange(len(firing))[:, np.newaxis]
+    return (firing[..., np.newaxis] + each[design, gas.origin]).reshape(len(firing), -1)
 
 
-def _told_kinks(gas: GasInChambers) -> _Kinks:
-    """Kinks as the gas models tell them, the same number for each chamber: NaN fills up."""
-    told: list[list[Sequence[Any]]] = []
+def _told_kinks(gas: GasInChambers) -> Array:
+    """Volume, sense and turn of the kinks of the distinct chambers, (3, design, distinct, kink): NaN fills up."""
+    told: list[list[Sequence[Kink]]] = []
     for design, spec in enumerate(gas.specs):
-        limits = [VolumeLimits(*(single(float(part[design, i, 0])) for part in gas.limits)) for i in _places(gas)]
-        told.append([kind_of(spec).kinks(model, limits[i]) for i, model in enumerate(gas.models[design])])
+        limits = [VolumeLimits(*(single(float(part[design, i, 0])) for part in gas.limits)) for i in gas.distinct]
+        models = [gas.models[design][place] for place in gas.distinct]
+        told.append([kind_of(spec).kinks(model, own) for model, own in zip(models, limits, strict=True)])
     most = max(len(kinks) for of_design in told for kinks in of_design)
-    filled = np.full((3, len(told), len(_places(gas)), most), np.nan)
+    filled = np.full((3, len(told), len(gas.distinct), most), np.nan)
     for design, of_design in enumerate(told):
         for place, kinks in enumerate(of_design):
             for number, kink in enumerate(kinks):
                 filled[:, design, place, number] = (float(kink.volume), kink.sense, kink.turn)
-    return _Kinks(*(part.reshape(len(told), -1) for part in filled))
+    return filled
 
 
-def _places(gas: GasInChambers) -> range:
-    return range(len(gas.chambers.names))
+def _widest(gas: GasInChambers, travel: CylinderTravel) -> Array:
+    """How wide intervals may be, by the chamber with the least room for its stroke, shape (design,). [rad]"""
+    firing, _opposite = gas.dead_centres(travel)
+    centre = firing[:, gas.distinct, np.newaxis]
+    least = Coefficient(*gas.at_own(centre, gas.distinct, lambda angle: np.stack(gas.volume(angle))))
+    # Near its least value V = V_c + ½V″φ², which is 0 at an imaginary φ.
+    away = np.sqrt(2 * least.value / least.second)
+    return np.fmin(_WIDEST, _REACH * np.fmin.reduce(away, axis=(1, 2)))
 
 
 class _Quadrature(NamedTuple):
@@ -176,9 +177,9 @@ class _Quadrature(NamedTuple):
     weight: Array
 
 
-def _quadrature(events: Array, cycle: float) -> _Quadrature:
+def _quadrature(events: Array, widest: Array, cycle: float) -> _Quadrature:
     """Gauss's points between events over one cycle."""
-    designs = [_gauss(events[design], cycle) for design in range(len(events))]
+    designs = [_gauss(own, wide, cycle) for own, wide in zip(events, widest.tolist(), strict=True)]
     longest = max(angle.size for angle, _weight in designs)
     return _Quadrature(
         np.stack([np.pad(angle, (0, longest - angle.size), mode="edge") for angle, _weight in designs]),
@@ -186,18 +187,18 @@ def _quadrature(events: Array, cycle: float) -> _Quadrature:
     )
 
 
-def _gauss(events: Array, cycle: float) -> tuple[Array, Array]:
+def _gauss(events: Array, widest: float, cycle: float) -> tuple[Array, Array]:
     """Gauss's points and weights of one design; without events, where links do not close, over equal parts."""
     known = np.mod(events[~np.isnan(events)], cycle)
-    marks = np.arange(0.0, cycle, _WIDEST)
-    start = known[0] if known.size else 0.0
-    edges = np.sort(np.concatenate([known, np.mod(start + marks, cycle)]))
+    n_parts = int(np.ceil(cycle / widest - _NARROWEST))
+    marks = np.arange(n_parts) * (cycle / n_parts) + (known[0] if known.size else 0.0)
+    edges = np.sort(np.concatenate([known, np.mod(marks, cycle)]))
     edges = np.append(edges, edges[0] + cycle)
     widths = np.diff(edges)
     angles: list[Array] = []
     weights: list[Array] = []
     for narrow, wide, n_nodes in _NODES:
-        chosen = (np.maximum(narrow, _NARROWEST) < widths) & (widths <= wide)
+        chosen = (np.maximum(narrow * widest, _NARROWEST) < widths) & (widths <= wide * widest)
         node, weight = np.polynomial.legendre.leggauss(n_nodes)
         half = widths[chosen, np.newaxis] / 2
         angles.append((edges[:-1][chosen, np.newaxis] + half * (1 + node)).ravel())

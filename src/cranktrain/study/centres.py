@@ -10,6 +10,7 @@ import numpy as np
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.kind import Block, Drawing
 from cranktrain.motion import Array
+from cranktrain.study.lettering import lettered
 from cranktrain.study.placement import place_called, placed
 from cranktrain.study.plans import closed_angles
 from cranktrain.study.vectors import spoken_name
@@ -82,7 +83,9 @@ class InstantCentres:
         return next(centre for centre in self.centres if [centre.first, centre.second] == pair)
 
 
-def instant_centres(machine: Machine, angle: float, *, mechanism: str | None = None) -> InstantCentres:
+def instant_centres(
+    machine: Machine, angle: float, *, mechanism: str | None = None, is_lettered: bool = False
+) -> InstantCentres:
     """Give the instant centres of every two bodies of a mechanism.
 
     Parameters
@@ -92,6 +95,8 @@ def instant_centres(machine: Machine, angle: float, *, mechanism: str | None = N
         Crank angle as the machine shows it. [deg]
     mechanism : str, optional
         Its name, such as `1R`; unless given, the first slave of throw 1, or the first mechanism.
+    is_lettered : bool
+        Call pins with long names by letters.
 
     Returns
     -------
@@ -119,6 +124,8 @@ def instant_centres(machine: Machine, angle: float, *, mechanism: str | None = N
     place = place_called(machine, mechanism)
     closed_angles(machine, place, [angle])
     drawing = placed(machine, place, np.array([np.deg2rad(angle) + machine.zero]))
+    if is_lettered:
+        drawing = lettered(drawing)
     pins = {name: _pin_motion(drawing, name) for name in drawing.pins}
     with np.errstate(all="ignore"):  # where links only just close velocities have no bound, and centres are nowhere
         bodies, across = _bodies(drawing, pins)
@@ -155,8 +162,9 @@ _Pins = Mapping[str, _PinMotion]
 
 
 def _turning(pins: _Pins, link: Sequence[str]) -> float:
-    """Turn of a link for each radian of the crank, anticlockwise."""
-    first, last = pins[link[0]], pins[link[-1]]
+    """Turn of a link for each radian of the crank, anticlockwise, by its first pin and the one farthest from it."""
+    first = pins[link[0]]
+    last = max((pins[name] for name in link[1:]), key=lambda pin: float(np.hypot(*(pin.place - first.place))))
     arm = last.place - first.place
     return _cross(arm, last.first - first.first) / float(np.dot(arm, arm))
 

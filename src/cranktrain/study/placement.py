@@ -1,27 +1,106 @@
 """The mechanisms of a machine where they stand: pins and their derivatives in machine axes."""
 
+from collections.abc import Mapping
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
+from cranktrain.engine.cylinders import cylinders_of
 from cranktrain.engine.frames import Frame, frame_of, in_machine_axes
 from cranktrain.engine.places import Place
 from cranktrain.engine.specs import MAIN
+from cranktrain.engine.standing import shaft_centres
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.kind import Drawing, Guide
-from cranktrain.motion import Array, Coefficient, Point
+from cranktrain.motion import Array, Coefficient, Point, single
+from cranktrain.numerics import turn_grid
 
 
 def first_throw(machine: Machine) -> tuple[Place, ...]:
-    """Give the places on the main shaft's first throw that carries any; none where the machine cannot be arranged.
+    """Give the places on the main shaft's first throw that carries any, and all that share cylinders with these.
 
-    Where other shafts lie no file says, so they are not drawn.
+    Opposed pistons lead from shaft to shaft: the other piston of each cylinder is drawn, with all that is on its throw.
+    What is on a shaft whose place is not known is left out. None where the machine cannot be arranged.
     """
     places = [place for place in machine.places if place.shaft == MAIN] or machine.places
     first = min((place.throw for place in places), default=0)
-    return tuple(place for place in places if place.throw == first)
+    centres = shaft_places(machine).centres
+    found = {place.name for place in places if place.throw == first}
+    n_found = 0
+    while n_found < len(found):
+        n_found = len(found)
+        drawn = [place for place in machine.places if place.name in found]
+        throws, cylinders = {(one.shaft, one.throw) for one in drawn}, {one.cylinder for one in drawn}
+        found |= {
+            one.name
+            for one in machine.places
+            if one.shaft in centres and ((one.shaft, one.throw) in throws or one.cylinder in cylinders)
+        }
+    return tuple(place for place in machine.places if place.name in found)
+
+
+class ShaftPlaces(NamedTuple):
+    """Centres of shafts by name, X right and Y up from the main one [m]; those of `assumed` the file does not give."""
+
+    centres: Mapping[str, Array]
+    assumed: tuple[str, ...]
+
+
+def shaft_places(machine: Machine) -> ShaftPlaces:
+    """Say where shafts stand for a drawing.
+
+    Of two shafts that face each other along one line the second's place may be assumed: as far away as both pistons
+    reach, and a piston's diameter more for what is above the pins.
+
+    Examples
+    --------
+    >>> crank = {"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "200 mm"}
+    >>> pistons = {"exhaust": {"mechanism": crank}, "scavenge": {"mechanism": crank, "shaft": "upper"}}
+    >>> found = shaft_places(Machine(shaft={"upper": {}}, bank={"A": {**pistons, "lead": "0 deg"}}))
+    >>> found.assumed, round(float(found.centres["upper"][1]), 9)
+    (('upper',), 0.56)
+    """
+    known = shaft_centres(machine.shafts)
+    missing = [name for name in machine.shafts if name not in known]
+    if len(machine.shafts) != 2 or not missing:
+        return ShaftPlaces(known, ())
+    pair = _facing(machine)
+    if pair is None:
+        return ShaftPlaces(known, ())
+    phi = turn_grid()
+    with np.errstate(all="ignore"):
+        motions = [place.kind.motion(phi + place.phase, place.geometry).slider.value for place in pair]
+    if not np.any(np.isfinite(motions[0] + motions[1])):
+        return ShaftPlaces(known, ())
+    distance = float(np.nanmax(motions[0] + motions[1])) + _bore(machine, pair[0], motions[0])
+    on_main, other = pair if pair[0].shaft == MAIN else pair[::-1]
+    lines = [
+        np.array(in_machine_axes(single(across[0]), single(across[1]), frame(machine, place)))
+        for place, across in (
+            (on_main, (distance, getattr(on_main.geometry, "offset", 0.0))),
+            (other, (0.0, getattr(other.geometry, "offset", 0.0))),
+        )
+    ]
+    return ShaftPlaces({**known, missing[0]: np.ravel(lines[0] - lines[1])}, tuple(missing))
+
+
+def _facing(machine: Machine) -> tuple[Place, Place] | None:
+    """Find the first two pistons on both shafts that share a cylinder, if all others face each other as they do."""
+    cylinders: dict[str, list[Place]] = {}
+    for place in machine.places:
+        cylinders.setdefault(place.cylinder, []).append(place)
+    pairs = [pair for pair in cylinders.values() if len({place.shaft for place in pair}) == 2]
+    lines = {round(float(frame(machine, place).direction) % np.pi, 9) for pair in pairs for place in pair}
+    return (pairs[0][0], pairs[0][1]) if len(lines) == 1 else None
+
+
+def _bore(machine: Machine, place: Place, motion: Array) -> float:
+    """Bore of a piston's cylinder; where the file has none, 0.6 of the stroke. [m]"""
+    bore = cylinders_of(machine.cylinder, [place])[0].spec.bore
+    return 0.6 * float(np.ptp(motion[np.isfinite(motion)])) if bore is None else bore.si
 
 
 def place_called(machine: Machine, name: str | None) -> Place:

@@ -14,6 +14,7 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.kind import Drawing
 from cranktrain.motion import Array
+from cranktrain.study.lettering import lettered
 from cranktrain.study.placement import place_called, placed, slider_crank_called
 
 ROOM = (80.0, 80.0)
@@ -52,6 +53,7 @@ def position_plan(
     *,
     mechanism: str | None = None,
     room: tuple[float, float] = ROOM,
+    is_lettered: bool = False,
 ) -> PositionPlan:
     """Plan of a mechanism in several positions.
 
@@ -64,6 +66,8 @@ def position_plan(
         Its name, such as `1R`; unless given, the first slave of throw 1, or the first mechanism.
     room : (width, height)
         For which the scale factor must suffice. [mm]
+    is_lettered : bool
+        Call pins with long names by letters.
 
     Returns
     -------
@@ -80,7 +84,8 @@ def position_plan(
     shown = closed_angles(machine, place, angles)
     drawing = placed(machine, place, np.deg2rad(shown) + machine.zero)
     scale = fitting([np.concatenate(list(drawing.positions.values()), axis=1)], room)
-    return PositionPlan(place.name, shown, scale, drawing.scaled(1.0 / scale))
+    named = lettered(drawing) if is_lettered else drawing
+    return PositionPlan(place.name, shown, scale, named.scaled(1.0 / scale))
 
 
 def track(machine: Machine, scale: float, *, mechanism: str | None = None) -> Drawing:

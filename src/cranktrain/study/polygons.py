@@ -13,6 +13,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
+from cranktrain.study.lettering import lettered
 from cranktrain.study.placement import place_called, placed
 from cranktrain.study.plans import ROOM, closed_angles, fitting
 from cranktrain.study.vectors import POLE, Quantity, Vector, plan_vectors
@@ -56,6 +57,7 @@ def velocity_polygons(
     *,
     mechanism: str | None = None,
     room: tuple[float, float] = ROOM,
+    is_lettered: bool = False,
 ) -> tuple[Polygon, ...]:
     """Polygons of velocities, one for each crank angle, all to one scale.
 
@@ -69,6 +71,8 @@ def velocity_polygons(
         Its name, such as `1R`; unless given, the first slave of throw 1, or the first mechanism.
     room : (width, height)
         For which the scale factor must suffice, polygon by polygon. [mm]
+    is_lettered : bool
+        Call pins with long names by letters.
 
     Returns
     -------
@@ -77,7 +81,7 @@ def velocity_polygons(
         under A. A fixed pin lies on the pole.
     """
     unit = "m/rad" if machine.main_shaft.speed is None else "m/s"
-    return _polygons(machine, "velocity", unit, angles, mechanism, room)
+    return _polygons(machine, "velocity", unit, angles, mechanism, room, is_lettered=is_lettered)
 
 
 def acceleration_polygons(
@@ -86,12 +90,13 @@ def acceleration_polygons(
     *,
     mechanism: str | None = None,
     room: tuple[float, float] = ROOM,
+    is_lettered: bool = False,
 ) -> tuple[Polygon, ...]:
     """Polygons of accelerations, one for each crank angle, all to one scale.
 
     Parameters
     ----------
-    machine, angles, mechanism, room
+    machine, angles, mechanism, room, is_lettered
         As `velocity_polygons` takes them.
 
     Returns
@@ -101,7 +106,7 @@ def acceleration_polygons(
         Coriolis' part of A's in a slot.
     """
     unit = "m/rad^2" if machine.main_shaft.speed is None else "m/s^2"
-    return _polygons(machine, "acceleration", unit, angles, mechanism, room)
+    return _polygons(machine, "acceleration", unit, angles, mechanism, room, is_lettered=is_lettered)
 
 
 def _polygons(
@@ -111,12 +116,16 @@ def _polygons(
     angles: int | Sequence[float],
     mechanism: str | None,
     room: tuple[float, float],
+    *,
+    is_lettered: bool,
 ) -> tuple[Polygon, ...]:
     """Polygons of either kind."""
     place = place_called(machine, mechanism)
     shown = closed_angles(machine, place, angles)
     speed = machine.main_shaft.speed
     drawing = placed(machine, place, np.deg2rad(shown) + machine.zero)
+    if is_lettered:
+        drawing = lettered(drawing)
     omega = 1.0 if speed is None else speed.si
     with np.errstate(all="ignore"):
         found = [plan_vectors(drawing, at, omega, quantity) for at in range(len(shown))]

@@ -7,6 +7,7 @@ if TYPE_CHECKING:
     from cranktrain.viz.cad import dxf
     from cranktrain.viz.centre_plans import plan_centres
     from cranktrain.viz.construction_plans import plan_arc, plan_brix, plan_brix_backward, plan_projection
+    from cranktrain.viz.curves import SHEET_QUANTITIES
     from cranktrain.viz.evenness import plan_mertsalov, plan_wittenbauer
     from cranktrain.viz.gif import animation
     from cranktrain.viz.machine_sheet import sheet
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from cranktrain.viz.plans import plan_accelerations, plan_klein, plan_positions, plan_velocities
 
 __all__ = [
+    "SHEET_QUANTITIES",
     "animation",
     "dxf",
     "plan_accelerations",
@@ -33,6 +35,7 @@ __all__ = [
 ]
 
 _HOMES = {
+    "SHEET_QUANTITIES": "cranktrain.viz.curves",
     "animation": "cranktrain.viz.gif",
     "dxf": "cranktrain.viz.cad",
     "plan_accelerations": "cranktrain.viz.plans",

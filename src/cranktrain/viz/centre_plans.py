@@ -30,8 +30,11 @@ from cranktrain.viz.sketch import Circle, Line, Sketch
 _FEW = 5
 """Of so many bodies all centres are given; of more only those of the frame and of the crank with each."""
 
-_REACH = 1.6
-"""A centre farther from the mechanism than this part of its size is said and not drawn."""
+_REACH, _REACH_OF_MANY = 1.6, 0.9
+"""A centre farther from the mechanism than this part of its size is said and not drawn; and where bodies are many."""
+
+_WIDE = 0.56
+"""Part of a sheet's width in which the mechanism is drawn; tables have the rest."""
 
 _COLUMNS = (0.40, 0.70, 1.0)
 """Where the columns of the table of centres end, in parts of its width."""
@@ -56,21 +59,21 @@ def plan_centres(
     Figure
     """
     chosen = few_angles(angles, _("instant centres"))
-    found = [instant_centres(machine, float(angle), mechanism=mechanism) for angle in chosen]
+    found = [instant_centres(machine, float(angle), mechanism=mechanism, is_lettered=True) for angle in chosen]
     with drawing_settings():
         page, box = plan_page(machine, angles, size, _("Instant centres"), found[0].mechanism)
         cells = list(cells_of(box, len(found)))
-        wide = 0.60 * cells[0].width
+        wide = _WIDE * cells[0].width
         room = (wide - 24.0, cells[0].height - 22.0)
         scale = fitting([_outline(one) for one in found], room)
         for one, cell in zip(found, cells, strict=True):
             page.heading(cell.left, cell.bottom + cell.height - 4.0, f"φ = {one.angle:g}°")
             centre(page, _sketch(one, scale), Box(cell.left, cell.bottom, wide, cell.height - 5.0))
-            start, width = cell.left + wide + 6.0, 0.40 * cell.width - 6.0
+            start, width = cell.left + wide + 6.0, (1.0 - _WIDE) * cell.width - 6.0
             top = cell.bottom + cell.height
             ends = (
-                write_table(page, list(_bodies_table(one)), (start, top, 0.36 * width)),
-                write_table(page, list(_centres_table(one)), (start + 0.44 * width, top, 0.56 * width), _COLUMNS),
+                write_table(page, list(_bodies_table(one)), (start, top, 0.43 * width)),
+                write_table(page, list(_centres_table(one)), (start + 0.49 * width, top, 0.51 * width), _COLUMNS),
             )
             for number, note in enumerate(_notes(one)):
                 page.text(start, min(ends) - 1.0 - 4.2 * number, note, **muted())
@@ -87,13 +90,14 @@ def _is_near(found: InstantCentres, place: Array) -> bool:
     """Whether a centre lies so near to the mechanism that it can be drawn."""
     pins = np.concatenate(list(found.drawing.positions.values()), axis=1)
     low, high = np.min(pins, axis=1), np.max(pins, axis=1)
-    reach = _REACH * float(np.max(high - low))
+    reach = (_REACH if len(found.bodies) <= _FEW else _REACH_OF_MANY) * float(np.max(high - low))
     return bool(np.all((place > low - reach) & (place < high + reach)))
 
 
 def _drawn(found: InstantCentres) -> list[Centre]:
-    """Centres that are drawn: near, and not in a pin that has its name already."""
-    return [one for one in _shown_centres(found) if not one.is_joint and _is_near(found, one.place)]
+    """Centres that are drawn: near, not in a pin that has its name already, and of many bodies only the frame's."""
+    wanted = [one for one in _shown_centres(found) if len(found.bodies) <= _FEW or one.first == 1]
+    return [one for one in wanted if not one.is_joint and _is_near(found, one.place)]
 
 
 def _outline(found: InstantCentres) -> Array:
@@ -134,7 +138,7 @@ def _body_words(body: Body) -> str:
     if body.sort == "frame":
         return _("frame")
     if body.sort == "link":
-        return body.name
+        return body.name.replace("_", " ")
     return (_("slider {name}") if body.sort == "slider" else _("block {name}")).format(name=body.name)
 
 
@@ -171,8 +175,16 @@ def _notes(found: InstantCentres) -> Iterator[str]:
         if not absolute.is_joint and not np.all(np.isfinite(absolute.place)) and body.sort == "link":
             yield _("The lines through the pins of {body} are parallel: it only").format(body=_body_words(body))
             yield _("moves along, and all its points are equally fast.")
-    far = [one.name for one in shown if not one.is_joint and np.all(np.isfinite(one.place))]
-    far = [name for name in far if name not in {one.name for one in _drawn(found)}]
+    if len(found.bodies) > _FEW:
+        yield _("Drawn are the centres with the frame.")
+    far = [
+        one.name
+        for one in shown
+        if not one.is_joint
+        and np.all(np.isfinite(one.place))
+        and not _is_near(found, one.place)
+        and (len(found.bodies) <= _FEW or one.first == 1)
+    ]
     if far:
         names = ", ".join(mathematics(name) for name in far)
         yield _("too far away to be drawn: {centres}").format(centres=names)

@@ -183,7 +183,7 @@ def _numbers(points: Array, scale: float, towards: float | None) -> Iterator[Wis
     for together in alike(points, scale):
         point = points[:, together[0]]
         outward = float(np.arctan2(point[1], point[0])) if towards is None else towards
-        yield Wish(point, ",".join(map(str, together)), outward, is_number=True)
+        yield Wish(point, ",".join(map(str, together)), outward, "number")
 
 
 def _forward_table(found: Construction, scale: float) -> Iterator[tuple[str, ...]]:

@@ -9,11 +9,22 @@ from numpy.typing import NDArray
 
 from cranktrain.analysis import Result
 from cranktrain.language import _
+from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.quantities import shown
 from cranktrain.study.placement import first_throw
 from cranktrain.viz.page import Axes, Page
 from cranktrain.viz.style import COLOURS, GRID, HEADING, INK, MUTED, SYMBOL, TEXT
+
+SHEET_QUANTITIES = (
+    *("piston_displacement", "piston_velocity", "piston_velocity_coefficient", "piston_acceleration_coefficient"),
+    *("displacement_by_method", "velocity_coefficient_by_method", "acceleration_coefficient_by_method"),
+    *("displacement_error", "acceleration_error", "top_dead_centre", "bottom_dead_centre"),
+    *("combined_displacement", "inner_volumetric_dead_centre", "outer_volumetric_dead_centre", "chamber_volume"),
+    *("rocker_angle", "rocker_velocity_coefficient", "rocker_acceleration_coefficient"),
+    *("largest_rocker_angle_at", "smallest_rocker_angle_at", "load_velocity_coefficient"),
+)
+"""All that a sheet shows of a result: `run(machine, quantities=SHEET_QUANTITIES)` suffices for it."""
 
 Habit = Literal["first", "other", "textbook", "error"]
 
@@ -28,6 +39,7 @@ TEXTBOOK_DASHES = (4.0, 8.0)
 """Dashes of a textbook's curve, over the exact one."""
 
 
+_PAIR = 2
 _FEW = 2
 """Up to so many pistons, each has the textbook's curve beside its own."""
 
@@ -112,29 +124,46 @@ def panels(result: Result, design: int = 0) -> tuple[Panel, ...]:
     Returns
     -------
     tuple of Panel
-        Travel, velocity, acceleration of the first throw's pistons and the textbook's error; or angle and derivatives
-        of its rocker.
+        Travel, velocity, acceleration of the first throw's pistons and the textbook's error; of opposed pistons those
+        of the first cylinder, with what both do together; or angle and derivatives of the rocker.
     """
     within = result.crank_angle < 360.0
     turn = _Turn(result, design, within, np.append(result.crank_angle[within], 360.0))
+    pair = opposed_names(result.machines[design])
+    if pair:
+        return tuple(_opposed_panels(turn, pair))
     if "piston" in result.labels:
         return tuple(_piston_panels(turn))
     return tuple(_rocker_panels(turn))
 
 
-def _piston_panels(turn: _Turn) -> Iterator[Panel]:
-    """Travel, velocity, acceleration; and how far the textbook is off."""
-    result = turn.result
-    names = drawn_names(result, "piston")
-    members = [result.labels["piston"].index(name) for name in names]
-    has_speed = "piston_velocity" in result.catalogue
-    omega = result.machines[turn.design].main_shaft.speed
+def opposed_names(machine: Machine) -> tuple[str, ...]:
+    """Name the two pistons of the first drawn cylinder that has two; none where none has."""
+    cylinders: dict[str, list[str]] = {}
+    for place in first_throw(machine):
+        cylinders.setdefault(place.cylinder, []).append(place.name)
+    return next((tuple(names) for names in cylinders.values() if len(names) == _PAIR), ())
+
+
+class _Row(NamedTuple):
+    """A quantity of the pistons: title, symbol, unit, its name and that of the textbook's, factor to the unit."""
+
+    title: str
+    symbol: str
+    unit: str
+    exact: str
+    textbook: str
+    factor: float
+
+
+def _piston_rows(turn: _Turn) -> tuple[_Row, ...]:
+    """Travel, velocity and acceleration; without a speed by the crank angle."""
+    has_speed = "piston_velocity" in turn.result.catalogue
+    omega = turn.result.machines[turn.design].main_shaft.speed
     rate = omega.si if has_speed and omega is not None else 1.0
-    worst = _worst(result, members, turn.design)
-    told = _told(result, members, turn.design)
-    rows = (
-        (_("Piston travel"), "s", "mm", "piston_displacement", "displacement_by_method", shown(1.0, "mm")),
-        (
+    return (
+        _Row(_("Piston travel"), "s", "mm", "piston_displacement", "displacement_by_method", shown(1.0, "mm")),
+        _Row(
             _("Piston velocity"),
             "v" if has_speed else "s'",
             "m/s" if has_speed else "mm/rad",
@@ -142,7 +171,7 @@ def _piston_panels(turn: _Turn) -> Iterator[Panel]:
             "velocity_coefficient_by_method",
             rate if has_speed else 1e3,
         ),
-        (
+        _Row(
             _("Piston acceleration"),
             "j" if has_speed else "s''",
             "m/s²" if has_speed else "mm/rad²",
@@ -151,14 +180,52 @@ def _piston_panels(turn: _Turn) -> Iterator[Panel]:
             rate**2 if has_speed else 1e3,
         ),
     )
-    for letter, (title, symbol, unit, exact, textbook, factor) in zip("svj", rows, strict=True):
+
+
+def _opposed_panels(turn: _Turn, names: Sequence[str]) -> Iterator[Panel]:
+    """Travel of both pistons of a cylinder and of both together, its volume, both velocities and accelerations."""
+    labels = turn.result.labels
+    travel, *rates = (
+        Panel(
+            row.title,
+            row.symbol,
+            row.unit,
+            turn.angle,
+            tuple(
+                Curve(name, row.factor * turn.curve(row.exact, labels["piston"].index(name)), habit, letter)
+                for name, habit in zip(names, ("first", "other"), strict=True)
+            ),
+        )
+        for letter, row in zip("svj", _piston_rows(turn), strict=True)
+    )
+    yield travel
+    cylinder = next(p.cylinder for p in turn.result.machines[turn.design].places if p.name == names[0])
+    both = shown(1.0, "mm") * turn.curve("combined_displacement", labels["cylinder"].index(cylinder))
+    title = _("Travel of both together, cylinder {cylinder}").format(cylinder=cylinder)
+    yield Panel(title, r"x_\Sigma", "mm", turn.angle, (Curve(cylinder, both, "first", "s"),))
+    if "chamber_volume" in turn.result.catalogue and cylinder in labels.get("chamber", ()):
+        volume = shown(1.0, "L") * turn.curve("chamber_volume", labels["chamber"].index(cylinder))
+        yield Panel(_("Volume between them"), "V", "L", turn.angle, (Curve(cylinder, volume, "first", "T"),))
+    yield from rates
+
+
+def _piston_panels(turn: _Turn) -> Iterator[Panel]:
+    """Travel, velocity, acceleration; and how far the textbook is off."""
+    result = turn.result
+    names = drawn_names(result, "piston")
+    members = [result.labels["piston"].index(name) for name in names]
+    worst = _worst(result, members, turn.design)
+    told = _told(result, members, turn.design)
+    for letter, row in zip("svj", _piston_rows(turn), strict=True):
         curves: list[Curve] = []
         for number, (name, member) in enumerate(zip(names, members, strict=True)):
-            curves.append(Curve(name, factor * turn.curve(exact, member), "other" if number else "first", letter))
+            curves.append(
+                Curve(name, row.factor * turn.curve(row.exact, member), "other" if number else "first", letter)
+            )
             method = _method(result, member, turn.design)
             if method is not None and member in told:
-                curves.append(Curve(name, factor * turn.curve(textbook, method, member), "textbook", letter))
-        yield Panel(title, symbol, unit, turn.angle, tuple(curves))
+                curves.append(Curve(name, row.factor * turn.curve(row.textbook, method, member), "textbook", letter))
+        yield Panel(row.title, row.symbol, row.unit, turn.angle, tuple(curves))
     if worst is not None:
         yield _error_panel(turn, *worst)
 
@@ -238,6 +305,8 @@ def _rocker_panels(turn: _Turn) -> Iterator[Panel]:
 
 def textbook_words(result: Result, design: int = 0) -> str:
     """Name the textbook's forms that stand beside the first throw's pistons; nothing where there are none."""
+    if "piston" not in result.labels or opposed_names(result.machines[design]):
+        return ""
     words = {"two_harmonics": _("two harmonics (333)–(337)"), "reconstructed": _("(I.13) reconstructed")}
     members = [result.labels["piston"].index(name) for name in drawn_names(result, "piston")]
     told = _told(result, members, design)
@@ -254,12 +323,21 @@ def _told(result: Result, members: Sequence[int], design: int) -> set[int]:
 
 
 def marks(result: Result, design: int = 0) -> tuple[Mark, ...]:
-    """Give the true dead centres of the first throw, in the order of its members, where there are any."""
+    """Give the true dead centres of what is drawn, in its order; of opposed pistons the cylinders' volumetric ones."""
 
     def facts(name: str) -> Array:
         values = getattr(result, name)
         return values[design] if result.has_designs else values
 
+    if opposed_names(result.machines[design]):
+        drawn = dict.fromkeys(place.cylinder for place in first_throw(result.machines[design]))
+        names = [name for name in drawn if name in result.labels["cylinder"]]
+        both = (("inner_volumetric_dead_centre", True), ("outer_volumetric_dead_centre", False))
+        return tuple(
+            Mark(name, float(facts(quantity)[result.labels["cylinder"].index(name)]), is_top)
+            for name in names
+            for quantity, is_top in both
+        )
     dimension, top, bottom = (
         ("piston", "top_dead_centre", "bottom_dead_centre")
         if "piston" in result.labels

@@ -1,7 +1,7 @@
 """Where labels go: beside their points, clear of each other and, where there is room, of the lines."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -16,20 +16,25 @@ _REACHES = (3.0, 4.2, 6.5, 9.5, 13.0)
 """How far from its point a label is tried. [mm of paper]"""
 
 
-_NOT_ITS_OWN = 5.0
+_NOT_ITS_OWN = 40.0
 """What it costs to stand nearer to another label's point."""
 
 
 class Wish(NamedTuple):
     """A label to place: its point [mm of the sketch], the direction from it that it would rather lie in [rad].
 
-    A symbol keeps off the lines; a number stands on white and may lie over them.
+    A symbol or a name keeps off the lines; a number stands on white and may lie over them.
     """
 
     point: Array
     text: str
     towards: float
-    is_number: bool = False
+    manner: Literal["symbol", "number", "name"] = "symbol"
+
+    @property
+    def is_number(self) -> bool:
+        """Whether it stands on white, over lines, and is left out where there is no room."""
+        return self.manner == "number"
 
 
 def placed_labels(wishes: Sequence[Wish], lines: Iterable[Array], scale: float) -> Iterator[Label]:
@@ -51,10 +56,7 @@ def placed_labels(wishes: Sequence[Wish], lines: Iterable[Array], scale: float) 
     points = np.stack([wish.point for wish in wishes], axis=1) / scale
     taken: list[tuple[float, float, float, float]] = []
     for wish in wishes:
-        size = (
-            _CHARACTER * len(wish.text.translate({ord(mark): None for mark in "_^"})) + 0.8,
-            _LINE if wish.is_number else _SYMBOL_LINE,
-        )
+        size = _size(wish.text.translate({ord(mark): None for mark in "_^"}), is_symbol=wish.manner == "symbol")
         point = wish.point / scale
         best = min(
             (
@@ -70,7 +72,22 @@ def placed_labels(wishes: Sequence[Wish], lines: Iterable[Array], scale: float) 
         if wish.is_number and _n_under(_box(best, size), taken):
             continue
         taken.append(_box(best, size))
-        yield Label(best * scale, wish.text, is_framed=wish.is_number, is_symbol=not wish.is_number)
+        is_symbol = wish.manner == "symbol"
+        yield Label(
+            best * scale, wish.text, is_bold=wish.manner == "name", is_framed=not is_symbol, is_symbol=is_symbol
+        )
+
+
+def _size(text: str, *, is_symbol: bool) -> tuple[float, float]:
+    """Width and height of a label. [mm of paper]"""
+    return _CHARACTER * len(text) + 0.8, _SYMBOL_LINE if is_symbol else _LINE
+
+
+def label_outline(label: Label, scale: float) -> Array:
+    """Outline of a label's box, closed, shape (2, 5). [mm of the sketch]"""
+    width, height = _size(label.text, is_symbol=label.is_symbol)
+    corners = 0.5 * np.array([[-width, width, width, -width, -width], [-height, -height, height, height, -height]])
+    return label.position[:, np.newaxis] + scale * corners
 
 
 def _is_nearer_to_another(middle: Array, point: Array, points: Array) -> bool:
@@ -121,10 +138,11 @@ def _n_under(own: tuple[float, float, float, float], taken: Sequence[tuple[float
 
 def dots(line: Array) -> Array:
     """Points along a polyline, half a millimetre of paper apart, shape (2, n)."""
-    parts: list[Array] = []
-    for start, end in zip(line.T[:-1], line.T[1:], strict=True):
-        length = float(np.hypot(*(end - start)))
-        if np.isfinite(length):
-            steps = np.linspace(0.0, 1.0, max(2, int(length / 0.5)))
-            parts.append(start[:, np.newaxis] + (end - start)[:, np.newaxis] * steps)
-    return np.concatenate(parts, axis=1) if parts else np.zeros((2, 0))
+    starts, steps = line[:, :-1], np.diff(line, axis=1)
+    lengths = np.hypot(*steps)
+    closed = np.isfinite(lengths)
+    starts, steps = starts[:, closed], steps[:, closed]
+    counts = np.maximum(2, (lengths[closed] / 0.5).astype(np.intp))
+    of = np.repeat(np.arange(counts.size), counts)
+    number = np.arange(of.size) - np.repeat(np.cumsum(counts) - counts, counts)
+    return starts[:, of] + steps[:, of] * (number / (counts[of] - 1))

@@ -1,21 +1,32 @@
 """The sheet of a machine: its throw to scale, its curves, and what both rest on."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.io.description import layout_words
 from cranktrain.language import _
 from cranktrain.machine import Machine
-from cranktrain.viz.curves import TEXTBOOK_DASHES, Mark, draw_panels, marks, panels, textbook_words
+from cranktrain.viz.curves import TEXTBOOK_DASHES, Mark, draw_panels, marks, opposed_names, panels, textbook_words
 from cranktrain.viz.detail import draw_detail, wants_detail
+from cranktrain.viz.labels import label_outline
 from cranktrain.viz.mechanism import mechanism_sketch
 from cranktrain.viz.page import MARGIN, Figure, Page, drawing_settings, fitting_scale, muted, paper
-from cranktrain.viz.scene import scene_of
+from cranktrain.viz.scene import Scene, scene_of
+from cranktrain.viz.sketch import Sketch
 from cranktrain.viz.style import INK, TITLE
 from cranktrain.viz.words import provenance_words, running_words, zero_words
 
 _FEW = 2
 """Up to so many mechanisms, each has a ruler of its own."""
+
+_SHORT = 3
+"""Letters of a name that has room beside the ruler, with a sample of its line."""
+
+_NOTE = 4.0
+"""Height of a line of notes at the foot. [mm]"""
 
 _ROUGH, _PASSES = 20.0, 3
 """Crank radius on paper to begin with, and how often the scale is corrected: hatches keep their size on paper."""
@@ -51,9 +62,8 @@ def sheet(result: Result, *, size: str = "A4", at: float = _ANGLE, design: int =
         found = marks(result, design)
         _draw_mechanism(page, machine, found, at, (MARGIN, MARGIN, middle - 4.0 - MARGIN, top - 4.0 - MARGIN))
         left, right = middle + 12.0, width - MARGIN
-        is_rocker = "piston" not in result.labels
-        textbook = "" if is_rocker else textbook_words(result, design)
-        below = _ruler(page, found, textbook, (left, right, top - 4.0), is_rocker=is_rocker)
+        ruler = _ruler_of(result, found, design)
+        below = _draw_ruler(page, ruler, (left, right, top - 4.0))
         draw_panels(page, panels(result, design), (left, MARGIN, right - left, below - MARGIN))
         return page.figure
 
@@ -75,86 +85,182 @@ def _draw_mechanism(
 ) -> None:
     """Draw the throw as large as a round scale allows."""
     left, bottom, width, height = box
-    foot = 14.0
-    room = (width, height - foot)
     scene = scene_of(machine)
     at = scene.closing_angle(at)
-    dead = [[mark.angle for mark in found if mark.name == member.place.name] for member in scene.members]
+    notes = list(_notes(scene, at))
+    foot = 6.0 + _NOTE * len(notes)
+    room = (width, height - foot)
+    names = [(member.place.name, member.place.cylinder) for member in scene.members]
+    dead = [[mark.angle for mark in found if mark.name in own] for own in names]
     sketch = mechanism_sketch(scene, at, scene.crank_radius / _ROUGH, dead)
     for _pass in range(_PASSES):
-        low_x, high_x, low_y, high_y = sketch.bounds()
-        scale = fitting_scale(high_x - low_x, high_y - low_y, (room[0] - 3.0, room[1] - 10.0))
+        low_x, high_x, low_y, high_y = _extent(sketch)
+        scale = fitting_scale(high_x - low_x, high_y - low_y, (room[0] - 1.0, room[1] - 6.0))
         sketch = mechanism_sketch(scene, at, scale, dead, has_ring=not wants_detail(scene, scale))
-    low_x, high_x, low_y, high_y = (value / sketch.scale for value in sketch.bounds())
+    low_x, high_x, low_y, high_y = (value / sketch.scale for value in _extent(sketch))
     origin = (left + room[0] / 2 - (low_x + high_x) / 2, bottom + foot + room[1] / 2 - (low_y + high_y) / 2)
     page.draw(sketch, origin)
     if wants_detail(scene, sketch.scale):
         draw_detail(page, scene, (at, dead), sketch, origin, (left, bottom + foot, *room))
-    page.scale_bar(left, bottom + 9.0, sketch.scale)
-    throws = len(machine.main_shaft.throws)
-    drawn = (
-        _("Throw {throw} of {n}, drawn at φ = {angle:g}°").format(
-            throw=scene.members[0].place.throw + 1, n=throws, angle=at
-        )
-        if throws > 1
-        else _("Drawn at φ = {angle:g}°").format(angle=at)
-    )
-    if len(machine.shafts) > 1:
-        drawn = _("{drawn}; of shaft main, no other is drawn").format(drawn=drawn)
-    bored = all(member.bore is not None for member in scene.sliders)
-    shapes = (
-        _("pins and bores to scale, other shapes schematic; thin: dead positions")
-        if scene.sliders and bored
-        else _("pins to scale, shapes schematic; thin: dead positions")
-    )
-    page.text(left, bottom + 3.6, drawn, **muted())
-    page.text(left, bottom - 0.4, shapes, **muted())
+    page.scale_bar(left, bottom + foot - 5.0, sketch.scale)
+    for number, note in enumerate(reversed(notes)):
+        page.text(left, bottom - 0.4 + _NOTE * number, note, **muted())
 
 
-def _ruler(
-    page: Page, found: Sequence[Mark], textbook: str, place: tuple[float, float, float], *, is_rocker: bool
-) -> float:
+def _extent(sketch: Sketch) -> tuple[float, float, float, float]:
+    """Least and largest X and Y of a sketch with its words. [mm of the sketch]"""
+    points = np.concatenate(
+        [*sketch.outline(), *(label_outline(label, sketch.scale) for label in sketch.labels)], axis=1
+    )
+    low, high = np.nanmin(points, axis=1), np.nanmax(points, axis=1)
+    return float(low[0]), float(high[0]), float(low[1]), float(high[1])
+
+
+def _notes(scene: Scene, angle: float) -> Iterator[str]:
+    """Say what is drawn, at which crank angle, and what of it is to scale."""
+    yield _drawn_words(scene, angle)
+    if scene.assumed:
+        yield _("distance of the shafts assumed for the drawing: the file does not give it")
+    if any(member.place.is_far for member in scene.members):
+        yield _("dashed: side rods, which pass outside the cylinder")
+    broken = [member.place.name for member in scene.members if member.cut]
+    if broken:
+        yield _("rod of {names} broken, its slider drawn nearer to the shaft").format(names=", ".join(broken))
+    shapes = _("pins to scale, shapes schematic")
+    pistons = [member for member in scene.sliders if member.place.kind.has_chambers]
+    if pistons and all(member.bore is not None for member in pistons):
+        shapes = _("pins and bores to scale, other shapes schematic")
+    thin = _("thin: volumetric dead centres") if scene.pairs else _("thin: dead positions")
+    yield f"{shapes}; {thin}"
+
+
+def _drawn_words(scene: Scene, angle: float) -> str:
+    """Say which throws are drawn, of which shafts, and at which crank angle."""
+    machine = scene.machine
+    n = len(machine.main_shaft.throws)
+    places = [member.place for member in scene.cranks]
+    shafts = [shaft for shaft in machine.shafts if shaft in {place.shaft for place in places}]
+    throws = sorted({place.throw + 1 for place in places})
+    if len(shafts) > 1 and len(throws) > 1:
+        each = ", ".join(f"{place.shaft} {place.throw + 1}" for place in places)
+        drawn = _("Throws {throws}, drawn at φ = {angle:g}°").format(throws=each, angle=angle)
+    elif len(throws) > 1:
+        words = _("Throws {throws} of {n}, drawn at φ = {angle:g}°")
+        drawn = words.format(throws=", ".join(map(str, throws)), n=n, angle=angle)
+    elif n > 1:
+        drawn = _("Throw {throw} of {n}, drawn at φ = {angle:g}°").format(throw=throws[0], n=n, angle=angle)
+    else:
+        drawn = _("Drawn at φ = {angle:g}°").format(angle=angle)
+    if len(shafts) == len(machine.shafts):
+        if len(shafts) > 1:
+            drawn = _("{drawn}; shafts {shafts}").format(drawn=drawn, shafts=", ".join(shafts))
+        return drawn
+    if len(shafts) == 1:
+        return _("{drawn}; of shaft {shaft}, no other is drawn").format(drawn=drawn, shaft=shafts[0])
+    return _("{drawn}; shafts {shafts}, no other is drawn").format(drawn=drawn, shafts=", ".join(shafts))
+
+
+class _Ruler(NamedTuple):
+    """What is written over the curves.
+
+    words: of a mark at the top and at the bottom, or largest and smallest; pistons: names of the curves; textbook:
+    forms beside the curves, if any; is_of_cylinders: whether the marks are of cylinders and not of these pistons.
+    """
+
+    heading: str
+    words: tuple[str, str]
+    marks: Sequence[Mark]
+    pistons: Sequence[str]
+    textbook: str
+    is_of_cylinders: bool = False
+
+    @property
+    def names(self) -> list[str]:
+        """Whose marks these are."""
+        return list(dict.fromkeys(mark.name for mark in self.marks))
+
+    @property
+    def is_few(self) -> bool:
+        """Whether each of them has a row of its own."""
+        return len(self.names) <= _FEW
+
+    @property
+    def has_legend(self) -> bool:
+        """Whether the habits of lines are said over the rows, because the rows are of something else or have no room."""
+        return self.is_of_cylinders or not self.is_few or any(len(name) > _SHORT for name in self.pistons)
+
+
+def _ruler_of(result: Result, found: Sequence[Mark], design: int) -> _Ruler:
+    """Collect what the ruler shows: dead centres of pistons, volumetric ones of cylinders, or those of a rocker."""
+    if "piston" not in result.labels:
+        heading = _("Dead positions of the rocker") if found else _("The rocker turns with the crank")
+        return _Ruler(heading, (_("largest at"), _("smallest at")), found, (), "")
+    pair = opposed_names(result.machines[design])
+    if pair:
+        return _Ruler(_("Volumetric dead centres"), (_("inner"), _("outer")), found, pair, "", is_of_cylinders=True)
+    heading = _("True dead centres") if found else _("No dead centres")
+    textbook = textbook_words(result, design)
+    return _Ruler(heading, (_("TDC"), _("BDC")), found, list(dict.fromkeys(mark.name for mark in found)), textbook)
+
+
+def _draw_ruler(page: Page, ruler: _Ruler, place: tuple[float, float, float]) -> float:
     """Draw the true dead centres over the curves; give where the ruler ends. [mm]"""
     left, right, top = place
-    names = list(dict.fromkeys(mark.name for mark in found))
-    if not found:
-        page.heading(left, top - 3.0, _("The rocker turns with the crank") if is_rocker else _("No dead centres"))
+    page.heading(left, top - 3.0, ruler.heading)
+    if not ruler.marks:
         return top - 5.0
-    page.heading(left, top - 3.0, _("Dead positions of the rocker") if is_rocker else _("True dead centres"))
-    _legend(page, names, textbook, right, top - 3.0)
-    words = (_("largest at"), _("smallest at")) if is_rocker else (_("TDC"), _("BDC"))
+    y = top - 9.0
+    if ruler.textbook or ruler.has_legend:
+        _legend(page, ruler, right, top - 3.0)
+    if ruler.has_legend and ruler.is_few and ruler.textbook:
+        y -= 5.0
     rows: dict[str, list[tuple[Mark, str]]] = {}
-    for mark in found:
-        word = words[0] if mark.is_top else words[1]
+    for mark in ruler.marks:
+        word = ruler.words[0] if mark.is_top else ruler.words[1]
         row, label = (
-            (mark.name, f"{word} {mark.angle:.2f}°") if len(names) <= _FEW else (word, f"{mark.name}\n{mark.angle:.1f}")
+            (mark.name, f"{word} {mark.angle:.2f}°") if ruler.is_few else (word, f"{mark.name}\n{mark.angle:.1f}")
         )
         rows.setdefault(row, []).append((mark, label))
-    y = top - 9.0
     for number, (row, labelled) in enumerate(rows.items()):
         page.rule(y, left, right)
-        page.text(left - 14.0, y - 1.0, "" if is_rocker else row, fontweight="bold")
-        if len(names) <= _FEW and not is_rocker:
-            page.paper.plot((left - 8.5, left - 2.0), (y, y), color=INK, lw=0.9 if number else 1.9)
-            if number:
-                page.paper.plot([left - 5.25], [y], "o", ms=3.2, mfc="white", mec=INK, mew=0.8)
+        if ruler.pistons and len(row) <= _SHORT + 2:
+            if ruler.is_of_cylinders or not ruler.is_few:
+                page.text(left - 2.0, y - 1.0, row, ha="right", fontweight="bold")
+            else:
+                page.text(left - 14.0, y - 1.0, row, fontweight="bold")
+        if ruler.pistons and ruler.is_few and not ruler.is_of_cylinders:
+            _sample(page, (left - 8.5, left - 2.0, y), number)
         for mark, label in labelled:
-            _mark(page, mark, label, (left, right, y), is_first=mark.name == names[0], is_beside=len(names) <= _FEW)
-        y -= 5.5 if len(names) <= _FEW else 11.5
+            is_first = mark.name == ruler.names[0]
+            _mark(page, mark, label, (left, right, y), is_first=is_first, is_beside=ruler.is_few)
+        y -= 5.5 if ruler.is_few else 11.5
     return y
 
 
-def _legend(page: Page, names: Sequence[str], textbook: str, right: float, y: float) -> None:
+def _sample(page: Page, place: tuple[float, float, float], number: int, *, is_one_of_many: bool = False) -> None:
+    """Draw a sample of a curve's line: the first thick, a second thin with a ring, of many all others thin."""
+    start, end, y = place
+    page.sample(start, end, y, color=INK, lw=1.9 if not number else 0.6 if is_one_of_many else 0.9)
+    if number and not is_one_of_many:
+        page.paper.plot([(start + end) / 2], [y], "o", ms=3.2, mfc="white", mec=INK, mew=0.8)
+
+
+def _legend(page: Page, ruler: _Ruler, right: float, y: float) -> None:
     """Say what the habits of lines are that no ruler shows."""
-    if textbook:
-        start = page.start(page.text(right, y, _("textbook: {forms}").format(forms=textbook), ha="right"))
+    if ruler.textbook:
+        start = page.start(page.text(right, y, _("textbook: {forms}").format(forms=ruler.textbook), ha="right"))
         page.sample(start - 9.0, start - 1.5, y + 0.9, color=INK, lw=0.6, dashes=TEXTBOOK_DASHES)
         right = start - 13.0
-    if len(names) > _FEW:
-        for words, width in ((f"{names[1]}–{names[-1]}", 0.6), (names[0], 1.9)):
-            start = page.start(page.text(right, y, words, ha="right"))
-            page.sample(start - 8.0, start - 1.5, y + 0.9, color=INK, lw=width)
-            right = start - 11.0
+    if not ruler.has_legend:
+        return
+    is_many = len(ruler.pistons) > _FEW
+    words = [ruler.pistons[0], f"{ruler.pistons[1]}–{ruler.pistons[-1]}"] if is_many else ruler.pistons
+    if ruler.textbook and not is_many:  # there is no room beside it
+        right, y = page.width - MARGIN, y - 5.0
+    for number in reversed(range(len(words))):
+        start = page.start(page.text(right, y, words[number], ha="right"))
+        _sample(page, (start - 8.0, start - 1.5, y + 0.9), number, is_one_of_many=is_many)
+        right = start - 11.0
 
 
 def _mark(

@@ -113,11 +113,13 @@ class Page:
             points = _on_paper(line, sketch, place)
             pen = pen_of(line)
             layer = line.order + 1e-4 * order
+            style: Any = (0, pen.dashes) if pen.dashes else "-"
             if line.is_closed:
                 fill = pen.colour if line.fill == "ink" else FILLS[line.fill]
-                artist = Polygon(points, facecolor=fill, edgecolor=pen.colour, linewidth=pen.width, zorder=layer)
+                artist = Polygon(
+                    points, facecolor=fill, edgecolor=pen.colour, linewidth=pen.width, linestyle=style, zorder=layer
+                )
             else:
-                style: Any = (0, pen.dashes) if pen.dashes else "-"
                 artist = Line2D(points[:, 0], points[:, 1], color=pen.colour, lw=pen.width, ls=style, zorder=layer)
             artists.append(artist)
         for order, circle in enumerate(sketch.circles):

@@ -9,8 +9,10 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.study.placement import place_called
+from cranktrain.study.lettering import pin_letters
+from cranktrain.study.placement import place_called, placed
 from cranktrain.study.plans import plan_angles
+from cranktrain.study.vectors import spoken_name
 from cranktrain.viz.machine_sheet import title_block
 from cranktrain.viz.page import MARGIN, Page, muted, paper, scale_words
 from cranktrain.viz.sketch import Sketch
@@ -20,8 +22,8 @@ from cranktrain.viz.words import running_words, zero_words
 MOST = 24
 """Positions or polygons on one sheet."""
 
-_LINE = 5.2
-"""Height of a row of a table. [mm]"""
+ROW, LEAST_ROW = 5.2, 4.5
+"""Height of a row of a table, and how low it may be made where there is no room. [mm]"""
 
 WITH_TABLE = 2
 """Up to so many polygons stand beside the mechanism and a table of their vectors."""
@@ -53,6 +55,11 @@ def plan_page(
     place = place_called(machine, mechanism)
     whose = _("{title}, mechanism {name}").format(title=title, name=place.name) if len(machine.places) > 1 else title
     top = title_block(page, machine, [running_words(machine)], [f"{whose}. {zero_words(machine)}"])
+    letters = pin_letters(placed(machine, place, np.zeros(1)))
+    if letters:
+        key = ", ".join(f"{letter} {spoken_name(pin).replace('_', ' ')}" for pin, letter in letters.items())
+        page.text(MARGIN, top - 4.5, _("Pins: {key}").format(key=key))
+        top -= 6.0
     return page, Box(MARGIN, MARGIN, width - 2 * MARGIN, top - 4.0 - MARGIN)
 
 
@@ -108,11 +115,15 @@ def unit_words(unit: str) -> str:
 
 
 def write_table(
-    page: Page, rows: Sequence[Sequence[str]], place: tuple[float, float, float], shares: tuple[float, ...] = ()
+    page: Page,
+    rows: Sequence[Sequence[str]],
+    place: tuple[float, float, float],
+    shares: tuple[float, ...] = (),
+    line: float = ROW,
 ) -> float:
     """Write a table: a head, rows, all but the first column to the right; give where it ends. [mm]
 
-    `shares` are where the other columns end, in parts of the width; evenly, unless given.
+    `shares` are where the other columns end, in parts of the width; evenly, unless given. `line` is a row's height.
     """
     left, top, width = place
     columns = len(rows[0])
@@ -132,7 +143,7 @@ def write_table(
         if number == 0:
             page.rule(y - 1.6, left, left + width)
             y -= 1.2
-        y -= _LINE
+        y -= line
     return y
 
 

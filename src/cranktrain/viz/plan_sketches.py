@@ -96,7 +96,7 @@ def _numbers(name: str, pins: dict[str, Array], drawing: Drawing, scale: float) 
             point = point + 2.6 * scale * np.array([np.cos(outward), np.sin(outward)])
         else:
             outward = _away(point - pins[bases[0] if bases else "O"][:, 0])
-        yield Wish(point, ",".join(map(str, together)), outward, is_number=True)
+        yield Wish(point, ",".join(map(str, together)), outward, "number")
 
 
 def alike(points: Array, scale: float) -> list[list[int]]:

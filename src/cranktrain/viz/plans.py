@@ -8,6 +8,7 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.quantities import shown
 from cranktrain.study.klein import Klein, klein
+from cranktrain.study.lettering import lettered
 from cranktrain.study.placement import output_motion, place_called
 from cranktrain.study.plans import (
     PositionPlan,
@@ -18,8 +19,11 @@ from cranktrain.study.plans import (
     track,
 )
 from cranktrain.study.polygons import Polygon, acceleration_polygons, velocity_polygons
+from cranktrain.study.vectors import Vector
 from cranktrain.viz.page import Figure, Page, drawing_settings, mathematics, muted
 from cranktrain.viz.plan_sheet import (
+    LEAST_ROW,
+    ROW,
     VECTOR_COLUMNS,
     WITH_TABLE,
     Box,
@@ -60,8 +64,8 @@ def plan_positions(
         left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
         room = (left.width - 22.0, left.height - 22.0)
         scale = position_plan(machine, 180, mechanism=mechanism, room=room).scale
-        plan = rescaled(position_plan(machine, angles, mechanism=mechanism, room=room), scale)
-        centre(page, positions_sketch(plan, track(machine, scale, mechanism=mechanism)), left)
+        plan = rescaled(position_plan(machine, angles, mechanism=mechanism, room=room, is_lettered=True), scale)
+        centre(page, positions_sketch(plan, lettered(track(machine, scale, mechanism=mechanism))), left)
         write_scales(page, box, [scale_of("l", scale, "m")], 1e3 * scale)
         rows = list(_positions_table(machine, plan))
         start = box.left + wide + 8.0
@@ -107,7 +111,7 @@ def _polygon_sheet(
         cell = cells[0]
         width = 0.38 * cell.width if has_table else cell.width
         room = (width - 22.0, cell.height - (18.0 if has_table else 16.0))
-        polygons = polygons_of(machine, angles, mechanism=mechanism, room=room)
+        polygons = polygons_of(machine, angles, mechanism=mechanism, room=room, is_lettered=True)
         symbol = "v" if polygons[0].quantity == "velocity" else "a"
         scales = [scale_of(symbol, polygons[0].scale, unit_words(polygons[0].unit))]
         if has_table:
@@ -126,7 +130,10 @@ def _beside(
     """Draw mechanism, polygon and table side by side for each angle; say the mechanism's scale."""
     first = 0.30 * cells[0].width
     room = (first - 14.0, cells[0].height - 20.0)
-    plans = [position_plan(machine, [polygon.angle], mechanism=mechanism, room=room) for polygon in polygons]
+    plans = [
+        position_plan(machine, [polygon.angle], mechanism=mechanism, room=room, is_lettered=True)
+        for polygon in polygons
+    ]
     scale = max(plan.scale for plan in plans)
     for plan, polygon, cell in zip(plans, polygons, cells, strict=True):
         page.heading(cell.left, cell.bottom + cell.height - 4.0, f"φ = {polygon.angle:g}°")
@@ -135,8 +142,12 @@ def _beside(
         middle = Box(cell.left + first, cell.bottom, 0.38 * cell.width, cell.height - 2.0)
         centre(page, polygon_sketch(polygon), middle)
         start = middle.left + middle.width + 4.0
-        rows = list(_vectors_table(polygon))
-        write_table(page, rows, (start, cell.bottom + cell.height, cell.left + cell.width - start), VECTOR_COLUMNS)
+        rows, line = _fitting_rows(polygon, cell.height)
+        end = (start, cell.bottom + cell.height, cell.left + cell.width - start)
+        foot = write_table(page, rows, end, VECTOR_COLUMNS, line)
+        left_out = len(polygon.vectors) + 1 - len(rows)
+        if left_out:
+            page.text(start, foot, _("without {n} vectors between pins").format(n=left_out), **muted())
     return scale_of("l", scale, "m")
 
 
@@ -194,10 +205,22 @@ def _positions_table(machine: Machine, plan: PositionPlan) -> Iterator[tuple[str
         yield (f"{i}", f"{angle:g}", *(figure(value) for value in values))
 
 
-def _vectors_table(polygon: Polygon) -> Iterator[tuple[str, ...]]:
-    """Every vector: where it is, its length on paper and its size."""
+def _fitting_rows(polygon: Polygon, height: float) -> tuple[list[tuple[str, ...]], float]:
+    """Rows of a table of vectors, and how high each is; without room those between pins are left out, wholes first."""
+    is_split = any(vector.part == "normal" for vector in polygon.vectors)
+    parts = [vector for vector in polygon.vectors if vector.part != "relative" or not is_split]
+    whole = [vector for vector in polygon.vectors if vector.part == "absolute"]
+    for vectors in (polygon.vectors, parts, whole):
+        line = min(ROW, (height - 12.0) / (len(vectors) + 1))
+        if line >= LEAST_ROW:
+            break
+    return list(_vectors_table(polygon, vectors)), max(line, LEAST_ROW)
+
+
+def _vectors_table(polygon: Polygon, vectors: Sequence[Vector]) -> Iterator[tuple[str, ...]]:
+    """Vectors: where each is, its length on paper and its size."""
     yield (_("vector"), _("from, to"), "mm", unit_words(polygon.unit))
-    for vector in polygon.vectors:
+    for vector in vectors:
         ends = f"{mathematics(vector.start)} {mathematics(vector.end)}"
         yield (mathematics(vector.symbol), ends, f"{polygon.length(vector):.2f}", figure(vector.size))
 

@@ -3,7 +3,7 @@
 Only lengths between pins and bores are to scale; the outlines are schematic.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -32,7 +32,7 @@ class Along(NamedTuple):
 
     def place(self, points: Array) -> Array:
         """Say how far along the line points are, shape (2,) or (2, n). [mm]"""
-        return self.along @ points
+        return self.along @ points - self.along @ self.foot
 
 
 def bar(start: Array, end: Array, widths: tuple[float, float], fill: Fill, order: int) -> Line:
@@ -65,11 +65,23 @@ def hatch(start: Array, end: Array, outward: Array, scale: float) -> Line:
     return Line(points.reshape(2, -1), "GUIDES", "hatch", 2)
 
 
-def walls(frame: Along, bore: float, span: tuple[float, float], *, has_head: bool) -> Iterator[tuple[Line, Array]]:
-    """Cylinder walls between two places along the axis, and the head across the far one; each with its outside."""
+def walls(
+    frame: Along,
+    bore: float,
+    span: tuple[float, float],
+    *,
+    has_head: bool,
+    ports: Sequence[tuple[float, float]] = (),
+) -> Iterator[tuple[Line, Array]]:
+    """Cylinder walls between two places along the axis, and the head across the far one; each with its outside.
+
+    `ports` are gaps in the walls: from where to where along the axis, in order.
+    """
+    places = [span[0], *(place for port in ports for place in port), span[1]]
     for side in (-1.0, 1.0):
-        ends = [frame.at(u, side * bore / 2) for u in span]
-        yield Line(np.stack(ends, axis=1), "GUIDES", "outline", 2), side * frame.across
+        for start, end in zip(places[::2], places[1::2], strict=True):
+            ends = [frame.at(u, side * bore / 2) for u in (start, end)]
+            yield Line(np.stack(ends, axis=1), "GUIDES", "outline", 2), side * frame.across
     if has_head:
         ends = [frame.at(span[1], side * bore / 2) for side in (-1.0, 1.0)]
         yield Line(np.stack(ends, axis=1), "GUIDES", "outline", 2), frame.along

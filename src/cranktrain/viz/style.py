@@ -38,6 +38,7 @@ PENS: Mapping[Habit, Pen] = {
     "vector": Pen(1.0, INK),
     "part": Pen(0.6, INK, (5.0, 2.5)),
     "construction": Pen(0.45, MUTED, (5.0, 2.5)),
+    "none": Pen(0.0, "none"),
 }
 
 _COLOURED: Mapping[Layer, str] = {"PLAN_V": COLOURS["v"], "PLAN_A": COLOURS["j"]}

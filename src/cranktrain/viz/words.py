@@ -44,20 +44,24 @@ def zero_words(machine: Machine) -> str:
 
 def provenance_words(machine: Machine) -> str:
     """Count the numbers that a machine's file gives by where they are from."""
-    given = dict.fromkeys(_given(machine, ""))
-    return _("Inputs: {counts}").format(counts=counted_by_status(number for _path, number in given))
+    return _("Inputs: {counts}").format(counts=counted_by_status(_given(machine, "")))
 
 
-def _given(part: object, path: str) -> Iterator[tuple[str, Given]]:
-    """Give the numbers that a file declares, with their paths; what it leaves unsaid is none of them.
+def _given(part: object, path: str) -> Iterator[Given]:
+    """Give the numbers that a file declares; what it leaves unsaid is none of them.
 
-    A bank's mechanisms share a path: a number that the file gives once for all its angles is one number.
+    Of a bank's mechanisms, one for each angle, a field that is alike in all of them stands in the file once.
     """
     if isinstance(part, Given):
-        yield path, part
+        yield part
+    elif path.endswith(".mechanism") and isinstance(part, tuple):
+        mechanisms = cast("tuple[Spec, ...]", part)
+        for name in mechanisms[0].model_fields_set:
+            values = tuple(getattr(one, name) for one in mechanisms)
+            yield from _given(values[0] if len(set(map(repr, values))) == 1 else values, f"{path}.{name}")
     elif isinstance(part, tuple):
         for i, item in enumerate(cast("tuple[object, ...]", part)):
-            yield from _given(item, path if path.endswith(".mechanism") else f"{path}[{i}]")
+            yield from _given(item, f"{path}[{i}]")
     elif isinstance(part, Mapping):
         for name, item in cast("Mapping[str, object]", part).items():
             yield from _given(item, f"{path}.{name}")

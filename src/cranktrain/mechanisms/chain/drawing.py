@@ -5,7 +5,8 @@ from typing import Any, cast
 import numpy as np
 
 from cranktrain.linkage import LinkPoint, point
-from cranktrain.mechanisms.chain.kinematics import SHAFT, chain_made, pin_of
+from cranktrain.mechanisms.chain.kinematics import chain_made
+from cranktrain.mechanisms.chain.made import SHAFT, pin_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     GuideLegStep,
@@ -54,14 +55,14 @@ def chain_drawing(structure: Structure, angle: Array, size: ChainSize) -> Drawin
                 blocks.append(Block(step.pin, (pin_of(step.slider),)))
             case TrammelStep():
                 slotted = next(one.pins for one in links if one.name == step.link)
-                blocks.append(Block(pin_of(step.slider), slotted))
+                blocks.append(Block(pin_of(step.slider), slotted[:2]))
             case MountStep():
                 links.append(DrawnLink(step.point, (step.pin, step.point)))
             case TriadStep():
                 pins = [leg.joint if isinstance(leg, RodLegStep) else pin_of(leg.slider) for leg in step.legs]
-                links.append(DrawnLink(step.link, (*pins, pins[0])))
                 rods = [leg for leg in step.legs if isinstance(leg, RodLegStep)]
                 links += [DrawnLink(leg.rod, (leg.rod_from, leg.joint)) for leg in rods]
+                links.append(DrawnLink(step.link, (*pins, pins[0])))
                 for leg, size_of_leg in zip(step.legs, cast(Any, own).legs, strict=True):
                     if isinstance(leg, GuideLegStep):
                         guide = Guide(pin_of(leg.slider), size_of_leg.direction)

@@ -17,10 +17,11 @@ def stephenson_drawing(structure: Structure, angle: Array, geometry: Stephenson)
         for link in drawing.links
         if link.name != "slot"
     ]
+    n_cranks = len(structure.cranks)
     return replace(
         drawing,
         pins={name: place for name, place in drawing.pins.items() if name != "centre"},
-        links=(*links, DrawnLink("lifting_arm", ("reverse_shaft", "arm_end"))),
+        links=(*links[:n_cranks], DrawnLink("lifting_arm", ("reverse_shaft", "arm_end")), *links[n_cranks:]),
         fixed=tuple(name for name in drawing.fixed if name != "arm_end"),
         paths=tuple(name for name in drawing.paths if name != "centre"),
     )
