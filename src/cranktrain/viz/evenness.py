@@ -166,7 +166,7 @@ def _number_angles(
     points = frame.on_paper(inertia[at], work[at])
     middle = np.mean(frame.on_paper(inertia, work), axis=1)
     away = np.arctan2(*(points - middle[:, np.newaxis])[::-1])
-    wishes = [Wish(points[:, i], f"{angle[place]:g}°", float(away[i]), is_number=False) for i, place in enumerate(at)]
+    wishes = [Wish(points[:, i], f"{angle[place]:g}°", float(away[i]), "name") for i, place in enumerate(at)]
     lines = [frame.on_paper(np.append(inertia, inertia[0]), np.append(work, work[0]))]
     for tangent in tangents:
         ends = np.array(frame.x)
