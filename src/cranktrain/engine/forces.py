@@ -1,6 +1,6 @@
 """Forces in every joint of a machine, and the torque that its mechanisms give to the shaft."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, NamedTuple
 
@@ -9,13 +9,13 @@ from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
-from cranktrain.engine.gas import GasInChambers
+from cranktrain.engine.gas import GasInChambers, GasPressures
 from cranktrain.engine.layout import CrankAngle, Mechanisms, Speed
 from cranktrain.engine.masses import Masses
 from cranktrain.engine.places import Place
 from cranktrain.language import N_, _
 from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench, added, work
-from cranktrain.motion import Array, single
+from cranktrain.motion import Array, Coefficient, single
 
 _JOINT = ("joint", "crank_angle")
 _MECHANISM = ("mechanism", "crank_angle")
@@ -107,7 +107,12 @@ class LoadedMachine:
         )
 
     def solved(
-        self, angle: Array, friction_sense: float | None = None, motions: Sequence[Any] | None = None
+        self,
+        angle: Array,
+        friction_sense: float | None = None,
+        *,
+        gas_force: Array | None = None,
+        motions: Sequence[Any] | None = None,
     ) -> tuple[SolvedGroup, ...]:
         """Solve every mechanism.
 
@@ -117,6 +122,8 @@ class LoadedMachine:
             φ. [rad]
         friction_sense : float, optional
             +1 or −1 for the value on either side of a standstill; of each slider's own velocity unless given.
+        gas_force : Array, shape (design, piston, n), optional
+            Of the gas on the pistons toward their shafts, where it is known already. [N]
         motions : sequence, optional
             Of `motions` at the same angles, where the caller has them.
 
@@ -125,17 +132,17 @@ class LoadedMachine:
         tuple of SolvedGroup
             In the order of `mechanisms.groups`.
         """
-        pressing = self._pressing(angle)
+        moving = self.motions(angle) if motions is None else motions
+        toward = self._gas_force(angle, moving) if gas_force is None else gas_force
         on_rods: dict[int, Wrench] = {}
         found: dict[int, SolvedGroup] = {}
         groups = list(enumerate(self.mechanisms.groups))
-        moving = self.motions(angle) if motions is None else motions
         # Slaves first: what they do to their masters' rods is a load there.
         for place, group in sorted(groups, key=lambda one: one[1].kind.name != "articulated_rod"):
             dynamics, size = group.kind.dynamics, group.members.geometry
             motion = moving[place]
             made = self.masses.groups[place]
-            loads = dynamics.load(motion, size, pressing(group.index))
+            loads = dynamics.load(motion, size, self._pressing(group.index, toward))
             handed = _of_slaves(group.index, on_rods) if group.kind.name == _MASTER else None
             if handed is not None:
                 loads = loads._replace(rod=added(loads.rod, handed))
@@ -160,18 +167,23 @@ class LoadedMachine:
                     on_rods[master] = Wrench(*map(np.add, on_rods[master], own)) if master in on_rods else own
         return tuple(found[place] for place, _group in groups)
 
-    def _pressing(self, angle: Array) -> Callable[[NDArray[np.intp]], Array]:
-        """Force along the output of each of some mechanisms, away from the shaft, shape (design, member, n)."""
+    def _gas_force(self, angle: Array, motions: Sequence[Any]) -> Array | None:
+        """Force of the gas on every piston toward its shaft, shape (design, piston, n); None without gas."""
         if self.gas is None:
-            return lambda _index: np.zeros((1, 1, 1))
-        toward = self.gas.force(self.gas.pressure(angle, self.gas.volume(angle)))
-        piston = self.carriers.piston
+            return None
+        n_pistons = np.count_nonzero(self.carriers.piston >= 0)
+        slider = np.empty((3, len(self.speed), n_pistons, angle.shape[-1]))
+        for group, motion in zip(self.mechanisms.groups, motions, strict=True):
+            piston = self.carriers.piston[group.index]
+            if piston[0] >= 0:
+                for part, values in zip(slider, motion.slider, strict=True):
+                    part[:, piston] = values
+        return self.gas.force(self.gas.pressure(angle, self.gas.volume_by(Coefficient(*slider))))
 
-        def of(index: NDArray[np.intp]) -> Array:
-            own = piston[index]
-            return np.where((own >= 0)[:, np.newaxis], -toward[:, np.maximum(own, 0)], 0.0)
-
-        return of
+    def _pressing(self, index: NDArray[np.intp], toward: Array | None) -> Array:
+        """Force along the output of each of some mechanisms, away from the shaft, shape (design, member, n)."""
+        piston = self.carriers.piston[index]
+        return np.zeros((1, 1, 1)) if toward is None or piston[0] < 0 else -toward[:, piston]
 
 
 def _of_slaves(index: NDArray[np.intp], on_rods: Mapping[int, Wrench]) -> Wrench | None:
@@ -219,9 +231,9 @@ class SolvedCycle:
     groups: tuple[SolvedGroup, ...]
 
 
-def solved_cycle(loaded: LoadedMachine, crank_angle: CrankAngle) -> SolvedCycle:
+def solved_cycle(loaded: LoadedMachine, crank_angle: CrankAngle, gas: GasPressures | None) -> SolvedCycle:
     """Solve the machine on its grid."""
-    return SolvedCycle(loaded.solved(crank_angle.angle))
+    return SolvedCycle(loaded.solved(crank_angle.angle, gas_force=None if gas is None else gas.gas_force))
 
 
 @dataclass(frozen=True)

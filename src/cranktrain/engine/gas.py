@@ -11,8 +11,9 @@ from cranktrain.catalogue import quantity
 from cranktrain.engine.dead_centres import DeadCentres, around_zero, slider_motion
 from cranktrain.engine.firing import Cycle, Firing
 from cranktrain.engine.layout import CrankAngle, Pistons
+from cranktrain.engine.motion import PistonMotion
 from cranktrain.engine.travel import CylinderPistons, CylinderTravel
-from cranktrain.engine.volumes import Chambers, ChamberVolumes, SweptVolumes, by_chamber
+from cranktrain.engine.volumes import Chambers, ChamberVolumes, SweptVolumes
 from cranktrain.errors import InputError
 from cranktrain.gas import Chamber, GasKind, GasSpec, VolumeLimits, chamber_state, kind_of
 from cranktrain.gas.work import indicated_work
@@ -81,13 +82,12 @@ class GasInChambers:
 
     def volume(self, angle: Array) -> Coefficient:
         """Volume of every chamber at φ [rad], and its derivatives, shape (design, chamber, n). [m³, m³/rad, m³/rad²]"""
-        motion = slider_motion(self.pistons, angle)
-        areas = self.chambers.areas
-        return Coefficient(
-            self.start + by_chamber(areas, self.tops - motion.value),
-            by_chamber(areas, -motion.first),
-            by_chamber(areas, -motion.second),
-        )
+        return self.volume_by(slider_motion(self.pistons, angle))
+
+    def volume_by(self, slider: Coefficient) -> Coefficient:
+        """Volume of every chamber, as `volume` gives it, from the pistons' distances from their shafts."""
+        summed = self.chambers.summed
+        return Coefficient(self.start + summed(self.tops - slider.value), summed(-slider.first), summed(-slider.second))
 
     def volume_of(self, design: int, place: int, angle: Array) -> Coefficient:
         """Volume of one chamber of one design at φ [rad], shape (n,), and its derivatives. [m³, m³/rad, m³/rad²]"""
@@ -293,11 +293,17 @@ class GasPressures:
 
 
 def gas_pressures(
-    gas: GasInChambers, travel: CylinderTravel, swept: SweptVolumes, crank_angle: CrankAngle
+    gas: GasInChambers, travel: CylinderTravel, swept: SweptVolumes, crank_angle: CrankAngle, motion: PistonMotion
 ) -> GasPressures:
     """Pressure over the cycle, its force, work and peak."""
     phi = crank_angle.angle
-    volume = gas.volume(phi)
+    volume = gas.volume_by(
+        Coefficient(
+            gas.tops - motion.piston_displacement,
+            -motion.piston_velocity_coefficient,
+            -motion.piston_acceleration_coefficient,
+        )
+    )
     pressure = gas.pressure(phi, volume)
     work = indicated_work(pressure, volume.first, gas.cycle)
     firing, _opposite = gas.dead_centres(travel)
