@@ -219,7 +219,9 @@ def _piston_panels(turn: _Turn) -> Iterator[Panel]:
     for letter, row in zip("svj", _piston_rows(turn), strict=True):
         curves: list[Curve] = []
         for number, (name, member) in enumerate(zip(names, members, strict=True)):
-            curves.append(Curve(name, row.factor * turn.curve(row.exact, member), "other" if number else "first", letter))
+            curves.append(
+                Curve(name, row.factor * turn.curve(row.exact, member), "other" if number else "first", letter)
+            )
             method = _method(result, member, turn.design)
             if method is not None and member in told:
                 curves.append(Curve(name, row.factor * turn.curve(row.textbook, method, member), "textbook", letter))

@@ -186,7 +186,7 @@ class _Ruler(NamedTuple):
 
     @property
     def has_legend(self) -> bool:
-        """Whether the habits of lines are said over the rows, because the rows are of something else or have no room."""
+        """Whether habits of lines are said over the rows: these are of something else, or too small for the names."""
         return self.is_of_cylinders or not self.is_few or any(len(name) > _SHORT for name in self.pistons)
 
 
@@ -217,7 +217,9 @@ def _draw_ruler(page: Page, ruler: _Ruler, place: tuple[float, float, float]) ->
     rows: dict[str, list[tuple[Mark, str]]] = {}
     for mark in ruler.marks:
         word = ruler.words[0] if mark.is_top else ruler.words[1]
-        row, label = (mark.name, f"{word} {mark.angle:.2f}°") if ruler.is_few else (word, f"{mark.name}\n{mark.angle:.1f}")
+        row, label = (
+            (mark.name, f"{word} {mark.angle:.2f}°") if ruler.is_few else (word, f"{mark.name}\n{mark.angle:.1f}")
+        )
         rows.setdefault(row, []).append((mark, label))
     for number, (row, labelled) in enumerate(rows.items()):
         page.rule(y, left, right)

@@ -121,9 +121,7 @@ def _cylinder(scene: Scene, member: Member, scale: float, *, is_plain: bool) -> 
             yield shapes.hatch(wall.points[:, 0], wall.points[:, 1], outside, scale)
 
 
-def _common_cylinder(
-    scene: Scene, pair: tuple[Member, Member], scale: float, *, is_plain: bool
-) -> Iterator[Line]:
+def _common_cylinder(scene: Scene, pair: tuple[Member, Member], scale: float, *, is_plain: bool) -> Iterator[Line]:
     """Centre line, and walls from where one piston's begin to where the other's do, with gaps for the ports."""
     one, other = pair
     line = one.stroke_line
@@ -227,7 +225,8 @@ def _plain_links(scene: Scene, member: Member, pins: dict[str, Array], scale: fl
     yield from _other_sliders(scene, member, pins, scale)
     fixed = [name for name in member.turn.fixed if name != "O"]
     moving = [name for link in member.turn.links for name in link.pins[1:]]
-    for name in dict.fromkeys([*fixed, *moving, *([] if member.output is None else [member.output])]):
+    output = [] if member.output is None else [member.output]
+    for name in dict.fromkeys(fixed + moving + output):
         yield from shapes.eye(pins[name], _SMALL_EYE * radius, _SMALL_PIN * radius, "paper", 7)
     for name in fixed:
         yield from shapes.pivot(pins[name], 0.45 * radius, scale)
@@ -401,9 +400,7 @@ def _rotation_of_other(scene: Scene, member: Member, scale: float) -> Iterator[L
     yield from _arc_arrow(member.centre, radius, (middle, min(0.6, 9.0 * scale / radius)), sense, scale)
 
 
-def _arc_arrow(
-    centre: Array, radius: float, span: tuple[float, float], sense: float, scale: float
-) -> Iterator[Line]:
+def _arc_arrow(centre: Array, radius: float, span: tuple[float, float], sense: float, scale: float) -> Iterator[Line]:
     """Arc with an arrowhead at its end, so far to each side of a direction. [mm, rad]"""
     middle, half = span
     yield Line(shapes.arc(centre, radius, middle - half, middle + half), "DIMENSIONS", "outline", 5)
@@ -431,8 +428,8 @@ def _names(scene: Scene, angle: float, sketch: Sketch) -> Iterator[Label | Line]
         lies_out = float(np.dot(outward, across))
         # Where the shafts lie in one line, names stand to the right of it.
         outer = across * np.sign(lies_out if abs(lies_out) > 1e-6 * scale else across @ np.array([1.0, -1e-3]))
+        beside = 0.5 * pair[0].width * outer
         for member in pair:
-            beside = 0.5 * member.width * outer
             wishes.append(Wish(_middle(member) + beside + 1.5 * scale * outer, member.place.name, _away(outer), "name"))
             named.append(wishes[-1].point)
         ends = np.stack([_end_of_travel(member) for member in pair], axis=1)
