@@ -10,6 +10,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import by_hand
+import force_peers
 import loops
 import numpy as np
 import peers
@@ -103,6 +104,7 @@ class Comparison(NamedTuple):
     their_columns: Callable[[Any], list[Any]]
     limit: float
     most_apart: float = SAME
+    note: str = ""
 
 
 def coefficients(point):
@@ -207,6 +209,59 @@ def force_comparisons(n):
     yield Comparison("compiled", "Numba by hand", loop, loop_by_hand, list, list, 2.0)
 
 
+def golden_forces(n):
+    """Forces of the golden case's slider-crank at n angles: with NumPy, and compiled as a loop that fills a table."""
+    angles = np.arange(n) * (2 * np.pi / n)
+    given = force_peers.machine()
+    geometry = SliderCrank(given.crank_radius, given.rod_length, 0.0)
+    (crank, crank_off, crank_inertia), (rod, rod_off, rod_inertia) = given.crank, given.rod
+    bodies = SliderCrankBodies(
+        Body(crank, crank_off, 0.0, crank_inertia),
+        Body(rod, rod_off, 0.0, rod_inertia),
+        Body(given.piston[0], 0.0, 0.0, given.piston[1]),
+    )
+    conditions = Conditions(Drive(given.speed, 0.0), Gravity(0.0, 0.0), (NO_FRICTION,))
+
+    def forces():
+        motion = slider_crank(angles, geometry)
+        return slider_crank_forces(motion, geometry, bodies, slider_crank_load(motion, geometry, 0.0), conditions)
+
+    return forces, filled(loops.slider_crank_forces_loop, angles, (geometry, bodies, 0.0, conditions), 9)
+
+
+FORCE_PEERS = (
+    ("kinepy", force_peers.kinepy_forces, 1, 2e-5, (1 / 10, 1 / 50)),
+    ("Exudyn", force_peers.exudyn_forces, 1, 1e-4, (1 / 50, 1 / 100)),
+    ("Exudyn, 1e-6", force_peers.exudyn_forces, 6, 1e-6, (1 / 100, 1 / 100)),
+)
+"""Name, solution, how many steps it takes for one angle, its error at most, limits for NumPy and compiled."""
+
+
+def force_peer_comparisons(n):
+    """Forces of the golden case against those by kinepy and by Exudyn, with as many steps as angles and with more."""
+    forces, loop = golden_forces(n)
+    for against, peer, n_steps, apart, limits in FORCE_PEERS:
+        solve, read = peer(force_peers.machine(), n_steps * n)
+
+        def their_columns(_solved, read=read, n_steps=n_steps):
+            return list(read()[:, ::n_steps])
+
+        solve()
+        errors = (
+            f"errors {force_peers.error(without_work(force_columns(forces()))):.0e}, {force_peers.error(read()):.0e}"
+        )
+        for what, ours, our_columns, limit in (
+            ("NumPy", forces, lambda found: without_work(force_columns(found)), limits[0]),
+            ("compiled", loop, without_work, limits[1]),
+        ):
+            yield Comparison(what, against, ours, solve, our_columns, their_columns, limit, apart, errors)
+
+
+def without_work(columns):
+    """Columns of forces without the last, the torque by virtual work, which no peer has."""
+    return list(columns)[:-1]
+
+
 def filled(loop, angles, geometry, n_columns):
     """A loop as a function without arguments, with its table made beforehand; a column of the table a row."""
     table = np.empty((angles.size, n_columns))
@@ -271,8 +326,8 @@ def is_kept(name, n, comparison, n_repetitions):
     print(
         f"{name:<13}{n:>7}  {comparison.what:<9}{comparison.against:<14}"
         f"{1e9 * ratio.ours / n:>8.1f}{1e9 * ratio.theirs / n:>8.1f}"
-        f"{ratio.median:>8.3f}{f'{ratio.least:.3f}–{ratio.most:.3f}':>14}{comparison.limit:>7.3f}"
-        f"  {'ok' if good else 'MISSED'}",
+        f"{ratio.median:>9.4f}{f'{ratio.least:.4f}–{ratio.most:.4f}':>16}{comparison.limit:>8.4f}"
+        f"  {'ok' if good else 'MISSED'}  {comparison.note}".rstrip(),
         flush=True,
     )
     return good
@@ -281,7 +336,7 @@ def is_kept(name, n, comparison, n_repetitions):
 def main(arguments):
     n_repetitions = 15 if "--quick" in arguments else 101
     print(" " * 43 + "ns an angle")
-    print("mechanism     angles  what     against           ours  theirs   ratio       min–max  limit")
+    print("mechanism     angles  what     against           ours  theirs    ratio         min–max   limit")
     kept = [
         is_kept(mechanism.name, n, comparison, n_repetitions)
         for n in (720, 100_000)
@@ -289,6 +344,7 @@ def main(arguments):
         for comparison in comparisons(mechanism, n)
     ]
     kept += [is_kept("forces", n, each, n_repetitions) for n in (720, 100_000) for each in force_comparisons(n)]
+    kept += [is_kept("forces", 720, each, n_repetitions) for each in force_peer_comparisons(720)]
     kept += [is_kept("chain", n, chain_comparison(n), n_repetitions) for n in (720, 100_000)]
     sys.exit(not all(kept))
 

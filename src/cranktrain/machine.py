@@ -8,8 +8,12 @@ from typing import Any, Literal, Self, cast
 import numpy as np
 from pydantic import Field, ValidationError, model_validator
 
+from cranktrain.engine.balance_specs import BalanceSpec
+from cranktrain.engine.balance_weights import balance_problems
 from cranktrain.engine.bodies import BodySpec, Friction
 from cranktrain.engine.cylinders import cylinder_problems, firing_order_of
+from cranktrain.engine.evenness_table import EvennessSpec
+from cranktrain.engine.frames import Orientation
 from cranktrain.engine.gearing import first_axis
 from cranktrain.engine.masses import Weighed, mass_problems
 from cranktrain.engine.places import Place, places_of
@@ -58,6 +62,8 @@ class Machine(Spec, frozen=True):
     friction: Mapping[str, Friction] = Field(default={})
     gravity: bool = False
     gas: AnyGas | None = None
+    balance: BalanceSpec | None = None
+    evenness: EvennessSpec | None = None
 
     def __init__(self, /, **data: Any) -> None:
         try:
@@ -150,6 +156,11 @@ class Machine(Spec, frozen=True):
         return Weighed(tables, self.friction, self.gravity, self.first_axis, self.rotation == "clockwise")
 
     @property
+    def orientation(self) -> Orientation:
+        """How it stands and runs."""
+        return Orientation(self.first_axis, self.rotation == "clockwise", self.is_astern)
+
+    @property
     def places(self) -> tuple[Place, ...]:
         """Every mechanism of the machine, arranged on shaft and banks; none where they cannot be arranged."""
         return arranged(self)[0]
@@ -217,6 +228,8 @@ def machine_problems(machine: Machine, *, partial: bool = False) -> tuple[Proble
         ),
     )
     found = (*found, *mass_problems(places, machine.weighed))
+    if machine.balance is not None:
+        found = (*found, *balance_problems(machine.balance, machine.main_shaft))
     if pistons:
         found = (*found, *firing_order_of(machine.cylinder, pistons, astern=machine.is_astern)[1])
     return found if partial else (*found, *_closing_problems(machine, places))

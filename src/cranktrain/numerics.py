@@ -16,11 +16,15 @@ _BOTH = (-1.0, 1.0)
 _CANDIDATES = 2
 """How many of the grid's peaks are refined: of two that are nearly alike the grid may show the wrong one higher."""
 _ALIKE = 1e-9
-"""Peaks that differ by less, in parts of themselves, are one height: rounding must not choose between their angles."""
+"""Peaks that differ by less, in parts of the curve's, are one height: rounding must not choose between their angles."""
+_ZOOMS = 3
+"""How often a parabola is laid through closer points: its top is then exact to some 1e-10 rad."""
 _MOST_STEPS = 60
 _MOST_NEWTON_STEPS = 10
 _SETTLED = 1e-13
-"""A step of Newton's method after which the next one is less than rounding. [rad]"""
+"""A step of Newton's method after which the next one is less than rounding. [rad, or in parts of the root]"""
+_ASIDE = 1e-5
+"""How far aside of a root a slope is measured, in parts of it."""
 _SERIES_LENGTHS = (720, 5760, 46080, 368640)
 """Points of a turn for a Fourier series."""
 
@@ -92,6 +96,40 @@ def bracketed_roots(curve: Curve, low: Array, high: Array, *, precision: float =
         return np.where(bracketed & ~np.isnan(value_newest), best, np.nan)
 
 
+def corrected_roots(curve: Curve, likely: Curve, low: Array, high: Array) -> Array:
+    """Roots of curves that are dear to compute, from those of curves that are cheap and nearly alike.
+
+    Parameters
+    ----------
+    curve, likely : Curve
+        The one whose roots are asked for, and one that has nearly its values and slopes.
+    low, high : Array, shape (..., n)
+        Ends of each bracket.
+
+    Returns
+    -------
+    Array, shape (..., n)
+        To rounding; NaN where there is no root.
+
+    Notes
+    -----
+    The chord method with the cheap curve's slope: every step leaves as much of the error as the slopes differ. What
+    does not settle is searched for by `bracketed_roots`.
+    """
+    with np.errstate(all="ignore"):
+        root = bracketed_roots(likely, low, high)
+        aside = _ASIDE * np.abs(root)
+        slope = (likely(root + aside) - likely(root - aside)) / (2 * aside)
+        move = np.full(root.shape, np.inf)
+        for _ in range(_MOST_NEWTON_STEPS):
+            move = curve(root) / slope
+            root = root - move
+            if not np.any(np.abs(move) > _SETTLED * np.abs(root)):
+                break
+        is_found = (np.abs(move) <= _SETTLED * np.abs(root)) & (low <= root) & (root <= high)
+        return root if np.all(is_found) else bracketed_roots(curve, low, high)
+
+
 def turn_grid(n_points: int = 720) -> Array:
     """One turn of the crank in equal steps, endpoint excluded. [rad]"""
     return np.arange(n_points, dtype=np.float64) * (2 * np.pi / n_points)
@@ -156,7 +194,7 @@ def turning_points(motion: Callable[[Array], Coefficient], samples: Array) -> Ex
     grid = turn_grid(samples.shape[-1])
     step = float(grid[1])
     with np.errstate(all="ignore"):
-        start = _candidates(samples, grid, _BOTH)
+        start = grid[_candidates(samples, _BOTH)]
         angle, found, move = start, motion(start), np.full(start.shape, np.inf)
         for _ in range(_MOST_NEWTON_STEPS):
             move = np.clip(angle - found.first / found.second, start - step, start + step) - angle
@@ -168,7 +206,9 @@ def turning_points(motion: Callable[[Array], Coefficient], samples: Array) -> Ex
         if not np.all(turns | np.any(np.isnan(samples), axis=-1, keepdims=True)):
             return extremes(lambda phi: motion(phi).value, lambda phi: motion(phi).first, samples=samples)
         # The last move is too small to be felt in the value.
-        return Extremes(*_best(np.where(turns, angle, np.nan), np.where(turns, found.value, np.nan), _BOTH))
+        return Extremes(
+            *_best(np.where(turns, angle, np.nan), np.where(turns, found.value, np.nan), _scale(samples), _BOTH)
+        )
 
 
 def _refined(
@@ -178,19 +218,21 @@ def _refined(
     grid = turn_grid() if grid is None else grid
     step = float(grid[1] - grid[0])
     with np.errstate(all="ignore"):
-        start = _candidates(curve(grid) if samples is None else samples, grid, signs)
+        known = curve(grid) if samples is None else samples
+        place = _candidates(known, signs)
+        start = grid[place]
         if slope is None:
-            angle = _zoomed(curve, start, step, signs)
+            angle = _zoomed(curve, known, place, grid, signs)
         else:
             angle = bracketed_roots(slope, start - step, start + step)
             if np.any(np.isnan(angle)):
-                angle = np.where(np.isnan(angle), _zoomed(curve, start, step, signs), angle)
-        return _best(angle, curve(angle), signs)
+                angle = np.where(np.isnan(angle), _zoomed(curve, known, place, grid, signs), angle)
+        return _best(angle, curve(angle), _scale(known), signs)
 
 
-def _candidates(samples: Array, grid: Array, signs: Sequence[float]) -> Array:
-    """Angles of the highest peaks on the grid, the highest first, for each sign, shape (..., sign · candidate)."""
-    return grid[np.concatenate([_peaks(sign * samples) for sign in signs], axis=-1)]
+def _candidates(samples: Array, signs: Sequence[float]) -> NDArray[np.intp]:
+    """Places of the highest peaks on the grid, the highest first, for each sign, shape (..., sign · candidate)."""
+    return np.concatenate([_peaks(sign * samples) for sign in signs], axis=-1)
 
 
 def _peaks(samples: Array) -> NDArray[np.intp]:
@@ -205,19 +247,30 @@ def _peaks(samples: Array) -> NDArray[np.intp]:
     return np.concatenate([first, np.where(is_peak, second, first)], axis=-1)
 
 
-def _zoomed(curve: Curve, middle: Array, half: float, signs: Sequence[float]) -> Array:
-    """Angle of the top of the parabola through three points, again and again at a twelfth of the distance."""
+def _zoomed(curve: Curve, samples: Array, place: NDArray[np.intp], grid: Array, signs: Sequence[float]) -> Array:
+    """Angle of the top of the parabola through three points, those of the grid, then at a twelfth of the distance."""
     sign = np.repeat(signs, _CANDIDATES)
-    for _ in range(4):
+    middle, half = grid[place], float(grid[1] - grid[0])
+    left, centre, right = (np.take_along_axis(samples, (place + beside) % len(grid), axis=-1) for beside in (-1, 0, 1))
+    for _ in range(_ZOOMS):
+        middle, half = middle + _to_top(left, centre, right, half, sign), half / 12
         left, centre, right = np.split(curve(np.concatenate([middle - half, middle, middle + half], axis=-1)), 3, -1)
-        curvature = left - 2 * centre + right
-        step = np.where(sign * curvature < 0, 0.5 * half * (left - right) / curvature, 0.0)
-        middle = middle + np.where(np.isnan(curvature), np.nan, np.clip(step, -half, half))
-        half = half / 12
-    return middle
+    return middle + _to_top(left, centre, right, half, sign)
 
 
-def _best(angle: Array, value: Array, signs: Sequence[float]) -> list[Extreme]:
+def _to_top(left: Array, centre: Array, right: Array, half: float, sign: Array) -> Array:
+    """Way from the middle of three points, `half` apart, to the top of the parabola through them; NaN where one is."""
+    curvature = left - 2 * centre + right
+    step = np.where(sign * curvature < 0, 0.5 * half * (left - right) / curvature, 0.0)
+    return np.where(np.isnan(curvature), np.nan, np.clip(step, -half, half))
+
+
+def _scale(samples: Array) -> Array:
+    """Largest absolute value of each curve, shape (..., 1)."""
+    return np.nanmax(np.abs(samples), axis=-1, keepdims=True, initial=0.0)
+
+
+def _best(angle: Array, value: Array, scale: Array, signs: Sequence[float]) -> list[Extreme]:
     """Take the better of both candidates for each sign; NaN where the grid's best one could not be refined.
 
     Of two that are alike but for rounding, the first in the turn.
@@ -226,7 +279,7 @@ def _best(angle: Array, value: Array, signs: Sequence[float]) -> list[Extreme]:
     for place, sign in enumerate(signs):
         first, second = [_CANDIDATES * place], [_CANDIDATES * place + 1]
         gain = sign * (value[..., second] - value[..., first])
-        is_alike = np.abs(gain) <= _ALIKE * np.abs(value[..., first])
+        is_alike = np.abs(gain) <= _ALIKE * scale
         is_second = np.where(is_alike, angle[..., second] < angle[..., first], gain > 0)
         best.append(
             Extreme(

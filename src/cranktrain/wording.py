@@ -15,10 +15,24 @@ Names = Mapping[str, Sequence[str]]
 ABSENT = "–"
 """Stands for a number that there is not."""
 
-_DECIMALS = {"mm": 2, "deg": 2, "m/s": 2, "m/s^2": 0, "L": 3, "cm^3": 1, "rpm": 1, "%": 2}
-_SLOW_TOO = {"m/s", "m/s^2"}
-"""Units in which a slow machine's numbers need more decimals: three figures at least."""
-_PLAIN = {"1": 1.0, "%": 100.0, "m/s^2": 1.0}
+_DECIMALS = {
+    "mm": 2,
+    "deg": 2,
+    "m/s": 2,
+    "m/s^2": 0,
+    "L": 3,
+    "cm^3": 1,
+    "rpm": 1,
+    "%": 2,
+    "N*m": 1,
+    "N": 1,
+    "kN": 2,
+    "kW": 1,
+    "J": 1,
+}
+_SLOW_TOO = {"m/s", "m/s^2", "N*m", "N", "kN", "kW", "J", "kg*m^2"}
+"""Units in which a slow or small machine's numbers need more decimals: three figures at least."""
+_PLAIN = {"1": 1.0, "%": 100.0, "m/s^2": 1.0, "J": 1.0}
 """Units that are no input's, and how many of them one in SI is."""
 
 

@@ -164,6 +164,7 @@ def of_kind(name, made):
     return {
         f"{name}.{name}_forces": lambda angle, size, side: (*made(angle, size, side), conditions(size)),
         f"{name}.{name}_reduced": lambda angle, size, side: (*made(angle, size, side), gravity(size)),
+        f"{name}.{name}_links": lambda angle, size, side: made(angle, size, side)[:2],
         f"{name}.{name}_load": lambda angle, size, side: (*made(angle, size, side)[:2], size(5.0)),
     }
 
@@ -222,6 +223,7 @@ EXAMPLES = {
         point(group(angle, size, side).rod, LinkPoint(size(0.2), size(0.7))),
         wrench(size),
     ),
+    "forces.momentum": lambda angle, size, side: (group(angle, size, side).rod, body(size)),
     "forces.opposite": lambda angle, size, side: (wrench(size),),
     "forces.pin_reactions": lambda angle, size, side: (
         rod_and_rocker(angle, size, side),

@@ -32,7 +32,15 @@ DIMENSIONS = {
     "point",
     "link",
     "slider",
+    "shaft",
+    "journal",
+    "order",
     "method",
+    "force_method",
+    "rod_method",
+    "balance",
+    "weight",
+    "flywheel_method",
     "crank_angle",
     "design",
     *(kind.name for kind in KINDS),
@@ -41,7 +49,8 @@ UNITS = {"m", "rad", "deg", "s", "kg", "N", "Pa", "J", "W"}
 POINTS = {"p": {"link": "rod", "along": "10 mm", "across": "5 mm"}}
 
 EVERYTHING = {
-    "shaft": throws(0, 120, speed="900 rpm", spacing="100 mm") | {"upper": {"throws": ["0 deg"], "ratio": -1}},
+    "shaft": throws(0, 120, speed="900 rpm", spacing="100 mm")
+    | {"upper": {"throws": ["0 deg"], "ratio": -1, "place": ["0 mm", "600 mm"]}},
     "bank": {
         "L": {"angle": "-30 deg", "mechanism": slider()},
         "R": {"angle": "30 deg", "mechanism": slave("L")},
@@ -62,6 +71,7 @@ EVERYTHING = {
         "firing_order": "1L-1O-2Z-2R-1Z-1R-2L",
         "exhaust_port": "20 mm",
         "scavenge_port": "15 mm",
+        "mechanical_efficiency": 0.8,
         "O": {"chambers": ["head"], "compression_ratio": 9},
         "R": {"compression_ratio": 9},
         "Z": {"compression_ratio": 9},
@@ -74,6 +84,13 @@ EVERYTHING = {
         "expansion_exponent": 1.27,
         "pressure_ratio": 3.6,
     },
+    "balance": {
+        "counterweights": "rotating",
+        "share": 0.5,
+        "weight": [{"mass": "1 kg", "radius": "40 mm", "throw": 2}],
+        "shafts": [{"order": 2, "against": "both", "planes": ["0 mm", "100 mm"]}],
+    },
+    "evenness": {"flywheel": "2 kg·m²", "coefficient": 0.02, "rim": {"mean_diameter": "600 mm"}},
 }
 """A machine of all kinds, which declares all there is."""
 
@@ -180,7 +197,8 @@ class TestMissing:
         return {
             missing.needs: set(missing.results)
             for missing in result.missing
-            if not {"[mechanism.points.NAME] link, along, across", "[gas]", "[masses]"} & set(missing.needs)
+            if not {"[mechanism.points.NAME] link, along, across", "[gas]", "[masses]", "[balance]"}
+            & set(missing.needs)
         }
 
     def test_nothing(self):
@@ -210,7 +228,9 @@ class TestMissing:
 
     def test_firing_order(self):
         found = self.missing(cylinder__firing_order=None)
-        assert found == {("[cylinder] firing_order",): {"firing_angle", "firing_dead_centre", "firing_interval"}}
+        assert found == {
+            ("[cylinder] firing_order",): {"firing_angle", "firing_dead_centre", "firing_interval", "phase_star_sum"}
+        }
 
     def test_cycle(self):
         assert list(self.missing(cylinder__cycle=None)) == [("[cylinder] cycle",)]
@@ -218,6 +238,11 @@ class TestMissing:
     def test_what_is_for_another_kind_of_machine_is_not_spoken_of(self):
         result = ct.run(ct.Machine(mechanism=ROCKER))
         assert sorted({need for missing in result.missing for need in missing.needs}) == [
+            "[balance]",
+            "[evenness.rim] mean_diameter",
+            "[evenness]",
+            "[evenness] coefficient",
+            "[evenness] flywheel or flywheel_moment",
             "[masses]",
             "[mechanism.points.NAME] link, along, across",
             "[mechanism] load_radius",

@@ -20,7 +20,8 @@ from tests.exact.oracles import (
     unit,
 )
 
-from cranktrain.mechanisms.chain.kinematics import chain_gap, chain_made
+from cranktrain.mechanisms.chain.gaps import chain_gap
+from cranktrain.mechanisms.chain.kinematics import chain_made
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     CrankSize,

@@ -2,22 +2,29 @@
 
 import numpy as np
 import pytest
+from tests.exact.test_chain_triad import STRUCTURE as TRIAD
+from tests.exact.test_chain_triad import TURN, drawn
 from tests.exact.test_kind_forces import circumstances, number, xy
 from tests.multibody import FRAME, Multibody
 
 from cranktrain.linkage import Crank
 from cranktrain.linkage.forces import added, block_link, crank_link, swivel_slider_link
+from cranktrain.mechanisms.chain.assembly import assembled
 from cranktrain.mechanisms.chain.forces import chain_dynamics, chain_forces, chain_load
+from cranktrain.mechanisms.chain.gaps import chain_gap, chain_gaps
 from cranktrain.mechanisms.chain.joints import chain_moving
-from cranktrain.mechanisms.chain.kinematics import chain_gaps, chain_made, chain_motion, pin_of, with_sides
+from cranktrain.mechanisms.chain.kinematics import chain_made, chain_motion
+from cranktrain.mechanisms.chain.made import pin_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     CrankSize,
+    MountStep,
     PinSize,
     PinStep,
     Place,
     PointSize,
     PointStep,
+    RodLegStep,
     SlideSize,
     SlideStep,
     Structure,
@@ -46,7 +53,7 @@ def step_of(random, place, points, links):
         case "slide":
             return SlideStep(on, f"link{place}", guide, "C"), SlideSize(length, side, direction, shift)
         case "swivel":
-            return SwivelStep(on, other, f"lever{place}", guide), SwivelSize(shift, side)
+            return SwivelStep(on, other, f"lever{place}", guide), SwivelSize(shift, side, 0.0)
         case "yoke":
             return YokeStep(on, guide, "O"), YokeSize(random.uniform(0.7, 2.4), direction, shift)
         case "trammel" if links:
@@ -86,7 +93,7 @@ def any_chain(seed, phi):
                 if isinstance(step, TrammelStep)
                 else (chain_gaps(structure, phi, size)[-1])
             )
-            sizes_now = with_sides(structure, size).steps
+            sizes_now = assembled(structure, size, {}).steps
             coordinates = [value for name in new_names(step)[0] for value in xy(chain_made(structure, phi, size)[name])]
         if gap > 0.1 * cranks[0].radius and np.all(np.abs(coordinates) < 5):
             steps.append(step)
@@ -104,13 +111,14 @@ class Builder:
 
     def __init__(self, structure, size, made, carried, joints):
         self.system, self.made, self.joints = Multibody(), made, joints
-        self.bodies = {"O": FRAME, "C": FRAME}
+        self.bodies = dict.fromkeys(("O", *structure.fixed), FRAME)
         self.carried = dict(zip(chain_moving(structure), zip(*carried, strict=True), strict=True))
         for name, own in zip(structure.cranks, size.cranks, strict=True):
             self.bodies[pin_of(name)] = self.body(name, crank_link(made[pin_of(name)], Crank(own.radius)))
-        main, second = (self.bodies[name] for name in structure.cranks)
+        main, *others = (self.bodies[name] for name in structure.cranks)
         self.system.pin("main_bearing", main, FRAME, (0, 0))
-        self.system.weld(second, main)
+        for other in others:
+            self.system.weld(other, main)
         for step, own in zip(structure.steps, size.steps, strict=True):
             getattr(self, type(step).__name__)(step, own)
         self.system.drive(main)
@@ -172,23 +180,71 @@ class Builder:
         slider, direction = self.bodies[step.slider], np.arctan2(link.sin, link.cos)
         self.system.slot(f"{point}/{step.slider}", slider, self.bodies[step.link], self.at(point), direction)
 
+    def TriadStep(self, step, own):
+        link = self.body(step.link, self.made[step.link])
+        for leg, size in zip(step.legs, own.legs, strict=True):
+            if isinstance(leg, RodLegStep):
+                self.bodies[leg.joint] = self.body(leg.rod, self.made[leg.rod])
+                self.pin(leg.rod_from, leg.rod)
+                self.pin(leg.joint, step.link)
+                self.bodies[leg.joint] = link
+            else:
+                self.guide(leg.slider, size.direction)
+                self.pin(pin_of(leg.slider), step.link)
+
     def PointStep(self, step, own):
         self.bodies[step.point] = self.bodies[step.link]
 
+    def MountStep(self, step, own):
+        self.bodies[step.point] = self.bodies[step.pin]
 
-@pytest.mark.parametrize("seed", range(60))
-def test_joints_and_torques(seed):
-    random = np.random.default_rng(seed)
-    phi = random.uniform(0, 2 * np.pi)
-    structure, size = any_chain(seed, phi)
-    dynamics, made = chain_dynamics(structure), chain_made(structure, phi, size)
+
+def alone(part):
+    """Numbers for arrays of one, which a triad makes."""
+    if isinstance(part, tuple):
+        return type(part)(*map(alone, part)) if hasattr(part, "_fields") else tuple(map(alone, part))
+    return np.asarray(part).item()
+
+
+def assert_joints_and_torques(random, structure, size, phi, coefficient):
+    dynamics = chain_dynamics(structure)
+    made = {name: alone(part) for name, part in chain_made(structure, phi, size).items()}
     senses = [np.sign(made[slider].first) for slider in dynamics.sliding]
-    bodies, loads, conditions = circumstances(random, dynamics, senses, 0.05 * (seed % 2))
+    bodies, loads, conditions = circumstances(random, dynamics, senses, coefficient)
     carried, conditions = number(((*bodies,), (*loads,)), 0), number(conditions, 0)
-    motion = chain_motion(structure, phi, size)
+    motion = alone(chain_motion(structure, phi, size))
     carried = carried[0], tuple(map(added, carried[1], chain_load(structure, motion, size, 500.0)))
     forces = chain_forces(structure, motion, size, *carried, conditions)
     joints = dict(zip((one.name for one in dynamics.reactions), forces.joints, strict=True))
     system = Builder(structure, size, made, carried, joints).system
     apart, largest = system.compare(joints, (forces.driving_torque, forces.torque_by_work), conditions)
     assert apart < CLOSE * largest
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_joints_and_torques(seed):
+    random = np.random.default_rng(seed)
+    phi = random.uniform(0, 2 * np.pi)
+    assert_joints_and_torques(random, *any_chain(seed, phi), phi, 0.05 * (seed % 2))
+
+
+HUNG = (
+    PointStep("plate", "knuckle"),
+    SlideStep("knuckle", "slave", "ram", "A"),
+    MountStep("block.pin", "lug"),
+    SlideStep("lug", "link", "valve", "B"),
+)
+"""What hangs on a triad: a rod on its link, and one on its block."""
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_what_hangs_on_a_triad_loads_it(seed):
+    random = np.random.default_rng(seed)
+    size = drawn(random)
+    while not np.all(chain_gap(TRIAD, TURN, size) > 0.01):
+        size = drawn(random)
+    hung = [PointSize(0.3, 0.7), SlideSize(4.0, 1.0, random.uniform(-3, 3), 0.1)]
+    hung += [PointSize(0.2, 1.1), SlideSize(5.0, -1.0, random.uniform(-3, 3), -0.1)]
+    structure = TRIAD._replace(steps=(*TRIAD.steps, *HUNG), output="ram")
+    whole = size._replace(steps=(*size.steps, *hung))
+    assert_joints_and_torques(random, structure, whole, random.uniform(0, 2 * np.pi), 0.05 * (seed % 2))

@@ -8,7 +8,8 @@ from tests.exact import oracles
 from tests.exact.agreement import quantities
 
 from cranktrain.mechanisms.chain.assembly import assembled
-from cranktrain.mechanisms.chain.kinematics import chain_gap, chain_made
+from cranktrain.mechanisms.chain.gaps import chain_gap
+from cranktrain.mechanisms.chain.kinematics import chain_made
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     CrankSize,

@@ -11,7 +11,8 @@ from cranktrain.linkage import LinkPoint, point
 from cranktrain.linkage.forces import Drive, Gravity, Wrench
 from cranktrain.mechanisms import kind_named
 from cranktrain.mechanisms.chain.forces import chain_dynamics, chain_links
-from cranktrain.mechanisms.chain.kinematics import chain_gap, chain_motion
+from cranktrain.mechanisms.chain.gaps import chain_gap
+from cranktrain.mechanisms.chain.kinematics import chain_motion
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     CrankSize,
@@ -123,7 +124,7 @@ def test_a_chain_of_all_groups():
             PinSize(about(0.7), about(0.5), zero + 1),
             PointSize(about(0.6), about(0.4)),
             SlideSize(about(0.9), zero + 1, about(0.3), about(0.1)),
-            SwivelSize(about(0.05), zero + 1),
+            SwivelSize(about(0.05), zero + 1, zero),
             TrammelSize(about(0.02), about(0.2), about(0.1), zero + 1),
             YokeSize(about(1.2), about(-0.6), about(0.2)),
             PointSize(about(0.7), about(0.1)),

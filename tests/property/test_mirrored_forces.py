@@ -25,10 +25,14 @@ def test_forces_in_a_mirror(kind):
         motion = own.motion(phi, geometry)
         senses = [np.sign(own.part(motion, name).first * drive.speed) for name in own.dynamics.sliding]
         friction = tuple(Friction(0.05, sense) for sense in senses)
-        records = own.dynamics.forces.__annotations__ if hasattr(own.dynamics.forces, "__annotations__") else {}
-        bodies = records["bodies"](*bodies) if records else bodies
-        loads = records["loads"](*loads) if records else loads
-        return own.dynamics.forces(motion, geometry, bodies, loads, Conditions(drive, gravity, friction))
+        unloaded = own.dynamics.load(motion, geometry, 0.0)
+        loads = (
+            unloaded._replace(**dict(zip(unloaded._fields, loads, strict=True)))
+            if hasattr(unloaded, "_fields")
+            else loads
+        )
+        acting = own.dynamics.bodies(*bodies), loads, Conditions(drive, gravity, friction)
+        return own.dynamics.forces(motion, geometry, *acting)
 
     gravity = Gravity(-3.0, 9.0)
     one = forces(PHI, geometry, bodies, loads, Drive(40.0, 300.0), gravity)

@@ -161,3 +161,4 @@ def test_articulated_pair():
         },
         rel_to_peak=1e-11,
     )
+    assert all(np.all(check.passed) for check in result.checks)

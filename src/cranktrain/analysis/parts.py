@@ -7,6 +7,8 @@ from typing import cast
 import numpy as np
 
 from cranktrain.engine.axial import axial_places_of
+from cranktrain.engine.balance_weights import declared_balance
+from cranktrain.engine.crank_pins import crank_pins_of
 from cranktrain.engine.cylinders import (
     CYCLES,
     chambers_of,
@@ -16,9 +18,11 @@ from cranktrain.engine.cylinders import (
     firing_order_of,
     ports_of,
 )
+from cranktrain.engine.evenness_table import evenness_parts
 from cranktrain.engine.firing import Cycle
 from cranktrain.engine.followed import FollowedLinks, FollowedSliders, followed_of
 from cranktrain.engine.forces import carriers_of
+from cranktrain.engine.frames import frames_of
 from cranktrain.engine.gas import DeclaredGas
 from cranktrain.engine.layout import (
     CrankAngle,
@@ -33,10 +37,14 @@ from cranktrain.engine.layout import (
 )
 from cranktrain.engine.masses import masses_of
 from cranktrain.engine.opposed import OpposedCylinders
+from cranktrain.engine.piston_forces import direct_pistons_of
 from cranktrain.engine.places import Place
 from cranktrain.engine.points import link_points_of
 from cranktrain.engine.ports import TwoStroke
+from cranktrain.engine.powers import losses_of
 from cranktrain.engine.rocker_load import load_radius_of
+from cranktrain.engine.shafts import GearedShafts, shafts_of
+from cranktrain.engine.throws import shaft_centres_of, throws_of
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine, machine_problems
@@ -77,7 +85,7 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
     turn = cycle or 2 * np.pi
     n_angles = round(turn / step)
     mechanisms = mechanisms_of(Mechanisms, designs)
-    parts: list[object] = [
+    parts: list[object | None] = [
         CrankAngle(
             shown=np.arange(n_angles, dtype=np.float64) * turn / n_angles,
             zero=np.array([[[machine.zero]] for machine in machines]),
@@ -90,6 +98,13 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
         followed_of(FollowedLinks, designs[0]),
         followed_of(FollowedSliders, designs[0]),
         carriers_of(designs[0]),
+        frames_of(designs, [machine.orientation for machine in machines]),
+        throws_of(designs[0]),
+        shaft_centres_of([machine.shafts for machine in machines], designs),
+        declared_balance([machine.balance for machine in machines], [machine.shafts for machine in machines]),
+        crank_pins_of(mechanisms),
+        (shafts := shafts_of(first.shafts, designs[0])),
+        GearedShafts(shafts) if len(shafts.names) > 1 else None,
     ]
     if first.gas is not None or first.masses or first.weighed.bodies:
         parts.append(masses_of(designs, [machine.weighed for machine in machines]))
@@ -103,13 +118,15 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
             drivers,
             PistonRods(rods) if (rods := has_rods(drivers)) is not None else None,
             sharing,
-            OpposedCylinders(sharing) if np.any(sharing.is_opposed) else None,
+            direct_pistons_of(drivers),
+            OpposedCylinders(sharing) if sharing is not None and np.any(sharing.is_opposed) else None,
             chambers_of(cylinders, len(pistons[0])),
             compression_ratios_of(cylinders),
             (ports := ports_of(cylinders)),
             TwoStroke() if ports is not None or first.cylinder.cycle == "two-stroke" else None,
             Cycle(cycle) if cycle else None,
             _declared_gas(machines),
+            losses_of([machine.cylinder for machine in machines]),
             firing_order_of(first.cylinder, pistons[0], astern=first.is_astern)[0],
         ]
     if rockers[0]:
@@ -119,6 +136,8 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
             RockerRods(rods) if (rods := has_rods(swinging)) is not None else None,
             load_radius_of(rockers),
         ]
+    if first.evenness is not None:
+        parts += evenness_parts([machine.evenness for machine in machines if machine.evenness is not None])
     speeds = [machine.main_shaft.speed for machine in machines]
     if first.main_shaft.speed is not None:
         parts.append(Speed(np.array([[[speed.si]] for speed in speeds if speed is not None])))

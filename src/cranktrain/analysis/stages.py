@@ -10,22 +10,34 @@ import numpy as np
 
 from cranktrain.catalogue import entries
 from cranktrain.engine.axial import axial_positions
+from cranktrain.engine.balance import rolling_moment, shaking_couples, shaking_forces
+from cranktrain.engine.balance_weights import balance_weights
 from cranktrain.engine.closing import closing
 from cranktrain.engine.couplers import coupler_motion, coupler_speeds
+from cranktrain.engine.crank_pins import crank_pin_loads
 from cranktrain.engine.dead_centres import dead_centres, piston_turn
+from cranktrain.engine.evenness import flywheel_moment, running_speed, shaft_work
 from cranktrain.engine.firing import firing
+from cranktrain.engine.flywheel import flywheel_size, rim_size
 from cranktrain.engine.followed import link_motion, slider_motions
 from cranktrain.engine.forces import joint_forces, loaded_machine, mechanism_torques, solved_cycle
+from cranktrain.engine.frame_forces import frame_forces
 from cranktrain.engine.gas import gas_in_chambers, gas_pressures
 from cranktrain.engine.motion import piston_motion, piston_speeds
 from cranktrain.engine.opposed import combined_motion, combined_speeds, volumetric_dead_centres
+from cranktrain.engine.piston_forces import piston_force_set
 from cranktrain.engine.points import point_motion
 from cranktrain.engine.ports import effective_compression, port_timing
+from cranktrain.engine.powers import brake_powers, indicated_powers
 from cranktrain.engine.rocker_load import load_motion
 from cranktrain.engine.rockers import dead_positions, rocker_motion, rocker_speeds, rocker_turn
+from cranktrain.engine.rod_methods import rod_methods
 from cranktrain.engine.rods import rod_motion, rod_speeds
+from cranktrain.engine.torque import gear_torques, journal_torques, shaft_torques
+from cranktrain.engine.torque_orders import phase_star_sums, torque_orders
 from cranktrain.engine.travel import cylinder_travel
 from cranktrain.engine.volumes import chamber_volumes, swept_volumes
+from cranktrain.engine.work_check import work_balance
 from cranktrain.language import translated
 from cranktrain.mechanisms import KINDS
 from cranktrain.textbook.comparison import textbook_motion
@@ -112,10 +124,31 @@ STAGES: tuple[Stage, ...] = tuple(
         *(function for kind in KINDS for function in kind.stages),
         gas_in_chambers,
         gas_pressures,
+        indicated_powers,
+        brake_powers,
         loaded_machine,
         solved_cycle,
+        piston_force_set,
+        rod_methods,
+        crank_pin_loads,
+        shaft_torques,
+        gear_torques,
+        work_balance,
+        torque_orders,
+        phase_star_sums,
         mechanism_torques,
+        journal_torques,
         joint_forces,
+        frame_forces,
+        balance_weights,
+        shaking_forces,
+        shaking_couples,
+        rolling_moment,
+        flywheel_moment,
+        shaft_work,
+        running_speed,
+        flywheel_size,
+        rim_size,
         axial_positions,
         closing,
         textbook_motion,

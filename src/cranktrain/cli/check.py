@@ -2,15 +2,14 @@
 
 import re
 
-from cranktrain.analysis import run
-from cranktrain.io.machine_file import read_machine
+from cranktrain.io.machine_file import computed, read_machine
 from cranktrain.language import _
 
 
 def show_check(source: str) -> None:
     """Say that nothing is wrong, what can be computed and what is missing; raise `InputError` otherwise."""
     file = read_machine(source)
-    result = run(file.machine)
+    result = computed(file)
     print(_("{file}: nothing wrong").format(file=file.document.name))
     groups = ", ".join(_words(type(gift).__name__) for gift in result.gifts)
     print(_("can compute {n} results: {groups}").format(n=len(result.catalogue), groups=groups))

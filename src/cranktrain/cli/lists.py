@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import cast
 
-from cranktrain.engine.specs import ENDS
+from cranktrain.engine.ends import ENDS
 from cranktrain.errors import InputError
 from cranktrain.language import _
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from cranktrain.cli.screen import plain
 from cranktrain.errors import InputError, Position, Problem
-from cranktrain.io.machine_file import MachineFile, read_machine
+from cranktrain.io.machine_file import MachineFile, computed, read_machine
 from cranktrain.language import _
 from cranktrain.quantities import Dimension, QuantityError, read, shown, unlisted
 
@@ -205,9 +205,7 @@ def _drawn(file: MachineFile, picture: Picture, request: Request) -> None:
         angles = _POSITIONS if picture.angles is None else picture.angles
         dxf(file.machine, angles, picture.output, mechanism=picture.mechanism, force=request.force)
     elif picture.suffix == ANIMATION:
-        from cranktrain.analysis import run
-
-        result = run(file.machine, partial=request.is_partial, quantities=SHEET_QUANTITIES)
+        result = computed(file, partial=request.is_partial, quantities=SHEET_QUANTITIES)
         save_animation(result, picture.output, force=request.force)
     else:
         save(lambda: _figure(file, picture, request), picture.output, force=request.force)
@@ -218,9 +216,7 @@ def _figure(file: MachineFile, picture: Picture, request: Request) -> "Figure":
     from cranktrain import viz
 
     if picture.plan is None:
-        from cranktrain.analysis import run
-
-        result = run(file.machine, partial=request.is_partial, quantities=viz.SHEET_QUANTITIES)
+        result = computed(file, partial=request.is_partial, quantities=viz.SHEET_QUANTITIES)
         if isinstance(picture.angles, Sequence):
             return viz.sheet(result, size=picture.size, at=picture.angles[0])
         return viz.sheet(result, size=picture.size)

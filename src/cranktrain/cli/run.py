@@ -4,10 +4,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import PurePath
 
-from cranktrain.analysis import Result, run
+from cranktrain.analysis import Result
 from cranktrain.cli.screen import page, plain
 from cranktrain.errors import InputError, Problem
-from cranktrain.io.machine_file import MachineFile, read_machine
+from cranktrain.io.machine_file import MachineFile, computed, read_machine
 from cranktrain.io.output import write_whole
 from cranktrain.language import _
 
@@ -58,8 +58,8 @@ def _suffix(output: str | None) -> str | None:
 
 def _computed(file: MachineFile, request: Request) -> Result:
     """Compute; refuse a quantity that was asked for and that this machine does not give."""
-    result = run(
-        file.machine, step_degrees=request.step_degrees, partial=request.is_partial, quantities=request.quantities
+    result = computed(
+        file, step_degrees=request.step_degrees, partial=request.is_partial, quantities=request.quantities
     )
     absent = [name for name in request.quantities or () if name not in result.catalogue]
     if absent:

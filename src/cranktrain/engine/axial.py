@@ -8,18 +8,23 @@ import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.places import Place
-from cranktrain.engine.specs import ShaftSpec
+from cranktrain.engine.specs import MAIN, ShaftSpec
 from cranktrain.language import N_
 from cranktrain.motion import Array
 
 
 @dataclass(frozen=True)
 class AxialPlaces:
-    """Distance of every mechanism from throw 1 along Z, shape (design, mechanism). [m]"""
+    """Distance of every mechanism from throw 1 along Z, shape (design, mechanism). [m]
+
+    mid_plane, shape (design,), lies halfway between the first and the last throw of `main`: z̄, about which couples
+    count. [m]
+    """
 
     needs: ClassVar[str] = N_("[shaft.main] spacing")
 
     value: Array
+    mid_plane: Array
 
 
 def axial_places_of(
@@ -39,7 +44,8 @@ def axial_places_of(
                 ]
                 for positions, design in zip(throws, designs, strict=True)
             ]
-        )
+        ),
+        np.array([0.0 if (along := positions[MAIN]) is None else along[-1] / 2 for positions in throws]),
     )
 
 

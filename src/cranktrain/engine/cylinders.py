@@ -38,8 +38,6 @@ class Cylinder:
         Where in the machine file each field that is given stands.
     is_master : bool
         Whether its pistons hang on crank pins themselves.
-    is_piston : bool
-        Whether these are pistons, and not a valve.
     """
 
     name: str
@@ -49,7 +47,6 @@ class Cylinder:
     spec: CylinderSpec
     paths: Mapping[str, str]
     is_master: bool
-    is_piston: bool
 
     @property
     def has_own_ratio(self) -> bool:
@@ -58,18 +55,19 @@ class Cylinder:
 
     @property
     def chambers(self) -> tuple[str, ...]:
-        """Sides of the piston on which there is a chamber; a valve has none."""
-        return (self.spec.chambers or ("head",)) if self.is_piston else ()
+        """Sides of the piston on which there is a chamber."""
+        return self.spec.chambers or ("head",)
 
 
 _COMMON_RATIO = "cylinder.compression_ratio"
 
 
 def cylinders_of(common: CylindersSpec, pistons: Sequence[Place]) -> tuple[Cylinder, ...]:
-    """Give every cylinder its pistons and its dimensions."""
+    """Give every cylinder its pistons and its dimensions; a valve has none."""
     members: dict[str, list[int]] = {}
     for i, place in enumerate(pistons):
-        members.setdefault(place.cylinder, []).append(i)
+        if place.kind.has_chambers:
+            members.setdefault(place.cylinder, []).append(i)
     return tuple(_cylinder(common, pistons, tuple(index)) for index in members.values())
 
 
@@ -95,7 +93,6 @@ def _cylinder(common: CylindersSpec, pistons: Sequence[Place], index: tuple[int,
         spec=CylinderSpec.model_construct(**fields),
         paths=paths,
         is_master=all(place.kind.name == "slider_crank" for place in places),
-        is_piston=all(place.kind.has_chambers for place in places),
     )
 
 
@@ -128,8 +125,10 @@ def cylinder_problems(common: CylindersSpec, pistons: Sequence[Place]) -> tuple[
     return tuple(dict.fromkeys(problems))
 
 
-def cylinder_pistons_of(cylinders: Sequence[Cylinder]) -> CylinderPistons:
-    """Say which pistons work in which cylinder, and in which sense."""
+def cylinder_pistons_of(cylinders: Sequence[Cylinder]) -> CylinderPistons | None:
+    """Say which pistons work in which cylinder, and in which sense; None where there are valves alone."""
+    if not cylinders:
+        return None
     return CylinderPistons(
         names=tuple(cylinder.name for cylinder in cylinders),
         index=np.array([[cylinder.pistons[0], cylinder.pistons[-1]] for cylinder in cylinders], dtype=np.intp),
@@ -140,9 +139,7 @@ def cylinder_pistons_of(cylinders: Sequence[Cylinder]) -> CylinderPistons:
 def chambers_of(designs: Sequence[Sequence[Cylinder]], n_pistons: int) -> Chambers | None:
     """Signed area matrix of the working chambers; None where no bore is given."""
     first = designs[0]
-    if all(not cylinder.chambers for cylinder in first):
-        return None
-    if any(cylinder.spec.bore is None for design in designs for cylinder in design if cylinder.chambers):
+    if not first or any(cylinder.spec.bore is None for design in designs for cylinder in design):
         return None
     sides = [(i, side) for i, cylinder in enumerate(first) for side in cylinder.chambers]
     areas = np.zeros((len(designs), n_pistons, len(sides)))
@@ -242,7 +239,7 @@ def firing_order_of(
 
 def _own_order(common: CylindersSpec, leading: Sequence[Place]) -> FiringOrder | None:
     """Order in which cylinders fire that have no choice: one alone, and those of a two-stroke as their cranks come."""
-    if len(leading) > 1 and common.cycle != "two-stroke":
+    if not leading or (len(leading) > 1 and common.cycle != "two-stroke"):
         return None
     tops = within_turn(np.array([place.nominal_top for place in leading]))
     return FiringOrder(np.argsort(tops, kind="stable"))

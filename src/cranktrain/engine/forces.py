@@ -1,6 +1,6 @@
 """Forces in every joint of a machine, and the torque that its mechanisms give to the shaft."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, NamedTuple
 
@@ -9,18 +9,20 @@ from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
-from cranktrain.engine.gas import GasInChambers
+from cranktrain.engine.gas import GasInChambers, GasPressures
 from cranktrain.engine.layout import CrankAngle, Mechanisms, Speed
 from cranktrain.engine.masses import Masses
 from cranktrain.engine.places import Place
 from cranktrain.language import N_, _
-from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench
-from cranktrain.motion import Array, single
+from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench, added, work
+from cranktrain.motion import Array, Coefficient, single
 
 _JOINT = ("joint", "crank_angle")
 _MECHANISM = ("mechanism", "crank_angle")
 _THEORY = "docs/theory/forces"
 _TORQUES_LIMIT = 1e-12
+_MASTER = "slider_crank"
+"""Kind of what slaves hang on."""
 
 
 @dataclass(frozen=True)
@@ -55,7 +57,7 @@ def carriers_of(places: Sequence[Place]) -> Carriers:
                     for i, other in enumerate(places)
                     if other.bank == bank
                     and (other.shaft, other.throw) == (place.shaft, place.throw)
-                    and other.kind.name == "slider_crank"
+                    and other.kind.name == _MASTER
                 ),
                 -1,
             )
@@ -69,7 +71,11 @@ def carriers_of(places: Sequence[Place]) -> Carriers:
 
 
 class SolvedGroup(NamedTuple):
-    """Forces of the mechanisms of one kind: motion and `Forces`, arrays of shape (design, member, n)."""
+    """Forces of the mechanisms of one kind, arrays of shape (design, member, n).
+
+    motion, and `Forces`: the joints bear what slaves hand over as well; torque by virtual work is that of a mechanism's
+    own loads, weights, inertia and friction.
+    """
 
     motion: Any
     forces: Any
@@ -94,7 +100,20 @@ class LoadedMachine:
     gas: GasInChambers | None
     speed: Array
 
-    def solved(self, angle: Array, friction_sense: float | None = None) -> tuple[SolvedGroup, ...]:
+    def motions(self, angle: Array) -> tuple[Any, ...]:
+        """Motion of every mechanism at crank angles φ [rad], in the order of `mechanisms.groups`."""
+        return tuple(
+            group.kind.motion(angle + group.members.phase, group.members.geometry) for group in self.mechanisms.groups
+        )
+
+    def solved(
+        self,
+        angle: Array,
+        friction_sense: float | None = None,
+        *,
+        gas_force: Array | None = None,
+        motions: Sequence[Any] | None = None,
+    ) -> tuple[SolvedGroup, ...]:
         """Solve every mechanism.
 
         Parameters
@@ -103,24 +122,30 @@ class LoadedMachine:
             φ. [rad]
         friction_sense : float, optional
             +1 or −1 for the value on either side of a standstill; of each slider's own velocity unless given.
+        gas_force : Array, shape (design, piston, n), optional
+            Of the gas on the pistons toward their shafts, where it is known already. [N]
+        motions : sequence, optional
+            Of `motions` at the same angles, where the caller has them.
 
         Returns
         -------
         tuple of SolvedGroup
             In the order of `mechanisms.groups`.
         """
-        pressing = self._pressing(angle)
+        moving = self.motions(angle) if motions is None else motions
+        toward = self._gas_force(angle, moving) if gas_force is None else gas_force
         on_rods: dict[int, Wrench] = {}
         found: dict[int, SolvedGroup] = {}
         groups = list(enumerate(self.mechanisms.groups))
         # Slaves first: what they do to their masters' rods is a load there.
         for place, group in sorted(groups, key=lambda one: one[1].kind.name != "articulated_rod"):
             dynamics, size = group.kind.dynamics, group.members.geometry
-            motion = group.kind.motion(angle + group.members.phase, size)
+            motion = moving[place]
             made = self.masses.groups[place]
-            loads = dynamics.load(motion, size, pressing(group.index))
-            if "rod" in getattr(loads, "_fields", ()):
-                loads = loads._replace(rod=_with_slaves(loads.rod, group.index, on_rods))
+            loads = dynamics.load(motion, size, self._pressing(group.index, toward))
+            handed = _of_slaves(group.index, on_rods) if group.kind.name == _MASTER else None
+            if handed is not None:
+                loads = loads._replace(rod=added(loads.rod, handed))
             friction = tuple(
                 Friction(
                     coefficient,
@@ -130,6 +155,9 @@ class LoadedMachine:
             )
             conditions = Conditions(Drive(self.speed, np.zeros_like(self.speed)), made.gravity, friction)
             forces = dynamics.forces(motion, size, made.bodies, loads, conditions)
+            if handed is not None:
+                # What slaves hand over is their own work, which counts once.
+                forces = forces._replace(torque_by_work=forces.torque_by_work + work(motion.rod, handed))
             found[place] = SolvedGroup(motion, forces)
             if dynamics.on_master is not None:
                 wrench = dynamics.on_master(motion, size, forces.joints[0])
@@ -139,31 +167,32 @@ class LoadedMachine:
                     on_rods[master] = Wrench(*map(np.add, on_rods[master], own)) if master in on_rods else own
         return tuple(found[place] for place, _group in groups)
 
-    def _pressing(self, angle: Array) -> Callable[[NDArray[np.intp]], Array]:
-        """Force along the output of each of some mechanisms, away from the shaft, shape (design, member, n)."""
+    def _gas_force(self, angle: Array, motions: Sequence[Any]) -> Array | None:
+        """Force of the gas on every piston toward its shaft, shape (design, piston, n); None without gas."""
         if self.gas is None:
-            return lambda _index: np.zeros((1, 1, 1))
-        toward = self.gas.force(self.gas.pressure(angle, self.gas.volume(angle)))
-        piston = self.carriers.piston
+            return None
+        n_pistons = np.count_nonzero(self.carriers.piston >= 0)
+        slider = np.empty((3, len(self.speed), n_pistons, angle.shape[-1]))
+        for group, motion in zip(self.mechanisms.groups, motions, strict=True):
+            piston = self.carriers.piston[group.index]
+            if piston[0] >= 0:
+                for part, values in zip(slider, motion.slider, strict=True):
+                    part[:, piston] = values
+        return self.gas.force(self.gas.pressure(angle, self.gas.volume_by(Coefficient(*slider))))
 
-        def of(index: NDArray[np.intp]) -> Array:
-            own = piston[index]
-            return np.where((own >= 0)[:, np.newaxis], -toward[:, np.maximum(own, 0)], 0.0)
+    def _pressing(self, index: NDArray[np.intp], toward: Array | None) -> Array:
+        """Force along the output of each of some mechanisms, away from the shaft, shape (design, member, n)."""
+        piston = self.carriers.piston[index]
+        return np.zeros((1, 1, 1)) if toward is None or piston[0] < 0 else -toward[:, piston]
 
-        return of
 
-
-def _with_slaves(rod: Wrench, index: NDArray[np.intp], on_rods: dict[int, Wrench]) -> Wrench:
-    """Add what slaves do to the rods of some mechanisms."""
+def _of_slaves(index: NDArray[np.intp], on_rods: Mapping[int, Wrench]) -> Wrench | None:
+    """What slaves do to the rods of some mechanisms, shape (design, member, n); None where there is none."""
     if not any(int(mechanism) in on_rods for mechanism in index):
-        return rod
-    shape = np.broadcast_shapes(*(part.shape for part in rod), *(wrench.x.shape for wrench in on_rods.values()))
-    total = [np.array(np.broadcast_to(part, (shape[0], len(index), shape[-1]))) for part in rod]
-    for member, mechanism in enumerate(index.tolist()):
-        if mechanism in on_rods:
-            for part, added in zip(total, on_rods[mechanism], strict=True):
-                part[:, member : member + 1] += added
-    return Wrench(*total)
+        return None
+    nothing = Wrench(*(np.zeros_like(part) for part in next(iter(on_rods.values()))))
+    rods = [on_rods.get(int(mechanism), nothing) for mechanism in index]
+    return Wrench(*(np.concatenate(parts, axis=1) for parts in zip(*rods, strict=True)))
 
 
 def loaded_machine(
@@ -173,6 +202,28 @@ def loaded_machine(
     return LoadedMachine(mechanisms, carriers, masses, gas, speed.value)
 
 
+def driving_torques(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Array:
+    """Torque that must be applied at each mechanism's crank, by the reactions.
+
+    Parameters
+    ----------
+    loaded : LoadedMachine
+    solved : sequence of SolvedGroup
+        What `LoadedMachine.solved` gave.
+
+    Returns
+    -------
+    Array, shape (design, mechanism, n)
+        A slave's comes through its master's crank pin: 0 for itself. [N·m]
+    """
+    shape = solved[0].forces.driving_torque.shape
+    torque = np.zeros((shape[0], len(loaded.mechanisms.names), shape[-1]))
+    for group, one in zip(loaded.mechanisms.groups, solved, strict=True):
+        is_own = loaded.carriers.master[group.index] < 0
+        torque[:, group.index[is_own]] = one.forces.driving_torque[:, is_own]
+    return torque
+
+
 @dataclass(frozen=True)
 class SolvedCycle:
     """Forces of every mechanism on the grid of crank angles; nothing that people read as it is."""
@@ -180,9 +231,9 @@ class SolvedCycle:
     groups: tuple[SolvedGroup, ...]
 
 
-def solved_cycle(loaded: LoadedMachine, crank_angle: CrankAngle) -> SolvedCycle:
+def solved_cycle(loaded: LoadedMachine, crank_angle: CrankAngle, gas: GasPressures | None) -> SolvedCycle:
     """Solve the machine on its grid."""
-    return SolvedCycle(loaded.solved(crank_angle.angle))
+    return SolvedCycle(loaded.solved(crank_angle.angle, gas_force=None if gas is None else gas.gas_force))
 
 
 @dataclass(frozen=True)
@@ -265,15 +316,13 @@ class MechanismTorques:
 
 def mechanism_torques(loaded: LoadedMachine, solved: SolvedCycle) -> MechanismTorques:
     """Torques by virtual work and by reactions, which share little, and the reduced inertia."""
-    shape = solved.groups[0].forces.torque_by_work.shape
-    by_work = np.empty((shape[0], len(loaded.mechanisms.names), shape[-1]))
-    by_reactions = np.zeros_like(by_work)
+    by_reactions = driving_torques(loaded, solved.groups)
+    shape = by_reactions.shape
+    by_work = np.empty(shape)
     inertia, slope = np.zeros((2, shape[0], shape[-1]))
     for place, (group, one) in enumerate(zip(loaded.mechanisms.groups, solved.groups, strict=True)):
         dynamics, size, made = group.kind.dynamics, group.members.geometry, loaded.masses.groups[place]
         by_work[:, group.index] = one.forces.torque_by_work
-        is_own = loaded.carriers.master[group.index] < 0
-        by_reactions[:, group.index[is_own]] = one.forces.driving_torque[:, is_own]
         unloaded = dynamics.load(one.motion, size, np.zeros((1, 1, 1)))
         reduced = dynamics.reduced(one.motion, size, made.bodies, unloaded, made.gravity).inertia
         inertia = inertia + np.sum(reduced.value, axis=1)

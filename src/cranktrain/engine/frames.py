@@ -1,10 +1,14 @@
 """Frames: a mechanism's own axes as they lie in the machine's, X right and Y up, seen from the free end."""
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import ClassVar, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.engine.places import Place
+from cranktrain.loads.harmonics import ComplexArray, phasor
 from cranktrain.motion import Array
 
 
@@ -63,3 +67,60 @@ def in_machine_axes(x: Array, y: Array, frame: Frame) -> tuple[Array, Array]:
     """
     cos, sin = np.cos(frame.direction), np.sin(frame.direction)
     return x * sin + frame.sense * y * cos, x * cos - frame.sense * y * sin
+
+
+class Orientation(NamedTuple):
+    """How a machine stands: direction of the first bank's axis from Y in its normal sense [rad], that sense, astern."""
+
+    first_angle: float
+    is_clockwise: bool
+    is_astern: bool
+
+
+@dataclass(frozen=True)
+class Frames:
+    """Where all mechanisms' axes lie in common ones: x along Y, y turned from it in the sense in which `main` runs.
+
+    Attributes
+    ----------
+    direction : Array, shape (design, mechanism)
+        Of each mechanism's x, from the common x. [rad]
+    sense : Array, shape (mechanism,)
+        1 where its crank turns as `main` does, −1 where it turns against that.
+    first : Array, shape (design,)
+        Where throw 1 of `main` stands at φ = 0, along the first bank's axis. [rad]
+    running : float
+        1 where it runs in the machine's normal sense, −1 astern.
+    clockwise : bool
+        Whether `main` runs clockwise as seen from the free end.
+    """
+
+    needs: ClassVar[str] = ""
+
+    direction: Array
+    sense: Array
+    first: Array
+    running: float
+    clockwise: bool
+
+    def common(self, index: NDArray[np.intp], x: Array, y: Array) -> ComplexArray:
+        """Vectors x + iy in the common axes of some mechanisms' own, shape (design, member, n)."""
+        turn = phasor(self.direction[:, index, np.newaxis])
+        return np.asarray((x + 1j * self.sense[index, np.newaxis] * y) * turn)
+
+
+def frames_of(designs: Sequence[Sequence[Place]], orientations: Sequence[Orientation]) -> Frames:
+    """Lay out the axes of several designs of one machine, [design][place]."""
+    running = -1.0 if orientations[0].is_astern else 1.0
+    sense = running if orientations[0].is_clockwise else -running
+    frames = [
+        [frame_of(place, first_angle=of.first_angle, clockwise=of.is_clockwise) for place in design]
+        for design, of in zip(designs, orientations, strict=True)
+    ]
+    return Frames(
+        direction=sense * np.array([[frame.direction for frame in design] for design in frames]),
+        sense=sense * np.array([frame.sense for frame in frames[0]]),
+        first=running * np.array([of.first_angle for of in orientations]),
+        running=running,
+        clockwise=sense > 0,
+    )

@@ -1,18 +1,21 @@
 """Gas in the chambers: pressure over the cycle by the declared model, its work, and its force on every piston."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.dead_centres import DeadCentres, around_zero, slider_motion
 from cranktrain.engine.firing import Cycle, Firing
 from cranktrain.engine.layout import CrankAngle, Pistons
+from cranktrain.engine.motion import PistonMotion
 from cranktrain.engine.travel import CylinderPistons, CylinderTravel
 from cranktrain.engine.volumes import Chambers, ChamberVolumes, SweptVolumes
-from cranktrain.gas import Chamber, GasSpec, VolumeLimits, chamber_state, kind_of
+from cranktrain.errors import InputError
+from cranktrain.gas import Chamber, GasKind, GasSpec, VolumeLimits, chamber_state, kind_of
 from cranktrain.gas.work import indicated_work
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient, single
@@ -79,13 +82,23 @@ class GasInChambers:
 
     def volume(self, angle: Array) -> Coefficient:
         """Volume of every chamber at φ [rad], and its derivatives, shape (design, chamber, n). [m³, m³/rad, m³/rad²]"""
-        motion = slider_motion(self.pistons, angle)
-        areas = self.chambers.areas
-        return Coefficient(
-            self.start + _by_chamber(areas, self.tops - motion.value),
-            _by_chamber(areas, -motion.first),
-            _by_chamber(areas, -motion.second),
-        )
+        return self.volume_by(slider_motion(self.pistons, angle))
+
+    def volume_by(self, slider: Coefficient) -> Coefficient:
+        """Volume of every chamber, as `volume` gives it, from the pistons' distances from their shafts."""
+        summed = self.chambers.summed
+        return Coefficient(self.start + summed(self.tops - slider.value), summed(-slider.first), summed(-slider.second))
+
+    def volume_of(self, design: int, place: int, angle: Array) -> Coefficient:
+        """Volume of one chamber of one design at φ [rad], shape (n,), and its derivatives. [m³, m³/rad, m³/rad²]"""
+        areas = self.chambers.areas[design, :, place]
+        value, first, second = np.zeros((3, *angle.shape))
+        for piston in np.flatnonzero(areas).tolist():
+            slider = self.pistons.alone(design, piston, angle).slider
+            value = value + areas[piston] * (self.tops[design, piston] - slider.value[0])
+            first = first - areas[piston] * slider.first[0]
+            second = second - areas[piston] * slider.second[0]
+        return Coefficient(self.start[design, place] + value, first, second)
 
     def pressure(self, angle: Array, volume: Coefficient) -> Array:
         """Absolute pressure in every chamber at φ [rad], where its volume is known, shape (design, chamber, n). [Pa]"""
@@ -93,10 +106,59 @@ class GasInChambers:
         found = np.empty(volume.value.shape)
         for design, spec in enumerate(self.specs):
             kind = kind_of(spec)
-            for place, model in enumerate(self.models[design]):
-                own = type(state)(*(_row(part, design, place) for part in state))
-                found[design, place] = kind.pressure(own, model)
+            for model, places in self.alike(design):
+                own = type(state)(*(_rows(part, design, places) for part in state))
+                found[design, places] = kind.pressure(own, model)
         return found
+
+    def dead_centres(self, travel: CylinderTravel) -> tuple[Array, Array]:
+        """φ of every chamber's least volume at its firing, and of its greatest, shape (design, chamber). [rad]"""
+        of, is_head = self.chambers.cylinder, self.chambers.is_head
+        least = np.where(is_head, travel.inner[:, of], travel.outer[:, of])
+        turns = 2 * np.pi * np.rint((self.firing[..., 0] - least) / (2 * np.pi))
+        return least + turns, np.where(is_head, travel.outer[:, of], travel.inner[:, of])
+
+    @property
+    def distinct(self) -> list[int]:
+        """Chambers that stand for all others of their design which share their model."""
+        return sorted({places[0] for design in range(len(self.models)) for _model, places in self.alike(design)})
+
+    @property
+    def origin(self) -> NDArray[np.intp]:
+        """Which of the distinct chambers stands for each, shape (design, chamber)."""
+        found = np.empty((len(self.models), len(self.chambers.names)), dtype=np.intp)
+        chosen = self.distinct
+        for design in range(len(self.models)):
+            for _model, places in self.alike(design):
+                found[design, places] = chosen.index(places[0])
+        return found
+
+    def at_own(self, angle: Array, places: Sequence[int], values: Callable[[Array], Array]) -> Array:
+        """Values of some chambers, each at its own angles φ.
+
+        Parameters
+        ----------
+        angle : Array, shape (design, place, k). [rad]
+        places : sequence of int
+            Which chambers.
+        values : callable
+            From angles of shape (design, 1, n) to values of all chambers, shape (..., design, chamber, n).
+
+        Returns
+        -------
+        Array, shape (..., design, place, k)
+        """
+        n_designs, n_places, n_angles = angle.shape
+        found = values(angle.reshape(n_designs, 1, -1))
+        apart = found.reshape(*found.shape[:-1], n_places, n_angles)
+        return apart[..., list(places), np.arange(n_places), :]
+
+    def alike(self, design: int) -> list[tuple[Any, list[int]]]:
+        """Models of one design's chambers, each with the chambers that share it."""
+        sharing: dict[int, tuple[Any, list[int]]] = {}
+        for place, model in enumerate(self.models[design]):
+            sharing.setdefault(id(model), (model, []))[1].append(place)
+        return list(sharing.values())
 
     def force(self, pressure: Array) -> Array:
         """Force of the gas less the ambient pressure on every piston, toward its shaft, (design, piston, n). [N]"""
@@ -104,15 +166,12 @@ class GasInChambers:
         return np.matmul(areas, pressure) - AMBIENT * np.sum(areas, axis=-1, keepdims=True)
 
 
-def _by_chamber(areas: Array, lengths: Array) -> Array:
-    """Sum by chamber what pistons move; one that cannot move all round, NaN, leaves the others alone."""
-    weights = areas[..., np.newaxis]
-    return np.sum(np.where(weights == 0.0, 0.0, weights * lengths[:, :, np.newaxis]), axis=1)
-
-
-def _row(part: Array, design: int, place: int) -> Array:
-    """One chamber's values of a state's part, which may stand for all."""
-    return part[min(design, part.shape[0] - 1), min(place, part.shape[1] - 1)] if part.ndim == 3 else part
+def _rows(part: Array, design: int, places: list[int]) -> Array:
+    """Some chambers' values of a state's part, which may stand for all."""
+    if part.ndim < 3:
+        return part
+    of_design = part[min(design, part.shape[0] - 1)]
+    return of_design if len(of_design) == 1 else of_design[places]
 
 
 def gas_in_chambers(
@@ -180,7 +239,7 @@ def _models(spec: GasSpec, chambers: GasInChambers, design: int, unroll: Unroll,
         start = float(chambers.firing[design, place, 0])
 
         def volume(angle: Array, start: float = start, place: int = place) -> Array:
-            return chambers.volume(angle + start).value[design, place]
+            return chambers.volume_of(design, place, angle + start).value
 
         ratio = float(ratios[place])
 
@@ -191,9 +250,17 @@ def _models(spec: GasSpec, chambers: GasInChambers, design: int, unroll: Unroll,
         key = tuple(float(f"{float(value):.9g}") for value in (*limits, *volume(_TELLING)))
         if key not in made:
             chamber = Chamber(chambers.cycle, limits, volume, None if np.isnan(ratio) else outward)
-            made[key] = kind.model(spec, chamber)
+            made[key] = _model(kind, spec, chamber)
         found.append(made[key])
     return tuple(found)
+
+
+def _model(kind: GasKind, spec: GasSpec, chamber: Chamber) -> Any:
+    """Make one chamber's model; what does not suit it is wrong in [gas]."""
+    try:
+        return kind.model(spec, chamber)
+    except InputError as error:
+        raise InputError(replace(problem, path=f"gas.{problem.path}") for problem in error.problems) from None
 
 
 @dataclass(frozen=True)
@@ -226,17 +293,21 @@ class GasPressures:
 
 
 def gas_pressures(
-    gas: GasInChambers, travel: CylinderTravel, swept: SweptVolumes, crank_angle: CrankAngle
+    gas: GasInChambers, travel: CylinderTravel, swept: SweptVolumes, crank_angle: CrankAngle, motion: PistonMotion
 ) -> GasPressures:
     """Pressure over the cycle, its force, work and peak."""
     phi = crank_angle.angle
-    volume = gas.volume(phi)
+    volume = gas.volume_by(
+        Coefficient(
+            gas.tops - motion.piston_displacement,
+            -motion.piston_velocity_coefficient,
+            -motion.piston_acceleration_coefficient,
+        )
+    )
     pressure = gas.pressure(phi, volume)
     work = indicated_work(pressure, volume.first, gas.cycle)
-    of = gas.chambers.cylinder
-    inner = np.where(gas.chambers.is_head, travel.inner[:, of], travel.outer[:, of])
-    firing = inner + 2 * np.pi * np.rint((gas.firing[..., 0] - inner) / (2 * np.pi))
-    after, peak = _peaks(gas, firing, phi, pressure)
+    firing, _opposite = gas.dead_centres(travel)
+    after, peak = _peaks(gas, firing, crank_angle, pressure)
     return GasPressures(
         gas_pressure=pressure,
         gas_force=gas.force(pressure),
@@ -249,23 +320,22 @@ def gas_pressures(
     )
 
 
-def _peaks(gas: GasInChambers, firing: Array, phi: Array, pressure: Array) -> tuple[Array, Array]:
+def _peaks(gas: GasInChambers, firing: Array, crank_angle: CrankAngle, pressure: Array) -> tuple[Array, Array]:
     """Angle of the largest pressure after the dead centre at firing, and the pressure, shape (design, chamber)."""
-    after, peak = np.empty(firing.shape), np.empty(firing.shape)
-    for design, models in enumerate(gas.models):
-        known: dict[int, tuple[float, float]] = {}
-        for place, model in enumerate(models):
-            if id(model) not in known:
-                start = float(firing[design, place])
+    places = gas.distinct
+    zero = crank_angle.zero
 
-                def own(angle: Array, design: int = design, place: int = place) -> Array:
-                    return gas.pressure(angle, gas.volume(angle))[design, place]
+    def own(shown_angle: Array) -> Array:
+        """Pressure in each distinct chamber at its own angles, shape (design, distinct, k)."""
+        phi = shown_angle + zero
+        return gas.at_own(phi, places, lambda angle: gas.pressure(angle, gas.volume(angle)))
 
-                found = largest(own, grid=phi[design, 0], samples=pressure[design, place])
-                # A rise at constant volume stands at the dead centre itself, between the grid's points.
-                at_firing = float(own(np.array([start]))[0])
-                is_there = at_firing >= float(found.value[0]) * (1 - _ALIKE)
-                angle = 0.0 if is_there else float(around_zero(found.angle - start)[0])
-                known[id(model)] = angle, max(at_firing, float(found.value[0]))
-            after[design, place], peak[design, place] = known[id(model)]
-    return after, peak
+    found = largest(own, grid=crank_angle.shown, samples=pressure[:, places])
+    # A rise at constant volume stands at the dead centre itself, between the grid's points.
+    start = firing[:, places, np.newaxis]
+    at_firing = own(start - zero)
+    is_there = at_firing >= found.value * (1 - _ALIKE)
+    after = np.where(is_there, 0.0, around_zero(found.angle + zero - start))[..., 0]
+    peak = np.maximum(at_firing, found.value)[..., 0]
+    design = np.arange(len(gas.models))[:, np.newaxis]
+    return after[design, gas.origin], peak[design, gas.origin]

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from cranktrain.engine.places import Place
 from cranktrain.language import N_
 from cranktrain.linkage import in_blocks
-from cranktrain.mechanisms.kind import Kind, Members, stacked
+from cranktrain.mechanisms.kind import Kind, Members, rows, stacked
 from cranktrain.motion import Array
 
 Outcome = TypeVar("Outcome", bound=tuple[Any, ...])
@@ -109,6 +109,17 @@ class Mechanisms:
                 column[:, group.index, :] = values[part]
             columns.append(column)
         return cast(Outcome, type(first)(*columns))
+
+    def alone(self, design: int, mechanism: int, angle: Array) -> Any:
+        """Motion of one mechanism of one design at φ [rad], shape (n,): parts of shape (1, n)."""
+        for group in self.groups:
+            member = np.flatnonzero(group.index == mechanism)
+            if member.size:
+                place = np.array([design * group.index.size + member[0]])
+                return group.kind.motion(
+                    angle + group.members.phase[design, member], rows(group.members.geometry, place)
+                )
+        raise IndexError(mechanism)
 
 
 @dataclass(frozen=True)

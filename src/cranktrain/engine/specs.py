@@ -6,6 +6,7 @@ from typing import Annotated, Any, Literal, Self, TypeVar, cast
 from pydantic import BeforeValidator, Field, model_validator
 
 from cranktrain.engine.bodies import BodySpec
+from cranktrain.engine.ends import ENDS
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.mechanisms import AnyMechanism, MechanismSpec
@@ -18,6 +19,7 @@ from cranktrain.quantities import (
     NonNegativeLength,
     PositiveLength,
     PositiveSpeed,
+    Pressure,
     Quantity,
 )
 from cranktrain.spec import Refused, Spec
@@ -59,12 +61,11 @@ class ShaftSpec(Spec, frozen=True):
         return self
 
 
+_GAUGE = ("barg", "бари", "ati", "ати", "psig")
+"""Spellings of units that count from ambient pressure."""
+
 MAIN = "main"
 """Name of the shaft whose angle is the crank angle."""
-
-
-ENDS = ("exhaust", "scavenge")
-"""The two pistons of an opposed-piston cylinder, by what they control."""
 
 
 class OpposedPistonSpec(Spec, frozen=True):
@@ -182,7 +183,7 @@ class BankSpec(Spec, frozen=True):
         found: list[Problem] = []
         if len(far) != 1:
             allowed = _(
-                "must be true for just one of exhaust and scavenge, the piston that is farther from their shaft"
+                "must be true for just one of the two, the far piston on their shaft; or give one another shaft"
             )
             found.append(Problem(f"{ENDS[1]}.side_rods", None, allowed))
         if self.lead is not None:
@@ -219,12 +220,26 @@ OVERRIDES = "NAME (a bank or cylinder)"
 
 
 class CylindersSpec(CylinderSpec, frozen=True):
-    """All cylinders: their common dimensions, cycle and firing order, and `overrides` by bank or cylinder."""
+    """All cylinders: their common dimensions, cycle, firing order and friction, and `overrides` by bank or cylinder."""
 
     cycle: Literal["two-stroke", "four-stroke"] | None = None
     firing_order: str | None = None
     numbers: Mapping[str, str] = {}
+    mechanical_efficiency: Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=1.0)] | None = None
+    friction_pressure: Pressure | None = None
     overrides: Mapping[str, CylinderSpec] = Field(default={}, alias=OVERRIDES)
+
+    @model_validator(mode="after")
+    def _friction_one_way(self) -> Self:
+        """Refuse friction that is said twice, and a mean pressure in a gauge unit."""
+        if self.friction_pressure is None:
+            return self
+        if self.mechanical_efficiency is not None:
+            raise Refused(_("must not stand beside mechanical_efficiency, which says it"), path="friction_pressure")
+        if self.friction_pressure.text.endswith(_GAUGE):
+            allowed = _("must be in a unit that is not gauge, as bar or kPa: it is work over volume")
+            raise Refused(allowed, path="friction_pressure")
+        return self
 
     @model_validator(mode="before")
     @classmethod

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from typing import ClassVar
 
 import numpy as np
@@ -49,6 +50,28 @@ class Chambers:
     def area(self) -> Array:
         """Area of each chamber, shape (design, chamber). [m²]"""
         return np.max(np.abs(self.areas), axis=1)
+
+    @cached_property
+    def _own(self) -> tuple[tuple[NDArray[np.intp], Array], ...]:
+        """Each chamber's first piston and its area, shape (design, chamber, 1), then its second …; a few are enough."""
+        works = np.any(self.areas != 0.0, axis=0)
+        order = np.argsort(~works, axis=0, kind="stable")
+        chamber = np.arange(len(self.names))
+        found: list[tuple[NDArray[np.intp], Array]] = []
+        for place in range(int(np.max(np.sum(works, axis=0), initial=0))):
+            # One that has fewer counts its first again, by no area: another chamber's piston may be NaN.
+            piston = np.where(works[order[place], chamber], order[place], order[0])
+            area = np.where(piston == order[place], self.areas[:, piston, chamber], 0.0)
+            found.append((piston, area[..., np.newaxis]))
+        return tuple(found)
+
+    def summed(self, lengths: Array) -> Array:
+        """Volume that lengths of travel of its own pistons make, (design, piston, n) to (design, chamber, n). [m³]
+
+        A piston that cannot move all round, NaN, leaves the chambers of others alone.
+        """
+        parts = [area * lengths[:, piston] for piston, area in self._own]
+        return sum(parts[1:], start=parts[0])
 
 
 @dataclass(frozen=True)
@@ -133,7 +156,7 @@ def chamber_volumes(
     # A chamber on the shaft's side is smallest where its piston is at the bottom.
     smallest = np.where(chambers.is_head, travel.least[:, chambers.cylinder], -travel.stroke[:, chambers.cylinder])
     start = clearance - chambers.area * smallest
-    volume = start[..., np.newaxis] + _summed(chambers.areas, motion.piston_displacement)
+    volume = start[..., np.newaxis] + chambers.summed(motion.piston_displacement)
     return ChamberVolumes(
         chamber_volume=volume,
         clearance_volume=clearance,
@@ -150,12 +173,3 @@ def _flags(chambers: Chambers, clearance: Array) -> Iterator[str]:
             "With the first one's deck no room is left over {chambers}: give these a compression_ratio of their own."
         )
         yield said.format(chambers=ranged(chambers.names, short))
-
-
-def _summed(areas: Array, lengths: Array) -> Array:
-    """Volumes of every chamber, shape (design, chamber, n), from displacements of its own pistons.
-
-    A piston that cannot move all round, NaN, leaves the chambers of others alone.
-    """
-    weights = areas[..., np.newaxis]
-    return np.sum(np.where(weights == 0.0, 0.0, weights * lengths[:, :, np.newaxis]), axis=1)

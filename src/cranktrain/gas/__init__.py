@@ -12,7 +12,7 @@ from typing import Annotated
 from pydantic import Field
 
 from cranktrain.gas import diesel, dual, indicator, otto
-from cranktrain.gas.kind import Chamber, GasKind, GasSpec
+from cranktrain.gas.kind import Chamber, GasKind, GasSpec, Kink
 from cranktrain.gas.state import ChamberState, VolumeLimits, chamber_state
 
 __all__ = [
@@ -22,6 +22,7 @@ __all__ = [
     "ChamberState",
     "GasKind",
     "GasSpec",
+    "Kink",
     "VolumeLimits",
     "chamber_state",
     "kind_named",

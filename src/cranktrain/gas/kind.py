@@ -38,9 +38,31 @@ class Chamber(NamedTuple):
     brix: Callable[[Array], Array] | None = None
 
 
+class Kink(NamedTuple):
+    """Where the pressure has a kink away from the dead centres.
+
+    Attributes
+    ----------
+    volume : Array
+        [m³]
+    sense, turn : float
+        On which branch, as in `ChamberState`: +1 where the volume grows; +1 in the working turn.
+    """
+
+    volume: Array
+    sense: float
+    turn: float
+
+
 def _nothing(model: object) -> tuple[str, ...]:
     """Tell nothing, for models that read no file."""
     del model
+    return ()
+
+
+def _no_kinks(model: object, limits: VolumeLimits) -> tuple[Kink, ...]:
+    """Give no kinks, for models that are smooth between the dead centres."""
+    del model, limits
     return ()
 
 
@@ -66,6 +88,10 @@ class GasKind:
         What was found in a file and changed, as sentences.
     mean_pressures : callable (model, compression ratio) → MeanPressures, optional
         In closed form, where there is one.
+    kinks : callable (model, VolumeLimits) → tuple of Kink
+        Where the pressure is not smooth, beside the dead centres: quadrature stops there.
+    work : callable (model, volume slope) → float, optional
+        ∮ p dV of a model that goes through samples, exactly; takes dV/dφ at angles since nominal firing. [J]
     """
 
     name: str
@@ -77,3 +103,5 @@ class GasKind:
     example: str
     findings: Callable[[Any], tuple[str, ...]] = _nothing
     mean_pressures: Callable[[Any, Array], MeanPressures] | None = None
+    kinks: Callable[[Any, VolumeLimits], tuple[Kink, ...]] = _no_kinks
+    work: Callable[[Any, Callable[[Array], Array]], float] | None = None

@@ -14,12 +14,14 @@ def layout_words(machine: Machine) -> str:
     if machine.mechanism is not None:
         return _(kind_named(machine.mechanism.kind).title)
     places = machine.places
-    pistons = sum(place.kind.output == "slider" for place in places)
-    rockers = len(places) - pistons
+    rockers = sum(place.kind.output == "rocker" for place in places)
+    pistons = sum(place.kind.output == "slider" and place.kind.has_chambers for place in places)
+    valves = len(places) - rockers - pistons
     throws = len(machine.main_shaft.throws)
     banks = ", ".join(machine.bank)
     parts = [
         _("1 piston") if pistons == 1 else _("{n} pistons").format(n=pistons) if pistons else "",
+        _("1 valve") if valves == 1 else _("{n} valves").format(n=valves) if valves else "",
         _("1 rocker") if rockers == 1 else _("{n} rockers").format(n=rockers) if rockers else "",
         _("1 throw") if throws == 1 else _("{n} throws").format(n=throws),
         (_("bank {banks}") if len(machine.bank) == 1 else _("banks {banks}")).format(banks=banks),

@@ -24,6 +24,35 @@ _SENTENCES = {
         "gravity": N_("Whether weights count, downward."),
         "gas": N_("What the chambers hold: the kind of gas model and its numbers."),
         "cylinder": N_("Cylinders: what is common to all, and tables for one bank or one cylinder."),
+        "evenness": N_("What balances the machine, its flywheel, and how evenly it is to run."),
+        "balance": N_("Counterweights and balance shafts, given or solved for."),
+    },
+    "BalanceSpec": {
+        "weight": N_("Weights that turn: on the crankshaft, or on shafts of their own."),
+        "counterweights": N_(
+            "Solved for: `rotating` takes all that rotates on each throw, `least_force` leaves the least largest force."
+        ),
+        "share": N_("Share of what reciprocates that counterweights take besides all that rotates: 0 unless given."),
+        "planes": N_("Two places along the shaft, from throw 1, for the counterweights; unless given, every throw."),
+        "shafts": N_("Pairs of balance shafts, solved for after all other weights."),
+    },
+    "WeightSpec": {
+        "mass": N_("Mass of the weight."),
+        "radius": N_("Of its centroid from the axis of its shaft."),
+        "angle": N_(
+            "Where it stands at crank angle 0 of throw 1, ahead of throw 1; on a throw, opposite that unless given."
+        ),
+        "throw": N_("The throw of the crankshaft that it is on, counted from 1."),
+        "z": N_("Its place along the shaft, from throw 1 toward the flywheel."),
+        "ratio": N_("Turns for one of the crank, less than 0 against it; 1 unless given."),
+        "place": N_("Where its shaft lies from the crankshaft's centre: to the right, and up."),
+    },
+    "BalanceShaftsSpec": {
+        "order": N_("How many times as fast as the crank both shafts turn."),
+        "against": N_("Whether they take away the force of that order, the couple, or both."),
+        "planes": N_("Places of their weights along the shaft, from throw 1: one against a force, two for a couple."),
+        "forward": N_("Where the shaft lies that turns with the crank: to the right of its centre, and up."),
+        "backward": N_("Where the shaft lies that turns against the crank: to the right of its centre, and up."),
     },
     "ShaftSpec": {
         "throws": N_("How far each throw stands ahead of throw 1; one that is to fire later stands behind."),
@@ -82,6 +111,12 @@ _SENTENCES = {
             'Cylinders in the order in which they fire, such as "1-3-4-2"; with the cycle: firing angles.'
         ),
         "numbers": N_('A maker\'s own numbers of the cylinders, for use in the firing order: { 5 = "1L" }.'),
+        "mechanical_efficiency": N_(
+            "Brake power over indicated power; of a driven machine the other way round. Or give friction_pressure."
+        ),
+        "friction_pressure": N_(
+            "Work that friction takes in a cycle, over the displacement; it is no absolute pressure."
+        ),
         "overrides": N_("What one bank or one cylinder has of its own."),
     },
     "MechanismSpec": {

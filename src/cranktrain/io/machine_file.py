@@ -4,7 +4,7 @@ import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import NamedTuple, cast
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io import editing
@@ -16,6 +16,9 @@ from cranktrain.machine import Machine, machine_problems
 from cranktrain.mechanisms.kind import LISTS
 from cranktrain.quantities import Given
 from cranktrain.spec import Spec
+
+if TYPE_CHECKING:
+    from cranktrain.analysis import Result
 
 
 @dataclass(frozen=True)
@@ -90,14 +93,20 @@ def read_machine(
     """
     typed = document_of(source)
     document, paths = _with_settings(typed, settings)
+    found: tuple[Problem, ...] = ()
+    data: Mapping[str, Any] = document.data
     try:
-        machine = Machine(**with_indicator(document.data, _folder_of(source)))
-        found = machine_problems(machine, partial=partial)
+        data = with_indicator(document.data, _folder_of(source))
     except InputError as error:
+        # A diagram that cannot be read is one problem among the others.
         found = error.problems
-    else:
+    try:
+        machine = Machine(**data)
+        found = (*found, *machine_problems(machine, partial=partial))
         if not found:
             return MachineFile(document, machine)
+    except InputError as error:
+        found = (*found, *error.problems)
     problems = tuple(_placed(problem, typed, paths) for problem in found)
     if settings and not any(problem.position == _SETTING for problem in problems):
         allowed = _("was set for this run; the file alone may be right")
@@ -119,6 +128,32 @@ def document_of(source: "str | os.PathLike[str]") -> Document:
             raise
         repair = _("is it the example {name}? `cranktrain list` names all").format(name=close)
         raise InputError(replace(problem, repair=problem.repair or repair) for problem in error.problems) from None
+
+
+def computed(file: MachineFile, **options: Any) -> "Result":
+    """Compute what a machine file allows.
+
+    Parameters
+    ----------
+    file : MachineFile
+    **options
+        As `cranktrain.analysis.run` takes them.
+
+    Returns
+    -------
+    Result
+
+    Raises
+    ------
+    InputError
+        With what only the computation shows to be wrong, such as a gas that does not suit its chamber, at its line.
+    """
+    from cranktrain.analysis import run
+
+    try:
+        return run(file.machine, **options)
+    except InputError as error:
+        raise InputError(file.document.located(error.problems)) from None
 
 
 def inputs_of(file: MachineFile) -> tuple[Input, ...]:

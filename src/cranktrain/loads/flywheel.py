@@ -6,9 +6,9 @@ import numpy as np
 
 from cranktrain.loads.excess_work import ExcessWork
 from cranktrain.loads.periodic import PeriodicCurve, combined, curve_extremes, plus
-from cranktrain.loads.speed import Mean, speed_from_energy, steady_speed
+from cranktrain.loads.speed import Mean, grid_mean, speed_from_energy, steady_speed
 from cranktrain.motion import Array
-from cranktrain.numerics import Extreme, bracketed_roots
+from cranktrain.numerics import Extreme, corrected_roots, largest, smallest
 
 
 class Flywheel(NamedTuple):
@@ -44,14 +44,16 @@ class FlywheelByMethod(NamedTuple):
 
     Attributes
     ----------
+    exact : Flywheel
     inertia : Array
         [kg·m²]
     error : Array
         In parts of the exact one. [1]
     fluctuation : Array
-        What each flywheel really gives at the same mean of the extremes. [1]
+        What each flywheel really gives at the same mean speed. [1]
     """
 
+    exact: Flywheel
     inertia: Array
     error: Array
     fluctuation: Array
@@ -92,13 +94,25 @@ def exact_flywheel(
     if mean == "extremes":
         return _between(excess, inertia, wanted - half, wanted + half)
 
-    def missing(middle: Array) -> Array:
-        size = _between(excess, inertia, middle[..., 0] - half, middle[..., 0] + half)
-        energy = plus(excess.work, size.initial_energy)
-        found = speed_from_energy(energy, plus(inertia, size.inertia))
-        return (getattr(found.means, mean) - wanted)[..., np.newaxis]
+    stored, carried = excess.work.samples, inertia.samples
 
-    middle = bracketed_roots(missing, (wanted - half)[..., np.newaxis], (wanted + half)[..., np.newaxis])[..., 0]
+    def off(size: Array, energy: Array) -> Array:
+        square = 2 * (stored + energy[..., np.newaxis]) / (carried + size[..., np.newaxis])
+        return (grid_mean(square, mean) - wanted)[..., np.newaxis]
+
+    def missing(middle: Array) -> Array:
+        found = _between(excess, inertia, middle[..., 0] - half, middle[..., 0] + half)
+        return off(found.inertia, found.initial_energy)
+
+    def missing_on_grid(middle: Array) -> Array:
+        slow, fast = (middle - half[..., np.newaxis]) ** 2 / 2, (middle + half[..., np.newaxis]) ** 2 / 2
+        upper = np.max(stored - fast * carried, axis=-1)
+        size = (upper - np.min(stored - slow * carried, axis=-1)) / (fast - slow)[..., 0]
+        return off(size, fast[..., 0] * size - upper)
+
+    # The smallest speed is not negative: its square would be that of another.
+    ends = np.maximum(wanted - half, half)[..., np.newaxis], (wanted + half)[..., np.newaxis]
+    middle = corrected_roots(missing, missing_on_grid, *ends)[..., 0]
     return _between(excess, inertia, middle - half, middle + half)
 
 
@@ -124,9 +138,13 @@ def textbook_inertia(excess: ExcessWork, mean_speed: Array, fluctuation: Array) 
 
 
 def flywheels_by_method(
-    excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array, fluctuation: Array
+    excess: ExcessWork,
+    inertia: PeriodicCurve,
+    mean_speed: Array,
+    fluctuation: Array,
+    mean: Mean = "extremes",
 ) -> FlywheelByMethod:
-    """Exact, Mertsalov's and the textbooks' flywheel for the same δ, all at the mean of the extremes.
+    """Exact, Mertsalov's and the textbooks' flywheel for the same δ, all at the same mean speed.
 
     Parameters
     ----------
@@ -134,33 +152,42 @@ def flywheels_by_method(
     inertia : PeriodicCurve
         J_v(φ) of the moving parts. [kg·m²]
     mean_speed : Array, shape (...)
-        Half the sum of the extremes. [rad/s]
+        [rad/s]
     fluctuation : Array, shape (...)
         δ. [1]
+    mean : Mean
+        Which mean is given; the two approximations mean that of the extremes, and take any for it.
 
     Returns
     -------
     FlywheelByMethod, shape (..., 3)
     """
     speed = np.asarray(mean_speed, dtype=float)
+    exact = exact_flywheel(excess, inertia, speed, fluctuation, mean)
     sizes = (
-        exact_flywheel(excess, inertia, speed, fluctuation, "extremes").inertia,
+        exact.inertia,
         mertsalov_inertia(excess, inertia, speed, fluctuation),
         textbook_inertia(excess, speed, fluctuation),
     )
-    found = [steady_speed(excess, plus(inertia, size), speed, "extremes").speed for size in sizes]
+    found = [
+        speed_from_energy(plus(excess.work, exact.initial_energy), plus(inertia, exact.inertia)),
+        *(steady_speed(excess, plus(inertia, size), speed, mean).speed for size in sizes[1:]),
+    ]
     stacked = np.stack(np.broadcast_arrays(*sizes), axis=-1)
     return FlywheelByMethod(
+        exact,
         stacked,
         stacked / stacked[..., :1] - 1,
-        np.stack([speed.fluctuation("extremes") for speed in found], axis=-1),
+        np.stack([speed.fluctuation(mean) for speed in found], axis=-1),
     )
 
 
-def _between(excess: ExcessWork, inertia: PeriodicCurve, smallest: Array, largest: Array) -> Flywheel:
+def _between(excess: ExcessWork, inertia: PeriodicCurve, slowest: Array, fastest: Array) -> Flywheel:
     """Flywheel with which the speed runs just between two speeds."""
-    _, upper = curve_extremes(combined(excess.work, -(largest**2) / 2, inertia))
-    lower, _ = curve_extremes(combined(excess.work, -(smallest**2) / 2, inertia))
-    apart = (largest - smallest) * (largest + smallest) / 2
+    over = combined(excess.work, -(fastest**2) / 2, inertia)
+    under = combined(excess.work, -(slowest**2) / 2, inertia)
+    upper = largest(over.value, over.slope, grid=over.angle, samples=over.samples)
+    lower = smallest(under.value, under.slope, grid=under.angle, samples=under.samples)
+    apart = (fastest - slowest) * (fastest + slowest) / 2
     size = (upper.value - lower.value)[..., 0] / apart
-    return Flywheel(size, largest**2 / 2 * size - upper.value[..., 0], largest, smallest, upper, lower)
+    return Flywheel(size, fastest**2 / 2 * size - upper.value[..., 0], fastest, slowest, upper, lower)

@@ -5,8 +5,16 @@ from collections.abc import Callable
 import numpy as np
 
 from cranktrain.loads.harmonics import TURN
-from cranktrain.loads.speed import Mean
-from cranktrain.loads.speed_law import TorqueLaw, given_torque, motor, quadratic_load, speed_under_law, together
+from cranktrain.loads.speed import Mean, grid_mean
+from cranktrain.loads.speed_law import (
+    TorqueLaw,
+    energy_under_law,
+    given_torque,
+    motor,
+    quadratic_load,
+    speed_under_law,
+    together,
+)
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
 
@@ -91,7 +99,10 @@ def _at_mean(
     """Parameter of a law that gives the mean speed wanted, between two values."""
 
     def missing(parameter: Array) -> Array:
-        found = speed_under_law(law(parameter), inertia, cycle).speed.means
-        return getattr(found, mean)[..., np.newaxis] - wanted
+        if mean == "extremes":
+            found = speed_under_law(law(parameter), inertia, cycle).speed.means.extremes
+        else:
+            found = grid_mean(2 * energy_under_law(law(parameter), inertia, cycle) / inertia, mean)
+        return found[..., np.newaxis] - wanted
 
     return bracketed_roots(missing, *np.broadcast_arrays(low, high))[..., 0]

@@ -84,14 +84,14 @@ def spline_curve(samples: Array, cycle: float = TURN) -> PeriodicCurve:
     The slopes at the nodes solve s₋ + 4s + s₊ = 3(y₊ − y₋)/h, a circulant system, through its Fourier transform.
     """
     step = cycle / samples.shape[-1]
-    slopes = _spline_slopes(samples, step)
+    nodes = np.stack([samples, _spline_slopes(samples, step)])
 
     def value(angle: Array) -> Array:
-        (y0, y1, s0, s1), t = _piece((samples, slopes), angle, step)
+        (y0, s0), (y1, s1), t = _piece(nodes, angle, step)
         return y0 * (1 + 2 * t) * (1 - t) ** 2 + y1 * t**2 * (3 - 2 * t) + step * t * (1 - t) * (s0 * (1 - t) - s1 * t)
 
     def slope(angle: Array) -> Array:
-        (y0, y1, s0, s1), t = _piece((samples, slopes), angle, step)
+        (y0, s0), (y1, s1), t = _piece(nodes, angle, step)
         return 6 * t * (1 - t) * (y1 - y0) / step + s0 * (1 - t) * (1 - 3 * t) + s1 * t * (3 * t - 2)
 
     return PeriodicCurve(cycle, samples, value, slope)
@@ -104,11 +104,12 @@ def spline_integral(samples: Array, cycle: float = TURN) -> PeriodicCurve:
     slopes = _spline_slopes(centred, step)
     after, slopes_after = np.roll(centred, -1, axis=-1), np.roll(slopes, -1, axis=-1)
     pieces = step * (centred + after) / 2 + step**2 * (slopes - slopes_after) / 12
-    nodes = np.concatenate([np.zeros_like(pieces[..., :1]), np.cumsum(pieces, axis=-1)[..., :-1]], axis=-1)
+    starts = np.concatenate([np.zeros_like(pieces[..., :1]), np.cumsum(pieces, axis=-1)[..., :-1]], axis=-1)
+    nodes = np.stack([centred, slopes, starts])
     spline = spline_curve(centred, cycle)
 
     def value(angle: Array) -> Array:
-        (y0, y1, s0, s1, start, _), t = _piece((centred, slopes, nodes), angle, step)
+        (y0, s0, start), (y1, s1, _), t = _piece(nodes, angle, step)
         rise = y1 - y0
         square = t**2
         inside = y0 * t + s0 * step * square / 2
@@ -116,7 +117,7 @@ def spline_integral(samples: Array, cycle: float = TURN) -> PeriodicCurve:
         inside = inside + (step * (s0 + s1) - 2 * rise) * square**2 / 4
         return start + step * inside
 
-    return PeriodicCurve(cycle, nodes, value, spline.value)
+    return PeriodicCurve(cycle, starts, value, spline.value)
 
 
 def plus(one: PeriodicCurve, constant: Array) -> PeriodicCurve:
@@ -155,16 +156,12 @@ def _spline_slopes(samples: Array, step: float) -> Array:
     return np.fft.irfft(transfer * np.fft.rfft(samples, axis=-1), n_points, axis=-1)
 
 
-def _piece(nodes: tuple[Array, ...], angle: Array, step: float) -> tuple[list[Array], Array]:
-    """Values of each node array at both ends of the piece that holds an angle, and the angle's share of the piece."""
-    n_points = nodes[0].shape[-1]
+def _piece(nodes: Array, angle: Array, step: float) -> tuple[Array, Array, Array]:
+    """What is known of the nodes, (k, ..., n), at both ends of the piece that holds an angle, and its share of it."""
+    lead, n_points = nodes.shape[1:-1], nodes.shape[-1]
     place = np.floor(angle / step)
-    share = angle / step - place
-    before = np.mod(place, n_points).astype(np.intp)
-    after = np.mod(before + 1, n_points)
-    found: list[Array] = []
-    for array in nodes:
-        shape = (*np.broadcast_shapes(array.shape[:-1], angle.shape[:-1]), angle.shape[-1])
-        spread = np.broadcast_to(array, (*shape[:-1], n_points))
-        found += [np.take_along_axis(spread, np.broadcast_to(at, shape), axis=-1) for at in (before, after)]
-    return found, share
+    # Of an angle that is NaN any piece will do, as its share is NaN.
+    before = np.fmax(np.mod(place, n_points), 0.0).astype(np.intp)
+    rows = np.reshape(np.arange(nodes[0, ..., 0].size) * n_points, (*lead, 1))
+    flat = np.reshape(nodes, (nodes.shape[0], -1))
+    return flat[:, before + rows], flat[:, np.mod(before + 1, n_points) + rows], angle / step - place

@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.loads.excess_work import ExcessWork
 from cranktrain.loads.periodic import PeriodicCurve, plus
 from cranktrain.motion import Array
-from cranktrain.numerics import Extreme, bracketed_roots, extremes
+from cranktrain.numerics import Extreme, bracketed_roots, corrected_roots, extremes
 
 Mean: TypeAlias = Literal["time", "angle", "extremes"]
 """Over time (what a counter of revolutions shows), over the crank angle, or half the sum of the extremes."""
@@ -129,19 +129,24 @@ def steady_speed(excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array, 
     aside = _ASIDE * (np.abs(fast) + np.abs(slow))
 
     def missing(energy: Array) -> Array:
-        if mean == "extremes":
-            found = speed_from_energy(plus(excess.work, energy[..., 0]), inertia).means.extremes
-        else:
-            found = _grid_mean(2 * (stored + energy) / carried, mean)
-        return found[..., np.newaxis] - wanted
+        return grid_mean(2 * (stored + energy) / carried, mean)[..., np.newaxis] - wanted
+
+    def missing_between(energy: Array) -> Array:
+        speed = speed_from_energy(plus(excess.work, energy[..., 0]), inertia)
+        return speed.means.extremes[..., np.newaxis] - wanted
 
     low, high = np.broadcast_arrays(np.maximum(slow - aside, stops + _ASIDE * aside), fast + aside)
-    energy = bracketed_roots(missing, low, high)[..., 0]
+    if mean == "extremes":
+        energy = corrected_roots(missing_between, missing, low, high)[..., 0]
+    else:
+        energy = bracketed_roots(missing, low, high)[..., 0]
     return SteadySpeed(speed_from_energy(plus(excess.work, energy), inertia), energy)
 
 
-def _grid_mean(square: Array, mean: Mean) -> Array:
-    """Mean over time or angle of a speed whose square is known on the grid."""
+def grid_mean(square: Array, mean: Mean) -> Array:
+    """Mean of a speed whose square is known on the grid, shape (..., n) [rad²/s²]; its extremes are the grid's."""
     with np.errstate(invalid="ignore", divide="ignore"):
         speed = np.sqrt(square)
+        if mean == "extremes":
+            return (np.max(speed, axis=-1) + np.min(speed, axis=-1)) / 2
         return 1 / np.mean(1 / speed, axis=-1) if mean == "time" else np.mean(speed, axis=-1)

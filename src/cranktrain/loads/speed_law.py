@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.loads.harmonics import TURN
-from cranktrain.loads.periodic import fourier_curve, fourier_integral
+from cranktrain.loads.periodic import Interpolation, fourier_curve, fourier_integral
 from cranktrain.loads.speed import SpeedOverCycle, speed_from_energy
 from cranktrain.motion import Array
 
@@ -75,7 +75,9 @@ def together(*laws: TorqueLaw) -> TorqueLaw:
     return total
 
 
-def speed_under_law(law: TorqueLaw, inertia: Array, cycle: float = TURN) -> SpeedUnderLaw:
+def speed_under_law(
+    law: TorqueLaw, inertia: Array, cycle: float = TURN, by: Interpolation = fourier_curve
+) -> SpeedUnderLaw:
     """Speed over a cycle at which all torques balance; the mean comes out.
 
     Parameters
@@ -86,6 +88,8 @@ def speed_under_law(law: TorqueLaw, inertia: Array, cycle: float = TURN) -> Spee
         J(φ) in equal steps over the cycle, endpoint excluded: flywheel and moving parts. [kg·m²]
     cycle : float
         2π or 4π. [rad]
+    by : Interpolation
+        Of energy and inertia between the points of the grid: `fourier_curve` or `spline_curve`.
 
     Returns
     -------
@@ -97,11 +101,28 @@ def speed_under_law(law: TorqueLaw, inertia: Array, cycle: float = TURN) -> Spee
     The energy obeys T′ = τ(φ, ω). Newton's method, whose every step is a linear periodic equation that is solved as a
     whole by Fourier series: a load kω² alone needs one step. docs/theory/evenness, eqs. (17.11) to (17.13).
     """
-    shape = np.broadcast_shapes(inertia.shape, *(np.shape(part) for part in law))
-    free, linear, quadratic, carried = (np.broadcast_to(part, shape) for part in (*law, inertia))
+    free, linear, quadratic, carried = _on_one_grid(law, inertia)
+    energy = energy_under_law(law, inertia, cycle)
+    found = speed_from_energy(by(energy, cycle), by(carried, cycle))
+    with np.errstate(all="ignore"):
+        speed = found.speed
+        slope = (linear + 2 * quadratic * speed) / (carried * speed)
+        torque = free + (linear + quadratic * speed) * speed
+        return SpeedUnderLaw(found, energy, torque, np.exp(cycle * np.mean(slope, axis=-1)))
+
+
+def energy_under_law(law: TorqueLaw, inertia: Array, cycle: float = TURN) -> Array:
+    """Kinetic energy over a cycle at which all torques balance; parameters as `speed_under_law` takes them.
+
+    Returns
+    -------
+    Array, shape (..., n)
+        [J]; NaN where there is none.
+    """
+    free, linear, quadratic, carried = _on_one_grid(law, inertia)
     with np.errstate(all="ignore"):
         energy = carried * _even_speed(free, linear, quadratic) ** 2 / 2
-        move = np.full(shape, np.inf)
+        move = np.full(energy.shape, np.inf)
         for _ in range(_MOST_STEPS):
             speed = np.sqrt(2 * energy / carried)
             slope = (linear + 2 * quadratic * speed) / (carried * speed)
@@ -113,12 +134,7 @@ def speed_under_law(law: TorqueLaw, inertia: Array, cycle: float = TURN) -> Spee
             energy = better
             if not np.any(move > _SETTLED):
                 break
-        energy = np.where(np.max(move, axis=-1, keepdims=True) <= _SETTLED, energy, np.nan)
-        speed = np.sqrt(2 * energy / carried)
-        slope = (linear + 2 * quadratic * speed) / (carried * speed)
-        found = speed_from_energy(fourier_curve(energy, cycle), fourier_curve(carried, cycle))
-        torque = free + (linear + quadratic * speed) * speed
-        return SpeedUnderLaw(found, energy, torque, np.exp(cycle * np.mean(slope, axis=-1)))
+        return np.where(np.max(move, axis=-1, keepdims=True) <= _SETTLED, energy, np.nan)
 
 
 def linear_periodic(decay: Array, source: Array, cycle: float = TURN) -> Array:
@@ -146,11 +162,17 @@ def linear_periodic(decay: Array, source: Array, cycle: float = TURN) -> Array:
     mean = np.mean(decay, axis=-1, keepdims=True)
     mean = np.where(mean == 0, np.nan, mean)
     order = np.arange(n_points // 2 + 1, dtype=float) * (TURN / cycle)
-    if n_points % 2 == 0:
-        order[-1] = 0.0  # the highest cosine's slope is seen only at its zeros
     with np.errstate(invalid="ignore"):
+        # Of the highest order the inverse transform takes the cosine, which is all of it that the grid sees.
         parts = np.fft.rfft(source * weight, axis=-1) / (mean + 1j * order)
     return np.fft.irfft(parts, n_points, axis=-1) / weight
+
+
+def _on_one_grid(law: TorqueLaw, inertia: Array) -> tuple[Array, Array, Array, Array]:
+    """Parts of the law, and the inertia, each of shape (..., n)."""
+    shape = np.broadcast_shapes(inertia.shape, *(np.shape(part) for part in law))
+    free, linear, quadratic, carried = (np.broadcast_to(part, shape) for part in (*law, inertia))
+    return free, linear, quadratic, carried
 
 
 def _even_speed(free: Array, linear: Array, quadratic: Array) -> Array:

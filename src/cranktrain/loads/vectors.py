@@ -120,6 +120,16 @@ def machine_axes(vector: ComplexArray, *, clockwise: bool) -> ComplexArray:
     return 1j * (np.conj(vector) if clockwise else vector)
 
 
+def running_axes(vector: ComplexArray, *, clockwise: bool) -> ComplexArray:
+    """Vectors x + iy of components X + iY in the machine's axes: `machine_axes` backward."""
+    return 1j * np.conj(vector) if clockwise else -1j * vector
+
+
+def reversed_vectors(of: PlaneVectors) -> PlaneVectors:
+    """The same vectors in axes with y turned round, as a shaft that runs the other way sees them."""
+    return PlaneVectors(of.order, np.conj(of.backward), np.conj(of.forward))
+
+
 def added(*parts: PlaneVectors) -> PlaneVectors:
     """Sum of vectors with the same orders."""
     forward = sum((part.forward for part in parts[1:]), parts[0].forward)

@@ -1,5 +1,7 @@
 """Closing margin: how little one length may change before the crank cannot turn; and where links cannot close."""
 
+from collections.abc import Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -30,7 +32,19 @@ class ClosingMargin(NamedTuple):
     angle: Array
 
 
-class _Way(NamedTuple):
+class Openings(NamedTuple):
+    """Changes of one length that open the links of some mechanisms, with the least of each mechanism; one axis.
+
+    row: which mechanism, length: index of the length, change: relative [1], angle: of the mechanism's crank [rad].
+    """
+
+    row: NDArray[np.intp]
+    length: NDArray[np.intp]
+    change: Array
+    angle: Array
+
+
+class Way(NamedTuple):
     """Which length is changed, and whether it is made longer, +1, or shorter, −1; arrays that broadcast."""
 
     length: NDArray[np.intp]
@@ -52,59 +66,71 @@ def closing_margin(kind: Kind, geometry: Any) -> ClosingMargin:
     Notes
     -----
     The least gap over a turn is followed as each length is multiplied by 1 ± c. A coarse scan bounds the change c that
-    opens the links; of the ways that open them in the first cell below that bound, the roots are found.
-    docs/theory/closing-margin.
+    opens the links; of the ways that open them in the first cell below that bound, the roots are found. A kind whose
+    gap has to be walked for has its own way. docs/theory/closing-margin.
     """
     shape = np.broadcast_shapes(*(np.shape(leaf) for leaf in leaves(geometry)))
     flat = rows(geometry, np.arange(np.prod(shape)))
     margin, angle = np.full((2, np.prod(shape), 1), np.nan)
     length = np.full(margin.shape, -1, dtype=np.intp)
     with np.errstate(all="ignore"):
-        closes = _least_gap(kind, flat).value > _rounding(kind, flat)
-        way, row, low, high = _first_openings(kind, flat)
-        opened = rows(flat, row)
-        change = bracketed_roots(
-            lambda trial: _least_gap(kind, _changed(kind, opened, way, trial)).value,
-            low,
-            high,
-            precision=kind.margin_precision,
-        )
-        at = np.mod(_least_gap(kind, _changed(kind, opened, way, change)).angle, 2 * np.pi)
-        order = np.lexsort((change[:, 0], row))
-        found, first = np.unique(row[order], return_index=True)
-        best = order[first]
-    margin[found], angle[found], length[found] = change[best], at[best], way.length[best]
-    return ClosingMargin(
-        margin=np.where(closes, margin, np.nan).reshape(shape),
-        length=np.where(closes, length, -1).reshape(shape),
-        angle=np.where(closes, angle, np.nan).reshape(shape),
-    )
+        able = np.flatnonzero(_least_gap(kind, flat).value > _rounding(kind, flat))
+        if len(able) > 0:
+            found = (kind.openings or partial(_openings, kind))(rows(flat, able))
+            order = np.lexsort((found.change, found.row))
+            row, first = np.unique(found.row[order], return_index=True)
+            best, at = order[first], able[row]
+            margin[at, 0], angle[at, 0], length[at, 0] = found.change[best], found.angle[best], found.length[best]
+    return ClosingMargin(margin.reshape(shape), length.reshape(shape), angle.reshape(shape))
 
 
-def _first_openings(kind: Kind, geometry: Any) -> tuple[_Way, NDArray[np.intp], Array, Array]:
+def _openings(kind: Kind, geometry: Any) -> Openings:
+    """Roots of the least gap over a turn, for the ways that open the links soonest."""
+    way, row, low, high = _first_openings(kind, geometry)
+    opened = rows(geometry, row)
+
+    def least_gap(change: Array) -> Extreme:
+        return _least_gap(kind, changed(kind.lengths, opened, way, change))
+
+    change = bracketed_roots(lambda trial: least_gap(trial).value, low, high)
+    angle = np.mod(least_gap(change).angle, 2 * np.pi)
+    return Openings(row, way.length[:, 0], change[:, 0], angle[:, 0])
+
+
+def _first_openings(kind: Kind, geometry: Any) -> tuple[Way, NDArray[np.intp], Array, Array]:
     """Ways that open the links soonest: each with the row of its mechanism, and changes between which it does."""
     n_lengths, n_rows = len(kind.lengths), len(leaves(geometry)[0])
-    ways = _Way(np.repeat(np.arange(n_lengths), 2), np.tile([-1.0, 1.0], n_lengths))
+    ways = Way(np.repeat(np.arange(n_lengths), 2), np.tile([-1.0, 1.0], n_lengths))
 
-    def changed(change: Array) -> Any:
+    def tried(change: Array) -> Any:
         """Every way of changing every mechanism: from (trial, row) to (way, trial, row, 1)."""
-        column = _Way(ways.length.reshape(-1, 1, 1, 1), ways.sign.reshape(-1, 1, 1, 1))
-        return _changed(kind, geometry, column, change[..., np.newaxis])
+        column = Way(ways.length.reshape(-1, 1, 1, 1), ways.sign.reshape(-1, 1, 1, 1))
+        return changed(kind.lengths, geometry, column, change[..., np.newaxis])
 
-    gaps = kind.gap(_COARSE_GRID, changed(np.repeat(_CHANGES[:, np.newaxis], n_rows, axis=1)))
+    gaps = kind.gap(_COARSE_GRID, tried(np.repeat(_CHANGES[:, np.newaxis], n_rows, axis=1)))
     bound = _CHANGES[np.argmax(np.any(gaps < 0, axis=(0, -1)), axis=0)]
     cell = bound / _CELLS
-    tried = _least_gap(kind, changed(cell * np.arange(1, _CELLS + 1)[:, np.newaxis])).value[..., 0] < 0
-    first = np.where(np.any(tried, axis=1), np.argmax(tried, axis=1), _CELLS)
+    is_open = _least_gap(kind, tried(cell * np.arange(1, _CELLS + 1)[:, np.newaxis])).value[..., 0] < 0
+    first = np.where(np.any(is_open, axis=1), np.argmax(is_open, axis=1), _CELLS)
     way, row = np.nonzero((first == np.min(first, axis=0)) & (first < _CELLS))
     low, high = ((cell[row] * (first[way, row] + end))[:, np.newaxis] for end in (0, 1))
-    return _Way(ways.length[way, np.newaxis], ways.sign[way, np.newaxis]), row, low, high
+    return Way(ways.length[way, np.newaxis], ways.sign[way, np.newaxis]), row, low, high
 
 
-def _changed(kind: Kind, geometry: Any, way: _Way, change: Array) -> Any:
-    """Change one length of each mechanism, another in each where `way` says so; none becomes less than nothing."""
+def changed(lengths: Sequence[str], geometry: Any, way: Way, change: Array) -> Any:
+    """Change one length of each mechanism, another in each where `way` says so; none becomes less than nothing.
+
+    Parameters
+    ----------
+    lengths : sequence of str
+        Dotted names of the lengths that may be meant.
+    geometry : NamedTuple of arrays
+    way : Way
+    change : Array
+        Relative change, not negative; broadcastable with geometry and way. [1]
+    """
     factor = np.maximum(1 + way.sign * change, 0.0)
-    for index, name in enumerate(kind.lengths):
+    for index, name in enumerate(lengths):
         geometry = scaled(geometry, name, np.where(way.length == index, factor, 1.0))
     return geometry
 

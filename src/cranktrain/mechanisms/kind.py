@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Literal, NamedTuple, TypeVar, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.motion import Array, Coefficient, Point
+from cranktrain.motion import Array, Coefficient, Link, Point
 from cranktrain.quantities import Length
 from cranktrain.spec import Spec
 
@@ -148,6 +148,8 @@ class Dynamics:
     sliding : tuple of str
         Sliders that may have friction, in the order in which `Conditions` has it. The sense of each is the sign of its
         coordinate's velocity.
+    links : kernel (motion, geometry) → tuple of Link
+        In the order of `moving`, in the mechanism's axes.
     load : kernel (motion, geometry, value) → wrenches
         Load on each of `moving` for a force along the output slider's coordinate, or a torque on the output link, or
         of whichever else has to bear its counterpart. [N or N·m]
@@ -164,6 +166,7 @@ class Dynamics:
     moving: tuple[str, ...]
     reactions: tuple[Reaction, ...]
     sliding: tuple[str, ...]
+    links: Callable[[Any, Any], tuple[Link, ...]]
     load: Callable[[Any, Any, Array], Any]
     forces: Callable[[Any, Any, Any, Any, Any], Any]
     reduced: Callable[[Any, Any, Any, Any, Any], Any]
@@ -236,8 +239,8 @@ class Kind:
         For a kind whose file says what the mechanism is made of: the kind of just this one.
     closing_field : callable (geometry) → str, optional
         Path in the mechanism's table of what cannot close; unless given, the spec's `rod_field`.
-    margin_precision : float
-        Relative precision to which the closing margin can be told.
+    openings : callable (geometry) → Openings, optional
+        Finds what `closing_margin` looks for; for a kind whose gap has to be walked for.
     has_chambers : bool
         Whether its slider is a piston, which can have a cylinder, and not a valve.
     """
@@ -264,7 +267,7 @@ class Kind:
     length_paths: tuple[str, ...] = ()
     composed: "Callable[[Any], Kind] | None" = None
     closing_field: Callable[[Any], str] | None = None
-    margin_precision: float = 1e-15
+    openings: Callable[[Any], Any] | None = None
     has_chambers: bool = True
 
     @property

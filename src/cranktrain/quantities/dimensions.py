@@ -93,6 +93,7 @@ class Dimension(Enum):
     )
     POWER = (N_("a power"), "220 kW", (_unit("kW", "кВт"), _unit("W", "Вт"), _unit("hp"), _unit("PS", "л.с.")))
     STIFFNESS = (N_("a stiffness"), "250 N/mm", (_unit("N/mm", "Н/мм"), _unit("N/m", "Н/м")))
+    DENSITY = (N_("a density"), "7200 kg/m³", (_unit("kg/m³", "кг/м³"), _unit("g/cm³", "г/см³")))
     TEMPERATURE = (N_("a temperature"), "20 °C", (_unit("°C", "degC", "°С"), _unit("K", "К")))
 
     def __init__(self, noun: str, example: str, units: tuple[Unit, ...]) -> None:

@@ -8,10 +8,14 @@ if TYPE_CHECKING:
     from cranktrain.viz.centre_plans import plan_centres
     from cranktrain.viz.construction_plans import plan_arc, plan_brix, plan_brix_backward, plan_projection
     from cranktrain.viz.curves import SHEET_QUANTITIES
+    from cranktrain.viz.force_plans import plan_forces
+    from cranktrain.viz.forces_sheet import sheet_forces
     from cranktrain.viz.gif import animation
     from cranktrain.viz.machine_sheet import sheet
     from cranktrain.viz.output import save, save_animation
+    from cranktrain.viz.pin_polar import plan_polar
     from cranktrain.viz.plans import plan_accelerations, plan_klein, plan_positions, plan_velocities
+    from cranktrain.viz.zhukovsky_plan import plan_zhukovsky
 
 __all__ = [
     "SHEET_QUANTITIES",
@@ -22,13 +26,17 @@ __all__ = [
     "plan_brix",
     "plan_brix_backward",
     "plan_centres",
+    "plan_forces",
     "plan_klein",
+    "plan_polar",
     "plan_positions",
     "plan_projection",
     "plan_velocities",
+    "plan_zhukovsky",
     "save",
     "save_animation",
     "sheet",
+    "sheet_forces",
 ]
 
 _HOMES = {
@@ -40,13 +48,17 @@ _HOMES = {
     "plan_brix": "cranktrain.viz.construction_plans",
     "plan_brix_backward": "cranktrain.viz.construction_plans",
     "plan_centres": "cranktrain.viz.centre_plans",
+    "plan_forces": "cranktrain.viz.force_plans",
     "plan_klein": "cranktrain.viz.plans",
+    "plan_polar": "cranktrain.viz.pin_polar",
     "plan_positions": "cranktrain.viz.plans",
     "plan_projection": "cranktrain.viz.construction_plans",
     "plan_velocities": "cranktrain.viz.plans",
+    "plan_zhukovsky": "cranktrain.viz.zhukovsky_plan",
     "save": "cranktrain.viz.output",
     "save_animation": "cranktrain.viz.output",
     "sheet": "cranktrain.viz.machine_sheet",
+    "sheet_forces": "cranktrain.viz.forces_sheet",
 }
 
 

@@ -228,7 +228,7 @@ def scene_of(machine: Machine) -> Scene:
     places = first_throw(machine)
     pistons = [place for place in places if place.kind.output == "slider"]
     cylinders = cylinders_of(machine.cylinder, pistons)
-    bores = {pistons[i].name: one.spec.bore for one in cylinders if one.is_piston for i in one.pistons}
+    bores = {pistons[i].name: one.spec.bore for one in cylinders for i in one.pistons}
     shafts = shaft_places(machine)
     members: list[Member] = []
     for number, place in enumerate(places):

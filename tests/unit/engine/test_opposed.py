@@ -171,7 +171,7 @@ def test_a_lead_and_a_phase_must_agree():
         (
             {"exhaust": {"mechanism": CRANK}, "scavenge": {"mechanism": CRANK}},
             "bank.A.scavenge.side_rods",
-            "must be true for just one",
+            "must be true for just one of the two",
         ),
         (
             {"exhaust": {"mechanism": CRANK, "shaft": "upper"}, "scavenge": {"mechanism": CRANK, "side_rods": True}},

@@ -319,3 +319,20 @@ def test_load_and_motor_for_a_mean_speed(mean):
     np.testing.assert_allclose(getattr(speed_under_law(law, inertia).speed.means, mean), speeds, rtol=1e-12)
     if mean == "angle":
         np.testing.assert_allclose(no_load, speeds + 5, rtol=1e-12)
+
+
+def test_the_highest_order_is_damped_as_all_others():
+    """y′ + gy = cos kφ has y = (g cos kφ + k sin kφ)/(g² + k²), also where the grid sees only the cosine."""
+    decay = np.full(12, 0.01)
+    for k in (5, 6):
+        phi = cycle_grid(12)
+        expected = (0.01 * np.cos(k * phi) + k * np.sin(k * phi)) / (0.01**2 + k**2)
+        np.testing.assert_allclose(linear_periodic(decay, np.cos(k * phi)), expected, atol=1e-14)
+
+
+@pytest.mark.parametrize("delta", [1.5, 1.9])
+def test_exact_flywheel_where_the_shaft_nearly_stops(delta):
+    size = exact_flywheel(EXCESS, VARIABLE, 60.0, delta, "time")
+    assert size.smallest_speed > 0
+    found = steady_speed(EXCESS, plus(VARIABLE, size.inertia), 60.0).speed
+    assert found.fluctuation() == pytest.approx(delta, rel=1e-9)

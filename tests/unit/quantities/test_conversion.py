@@ -26,6 +26,7 @@ DIMENSIONALITY = {
     Dimension.FLYWHEEL_MOMENT: {M: 1, L: 2},
     Dimension.POWER: {M: 1, L: 2, T: -3},
     Dimension.STIFFNESS: {M: 1, T: -2},
+    Dimension.DENSITY: {M: 1, L: -3},
     Dimension.TEMPERATURE: {"[temperature]": 1},
 }
 UNITS = [(dimension, unit) for dimension in Dimension for unit in dimension.units]

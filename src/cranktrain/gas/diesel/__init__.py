@@ -1,7 +1,7 @@
 """Diesel cycle: heat at constant pressure."""
 
 from cranktrain.gas.diesel.spec import DieselSpec
-from cranktrain.gas.dual.pressure import ideal_mean_pressures, ideal_pressure
+from cranktrain.gas.dual.pressure import ideal_kinks, ideal_mean_pressures, ideal_pressure
 from cranktrain.gas.dual.spec import gauge_doubts, ideal_cycle
 from cranktrain.gas.kind import GasKind
 from cranktrain.language import N_
@@ -16,6 +16,7 @@ KIND = GasKind(
     pressure=ideal_pressure,
     doubts=gauge_doubts,
     mean_pressures=ideal_mean_pressures,
+    kinks=ideal_kinks,
     example="""\
 [gas]
 kind = "diesel"

@@ -1,6 +1,6 @@
 """Dual cycle (Sabathé, Trinkler): heat first at constant volume, then at constant pressure."""
 
-from cranktrain.gas.dual.pressure import IdealCycle, ideal_mean_pressures, ideal_pressure
+from cranktrain.gas.dual.pressure import IdealCycle, ideal_kinks, ideal_mean_pressures, ideal_pressure
 from cranktrain.gas.dual.spec import DualSpec, gauge_doubts, ideal_cycle
 from cranktrain.gas.kind import GasKind
 from cranktrain.language import N_
@@ -15,6 +15,7 @@ KIND = GasKind(
     pressure=ideal_pressure,
     doubts=gauge_doubts,
     mean_pressures=ideal_mean_pressures,
+    kinks=ideal_kinks,
     example="""\
 [gas]
 kind = "dual"

@@ -4,8 +4,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cranktrain.gas.kind import Kink
 from cranktrain.gas.polytrope import polytropic_work
-from cranktrain.gas.state import ChamberState
+from cranktrain.gas.state import ChamberState, VolumeLimits
 from cranktrain.gas.work import MeanPressures
 from cranktrain.motion import Array
 
@@ -83,6 +84,11 @@ def ideal_pressure(state: ChamberState, cycle: IdealCycle) -> Array:
     expansion = np.where(cut_off > state.largest, np.nan, heated)
     exchange = np.where(state.sense > 0, cycle.inlet_pressure, cycle.exhaust_pressure)
     return np.where(state.turn > 0, np.where(state.sense > 0, expansion, compression), exchange)
+
+
+def ideal_kinks(cycle: IdealCycle, limits: VolumeLimits) -> tuple[Kink, ...]:
+    """Where heat at constant pressure ends; nowhere without such heat."""
+    return (Kink(cycle.cut_off_ratio * limits.smallest, 1.0, 1.0),) if np.all(cycle.cut_off_ratio > 1) else ()
 
 
 def ideal_mean_pressures(cycle: IdealCycle, compression_ratio: Array) -> MeanPressures:

@@ -14,6 +14,7 @@ KIND = GasKind(
     spec=IndicatorSpec,
     model=indicator_diagram,
     pressure=indicator_pressure,
+    work=diagram_work,
     doubts=lambda spec, diagram: diagram.doubts,
     findings=lambda diagram: diagram.findings,
     example="""\

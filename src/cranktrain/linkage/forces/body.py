@@ -46,6 +46,14 @@ class Reduced(NamedTuple):
     load: Array
 
 
+class Momentum(NamedTuple):
+    """Momentum of a link [kg·m] and its moment about the axes' origin [kg·m²], for each rad/s of the crank."""
+
+    x: Array
+    y: Array
+    moment: Array
+
+
 class _Centroid(NamedTuple):
     """Centroid from the link's first pin, and its first and second derivatives by the crank angle."""
 
@@ -115,6 +123,27 @@ def weight(link: Link, body: Body, gravity: Gravity) -> Wrench:
     arm_x = body.along * link.cos - body.across * link.sin
     arm_y = body.along * link.sin + body.across * link.cos
     return Wrench(x + 0.0 * arm_x, y + 0.0 * arm_y, arm_x * y - arm_y * x)
+
+
+def momentum(link: Link, body: Body) -> Momentum:
+    """Momentum of a link and its moment about the origin for each rad/s of the crank.
+
+    Parameters
+    ----------
+    link : Link, coefficients of shape (..., n)
+    body : Body, fields broadcastable to (..., 1)
+
+    Returns
+    -------
+    Momentum, shape (..., n)
+        m r′, and r × m r′ + Iθ′. docs/theory/balance, eq. (16.16).
+    """
+    centroid = _centroid(link, body)
+    x = body.mass * centroid.first_x
+    y = body.mass * centroid.first_y
+    place_x = link.origin.x.value + centroid.arm_x
+    place_y = link.origin.y.value + centroid.arm_y
+    return Momentum(x, y, (place_x * y - place_y * x) + body.inertia * link.angle.first)
 
 
 def reduced_inertia(link: Link, body: Body) -> ReducedInertia:

@@ -26,7 +26,7 @@ from cranktrain.linkage.forces import (
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, ArticulatedRodMotion
 from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
 from cranktrain.mechanisms.solved import Forces
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Link
 
 
 class ArticulatedRodBodies(NamedTuple):
@@ -59,6 +59,11 @@ class ArticulatedRodJoints(NamedTuple):
     master_guide: Wrench
 
 
+def articulated_rod_links(motion: ArticulatedRodMotion, geometry: ArticulatedRod) -> tuple[Link, Link]:
+    """What moves, as links: the slave's rod and slider."""
+    return (motion.rod, slider_link(motion.slider, geometry.offset))
+
+
 def articulated_rod_load(motion: ArticulatedRodMotion, _geometry: ArticulatedRod, force: Array) -> ArticulatedRodLoads:
     """Loads for a force on the slave's slider along its cylinder, away from the shaft; a gas presses toward it. [N]"""
     zero = 0.0 * (force + motion.slider.value)
@@ -73,12 +78,12 @@ def slave_reactions(
     conditions: Conditions,
 ) -> SlideReactions:
     """Reactions of the slave's own joints: knuckle pin, wrist pin and guide; parameters as of the forces."""
-    slider = slider_link(motion.slider, geometry.offset)
+    rod, slider = articulated_rod_links(motion, geometry)
     return slide_reactions(
-        motion.rod,
+        rod,
         Slide(geometry.rod_length, geometry.offset, AHEAD),
         SlideLoads(
-            borne(motion.rod, bodies.rod, loads.rod, conditions),
+            borne(rod, bodies.rod, loads.rod, conditions),
             borne(slider, bodies.slider, loads.slider, conditions),
         ),
         conditions.friction[0],
@@ -173,9 +178,9 @@ def articulated_rod_reduced(
 
     Without friction, which depends on how the crank turns. docs/theory/forces, eqs. (13.4) and (13.6).
     """
-    slider = slider_link(motion.slider, geometry.offset)
+    rod, slider = articulated_rod_links(motion, geometry)
     return added_reduced(
-        reduced(motion.rod, bodies.rod, loads.rod, gravity),
+        reduced(rod, bodies.rod, loads.rod, gravity),
         reduced(slider, bodies.slider, loads.slider, gravity),
     )
 
@@ -193,6 +198,7 @@ DYNAMICS = Dynamics(
         Reaction("master_guide", "master_slider", FRAME),
     ),
     sliding=("slider",),
+    links=articulated_rod_links,
     load=articulated_rod_load,
     forces=articulated_rod_forces,
     reduced=articulated_rod_reduced,

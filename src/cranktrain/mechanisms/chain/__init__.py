@@ -1,11 +1,13 @@
 """Chain: any linkage of groups on one shaft, as its file composes it."""
 
 from cranktrain.language import N_
-from cranktrain.mechanisms.chain.composed import chain_geometry, chain_kind, fields_of
+from cranktrain.mechanisms.chain.composed import chain_kind, fields_of
 from cranktrain.mechanisms.chain.drawing import chain_drawing
-from cranktrain.mechanisms.chain.kinematics import ChainMotion, chain_gap, chain_motion
+from cranktrain.mechanisms.chain.gaps import chain_gap
+from cranktrain.mechanisms.chain.kinematics import ChainMotion, chain_motion
 from cranktrain.mechanisms.chain.spec import ChainSpec
 from cranktrain.mechanisms.chain.steps import ChainSize, SlideStep, Structure
+from cranktrain.mechanisms.chain.table import chain_geometry
 from cranktrain.mechanisms.kind import Kind, Members
 
 __all__ = ["KIND", "ChainMotion", "ChainSize", "ChainSpec", "chain_drawing", "chain_gap", "chain_motion"]

@@ -8,7 +8,8 @@ import numpy as np
 from cranktrain.linkage import Pose, trammel_transmission, triad_modes, turned_link
 from cranktrain.linkage.nearest import nearest_pose
 from cranktrain.linkage.triad import Triad, TriadEnds
-from cranktrain.mechanisms.chain.kinematics import SHAFT, Made, chain_made, pin_of, triad_ends, triad_legs
+from cranktrain.mechanisms.chain.kinematics import chain_made
+from cranktrain.mechanisms.chain.made import SHAFT, Made, pin_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     StartSize,
@@ -19,6 +20,7 @@ from cranktrain.mechanisms.chain.steps import (
     TriadSize,
     TriadStep,
 )
+from cranktrain.mechanisms.chain.triads import triad_ends, triad_legs
 from cranktrain.mechanisms.chain.walks import sign_of
 from cranktrain.motion import Array, single
 

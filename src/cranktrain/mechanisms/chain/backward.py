@@ -26,7 +26,7 @@ from cranktrain.linkage.forces import (
     yoke_reactions,
 )
 from cranktrain.mechanisms.chain.joints import GUIDE, joint_name
-from cranktrain.mechanisms.chain.kinematics import pin_of, triad_ends, triad_legs
+from cranktrain.mechanisms.chain.made import pin_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     MountStep,
@@ -46,6 +46,7 @@ from cranktrain.mechanisms.chain.steps import (
     YokeSize,
     YokeStep,
 )
+from cranktrain.mechanisms.chain.triads import triad_ends, triad_legs
 from cranktrain.mechanisms.kind import FRAME
 from cranktrain.motion import Array, Link, Point, single
 

@@ -5,7 +5,8 @@ from typing import Any, cast
 import numpy as np
 
 from cranktrain.linkage import LinkPoint, point
-from cranktrain.mechanisms.chain.kinematics import SHAFT, chain_made, pin_of
+from cranktrain.mechanisms.chain.kinematics import chain_made
+from cranktrain.mechanisms.chain.made import SHAFT, pin_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     GuideLegStep,

@@ -23,7 +23,8 @@ from cranktrain.linkage.forces import (
 )
 from cranktrain.mechanisms.chain.backward import BackwardWalk, walk_backward
 from cranktrain.mechanisms.chain.joints import carriers_of, chain_moving, chain_reactions, chain_sliding, moving_of
-from cranktrain.mechanisms.chain.kinematics import ChainMotion, made_names, pin_of
+from cranktrain.mechanisms.chain.kinematics import ChainMotion
+from cranktrain.mechanisms.chain.made import made_names, pin_of
 from cranktrain.mechanisms.chain.steps import ChainSize, Step, Structure, SwivelSize, SwivelStep, TriadStep
 from cranktrain.mechanisms.kind import Dynamics
 from cranktrain.mechanisms.solved import Forces
@@ -41,6 +42,11 @@ def chain_links(structure: Structure, motion: ChainMotion, size: ChainSize) -> d
         for name in moving_of(step):
             links[name] = _link(step, own, name, made)
     return links
+
+
+def _in_order(structure: Structure, motion: ChainMotion, size: ChainSize) -> tuple[Link, ...]:
+    """What moves, as links, without their names."""
+    return tuple(chain_links(structure, motion, size).values())
 
 
 def _made(structure: Structure, motion: ChainMotion) -> dict[str, Any]:
@@ -151,7 +157,7 @@ def chain_reduced(
 
     Without friction, which depends on how the crank turns. docs/theory/forces, eqs. (13.4) and (13.6).
     """
-    links = chain_links(structure, motion, size).values()
+    links = _in_order(structure, motion, size)
     shares = (reduced(*each, gravity) for each in zip(links, bodies, loads, strict=True))
     return reduce(added_reduced, shares)
 
@@ -175,6 +181,9 @@ def chain_dynamics(structure: Structure, size_of: Callable[[Any], ChainSize] = _
     Dynamics
     """
 
+    def links(motion: ChainMotion, geometry: Any) -> tuple[Link, ...]:
+        return _in_order(structure, motion, size_of(geometry))
+
     def load(motion: ChainMotion, geometry: Any, value: Array) -> tuple[Wrench, ...]:
         return chain_load(structure, motion, size_of(geometry), value)
 
@@ -189,6 +198,7 @@ def chain_dynamics(structure: Structure, size_of: Callable[[Any], ChainSize] = _
         chain_moving(structure),
         chain_reactions(structure),
         chain_sliding(structure),
+        links,
         load,
         forces,
         equation,

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 
-from cranktrain.mechanisms.chain.kinematics import SHAFT, pin_of
+from cranktrain.mechanisms.chain.made import SHAFT, pin_of
 from cranktrain.mechanisms.chain.steps import (
     GuideLegStep,
     MountStep,

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
-from cranktrain.mechanisms.chain.kinematics import SHAFT, pin_of
+from cranktrain.mechanisms.chain.made import SHAFT, pin_of
 from cranktrain.mechanisms.chain.spec import (
     ChainSpec,
     PartSpec,

@@ -159,8 +159,8 @@ class ChainSpec(MechanismSpec, frozen=True):
     @model_validator(mode="after")
     def _hangs_together(self) -> Self:
         """Refuse names unknown or twice, parts that nothing drives, an output that is none, triads of unclear mode."""
-        from cranktrain.mechanisms.chain.composed import mode_problems
         from cranktrain.mechanisms.chain.naming import naming_problems
+        from cranktrain.mechanisms.chain.table import mode_problems
 
         found = naming_problems(self) or mode_problems(self)
         if found:

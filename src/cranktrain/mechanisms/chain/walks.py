@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from cranktrain.linkage import Pose, Triad, TriadDriver, TriadEnds, Walk, pose_at, triad, triad_walk
 from cranktrain.linkage.nearest import nearest_pose
 from cranktrain.mechanisms.chain.steps import StartSize
+from cranktrain.mechanisms.chain.triads import link_size
 from cranktrain.motion import Array, Coefficient, single
 
 EndsAt = Callable[[Array], TriadEnds]
@@ -53,14 +54,14 @@ def _branch(ends: EndsAt, legs: Triad, start: StartSize) -> Branch:
     with np.errstate(all="ignore"):
         at_start = ends(np.zeros(1))
         pose = nearest_pose(at_start, legs, Pose(start.x, start.y, start.direction)).pose
-        keeps_side = triad(TriadDriver(at_start, pose), legs).transmission * _side(start, legs) > 0
+        keeps_side = triad(TriadDriver(at_start, pose), legs).transmission * kept_side(start, legs) > 0
         begun = Pose(*(np.where(keeps_side, part, np.nan) for part in pose))
         forward = triad_walk(ends, legs, begun)
         turns = ~np.isnan(forward.pose.value[0, ..., -1:])
         left = Pose(*(np.where(turns, np.nan, part) for part in begun))
         back = None if np.all(turns) else triad_walk(lambda angle: _reversed(ends(-angle)), legs, left)
         apart = _apart(forward, back)
-        apart = np.where(apart > _ALIKE * np.maximum.reduce([leg.point.radius for leg in legs]), apart, 0.0)
+        apart = np.where(apart > _ALIKE * link_size(legs), apart, 0.0)
     return Branch(pose, forward, back, apart)
 
 
@@ -130,7 +131,7 @@ def _reversed(ends: Any) -> Any:
     return ends
 
 
-def _side(start: StartSize, legs: Triad) -> Array:
+def kept_side(start: StartSize, legs: Triad) -> Array:
     """Sign of the transmission that is kept. Seen with y reversed, a guide's normal points to the other side."""
     return start.sign * start.side ** sum(leg.kind for leg in legs)
 

@@ -22,7 +22,7 @@ from cranktrain.linkage.forces import (
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, CrankRockerMotion
 from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
 from cranktrain.mechanisms.solved import Forces
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Link
 
 
 class CrankRockerBodies(NamedTuple):
@@ -48,6 +48,12 @@ class CrankRockerJoints(NamedTuple):
     crank_pin: Wrench
     joint: Wrench
     pivot: Wrench
+
+
+def crank_rocker_links(motion: CrankRockerMotion, geometry: CrankRocker) -> tuple[Link, Link, Link]:
+    """What moves, as links: crank, rod and rocker."""
+    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
+    return (crank, motion.rod, motion.rocker)
 
 
 def crank_rocker_load(motion: CrankRockerMotion, _geometry: CrankRocker, torque: Array) -> CrankRockerLoads:
@@ -83,7 +89,8 @@ def crank_rocker_forces(
     -----
     Exact for rigid bodies; docs/theory/forces, eqs. (13.5), (13.7) and (13.14).
     """
-    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
+    links = crank_rocker_links(motion, geometry)
+    crank = links[0]
     group = pin_reactions(
         PinMotion(motion.joint, motion.rod, motion.rocker),
         Pin(geometry.rod_length, geometry.rocker_length, geometry.side),
@@ -94,7 +101,7 @@ def crank_rocker_forces(
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
     shaft = crank_reactions(added(on_crank, handed_back(crank, motion.pin, group.rod)))
-    equation = reduced_of_three((crank, motion.rod, motion.rocker), bodies, loads, conditions.gravity)
+    equation = reduced_of_three(links, bodies, loads, conditions.gravity)
     return Forces(
         CrankRockerJoints(shaft.bearing, group.rod, group.joint, group.rocker),
         shaft.driving_torque,
@@ -113,8 +120,7 @@ def crank_rocker_reduced(
 
     docs/theory/forces, eqs. (13.4) and (13.6).
     """
-    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
-    return reduced_of_three((crank, motion.rod, motion.rocker), bodies, loads, gravity)
+    return reduced_of_three(crank_rocker_links(motion, geometry), bodies, loads, gravity)
 
 
 DYNAMICS = Dynamics(
@@ -127,6 +133,7 @@ DYNAMICS = Dynamics(
         Reaction("pivot", "rocker", FRAME),
     ),
     sliding=(),
+    links=crank_rocker_links,
     load=crank_rocker_load,
     forces=crank_rocker_forces,
     reduced=crank_rocker_reduced,

@@ -9,12 +9,18 @@ from cranktrain.mechanisms.slider_crank.forces import (
     SliderCrankJoints,
     SliderCrankLoads,
     slider_crank_forces,
+    slider_crank_links,
     slider_crank_load,
     slider_crank_reduced,
 )
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, SliderCrankMotion
 from cranktrain.mechanisms.solved import Forces
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Link
+
+
+def eccentric_links(motion: SliderCrankMotion, geometry: Eccentric) -> tuple[Link, Link, Link]:
+    """What moves, as links: sheave, rod and valve."""
+    return slider_crank_links(motion, SliderCrank(*geometry[:3]))
 
 
 def eccentric_load(motion: SliderCrankMotion, geometry: Eccentric, force: Array) -> SliderCrankLoads:
@@ -45,6 +51,7 @@ DYNAMICS = Dynamics(
     moving=SLIDER_CRANK.moving,
     reactions=SLIDER_CRANK.reactions,
     sliding=SLIDER_CRANK.sliding,
+    links=eccentric_links,
     load=eccentric_load,
     forces=eccentric_forces,
     reduced=eccentric_reduced,

@@ -24,7 +24,7 @@ from cranktrain.linkage.forces import (
 from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
 from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinder, OscillatingCylinderMotion
 from cranktrain.mechanisms.solved import Forces
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Link
 
 
 class OscillatingCylinderBodies(NamedTuple):
@@ -56,6 +56,15 @@ class OscillatingCylinderJoints(NamedTuple):
     crank_pin: Wrench
     guide: Wrench
     trunnion: Wrench
+
+
+def oscillating_cylinder_links(
+    motion: OscillatingCylinderMotion, geometry: OscillatingCylinder
+) -> tuple[Link, Link, Link]:
+    """What moves, as links: crank, slider and cylinder."""
+    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
+    piston = swivel_slider_link(motion.pin, motion.cylinder)
+    return (crank, piston, motion.cylinder)
 
 
 def oscillating_cylinder_load(
@@ -101,8 +110,8 @@ def oscillating_cylinder_forces(
     -----
     Exact for rigid bodies; docs/theory/forces, eqs. (13.5), (13.7) and (13.17).
     """
-    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
-    piston = swivel_slider_link(motion.pin, motion.cylinder)
+    links = oscillating_cylinder_links(motion, geometry)
+    crank, piston = links[:2]
     group = swivel_reactions(
         OnLine(motion.cylinder, motion.pin),
         Swivel(geometry.offset, AHEAD),
@@ -115,7 +124,7 @@ def oscillating_cylinder_forces(
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
     shaft = crank_reactions(added(on_crank, handed_back(crank, motion.pin, group.pin)))
-    equation = reduced_of_three((crank, piston, motion.cylinder), bodies, loads, conditions.gravity)
+    equation = reduced_of_three(links, bodies, loads, conditions.gravity)
     drag = motion.cylinder.cos * group.slider.x + motion.cylinder.sin * group.slider.y
     return Forces(
         OscillatingCylinderJoints(shaft.bearing, group.pin, group.slider, group.pivot),
@@ -135,9 +144,7 @@ def oscillating_cylinder_reduced(
 
     Without friction, which depends on how the crank turns. docs/theory/forces, eqs. (13.4) and (13.6).
     """
-    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
-    piston = swivel_slider_link(motion.pin, motion.cylinder)
-    return reduced_of_three((crank, piston, motion.cylinder), bodies, loads, gravity)
+    return reduced_of_three(oscillating_cylinder_links(motion, geometry), bodies, loads, gravity)
 
 
 DYNAMICS = Dynamics(
@@ -150,6 +157,7 @@ DYNAMICS = Dynamics(
         Reaction("trunnion", "cylinder", FRAME),
     ),
     sliding=("slider",),
+    links=oscillating_cylinder_links,
     load=oscillating_cylinder_load,
     forces=oscillating_cylinder_forces,
     reduced=oscillating_cylinder_reduced,

@@ -24,7 +24,7 @@ from cranktrain.linkage.forces import (
 from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke, ScotchYokeMotion
 from cranktrain.mechanisms.solved import Forces
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Link
 
 
 class ScotchYokeBodies(NamedTuple):
@@ -50,6 +50,14 @@ class ScotchYokeJoints(NamedTuple):
     crank_pin: Wrench
     slot: Wrench
     guide: Wrench
+
+
+def scotch_yoke_links(motion: ScotchYokeMotion, geometry: ScotchYoke) -> tuple[Link, Link, Link]:
+    """What moves, as links: crank, block and slider."""
+    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
+    block = block_link(motion.pin, geometry.slot_angle)
+    slider = slider_link(motion.slider, geometry.offset)
+    return (crank, block, slider)
 
 
 def scotch_yoke_load(motion: ScotchYokeMotion, _geometry: ScotchYoke, force: Array) -> ScotchYokeLoads:
@@ -85,9 +93,8 @@ def scotch_yoke_forces(
     -----
     Exact for rigid bodies; docs/theory/forces, eqs. (13.5), (13.7) and (13.19).
     """
-    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
-    block = block_link(motion.pin, geometry.slot_angle)
-    slider = slider_link(motion.slider, geometry.offset)
+    links = scotch_yoke_links(motion, geometry)
+    crank, block, slider = links
     group = yoke_reactions(
         motion.block.value,
         Yoke(geometry.offset, geometry.slot_angle),
@@ -99,7 +106,7 @@ def scotch_yoke_forces(
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
     shaft = crank_reactions(added(on_crank, handed_back(crank, motion.pin, group.pin)))
-    equation = reduced_of_three((crank, block, slider), bodies, loads, conditions.gravity)
+    equation = reduced_of_three(links, bodies, loads, conditions.gravity)
     return Forces(
         ScotchYokeJoints(shaft.bearing, group.pin, group.slot, group.guide),
         shaft.driving_torque,
@@ -118,10 +125,7 @@ def scotch_yoke_reduced(
 
     Without friction, which depends on how the crank turns. docs/theory/forces, eqs. (13.4) and (13.6).
     """
-    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
-    block = block_link(motion.pin, geometry.slot_angle)
-    slider = slider_link(motion.slider, geometry.offset)
-    return reduced_of_three((crank, block, slider), bodies, loads, gravity)
+    return reduced_of_three(scotch_yoke_links(motion, geometry), bodies, loads, gravity)
 
 
 DYNAMICS = Dynamics(
@@ -134,6 +138,7 @@ DYNAMICS = Dynamics(
         Reaction("guide", "slider", FRAME),
     ),
     sliding=("slider",),
+    links=scotch_yoke_links,
     load=scotch_yoke_load,
     forces=scotch_yoke_forces,
     reduced=scotch_yoke_reduced,

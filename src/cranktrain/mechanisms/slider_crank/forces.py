@@ -23,7 +23,7 @@ from cranktrain.linkage.forces import (
 from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, SliderCrankMotion
 from cranktrain.mechanisms.solved import Forces
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Link
 
 
 class SliderCrankBodies(NamedTuple):
@@ -49,6 +49,13 @@ class SliderCrankJoints(NamedTuple):
     crank_pin: Wrench
     wrist_pin: Wrench
     guide: Wrench
+
+
+def slider_crank_links(motion: SliderCrankMotion, geometry: SliderCrank) -> tuple[Link, Link, Link]:
+    """What moves, as links: crank, rod and slider."""
+    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
+    slider = slider_link(motion.slider, geometry.offset)
+    return (crank, motion.rod, slider)
 
 
 def slider_crank_load(motion: SliderCrankMotion, _geometry: SliderCrank, force: Array) -> SliderCrankLoads:
@@ -100,8 +107,8 @@ def slider_crank_forces(
     >>> round(float(forces.driving_torque), 9), round(float(forces.joints.guide.y), 6)
     (-50.0, 416.666667)
     """
-    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
-    slider = slider_link(motion.slider, geometry.offset)
+    links = slider_crank_links(motion, geometry)
+    crank, _, slider = links
     group = slide_reactions(
         motion.rod,
         Slide(geometry.rod_length, geometry.offset, AHEAD),
@@ -113,7 +120,7 @@ def slider_crank_forces(
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
     shaft = crank_reactions(added(on_crank, handed_back(crank, motion.pin, group.pin)))
-    equation = reduced_of_three((crank, motion.rod, slider), bodies, loads, conditions.gravity)
+    equation = reduced_of_three(links, bodies, loads, conditions.gravity)
     return Forces(
         SliderCrankJoints(shaft.bearing, group.pin, group.joint, group.guide),
         shaft.driving_torque,
@@ -132,9 +139,7 @@ def slider_crank_reduced(
 
     Without friction, which depends on how the crank turns. docs/theory/forces, eqs. (13.4) and (13.6).
     """
-    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
-    slider = slider_link(motion.slider, geometry.offset)
-    return reduced_of_three((crank, motion.rod, slider), bodies, loads, gravity)
+    return reduced_of_three(slider_crank_links(motion, geometry), bodies, loads, gravity)
 
 
 DYNAMICS = Dynamics(
@@ -147,6 +152,7 @@ DYNAMICS = Dynamics(
         Reaction("guide", "slider", FRAME),
     ),
     sliding=("slider",),
+    links=slider_crank_links,
     load=slider_crank_load,
     forces=slider_crank_forces,
     reduced=slider_crank_reduced,

@@ -23,7 +23,7 @@ from cranktrain.linkage.forces import (
 from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
 from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLever, SlottedLeverMotion
 from cranktrain.mechanisms.solved import Forces
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Link
 
 
 class SlottedLeverBodies(NamedTuple):
@@ -49,6 +49,13 @@ class SlottedLeverJoints(NamedTuple):
     crank_pin: Wrench
     slot: Wrench
     pivot: Wrench
+
+
+def slotted_lever_links(motion: SlottedLeverMotion, geometry: SlottedLever) -> tuple[Link, Link, Link]:
+    """What moves, as links: crank, block and rocker."""
+    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
+    block = swivel_slider_link(motion.pin, motion.rocker)
+    return (crank, block, motion.rocker)
 
 
 def slotted_lever_load(motion: SlottedLeverMotion, _geometry: SlottedLever, torque: Array) -> SlottedLeverLoads:
@@ -85,8 +92,8 @@ def slotted_lever_forces(
     -----
     Exact for rigid bodies; docs/theory/forces, eqs. (13.5), (13.7) and (13.17).
     """
-    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
-    block = swivel_slider_link(motion.pin, motion.rocker)
+    links = slotted_lever_links(motion, geometry)
+    crank, block = links[:2]
     group = swivel_reactions(
         OnLine(motion.rocker, motion.pin),
         Swivel(geometry.offset, AHEAD),
@@ -98,7 +105,7 @@ def slotted_lever_forces(
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
     shaft = crank_reactions(added(on_crank, handed_back(crank, motion.pin, group.pin)))
-    equation = reduced_of_three((crank, block, motion.rocker), bodies, loads, conditions.gravity)
+    equation = reduced_of_three(links, bodies, loads, conditions.gravity)
     drag = motion.rocker.cos * group.slider.x + motion.rocker.sin * group.slider.y
     return Forces(
         SlottedLeverJoints(shaft.bearing, group.pin, group.slider, group.pivot),
@@ -118,9 +125,7 @@ def slotted_lever_reduced(
 
     Without friction, which depends on how the crank turns. docs/theory/forces, eqs. (13.4) and (13.6).
     """
-    crank = crank_link(motion.pin, Crank(geometry.crank_radius))
-    block = swivel_slider_link(motion.pin, motion.rocker)
-    return reduced_of_three((crank, block, motion.rocker), bodies, loads, gravity)
+    return reduced_of_three(slotted_lever_links(motion, geometry), bodies, loads, gravity)
 
 
 DYNAMICS = Dynamics(
@@ -133,6 +138,7 @@ DYNAMICS = Dynamics(
         Reaction("pivot", "rocker", FRAME),
     ),
     sliding=("block",),
+    links=slotted_lever_links,
     load=slotted_lever_load,
     forces=slotted_lever_forces,
     reduced=slotted_lever_reduced,

@@ -5,6 +5,7 @@ from functools import cache, partial
 
 from cranktrain.language import N_
 from cranktrain.mechanisms.chain.composed import parts_of
+from cranktrain.mechanisms.chain.margin import chain_openings
 from cranktrain.mechanisms.chain.steps import Structure
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.stephenson.drawing import stephenson_drawing
@@ -15,6 +16,7 @@ from cranktrain.mechanisms.stephenson.kinematics import (
     Stephenson,
     stephenson,
     stephenson_gap,
+    stephenson_size,
 )
 from cranktrain.mechanisms.stephenson.spec import (
     StephensonSpec,
@@ -48,6 +50,7 @@ def _kind(structure: Structure) -> Kind:
         motion=partial(stephenson, structure),
         gap=partial(stephenson_gap, structure),
         lengths=tuple(lengths),
+        openings=partial(chain_openings, structure, tuple(lengths), partial(stephenson_size, structure)),
         length_paths=tuple(lengths.values()),
         drawing=partial(stephenson_drawing, structure),
         dynamics=stephenson_dynamics(structure),
@@ -72,7 +75,7 @@ KIND = Kind(
     closing_advice=stephenson_advice,
     members=Members,
     stages=(),
-    margin_precision=1e-6,
+    openings=partial(chain_openings, CURVED, tuple(_LENGTHS), partial(stephenson_size, CURVED)),
     has_chambers=False,
     composed=lambda spec: _kind(structure_of(spec)),
     example="""\

@@ -5,7 +5,8 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.linkage import AHEAD
-from cranktrain.mechanisms.chain.kinematics import ChainMotion, chain_gap, chain_motion
+from cranktrain.mechanisms.chain.gaps import chain_gap
+from cranktrain.mechanisms.chain.kinematics import ChainMotion, chain_motion
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     CrankSize,

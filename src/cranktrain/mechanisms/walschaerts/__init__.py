@@ -1,7 +1,10 @@
 """Walschaerts' valve gear: a return crank, a link about a fixed trunnion, and a combination lever on the crosshead."""
 
+from functools import partial
+
 from cranktrain.language import N_
 from cranktrain.mechanisms.chain.composed import parts_of
+from cranktrain.mechanisms.chain.margin import chain_openings
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.walschaerts.drawing import walschaerts_drawing
 from cranktrain.mechanisms.walschaerts.forces import DYNAMICS
@@ -10,6 +13,7 @@ from cranktrain.mechanisms.walschaerts.kinematics import (
     Walschaerts,
     walschaerts,
     walschaerts_gap,
+    walschaerts_size,
 )
 from cranktrain.mechanisms.walschaerts.spec import WalschaertsSpec, walschaerts_advice, walschaerts_geometry
 
@@ -49,7 +53,7 @@ KIND = Kind(
     closing_advice=walschaerts_advice,
     members=Members,
     stages=(),
-    margin_precision=1e-6,
+    openings=partial(chain_openings, STRUCTURE, tuple(_LENGTHS), walschaerts_size),
     has_chambers=False,
     **parts_of(STRUCTURE),
     example="""\

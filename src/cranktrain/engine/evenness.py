@@ -1,0 +1,258 @@
+"""Evenness: the work that a machine's torque stores within a cycle, and the speed over a cycle that comes of it."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.checks import Check
+from cranktrain.engine.evenness_table import GivenFlywheel, ShaftLoad
+from cranktrain.engine.forces import LoadedMachine, MechanismTorques
+from cranktrain.engine.layout import CrankAngle, Speed
+from cranktrain.language import N_, _
+from cranktrain.loads.excess_work import ExcessWork, excess_work
+from cranktrain.loads.mean_speed import quadratic_coefficient
+from cranktrain.loads.periodic import (
+    Interpolation,
+    PeriodicCurve,
+    fourier_curve,
+    fourier_integral,
+    plus,
+    spline_curve,
+    spline_integral,
+)
+from cranktrain.loads.speed import SpeedOverCycle, steady_speed
+from cranktrain.loads.speed_law import TorqueLaw, given_torque, motor, quadratic_load, speed_under_law, together
+from cranktrain.motion import Array
+from cranktrain.numerics import Extreme, spectral_derivative
+from cranktrain.wording import Names, number
+
+_CURVE = ("crank_angle",)
+_THEORY = "docs/theory/evenness"
+_MOTION_LIMIT = 0.1
+"""Of the equation of motion, for each radian of the grid's step: torques with jumps leave a tenth of that."""
+
+
+@dataclass(frozen=True)
+class FlywheelMoment:
+    """GD² of the moving parts."""
+
+    flywheel_moment: Array = quantity(
+        "GD²", "kg*m^2", _CURVE, N_("Flywheel moment of all moving parts, four times their reduced inertia"), _THEORY
+    )
+
+
+def flywheel_moment(torques: MechanismTorques) -> FlywheelMoment:
+    """GD² = 4 J."""
+    return FlywheelMoment(4 * torques.reduced_inertia)
+
+
+class Interpolations(NamedTuple):
+    """How curves run between the points of the grid: a curve, and the integral of a torque."""
+
+    curve: Interpolation
+    integral: Interpolation
+
+
+@dataclass(frozen=True)
+class ShaftWork:
+    """Torque without inertia, and its work.
+
+    Attributes
+    ----------
+    excess : ExcessWork
+        Its curve from the first point of the grid. [rad, J]
+    inertia : PeriodicCurve
+        J of the moving parts. [kg·m²]
+    by : Interpolations
+        Fourier series where nothing but masses acts; splines where gas or friction gives the torque kinks.
+    """
+
+    excess: ExcessWork
+    inertia: PeriodicCurve
+    by: Interpolations
+    applied_torque: Array = quantity(
+        "M_d", "N*m", _CURVE, N_("Torque of gas, weight and friction on the shaft, without inertia"), _THEORY
+    )
+    excess_work: Array = quantity("A", "J", _CURVE, N_("Work of that torque less its mean"), _THEORY)
+    largest_excess_work: Array = quantity(
+        "ΔA", "J", (), N_("Largest excess work: from the least to the most that is stored within a cycle"), _THEORY
+    )
+
+    def answer(self, _names: Names, design: int) -> str:
+        """Say the largest excess work."""
+        return _("Largest excess work {work} within a cycle.").format(
+            work=number(float(self.largest_excess_work[design]), "J")
+        )
+
+
+def shaft_work(
+    _load: ShaftLoad, torques: MechanismTorques, loaded: LoadedMachine, speed: Speed, crank_angle: CrankAngle
+) -> ShaftWork:
+    """Work of the torque less its mean, over the cycle; a file that says nothing of a load has none.
+
+    Notes
+    -----
+    At constant speed the shaft takes M = ½J′ω² − M_d. Friction that inertia causes stays in M_d as it is at that speed.
+    docs/theory/evenness, eqs. (17.2) and (17.16).
+    """
+    applied = torques.reduced_inertia_slope * speed.value[..., 0] ** 2 / 2 - torques.driving_torque
+    has_friction = any(np.any(part) for made in loaded.masses.groups for part in made.friction)
+    by = (
+        Interpolations(fourier_curve, fourier_integral)
+        if loaded.gas is None and not has_friction
+        else Interpolations(spline_curve, spline_integral)
+    )
+    excess = excess_work(applied, crank_angle.cycle, by.integral)
+    return ShaftWork(
+        excess=excess,
+        inertia=by.curve(torques.reduced_inertia, crank_angle.cycle),
+        by=by,
+        applied_torque=applied,
+        excess_work=excess.work.samples,
+        largest_excess_work=excess.difference,
+    )
+
+
+@dataclass(frozen=True)
+class RunningSpeed:
+    """Speed of the shaft over the cycle, with the flywheel that there is."""
+
+    crank_speed: Array = quantity("ω", "rad/s", _CURVE, N_("Speed of the crank over the cycle"), _THEORY)
+    crank_acceleration: Array = quantity("ε", "rad/s^2", _CURVE, N_("Angular acceleration of the crank"), _THEORY)
+    coefficient_of_fluctuation: Array = quantity(
+        "δ", "1", (), N_("Coefficient of fluctuation: largest less smallest speed over the mean"), _THEORY
+    )
+    mean_speed_over_time: Array = quantity(
+        "ω_t", "rad/s", (), N_("Mean speed over time, as a counter of revolutions shows it"), _THEORY
+    )
+    mean_speed_over_angle: Array = quantity("ω_φ", "rad/s", (), N_("Mean speed over the crank angle"), _THEORY)
+    mean_speed_of_extremes: Array = quantity(
+        "ω_a", "rad/s", (), N_("Half the sum of largest and smallest speed"), _THEORY
+    )
+    largest_crank_speed: Array = quantity("ω_M", "rad/s", (), N_("Largest speed of the crank"), _THEORY)
+    largest_crank_speed_at: Array = quantity("φ(ω_M)", "deg", (), N_("Crank angle of the largest speed"), _THEORY)
+    smallest_crank_speed: Array = quantity("ω_m", "rad/s", (), N_("Smallest speed of the crank"), _THEORY)
+    smallest_crank_speed_at: Array = quantity("φ(ω_m)", "deg", (), N_("Crank angle of the smallest speed"), _THEORY)
+    checks: tuple[Check, ...] = ()
+    flags: tuple[str, ...] = ()
+
+    def answer(self, _names: Names, design: int) -> str:
+        """Say the speed's bounds, its coefficient of fluctuation and its means."""
+        return _(
+            "The shaft runs at {least} to {most}, coefficient of fluctuation {delta};"
+            " mean {time} over time, {middle} of the extremes."
+        ).format(
+            least=_speed(self.smallest_crank_speed[design]),
+            most=_speed(self.largest_crank_speed[design]),
+            delta=f"{float(self.coefficient_of_fluctuation[design]):.4g}",
+            time=_speed(self.mean_speed_over_time[design]),
+            middle=_speed(self.mean_speed_of_extremes[design]),
+        )
+
+
+def running_speed(
+    load: ShaftLoad,
+    flywheel: GivenFlywheel,
+    work: ShaftWork,
+    torques: MechanismTorques,
+    speed: Speed,
+    crank_angle: CrankAngle,
+) -> RunningSpeed:
+    """Speed over the cycle under the load, or of the motor, that the file gives.
+
+    Notes
+    -----
+    docs/theory/evenness, eqs. (17.4), (17.5) and (17.11).
+    """
+    inertia = plus(work.inertia, flywheel.inertia)
+    found, torque, multiplier = _found(load, work, inertia, speed.value[:, 0, 0], crank_angle.cycle)
+    slope = torques.reduced_inertia_slope
+    return RunningSpeed(
+        crank_speed=found.speed,
+        crank_acceleration=(torque - slope * found.speed**2 / 2) / inertia.samples,
+        coefficient_of_fluctuation=found.fluctuation(load.mean),
+        mean_speed_over_time=found.means.time,
+        mean_speed_over_angle=found.means.angle,
+        mean_speed_of_extremes=found.means.extremes,
+        largest_crank_speed=found.largest.value[:, 0],
+        largest_crank_speed_at=_shown(found.largest, crank_angle),
+        smallest_crank_speed=found.smallest.value[:, 0],
+        smallest_crank_speed_at=_shown(found.smallest, crank_angle),
+        checks=(_motion_check(found.speed, inertia.samples, slope, torque, crank_angle),),
+        flags=tuple(_flags(load, work, found, multiplier)),
+    )
+
+
+class _Found(NamedTuple):
+    """Speed, the torque that is left over for the inertia [N·m], and what is left of a small departure after a cycle.
+
+    A load that does not depend on the speed lets it stay: 1.
+    """
+
+    speed: SpeedOverCycle
+    torque: Array
+    multiplier: Array
+
+
+def _found(load: ShaftLoad, work: ShaftWork, inertia: PeriodicCurve, wanted: Array, cycle: float) -> _Found:
+    """Steady running, by the energy alone or under a law."""
+    torque = work.applied_torque
+    if load.motor is None and not load.is_quadratic:
+        steady = steady_speed(work.excess, inertia, wanted, load.mean).speed
+        return _Found(steady, torque - work.excess.mean_excess[:, np.newaxis], np.ones(1))
+    law = together(given_torque(torque), _law(load, work, inertia, wanted, cycle))
+    under = speed_under_law(law, inertia.samples, cycle, work.by.curve)
+    return _Found(under.speed, under.torque, under.multiplier)
+
+
+def _law(load: ShaftLoad, work: ShaftWork, inertia: PeriodicCurve, wanted: Array, cycle: float) -> TorqueLaw:
+    """What balances the machine's own torque, as it depends on the speed."""
+    if load.motor is not None:
+        return motor(load.motor.no_load_speed[:, np.newaxis], load.motor.stiffness[:, np.newaxis])
+    found = quadratic_coefficient(work.applied_torque, inertia.samples, wanted, cycle, load.mean)
+    return quadratic_load(found[:, np.newaxis])
+
+
+def _shown(extreme: Extreme, crank_angle: CrankAngle) -> Array:
+    """Where an extreme is, counted as the grid counts, shape (design,). [rad]"""
+    return crank_angle.counted(extreme.angle[..., np.newaxis] + crank_angle.zero, crank_angle.cycle)[:, 0, 0]
+
+
+def _motion_check(speed: Array, inertia: Array, slope: Array, torque: Array, crank_angle: CrankAngle) -> Check:
+    """Integrate both sides of the equation of motion, the left one with the series of ω² for ε and with J′."""
+    cycle = crank_angle.cycle
+    acceleration = spectral_derivative(speed**2) * (np.pi / cycle)
+    left = fourier_integral(inertia * acceleration + slope * speed**2 / 2, cycle).samples
+    right = spline_integral(torque, cycle).samples
+    spread = np.ptp(right, axis=-1)
+    scale = np.where(spread > 0, spread, 1.0)
+    return Check(
+        "motion",
+        _("Work of Jε + ½J′ω², with the speed that was found, against that of all torques, relative to its range"),
+        np.max(np.abs(left - right), axis=-1) / scale,
+        _MOTION_LIMIT * float(crank_angle.shown[1]),
+    )
+
+
+def _flags(load: ShaftLoad, work: ShaftWork, found: SpeedOverCycle, multiplier: Array) -> Iterator[str]:
+    """Mind a shaft that would stop, a load that nothing drives, and running that is not stable."""
+    is_known = np.isfinite(work.largest_excess_work)
+    if np.any(is_known & ~np.isfinite(found.means.time)):
+        if load.motor is not None:
+            yield _(
+                "No steady running: the motor cannot carry the shaft through the cycle; a flywheel or a motor more."
+            )
+        elif load.is_quadratic and np.any(work.excess.mean_excess <= 0):
+            yield _("No steady running: a load that rises with the speed is for a machine that gives work.")
+        else:
+            yield _("No steady running at this speed: flywheel and moving parts are too light to carry the shaft.")
+    if np.any(multiplier > 1):
+        yield _("The running is not stable: a small departure from it grows.")
+
+
+def _speed(value: float) -> str:
+    """Write a speed."""
+    return number(float(value), "rpm")

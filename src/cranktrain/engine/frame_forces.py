@@ -1,0 +1,150 @@
+"""What the frame bears of the moving masses: reactions of what stands still, and the momentum that they change."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import reduce
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from cranktrain.checks import Check
+from cranktrain.engine.balance_specs import HIGHEST_ORDER
+from cranktrain.engine.forces import Carriers, LoadedMachine, SolvedGroup
+from cranktrain.engine.frames import Frames
+from cranktrain.engine.layout import CrankAngle, Mechanisms
+from cranktrain.engine.masses import Masses
+from cranktrain.engine.throws import Throws
+from cranktrain.language import _
+from cranktrain.linkage.forces import Gravity, Momentum, Wrench, momentum
+from cranktrain.loads.harmonics import ComplexArray
+from cranktrain.loads.vectors import PlaneVectors, curve_vectors, delayed_vectors
+from cranktrain.mechanisms.kind import FRAME
+from cranktrain.motion import Array, single
+from cranktrain.numerics import spectral_derivative, turn_grid
+
+_LIMIT = 1e-11
+_FEWEST, _MOST = 360, 2880
+_ENDED = 1e-13
+"""What the highest orders may have of the largest order, for the grid to show all that there is."""
+
+
+@dataclass(frozen=True)
+class FrameForces:
+    """What the moving masses do to the frame, for each (rad/s)²; in the common axes of `Frames`, over one turn.
+
+    Attributes
+    ----------
+    force : complex, shape (design, mechanism, n)
+        On the frame, by the bearings, guides and pivots of each mechanism. [kg·m]
+    moment : Array, shape (design, mechanism, n)
+        By the inertia of each mechanism's own parts about their shaft's centre, as `main` runs. [kg·m²]
+    step : int
+        How many of these points make a step of the grid of crank angles, on whose first point they begin.
+    vectors : PlaneVectors, shape (design, mechanism, order)
+        Of `force`, from order 0; phases count from φ = 0.
+    own : PlaneVectors, shape (design, mechanism, order)
+        The same of each mechanism's own parts, wherever the frame bears them: a slave's are borne by its master.
+    """
+
+    force: ComplexArray
+    moment: Array
+    step: int
+    vectors: PlaneVectors
+    own: PlaneVectors
+    checks: tuple[Check, ...] = ()
+
+
+class _Momenta(NamedTuple):
+    """Momentum in the common axes and its moment, for each rad/s, shape (design, mechanism, n)."""
+
+    vector: ComplexArray
+    moment: Array
+
+
+def frame_forces(
+    mechanisms: Mechanisms, carriers: Carriers, masses: Masses, frames: Frames, throws: Throws, crank_angle: CrankAngle
+) -> FrameForces:
+    """Solve the machine with its masses alone, at 1 rad/s: no gas, weight or friction.
+
+    The points are doubled until they show all orders of the momentum; the force of each throw is then compared with
+    its momentum's derivative, which shares with the reactions but the motion.
+    """
+    # Inertia repeats with the turn, as all shafts turn as fast as `main`.
+    n_turn = round(crank_angle.shown.size * 2 * np.pi / crank_angle.cycle)
+    step = -(-_FEWEST // n_turn)
+    machine = LoadedMachine(mechanisms, carriers, _bare(masses), None, np.ones((1, 1, 1)))
+    while True:
+        angle = turn_grid(n_turn * step) + crank_angle.zero
+        motions = machine.motions(angle)
+        momenta = _momenta(machine, motions, frames)
+        if n_turn * step >= _MOST or _has_ended(momenta.vector):
+            break
+        step *= 2
+    force = _of_frame(machine, machine.solved(angle, motions=motions), frames, momenta.vector.shape)
+    zero = crank_angle.zero[:, 0]
+    own = -(spectral_derivative(momenta.vector.real) + 1j * spectral_derivative(momenta.vector.imag))
+    return FrameForces(
+        force=force,
+        moment=-spectral_derivative(momenta.moment),
+        step=step,
+        vectors=delayed_vectors(curve_vectors(force.real, force.imag, HIGHEST_ORDER), zero),
+        own=delayed_vectors(curve_vectors(own.real, own.imag, HIGHEST_ORDER), zero),
+        checks=(_check(throws.gathered(force), throws.gathered(own)),),
+    )
+
+
+def _bare(masses: Masses) -> Masses:
+    """Masses that nothing weighs on and that nothing rubs."""
+    nothing = Gravity(single(0.0), single(0.0))
+    groups = tuple(
+        group._replace(gravity=nothing, friction=tuple(single(0.0) for _slider in group.friction))
+        for group in masses.groups
+    )
+    return Masses(groups, masses.weightless, masses.assumed)
+
+
+def _momenta(machine: LoadedMachine, motions: Sequence[Any], frames: Frames) -> _Momenta:
+    """Add up the links of every mechanism."""
+    parts: list[_Momenta] = []
+    for group, made, motion in zip(machine.mechanisms.groups, machine.masses.groups, motions, strict=True):
+        links = group.kind.dynamics.links(motion, group.members.geometry)
+        total = reduce(lambda one, other: Momentum(*map(np.add, one, other)), map(momentum, links, tuple(made.bodies)))
+        vector = frames.common(group.index, total.x, total.y)
+        parts.append(_Momenta(vector, frames.sense[group.index, np.newaxis] * total.moment))
+    order = np.argsort(np.concatenate([group.index for group in machine.mechanisms.groups]))
+    return _Momenta(*(np.concatenate(columns, axis=1)[:, order] for columns in zip(*parts, strict=True)))
+
+
+def _has_ended(vector: ComplexArray) -> bool:
+    """Whether the highest orders of a curve are nothing beside the others; one that has gaps has no orders."""
+    n_points = vector.shape[-1]
+    size = np.abs(np.fft.fft(vector, axis=-1) * np.fft.fftfreq(n_points))
+    tail = np.max(size[..., 7 * n_points // 16 : 9 * n_points // 16], axis=-1)
+    return not bool(np.any(tail > _ENDED * np.max(size, axis=-1)))
+
+
+def _of_frame(
+    machine: LoadedMachine, solved: Sequence[SolvedGroup], frames: Frames, shape: tuple[int, ...]
+) -> ComplexArray:
+    """Force of every mechanism on what stands still."""
+    force = np.zeros(shape, dtype=np.complex128)
+    for group, one in zip(machine.mechanisms.groups, solved, strict=True):
+        dynamics = group.kind.dynamics
+        for reaction, joint in zip(dynamics.reactions, one.forces.joints, strict=True):
+            # A slave's share of its master's joints is in its master's own.
+            if reaction.by == FRAME and reaction.on in dynamics.moving:
+                borne: Wrench = joint
+                force[:, group.index] -= frames.common(group.index, borne.x, borne.y)
+    return force
+
+
+def _check(force: ComplexArray, momentum_lost: ComplexArray) -> Check:
+    """Compare the throws' forces with what their momentum says, relative to the largest throw's."""
+    scale = np.max(np.abs(force), axis=(-2, -1))
+    residual = np.max(np.abs(force - momentum_lost), axis=(-2, -1)) / np.where(scale == 0, 1.0, scale)
+    return Check(
+        "momentum",
+        _("Inertia forces on the frame against the change of momentum of all parts, relative to the largest throw's"),
+        residual,
+        _LIMIT,
+    )

@@ -1,0 +1,83 @@
+"""Rods replaced by masses, as textbooks do: by how much side force and torque are off, by method."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.engine.forces import LoadedMachine, SolvedCycle
+from cranktrain.engine.piston_forces import DirectPistons, direct_groups
+from cranktrain.language import N_, _
+from cranktrain.linkage.forces import Drive, Gravity, Wrench, work
+from cranktrain.loads.rod_masses import ROD_METHODS
+from cranktrain.motion import Array, single
+from cranktrain.numerics import turn_grid
+from cranktrain.wording import Names, number
+
+_FACT = ("rod_method", "piston")
+_THEORY = "docs/theory/forces"
+_TURN = turn_grid(360)
+_WEIGHTLESS = Gravity(single(0.0), single(0.0))
+
+
+_TOLD = 1e-9
+"""An error that is told; less is rounding, where a rod's inertia was assumed to be that of two masses."""
+
+
+@dataclass(frozen=True)
+class RodMethods:
+    """Errors of rods replaced by masses, in parts of the exact peak; 0 where a method is exact.
+
+    NaN for pistons that hang on no crank pin, and where the replacement cannot have the rod's centroid.
+    """
+
+    side_force_error: Array = quantity(
+        "ΔN", "1", _FACT, N_("Largest error of the guide's force with the rod replaced by the method's masses"), _THEORY
+    )
+    driving_torque_error: Array = quantity(
+        "ΔM", "1", _FACT, N_("Largest error of the piston's driving torque with the rod so replaced"), _THEORY
+    )
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"rod_method": tuple(ROD_METHODS)})
+
+    def answer(self, names: Names, design: int) -> str | None:
+        """Say what two masses lose."""
+        row = names["rod_method"].index("two_masses")
+        side, torque = self.side_force_error[design, row], self.driving_torque_error[design, row]
+        if np.all(np.isnan(side)) or not np.nanmax(side) > _TOLD:
+            return None
+        return _("A rod of two masses is off by up to {side} in the side force, {torque} in the torque.").format(
+            side=number(float(np.nanmax(side)), "%"), torque=number(float(np.nanmax(torque)), "%")
+        )
+
+
+def rod_methods(direct: DirectPistons, loaded: LoadedMachine, solved: SolvedCycle) -> RodMethods:
+    """Errors of every method against the rigid rod, over a turn in steps of 1°, in parts of the peaks of the cycle.
+
+    Notes
+    -----
+    All methods have the rod's mass and centroid, so that they differ by a couple on the rod alone: it presses the guide
+    with −C/(L cos θ) and turns the crank by Cθ′. docs/theory/forces, eq. (13.37).
+    """
+    shape = (len(loaded.speed), len(ROD_METHODS), direct.n_pistons)
+    side, torque = np.full((2, *shape), np.nan)
+    drive = Drive(loaded.speed, np.zeros_like(loaded.speed))
+    for place, group in direct_groups(loaded):
+        size = group.members.geometry
+        rod = group.kind.motion(_TURN + group.members.phase, size).rod
+        body = loaded.masses.groups[place].bodies.rod
+        forces = solved.groups[place].forces
+        piston = loaded.carriers.piston[group.index]
+        exact = ROD_METHODS["exact"](rod, body, size.rod_length, drive, _WEIGHTLESS)
+        for row, method in enumerate(ROD_METHODS.values()):
+            other = method(rod, body, size.rod_length, drive, _WEIGHTLESS)
+            off = Wrench(*(np.subtract(one, true) for one, true in zip(other, exact, strict=True)))
+            side[:, row, piston] = _relative(off.moment / (size.rod_length * rod.cos), forces.joints.guide.y)
+            torque[:, row, piston] = _relative(work(rod, off), forces.driving_torque)
+    return RodMethods(side, torque)
+
+
+def _relative(difference: Array, whole: Array) -> Array:
+    """Largest difference in parts of the largest value, shape (design, member); NaN where there is nothing."""
+    peak = np.max(np.abs(whole), axis=-1)
+    return np.max(np.abs(difference), axis=-1) / np.where(peak > 0, peak, np.nan)

@@ -1,0 +1,158 @@
+"""Force or couple on the frame from all mechanisms and balance weights, as curves and by order, and in words."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.engine.balance_specs import HIGHEST_ORDER
+from cranktrain.engine.frame_forces import FrameForces
+from cranktrain.engine.frames import Frames
+from cranktrain.engine.layout import CrankAngle, Speed
+from cranktrain.engine.torque_orders import order_labels, orders
+from cranktrain.language import _
+from cranktrain.loads.vectors import PlaneVectors, hodograph, machine_axes, vector_curve
+from cranktrain.loads.weights import RotatingWeights, weight_vectors
+from cranktrain.motion import Array
+from cranktrain.wording import number
+
+_GONE = 1e-9
+"""What is less than this share of what all parts could do together is rounding."""
+_TOLD = 3
+"""How many orders a sentence names."""
+
+
+class Shaken(NamedTuple):
+    """Force [N] or couple [N·m] on the frame, first without balance weights, then, where there are any, with them.
+
+    x, y are curves in the machine's axes, shape (design, balance, crank_angle); the others, by the cycle's orders, have
+    shape (design, balance, order), direction in radians from Y in the normal sense; gross, shape (design,), is what all
+    parts would do if they added up; labels are the names along both dimensions.
+    """
+
+    x: Array
+    y: Array
+    forward: Array
+    backward: Array
+    largest: Array
+    smallest: Array
+    direction: Array
+    gross: Array
+
+    labels: dict[str, tuple[str, ...]]
+
+
+class Balanced(NamedTuple):
+    """Balance weights, and the arm of each: 1 for the force, z − z̄ for the couple, shape (design, weight)."""
+
+    weights: RotatingWeights
+    arm: Array
+
+
+def shaken(
+    frame: FrameForces,
+    frames: Frames,
+    crank_angle: CrankAngle,
+    speed: Speed,
+    *,
+    arm: Array,
+    balanced: Balanced | None,
+) -> Shaken:
+    """Sum up.
+
+    Parameters
+    ----------
+    frame : FrameForces
+    frames : Frames
+    crank_angle : CrankAngle
+    speed : Speed
+    arm : Array, shape (design, mechanism)
+        1 for the force, z − z̄ for the couple. [1 or m]
+    balanced : Balanced or None
+
+    Returns
+    -------
+    Shaken
+
+    Notes
+    -----
+    docs/theory/balance, eqs. (16.5) and (16.7).
+    """
+    turns = round(crank_angle.cycle / (2 * np.pi))
+    weigh = arm[..., np.newaxis]
+    curves = [np.tile(np.sum(weigh * frame.force[..., :: frame.step], axis=1), turns)]
+    by_order = [_summed(frame.vectors, weigh)]
+    size = np.sum(np.abs(arm) * np.sum(hodograph(frame.vectors).major[..., 1:], axis=-1), axis=-1)
+    if balanced is not None:
+        own = weight_vectors(balanced.weights, frame.vectors.order)
+        more = _summed(own, balanced.arm[..., np.newaxis])
+        curves.append(curves[0] + vector_curve(more, crank_angle.angle[:, 0]))
+        by_order.append(PlaneVectors(more.order, *map(np.add, by_order[0][1:], more[1:])))
+        size = size + np.sum(np.abs(balanced.arm) * np.sum(hodograph(own).major, axis=-1), axis=-1)
+    square = speed.value**2
+    curve = square * machine_axes(np.stack(curves, axis=1), clockwise=frames.clockwise)
+    vectors = _in_cycle(
+        [
+            PlaneVectors(one.order, speed.value[:, 0] ** 2 * one.forward, speed.value[:, 0] ** 2 * one.backward)
+            for one in by_order
+        ],
+        turns,
+    )
+    ellipse = hodograph(vectors)
+    gross = square[:, 0, 0] * size
+    least = np.maximum(_GONE * gross[:, np.newaxis, np.newaxis], _GONE * ellipse.major)
+    # A circle has no long axis, and what has gone no direction.
+    has_axis = ellipse.major - ellipse.minor > least
+    # Directions along one line are one: from −90°, which itself counts as +90°.
+    along = np.pi / 2 - np.mod(np.pi / 2 - frames.running * ellipse.direction, np.pi)
+    return Shaken(
+        curve.real,
+        curve.imag,
+        np.abs(vectors.forward),
+        np.abs(vectors.backward),
+        ellipse.major,
+        ellipse.minor,
+        np.where(has_axis, along, np.nan),
+        gross,
+        {"balance": ("without", "with")[: len(by_order)], **order_labels(crank_angle.cycle)},
+    )
+
+
+def _in_cycle(lots: Sequence[PlaneVectors], turns: int) -> PlaneVectors:
+    """Vectors by the orders of a cycle, shape (design, lot, order): what turns with the crank has no half orders."""
+    shape = (len(lots[0].forward), len(lots), HIGHEST_ORDER * turns)
+    forward, backward = np.zeros((2, *shape), dtype=np.complex128)
+    for i, one in enumerate(lots):
+        forward[:, i, turns - 1 :: turns] = one.forward[:, 1:]
+        backward[:, i, turns - 1 :: turns] = one.backward[:, 1:]
+    return PlaneVectors(orders(turns * 2 * np.pi), forward, backward)
+
+
+def _summed(vectors: PlaneVectors, arm: Array) -> PlaneVectors:
+    """Sum with arms, shape (design, part, order) → (design, order)."""
+    return PlaneVectors(vectors.order, *(np.sum(arm * part, axis=1) for part in vectors[1:]))
+
+
+def orders_told(names: Sequence[str], largest: Array, gross: float, unit: str) -> str:
+    """Say which orders there are and how large, the largest first: `order 2, 123 N`; or that there is none.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Of the orders.
+    largest : Array, shape (order,)
+        Of one design, in SI.
+    gross : float
+        What is nothing beside this is none.
+    unit : str
+        To show.
+    """
+    if not np.all(np.isfinite(largest)):
+        return _("not known, as the links do not close all round")
+    left = [i for i in np.argsort(-largest, kind="stable").tolist() if largest[i] > _GONE * gross]
+    if not left:
+        return _("none")
+    said = [
+        _("order {order}, {size}").format(order=names[i], size=number(float(largest[i]), unit)) for i in left[:_TOLD]
+    ]
+    return "; ".join([*said, _("and less of others")] if len(left) > _TOLD else said)

@@ -1,0 +1,97 @@
+"""Orders of the machine's torque, and the stars of the cylinders' phases by which they add up."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.catalogue import quantity
+from cranktrain.engine.balance_specs import HIGHEST_ORDER
+from cranktrain.engine.firing import Cycle, Firing
+from cranktrain.engine.layout import CrankAngle
+from cranktrain.engine.torque import ShaftTorques
+from cranktrain.language import N_, _
+from cranktrain.loads.harmonics import TURN, harmonics
+from cranktrain.loads.stars import phase_stars
+from cranktrain.motion import Array
+from cranktrain.wording import Names, number
+
+_ORDER = ("order",)
+_THEORY = "docs/theory/harmonics-and-orders"
+_TOLD = 3
+"""How many of the largest orders the answer names."""
+
+
+def orders(cycle: float) -> Array:
+    """Orders of a cycle up to 24, for 18 cylinders in a turn: ½, 1, 1½, … of a four-stroke, whole ones of others."""
+    turns = round(cycle / TURN)
+    return np.arange(1, HIGHEST_ORDER * turns + 1) / turns
+
+
+def order_labels(cycle: float) -> dict[str, tuple[str, ...]]:
+    """Names of a cycle's orders."""
+    return {"order": tuple(f"{order:g}" for order in orders(cycle).tolist())}
+
+
+@dataclass(frozen=True)
+class TorqueOrders:
+    """Harmonics of the machine's torque: amplitude · cos(kφ − ψ), φ as shown."""
+
+    torque_order_amplitude: Array = quantity(
+        "T_k", "N*m", _ORDER, N_("Amplitude of the order in the machine's torque"), _THEORY
+    )
+    torque_order_phase: Array = quantity(
+        "ψ_k",
+        "deg",
+        _ORDER,
+        N_("Phase of the order in the torque, T_k cos(kφ − ψ_k), φ as the tables count it"),
+        _THEORY,
+    )
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"order": ()})
+
+    def answer(self, names: Names, design: int) -> str | None:
+        """Name the largest orders."""
+        amplitude = np.nan_to_num(self.torque_order_amplitude[design])
+        largest = [place for place in np.argsort(-amplitude, kind="stable")[:_TOLD].tolist() if amplitude[place] > 0]
+        if not largest:
+            return None
+        return _("Largest orders of the torque: {orders}.").format(
+            orders=", ".join(f"{names['order'][place]} ({number(float(amplitude[place]), 'N*m')})" for place in largest)
+        )
+
+
+def torque_orders(torques: ShaftTorques, crank_angle: CrankAngle) -> TorqueOrders:
+    """Harmonics of the torque of all mechanisms together; NaN where the grid is too coarse to show an order."""
+    found = harmonics(torques.machine_torque, crank_angle.cycle)
+    wanted = len(orders(crank_angle.cycle))
+    shown = (torques.machine_torque.shape[-1] - 1) // 2
+    amplitude, phase = np.full((2, len(torques.machine_torque), wanted), np.nan)
+    taken = min(wanted, shown)
+    amplitude[:, :taken] = found.amplitude[:, 1 : taken + 1]
+    phase[:, :taken] = found.phase[:, 1 : taken + 1]
+    return TorqueOrders(amplitude, phase, order_labels(crank_angle.cycle))
+
+
+@dataclass(frozen=True)
+class PhaseStarSums:
+    """How far the cylinders' torques of one order add up by their firing: as many as cylinders where all do."""
+
+    phase_star_sum: Array = quantity(
+        "|Σe^(−ikφ_i)|", "1", _ORDER, N_("Sum of the cylinders' phase vectors of the order, by nominal firing"), _THEORY
+    )
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"order": ()})
+    is_major: NDArray[np.bool_] = field(default_factory=lambda: np.zeros((1, 0), dtype=np.bool_))
+
+    def answer(self, names: Names, design: int) -> str | None:
+        """Name the major orders, of a machine with several cylinders."""
+        major = [name for name, is_major in zip(names["order"], self.is_major[design], strict=True) if is_major]
+        if not major or len(major) == len(names["order"]):
+            return None
+        return _("Major orders, in which all cylinders add up: {orders}.").format(orders=", ".join(major))
+
+
+def phase_star_sums(firing: Firing, cycle: Cycle) -> PhaseStarSums:
+    """Stars of the phase vectors of all cylinders; docs/theory/harmonics-and-orders, eq. (15.14)."""
+    stars = phase_stars(orders(cycle.length), firing.firing_angle)
+    return PhaseStarSums(stars.length, order_labels(cycle.length), stars.is_major)

@@ -1,0 +1,206 @@
+"""Work of the torque over a cycle, by Gauss's quadrature, against the work of the gas, in closed form.
+
+Between dead centres and other kinks everything is smooth, so that few points are exact; where the gas goes through
+samples, the run's own sum over its grid is compared with the exact integral of what was laid through them.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.checks import Check
+from cranktrain.engine.forces import LoadedMachine, driving_torques
+from cranktrain.engine.gas import GasInChambers
+from cranktrain.engine.layout import CrankAngle
+from cranktrain.engine.torque import ShaftTorques
+from cranktrain.engine.travel import CylinderTravel
+from cranktrain.engine.volumes import SweptVolumes
+from cranktrain.gas import GasKind, Kink, VolumeLimits, kind_of
+from cranktrain.language import N_, _
+from cranktrain.motion import Array, Coefficient, single
+
+_THEORY = "docs/theory/forces"
+_EXACT_LIMIT = 1e-12
+_WIDEST = np.pi / 6
+"""Intervals of the quadrature are at most as wide. [rad]"""
+_REACH = 1.3
+"""How wide they may be for the distance of the volume's zeros in the complex plane, where p ~ V⁻ⁿ has its poles."""
+_NODES = ((0.0, 0.04, 3), (0.04, 0.2, 5), (0.2, 0.6, 8), (0.6, 1.01, 12))
+"""Intervals from a part of the widest to another, and how many points are enough there for 13 digits."""
+_NARROWEST = 1e-13
+_MOST_STEPS, _SETTLED = 30, 1e-14
+
+
+@dataclass(frozen=True)
+class WorkBalance:
+    """Work of the gas over a cycle, without any step of the grid, and whether the torque does it."""
+
+    gas_work: Array = quantity(
+        "W", "J", (), N_("Work of the gas in all chambers over a cycle, in closed form or by exact quadrature"), _THEORY
+    )
+    checks: tuple[Check, ...] = ()
+
+
+def work_balance(
+    loaded: LoadedMachine,
+    gas: GasInChambers,
+    travel: CylinderTravel,
+    swept: SweptVolumes,
+    torques: ShaftTorques,
+    crank_angle: CrankAngle,
+) -> WorkBalance:
+    """Work of gas and torque; with friction in the guides, which takes some, there is no check.
+
+    Notes
+    -----
+    docs/theory/forces, eq. (13.40).
+    """
+    kinds = [kind_of(spec) for spec in gas.specs]
+    works = np.stack([_gas_works(gas, kind, design, swept) for design, kind in enumerate(kinds)])
+    total = np.sum(works, axis=-1)
+    if any(np.any(coefficient != 0.0) for made in loaded.masses.groups for coefficient in made.friction):
+        return WorkBalance(total)
+    scale = np.sum(np.abs(works), axis=-1)
+    if all(kind.mean_pressures is not None for kind in kinds):
+        residual = np.abs(_work_of_torque(loaded, gas, travel) - total) / scale
+        sentence = _("Work of the torque by the reactions, by quadrature, against that of the gas in closed form")
+        return WorkBalance(total, (Check("work", sentence, residual, _EXACT_LIMIT),))
+    residual = np.abs(np.mean(torques.machine_torque, axis=-1) * gas.cycle - total) / scale
+    sentence = _("Work of the torque, summed over the grid, against the exact integral of the indicator diagrams")
+    return WorkBalance(total, (Check("work", sentence, residual, _sum_limit(crank_angle)),))
+
+
+def _sum_limit(crank_angle: CrankAngle) -> float:
+    """What equal steps leave of a measured trace's work: 5·10⁻⁴ at 1°, 10⁻⁴ at half a degree and less."""
+    step = np.degrees(crank_angle.cycle / crank_angle.shown.size)
+    return 1e-4 if step <= 0.5 else 5e-4 * float(max(step, 1.0)) ** 2
+
+
+def _gas_works(gas: GasInChambers, kind: GasKind, design: int, swept: SweptVolumes) -> Array:
+    """Work of the gas in each chamber of a design over a cycle, shape (chamber,). [J]"""
+    works = np.full(len(gas.chambers.names), np.nan)
+    for model, places in gas.alike(design):
+        if kind.mean_pressures is not None:
+            ratio = (gas.limits.largest / gas.limits.smallest)[design, places, 0]
+            found = kind.mean_pressures(model, ratio)
+            mean = found.net if gas.cycle > 3 * np.pi else found.gross
+            works[places] = mean * swept.swept_volume[design, places]
+        elif kind.work is not None:
+            works[places] = kind.work(model, _slope_of(gas, design, places[0]))
+    return works
+
+
+def _slope_of(gas: GasInChambers, design: int, place: int) -> Callable[[Array], Array]:
+    """dV/dφ of one chamber by angles since its nominal firing, of any shape."""
+    start = float(gas.firing[design, place, 0])
+
+    def slope(angle: Array) -> Array:
+        return gas.volume(angle.ravel() + start).first[design, place].reshape(angle.shape)
+
+    return slope
+
+
+def _work_of_torque(loaded: LoadedMachine, gas: GasInChambers, travel: CylinderTravel) -> Array:
+    """Work that the machine's torque by the reactions does over a cycle, shape (design,). [J]"""
+    quadrature = _quadrature(_events(gas, travel), _widest(gas, travel), gas.cycle)
+    torque = np.sum(driving_torques(loaded, loaded.solved(quadrature.angle[:, np.newaxis])), axis=1)
+    return -np.sum(quadrature.weight * torque, axis=-1)
+
+
+def _events(gas: GasInChambers, travel: CylinderTravel) -> Array:
+    """φ of all dead centres and kinks in a cycle, shape (design, event); NaN for none. [rad]"""
+    firing, opposite = gas.dead_centres(travel)
+    turns = 2 * np.pi * np.arange(round(gas.cycle / (2 * np.pi)))
+    centres = np.concatenate([firing, opposite], axis=-1)[..., np.newaxis] + turns
+    return np.concatenate([centres.reshape(len(centres), -1), _kinks(gas, firing)], axis=-1)
+
+
+def _kinks(gas: GasInChambers, firing: Array) -> Array:
+    """φ of the kinks of all chambers, by Newton's method from the dead centre, shape (design, chamber · kink). [rad]"""
+    told = _told_kinks(gas)
+    places = [place for place in gas.distinct for _kink in range(told.shape[-1])]
+    volume, sense, turn = told.reshape(3, len(firing), -1)[..., np.newaxis]
+    if volume.size == 0:
+        return volume[..., 0]
+    centre = firing[:, places, np.newaxis]
+
+    def at(away: Array) -> Coefficient:
+        return Coefficient(*gas.at_own(centre + sense * away, places, lambda angle: np.stack(gas.volume(angle))))
+
+    least = at(np.zeros_like(volume))
+    # Near the dead centre the volume is a parabola.
+    away = np.minimum(np.sqrt(2 * (volume - least.value) / least.second), 0.75 * np.pi)
+    for _step in range(_MOST_STEPS):
+        found = at(away)
+        before, away = away, np.clip(away - sense * (found.value - volume) / found.first, away / 4, np.pi)
+        if not np.any(np.abs(away - before) > _SETTLED):
+            break
+    after = np.where(turn > 0, 0.0, 2 * np.pi) + sense * away
+    each = after.reshape(len(firing), len(gas.distinct), -1)
+    design = np.arange(len(firing))[:, np.newaxis]
+    return (firing[..., np.newaxis] + each[design, gas.origin]).reshape(len(firing), -1)
+
+
+def _told_kinks(gas: GasInChambers) -> Array:
+    """Volume, sense and turn of the kinks of the distinct chambers, (3, design, distinct, kink): NaN fills up."""
+    told: list[list[Sequence[Kink]]] = []
+    for design, spec in enumerate(gas.specs):
+        limits = [VolumeLimits(*(single(float(part[design, i, 0])) for part in gas.limits)) for i in gas.distinct]
+        models = [gas.models[design][place] for place in gas.distinct]
+        told.append([kind_of(spec).kinks(model, own) for model, own in zip(models, limits, strict=True)])
+    most = max(len(kinks) for of_design in told for kinks in of_design)
+    filled = np.full((3, len(told), len(gas.distinct), most), np.nan)
+    for design, of_design in enumerate(told):
+        for place, kinks in enumerate(of_design):
+            for number, kink in enumerate(kinks):
+                filled[:, design, place, number] = (float(kink.volume), kink.sense, kink.turn)
+    return filled
+
+
+def _widest(gas: GasInChambers, travel: CylinderTravel) -> Array:
+    """How wide intervals may be, by the chamber with the least room for its stroke, shape (design,). [rad]"""
+    firing, _opposite = gas.dead_centres(travel)
+    centre = firing[:, gas.distinct, np.newaxis]
+    least = Coefficient(*gas.at_own(centre, gas.distinct, lambda angle: np.stack(gas.volume(angle))))
+    # Near its least value V = V_c + ½V″φ², which is 0 at an imaginary φ.
+    away = np.sqrt(2 * least.value / least.second)
+    return np.fmin(_WIDEST, _REACH * np.fmin.reduce(away, axis=(1, 2)))
+
+
+class _Quadrature(NamedTuple):
+    """Angles and weights, shape (design, n); designs with fewer intervals have weights of 0. [rad]"""
+
+    angle: Array
+    weight: Array
+
+
+def _quadrature(events: Array, widest: Array, cycle: float) -> _Quadrature:
+    """Gauss's points between events over one cycle."""
+    designs = [_gauss(own, wide, cycle) for own, wide in zip(events, widest.tolist(), strict=True)]
+    longest = max(angle.size for angle, _weight in designs)
+    return _Quadrature(
+        np.stack([np.pad(angle, (0, longest - angle.size), mode="edge") for angle, _weight in designs]),
+        np.stack([np.pad(weight, (0, longest - weight.size)) for _angle, weight in designs]),
+    )
+
+
+def _gauss(events: Array, widest: float, cycle: float) -> tuple[Array, Array]:
+    """Gauss's points and weights of one design; without events, where links do not close, over equal parts."""
+    known = np.mod(events[~np.isnan(events)], cycle)
+    n_parts = int(np.ceil(cycle / widest - _NARROWEST))
+    marks = np.arange(n_parts) * (cycle / n_parts) + (known[0] if known.size else 0.0)
+    edges = np.sort(np.concatenate([known, np.mod(marks, cycle)]))
+    edges = np.append(edges, edges[0] + cycle)
+    widths = np.diff(edges)
+    angles: list[Array] = []
+    weights: list[Array] = []
+    for narrow, wide, n_nodes in _NODES:
+        chosen = (np.maximum(narrow * widest, _NARROWEST) < widths) & (widths <= wide * widest)
+        node, weight = np.polynomial.legendre.leggauss(n_nodes)
+        half = widths[chosen, np.newaxis] / 2
+        angles.append((edges[:-1][chosen, np.newaxis] + half * (1 + node)).ravel())
+        weights.append((half * weight).ravel())
+    return np.concatenate(angles), np.concatenate(weights)

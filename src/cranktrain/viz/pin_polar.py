@@ -1,0 +1,253 @@
+"""Polar diagram of a crank pin's load: in the pin's axes and in the rod's, with the rod's rotating mass and without."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from cranktrain.analysis import run
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.machine import Machine
+from cranktrain.mechanisms.kind import Dynamics
+from cranktrain.motion import Array
+from cranktrain.study.acting import refuse_idle
+from cranktrain.study.placement import place_called
+from cranktrain.study.plans import fitting, plan_angles
+from cranktrain.viz.labels import Wish, placed_labels
+from cranktrain.viz.page import Figure, drawing_settings, mathematics, muted, rounded_down
+from cranktrain.viz.plan_sheet import Box, centre, plan_page, rounded, scale_of, write_scales, write_table
+from cranktrain.viz.sketch import Circle, Line, Sketch
+from cranktrain.viz.style import INK
+
+_QUANTITIES = (
+    "crankpin_load_radial",
+    "crankpin_load_tangential",
+    "crankpin_load_radial_without_rod",
+    "largest_crankpin_load",
+    "largest_crankpin_load_at",
+)
+_MARKS = 30
+"""Between marks of the crank angle. [deg]"""
+
+_TABLE = 62.0
+"""Width of the table. [mm]"""
+
+_ROD = "rod"
+_COLUMNS = (0.42, 0.71, 1.0)
+_RINGS, _BEYOND = 3.0, 5.0
+"""How many rings there are at least, and how far axes go beyond the curves. [mm]"""
+
+_ROUND = np.linspace(0.0, 2 * np.pi, 721)
+
+
+@dataclass(frozen=True)
+class PinLoads:
+    """Load of a crank pin over the cycle, each of shape (2, n): across and along an axis. [N]
+
+    Attributes
+    ----------
+    mechanism : str
+    angle : Array, shape (n,)
+        Crank angle as the machine shows it. [deg]
+    on_pin, on_pin_without : Array
+        Tangentially, in the sense of rotation, and radially, away from the shaft: in axes fixed to the crank.
+    in_rod, in_rod_without : Array
+        What the pin does to the rod's bearing: across, 90° ahead of the rod in the sense of rotation, and along, toward
+        the piston; in axes fixed to the rod.
+    largest, largest_at : float
+        On the grid. [N, deg]
+    """
+
+    mechanism: str
+    angle: Array
+    on_pin: Array
+    on_pin_without: Array
+    in_rod: Array
+    in_rod_without: Array
+    largest: float
+    largest_at: float
+
+    @property
+    def cycle(self) -> float:
+        """Length of the cycle. [deg]"""
+        return float(len(self.angle) * (self.angle[1] - self.angle[0]))
+
+    @property
+    def mean(self) -> float:
+        """Mean size of the load over the cycle. [N]"""
+        return float(np.mean(np.hypot(*self.on_pin)))
+
+
+def pin_loads(machine: Machine, *, mechanism: str | None = None) -> PinLoads:
+    """Collect the load of a crank pin.
+
+    Parameters
+    ----------
+    machine : Machine
+        With masses or gas, and a speed.
+    mechanism : str, optional
+        Whose rod; the first with a rod on a crank pin unless given. A master's load holds its slaves'.
+
+    Returns
+    -------
+    PinLoads
+
+    Raises
+    ------
+    InputError
+        If nothing acts on the links, or the mechanism has no rod on a crank pin.
+
+    Notes
+    -----
+    docs/theory/forces, eqs. (13.35) and (13.36). The rod's load on the pin, turned from the crank's directions to the
+    rod's and reversed, is the pin's on the rod.
+    """
+    refuse_idle(machine)
+    first = next((one.name for one in machine.places if _has_rod_on_pin(one.kind.dynamics)), None)
+    place = place_called(machine, mechanism or first)
+    if not _has_rod_on_pin(place.kind.dynamics):
+        raise InputError([Problem("--mechanism", place.name, _("has no rod of its own on a crank pin"))])
+    result = run(machine, quantities=_QUANTITIES)
+    at = result.labels["mechanism"].index(place.name)
+    radial, tangential, without = (getattr(result, name)[at] for name in _QUANTITIES[:3])
+    phi = np.deg2rad(result.crank_angle) + machine.zero + place.phase
+    motion = place.kind.motion(phi, place.geometry)
+    lean = np.broadcast_to(motion.rod.angle.value, phi.shape) - phi
+    loads = [np.stack([tangential, -part]) for part in (radial, without)]
+    return PinLoads(
+        place.name,
+        result.crank_angle,
+        *loads,
+        *(_in_rod(load, lean) for load in loads),
+        largest=float(result.largest_crankpin_load[at]),
+        largest_at=float(result.largest_crankpin_load_at[at]),
+    )
+
+
+def _has_rod_on_pin(dynamics: Dynamics) -> bool:
+    """Whether a rod that is the mechanism's own has its bearing on the crank pin."""
+    return any(
+        reaction.name == "crank_pin" and reaction.on == _ROD and _ROD in dynamics.moving
+        for reaction in dynamics.reactions
+    )
+
+
+def _in_rod(load: Array, lean: Array) -> Array:
+    """Load on the rod, across and along it, from the rod's on the pin; the rod is `lean` ahead of the crank. [rad]"""
+    across, along = load
+    cos, sin = np.cos(lean), np.sin(lean)
+    return -np.stack([across * cos - along * sin, along * cos + across * sin])
+
+
+def plan_polar(
+    machine: Machine, angles: int | Sequence[float] = 12, *, mechanism: str | None = None, size: str = "A4"
+) -> Figure:
+    """Draw the polar diagrams of a crank pin's load.
+
+    Parameters
+    ----------
+    machine : Machine
+        With masses or gas, and a speed.
+    angles : int or sequence of float
+        How many crank angles, evenly over a turn, or which, at which the table gives the load. [deg]
+    mechanism : str, optional
+        Whose rod; the first with a rod on a crank pin unless given.
+    size : "A4" or "A3"
+
+    Returns
+    -------
+    Figure
+    """
+    loads = pin_loads(machine, mechanism=mechanism)
+    with drawing_settings():
+        page, box = plan_page(machine, angles, size, _("Polar diagram of the crank pin's load"), loads.mechanism)
+        width = (box.width - _TABLE) / 2
+        pairs = ((loads.on_pin, loads.on_pin_without), (loads.in_rod, loads.in_rod_without))
+        outlines = [np.concatenate([*pair, np.zeros((2, 1))], axis=1) for pair in pairs]
+        scale = fitting(outlines, (width - 26.0, box.height - 38.0))
+        heads = (_("On the pin, in the crank's axes"), _("On the rod's bearing, in the rod's axes"))
+        upward = (_("up: away from the shaft"), _("up: toward the piston"))
+        across = (_("right: in the sense of rotation"), _("right: 90° from it in the sense of rotation"))
+        for number, pair in enumerate(pairs):
+            cell = Box(box.left + number * width, box.bottom + 8.0, width - 4.0, box.height - 8.0)
+            top = cell.bottom + cell.height
+            page.heading(cell.left, top - 4.0, heads[number])
+            page.text(cell.left, top - 8.5, upward[number], **muted())
+            page.text(cell.left, top - 12.7, across[number], **muted())
+            centre(page, polar_sketch(loads, pair, scale), cell._replace(height=cell.height - 15.0))
+        start = box.left + 2 * width + 4.0
+        rows = list(_table(loads, np.asarray(plan_angles(angles))))
+        end = write_table(page, rows, (start, box.bottom + box.height, _TABLE - 4.0), _COLUMNS)
+        for number, note in enumerate(_notes(loads)):
+            page.text(start, end - 2.0 - 4.2 * number, note, **muted())
+        page.sample(box.left + 62.0, box.left + 70.0, box.bottom + 0.5, color=INK, lw=1.0)
+        page.text(box.left + 72.0, box.bottom - 0.4, _("with the rod's rotating mass"))
+        if np.any(np.isfinite(loads.on_pin_without)):
+            page.sample(box.left + 118.0, box.left + 126.0, box.bottom + 0.5, color=INK, lw=0.6, dashes=(5.0, 2.5))
+            page.text(box.left + 128.0, box.bottom - 0.4, _("without it"))
+        write_scales(page, box, [scale_of("F", scale / 1e3, _("kN"))], None)
+        return page.figure
+
+
+def polar_sketch(loads: PinLoads, pair: tuple[Array, Array], scale: float) -> Sketch:
+    """One diagram in drawing millimetres: axes, rings in kN, both loads, marks of the crank angle, the largest load."""
+    full, without = (np.append(part, part[:, :1], axis=1) / scale for part in pair)
+    every = np.concatenate([full, without, np.zeros((2, 1))], axis=1)
+    low, high = np.nanmin(every, axis=1) - _BEYOND, np.nanmax(every, axis=1) + _BEYOND
+    sketch = Sketch(1.0)
+    sketch.add([Line(np.array([[low[0], high[0]], [0.0, 0.0]]), "LINKS", "thin", 1)])
+    sketch.add([Line(np.array([[0.0, 0.0], [low[1], high[1]]]), "LINKS", "thin", 1)])
+    sketch.add([Line(without, "LINKS", "part", 3), Line(full, "LINKS", "vector", 4)])
+    step = rounded_down(float(np.nanmax(np.hypot(*full))) * scale / _RINGS) / scale
+    radii = step * np.arange(1, int(max(np.max(np.abs(low)), np.max(high)) / step) + 1)
+    rings = [_ring(radius, low, high) for radius in radii.tolist()]
+    sketch.add(Line(ring, "LINKS", "dotted", 1) for ring in rings if np.any(np.isfinite(ring)))
+    marked = np.nonzero(loads.angle % _MARKS == 0)[0]
+    sketch.add(Circle(full[:, i], 0.6, "LINKS", "outline", 6, "paper") for i in marked)
+    largest = full[:, int(np.argmin(np.abs(loads.angle - loads.largest_at)))]
+    sketch.add([Circle(largest, 1.8, "LINKS", "outline", 7)])
+    lines = [full, np.array([[low[0], high[0]], [0.0, 0.0]]), np.array([[0.0, 0.0], [low[1], high[1]]])]
+    wishes = [
+        Wish(np.array([0.0, -radius]), f"{radius * scale / 1e3:g}", -0.2, "number")
+        for radius in radii.tolist()
+        if -radius > low[1] + 2.0
+    ]
+    middle = np.nanmean(full, axis=1)
+    named = marked[loads.angle[marked] % (_MARKS * round(loads.cycle / 360.0)) == 0]
+    wishes += [Wish(full[:, i], f"{loads.angle[i]:g}°", _away(full[:, i] - middle), "number") for i in named]
+    sketch.add(placed_labels(wishes, lines, 1.0))
+    return sketch
+
+
+def _ring(radius: float, low: Array, high: Array) -> Array:
+    """Circle about the pole, NaN outside what is drawn, shape (2, n). [mm]"""
+    points = radius * np.stack([np.cos(_ROUND), np.sin(_ROUND)])
+    inside = np.all((points >= low[:, np.newaxis]) & (points <= high[:, np.newaxis]), axis=0)
+    return np.where(inside, points, np.nan)
+
+
+def _away(direction: Array) -> float:
+    return float(np.arctan2(direction[1], direction[0]))
+
+
+def _table(loads: PinLoads, angles: Array) -> Iterator[tuple[str, ...]]:
+    """Load at some crank angles: toward the shaft, in the sense of rotation, its size."""
+    yield ("φ, °", mathematics("K_R"), mathematics("T_R"), mathematics("R"))
+    yield ("", _("kN"), _("kN"), _("kN"))
+    for angle in angles.tolist():
+        tangential, outward = (
+            float(np.interp(angle, loads.angle, part, period=loads.cycle)) / 1e3 for part in loads.on_pin
+        )
+        yield (f"{angle:g}", rounded(-outward), rounded(tangential), rounded(float(np.hypot(outward, tangential))))
+
+
+def _notes(loads: PinLoads) -> Iterator[str]:
+    """Say mean and largest load, and what the signs are."""
+    yield _("Mean load R: {mean} kN").format(mean=rounded(loads.mean / 1e3))
+    yield _("Largest: {largest} kN at {angle:g}°, ringed").format(
+        largest=rounded(loads.largest / 1e3), angle=round(loads.largest_at, 2)
+    )
+    yield _("Largest over mean: {ratio}").format(ratio=rounded(loads.largest / loads.mean))
+    yield _("K toward the shaft, T with rotation")
+    yield _("Marks: crank angle, each 30°")
