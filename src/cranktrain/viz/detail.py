@@ -5,8 +5,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.viz.angle_marks import ring_radius
 from cranktrain.viz.labels import dots
-from cranktrain.viz.mechanism import mechanism_sketch, ring_radius
+from cranktrain.viz.mechanism import mechanism_sketch
 from cranktrain.viz.page import Page, fitting_scale, scale_words
 from cranktrain.viz.scene import Scene
 from cranktrain.viz.sketch import Circle, Sketch

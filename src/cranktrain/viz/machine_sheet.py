@@ -186,7 +186,7 @@ class _Ruler(NamedTuple):
 
     @property
     def has_legend(self) -> bool:
-        """Whether the habits of lines are said over the rows, because the rows are of something else or have no room."""
+        """Whether habits of lines are said over the rows: these are of something else, or too small for the names."""
         return self.is_of_cylinders or not self.is_few or any(len(name) > _SHORT for name in self.pistons)
 
 

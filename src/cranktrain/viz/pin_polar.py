@@ -209,13 +209,13 @@ def polar_sketch(loads: PinLoads, pair: tuple[Array, Array], scale: float) -> Sk
     sketch.add([Circle(largest, 1.8, "LINKS", "outline", 7)])
     lines = [full, np.array([[low[0], high[0]], [0.0, 0.0]]), np.array([[0.0, 0.0], [low[1], high[1]]])]
     wishes = [
-        Wish(np.array([0.0, -radius]), f"{radius * scale / 1e3:g}", -0.2, is_number=True)
+        Wish(np.array([0.0, -radius]), f"{radius * scale / 1e3:g}", -0.2, "number")
         for radius in radii.tolist()
         if -radius > low[1] + 2.0
     ]
     middle = np.nanmean(full, axis=1)
     named = marked[loads.angle[marked] % (_MARKS * round(loads.cycle / 360.0)) == 0]
-    wishes += [Wish(full[:, i], f"{loads.angle[i]:g}°", _away(full[:, i] - middle), is_number=True) for i in named]
+    wishes += [Wish(full[:, i], f"{loads.angle[i]:g}°", _away(full[:, i] - middle), "number") for i in named]
     sketch.add(placed_labels(wishes, lines, 1.0))
     return sketch
 

@@ -43,9 +43,15 @@ class Box(NamedTuple):
 
 
 def plan_page(
-    machine: Machine, angles: int | Sequence[float], size: str, title: str, mechanism: str | None
+    machine: Machine,
+    angles: int | Sequence[float],
+    size: str,
+    title: str,
+    mechanism: str | None,
+    *,
+    has_key: bool = True,
 ) -> tuple[Page, Box]:
-    """Begin a sheet; give the room below its head."""
+    """Begin a sheet, with a key where pins have letters; give the room below its head."""
     n = len(plan_angles(angles))
     if n > MOST:
         allowed = _("must be at most {most} to a sheet").format(most=MOST)
@@ -56,7 +62,7 @@ def plan_page(
     whose = _("{title}, mechanism {name}").format(title=title, name=place.name) if len(machine.places) > 1 else title
     top = title_block(page, machine, [running_words(machine)], [f"{whose}. {zero_words(machine)}"])
     letters = pin_letters(placed(machine, place, np.zeros(1)))
-    if letters:
+    if letters and has_key:
         key = ", ".join(f"{letter} {spoken_name(pin).replace('_', ' ')}" for pin, letter in letters.items())
         page.text(MARGIN, top - 4.5, _("Pins: {key}").format(key=key))
         top -= 6.0

@@ -28,12 +28,15 @@ _HABITS: dict[Part, Habit] = {
     "coriolis": "part",
 }
 
+_MANY_PINS, _NUMBER = 5, 1.5
+"""Where more pins move, only the positions of crank and sliders have numbers, if each has so much room. [mm]"""
+
 _MANY = 8
 """Of more vectors only those from the pole have their symbols beside them: the table names the others by their ends."""
 
 
 def positions_sketch(plan: PositionPlan, track: Drawing | None = None) -> Sketch:
-    """Mechanism in positions as line drawings, numbered from 0 at crank pin and outputs; in mm of metal.
+    """Mechanism in positions as line drawings, numbered from 0; in mm of metal.
 
     Parameters
     ----------
@@ -46,11 +49,22 @@ def positions_sketch(plan: PositionPlan, track: Drawing | None = None) -> Sketch
     if len(plan.angles) == 1:
         wishes = pin_wishes(plan.drawing, pins)
     else:
-        moving = [name for name in pins if name not in (*plan.drawing.fixed, *plan.drawing.ends)]
-        wishes = [wish for name in moving for wish in _numbers(name, pins, plan.drawing, scale)]
+        wishes = [
+            wish for name in _numbered(plan.drawing, pins, scale) for wish in _numbers(name, pins, plan.drawing, scale)
+        ]
     lines = [line.points for line in sketch.lines if line.habit != "dotted"]
     sketch.add(placed_labels(wishes, lines, scale))
     return sketch
+
+
+def _numbered(drawing: Drawing, pins: dict[str, Array], scale: float) -> list[str]:
+    """Pins whose positions have numbers: all that move; of many the crank's and those that slide far on paper."""
+    moving = [name for name in pins if name not in (*drawing.fixed, *drawing.ends)]
+    if len(moving) <= _MANY_PINS:
+        return moving
+    sliding = [guide.pin for guide in drawing.guides]
+    far = [name for name in sliding if np.max(np.ptp(pins[name], axis=1)) > _NUMBER * pins[name].shape[1] * scale]
+    return [drawing.links[0].pins[1], *far]
 
 
 def line_drawing(plan: PositionPlan, track: Drawing | None = None) -> tuple[Sketch, dict[str, Array]]:

@@ -13,6 +13,7 @@ from cranktrain.study.placement import output_motion, place_called
 from cranktrain.study.plans import (
     PositionPlan,
     closed_angles,
+    plan_angles,
     position_plan,
     rescaled,
     rounded_scale,
@@ -59,7 +60,8 @@ def plan_positions(
     Figure
     """
     with drawing_settings():
-        page, box = plan_page(machine, angles, size, _("Plan of positions"), mechanism)
+        is_single = len(plan_angles(angles)) == 1  # pins of several positions have numbers instead of letters
+        page, box = plan_page(machine, angles, size, _("Plan of positions"), mechanism, has_key=is_single)
         wide = 0.62 * box.width
         left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
         room = (left.width - 22.0, left.height - 22.0)

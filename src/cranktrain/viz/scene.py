@@ -21,6 +21,9 @@ from cranktrain.viz.shapes import Along
 _TURN = np.linspace(0.0, 2 * np.pi, 361)
 _OUTLINED = ("slider_crank", "crank_rocker", "articulated_rod")
 """Kinds that are drawn in outline, with eyes, pistons and cylinders."""
+BIG_EYE, SMALL_EYE = 0.40, 0.22
+"""Radii of a rod's eyes in parts of the crank radius."""
+
 _PAIR, _PINS_OF_A_ROD = 2, 3
 _BREAK, _BROKEN = 8.0, 0.8
 """A rod that reaches so many times as far as all else is broken, so that it ends at this part of their reach."""

@@ -20,6 +20,7 @@ from cranktrain.io.output import write_whole_bytes
 from cranktrain.mechanisms import KINDS
 from cranktrain.study.placement import frame
 from cranktrain.viz import (
+    SHEET_QUANTITIES,
     animation,
     dxf,
     plan_accelerations,
@@ -247,7 +248,9 @@ def test_pins_on_the_sheet_are_the_kernels(results, name):
     scene = scene_of(machine)
     for member in scene.members:
         for angle in (0.0, 50.0, 217.0):
-            pins = scene.pins(member, angle)
+            place = machine.shafts[member.place.shaft].place or ()
+            centre = np.array([1e3 * part.si for part in place] or [0.0, 0.0])
+            pins = {name: pin - centre for name, pin in scene.pins(member, angle).items()}
             axes = frame(machine, member.place)
             at = int(angle)
             if member.is_plain:
@@ -297,15 +300,16 @@ def test_small_crank_has_a_detail(results):
 
 
 def test_every_slider_of_a_chain_is_drawn(results):
-    """The locomotive's valve is where the result has it."""
-    result = results["great_northern"]
+    """The crosshead, which moves the locomotive's valve gear, where the piston is."""
+    result = results["lms_class5"]
     scene = scene_of(result.machines[0])
-    member = scene.members[0]
-    assert [guide.pin for guide in member.turn.guides] == ["piston.pin", "valve.pin"]
+    piston, valve = scene.members
+    assert [guide.pin for guide in valve.turn.guides] == ["valve.pin", "crosshead.pin"]
     sketch = mechanism_sketch(scene, 50.0, 40.0)
     middles = [np.mean(line.points, axis=1) for line in sketch.lines if line.is_closed and line.points.shape == (2, 4)]
-    valve = scene.pins(member, 50.0)["valve.pin"]
-    assert min(np.hypot(*(middle - valve)) for middle in middles) < 1e-9
+    crosshead = scene.pins(piston, 50.0)["B"]
+    np.testing.assert_allclose(scene.pins(valve, 50.0)["crosshead.pin"], crosshead, rtol=0, atol=1e-9)
+    assert min(np.hypot(*(middle - crosshead)) for middle in middles) < 1e-9
 
 
 def test_no_dead_position_runs_through_a_figure_of_the_ring(results):
@@ -472,3 +476,165 @@ def test_sheet_says_that_other_shafts_are_not_drawn():
     banks = {"A": {"mechanism": mechanism}, "B": {"shaft": "upper", "angle": "180 deg", "mechanism": mechanism}}
     figure = sheet(ct.run(ct.Machine(shaft={"upper": {"ratio": -1}}, bank=banks)))
     assert any("of shaft main, no other is drawn" in text.get_text() for text in figure.findobj(Text))
+
+
+SIDE_RODS = {
+    "name": "One shaft",
+    "shaft": {"main": {"throws": ["0 deg", "180 deg"], "speed": "1000 rpm"}},
+    "bank": {
+        "A": {
+            "exhaust": {"mechanism": {"kind": "slider_crank", "crank_radius": "80 mm", "rod_length": "300 mm"}}
+            | {"throws": [1]},
+            "scavenge": {"mechanism": {"kind": "slider_crank", "crank_radius": "80 mm", "rod_length": "570 mm"}}
+            | {"throws": [2], "side_rods": True},
+        }
+    },
+    "cylinder": {"bore": "100 mm", "compression_ratio": 14, "exhaust_port": "40 mm", "scavenge_port": "30 mm"},
+}
+FACING = {"kind": "slider_crank", "crank_radius": "80 mm", "rod_length": "300 mm"}
+NO_PLACE = {
+    "running": "astern",
+    "shaft": {"main": {"speed": "900 rpm"}, "upper": {"ratio": -1}},
+    "bank": {
+        "A": {
+            "angle": "30 deg",
+            "lead": "12 deg",
+            "exhaust": {"mechanism": FACING, "shaft": "upper"},
+            "scavenge": {"mechanism": FACING},
+        }
+    },
+    "cylinder": {"bore": "90 mm"},
+}
+
+
+def ends(lines):
+    """Ends of straight lines, each as a sorted pair of places along Y, rounded. [mm]"""
+    return sorted(tuple(sorted(round(float(y), 6) for y in line.points[1])) for line in lines)
+
+
+@pytest.mark.parametrize("case", [SIDE_RODS, NO_PLACE], ids=["side rods", "no place"])
+def test_sheet_of_opposed_pistons_is_readable(case):
+    assert_words_are_readable(sheet(ct.run(ct.Machine(**case))))
+
+
+def test_deltic_is_a_triangle(results):
+    """Six pistons of three shafts; what shares a cylinder lies on one line, and what shares a pin meets there."""
+    result = results["deltic"]
+    scene = scene_of(result.machines[0])
+    assert [member.place.name for member in scene.members] == [
+        f"1{bank}.{end}" for bank in "ABC" for end in ("exhaust", "scavenge")
+    ]
+    assert [member.place.shaft for member in scene.cranks] == ["main", "bottom", "right"]
+    assert len(scene.pairs) == 3
+    for one, other in scene.pairs:
+        across = one.stroke_line.across @ (other.turn_pins["B"] - one.centre[:, np.newaxis])
+        np.testing.assert_allclose(across, 0.0, atol=1e-4)  # places of shafts in the file have so many digits
+    for one, other in (("1A.exhaust", "1C.scavenge"), ("1A.scavenge", "1B.exhaust"), ("1B.scavenge", "1C.exhaust")):
+        pins = {member.place.name: member.turn_pins["A"] for member in scene.members}
+        np.testing.assert_allclose(pins[one], pins[other], rtol=0, atol=1e-9)
+
+
+def test_reversed_shaft_turns_the_other_way(results):
+    scene = scene_of(results["deltic"].machines[0])
+    turns = {
+        member.place.shaft: scene.crank_direction(11.0, member) - scene.crank_direction(10.0, member)
+        for member in scene.cranks
+    }
+    degree = np.deg2rad(1.0)
+    assert turns == pytest.approx({"main": -degree, "right": -degree, "bottom": degree})
+
+
+@pytest.mark.parametrize("angle", [0.0, 50.0, 186.0])
+def test_room_between_two_pistons_is_the_results(results, angle):
+    """What the pins part on paper since the least is what both pistons sweep together; crowns never meet."""
+    result = results["10d100"]
+    scene = scene_of(result.machines[0])
+    ((one, other),) = scene.pairs
+    apart = [
+        float((scene.pins(other, at)["B"] - scene.pins(one, at)["B"])[1])
+        for at in (angle, result.inner_volumetric_dead_centre[0])
+    ]
+    combined = 1e3 * result.combined_displacement[0, int(angle)]
+    assert apart[0] - apart[1] == pytest.approx(combined, abs=1e-9)
+    assert one.above + other.above < apart[1]
+
+
+def test_common_cylinder_has_no_head_and_gaps_for_ports(results):
+    """10D100: 60 and 50 mm from where the crowns stand at their outer dead centres, 381 mm from their shafts."""
+    scene = scene_of(results["10d100"].machines[0])
+    one, other = scene.members
+    sketch = mechanism_sketch(scene, 50.0, 15.0)
+    walls = ends(line for line in sketch.lines if line.layer == "GUIDES" and line.habit == "outline")
+    assert len(walls) == 6
+    assert walls[::2] == walls[1::2]
+    first, middle, last = walls[::2]
+    assert first[1] == pytest.approx(508 - 127 + one.above)
+    assert middle == pytest.approx((first[1] + 60.0, 1480 - 381 - other.above - 50.0))
+    assert last[0] == pytest.approx(1480 - 381 - other.above)
+
+
+def test_far_piston_has_its_crown_toward_the_shaft():
+    scene = scene_of(ct.Machine(**SIDE_RODS))
+    near, far = scene.members
+    assert [member.toward_chamber for member in (near, far)] == [1.0, -1.0]
+    sketch = mechanism_sketch(scene, 0.0, 6.0)
+    dashed = [line for line in sketch.lines if line.habit == "part"]
+    assert len(dashed) == 1
+    words = " | ".join(text for text, _box in words_of(sheet(ct.run(scene.machine))))
+    assert "dashed: side rods" in words
+    assert "Throws 1, 2 of 2, drawn at φ = 50°" in words
+
+
+def test_sheet_of_opposed_pistons_says_what_it_shows(results):
+    words = " | ".join(text for text, _box in words_of(sheet(results["10d100"])))
+    for part in (
+        "Volumetric dead centres",
+        "inner 6.00°",
+        "outer 186.00°",
+        "Travel of both together, cylinder 1 | $x_\\Sigma$ | , mm",
+        "Volume between them | $V$ | , L",
+        "Throw 1 of 10, drawn at φ = 50°; shafts main, upper",
+        "thin: volumetric dead centres",
+    ):
+        assert part in words
+    words = " | ".join(text for text, _box in words_of(sheet(ct.run(ct.Machine(**NO_PLACE)))))
+    assert "distance of the shafts assumed for the drawing" in words
+
+
+def test_opposed_curves_are_the_results(results):
+    result = results["10d100"]
+    found = {panel.symbol: panel for panel in panels(result)}
+    assert list(found) == ["s", r"x_\Sigma", "V", "v", "j"]
+    assert [(curve.name, curve.habit) for curve in found["s"].curves] == [
+        ("1.exhaust", "first"),
+        ("1.scavenge", "other"),
+    ]
+    scavenge = result.labels["piston"].index("1.scavenge")
+    np.testing.assert_allclose(found["v"].curves[1].values[:360], result.piston_velocity[scavenge, :360], atol=1e-13)
+    np.testing.assert_allclose(found["V"].curves[0].values[:360], 1e3 * result.chamber_volume[0, :360], rtol=1e-14)
+    assert [(mark.name, mark.is_top) for mark in marks(result)] == [("1", True), ("1", False)]
+
+
+@pytest.mark.parametrize("name", ["3d12", "deltic", "lms_class5", "pumping_unit_c57"])
+def test_a_sheet_needs_only_the_quantities_that_it_shows(results, tmp_path, name):
+    few = ct.run(ct.load(name), quantities=SHEET_QUANTITIES)
+    assert "closing_margin" not in few.catalogue
+    for result, path in ((few, "few.png"), (results[name], "all.png")):
+        save(sheet(result), tmp_path / path)
+    assert (tmp_path / "few.png").read_bytes() == (tmp_path / "all.png").read_bytes()
+
+
+def test_rod_that_stands_for_none_is_broken(results):
+    """A rod of 100000 in would make the sheet 1:25000."""
+    words = [text for text, _box in words_of(sheet(results["great_northern"]))]
+    assert "rod of 1valve broken, its slider drawn nearer to the shaft" in words
+    assert "2000 mm, scale 1:50" in words
+
+
+def test_pins_with_long_names_have_letters_and_a_key():
+    words = [text for text, _box in words_of(plan_velocities(ct.load("traction_engine"), [60.0], mechanism="1valve"))]
+    key = next(text for text in words if text.startswith("Pins: "))
+    assert "ahead joint" in key
+    assert not any("_" in text and "$" not in text for text in words)
+    assert not any("mathrm" in text for text in words)
+    assert not any(text.startswith("Pins: ") for text, _box in words_of(plan_velocities(ct.load("shaper"), [60.0])))
