@@ -216,6 +216,8 @@ def _run(
         "  cranktrain plot 3d12 -o 3d12.png\n"
         "  cranktrain plot 3d12 --plan positions --at 12 --mechanism 1L -o positions.svg\n"
         "  cranktrain plot 3d12 --plan accelerations --at 30,60 -o accelerations.pdf\n"
+        "  cranktrain plot 3d12 --plan forces --at 30 --mechanism 1L -o polygons.svg\n"
+        "  cranktrain plot 3d12 --sheet forces -o forces.pdf\n"
         "  cranktrain plot pumping_unit_c57 -o unit.gif"
     ),
 )
@@ -235,10 +237,14 @@ def _plot(
         typer.Option(
             metavar="PLAN",
             help=_(
-                "A plan of: positions, velocities, accelerations, klein, centres; "
+                "A plan of: positions, velocities, accelerations, klein, centres, forces, zhukovsky, polar; "
                 "or a construction: arc, projection, brix, brix-backward."
             ),
         ),
+    ] = None,
+    sheet: Annotated[
+        str | None,
+        typer.Option(metavar="SHEET", help=_("The sheet of the machine, unless given; or of its forces: `forces`.")),
     ] = None,
     at: Annotated[
         str | None,
@@ -251,7 +257,7 @@ def _plot(
         ),
     ] = None,
     mechanism: Annotated[
-        str | None, typer.Option(metavar="NAME", help=_("Which one a plan or .dxf is of, such as 1R."))
+        str | None, typer.Option(metavar="NAME", help=_("Which one a plan, the sheet of forces or a .dxf is of, such as 1R."))
     ] = None,
     size: Annotated[str | None, typer.Option(metavar="A4|A3", help=_("Of the paper; A4 unless given."))] = None,
     settings: _Settings = None,
@@ -270,6 +276,7 @@ def _plot(
         at=at,
         mechanism=mechanism,
         size=size,
+        sheet=sheet,
     )
     return partial(write_picture, request)
 
