@@ -173,9 +173,7 @@ def _reactions(machine: Machine, one: Member, joints: Sequence[Wrench]) -> Itera
             yield reaction, turned_to_machine(machine, one.place, x, y)
 
 
-def _reactions_on(
-    name: str, reactions: Sequence[tuple[Reaction, Array]], numbers: dict[str, int]
-) -> Iterator[Force]:
+def _reactions_on(name: str, reactions: Sequence[tuple[Reaction, Array]], numbers: dict[str, int]) -> Iterator[Force]:
     """Reactions on one link."""
     for reaction, value in reactions:
         if name == reaction.on:

@@ -9,7 +9,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from cranktrain.engine.forces import LoadedMachine
 from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity, Wrench
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
@@ -166,13 +165,17 @@ def _work(one: Member, i: int, wrench: Wrench) -> float:
     loads[i] = wrench
     made = _nothing(one)
     acting = type(made)(*loads) if hasattr(made, "_fields") else tuple(loads)
-    return float(np.ravel(one.dynamics.reduced(one.motion, one.size, _bodies(one, i, _NO_BODY), acting, _NO_GRAVITY).load)[0])
+    return float(
+        np.ravel(one.dynamics.reduced(one.motion, one.size, _bodies(one, i, _NO_BODY), acting, _NO_GRAVITY).load)[0]
+    )
 
 
 def _work_of_weight(one: Member, i: int, gravity: Gravity) -> float:
     """Work by the crank angle of 1 N at a link's centroid."""
     body = one.bodies[i]._replace(mass=np.ones((1, 1)))
-    return float(np.ravel(one.dynamics.reduced(one.motion, one.size, _bodies(one, i, body), _nothing(one), gravity).load)[0])
+    return float(
+        np.ravel(one.dynamics.reduced(one.motion, one.size, _bodies(one, i, body), _nothing(one), gravity).load)[0]
+    )
 
 
 def _couple(one: Member, i: int) -> float:

@@ -1,6 +1,7 @@
 """Orders of the torque as bars, and the stars of the cylinders' phases of the largest."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.engine.torque_orders import orders
 from cranktrain.language import _
@@ -71,10 +72,10 @@ def _amplitudes(shown: OneDesign) -> Array:
     return np.where(amplitude > _NOTHING * np.max(np.abs(shown("mechanism_torque"))), amplitude, 0.0)
 
 
-def _is_major(shown: OneDesign) -> Array:
+def _is_major(shown: OneDesign) -> NDArray[np.bool_]:
     """Which orders all cylinders share; none where no firing order is known."""
     if not shown.has("phase_star_sum"):
-        return np.zeros(len(shown("torque_order_amplitude")))
+        return np.zeros(len(shown("torque_order_amplitude")), dtype=np.bool_)
     return shown("phase_star_sum") >= len(shown("firing_angle")) - _WHOLE
 
 
@@ -127,9 +128,7 @@ def _draw_star(page: Page, star: Array, names: tuple[str, ...], centre: tuple[fl
     for place, (vector, members) in enumerate(groups):
         # Up is the phase of the first to fire; phases that lag turn clockwise.
         x, y = -vector.imag, vector.real
-        page.paper.plot(
-            (centre[0], centre[0] + _RADIUS * x), (centre[1], centre[1] + _RADIUS * y), color=INK, lw=0.9
-        )
+        page.paper.plot((centre[0], centre[0] + _RADIUS * x), (centre[1], centre[1] + _RADIUS * y), color=INK, lw=0.9)
         page.paper.plot([centre[0] + _RADIUS * x], [centre[1] + _RADIUS * y], "o", ms=2.6, color=INK)
         said = ",".join(members)
         words = said if len(said) <= _SHORT else f"×{len(members)}"

@@ -99,7 +99,11 @@ def force_panels(result: Result, piston: str | None, design: int = 0) -> Iterato
 def _piston_panels(piston: str, curves: dict[str, Array]) -> Iterator[ForcePanel]:
     """Forces at the piston, and at the crank pin."""
     along, rod, side = (curves[name] / 1e3 for name in ("piston_force", "rod_force", "side_force"))
-    at_piston = (Drawn("P", along, "p", 1.6), Drawn("S", rod, "F", 0.8, (2.0, 2.0)), Drawn("N", side, "N", 1.1, (8.0, 2.0)))
+    at_piston = (
+        Drawn("P", along, "p", 1.6),
+        Drawn("S", rod, "F", 0.8, (2.0, 2.0)),
+        Drawn("N", side, "N", 1.1, (8.0, 2.0)),
+    )
     yield ForcePanel(_("At the piston {piston}").format(piston=piston), "kN", at_piston)
     radial, tangential = (curves[name] / 1e3 for name in ("radial_force", "tangential_force"))
     at_pin = (Drawn("T", tangential, "T", 1.6), Drawn("K", radial, "K", 0.9, (6.0, 2.0)))
@@ -162,5 +166,3 @@ def _head(page: Page, panel: ForcePanel, place: tuple[float, float, float]) -> N
         page.text(x, y, f"${curve.symbol}$", ha="right", color=colour, fontsize=SYMBOL)
         manner = {"dashes": curve.dashes} if curve.dashes else {}
         page.sample(x - 14.0, x - 6.5, y + 0.9, color=colour, lw=curve.width, **manner)
-
-

@@ -80,7 +80,12 @@ def plan_forces(
             page.heading(cell.left, cell.bottom + cell.height - 4.0, f"φ = {plan.angles[0]:g}°")
             sketch = positions_sketch(rescaled_plan(plan, metal))
             centre(page, sketch, Box(cell.left, cell.bottom, left, cell.height - 5.0))
-            _draw(page, [rescaled(one, scale) for one in group], cell._replace(left=cell.left + left, width=middle), columns)
+            _draw(
+                page,
+                [rescaled(one, scale) for one in group],
+                cell._replace(left=cell.left + left, width=middle),
+                columns,
+            )
             for number, part in enumerate(rows):
                 start = cell.left + left + middle + number * _TABLE
                 _write(page, part, scale, (start + 3.0, cell.bottom + cell.height, _TABLE - 3.0))
@@ -178,7 +183,9 @@ def _write(page: Page, polygons: Sequence[ForcePolygon], scale: float, place: tu
     left, top, width = place
     ends = (left, left + 0.2 * width, left + 0.76 * width, left + width)
     y = top - 4.0
-    for words, x, where in zip((_("force"), _("joint"), "mm", "N"), ends, ("left", "left", "right", "right"), strict=True):
+    for words, x, where in zip(
+        (_("force"), _("joint"), "mm", "N"), ends, ("left", "left", "right", "right"), strict=True
+    ):
         page.text(x, y, words, ha=where, fontweight="bold")
     page.rule(y - 1.4, left, left + width)
     y -= _HEAD

@@ -24,6 +24,7 @@ _LEFT = 0.55
 _LETTERS = 68
 """Letters in a line of notes, for each 100 mm."""
 
+
 def sheet_forces(result: Result, *, size: str = "A4", piston: str | None = None, design: int = 0) -> Figure:
     """Draw the sheet of forces of a machine.
 
@@ -55,7 +56,9 @@ def sheet_forces(result: Result, *, size: str = "A4", piston: str | None = None,
     with drawing_settings():
         page = Page(*paper(size))
         machine = result.machines[design]
-        top = title_block(page, machine, [running_words(machine)], [_("Forces. {zero}").format(zero=zero_words(machine))])
+        top = title_block(
+            page, machine, [running_words(machine)], [_("Forces. {zero}").format(zero=zero_words(machine))]
+        )
         bottom, width = MARGIN, page.width - 2 * MARGIN
         left = (MARGIN + 12.0, bottom, _LEFT * width - 18.0, top - 4.0 - bottom)
         draw_panels(page, shown, list(force_panels(result, name, design)), left)
@@ -80,6 +83,12 @@ def _piston(result: Result, wanted: str | None) -> str | None:
     return next(name for i, name in enumerate(names) if np.all(np.isfinite(first[0, i])))
 
 
+def _hangs(result: Result, piston: str) -> bool:
+    """Whether a piston's rod hangs on another rod."""
+    places = {place.name: place for place in result.machines[0].places}
+    return places[piston].kind.dynamics.on_master is not None
+
+
 def _draw_indicator(page: Page, shown: OneDesign, piston: str | None, place: tuple[float, float, float]) -> float:
     """Draw p over V of the piston's chambers; give where it ends. [mm]"""
     left, right, top = place
@@ -90,9 +99,7 @@ def _draw_indicator(page: Page, shown: OneDesign, piston: str | None, place: tup
     prepare(axes)
     at = chambers_of(shown.result, piston)
     for number, chamber in enumerate(at):
-        volume, pressure = (
-            _closed(shown(name)[chamber]) for name in ("chamber_volume", "gas_pressure")
-        )
+        volume, pressure = (_closed(shown(name)[chamber]) for name in ("chamber_volume", "gas_pressure"))
         axes.plot(volume * 1e3, pressure / 1e6, color=COLOURS["p"], lw=0.9 if number else 1.4)
     page.heading(left, top - 3.0, _("Indicator diagram, p in MPa over V in litres"))
     if shown.has("indicated_mean_pressure"):
@@ -122,9 +129,13 @@ def _write_notes(page: Page, result: Result, piston: str | None, place: tuple[fl
 
 def _notes(result: Result, piston: str | None) -> Iterator[str]:
     """Sentences on what is shown."""
-    if piston is not None and "piston_force" in result.catalogue:
+    if piston is not None and _hangs(result, piston):
+        yield _("{piston} hangs on another rod: P, S, N, K, T are of rods on crank pins.").format(piston=piston)
+    elif piston is not None and "piston_force" in result.catalogue:
         yield _("P, S, N, K, T: exact motion, the rod as two masses, K without its rotating one.")
-    yield _("Torque: reactions of rigid links; of every mechanism thin. Filled bars: major orders.")
+    yield _("Torque: reactions of rigid links, each mechanism's thin.")
+    if result.labels.get("cylinder"):
+        yield _("Filled bars: orders in which all cylinders add up.")
     masses = next(gift.masses for gift in result.gifts if isinstance(gift, LoadedMachine))
     if masses.assumed:
         yield _("Rods without a given inertia have that of two masses at their ends.")
