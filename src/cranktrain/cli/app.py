@@ -216,6 +216,8 @@ def _run(
         "  cranktrain plot 3d12 -o 3d12.png\n"
         "  cranktrain plot 3d12 --plan positions --at 12 --mechanism 1L -o positions.svg\n"
         "  cranktrain plot 3d12 --plan accelerations --at 30,60 -o accelerations.pdf\n"
+        "  cranktrain plot 3d12 --plan forces --at 30 --mechanism 1L -o polygons.svg\n"
+        "  cranktrain plot 3d12 --sheet forces -o forces.pdf\n"
         "  cranktrain plot pumping_unit_c57 -o unit.gif"
     ),
 )
@@ -235,11 +237,15 @@ def _plot(
         typer.Option(
             metavar="PLAN",
             help=_(
-                "A plan of: positions, velocities, accelerations, klein, centres; "
+                "A plan of: positions, velocities, accelerations, klein, centres, forces, zhukovsky, polar; "
                 "or a construction: arc, projection, brix, brix-backward; "
                 "of the flywheel: wittenbauer, mertsalov."
             ),
         ),
+    ] = None,
+    sheet: Annotated[
+        str | None,
+        typer.Option(metavar="SHEET", help=_("The sheet of the machine, unless given; or of its forces: `forces`.")),
     ] = None,
     at: Annotated[
         str | None,
@@ -252,7 +258,8 @@ def _plot(
         ),
     ] = None,
     mechanism: Annotated[
-        str | None, typer.Option(metavar="NAME", help=_("Which one a plan or .dxf is of, such as 1R."))
+        str | None,
+        typer.Option(metavar="NAME", help=_("Which one a plan, the sheet of forces or a .dxf is of, such as 1R.")),
     ] = None,
     size: Annotated[str | None, typer.Option(metavar="A4|A3", help=_("Of the paper; A4 unless given."))] = None,
     settings: _Settings = None,
@@ -271,6 +278,7 @@ def _plot(
         at=at,
         mechanism=mechanism,
         size=size,
+        sheet=sheet,
     )
     return partial(write_picture, request)
 
@@ -294,6 +302,7 @@ def _synthesise(context: typer.Context) -> Task:
         "\b\n"
         "  cranktrain textbook 3d12\n"
         "  cranktrain textbook 3d12 --table\n"
+        "  cranktrain textbook 3d12 --forces kgf/cm2 --step 10\n"
         "  cranktrain textbook errata"
     ),
 )
@@ -311,9 +320,30 @@ def _textbook(
         bool, typer.Option("--table", help=_("Show the motion by each method, too, in steps of 30°."))
     ] = False,
     errata: Annotated[bool, typer.Option("--errata", help=_("Show the sources' errors, too."))] = False,
+    forces: Annotated[
+        str | None,
+        typer.Option(
+            metavar="UNIT",
+            help=_(
+                "Show instead P, N, S, K, T and M of a piston, exact and by two harmonics: N, kN, kgf, or over the "
+                "piston's area MPa, bar, kgf/cm2."
+            ),
+        ),
+    ] = None,
+    step: Annotated[
+        float | None, typer.Option(metavar="10|15|30", help=_("Degrees between the rows of forces; 30 unless given."))
+    ] = None,
+    piston: Annotated[
+        str | None, typer.Option(metavar="NAME", help=_("Whose forces, such as 2L; the first unless given."))
+    ] = None,
 ) -> Task:
+    from cranktrain.cli.force_tables import ForceRequest, refuse_without_forces, show_force_tables
     from cranktrain.cli.textbook import show_textbook
 
+    if forces is not None:
+        request = ForceRequest(file, forces, tuple(settings or ()), step, piston)
+        return partial(show_force_tables, request)
+    refuse_without_forces(step, piston)
     return partial(show_textbook, file, tuple(settings or ()), with_table=table, with_errata=errata)
 
 

@@ -23,6 +23,9 @@ PLANS = {
     "accelerations": "plan_accelerations",
     "klein": "plan_klein",
     "centres": "plan_centres",
+    "forces": "plan_forces",
+    "zhukovsky": "plan_zhukovsky",
+    "polar": "plan_polar",
     "arc": "plan_arc",
     "projection": "plan_projection",
     "brix": "plan_brix",
@@ -34,6 +37,8 @@ PLANS = {
 
 _WHOLE_CYCLE = ("wittenbauer", "mertsalov")
 """Plans of the machine over its cycle, not of one mechanism at some angles."""
+SHEETS_OF = {"machine": "sheet", "forces": "sheet_forces"}
+"""Sheets by name: what of `cranktrain.viz` draws them."""
 
 SOURCE_ANGLES = "source"
 """What `--at` says for the twelve positions of [slider-crank-synthesis]."""
@@ -65,6 +70,7 @@ class Request:
     at: str | None = None
     mechanism: str | None = None
     size: str | None = None
+    sheet: str | None = None
 
 
 @dataclass(frozen=True)
@@ -78,6 +84,7 @@ class Picture:
     mechanism: str | None
     size: str
     is_at_source_angles: bool = False
+    sheet: str = "machine"
 
 
 def write_picture(request: Request) -> None:
@@ -130,6 +137,9 @@ def understood(request: Request) -> Picture:
     plan = request.plan and request.plan.strip().casefold()
     if plan is not None and plan not in PLANS:
         problems.append(unlisted("--plan", request.plan, tuple(PLANS)))
+    sheet = (request.sheet or "machine").strip().casefold()
+    if sheet not in SHEETS_OF:
+        problems.append(unlisted("--sheet", request.sheet or "", tuple(SHEETS_OF)))
     size = (request.size or _SIZES[0]).strip().upper()
     if size not in _SIZES:
         problems.append(unlisted("--size", request.size, _SIZES))
@@ -143,7 +153,7 @@ def understood(request: Request) -> Picture:
         problems += error.problems
     if problems:
         raise InputError(problems)
-    return Picture(request.output or "", suffix, plan, angles, request.mechanism, size, is_at_source_angles)
+    return Picture(request.output or "", suffix, plan, angles, request.mechanism, size, is_at_source_angles, sheet)
 
 
 def _misplaced(request: Request, suffix: str) -> Iterator[Problem]:
@@ -153,21 +163,28 @@ def _misplaced(request: Request, suffix: str) -> Iterator[Problem]:
         "--at": request.at,
         "--mechanism": request.mechanism,
         "--size": request.size,
+        "--sheet": request.sheet,
     }
     if suffix == ANIMATION:
         allowed = _("must be left out: a .gif shows one turn of the first throw")
         unused = tuple(options)
     elif suffix == DRAWING:
         allowed = _("must be left out: a .dxf holds all plans, in true millimetres")
-        unused = ("--plan", "--size")
-    elif request.plan is None:
-        allowed = _("must be left out: a sheet shows the first throw; only a plan or a .dxf is of one mechanism")
-        unused = ("--mechanism",)
-    elif request.plan.strip().casefold() in _WHOLE_CYCLE:
+        unused = ("--plan", "--size", "--sheet")
+    elif request.plan is not None and request.sheet is not None:
+        allowed = _("must be left out: a picture is a plan or a sheet")
+        unused = ("--sheet",)
+    elif request.plan is not None and request.plan.strip().casefold() in _WHOLE_CYCLE:
         allowed = _("must be left out: this plan is of the whole machine over its cycle")
         unused = ("--at", "--mechanism")
+    elif request.plan is not None:
+        unused, allowed = (), ""
+    elif (request.sheet or "").strip().casefold() == "forces":
+        allowed = _("must be left out: the sheet of forces has the whole cycle")
+        unused = ("--at",)
     else:
-        return
+        allowed = _("must be left out: a sheet shows the first throw; only a plan or a .dxf is of one mechanism")
+        unused = ("--mechanism",)
     yield from (Problem(name, options[name], allowed) for name in unused if options[name] is not None)
 
 
@@ -224,6 +241,9 @@ def _figure(file: MachineFile, picture: Picture, request: Request) -> "Figure":
     from cranktrain import viz
 
     if picture.plan is None:
+        if picture.sheet == "forces":
+            result = computed(file, partial=request.is_partial)
+            return viz.sheet_forces(result, size=picture.size, piston=picture.mechanism)
         result = computed(file, partial=request.is_partial, quantities=viz.SHEET_QUANTITIES)
         if isinstance(picture.angles, Sequence):
             return viz.sheet(result, size=picture.size, at=picture.angles[0])

@@ -10,8 +10,17 @@ MUTED = "#5b6066"
 RULE = "#c9c9c2"
 GRID = "#e4e4de"
 
-COLOURS: Mapping[str, str] = {"s": "#005ae6", "v": "#095d3d", "j": "#b2590f", "T": "#93075f"}
-"""Colour of a quantity: travel, velocity, acceleration, torque."""
+COLOURS: Mapping[str, str] = {
+    "s": "#005ae6",
+    "v": "#095d3d",
+    "j": "#b2590f",
+    "T": "#93075f",
+    "p": "#732cb9",
+    "N": "#584414",
+    "K": "#1a7da1",
+    "F": INK,
+}
+"""Colour of a quantity: travel, velocity, acceleration, torque and tangential force, gas, side, radial, resultant."""
 
 FILLS: Mapping[Fill, str] = {"none": "none", "paper": "#ffffff", "light": "#d9dcdf", "dark": "#9aa0a6", "ink": INK}
 

@@ -8,7 +8,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.study.plans import fitting, position_plan
+from cranktrain.study.plans import position_plan, rounded_scale
 from cranktrain.study.plans import rescaled as rescaled_plan
 from cranktrain.study.polygons import Polygon, velocity_polygons
 from cranktrain.study.vectors import POLE
@@ -62,7 +62,7 @@ def plan_zhukovsky(
         room = ((1 - 2 * _LONGEST) * middle + 6.0, max((1 - 2 * _LONGEST) * height, 0.4 * height) - 4.0)
         polygons = velocity_polygons(machine, chosen, mechanism=mechanism, room=room)
         longest = max(_longest(lever, polygon) for lever, polygon in zip(levers, polygons, strict=True))
-        newton = fitting([np.array([[0.0, longest]] * 2)], (_LONGEST * min(middle, height),) * 2)
+        newton = rounded_scale(longest / (_LONGEST * min(middle, height)))
         own = Box(box.left, box.bottom, left, height - 5.0 - _NOTES)
         plans = [
             position_plan(machine, [angle], mechanism=mechanism, room=(left - 14.0, own.height - 15.0))

@@ -36,7 +36,8 @@ def test_crank_angles_as_typed(plan, at, output, angles):
             [
                 "-o = a.txt: must end in one of: .png, .svg, .pdf, .gif, .dxf",
                 '--plan = positons: must be one of: positions, velocities, accelerations, klein, '
-                'centres, arc, projection, brix, brix-backward, wittenbauer, mertsalov; write "positions"',
+                'centres, forces, zhukovsky, polar, arc, projection, brix, brix-backward, wittenbauer, mertsalov; write '
+                '"positions"',
                 "--size = A5: must be one of: A4, A3",
                 "--at = 3,b: must be crank angles in degrees with commas between, such as 30,60",
             ],
@@ -55,6 +56,25 @@ def test_crank_angles_as_typed(plan, at, output, angles):
                 "only a plan or a .dxf is of one mechanism",
                 "--at = 30,60: must be one crank angle; for several, ask for a --plan",
             ],
+        ),
+        (
+            ["3d12", "-o", "a.svg", "--plan", "polar", "--sheet", "force"],
+            [
+                "--sheet = force: must be left out: a picture is a plan or a sheet",
+                '--sheet = force: must be one of: machine, forces; write "forces"',
+            ],
+        ),
+        (
+            ["3d12", "-o", "a.svg", "--sheet", "forces", "--at", "30"],
+            ["--at = 30: must be left out: the sheet of forces has the whole cycle"],
+        ),
+        (
+            ["3d12", "-o", "a.svg", "--plan", "forces", "--at", "30,60,90"],
+            ["--at  3 crank angles: must be at most 2 for polygons of forces"],
+        ),
+        (
+            ["3d12", "-o", "a.svg", "--plan", "polar", "--mechanism", "1R"],
+            ["--mechanism = 1R: has no rod of its own on a crank pin"],
         ),
         (
             ["3d12", "-o", "a.dxf", "--plan", "klein"],

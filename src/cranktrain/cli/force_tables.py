@@ -1,0 +1,102 @@
+"""`textbook --forces`: a piston's forces at round crank angles, exact beside two harmonics, with their errors."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from rich.console import Console
+from rich.text import Text
+
+from cranktrain.cli.columns import Column, column_tables
+from cranktrain.cli.report import title
+from cranktrain.cli.screen import INDENT, page, section
+from cranktrain.errors import InputError, Position, Problem
+from cranktrain.io.machine_file import read_machine
+from cranktrain.language import _
+from cranktrain.motion import Array
+from cranktrain.study.force_table import ForceTable, force_table
+
+_FIGURES = 5
+"""Of the largest number in a column."""
+
+_STEP = 30.0
+"""Of the crank angle, unless given. [deg]"""
+
+
+@dataclass(frozen=True)
+class ForceRequest:
+    """What is asked of the tables of forces, as typed."""
+
+    file: str
+    unit: str
+    settings: tuple[str, ...] = ()
+    step: float | None = None
+    piston: str | None = None
+
+
+def show_force_tables(request: ForceRequest) -> None:
+    """Show the tables.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong with the machine, or with the request.
+    """
+    if not request.file:
+        repair = _("such as: {example}").format(example=f"cranktrain textbook 3d12 --forces {request.unit}")
+        raise InputError([Problem("", None, _("FILE is missing"), repair, Position("cranktrain textbook"))])
+    file = read_machine(request.file, request.settings)
+    try:
+        step = _STEP if request.step is None else request.step
+        table = force_table(file.machine, step=step, unit=request.unit, piston=request.piston)
+    except InputError as error:
+        raise InputError(
+            problem if problem.path.startswith("-") else file.document.located([problem])[0]
+            for problem in error.problems
+        ) from None
+    with page() as console:
+        console.print(Text(title(file.machine), style="bold"))
+        _show(console, table)
+
+
+def refuse_without_forces(step: float | None, piston: str | None) -> None:
+    """Refuse options that mean nothing but for tables of forces."""
+    given = {"--step": None if step is None else f"{step:g}", "--piston": piston}
+    allowed = _("is for tables of forces: ask for --forces UNIT, too")
+    problems = [Problem(name, value, allowed) for name, value in given.items() if value is not None]
+    if problems:
+        raise InputError(problems)
+
+
+def _show(console: Console, table: ForceTable) -> None:
+    """Show forces by both methods, and the errors."""
+    labels = [f"{angle:g}°" for angle in table.angle]
+    whose = table.piston
+    exact = [Column(one.symbol, one.unit, _written(one.exact, one.exact)) for one in table.columns]
+    textbook = [Column(one.symbol, one.unit, _written(one.two_harmonics, one.exact)) for one in table.columns]
+    errors = [
+        Column(f"Δ{one.symbol}", "%", tuple(_signless(f"{100 * value:.2f}") for value in one.error))
+        for one in table.columns
+    ]
+    width = console.width - INDENT
+    of = _("over the piston's area of {area:.2f} cm²").format(area=1e4 * table.area) if table.area else ""
+    heading = _("Forces of piston {piston} by the exact motion").format(piston=whose)
+    section(console, f"{heading}, {of}" if of else heading, list(column_tables(exact, labels, width)))
+    section(console, _("The same with two harmonics of inertia"), list(column_tables(textbook, labels, width)))
+    section(console, _("Their errors, of the exact peaks"), list(column_tables(errors, labels, width)))
+    explained = _(
+        "P along the cylinder toward the shaft, N of the wall toward +y, S along the rod (+ compression), K (or Z) "
+        "toward the shaft, T with the rotation, M = TR. The rod is two masses, its rotating one in none of them."
+    )
+    section(console, _("What they are"), [explained])
+
+
+def _written(values: Array, like: Array) -> tuple[str, ...]:
+    """Write numbers with as many decimals as give the largest of a curve its figures."""
+    peak = float(np.max(np.abs(like)))
+    decimals = max(0, _FIGURES - 1 - int(np.floor(np.log10(peak)))) if peak > 0.0 else 0
+    return tuple(_signless(f"{value:.{decimals}f}") for value in values)
+
+
+def _signless(text: str) -> str:
+    """Take the sign from what is shown as 0."""
+    return text.lstrip("-") if float(text) == 0.0 else text

@@ -1,0 +1,145 @@
+"""The sheet of forces: gas, the forces of a piston, torque and its orders, and what they rest on."""
+
+from collections.abc import Iterator
+from textwrap import wrap
+
+import numpy as np
+
+from cranktrain.analysis import Result
+from cranktrain.engine.forces import LoadedMachine
+from cranktrain.engine.gas import GasPressures
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.motion import Array
+from cranktrain.viz.force_orders import draw_orders, draw_stars
+from cranktrain.viz.force_panels import OneDesign, chambers_of, draw_panels, force_panels, prepare
+from cranktrain.viz.machine_sheet import title_block
+from cranktrain.viz.page import MARGIN, Figure, Page, drawing_settings, muted, paper
+from cranktrain.viz.style import COLOURS, TEXT
+from cranktrain.viz.words import running_words, zero_words
+
+_LEFT = 0.55
+"""Share of the curves over the crank angle in the width."""
+
+_LETTERS = 68
+"""Letters in a line of notes, for each 100 mm."""
+
+
+def sheet_forces(result: Result, *, size: str = "A4", piston: str | None = None, design: int = 0) -> Figure:
+    """Draw the sheet of forces of a machine.
+
+    Parameters
+    ----------
+    result : Result
+        Of a machine with a speed, and masses or gas.
+    size : "A4" or "A3"
+        Lying.
+    piston : str, optional
+        Whose forces; the first with a rod on a crank pin unless given.
+    design : int
+        Which of the result's machines.
+
+    Returns
+    -------
+    Figure
+
+    Raises
+    ------
+    InputError
+        If the result has no forces, or no such piston.
+    """
+    shown = OneDesign(result, design)
+    if "machine_torque" not in result.catalogue:
+        needs = next((one.needs for one in result.missing if "machine_torque" in one.results), ())
+        raise InputError([Problem("", None, _("a sheet of forces needs {needs}").format(needs=", ".join(needs)))])
+    name = _piston(result, piston)
+    with drawing_settings():
+        page = Page(*paper(size))
+        machine = result.machines[design]
+        top = title_block(
+            page, machine, [running_words(machine)], [_("Forces. {zero}").format(zero=zero_words(machine))]
+        )
+        bottom, width = MARGIN, page.width - 2 * MARGIN
+        left = (MARGIN + 12.0, bottom, _LEFT * width - 18.0, top - 4.0 - bottom)
+        draw_panels(page, shown, list(force_panels(result, name, design)), left)
+        start = MARGIN + _LEFT * width + 12.0
+        room = (start, page.width - MARGIN, top - 4.0)
+        below = _draw_indicator(page, shown, name, room)
+        below = draw_orders(page, shown, (room[0], room[1], below))
+        below = draw_stars(page, shown, (room[0], room[1], below))
+        _write_notes(page, result, name, (room[0] - 8.0, room[1], below))
+        return page.figure
+
+
+def _piston(result: Result, wanted: str | None) -> str | None:
+    """Find the piston: one that is named, else the first that has forces of its own."""
+    names = result.labels.get("piston", ())
+    if wanted is not None and wanted not in names:
+        allowed = _("must be one of this machine's pistons: {names}").format(names=", ".join(names) or _("none"))
+        raise InputError([Problem("--mechanism", wanted, allowed)])
+    if wanted is not None or "piston_force" not in result.catalogue:
+        return wanted or next(iter(names), None)
+    first = result.piston_force[0] if result.has_designs else result.piston_force
+    return next(name for i, name in enumerate(names) if np.all(np.isfinite(first[0, i])))
+
+
+def _hangs(result: Result, piston: str) -> bool:
+    """Whether a piston's rod hangs on another rod."""
+    places = {place.name: place for place in result.machines[0].places}
+    return places[piston].kind.dynamics.on_master is not None
+
+
+def _draw_indicator(page: Page, shown: OneDesign, piston: str | None, place: tuple[float, float, float]) -> float:
+    """Draw p over V of the piston's chambers; give where it ends. [mm]"""
+    left, right, top = place
+    if piston is None or not (shown.has("gas_pressure") and shown.has("chamber_volume")):
+        return top
+    height = 0.27 * top
+    axes = page.axes(left, top - 5.0 - height, right - left, height)
+    prepare(axes)
+    at = chambers_of(shown.result, piston)
+    for number, chamber in enumerate(at):
+        volume, pressure = (_closed(shown(name)[chamber]) for name in ("chamber_volume", "gas_pressure"))
+        axes.plot(volume * 1e3, pressure / 1e6, color=COLOURS["p"], lw=0.9 if number else 1.4)
+    page.heading(left, top - 3.0, _("Indicator diagram, p in MPa over V in litres"))
+    if shown.has("indicated_mean_pressure"):
+        words = _("mean {mean:.3f} MPa").format(mean=float(shown("indicated_mean_pressure")[at[0]]) / 1e6)
+        axes.text(0.98, 0.9, words, ha="right", va="top", transform=axes.transAxes, fontsize=TEXT)
+    return top - 5.0 - height - 7.0
+
+
+def _closed(values: Array) -> Array:
+    return np.append(values, values[0])
+
+
+def _write_notes(page: Page, result: Result, piston: str | None, place: tuple[float, float, float]) -> None:
+    """Say what the curves rest on, as far as there is room."""
+    left, right, top = place
+    notes = list(_notes(result, piston))
+    letters = int((right - left) * _LETTERS / 100.0)
+    room = int((top - MARGIN) / 4.2)
+    written = 0
+    for note in notes:
+        lines = wrap(note, letters)
+        if written + len(lines) <= room:
+            for number, line in enumerate(lines):
+                page.text(left, top - 3.0 - 4.2 * (written + number), line, **muted())
+            written += len(lines)
+
+
+def _notes(result: Result, piston: str | None) -> Iterator[str]:
+    """Sentences on what is shown."""
+    if piston is not None and _hangs(result, piston):
+        yield _("{piston} hangs on another rod: P, S, N, K, T are of rods on crank pins.").format(piston=piston)
+    elif piston is not None and "piston_force" in result.catalogue:
+        yield _("P, S, N, K, T: exact motion, the rod as two masses, K without its rotating one.")
+    yield _("Torque: reactions of rigid links, each mechanism's thin.")
+    if result.labels.get("cylinder"):
+        yield _("Filled bars: orders in which all cylinders add up.")
+    masses = next(gift.masses for gift in result.gifts if isinstance(gift, LoadedMachine))
+    if masses.assumed:
+        yield _("Rods without a given inertia have that of two masses at their ends.")
+    if masses.weightless:
+        yield _("Without mass: {parts}.").format(parts=", ".join(masses.weightless))
+    gas = next((gift for gift in result.gifts if isinstance(gift, GasPressures)), None)
+    yield from () if gas is None else gas.flags

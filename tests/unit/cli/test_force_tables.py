@@ -1,0 +1,50 @@
+"""`textbook --forces` as typed."""
+
+import pytest
+
+from cranktrain.study.force_table import force_table
+
+HEADINGS = (
+    "Forces of piston 2 by the exact motion, over the piston's area of 52.81 cm²",
+    "The same with two harmonics of inertia",
+    "Their errors, of the exact peaks",
+)
+
+
+def test_table(typed):
+    import cranktrain as ct
+
+    answer = typed("textbook", "vaz_21213", "--forces", "kgf/cm2", "--step", "10", "--piston", "2")
+    assert (answer.status, answer.errors) == (0, "")
+    lines = answer.output.splitlines()
+    assert all(len(line) <= 80 for line in lines)
+    starts = [lines.index(heading) for heading in HEADINGS]
+    assert [lines[start + 1].split() for start in starts] == [list("PNSKTM")] * 2 + [[f"Δ{one}" for one in "PNSKTM"]]
+    assert lines[starts[0] + 2].split() == ["kgf/cm²"] * 5 + ["kgf·m"]
+    rows = [line.split() for line in lines[starts[0] + 3 : starts[0] + 75]]
+    assert [row[0] for row in rows] == [f"{angle}°" for angle in range(0, 720, 10)]
+    table = force_table(ct.load("vaz_21213"), step=10.0, unit="kgf/cm2", piston="2")
+    for place, one in enumerate(table.columns):
+        digits = len(rows[0][1 + place].partition(".")[2])
+        assert [float(row[1 + place]) for row in rows] == pytest.approx(one.exact, abs=0.51 * 10.0**-digits)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--forces", "N"], "cranktrain textbook  FILE is missing; such as: cranktrain textbook 3d12 --forces N"),
+        (["3d12", "--step", "10"], "--step = 10: is for tables of forces: ask for --forces UNIT, too"),
+        (
+            ["3d12", "--forces", "N", "--piston", "1l"],
+            '--piston = 1l: must be one of: 1L, 2L, 3L, 4L, 5L, 6L; write "1L"',
+        ),
+        (
+            ["textbook_78x78", "--forces", "N"],
+            "example textbook_78x78:1:1  masses: is missing, and [gas] too: nothing acts on the links",
+        ),
+    ],
+)
+def test_what_is_refused(typed, arguments, said):
+    answer = typed("textbook", *arguments)
+    assert (answer.status, answer.output) == (2, "")
+    assert answer.errors.splitlines() == [said]
