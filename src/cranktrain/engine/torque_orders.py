@@ -78,7 +78,7 @@ class PhaseStarSums:
     """How far the cylinders' torques of one order add up by their firing: as many as cylinders where all do."""
 
     phase_star_sum: Array = quantity(
-        "|Σe^(−ikφ_i)|", "1", _ORDER, N_("Sum of the cylinders' phase vectors of the order, by nominal firing"), _THEORY
+        "S_k", "1", _ORDER, N_("Sum of the cylinders' phase vectors of the order, by nominal firing"), _THEORY
     )
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"order": ()})
     is_major: NDArray[np.bool_] = field(default_factory=lambda: np.zeros((1, 0), dtype=np.bool_))
