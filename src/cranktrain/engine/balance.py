@@ -12,7 +12,7 @@ from cranktrain.engine.forces import LoadedMachine, MechanismTorques, SolvedCycl
 from cranktrain.engine.frame_forces import FrameForces
 from cranktrain.engine.frames import Frames
 from cranktrain.engine.layout import CrankAngle, Speed
-from cranktrain.engine.shaken import Balanced, orders_told, shaken
+from cranktrain.engine.shaken import BALANCE, Balanced, orders_told, shaken
 from cranktrain.engine.throws import ShaftCentres
 from cranktrain.language import N_, _
 from cranktrain.linkage.forces import weight
@@ -133,6 +133,7 @@ class RollingMoment:
     rolling_moment: Array = quantity(
         "M_roll", "N*m", _CURVE, N_("Moment on the frame about the crankshaft, in the sense of rotation"), _THEORY
     )
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"balance": ()})
 
 
 def rolling_moment(
@@ -160,7 +161,7 @@ def rolling_moment(
     if weights is not None:
         roll = weight_roll(weights.weights, weight_orders(weights.weights))
         curves.append(without + square * curve(roll, crank_angle.angle[:, 0]))
-    return RollingMoment(np.stack(curves, axis=1))
+    return RollingMoment(np.stack(curves, axis=1), {"balance": BALANCE[: len(curves)]})
 
 
 def _weights_moment(loaded: LoadedMachine, solved: SolvedCycle, frames: Frames, centres: ShaftCentres) -> Array:

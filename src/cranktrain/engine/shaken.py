@@ -17,6 +17,8 @@ from cranktrain.motion import Array
 
 _GONE = 1e-9
 """What is less than this share of what all parts could do together is rounding."""
+BALANCE = ("without", "with")
+"""What the dimension `balance` has: the machine without balance weights and, where there are any, with them."""
 _TOLD = 3
 """How many orders a sentence names."""
 
@@ -115,7 +117,7 @@ def shaken(
         ellipse.minor,
         np.where(has_axis, along, np.nan),
         gross,
-        {"balance": ("without", "with")[: len(by_order)], **order_labels(crank_angle.cycle)},
+        {"balance": BALANCE[: len(by_order)], **order_labels(crank_angle.cycle)},
     )
 
 

@@ -307,6 +307,15 @@ def test_designs():
     np.testing.assert_allclose(3 * found.shaking_couple_x[0], found.shaking_couple_x[1], atol=1e-9 * UNIT)
 
 
+@pytest.mark.parametrize("balance", [None, {"counterweights": "rotating"}])
+@pytest.mark.parametrize("name", ["shaking_force_x", "shaking_couple_largest", "rolling_moment"])
+def test_each_quantity_alone_has_its_labels(name, balance):
+    found = ct.run(ct.Machine(**EIGHT, balance=balance), quantities=[name])
+    labels = found.labels_of(found.catalogue[name])
+    assert labels["balance"] == (("without", "with") if balance else ("without",))
+    assert getattr(found, name).shape[0] == len(labels["balance"])
+
+
 def test_without_spacing_the_couple_is_missing():
     result = ct.run(
         ct.Machine(shaft=throws(0, 180, speed="1 rad/s"), bank={"A": {"mechanism": slider()}}, masses=PISTON)
