@@ -9,7 +9,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from cranktrain.engine.forces import LoadedMachine
 from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity, Wrench
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
