@@ -16,6 +16,8 @@ import numpy as np
 import peers
 from timing import interleaved_ratio
 
+from cranktrain.analysis import run
+from cranktrain.io.machine_file import load
 from cranktrain.linkage import in_blocks
 from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity
 from cranktrain.mechanisms.chain.kinematics import chain_motion, made_names
@@ -206,7 +208,7 @@ def force_comparisons(n):
     loop = filled(loops.slider_crank_forces_loop, angles, (geometry, bodies, PRESSING, conditions), 9)
     loop_by_hand = filled(by_hand.slider_crank_forces_numba, angles, given, 9)
     yield Comparison("NumPy", "NumPy by hand", forces, forces_by_hand, force_columns, list, 3.0)
-    yield Comparison("compiled", "Numba by hand", loop, loop_by_hand, list, list, 2.0)
+    yield Comparison("compiled", "Numba by hand", loop, loop_by_hand, list, list, 1.7)
 
 
 def golden_forces(n):
@@ -260,6 +262,29 @@ def force_peer_comparisons(n):
 def without_work(columns):
     """Columns of forces without the last, the torque by virtual work, which no peer has."""
     return list(columns)[:-1]
+
+
+MOTION = ("piston_displacement", "piston_velocity", "piston_acceleration")
+RUNS = {"3d12": 8.0, "r_1340": 10.0, "vaz_21213": 6.0}
+"""Examples with gas and masses, and how many times as long all may take as the motion of the pistons alone."""
+
+
+def run_comparison(example):
+    """A complete run of an example file against one of the motion alone."""
+    machine = load(example)
+
+    def motion(result):
+        return [getattr(result, name) for name in MOTION]
+
+    return Comparison(
+        "all",
+        "motion alone",
+        lambda: run(machine),
+        lambda: run(machine, quantities=MOTION),
+        motion,
+        motion,
+        RUNS[example],
+    )
 
 
 def filled(loop, angles, geometry, n_columns):
@@ -345,6 +370,7 @@ def main(arguments):
     ]
     kept += [is_kept("forces", n, each, n_repetitions) for n in (720, 100_000) for each in force_comparisons(n)]
     kept += [is_kept("forces", 720, each, n_repetitions) for each in force_peer_comparisons(720)]
+    kept += [is_kept(example, 720, run_comparison(example), n_repetitions) for example in RUNS]
     kept += [is_kept("chain", n, chain_comparison(n), n_repetitions) for n in (720, 100_000)]
     sys.exit(not all(kept))
 

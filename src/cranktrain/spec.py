@@ -18,7 +18,7 @@ from cranktrain.quantities import Given, Quantity, expected, nearest, one_of, un
 class Spec(BaseModel, frozen=True):
     """A table of the machine file: frozen, no unknown keys, nothing coerced; its lists become tuples."""
 
-    model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False)
+    model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False, defer_build=True)
 
     @model_validator(mode="before")
     @classmethod

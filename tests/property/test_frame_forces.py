@@ -8,7 +8,7 @@ import pytest
 from tests.exact.test_kind_forces import GEOMETRIES, LINKS, N, circumstances, records
 
 from cranktrain.linkage import LinkPoint, point
-from cranktrain.linkage.forces import Drive, Gravity, Wrench
+from cranktrain.linkage.forces import Drive, Gravity, Wrench, momentum
 from cranktrain.mechanisms import kind_named
 from cranktrain.mechanisms.chain.forces import chain_dynamics, chain_links
 from cranktrain.mechanisms.chain.gaps import chain_gap
@@ -77,6 +77,28 @@ def test_kinds(name):
     joints = kind.dynamics.forces(motion, geometry, bodies, loads, conditions).joints
     change = momentum_change(LINKS[name](motion, geometry), bodies, conditions.drive.speed)
     assert_borne(of_frame(kind.dynamics, joints), change)
+
+
+@pytest.mark.parametrize("name", GEOMETRIES)
+def test_links_and_their_momentum(name):
+    kind, geometry = kind_named(name), GEOMETRIES[name]()
+    motion = kind.motion(PHI, geometry)
+    bodies, _loads, conditions = steady(np.random.default_rng(2), kind.dynamics, [1.0] * len(kind.dynamics.sliding))
+    links = kind.dynamics.links(motion, geometry)
+    assert len(links) == len(kind.dynamics.moving)
+    parts = [momentum(*each) for each in zip(links, bodies, strict=True)]
+    change = conditions.drive.speed**2 * spectral_derivative(
+        np.array([sum(p.x for p in parts), sum(p.y for p in parts)])
+    )
+    expected = momentum_change(LINKS[name](motion, geometry), bodies, conditions.drive.speed)
+    np.testing.assert_allclose(change, expected, atol=1e-10 * np.max(np.abs(expected)))
+    # about the origin: of each centroid's momentum, and of the link's own turning
+    for link, body, part in zip(links, bodies, parts, strict=True):
+        centre = point(link, LinkPoint(np.hypot(body.along, body.across), np.arctan2(body.across, body.along)))
+        orbit = body.mass * (centre.x.value * centre.y.first - centre.y.value * centre.x.first)
+        spin = body.inertia * link.angle.first
+        scale = np.max(np.abs(orbit) + np.abs(spin))
+        np.testing.assert_allclose(part.moment, orbit + spin, atol=1e-13 * scale)
 
 
 def test_a_rod_hardly_longer_than_the_crank():

@@ -4,11 +4,21 @@ Computed by quadrature, root search and time integration in another program; its
 """
 
 import json
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
+import cranktrain as ct
+from cranktrain.analysis.parts import parts_of
+from cranktrain.analysis.stages import STAGES, run_stages
+from cranktrain.engine.evenness import RunningSpeed, running_speed, shaft_work
+from cranktrain.engine.evenness_table import GivenFlywheel, ShaftLoad, WantedCoefficient
+from cranktrain.engine.flywheel import FlywheelSize, flywheel_size
+from cranktrain.engine.forces import LoadedMachine, MechanismTorques
+from cranktrain.engine.layout import CrankAngle, Speed
 from cranktrain.loads.excess_work import excess_work
 from cranktrain.loads.flywheel import exact_flywheel, flywheels_by_method, textbook_inertia
 from cranktrain.loads.periodic import cycle_grid, fourier_curve, plus
@@ -90,3 +100,60 @@ def test_linear_motor():
     assert np.mean(torque) == pytest.approx(case["motor_torque_angle_mean"], rel=1e-11)
     rms = np.sqrt(np.mean(torque**2 / speed) / np.mean(1 / speed))
     assert rms == pytest.approx(case["motor_torque_rms_time"], rel=1e-11)
+
+
+def whole_machine(torque, speed, **evenness: Any) -> dict[type, Any]:
+    """Stages of a slider-crank of the file's words, its torque being the case's; J_v and J′ are the mechanism's own."""
+    machine = ct.Machine(
+        shaft={"main": {"speed": f"{speed!r} rad/s"}},
+        mechanism={"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "180 mm"},
+        masses={"piston": {"mass": "9 kg"}},
+        evenness=evenness,
+    )
+    parts = parts_of([machine], step=np.radians(0.5))
+    known: dict[type, Any] = {**parts, **run_stages(STAGES, parts)[0]}
+    torques = known[MechanismTorques]
+    square = known[Speed].value[0] ** 2
+    torques = replace(torques, driving_torque=torques.reduced_inertia_slope * square / 2 - torque)
+    load, angle = known[ShaftLoad], known[CrankAngle]
+    work = shaft_work(load, torques, known[LoadedMachine], known[Speed], angle)
+    if WantedCoefficient in known:
+        known[FlywheelSize] = flywheel_size(load, known[WantedCoefficient], work, known[Speed])
+    if GivenFlywheel in known:
+        known[RunningSpeed] = running_speed(load, known[GivenFlywheel], work, torques, known[Speed], angle)
+    return known
+
+
+def test_flywheel_of_a_whole_machine():
+    known = whole_machine(DRIVING, SPEED, coefficient=CASE["delta"], mean="extremes")
+    size = known[FlywheelSize]
+    np.testing.assert_allclose(
+        size.flywheel_inertia[0], [CASE[f"J_{name}"] for name in ("exact", "mertsalov", "simple")], rtol=1e-11
+    )
+    given = f"{float(size.flywheel_inertia[0, 0])!r} kg·m²"
+    found = whole_machine(DRIVING, SPEED, flywheel=given, mean="extremes")[RunningSpeed]
+    assert found.crank_speed[0, 0] == pytest.approx(CASE["omega0"], rel=1e-11)
+    assert found.coefficient_of_fluctuation[0] == pytest.approx(CASE["delta"], rel=1e-10)
+    assert found.mean_speed_over_time[0] == pytest.approx(CASE["omega_time_mean"], rel=1e-11)
+    assert found.mean_speed_over_angle[0] == pytest.approx(CASE["omega_angle_mean"], rel=1e-11)
+    assert all(np.all(check.residual < 1e-11) for check in found.checks)
+
+
+def test_quadratic_load_of_a_whole_machine():
+    case = EXPECTED["quadratic_load"]
+    flywheel = f"{case['J']!r} kg·m²"
+    found = whole_machine(DRIVING, case["omega_time_mean"], flywheel=flywheel, load="quadratic")[RunningSpeed]
+    assert found.crank_speed[0, 0] == pytest.approx(case["omega0"], rel=1e-10)
+    assert found.coefficient_of_fluctuation[0] == pytest.approx(case["delta_time_mean"], rel=NODES)
+
+
+def test_motor_of_a_whole_machine():
+    case = EXPECTED["linear_motor"]
+    motor_table = {
+        "torque": f"{case['c']!r} N·m",
+        "speed": f"{case['omega_s'] - 1!r} rad/s",
+        "no_load_speed": f"{case['omega_s']!r} rad/s",
+    }
+    found = whole_machine(-DRIVING, SPEED, flywheel=f"{case['J']!r} kg·m²", motor=motor_table)[RunningSpeed]
+    assert found.crank_speed[0, 0] == pytest.approx(case["omega0"], rel=1e-10)
+    assert found.mean_speed_over_time[0] == pytest.approx(case["omega_time_mean"], rel=1e-10)

@@ -1,8 +1,8 @@
 """Shaking forces and rolling moments of whole machines against the reactions of a 40-digit multibody solver.
 
 Source: tests/golden, solved body by body, as the cases say. Their x is the first mechanism's, their angles and their
-crank run anticlockwise. The frame gets the opposite of what it does to bearings, guides and pivots; about shaft 1 its
-moment is that of these forces where they act: guides hold pistons without moments.
+crank run anticlockwise. The frame gets the opposite of what it does to bearings, guides and pivots. About the first
+shaft its moment is that of these forces where they act: guides hold pistons without moments.
 """
 
 from typing import Any

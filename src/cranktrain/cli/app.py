@@ -236,7 +236,8 @@ def _plot(
             metavar="PLAN",
             help=_(
                 "A plan of: positions, velocities, accelerations, klein, centres; "
-                "or a construction: arc, projection, brix, brix-backward."
+                "or a construction: arc, projection, brix, brix-backward; "
+                "of the flywheel: wittenbauer, mertsalov."
             ),
         ),
     ] = None,

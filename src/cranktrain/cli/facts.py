@@ -1,6 +1,7 @@
 """Facts as tables: equal members share a column, so that twelve cylinders need two; different ones have a row each."""
 
 import itertools
+import textwrap
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -176,20 +177,24 @@ def _deep(result: Result, entries: Sequence[Entry], width: int) -> Iterator[str 
 
 def _by_member(rows: Sequence[FactRow], lines: Sequence[_Line], width: int) -> Iterator[str | Text]:
     """One column for each fact, as many as there is room for side by side, and the facts' names below."""
-    room = width - max(len(line.label) for line in lines)
+    labels = [textwrap.wrap(line.label, width // 2, break_on_hyphens=False) or [""] for line in lines]
+    beside = width - max(len(part) for label in labels for part in label)
+    room = beside
     parts: list[list[int]] = [[]]
     for i, row in enumerate(rows):
         needed = _GAP + max(len(_symbol(row)), len(row.unit), *(len(line.texts[i]) for line in lines))
         if parts[-1] and needed > room:
             parts.append([])
-            room = width - max(len(line.label) for line in lines)
+            room = beside
         parts[-1].append(i)
         room -= needed
     for part in parts:
         heads = ["", *(_symbol(rows[i]) for i in part)]
         units = ["", *(rows[i].unit for i in part)]
         yield ""
-        cells = [units, *([line.label, *(line.texts[i] for i in part)] for line in lines)]
+        cells = [units]
+        for line, (first, *rest) in zip(lines, labels, strict=True):
+            cells += [[first, *(line.texts[i] for i in part)], *([more, *[""] * len(part)] for more in rest)]
         yield from table(heads, cells, right=range(1, len(heads)))
         yield ", ".join(f"{_symbol(rows[i])} {rows[i].entry.name}" for i in part)
 

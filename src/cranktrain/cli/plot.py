@@ -27,8 +27,13 @@ PLANS = {
     "projection": "plan_projection",
     "brix": "plan_brix",
     "brix-backward": "plan_brix_backward",
+    "wittenbauer": "plan_wittenbauer",
+    "mertsalov": "plan_mertsalov",
 }
 """Plans by name: what of `cranktrain.viz` draws them."""
+
+_WHOLE_CYCLE = ("wittenbauer", "mertsalov")
+"""Plans of the machine over its cycle, not of one mechanism at some angles."""
 
 SOURCE_ANGLES = "source"
 """What `--at` says for the twelve positions of [slider-crank-synthesis]."""
@@ -158,6 +163,9 @@ def _misplaced(request: Request, suffix: str) -> Iterator[Problem]:
     elif request.plan is None:
         allowed = _("must be left out: a sheet shows the first throw; only a plan or a .dxf is of one mechanism")
         unused = ("--mechanism",)
+    elif request.plan.strip().casefold() in _WHOLE_CYCLE:
+        allowed = _("must be left out: this plan is of the whole machine over its cycle")
+        unused = ("--at", "--mechanism")
     else:
         return
     yield from (Problem(name, options[name], allowed) for name in unused if options[name] is not None)
@@ -221,6 +229,8 @@ def _figure(file: MachineFile, picture: Picture, request: Request) -> "Figure":
             return viz.sheet(result, size=picture.size, at=picture.angles[0])
         return viz.sheet(result, size=picture.size)
     draw: Callable[..., Figure] = getattr(viz, PLANS[picture.plan])
+    if picture.plan in _WHOLE_CYCLE:
+        return draw(computed(file, partial=request.is_partial), size=picture.size)
     angles = _source_angles(file, picture) if picture.is_at_source_angles else picture.angles
     chosen = {} if angles is None else {"angles": angles}
     return draw(file.machine, **chosen, mechanism=picture.mechanism, size=picture.size)

@@ -16,7 +16,7 @@ _GAP = 2
 _WIDTH = 80
 """Where there is no terminal."""
 
-_LEAST_FOLDED = 13
+_LEAST_FOLDED = 12
 """A cell is not folded narrower than this, however narrow the screen."""
 
 

@@ -18,7 +18,7 @@ from cranktrain.language import N_, _
 from cranktrain.linkage.forces import weight
 from cranktrain.loads.harmonics import curve
 from cranktrain.loads.vectors import running_axes
-from cranktrain.loads.weights import weight_roll
+from cranktrain.loads.weights import weight_orders, weight_roll
 from cranktrain.motion import Array
 from cranktrain.wording import Names
 
@@ -147,17 +147,18 @@ def rolling_moment(
 ) -> RollingMoment:
     """Take what drives the shaft less what the moving parts keep of it, and the forces of shafts beside `main`.
 
-    The frame holds the gears between shafts; what drives or is driven is on `main`. docs/theory/balance, eq. (16.15).
+    The frame holds the gears between shafts; what drives or is driven is on `main`. docs/theory/balance, eq. (16.16).
     """
     turns = round(crank_angle.cycle / (2 * np.pi))
     centre = running_axes(centres.value, clockwise=frames.clockwise)[..., np.newaxis]
     inertia = np.sum(frame.moment + np.imag(np.conj(centre) * frame.force), axis=1)[..., :: frame.step]
     square = loaded.speed[:, 0] ** 2
     without = torques.driving_torque + square * np.tile(inertia, turns)
-    without = without + _weights_moment(loaded, solved, frames, centres)
+    if any(np.any(made.gravity) for made in loaded.masses.groups):
+        without = without + _weights_moment(loaded, solved, frames, centres)
     curves = [without]
     if weights is not None:
-        roll = weight_roll(weights.weights, frame.vectors.order)
+        roll = weight_roll(weights.weights, weight_orders(weights.weights))
         curves.append(without + square * curve(roll, crank_angle.angle[:, 0]))
     return RollingMoment(np.stack(curves, axis=1))
 

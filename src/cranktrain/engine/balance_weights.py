@@ -253,7 +253,7 @@ def _divided(frame: FrameForces, frames: Frames) -> tuple[ComplexArray, ComplexA
     """What of each mechanism's first order rotates, and the half of what swings along its axis that turns with it.
 
     As its own crank turns, shape (design, mechanism, 1): what swings along x has b = f̄ in the mechanism's own axes, and
-    what rotates has no b.
+    what rotates has no b. docs/theory/balance, eq. (16.17).
     """
     of = frame.own
     against = frames.sense[:, np.newaxis] < 0

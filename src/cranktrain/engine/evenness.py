@@ -141,6 +141,8 @@ class RunningSpeed:
 
     def answer(self, _names: Names, design: int) -> str:
         """Say the speed's bounds, its coefficient of fluctuation and its means."""
+        if np.isnan(self.coefficient_of_fluctuation[design]):
+            return ""
         return _(
             "The shaft runs at {least} to {most}, coefficient of fluctuation {delta};"
             " mean {time} over time, {middle} of the extremes."
@@ -181,7 +183,7 @@ def running_speed(
         largest_crank_speed_at=_shown(found.largest, crank_angle),
         smallest_crank_speed=found.smallest.value[:, 0],
         smallest_crank_speed_at=_shown(found.smallest, crank_angle),
-        checks=(_motion_check(found.speed, inertia.samples, slope, torque, crank_angle),),
+        checks=(_motion_check(found.speed, inertia.samples, slope, work.by.integral(torque, crank_angle.cycle)),),
         flags=tuple(_flags(load, work, found, multiplier)),
     )
 
@@ -221,19 +223,18 @@ def _shown(extreme: Extreme, crank_angle: CrankAngle) -> Array:
     return crank_angle.counted(extreme.angle[..., np.newaxis] + crank_angle.zero, crank_angle.cycle)[:, 0, 0]
 
 
-def _motion_check(speed: Array, inertia: Array, slope: Array, torque: Array, crank_angle: CrankAngle) -> Check:
-    """Integrate both sides of the equation of motion, the left one with the series of ω² for ε and with J′."""
-    cycle = crank_angle.cycle
+def _motion_check(speed: Array, inertia: Array, slope: Array, work: PeriodicCurve) -> Check:
+    """Compare the work of the torques with that of the inertia, whose ε is of the series of ω², and with J′."""
+    cycle = work.cycle
     acceleration = spectral_derivative(speed**2) * (np.pi / cycle)
     left = fourier_integral(inertia * acceleration + slope * speed**2 / 2, cycle).samples
-    right = spline_integral(torque, cycle).samples
-    spread = np.ptp(right, axis=-1)
+    spread = np.ptp(work.samples, axis=-1)
     scale = np.where(spread > 0, spread, 1.0)
     return Check(
         "motion",
         _("Work of Jε + ½J′ω², with the speed that was found, against that of all torques, relative to its range"),
-        np.max(np.abs(left - right), axis=-1) / scale,
-        _MOTION_LIMIT * float(crank_angle.shown[1]),
+        np.max(np.abs(left - work.samples), axis=-1) / scale,
+        _MOTION_LIMIT * float(work.angle[1]),
     )
 
 

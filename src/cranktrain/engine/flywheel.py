@@ -48,29 +48,29 @@ class FlywheelSize:
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {_METHOD: METHODS})
     flags: tuple[str, ...] = ()
 
-    def answer(self, names: Names, design: int) -> str:
+    def answer(self, _names: Names, design: int) -> str:
         """Say the exact flywheel, with GD², and the others beside it."""
-        size = self.flywheel_inertia[design]
-        others = ", ".join(
-            _("{method} {inertia} ({error})").format(
-                method=name, inertia=number(float(value), "kg*m^2"), error=_percents(float(error))
-            )
-            for name, value, error in zip(
-                names[_METHOD][1:], size[1:], self.flywheel_inertia_error[design, 1:], strict=True
-            )
-        )
-        if size[0] <= 0:
-            told = _(
-                "For a coefficient of fluctuation of {delta} no flywheel is needed, the moving parts do; {others}."
-            )
-            return told.format(delta=f"{float(self.wanted[design]):.4g}", others=others)
+        delta = f"{float(self.wanted[design]):.4g}"
+        size = float(self.flywheel_inertia[design, 0])
+        if np.isnan(size):
+            return ""
+        if size <= 0:
+            return _(
+                "For a coefficient of fluctuation of {delta} no flywheel is needed: the moving parts do, and more."
+            ).format(delta=delta)
+        exact, mertsalov, textbook = (number(float(value), "kg*m^2") for value in self.flywheel_inertia[design])
+        _zero, off, far = (f"{100 * float(error):+.2f} %" for error in self.flywheel_inertia_error[design])
         return _(
-            "For a coefficient of fluctuation of {delta} the flywheel takes J = {inertia}, GD² = {moment}; {others}."
+            "For a coefficient of fluctuation of {delta} the flywheel takes J = {exact}, GD² = {moment};"
+            " by Mertsalov {mertsalov} ({off}), by textbooks {textbook} ({far})."
         ).format(
-            delta=f"{float(self.wanted[design]):.4g}",
-            inertia=number(float(size[0]), "kg*m^2"),
-            moment=number(4 * float(size[0]), "kg*m^2"),
-            others=others,
+            delta=delta,
+            exact=exact,
+            moment=number(4 * size, "kg*m^2"),
+            mertsalov=mertsalov,
+            off=off,
+            textbook=textbook,
+            far=far,
         )
 
 
@@ -103,11 +103,6 @@ def _size_flags(load: ShaftLoad, inertia: Array) -> Iterator[str]:
         )
 
 
-def _percents(share: float) -> str:
-    """Write an error with its sign."""
-    return f"{100 * share:+.2f} %"
-
-
 @dataclass(frozen=True)
 class RimSize:
     """Rim of the flywheel that is wanted, or where none is, of the one that there is."""
@@ -124,8 +119,10 @@ class RimSize:
 
     def answer(self, _names: Names, design: int) -> str:
         """Say the rim's section, mass and speed."""
+        if np.isnan(self.rim_height[design]):
+            return ""
         return _(
-            "Its rim is {height} high and {width} wide, outer diameter {diameter}, {mass}; it runs at {speed}."
+            "The rim is {height} high and {width} wide, outer diameter {diameter}, {mass}; it runs at {speed}."
         ).format(
             height=number(float(self.rim_height[design]), "mm"),
             width=number(float(self.rim_width[design]), "mm"),

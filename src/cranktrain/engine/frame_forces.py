@@ -67,7 +67,7 @@ def frame_forces(
     """Solve the machine with its masses alone, at 1 rad/s: no gas, weight or friction.
 
     The points are doubled until they show all orders of the momentum; the force of each throw is then compared with
-    its momentum's derivative, which shares with the reactions but the motion.
+    its momentum's derivative, which shares with the reactions but the motion. docs/theory/balance, eq. (16.15).
     """
     # Inertia repeats with the turn, as all shafts turn as fast as `main`.
     n_turn = round(crank_angle.shown.size * 2 * np.pi / crank_angle.cycle)

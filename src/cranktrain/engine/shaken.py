@@ -12,9 +12,8 @@ from cranktrain.engine.layout import CrankAngle, Speed
 from cranktrain.engine.torque_orders import order_labels, orders
 from cranktrain.language import _
 from cranktrain.loads.vectors import PlaneVectors, hodograph, machine_axes, vector_curve
-from cranktrain.loads.weights import RotatingWeights, weight_vectors
+from cranktrain.loads.weights import RotatingWeights, weight_orders, weight_vectors
 from cranktrain.motion import Array
-from cranktrain.wording import number
 
 _GONE = 1e-9
 """What is less than this share of what all parts could do together is rounding."""
@@ -86,7 +85,9 @@ def shaken(
     if balanced is not None:
         own = weight_vectors(balanced.weights, frame.vectors.order)
         more = _summed(own, balanced.arm[..., np.newaxis])
-        curves.append(curves[0] + vector_curve(more, crank_angle.angle[:, 0]))
+        shown = weight_vectors(balanced.weights, weight_orders(balanced.weights))
+        turning = vector_curve(_summed(shown, balanced.arm[..., np.newaxis]), crank_angle.angle[:, 0])
+        curves.append(curves[0] + turning)
         by_order.append(PlaneVectors(more.order, *map(np.add, by_order[0][1:], more[1:])))
         size = size + np.sum(np.abs(balanced.arm) * np.sum(hodograph(own).major, axis=-1), axis=-1)
     square = speed.value**2
@@ -133,6 +134,11 @@ def _summed(vectors: PlaneVectors, arm: Array) -> PlaneVectors:
     return PlaneVectors(vectors.order, *(np.sum(arm * part, axis=1) for part in vectors[1:]))
 
 
+def _size(value: float, unit: str) -> str:
+    """Write a force or couple with four figures."""
+    return f"{value / 1e3:.4g} k{unit}" if value >= 1e4 else f"{value:.4g} {unit}"
+
+
 def orders_told(names: Sequence[str], largest: Array, gross: float, unit: str) -> str:
     """Say which orders there are and how large, the largest first: `order 2, 123 N`; or that there is none.
 
@@ -145,7 +151,7 @@ def orders_told(names: Sequence[str], largest: Array, gross: float, unit: str) -
     gross : float
         What is nothing beside this is none.
     unit : str
-        To show.
+        N or N*m.
     """
     if not np.all(np.isfinite(largest)):
         return _("not known, as the links do not close all round")
@@ -153,6 +159,6 @@ def orders_told(names: Sequence[str], largest: Array, gross: float, unit: str) -
     if not left:
         return _("none")
     said = [
-        _("order {order}, {size}").format(order=names[i], size=number(float(largest[i]), unit)) for i in left[:_TOLD]
+        _("order {order}, {size}").format(order=names[i], size=_size(float(largest[i]), unit)) for i in left[:_TOLD]
     ]
     return "; ".join([*said, _("and less of others")] if len(left) > _TOLD else said)

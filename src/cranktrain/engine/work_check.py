@@ -6,6 +6,7 @@ samples, the run's own sum over its grid is compared with the exact integral of 
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -187,6 +188,12 @@ def _quadrature(events: Array, widest: Array, cycle: float) -> _Quadrature:
     )
 
 
+@cache
+def _leggauss(n_nodes: int) -> tuple[Array, Array]:
+    """Gauss's points in (−1, 1) and their weights."""
+    return np.polynomial.legendre.leggauss(n_nodes)
+
+
 def _gauss(events: Array, widest: float, cycle: float) -> tuple[Array, Array]:
     """Gauss's points and weights of one design; without events, where links do not close, over equal parts."""
     known = np.mod(events[~np.isnan(events)], cycle)
@@ -199,7 +206,7 @@ def _gauss(events: Array, widest: float, cycle: float) -> tuple[Array, Array]:
     weights: list[Array] = []
     for narrow, wide, n_nodes in _NODES:
         chosen = (np.maximum(narrow * widest, _NARROWEST) < widths) & (widths <= wide * widest)
-        node, weight = np.polynomial.legendre.leggauss(n_nodes)
+        node, weight = _leggauss(n_nodes)
         half = widths[chosen, np.newaxis] / 2
         angles.append((edges[:-1][chosen, np.newaxis] + half * (1 + node)).ravel())
         weights.append((half * weight).ravel())

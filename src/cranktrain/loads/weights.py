@@ -49,6 +49,11 @@ def joined(*parts: RotatingWeights) -> RotatingWeights:
     return RotatingWeights(*(np.concatenate(fields, axis=-1) for fields in zip(*parts, strict=True)))
 
 
+def weight_orders(weights: RotatingWeights) -> Array:
+    """Orders at which weights show, shape (n,)."""
+    return np.unique(np.abs(weights.ratio))
+
+
 def weight_vectors(weights: RotatingWeights, order: Array) -> PlaneVectors:
     """Centrifugal force of each weight on the frame, by order, for each (rad/s)² of the crank.
 

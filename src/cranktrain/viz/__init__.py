@@ -8,6 +8,7 @@ if TYPE_CHECKING:
     from cranktrain.viz.centre_plans import plan_centres
     from cranktrain.viz.construction_plans import plan_arc, plan_brix, plan_brix_backward, plan_projection
     from cranktrain.viz.curves import SHEET_QUANTITIES
+    from cranktrain.viz.evenness import plan_mertsalov, plan_wittenbauer
     from cranktrain.viz.force_plans import plan_forces
     from cranktrain.viz.forces_sheet import sheet_forces
     from cranktrain.viz.gif import animation
@@ -28,10 +29,12 @@ __all__ = [
     "plan_centres",
     "plan_forces",
     "plan_klein",
+    "plan_mertsalov",
     "plan_polar",
     "plan_positions",
     "plan_projection",
     "plan_velocities",
+    "plan_wittenbauer",
     "plan_zhukovsky",
     "save",
     "save_animation",
@@ -50,10 +53,12 @@ _HOMES = {
     "plan_centres": "cranktrain.viz.centre_plans",
     "plan_forces": "cranktrain.viz.force_plans",
     "plan_klein": "cranktrain.viz.plans",
+    "plan_mertsalov": "cranktrain.viz.evenness",
     "plan_polar": "cranktrain.viz.pin_polar",
     "plan_positions": "cranktrain.viz.plans",
     "plan_projection": "cranktrain.viz.construction_plans",
     "plan_velocities": "cranktrain.viz.plans",
+    "plan_wittenbauer": "cranktrain.viz.evenness",
     "plan_zhukovsky": "cranktrain.viz.zhukovsky_plan",
     "save": "cranktrain.viz.output",
     "save_animation": "cranktrain.viz.output",

@@ -81,7 +81,17 @@ def test_dataset_of_designs():
 
 def test_summary_answers_in_the_order_in_which_one_asks(v12):
     begins = [sentence.split()[0] for sentence in v12.answers()]
-    assert begins == ["Strokes:", "Displacement", "Compression", "Firing", "Mean", "No", "Closing", "Textbook:"]
+    assert begins == [
+        "Strokes:",
+        "Displacement",
+        "Compression",
+        "Firing",
+        "Mean",
+        "No",
+        "Major",
+        "Closing",
+        "Textbook:",
+    ]
     assert v12.summary().splitlines() == list(v12.answers())
 
 

@@ -36,7 +36,7 @@ def test_crank_angles_as_typed(plan, at, output, angles):
             [
                 "-o = a.txt: must end in one of: .png, .svg, .pdf, .gif, .dxf",
                 '--plan = positons: must be one of: positions, velocities, accelerations, klein, '
-                'centres, arc, projection, brix, brix-backward; write "positions"',
+                'centres, arc, projection, brix, brix-backward, wittenbauer, mertsalov; write "positions"',
                 "--size = A5: must be one of: A4, A3",
                 "--at = 3,b: must be crank angles in degrees with commas between, such as 30,60",
             ],
@@ -59,6 +59,13 @@ def test_crank_angles_as_typed(plan, at, output, angles):
         (
             ["3d12", "-o", "a.dxf", "--plan", "klein"],
             ["--plan = klein: must be left out: a .dxf holds all plans, in true millimetres"],
+        ),
+        (
+            ["3d12", "-o", "a.svg", "--plan", "mertsalov", "--at", "30", "--mechanism", "1L"],
+            [
+                "--at = 30: must be left out: this plan is of the whole machine over its cycle",
+                "--mechanism = 1L: must be left out: this plan is of the whole machine over its cycle",
+            ],
         ),
         (
             ["vaz_21213", "-o", "a.dxf", "--mechanism", "9R"],
@@ -107,3 +114,28 @@ def test_a_picture_is_kept_unless_forced(typed, tmp_path):
     assert path.read_text(encoding="utf-8") == "old\n"
     assert typed(*arguments, "--force") == (0, "written: a.svg\n", "")
     assert path.read_text(encoding="utf-8").startswith("<?xml")
+
+
+def test_diagram_of_the_flywheel(typed, tmp_path):
+    engine = tmp_path / "engine.toml"
+    engine.write_text(
+        """[shaft.main]
+speed = "900 rpm"
+[mechanism]
+kind = "slider_crank"
+crank_radius = "50 mm"
+rod_length = "180 mm"
+[masses]
+piston = { mass = "1.2 kg" }
+[evenness]
+mean = "extremes"
+""",
+        encoding="utf-8",
+    )
+    arguments = ("plot", str(engine), "--plan", "wittenbauer", "-o", str(tmp_path / "a.svg"))
+    answer = typed(*arguments)
+    assert answer.status == 2
+    assert "evenness" in answer.errors
+    assert "is missing for a diagram of the flywheel: [evenness] coefficient" in answer.errors
+    assert typed(*arguments, "--set", "evenness.coefficient=0.001").status == 0
+    assert (tmp_path / "a.svg").read_text(encoding="utf-8").startswith("<?xml")

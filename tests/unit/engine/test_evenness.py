@@ -219,6 +219,7 @@ def test_rim_without_room():
     found = run(flywheel="2 kg·m²", rim={"mean_diameter": "40 mm"})
     assert np.isnan(found.rim_height)
     assert any("too small" in flag for flag in found.flags)
+    assert "The rim is" not in found.summary()
 
 
 MASSES_ALONE: dict[str, Any] = {
@@ -256,6 +257,25 @@ def test_a_cycle_counts_from_the_crank_zero():
     np.testing.assert_allclose(shifted.flywheel_inertia, plain.flywheel_inertia, rtol=1e-9)
 
 
+def test_answers(engine):
+    answers = engine.summary()
+    assert "Largest excess work 615.3 J within a cycle." in answers
+    size = float(engine.flywheel_inertia[0])
+    assert f"takes J = {size:.3f} kg*m^2, GD² = {4 * size:.3f} kg*m^2; by Mertsalov " in answers
+    assert re.search(r"mean 900\.0 rpm over time, \d+\.\d rpm of the extremes", answers)
+
+
+def test_links_that_do_not_close_give_nothing():
+    short = {**ENGINE, "mechanism": {**ENGINE["mechanism"], "offset": "150 mm"}}
+    table = {"flywheel": "2 kg·m²", "coefficient": 0.02, "rim": {"mean_diameter": "1 m"}}
+    for load in ({}, {"load": "quadratic"}):
+        found = ct.run(ct.Machine(**short, evenness={**table, **load}), partial=True, step_degrees=2)
+        for name in ("largest_excess_work", "coefficient_of_fluctuation", "rim_height"):
+            assert np.isnan(getattr(found, name)), name
+        assert np.all(np.isnan(found.flywheel_inertia))
+        assert not [flag for flag in found.flags if "steady" in flag or "rim" in flag]
+
+
 def test_designs():
     """Each of several designs is as if alone."""
     tables: list[dict[str, Any]] = [
@@ -290,6 +310,7 @@ def test_too_light_a_shaft_is_told():
     found = run(flywheel="0 kg·m²", mean="extremes")
     assert np.all(np.isnan(found.crank_speed))
     assert any("too light" in flag for flag in found.flags)
+    assert "The shaft runs" not in found.summary()
 
 
 def test_a_load_that_nothing_drives_is_told():
@@ -305,6 +326,7 @@ def test_no_flywheel_needed_is_told():
     found = run(machine={**ENGINE, "masses": heavy}, coefficient=0.1)
     assert found.flywheel_inertia[0] < 0
     assert any("no flywheel is needed" in flag for flag in found.flags)
+    assert "of 0.1 no flywheel is needed" in found.summary()
 
 
 def test_kinks_are_joined_by_splines_and_smooth_curves_by_series(engine):

@@ -24,10 +24,13 @@ from cranktrain.loads.vectors import (
     curve_vectors,
     hodograph,
     largest_length,
+    machine_axes,
+    reversed_vectors,
+    running_axes,
     turned_vectors,
     vector_curve,
 )
-from cranktrain.loads.weights import joined, on_crank, weight_roll, weight_vectors
+from cranktrain.loads.weights import joined, on_crank, weight_orders, weight_roll, weight_vectors
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 
@@ -380,3 +383,23 @@ def test_cylinders_may_differ():
             np.cos(own) + ratio * np.cos(2 * own) / root + ratio**3 * (np.sin(own) * np.cos(own)) ** 2 / root**3
         )
         np.testing.assert_allclose(found[row], mass * radius * acceleration * np.exp(1j * axis), atol=1e-15)
+
+
+@pytest.mark.parametrize("clockwise", [True, False])
+def test_running_axes_are_machine_axes_backward(clockwise):
+    vector = np.array([1 + 2j, -3j])
+    there = machine_axes(vector, clockwise=clockwise)
+    # x is Y; y lies to the right, or to the left
+    np.testing.assert_array_equal(machine_axes(np.array([1, 1j]), clockwise=clockwise), [1j, 1 if clockwise else -1])
+    np.testing.assert_array_equal(running_axes(there, clockwise=clockwise), vector)
+
+
+def test_vectors_as_a_shaft_that_runs_the_other_way_sees_them():
+    vectors = PlaneVectors(np.arange(3.0), np.array([1j, 2, 1 + 1j]), np.array([0, 3j, -2]))
+    seen = vector_curve(reversed_vectors(vectors), PHI)
+    np.testing.assert_allclose(seen, np.conj(vector_curve(vectors, PHI)), atol=1e-14)
+
+
+def test_orders_at_which_weights_show():
+    weights = on_crank(np.array([1.0, 2.0, 1j]), np.zeros(3))._replace(ratio=np.array([1.0, -2.0, 2.0]))
+    np.testing.assert_array_equal(weight_orders(weights), [1, 2])

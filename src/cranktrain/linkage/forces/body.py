@@ -136,7 +136,7 @@ def momentum(link: Link, body: Body) -> Momentum:
     Returns
     -------
     Momentum, shape (..., n)
-        m r′, and r × m r′ + Iθ′. docs/theory/balance, eq. (16.16).
+        m r′, and r × m r′ + Iθ′. docs/theory/balance, eqs. (16.15) and (16.16).
     """
     centroid = _centroid(link, body)
     x = body.mass * centroid.first_x

@@ -1,0 +1,50 @@
+"""Diagrams of the flywheel on paper: nothing overlaps, and what they say is there."""
+
+import numpy as np
+import pytest
+from tests.unit.engine.test_evenness import ENGINE, MASSES_ALONE
+from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
+
+import cranktrain as ct
+from cranktrain.viz import plan_mertsalov, plan_wittenbauer
+
+WITHOUT_MASS = {name: table for name, table in ENGINE.items() if name != "masses"}
+MACHINES = {"engine": (ENGINE, 0.02), "masses alone": (MASSES_ALONE, 0.001), "no masses": (WITHOUT_MASS, 0.3)}
+
+
+@pytest.fixture(scope="module", params=MACHINES)
+def result(request):
+    machine, coefficient = MACHINES[request.param]
+    return ct.run(ct.Machine(**machine, evenness={"coefficient": coefficient}), step_degrees=2)
+
+
+@pytest.mark.parametrize("draw", [plan_wittenbauer, plan_mertsalov])
+@pytest.mark.parametrize("size", ["A4", "A3"])
+def test_diagram_is_readable(result, draw, size):
+    figure = draw(result, size=size)
+    assert_words_are_readable(figure)
+    words = " | ".join(text for text, _box in words_of(figure))
+    for part in ("exact", "Mertsalov", "textbook", "J, kg·m²", "GD², kg·m²", "J"):
+        assert part in words
+
+
+def test_of_one_of_several_designs():
+    machines = [ct.Machine(**ENGINE, evenness={"coefficient": delta}) for delta in (0.02, 0.05)]
+    both = ct.run(machines, step_degrees=2)
+    for draw in (plan_wittenbauer, plan_mertsalov):
+        of_second = [text for text, _box in words_of(draw(both, design=1))]
+        alone = [text for text, _box in words_of(draw(ct.run(machines[1], step_degrees=2)))]
+        assert of_second == alone
+        assert "0.05" in of_second
+
+
+def test_tangents_are_drawn_at_both_speeds():
+    result = ct.run(ct.Machine(**ENGINE, evenness={"coefficient": 0.05}))
+    close = plan_wittenbauer(result).axes[1]
+    slopes = [
+        float(np.diff(line.get_ydata())[0] / np.diff(line.get_xdata())[0])
+        for line in close.lines
+        if len(line.get_xdata()) == 2
+    ]
+    fast, slow = (np.sqrt(2 * slope) for slope in slopes)
+    assert fast - slow == pytest.approx(0.05 * 30 * np.pi, rel=1e-9)
