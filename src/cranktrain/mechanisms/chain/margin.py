@@ -184,7 +184,7 @@ def _refined(
         gap = state.gaps[group, rival]
         bend = np.sum(gap * [1.0, -2.0, 1.0], axis=-1, keepdims=True)
         fall = 0.5 * (gap[:, :1] - gap[:, 2:])
-        shift = np.where(bend > 0, np.clip(fall / bend, -1.0, 1.0), np.sign(fall))
+        shift: Array = np.where(bend > 0, np.clip(fall / bend, -1.0, 1.0), np.sign(fall))
         least = _between(gap, shift)
         closes = np.all(gap > 0, axis=-1, keepdims=True)
         is_new = closes & ~is_settled
