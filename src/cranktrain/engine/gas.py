@@ -92,7 +92,7 @@ class GasInChambers:
     def volume_of(self, design: int, place: int, angle: Array) -> Coefficient:
         """Volume of one chamber of one design at φ [rad], shape (n,), and its derivatives. [m³, m³/rad, m³/rad²]"""
         areas = self.chambers.areas[design, :, place]
-        value, first, second = np.zeros((3, *angle.shape))
+        value, first, second = (np.zeros(angle.shape) for _part in range(3))
         for piston in np.flatnonzero(areas).tolist():
             slider = self.pistons.alone(design, piston, angle).slider
             value = value + areas[piston] * (self.tops[design, piston] - slider.value[0])

@@ -54,14 +54,16 @@ class Chambers:
     @cached_property
     def _own(self) -> tuple[tuple[NDArray[np.intp], Array], ...]:
         """Each chamber's first piston and its area, shape (design, chamber, 1), then its second …; a few are enough."""
-        works = np.any(self.areas != 0.0, axis=0)
-        order = np.argsort(~works, axis=0, kind="stable")
+        works: NDArray[np.bool_] = np.any(self.areas != 0.0, axis=0)
+        order: NDArray[np.intp] = np.argsort(~works, axis=0, kind="stable")
         chamber = np.arange(len(self.names))
         found: list[tuple[NDArray[np.intp], Array]] = []
         for place in range(int(np.max(np.sum(works, axis=0), initial=0))):
             # One that has fewer counts its first again, by no area: another chamber's piston may be NaN.
-            piston = np.where(works[order[place], chamber], order[place], order[0])
-            area = np.where(piston == order[place], self.areas[:, piston, chamber], 0.0)
+            piston = order[place].copy()
+            idle: NDArray[np.bool_] = ~works[piston, chamber]
+            piston[idle] = order[0, idle]
+            area = np.where(idle, 0.0, self.areas[:, piston, chamber])
             found.append((piston, area[..., np.newaxis]))
         return tuple(found)
 
