@@ -216,7 +216,7 @@ def _run(
         "  cranktrain plot 3d12 -o 3d12.png\n"
         "  cranktrain plot 3d12 --plan positions --at 12 --mechanism 1L -o positions.svg\n"
         "  cranktrain plot 3d12 --plan accelerations --at 30,60 -o accelerations.pdf\n"
-        "  cranktrain plot 3d12 --plan forces --at 30 --mechanism 1L -o polygons.svg\n"
+        "  cranktrain plot 3d12 --plan forces --at 30,60 --mechanism 1L -o polygons.svg\n"
         "  cranktrain plot 3d12 --sheet forces -o forces.pdf\n"
         "  cranktrain plot pumping_unit_c57 -o unit.gif"
     ),

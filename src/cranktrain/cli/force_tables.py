@@ -1,5 +1,6 @@
 """`textbook --forces`: a piston's forces at round crank angles, exact beside two harmonics, with their errors."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -70,24 +71,33 @@ def refuse_without_forces(step: float | None, piston: str | None) -> None:
 def _show(console: Console, table: ForceTable) -> None:
     """Show forces by both methods, and the errors."""
     labels = [f"{angle:g}°" for angle in table.angle]
-    whose = table.piston
     exact = [Column(one.symbol, one.unit, _written(one.exact, one.exact)) for one in table.columns]
-    textbook = [Column(one.symbol, one.unit, _written(one.two_harmonics, one.exact)) for one in table.columns]
-    errors = [
-        Column(f"Δ{one.symbol}", "%", tuple(_signless(f"{100 * value:.2f}") for value in one.error))
-        for one in table.columns
-    ]
     width = console.width - INDENT
-    of = _("over the piston's area of {area:.2f} cm²").format(area=1e4 * table.area) if table.area else ""
-    heading = _("Forces of piston {piston} by the exact motion").format(piston=whose)
-    section(console, f"{heading}, {of}" if of else heading, list(column_tables(exact, labels, width)))
-    section(console, _("The same with two harmonics of inertia"), list(column_tables(textbook, labels, width)))
-    section(console, _("Their errors, of the exact peaks"), list(column_tables(errors, labels, width)))
+    heading = _("Forces of piston {piston} by the exact motion").format(piston=table.piston)
+    if table.area is not None:
+        heading = _("{heading}, over its area of {area:.2f} cm²").format(heading=heading, area=1e4 * table.area)
+    section(console, heading, list(column_tables(exact, labels, width)))
+    if np.all(np.isnan(table.columns[0].two_harmonics)):
+        section(console, _("Two harmonics of inertia"), [_("The sources have them for central mechanisms alone.")])
+    else:
+        _show_textbook(console, table, labels)
     explained = _(
         "P along the cylinder toward the shaft, N of the wall toward +y, S along the rod (+ compression), K (or Z) "
         "toward the shaft, T with the rotation, M = TR. The rod is two masses, its rotating one in none of them."
     )
     section(console, _("What they are"), [explained])
+
+
+def _show_textbook(console: Console, table: ForceTable, labels: Sequence[str]) -> None:
+    """Show the forces by two harmonics of inertia, and their errors."""
+    width = console.width - INDENT
+    textbook = [Column(one.symbol, one.unit, _written(one.two_harmonics, one.exact)) for one in table.columns]
+    section(console, _("The same with two harmonics of inertia"), list(column_tables(textbook, labels, width)))
+    errors = [
+        Column(f"Δ{one.symbol}", "%", tuple(_signless(f"{100 * value:.2f}") for value in one.error))
+        for one in table.columns
+    ]
+    section(console, _("Their errors, of the exact peaks"), list(column_tables(errors, labels, width)))
 
 
 def _written(values: Array, like: Array) -> tuple[str, ...]:

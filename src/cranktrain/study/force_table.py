@@ -32,7 +32,7 @@ _TORQUE = "M"
 class ForceColumn(NamedTuple):
     """A force, or the torque M, at the angles of a table: exact, by two harmonics, in the column's unit; error.
 
-    The error is in parts of the exact curve's peak over the cycle.
+    The error is in parts of the exact curve's peak over the cycle. Two harmonics are NaN for an offset mechanism.
     """
 
     symbol: str

@@ -2,19 +2,18 @@
 
 import pytest
 
+import cranktrain as ct
 from cranktrain.study.force_table import force_table
 
 HEADINGS = (
-    "Forces of piston 2 by the exact motion, over the piston's area of 52.81 cm²",
+    "Forces of piston 2L by the exact motion, over its area of 176.71 cm²",
     "The same with two harmonics of inertia",
     "Their errors, of the exact peaks",
 )
 
 
 def test_table(typed):
-    import cranktrain as ct
-
-    answer = typed("textbook", "vaz_21213", "--forces", "kgf/cm2", "--step", "10", "--piston", "2")
+    answer = typed("textbook", "3d12", "--forces", "kgf/cm2", "--step", "10", "--piston", "2L")
     assert (answer.status, answer.errors) == (0, "")
     lines = answer.output.splitlines()
     assert all(len(line) <= 80 for line in lines)
@@ -23,10 +22,17 @@ def test_table(typed):
     assert lines[starts[0] + 2].split() == ["kgf/cm²"] * 5 + ["kgf·m"]
     rows = [line.split() for line in lines[starts[0] + 3 : starts[0] + 75]]
     assert [row[0] for row in rows] == [f"{angle}°" for angle in range(0, 720, 10)]
-    table = force_table(ct.load("vaz_21213"), step=10.0, unit="kgf/cm2", piston="2")
+    table = force_table(ct.load("3d12"), step=10.0, unit="kgf/cm2", piston="2L")
     for place, one in enumerate(table.columns):
         digits = len(rows[0][1 + place].partition(".")[2])
         assert [float(row[1 + place]) for row in rows] == pytest.approx(one.exact, abs=0.51 * 10.0**-digits)
+
+
+def test_offset_mechanisms_have_no_two_harmonics(typed):
+    lines = typed("textbook", "vaz_21213", "--forces", "N").output.splitlines()
+    at = lines.index("Two harmonics of inertia")
+    assert lines[at + 1] == "  The sources have them for central mechanisms alone."
+    assert HEADINGS[1] not in lines
 
 
 @pytest.mark.parametrize(

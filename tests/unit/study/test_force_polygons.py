@@ -1,42 +1,16 @@
 """Polygons of forces and Zhukovsky's lever: they close, their lengths are the joints' reactions, numbers by hand."""
 
-import tomllib
-
 import numpy as np
 import pytest
+from tests.weighed_machines import WEIGHED as MACHINES
 
 import cranktrain as ct
-from cranktrain.engine.masses import part_name
 from cranktrain.engine.torque import ShaftTorques
 from cranktrain.errors import InputError
-from cranktrain.mechanisms import KINDS
 from cranktrain.study.force_polygons import force_polygons, rescaled
 from cranktrain.study.zhukovsky import zhukovsky_lever
 
 ANGLES = [33.0, 200.0]
-
-
-def weighed(table):
-    """A machine of a kind with bodies beside their lines, weights and a speed."""
-    places = ct.Machine(**table).places
-    parts = {part_name(part): n for place in places for n, part in enumerate(place.kind.dynamics.moving)}
-    masses = {
-        part: {"mass": f"{2 + n} kg"}
-        if part == "piston"
-        else {
-            "mass": f"{1 + n} kg",
-            "along": f"{30 + 10 * n} mm",
-            "across": f"{3 * n} mm",
-            "inertia": f"{0.01 + 0.003 * n} kg*m^2",
-        }
-        for part, n in parts.items()
-    }
-    return ct.Machine(**{**table, "shaft": {"main": {"speed": "1200 rpm"}}, "masses": masses, "gravity": True})
-
-
-MACHINES = {kind.name: weighed({**tomllib.loads(kind.example), "shaft": {}}) for kind in KINDS} | {
-    name: ct.load(name) for name in ("3d12", "r_1340", "deltic", "vaz_21213")
-}
 
 
 def members(machine):

@@ -1,0 +1,151 @@
+"""Pictures of forces: that their words can be read, what they say, lengths to scale, the same bytes."""
+
+import numpy as np
+import pytest
+from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
+from tests.weighed_machines import WEIGHED
+
+import cranktrain as ct
+from cranktrain.errors import InputError
+from cranktrain.study.force_polygons import force_polygons
+from cranktrain.study.pin_loads import pin_loads
+from cranktrain.study.polygons import velocity_polygons
+from cranktrain.study.zhukovsky import zhukovsky_lever
+from cranktrain.viz import plan_forces, plan_polar, plan_zhukovsky, save, sheet_forces
+from cranktrain.viz.force_panels import force_panels
+from cranktrain.viz.force_plans import force_polygon_sketch
+from cranktrain.viz.pin_polar import polar_sketch
+from cranktrain.viz.zhukovsky_plan import lever_sketch
+
+NO_ROD = ("scotch_yoke", "oscillating_cylinder", "slotted_lever", "stephenson", "chain")
+ENGINES = ("3d12", "r_1340", "deltic", "vaz_21213")
+
+
+@pytest.fixture(scope="module")
+def results():
+    return {name: ct.run(WEIGHED[name]) for name in (*ENGINES, "crank_rocker")}
+
+
+@pytest.mark.parametrize("name", WEIGHED)
+@pytest.mark.parametrize("draw", [plan_forces, plan_zhukovsky])
+def test_plan_is_readable(name, draw):
+    mechanism = "1valve" if name == "walschaerts" else None
+    assert_words_are_readable(draw(WEIGHED[name], [60.0], mechanism=mechanism))
+
+
+@pytest.mark.parametrize("name", [*ENGINES, "crank_rocker"])
+@pytest.mark.parametrize("draw", [plan_forces, plan_zhukovsky])
+def test_two_angles_are_readable(name, draw):
+    assert_words_are_readable(draw(WEIGHED[name], [30.0, 200.0]))
+    with pytest.raises(InputError, match="3 crank angles: must be at most 2"):
+        draw(WEIGHED[name], 3)
+
+
+def test_too_many_forces_for_the_paper():
+    with pytest.raises(InputError, match="has too many forces for this paper: ask for one crank angle, or for A3"):
+        plan_forces(WEIGHED["stephenson"], [30.0, 200.0])
+
+
+@pytest.mark.parametrize("name", [name for name in WEIGHED if name not in (*NO_ROD, "eccentric")])
+def test_polar_diagram_is_readable(name):
+    assert_words_are_readable(plan_polar(WEIGHED[name]))
+
+
+@pytest.mark.parametrize("name", NO_ROD)
+def test_no_polar_diagram_without_a_rod(name):
+    with pytest.raises(InputError, match="has no rod of its own on a crank pin"):
+        plan_polar(WEIGHED[name])
+
+
+@pytest.mark.parametrize("name", [*ENGINES, "crank_rocker"])
+@pytest.mark.parametrize("size", ["A4", "A3"])
+def test_sheet_is_readable(results, name, size):
+    assert_words_are_readable(sheet_forces(results[name], size=size))
+
+
+def test_sheet_of_a_slave_says_why_it_has_no_piston_forces(results):
+    words = " | ".join(text for text, _box in words_of(sheet_forces(results["3d12"], piston="1R")))
+    assert "1R hangs on another rod" in words
+    assert "At its crank pin" not in words
+
+
+def test_sheet_says_what_it_shows(results):
+    words = " | ".join(text for text, _box in words_of(sheet_forces(results["3d12"], piston="2L")))
+    for part in (
+        "Forces. φ = 0 where crank 1 is on the axis of bank L",
+        "Gas pressure, absolute, 2L, MPa",
+        "At the piston 2L, kN",
+        "At its crank pin, kN",
+        f"Torque on the shaft, mean {results['3d12'].mean_torque:.1f}, N·m",
+        "Indicator diagram, p in MPa over V in litres",
+        "6: sum 12.00 of 12",
+        "Crank angle φ, °",
+    ):
+        assert part in words
+
+
+def test_sheet_of_what_has_no_forces():
+    with pytest.raises(InputError, match=r"a sheet of forces needs \[masses\]"):
+        sheet_forces(ct.run(ct.load("jaw_crusher")))
+    with pytest.raises(InputError, match="--mechanism = 9Z: must be one of this machine's pistons"):
+        sheet_forces(ct.run(WEIGHED["vaz_21213"]), piston="9Z")
+
+
+def test_orders_that_cancel(results):
+    words = " | ".join(text for text, _box in words_of(sheet_forces(results["deltic"])))
+    assert "The orders of the torque up to 12 cancel" in words
+
+
+def test_curves_are_the_results(results):
+    result = results["3d12"]
+    pressure, at_piston, at_pin, torque = force_panels(result, "2L")
+    row = result.labels["piston"].index("2L")
+    assert pressure.named[0].values * 1e6 == pytest.approx(result.gas_pressure[row])
+    assert [curve.symbol for curve in at_piston.named] == ["P", "S", "N"]
+    assert at_piston.named[2].values * 1e3 == pytest.approx(result.side_force[0, row])
+    assert [curve.symbol for curve in at_pin.named] == ["T", "K"]
+    assert len(torque.others) == 12
+    assert sum(curve.values for curve in torque.others) == pytest.approx(torque.named[0].values, abs=1e-6)
+
+
+def test_sides_of_a_drawn_polygon_are_to_scale():
+    """Drawn beside or not: length times μ_F is the force."""
+    for polygon in force_polygons(WEIGHED["r_1340"], [40.0], mechanism="1M"):
+        sketch = force_polygon_sketch(polygon)
+        sides = [line.points for line in sketch.lines if not line.is_closed]
+        lengths = [float(np.hypot(*(side[:, 1] - side[:, 0]))) for side in sides]
+        expected = [force.size / polygon.scale for force in polygon.forces]
+        assert lengths == pytest.approx(expected, rel=1e-9, abs=1e-9)
+
+
+def test_drawn_lever_balances_about_its_pole():
+    """Moments of the drawn arrows about the pole, in mm², are zero with the couples of inertia."""
+    machine = WEIGHED["vaz_21213"]
+    lever = zhukovsky_lever(machine, 30.0)
+    (polygon,) = velocity_polygons(machine, [30.0])
+    newton = 50.0
+    arrows = [
+        line.points
+        for line in lever_sketch(lever, polygon, newton).lines
+        if line.layer == "LINKS" and not line.is_closed
+    ]
+    moments = [float(start[0] * (end - start)[1] - start[1] * (end - start)[0]) for start, end in (a.T for a in arrows)]
+    couples = sum(force.moment for force in lever.forces if not force.point)
+    whole = sum(moments) * newton * polygon.scale / lever.speed + couples
+    assert whole == pytest.approx(0.0, abs=1e-9 * abs(lever.driving_torque))
+
+
+def test_polar_curves_are_to_scale():
+    loads = pin_loads(WEIGHED["vaz_21213"])
+    sketch = polar_sketch(loads, (loads.on_pin, loads.on_pin_without), 400.0)
+    (full,) = (line.points for line in sketch.lines if line.habit == "vector")
+    assert full[:, :-1] * 400.0 == pytest.approx(loads.on_pin)
+    assert full[:, -1] == pytest.approx(full[:, 0])
+    words = [label.text for label in sketch.labels]
+    assert "0°" in words and "5" in words
+
+
+def test_same_bytes(tmp_path, results):
+    for name in ("one", "other"):
+        save(lambda: sheet_forces(results["vaz_21213"]), str(tmp_path / f"{name}.svg"))
+    assert (tmp_path / "one.svg").read_bytes() == (tmp_path / "other.svg").read_bytes()
