@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
@@ -30,6 +31,9 @@ from cranktrain.viz.sketch import Circle, Line, Sketch
 _FEW = 5
 """Of so many bodies all centres are given; of more only those of the frame and of the crank with each."""
 
+_MOST = 6
+"""Of so many bodies the tables of two crank angles have room on a sheet."""
+
 _REACH, _REACH_OF_MANY = 1.6, 0.9
 """A centre farther from the mechanism than this part of its size is said and not drawn; and where bodies are many."""
 
@@ -49,7 +53,7 @@ def plan_centres(
     ----------
     machine : Machine
     angles : int or sequence of float
-        How many, evenly over a turn, or which crank angles; two at most. [deg]
+        How many, evenly over a turn, or which crank angles; two at most, of many bodies one. [deg]
     mechanism : str, optional
         Its name; the first slave of throw 1, or the first mechanism, unless given.
     size : "A4" or "A3"
@@ -60,6 +64,10 @@ def plan_centres(
     """
     chosen = few_angles(angles, _("instant centres"))
     found = [instant_centres(machine, float(angle), mechanism=mechanism, is_lettered=True) for angle in chosen]
+    n_bodies = len(found[0].bodies)
+    if len(found) > 1 and n_bodies > _MOST:
+        allowed = _("must be one for the instant centres of {n} bodies: their tables fill a sheet").format(n=n_bodies)
+        raise InputError([Problem("", _("{n} crank angles").format(n=len(found)), allowed)])
     with drawing_settings():
         page, box = plan_page(machine, angles, size, _("Instant centres"), found[0].mechanism)
         cells = list(cells_of(box, len(found)))

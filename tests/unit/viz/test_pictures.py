@@ -638,3 +638,14 @@ def test_pins_with_long_names_have_letters_and_a_key():
     assert not any("_" in text and "$" not in text for text in words)
     assert not any("mathrm" in text for text in words)
     assert not any(text.startswith("Pins: ") for text, _box in words_of(plan_velocities(ct.load("shaper"), [60.0])))
+
+
+@pytest.mark.parametrize("name", ["lms_class5", "traction_engine"])
+@pytest.mark.parametrize("plan", ["positions", "velocities", "accelerations", "centres"])
+@pytest.mark.parametrize("angles", [[60.0], [30.0, 60.0]])
+def test_plan_of_a_valve_gear_is_readable(name, plan, angles):
+    if plan == "centres" and len(angles) > 1:
+        with pytest.raises(InputError, match="must be one for the instant centres of"):
+            plan_centres(ct.load(name), angles, mechanism="1valve")
+        return
+    assert_words_are_readable(PLANS[plan](ct.load(name), angles, mechanism="1valve"))
