@@ -43,6 +43,7 @@ from cranktrain.mechanisms.articulated_rod.forces import ArticulatedRodBodies, A
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.crank_rocker.forces import CrankRockerBodies, CrankRockerLoads
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
+from cranktrain.mechanisms.eccentric.kinematics import Eccentric, eccentric
 from cranktrain.mechanisms.oscillating_cylinder.forces import OscillatingCylinderBodies, OscillatingCylinderLoads
 from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinder, oscillating_cylinder
 from cranktrain.mechanisms.scotch_yoke.forces import ScotchYokeBodies, ScotchYokeLoads
@@ -127,6 +128,12 @@ def slider_crank_geometry(size, side):
 
 KINDS = {
     "slider_crank": mechanism(slider_crank, slider_crank_geometry, SliderCrankBodies, SliderCrankLoads),
+    "eccentric": mechanism(
+        eccentric,
+        lambda size, side: Eccentric(size(0.1), size(1.1), size(0.05), size(1.9)),
+        SliderCrankBodies,
+        SliderCrankLoads,
+    ),
     "crank_rocker": mechanism(
         crank_rocker,
         lambda size, side: CrankRocker(size(0.3), size(1.0), size(0.8), size(1.1), side),

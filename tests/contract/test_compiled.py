@@ -72,6 +72,7 @@ NO_KERNELS = {
     "chain.triad_branch",
     "chain.triad_motion",
     "compile.compiled",
+    "dual.ideal_kinks",
     "modes.triad_modes",
     "nearest.nearest_pose",
     "stephenson.stephenson",

@@ -99,7 +99,7 @@ def read_machine(
         data = with_indicator(document.data, _folder_of(source))
     except InputError as error:
         # A diagram that cannot be read is one problem among the others.
-        found = error.problems
+        found = tuple(error.problems)
     try:
         machine = Machine(**data)
         found = (*found, *machine_problems(machine, partial=partial))
@@ -153,7 +153,9 @@ def computed(file: MachineFile, **options: Any) -> "Result":
     try:
         return run(file.machine, **options)
     except InputError as error:
-        raise InputError(file.document.located(error.problems)) from None
+        of_file = [problem for problem in error.problems if problem.path.partition(".")[0] in file.document.data]
+        others = [problem for problem in error.problems if problem not in of_file]
+        raise InputError([*file.document.located(of_file), *others]) from None
 
 
 def inputs_of(file: MachineFile) -> tuple[Input, ...]:

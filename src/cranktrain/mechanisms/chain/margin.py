@@ -182,8 +182,8 @@ def _refined(
         beside = angle + half * np.array([-1.0, 0.0, 1.0])
         state = _at(chains, beside, change, np.repeat(poses, 3, axis=-1))
         gap = state.gaps[group, rival]
-        bend = np.sum(gap * [1.0, -2.0, 1.0], axis=-1, keepdims=True)
-        fall = 0.5 * (gap[:, :1] - gap[:, 2:])
+        bend: Array = gap[:, :1] - 2.0 * gap[:, 1:2] + gap[:, 2:]
+        fall: Array = 0.5 * (gap[:, :1] - gap[:, 2:])
         shift: Array = np.where(bend > 0, np.clip(fall / bend, -1.0, 1.0), np.sign(fall))
         least = _between(gap, shift)
         closes = np.all(gap > 0, axis=-1, keepdims=True)
