@@ -58,7 +58,7 @@ class PinLoads:
     @property
     def mean(self) -> float:
         """Mean size of the load over the cycle. [N]"""
-        return float(np.mean(np.hypot(self.on_pin[0], self.on_pin[1])))
+        return float(np.mean(np.sqrt(np.sum(self.on_pin**2, axis=0))))
 
 
 def pin_loads(machine: Machine, *, mechanism: str | None = None) -> PinLoads:

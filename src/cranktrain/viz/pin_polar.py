@@ -1,6 +1,7 @@
 """Polar diagram of a crank pin's load: in the pin's axes and in the rod's, with the rod's rotating mass and without."""
 
 from collections.abc import Iterator, Sequence
+from math import hypot
 
 import numpy as np
 
@@ -123,11 +124,9 @@ def _table(loads: PinLoads, angles: Array) -> Iterator[tuple[str, ...]]:
     """Load at some crank angles: toward the shaft, in the sense of rotation, its size."""
     yield ("φ, °", mathematics("K_R"), mathematics("T_R"), mathematics("R"))
     yield ("", _("kN"), _("kN"), _("kN"))
-    for angle in angles.tolist():
-        tangential, outward = (
-            float(np.interp(angle, loads.angle, loads.on_pin[i], period=loads.cycle)) / 1e3 for i in range(2)
-        )
-        yield (f"{angle:g}", rounded(-outward), rounded(tangential), rounded(float(np.hypot(outward, tangential))))
+    tangential, outward = (np.interp(angles, loads.angle, loads.on_pin[i], period=loads.cycle) / 1e3 for i in range(2))
+    for angle, along, out in zip(angles.tolist(), tangential.tolist(), outward.tolist(), strict=True):
+        yield (f"{angle:g}", rounded(-out), rounded(along), rounded(hypot(out, along)))
 
 
 def _notes(loads: PinLoads) -> Iterator[str]:
