@@ -1,7 +1,6 @@
 """Polar diagram of a crank pin's load: in the pin's axes and in the rod's, with the rod's rotating mass and without."""
 
 from collections.abc import Iterator, Sequence
-from math import hypot
 
 import numpy as np
 
@@ -124,9 +123,13 @@ def _table(loads: PinLoads, angles: Array) -> Iterator[tuple[str, ...]]:
     """Load at some crank angles: toward the shaft, in the sense of rotation, its size."""
     yield ("φ, °", mathematics("K_R"), mathematics("T_R"), mathematics("R"))
     yield ("", _("kN"), _("kN"), _("kN"))
-    tangential, outward = (np.interp(angles, loads.angle, loads.on_pin[i], period=loads.cycle) / 1e3 for i in range(2))
-    for angle, along, out in zip(angles.tolist(), tangential.tolist(), outward.tolist(), strict=True):
-        yield (f"{angle:g}", rounded(-out), rounded(along), rounded(hypot(out, along)))
+    closed = np.append(loads.angle, loads.cycle)
+    tangential, outward = (
+        1e-3 * np.interp(angles % loads.cycle, closed, np.append(part, part[:1])) for part in loads.on_pin
+    )
+    size = np.sqrt(tangential**2 + outward**2)
+    for i in range(len(angles)):
+        yield (f"{angles[i]:g}", rounded(-float(outward[i])), rounded(float(tangential[i])), rounded(float(size[i])))
 
 
 def _notes(loads: PinLoads) -> Iterator[str]:
