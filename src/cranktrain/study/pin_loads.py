@@ -58,7 +58,8 @@ class PinLoads:
     @property
     def mean(self) -> float:
         """Mean size of the load over the cycle. [N]"""
-        return float(np.mean(np.hypot(self.on_pin[0], self.on_pin[1])))
+        size: Array = np.sqrt(np.sum(self.on_pin * self.on_pin, axis=0))
+        return float(np.mean(size))
 
 
 def pin_loads(machine: Machine, *, mechanism: str | None = None) -> PinLoads:

@@ -123,11 +123,13 @@ def _table(loads: PinLoads, angles: Array) -> Iterator[tuple[str, ...]]:
     """Load at some crank angles: toward the shaft, in the sense of rotation, its size."""
     yield ("φ, °", mathematics("K_R"), mathematics("T_R"), mathematics("R"))
     yield ("", _("kN"), _("kN"), _("kN"))
-    for angle in angles.tolist():
-        tangential, outward = (
-            float(np.interp(angle, loads.angle, loads.on_pin[i], period=loads.cycle)) / 1e3 for i in range(2)
-        )
-        yield (f"{angle:g}", rounded(-outward), rounded(tangential), rounded(float(np.hypot(outward, tangential))))
+    closed = np.append(loads.angle, loads.cycle)
+    tangential, outward = (
+        1e-3 * np.interp(angles % loads.cycle, closed, np.append(part, part[:1])) for part in loads.on_pin
+    )
+    size = np.sqrt(tangential**2 + outward**2)
+    for i in range(len(angles)):
+        yield (f"{angles[i]:g}", rounded(-float(outward[i])), rounded(float(tangential[i])), rounded(float(size[i])))
 
 
 def _notes(loads: PinLoads) -> Iterator[str]:
