@@ -1,8 +1,9 @@
 """The screen: its width and colours, headings, paragraphs, tables without lines."""
 
+import re
 import sys
 import textwrap
-from collections.abc import Container, Generator, Sequence
+from collections.abc import Container, Generator, Iterator, Sequence
 from contextlib import contextmanager
 
 from rich.cells import cell_len
@@ -16,7 +17,7 @@ _GAP = 2
 _WIDTH = 80
 """Where there is no terminal."""
 
-_LEAST_FOLDED = 12
+_LEAST_FOLDED = 9
 """A cell is not folded narrower than this, however narrow the screen."""
 
 
@@ -90,7 +91,7 @@ def table(
     lines: list[Text] = []
     for row in every:
         *cells, last = row
-        folded = textwrap.wrap(last, widths[-1]) if fold is not None else [last]
+        folded = list(_folded(last, widths[-1])) if fold is not None else [last]
         style = "dim" if row is heads else ""
         for i, part in enumerate(folded or [""]):
             texts = [*(cells if i == 0 else [""] * len(cells)), part]
@@ -98,6 +99,18 @@ def table(
                 Text((" " * gap).join(_cell(text, widths[k], k in right) for k, text in enumerate(texts)), style)
             )
     return lines
+
+
+def _folded(text: str, width: int) -> Iterator[str]:
+    """Fold a text to a width; a word that is longer, as `1A.exhaust.main_bearing`, after a dot or underline in it."""
+    for line in textwrap.wrap(text, width, break_long_words=False) or [""]:
+        part = ""
+        for piece in re.findall(r"[^._]*[._]*", line) if len(line) > width else [line]:
+            if part and len(part + piece) > width:
+                yield part
+                part = ""
+            part += piece
+        yield part
 
 
 def _width(columns: Sequence[int], gap: int) -> int:

@@ -107,12 +107,13 @@ def crank_pin_loads(
     for pin in pins.pins:
         group, one = loaded.mechanisms.groups[pin.group], solved.groups[pin.group]
         size = group.members.geometry
-        load = pin_load(one.forces.joints[pin.joint], crank_link(one.motion.pin, Crank(size.crank_radius)))
+        radius: Array = np.hypot(one.motion.pin.x.value, one.motion.pin.y.value)[..., :1]
+        load = pin_load(one.forces.joints[pin.joint], crank_link(one.motion.pin, Crank(radius)))
         radial[:, group.index], tangential[:, group.index] = load
         if pin.has_rod:
             rotating = two_masses(loaded.masses.groups[pin.group].bodies.rod, size.rod_length).first
             drive = Drive(loaded.speed, np.zeros_like(loaded.speed))
-            without[:, group.index] = with_rotating_mass(load, -rotating, size.crank_radius, drive).radial
+            without[:, group.index] = with_rotating_mass(load, -rotating, radius, drive).radial
     load = np.hypot(radial, tangential)
     largest = np.argmax(np.where(np.isnan(load), -np.inf, load), axis=-1)[..., np.newaxis]
     value = np.take_along_axis(load, largest, axis=-1)[..., 0]
