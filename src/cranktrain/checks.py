@@ -41,7 +41,7 @@ class Check:
         return np.asarray(self.residual <= self.limit)
 
     def verdict(self, design: int = 0) -> str:
-        """Say for one design whether it holds, or that it needs a full turn."""
+        """Say for one design whether it holds, or what it needs."""
         if not self.judged[design]:
-            return _("needs a full turn")
+            return _("needs a full turn, or a finer grid")
         return _("holds") if self.passed[design] else _("does not hold")

@@ -33,6 +33,8 @@ _CURVE = ("crank_angle",)
 _THEORY = "docs/theory/evenness"
 _MOTION_LIMIT = 0.1
 """Of the equation of motion, for each radian of the grid's step: torques with jumps leave a tenth of that."""
+_LAST_ORDERS = 0.1
+"""Share of the upper half of a grid's orders in a work that the grid resolves."""
 
 
 @dataclass(frozen=True)
@@ -230,10 +232,13 @@ def _motion_check(speed: Array, inertia: Array, slope: Array, work: PeriodicCurv
     left = fourier_integral(inertia * acceleration + slope * speed**2 / 2, cycle).samples
     spread = np.ptp(work.samples, axis=-1)
     scale = np.where(spread > 0, spread, 1.0)
+    # A grid that shows its last orders only says nothing of the motion between its points.
+    orders = np.abs(np.fft.rfft(work.slope(work.angle), axis=-1))[..., 1:]
+    is_shown = np.sum(orders[..., orders.shape[-1] // 2 :], axis=-1) <= _LAST_ORDERS * np.sum(orders, axis=-1)
     return Check(
         "motion",
         _("Work of Jε + ½J′ω², with the speed that was found, against that of all torques, relative to its range"),
-        np.max(np.abs(left - work.samples), axis=-1) / scale,
+        np.where(is_shown, np.max(np.abs(left - work.samples), axis=-1) / scale, np.nan),
         _MOTION_LIMIT * float(work.angle[1]),
     )
 
