@@ -222,6 +222,12 @@ EXAMPLES = {
         wrench(size),
         conditions(size),
     ),
+    "forces.carrying_crank": lambda angle, size, side: (
+        group(angle, size, side).rod,
+        wrench(size),
+        point(group(angle, size, side).rod, LinkPoint(size(0.2), size(0.7))),
+        wrench(size),
+    ),
     "forces.crank_link": lambda angle, size, side: (crank_pin(angle, size), Crank(size(0.3))),
     "forces.crank_reactions": lambda angle, size, side: (wrench(size),),
     "forces.dragged": lambda angle, size, side: (size(-3.0), friction(size)),

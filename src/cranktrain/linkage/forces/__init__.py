@@ -21,7 +21,7 @@ from cranktrain.linkage.forces.body import (
     weight,
 )
 from cranktrain.linkage.forces.conditions import NO_FRICTION, Conditions, Friction, borne
-from cranktrain.linkage.forces.crank import CrankReactions, crank_link, crank_reactions
+from cranktrain.linkage.forces.crank import CrankReactions, carrying_crank, crank_link, crank_reactions
 from cranktrain.linkage.forces.pin import PinLoads, PinReactions, pin_reactions
 from cranktrain.linkage.forces.slide import SlideLoads, SlideReactions, slide_reactions, slider_link
 from cranktrain.linkage.forces.swivel import SwivelLoads, SwivelReactions, swivel_reactions, swivel_slider_link
@@ -60,6 +60,7 @@ __all__ = [
     "applied",
     "block_link",
     "borne",
+    "carrying_crank",
     "crank_link",
     "crank_reactions",
     "handed_back",

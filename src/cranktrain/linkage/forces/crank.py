@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.linkage.crank import Crank
-from cranktrain.linkage.forces.wrench import Wrench
+from cranktrain.linkage.forces.wrench import Wrench, added, handed_back
 from cranktrain.linkage.point import fixed
 from cranktrain.motion import Array, Coefficient, Link, Point
 
@@ -37,3 +37,23 @@ def crank_reactions(load: Wrench) -> CrankReactions:
     CrankReactions, shape (..., n)
     """
     return CrankReactions(Wrench(-load.x, -load.y, 0.0 * load.moment), -load.moment)
+
+
+def carrying_crank(crank: Link, on_crank: Wrench, pin: Point, reaction: Wrench) -> CrankReactions:
+    """Reactions of a shaft with one crank, on whose pin one group hangs.
+
+    Parameters
+    ----------
+    crank : Link, coefficients of shape (..., n)
+    on_crank : Wrench, shape (..., n)
+        All that acts on the crank but its joints, about the shaft's centre.
+    pin : Point
+        The crank pin. [m]
+    reaction : Wrench, shape (..., n)
+        Of the crank on the group.
+
+    Returns
+    -------
+    CrankReactions, shape (..., n)
+    """
+    return crank_reactions(added(on_crank, handed_back(crank, pin, reaction)))

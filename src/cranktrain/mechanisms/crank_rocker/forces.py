@@ -10,11 +10,9 @@ from cranktrain.linkage.forces import (
     PinLoads,
     Reduced,
     Wrench,
-    added,
     borne,
+    carrying_crank,
     crank_link,
-    crank_reactions,
-    handed_back,
     pin_reactions,
     reduced_of_three,
     torque_by_work,
@@ -100,7 +98,7 @@ def crank_rocker_forces(
         ),
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
-    shaft = crank_reactions(added(on_crank, handed_back(crank, motion.pin, group.rod)))
+    shaft = carrying_crank(crank, on_crank, motion.pin, group.rod)
     equation = reduced_of_three(links, bodies, loads, conditions.gravity)
     return Forces(
         CrankRockerJoints(shaft.bearing, group.rod, group.joint, group.rocker),

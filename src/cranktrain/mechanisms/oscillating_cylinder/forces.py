@@ -11,11 +11,9 @@ from cranktrain.linkage.forces import (
     Reduced,
     SwivelLoads,
     Wrench,
-    added,
     borne,
+    carrying_crank,
     crank_link,
-    crank_reactions,
-    handed_back,
     reduced_of_three,
     swivel_reactions,
     swivel_slider_link,
@@ -123,7 +121,7 @@ def oscillating_cylinder_forces(
         Friction(conditions.friction[0].coefficient, -conditions.friction[0].sense),
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
-    shaft = crank_reactions(added(on_crank, handed_back(crank, motion.pin, group.pin)))
+    shaft = carrying_crank(crank, on_crank, motion.pin, group.pin)
     equation = reduced_of_three(links, bodies, loads, conditions.gravity)
     drag = motion.cylinder.cos * group.slider.x + motion.cylinder.sin * group.slider.y
     return Forces(

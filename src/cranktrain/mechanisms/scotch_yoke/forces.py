@@ -10,12 +10,10 @@ from cranktrain.linkage.forces import (
     Reduced,
     Wrench,
     YokeLoads,
-    added,
     block_link,
     borne,
+    carrying_crank,
     crank_link,
-    crank_reactions,
-    handed_back,
     reduced_of_three,
     slider_link,
     torque_by_work,
@@ -105,7 +103,7 @@ def scotch_yoke_forces(
         conditions.friction[0],
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
-    shaft = crank_reactions(added(on_crank, handed_back(crank, motion.pin, group.pin)))
+    shaft = carrying_crank(crank, on_crank, motion.pin, group.pin)
     equation = reduced_of_three(links, bodies, loads, conditions.gravity)
     return Forces(
         ScotchYokeJoints(shaft.bearing, group.pin, group.slot, group.guide),

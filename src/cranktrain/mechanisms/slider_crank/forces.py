@@ -10,11 +10,9 @@ from cranktrain.linkage.forces import (
     Reduced,
     SlideLoads,
     Wrench,
-    added,
     borne,
+    carrying_crank,
     crank_link,
-    crank_reactions,
-    handed_back,
     reduced_of_three,
     slide_reactions,
     slider_link,
@@ -119,7 +117,7 @@ def slider_crank_forces(
         conditions.friction[0],
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
-    shaft = crank_reactions(added(on_crank, handed_back(crank, motion.pin, group.pin)))
+    shaft = carrying_crank(crank, on_crank, motion.pin, group.pin)
     equation = reduced_of_three(links, bodies, loads, conditions.gravity)
     return Forces(
         SliderCrankJoints(shaft.bearing, group.pin, group.joint, group.guide),

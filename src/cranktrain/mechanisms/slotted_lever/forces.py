@@ -10,11 +10,9 @@ from cranktrain.linkage.forces import (
     Reduced,
     SwivelLoads,
     Wrench,
-    added,
     borne,
+    carrying_crank,
     crank_link,
-    crank_reactions,
-    handed_back,
     reduced_of_three,
     swivel_reactions,
     swivel_slider_link,
@@ -104,7 +102,7 @@ def slotted_lever_forces(
         conditions.friction[0],
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
-    shaft = crank_reactions(added(on_crank, handed_back(crank, motion.pin, group.pin)))
+    shaft = carrying_crank(crank, on_crank, motion.pin, group.pin)
     equation = reduced_of_three(links, bodies, loads, conditions.gravity)
     drag = motion.rocker.cos * group.slider.x + motion.rocker.sin * group.slider.y
     return Forces(
