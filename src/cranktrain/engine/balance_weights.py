@@ -32,7 +32,7 @@ _NOISE = 1e-12
 """Of what all parts could do together: less is rounding."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class DeclaredBalance:
     """The table [balance] of each design, and the throws of `main`, to which its weights are put.
 
@@ -88,7 +88,7 @@ def balance_problems(spec: BalanceSpec, main: ShaftSpec) -> tuple[Problem, ...]:
     return tuple(found)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class BalanceWeights:
     """Weights that balance the machine, given and solved for."""
 

@@ -34,7 +34,7 @@ class PlaceMasses(NamedTuple):
     friction: tuple[Array, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Masses:
     """Bodies of all mechanisms, and what weighs on them.
 

@@ -19,7 +19,7 @@ _CURVE = ("piston", "crank_angle")
 _THEORY = "docs/theory/slider-crank"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PistonMotion:
     """Motion of every piston by the crank angle alone; speed enters with `PistonSpeeds`."""
 
@@ -59,7 +59,7 @@ def _derivatives_check(pistons: Distinct) -> Check:
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PistonSpeeds:
     """Velocities and accelerations of pistons at the declared, constant speed."""
 

@@ -32,7 +32,7 @@ _DIRECT = "slider_crank"
 """Kind whose rod joins piston and crank pin, and nothing else does."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class DirectPistons:
     """Pistons of which some at least have rods on the crank pin itself."""
 
@@ -70,7 +70,7 @@ def _direct(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[_Direct]:
         yield _Direct(group, solved.groups[place].motion, bodies.slider.mass + share, piston)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PistonForceSet:
     """P, N, S, K and T of pistons on crank pins of their own, the rod as two masses; NaN for other pistons.
 

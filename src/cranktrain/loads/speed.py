@@ -25,7 +25,7 @@ class MeanSpeeds(NamedTuple):
     extremes: Array
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class SpeedOverCycle:
     """Speed over one cycle of steady running.
 

@@ -77,7 +77,7 @@ class Block(NamedTuple):
     link: tuple[str, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Drawing:
     """A mechanism to draw: how its pins move, in its own axes, and what joins them.
 
@@ -134,7 +134,7 @@ FRAME = "frame"
 """What stands still, as one of a joint's two bodies."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Dynamics:
     """What forces a kind of mechanism gives; every function is a kernel.
 
@@ -173,7 +173,7 @@ class Dynamics:
     on_master: Callable[[Any, Any, Any], Any] | None = None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Members:
     """The mechanisms of one kind in a machine: their names and geometry.
 
@@ -192,7 +192,7 @@ class Members:
     phase: Array
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Kind:
     """A kind of mechanism, as data.
 
