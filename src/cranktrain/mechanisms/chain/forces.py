@@ -134,8 +134,8 @@ def chain_forces(
     by_work = torque_by_work(
         chain_reduced(structure, motion, size, bodies, loads, conditions.gravity), conditions.drive
     )
-    for slider, drag in walk.drags.items():
-        by_work = by_work - drag * made[slider].first
+    for name, drag in walk.drags.items():
+        by_work = by_work - drag * made[name].first
     joints = tuple(walk.joints[reaction.name] for reaction in chain_reactions(structure))
     return Forces(joints, shaft.driving_torque, by_work)
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 
-from cranktrain.mechanisms.chain.made import SHAFT, pin_of
+from cranktrain.mechanisms.chain.made import SHAFT, pin_of, slot_of
 from cranktrain.mechanisms.chain.steps import (
     GuideLegStep,
     MountStep,
@@ -46,10 +46,20 @@ def moving_of(step: Step) -> tuple[str, ...]:
 
 
 def chain_sliding(structure: Structure) -> tuple[str, ...]:
-    """Names of the sliders that may have friction: all but those of triads."""
-    return tuple(
-        step.slider for step in structure.steps if isinstance(step, SlideStep | SwivelStep | YokeStep | TrammelStep)
-    )
+    """Names of what may have friction: sliders in their guides, and blocks in slots, by the slider of the slot."""
+    return tuple(name for step in structure.steps for name in _sliding_of(step))
+
+
+def _sliding_of(step: Step) -> tuple[str, ...]:
+    match step:
+        case SlideStep() | SwivelStep():
+            return (step.slider,)
+        case YokeStep() | TrammelStep():
+            return step.slider, slot_of(step.slider)
+        case TriadStep():
+            return tuple(leg.slider for leg in step.legs if isinstance(leg, GuideLegStep))
+        case PinStep() | PointStep() | MountStep():
+            return ()
 
 
 def chain_reactions(structure: Structure) -> tuple[Reaction, ...]:
