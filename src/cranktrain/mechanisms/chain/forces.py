@@ -22,7 +22,14 @@ from cranktrain.linkage.forces import (
     torque_by_work,
 )
 from cranktrain.mechanisms.chain.backward import BackwardWalk, walk_backward
-from cranktrain.mechanisms.chain.joints import carriers_of, chain_moving, chain_reactions, chain_sliding, moving_of
+from cranktrain.mechanisms.chain.joints import (
+    carriers_of,
+    chain_contacts,
+    chain_moving,
+    chain_reactions,
+    chain_sliding,
+    moving_of,
+)
 from cranktrain.mechanisms.chain.kinematics import ChainMotion
 from cranktrain.mechanisms.chain.made import made_names, pin_of
 from cranktrain.mechanisms.chain.steps import ChainSize, Step, Structure, SwivelSize, SwivelStep, TriadStep
@@ -198,6 +205,7 @@ def chain_dynamics(structure: Structure, size_of: Callable[[Any], ChainSize] = _
         chain_moving(structure),
         chain_reactions(structure),
         chain_sliding(structure),
+        chain_contacts(structure),
         links,
         load,
         forces,

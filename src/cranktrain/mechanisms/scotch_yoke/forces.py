@@ -20,7 +20,7 @@ from cranktrain.linkage.forces import (
     torque_by_work,
     yoke_reactions,
 )
-from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
+from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Reaction
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke, ScotchYokeMotion
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import Array, Link
@@ -141,6 +141,7 @@ DYNAMICS = Dynamics(
         Reaction("guide", "slider", FRAME),
     ),
     sliding=("slider", "block"),
+    contacts=(Contact("guide", "B"), Contact("slot", "A")),
     links=scotch_yoke_links,
     load=scotch_yoke_load,
     forces=scotch_yoke_forces,
