@@ -165,7 +165,8 @@ def _solve_triad(step: TriadStep, own: TriadSize, walk: BackwardWalk) -> None:
         else:
             walk.joints[joint_name(pin_of(leg.slider), step.link)] = reactions.joint
             walk.joints[joint_name(GUIDE, leg.slider)] = reactions.end
-            walk.drags[leg.slider] = _along(reactions.end, end.cos, end.sin)
+            if has_friction:
+                walk.drags[leg.slider] = _along(reactions.end, end.cos, end.sin)
 
 
 def _solve_point(step: PointStep | MountStep, own: Any, walk: BackwardWalk) -> None:
