@@ -92,7 +92,8 @@ ONLY_DESIGNS = {"triad.triad"} | force_kernels.EXAMPLES.keys()
 """What takes long to compile for arrays: with designs there are crank angles too."""
 
 ONLY_NUMBERS = {name for name in force_kernels.EXAMPLES if name.split(".")[0] in force_kernels.KINDS} | {
-    "forces.triad_reactions"
+    "forces.triad_reactions",
+    "forces.triad_reactions_with_friction",
 }
 """What takes up to ten seconds to compile for arrays: a transient asks for numbers, and on arrays NumPy is as good."""
 

@@ -32,6 +32,7 @@ from cranktrain.engine.powers import brake_powers, indicated_powers
 from cranktrain.engine.rocker_load import load_motion
 from cranktrain.engine.rockers import dead_positions, rocker_motion, rocker_speeds, rocker_turn
 from cranktrain.engine.rod_methods import rod_methods
+from cranktrain.engine.rod_orders import rod_orders
 from cranktrain.engine.rods import rod_motion, rod_speeds
 from cranktrain.engine.torque import gear_torques, journal_torques, shaft_torques
 from cranktrain.engine.torque_orders import phase_star_sums, torque_orders
@@ -151,6 +152,7 @@ STAGES: tuple[Stage, ...] = tuple(
         rim_size,
         axial_positions,
         closing,
+        rod_orders,
         textbook_motion,
     )
 )
