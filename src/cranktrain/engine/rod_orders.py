@@ -17,7 +17,7 @@ _FACT = ("order", "piston")
 _THEORY = "docs/theory/harmonics-and-orders"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class RodOrders:
     """Harmonics of pistons by the angle of their own cranks from the top; NaN but for central slider-cranks."""
 
