@@ -23,6 +23,7 @@ from cranktrain.engine.followed import link_motion, slider_motions
 from cranktrain.engine.forces import joint_forces, loaded_machine, mechanism_torques, solved_cycle
 from cranktrain.engine.frame_forces import frame_forces
 from cranktrain.engine.gas import gas_in_chambers, gas_pressures
+from cranktrain.engine.load_curve import load_torque
 from cranktrain.engine.motion import piston_motion, piston_speeds
 from cranktrain.engine.opposed import combined_motion, combined_speeds, volumetric_dead_centres
 from cranktrain.engine.piston_forces import piston_force_set
@@ -33,6 +34,7 @@ from cranktrain.engine.rocker_load import load_motion
 from cranktrain.engine.rockers import dead_positions, rocker_motion, rocker_speeds, rocker_turn
 from cranktrain.engine.rod_methods import rod_methods
 from cranktrain.engine.rods import rod_motion, rod_speeds
+from cranktrain.engine.shaft_torque import applied_torque
 from cranktrain.engine.torque import gear_torques, journal_torques, shaft_torques
 from cranktrain.engine.torque_orders import phase_star_sums, torque_orders
 from cranktrain.engine.travel import cylinder_travel
@@ -145,6 +147,8 @@ STAGES: tuple[Stage, ...] = tuple(
         shaking_couples,
         rolling_moment,
         flywheel_moment,
+        applied_torque,
+        load_torque,
         shaft_work,
         running_speed,
         flywheel_size,
