@@ -117,7 +117,7 @@ def whole_machine(torque, speed, **evenness: Any) -> dict[type, Any]:
     square = known[Speed].value[0] ** 2
     torques = replace(torques, driving_torque=torques.reduced_inertia_slope * square / 2 - torque)
     load, angle = known[ShaftLoad], known[CrankAngle]
-    applied = applied_torque(load, torques, known[LoadedMachine], known[Speed])
+    applied = applied_torque(load, torques, known[LoadedMachine], angle)
     work = shaft_work(applied, None, torques, angle)
     if WantedCoefficient in known:
         known[FlywheelSize] = flywheel_size(load, known[WantedCoefficient], work, known[Speed])

@@ -34,6 +34,7 @@ from cranktrain.engine.rocker_load import load_motion
 from cranktrain.engine.rockers import dead_positions, rocker_motion, rocker_speeds, rocker_turn
 from cranktrain.engine.rod_methods import rod_methods
 from cranktrain.engine.rods import rod_motion, rod_speeds
+from cranktrain.engine.running_frame import running_frame
 from cranktrain.engine.shaft_torque import applied_torque
 from cranktrain.engine.torque import gear_torques, journal_torques, shaft_torques
 from cranktrain.engine.torque_orders import phase_star_sums, torque_orders
@@ -95,6 +96,19 @@ def ordered(stages: Iterable[Stage]) -> tuple[Stage, ...]:
     return tuple(by_gift[gift] for gift in TopologicalSorter(graph).static_order())
 
 
+def leading_to(stages: Sequence[Stage], gifts: Iterable[type]) -> tuple[Stage, ...]:
+    """Those stages that gifts need, and their own, in the order of `stages`."""
+    by_gift = {one.gives: one for one in stages}
+    wanted: set[type] = set()
+    open_ends = list(gifts)
+    while open_ends:
+        gift = open_ends.pop()
+        if gift in by_gift and gift not in wanted:
+            wanted.add(gift)
+            open_ends += by_gift[gift].needs.values()
+    return tuple(one for one in stages if one.gives in wanted)
+
+
 STAGES: tuple[Stage, ...] = tuple(
     stage(function)
     for function in (
@@ -142,6 +156,7 @@ STAGES: tuple[Stage, ...] = tuple(
         journal_torques,
         joint_forces,
         frame_forces,
+        running_frame,
         balance_weights,
         shaking_forces,
         shaking_couples,

@@ -8,8 +8,9 @@ import numpy as np
 from cranktrain.catalogue import quantity
 from cranktrain.engine.evenness_table import ShaftLoad
 from cranktrain.engine.forces import LoadedMachine, MechanismTorques
-from cranktrain.engine.layout import Speed
+from cranktrain.engine.layout import CrankAngle
 from cranktrain.language import N_
+from cranktrain.linkage.forces import Drive, Reduced, ReducedInertia, torque_by_work
 from cranktrain.loads.periodic import Interpolation, fourier_curve, fourier_integral, spline_curve, spline_integral
 from cranktrain.motion import Array
 
@@ -43,15 +44,19 @@ class AppliedTorque:
     )
 
 
-def applied_torque(_load: ShaftLoad, torques: MechanismTorques, loaded: LoadedMachine, speed: Speed) -> AppliedTorque:
+def applied_torque(
+    _load: ShaftLoad, torques: MechanismTorques, loaded: LoadedMachine, crank_angle: CrankAngle
+) -> AppliedTorque:
     """Torque that is left without inertia; a file that says nothing of a load has none.
 
     Notes
     -----
-    At constant speed the shaft takes M = ½J′ω² − M_d. Friction that inertia causes stays in M_d as it is at that speed.
+    The shaft takes M = Jε + ½J′ω² − M_d. Friction that inertia causes stays in M_d as it is at the speed of the run.
     docs/theory/evenness, eq. (17.16).
     """
-    applied = torques.reduced_inertia_slope * speed.value[..., 0] ** 2 / 2 - torques.driving_torque
+    drive = loaded.speed.drive(crank_angle.angle)
+    equation = Reduced(ReducedInertia(torques.reduced_inertia, torques.reduced_inertia_slope), torques.driving_torque)
+    applied = torque_by_work(equation, Drive(drive.speed[:, 0], drive.acceleration[:, 0]))
     has_friction = any(np.any(part) for made in loaded.masses.groups for part in made.friction)
     by = (
         Interpolations(fourier_curve, fourier_integral)

@@ -83,8 +83,13 @@ def spline_curve(samples: Array, cycle: float = TURN) -> PeriodicCurve:
     -----
     The slopes at the nodes solve s₋ + 4s + s₊ = 3(y₊ − y₋)/h, a circulant system, through its Fourier transform.
     """
+    return hermite_curve(samples, _spline_slopes(samples, cycle / samples.shape[-1]), cycle)
+
+
+def hermite_curve(samples: Array, slopes: Array, cycle: float = TURN) -> PeriodicCurve:
+    """Cubics through samples (..., n) with given slopes (..., n) there: continuous with its slope."""
     step = cycle / samples.shape[-1]
-    nodes = np.stack([samples, _spline_slopes(samples, step)])
+    nodes = np.stack([samples, slopes])
 
     def value(angle: Array) -> Array:
         (y0, s0), (y1, s1), t = _piece(nodes, angle, step)

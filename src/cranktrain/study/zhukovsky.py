@@ -95,7 +95,7 @@ def zhukovsky_lever(machine: Machine, angle: float, *, mechanism: str | None = N
         for force in _of_link(machine, one, i, numbers[name])
         if force.moment != 0.0 or (force.point and np.any(force.value))
     ]
-    return Lever(place.name, float(shown[0]), float(loaded.speed[0, 0, 0]), tuple(forces), _driving_torque(one))
+    return Lever(place.name, float(shown[0]), float(loaded.speed.value[0, 0, 0]), tuple(forces), _driving_torque(one))
 
 
 def _of_link(machine: Machine, one: Member, i: int, number: int) -> Iterator[LeverForce]:
@@ -116,7 +116,7 @@ def _of_link(machine: Machine, one: Member, i: int, number: int) -> Iterator[Lev
 def _at(force: Force, point: str, velocity: Array, one: Member) -> LeverForce:
     """Put a force to its point."""
     value = force.value[:, 0]
-    speed = float(one.loaded.speed[0, 0, 0])
+    speed = float(one.loaded.speed.value[0, 0, 0])
     moment = float(value @ velocity) / speed
     return LeverForce(force.symbol, point, _pair(value), _pair(velocity), moment)
 
@@ -134,7 +134,7 @@ def _pin_name(one: Member, i: int) -> str:
 
 def _velocity(machine: Machine, one: Member, i: int, *, is_centroid: bool) -> Array:
     """Velocity of a link's first pin or centroid, by the work of unit forces there. [m/s]"""
-    speed = float(one.loaded.speed[0, 0, 0])
+    speed = float(one.loaded.speed.value[0, 0, 0])
     units = ((1.0, 0.0), (0.0, 1.0))
     if is_centroid:
         parts = [_work_of_weight(one, i, Gravity(*map(np.asarray, ((x,), (y,))))) for x, y in units]
@@ -182,12 +182,12 @@ def _couple(one: Member, i: int) -> float:
     """Torque on the crank that a link's inertia about its own centroid takes: ½J′ω² of a link without mass."""
     body = one.bodies[i]._replace(mass=np.zeros((1, 1)))
     equation = one.dynamics.reduced(one.motion, one.size, _bodies(one, i, body), _nothing(one), _NO_GRAVITY)
-    return 0.5 * float(np.ravel(equation.inertia.first)[0]) * float(one.loaded.speed[0, 0, 0]) ** 2
+    return 0.5 * float(np.ravel(equation.inertia.first)[0]) * float(one.loaded.speed.value[0, 0, 0]) ** 2
 
 
 def _driving_torque(one: Member) -> float:
     """Torque that must be applied to the crank for the mechanism alone, by its joints' reactions, without friction."""
-    speed = one.loaded.speed[0]
+    speed = one.loaded.speed.value[0]
     still = Drive(speed, np.zeros_like(speed))
     conditions = Conditions(still, one.gravity, tuple(NO_FRICTION for _slider in one.dynamics.sliding))
     forces = one.dynamics.forces(one.motion, one.size, one.dynamics.bodies(*one.bodies), loads_of(one), conditions)
