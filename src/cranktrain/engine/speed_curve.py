@@ -44,8 +44,8 @@ class SpeedCurve:
         """
         shown = angle - self.zero
         flat = shown.reshape(len(shown), -1)
-        square, slope = self.square.value(flat), self.square.slope(flat)
-        return Drive(np.sqrt(square).reshape(shown.shape), slope.reshape(shown.shape) / 2)
+        square = self.square.motion(flat)
+        return Drive(np.sqrt(square.value).reshape(shown.shape), square.first.reshape(shown.shape) / 2)
 
     def answer(self, _names: Names, design: int) -> str:
         """Say at which speed everything is."""

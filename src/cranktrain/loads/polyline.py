@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.loads.periodic import PeriodicCurve, cycle_grid
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Coefficient
 
 
 class Polyline(NamedTuple):
@@ -74,20 +74,19 @@ def polyline_integral(polyline: Polyline, n_points: int, cycle: float) -> Period
     """
     mean = polyline_mean(polyline)
 
-    def from_first(angle: Array) -> Array:
+    def from_first(angle: Array) -> Coefficient:
         piece = _piece(polyline, angle)
         whole = piece.integral + piece.beyond * (piece.value + piece.slope * piece.beyond / 2)
-        return whole - mean * np.mod(angle - polyline.angles[0], polyline.period)
+        level = mean * np.mod(angle - polyline.angles[0], polyline.period)
+        return Coefficient(whole - level, piece.value + piece.slope * piece.beyond - mean, piece.slope)
 
-    start = from_first(np.zeros(()))
+    start = from_first(np.zeros(())).value
 
-    def value(angle: Array) -> Array:
-        return from_first(angle) - start
+    def motion(angle: Array) -> Coefficient:
+        value, first, second = from_first(angle)
+        return Coefficient(value - start, first, second)
 
-    def slope(angle: Array) -> Array:
-        return polyline_value(polyline, angle) - mean
-
-    return PeriodicCurve(cycle, value(cycle_grid(n_points, cycle)), value, slope)
+    return PeriodicCurve(cycle, motion(cycle_grid(n_points, cycle)).value, motion)
 
 
 def _areas(polyline: Polyline) -> Array:
