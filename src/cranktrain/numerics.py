@@ -17,9 +17,11 @@ _CANDIDATES = 2
 """How many of the grid's peaks are refined: of two that are nearly alike the grid may show the wrong one higher."""
 _ALIKE = 1e-9
 """Peaks that differ by less, in parts of the curve's, are one height: rounding must not choose between their angles."""
-_CLOSER, _CLOSEST, _MOST_ZOOMS = 12, 1e-5, 4
-"""By how much closer, at least, the points of the next parabola are; and how close they have to come [rad]: its top is
-then exact to some 1e-10 rad."""
+_CLOSEST, _FARTHEST = 1e-5, 30.0
+"""How close the points of a parabola have to come [rad], for its top to be exact to some 1e-10 rad; and how far beyond
+them, in parts of that, its top is worth a second look."""
+_CLOSER, _MOST_ZOOMS = 12, 4
+"""By how much closer, at least, the points of the next parabola are, where those first looks miss."""
 _MOST_STEPS = 60
 _MOST_NEWTON_STEPS = 10
 _SETTLED = 1e-13
@@ -249,33 +251,74 @@ def _candidates(samples: Array, signs: Sequence[float]) -> NDArray[np.intp]:
 
 
 def _zoomed(curve: Curve, samples: Array, place: NDArray[np.intp], grid: Array, signs: Sequence[float]) -> Extreme:
-    """Top of the parabola through three points, those of the grid, then ever closer ones."""
+    """Tops of parabolas through three close points about the top of a quartic through five of the grid.
+
+    Where that misses, as at kinks and at peaks hardly wider than the grid's step, through ever closer points.
+    """
     sign = np.repeat(signs, _CANDIDATES)
-    beside = np.array([[-1], [0], [1]])
-    around = (place[..., np.newaxis, :] + beside) % len(grid)
-    flat = (*place.shape[:-1], 3 * place.shape[-1])
-    three = np.take_along_axis(samples, around.reshape(flat), axis=-1).reshape(around.shape)
-    middle, half = grid[place], np.full(place.shape, grid[1] - grid[0])
-    closer, top = half / _CLOSER, _top(three, half, sign)
-    for _ in range(_MOST_ZOOMS):
-        middle, before, half = middle + top.angle, half, closer
-        three = curve((middle[..., np.newaxis, :] + half[..., np.newaxis, :] * beside).reshape(flat))
-        top = _top(three.reshape(*three.shape[:-1], *around.shape[-2:]), half, sign)
-        if not np.any(half > 2 * _CLOSEST):
-            break
-        # What a parabola's top is off by goes with the square of its width; four times that is wide enough.
-        closer = np.minimum(np.maximum(4 * np.abs(top.angle) * (half / before) ** 2, _CLOSEST), half / _CLOSER)
-    return Extreme(middle + top.angle, top.value)
+    step, peak = float(grid[1] - grid[0]), grid[place]
+    around = (place[..., np.newaxis, :] + np.array([[-2], [-1], [0], [1], [2]])) % len(grid)
+    five = np.take_along_axis(samples, around.reshape(*place.shape[:-1], 5 * place.shape[-1]), axis=-1)
+    five = five.reshape(around.shape)
+
+    def top(middle: Array, half: Array, farthest: float = 1.0) -> _Top:
+        three = curve(np.concatenate([middle - half, middle, middle + half], axis=-1))
+        return _top(three.reshape(*three.shape[:-1], 3, place.shape[-1]), sign, farthest)
+
+    wide = _top(five[..., 1:4, :], sign)
+    middle, half = peak + step * _top_of_quartic(five, wide.way), np.full(place.shape, _CLOSEST)
+    found = top(middle, half, _FARTHEST)
+    is_missed = np.abs(found.way) >= 1
+    if np.any(is_missed) and not np.any(np.abs(found.way) >= _FARTHEST):
+        middle = np.where(is_missed, middle + half * found.way, middle)
+        found = top(middle, half)
+        is_missed = np.abs(found.way) >= 1
+    if np.any(is_missed):
+        middle = np.where(is_missed, peak + step * wide.way, middle)
+        before, half = np.full(place.shape, step), np.where(is_missed, step / _CLOSER, half)
+        for _ in range(_MOST_ZOOMS):
+            found = top(middle, half)
+            if not np.any(half > 2 * _CLOSEST):
+                break
+            middle = middle + half * found.way
+            # What a parabola's top is off by goes with the square of its width; four times that is wide enough.
+            width = np.minimum(4 * np.abs(found.way) * half * (half / before) ** 2, half / _CLOSER)
+            before, half = half, np.maximum(width, _CLOSEST)
+    return Extreme(middle + half * found.way, found.value)
 
 
-def _top(three: Array, half: Array, sign: Array) -> Extreme:
-    """Top of the parabola through three points, (..., 3, k), by the way from the middle one; NaN where one is."""
+class _Top(NamedTuple):
+    """Top of a parabola through three points: the way to it from the middle one, in parts of the distance; value."""
+
+    way: Array
+    value: Array
+
+
+def _top(three: Array, sign: Array, farthest: float = 1.0) -> _Top:
+    """Top of the parabola through three points, (..., 3, k), no farther than these unless said; NaN where one is."""
     left, centre, right = (three[..., place, :] for place in range(3))
     curvature, slope = left - 2 * centre + right, (right - left) / 2
-    # In parts of the distance; a parabola that opens the wrong way has no top.
-    step = np.where(sign * curvature < 0, -slope / curvature, 0.0 * curvature)
-    step = np.minimum(np.maximum(step, -1.0), 1.0)
-    return Extreme(half * step, centre + (slope + curvature / 2 * step) * step)
+    # A parabola that opens the wrong way has its top at an end.
+    way = np.where(sign * curvature < 0, -slope / curvature, np.sign(sign * slope))
+    way = np.minimum(np.maximum(way, -farthest), farthest)
+    return _Top(way, centre + (slope + curvature / 2 * way) * way)
+
+
+def _top_of_quartic(five: Array, way: Array) -> Array:
+    """Way to the top of the polynomial through five points, (..., 5, k), by Newton's method from the parabola's.
+
+    Stirling's formula. The parabola's where there are not five.
+    """
+    far_left, left, centre, right, far_right = (five[..., place, :] for place in range(5))
+    first, second = (right - left) / 2, left - 2 * centre + right
+    third, fourth = (far_right - far_left) / 2 - (right - left), far_left + far_right - 4 * (left + right) + 6 * centre
+    start = way
+    for _ in range(2):
+        square = way * way
+        slope = first + way * second + (3 * square - 1) / 6 * third + (2 * square - 1) * way / 12 * fourth
+        way = way - slope / (second + way * third + (6 * square - 1) / 12 * fourth)
+        way = np.minimum(np.maximum(way, -1.0), 1.0)
+    return np.where(np.isnan(way), start, way)
 
 
 def _scale(samples: Array) -> Array:
