@@ -325,7 +325,7 @@ EXAMPLES = {
         angle,
         SliderCrank(size(0.3), size(1.0), 0.0),
         size(0.6),
-        size(4.0),
+        drive(size),
     ),
     "rod_masses.as_rigid_body": rod_of_masses,
     "rod_masses.by_three_masses": rod_of_masses,

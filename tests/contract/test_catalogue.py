@@ -90,7 +90,12 @@ EVERYTHING = {
         "weight": [{"mass": "1 kg", "radius": "40 mm", "throw": 2}],
         "shafts": [{"order": 2, "against": "both", "planes": ["0 mm", "100 mm"]}],
     },
-    "evenness": {"flywheel": "2 kg·m²", "coefficient": 0.02, "rim": {"mean_diameter": "600 mm"}},
+    "evenness": {
+        "flywheel": "2 kg·m²",
+        "coefficient": 0.02,
+        "rim": {"mean_diameter": "600 mm"},
+        "load_curve": {"file": "load.csv", "text": "angle;torque [N·m]\n0;100\n360;100"},
+    },
 }
 """A machine of all kinds, which declares all there is."""
 

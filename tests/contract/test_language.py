@@ -19,7 +19,8 @@ def said() -> set[str]:
 
 
 def test_template_holds_what_the_code_says():
-    # remake it with: pybabel extract -k N_ --no-location --sort-output -o src/cranktrain/locale/cranktrain.pot src
+    # remake it with: pybabel extract -k N_ --no-location --sort-output --project cranktrain --version 0.1.0
+    #   --copyright-holder "the cranktrain authors" -o src/cranktrain/locale/cranktrain.pot src
     with TEMPLATE.open(encoding="utf-8") as file:
         template = {message.id for message in read_po(file) if message.id}
     assert sorted(said() - template) == []

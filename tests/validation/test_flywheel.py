@@ -19,6 +19,7 @@ from cranktrain.engine.evenness_table import GivenFlywheel, ShaftLoad, WantedCoe
 from cranktrain.engine.flywheel import FlywheelSize, flywheel_size
 from cranktrain.engine.forces import LoadedMachine, MechanismTorques
 from cranktrain.engine.layout import CrankAngle, Speed
+from cranktrain.engine.shaft_torque import applied_torque
 from cranktrain.loads.excess_work import excess_work
 from cranktrain.loads.flywheel import exact_flywheel, flywheels_by_method, textbook_inertia
 from cranktrain.loads.periodic import cycle_grid, fourier_curve, plus
@@ -116,11 +117,13 @@ def whole_machine(torque, speed, **evenness: Any) -> dict[type, Any]:
     square = known[Speed].value[0] ** 2
     torques = replace(torques, driving_torque=torques.reduced_inertia_slope * square / 2 - torque)
     load, angle = known[ShaftLoad], known[CrankAngle]
-    work = shaft_work(load, torques, known[LoadedMachine], known[Speed], angle)
+    applied = applied_torque(load, torques, known[LoadedMachine], angle)
+    work = shaft_work(applied, None, torques, angle)
     if WantedCoefficient in known:
         known[FlywheelSize] = flywheel_size(load, known[WantedCoefficient], work, known[Speed])
     if GivenFlywheel in known:
-        known[RunningSpeed] = running_speed(load, known[GivenFlywheel], work, torques, known[Speed], angle)
+        flywheel = known[GivenFlywheel]
+        known[RunningSpeed] = running_speed(load, flywheel, applied, None, work, torques, known[Speed], angle)
     return known
 
 

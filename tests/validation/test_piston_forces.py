@@ -55,7 +55,9 @@ def test_harmonics_of_inertia(ratio):
     geometry = SliderCrank(size, 1.0, 0.0)
     motion = slider_crank(PHI, geometry)
     exact = inertia_force(motion.slider, 1.0, Drive(1.0, 0.0))
-    amplitudes = 2 * np.fft.rfft(exact - two_harmonic_inertia_force(PHI, geometry, 1.0, 1.0)).real / PHI.size / size
+    amplitudes = (
+        2 * np.fft.rfft(exact - two_harmonic_inertia_force(PHI, geometry, 1.0, Drive(1.0, 0.0))).real / PHI.size / size
+    )
     beyond = [0.0, 0.0, size - expected["A2"], 0.0, -expected["A4"], 0.0, -expected["A6"], 0.0, -expected["A8"]]
     np.testing.assert_allclose(amplitudes[: len(beyond)], beyond, atol=1e-15)
     torque = -exact * motion.slider.first
@@ -65,7 +67,7 @@ def test_harmonics_of_inertia(ratio):
 
 def test_two_harmonics_are_for_central_mechanisms():
     with np.errstate(invalid="ignore"):
-        assert np.isnan(two_harmonic_inertia_force(0.3, SliderCrank(0.05, 0.2, 0.01), 1.0, 100.0))
+        assert np.isnan(two_harmonic_inertia_force(0.3, SliderCrank(0.05, 0.2, 0.01), 1.0, Drive(100.0, 0.0)))
 
 
 ROD = CASE["rod_replacement"]["parameters"]

@@ -41,7 +41,8 @@ class Result:
     grid : CrankAngle
     labels : mapping of dimension to names
     gifts : tuple of result objects
-        One from each stage, in SI and radians, always with the design axis.
+        One from each stage, in SI and radians, always with the design axis; before them the speed where it varies over
+        the cycle.
     missing : tuple of Missing
     """
 

@@ -7,11 +7,13 @@ import numpy as np
 
 from cranktrain.analysis.parts import Parts, parts_of
 from cranktrain.analysis.result import Result
-from cranktrain.analysis.stages import STAGES, Stage, run_stages
+from cranktrain.analysis.second_run import SpeedWanted, with_speed
+from cranktrain.analysis.stages import STAGES, Stage, leading_to, run_stages
 from cranktrain.catalogue import entries
 from cranktrain.engine.followed import FollowedLinks, FollowedSliders
 from cranktrain.engine.layout import CrankAngle, Mechanisms, Pistons, Rockers
 from cranktrain.engine.points import LinkPoints
+from cranktrain.engine.speed_curve import SpeedCurve
 from cranktrain.engine.travel import CylinderPistons
 from cranktrain.engine.volumes import Chambers
 from cranktrain.errors import InputError, Problem
@@ -25,6 +27,7 @@ _FINEST, _COARSEST = 0.01, 90.0
 def run(
     machine: Machine | Sequence[Machine],
     *,
+    speed: SpeedWanted = "constant",
     step_degrees: float = 1.0,
     partial: bool = False,
     quantities: str | Iterable[str] | None = None,
@@ -36,6 +39,9 @@ def run(
     ----------
     machine : Machine, or a sequence of machines
         Several designs of one machine give a leading dimension `design`.
+    speed : "constant", "running" or array-like, shape (crank_angle,) or (design, crank_angle)
+        At which everything is computed: the declared one all round; that of steady running, which a first run finds and
+        a second is at; or one's own at the crank angles of the grid. [rad/s]
     step_degrees : float
         Of the crank-angle grid; the cycle must be a whole number of steps. [deg]
     partial : bool
@@ -52,7 +58,7 @@ def run(
     Raises
     ------
     InputError
-        With everything that is wrong with the machine, the step or the names.
+        With everything that is wrong with the machine, the speed, the step or the names.
 
     Examples
     --------
@@ -63,7 +69,7 @@ def run(
     machines = (machine,) if isinstance(machine, Machine) else tuple(machine)
     if not machines:
         raise InputError([Problem("", None, _("there must be at least one machine"))])
-    parts = parts_of(machines, step=_step(step_degrees), partial=partial)
+    parts = with_speed(parts_of(machines, step=_step(step_degrees), partial=partial), speed, stages)
     names = (quantities,) if isinstance(quantities, str) else quantities
     chosen = stages if names is None else _needed(stages, tuple(names))
     gifts, missing = run_stages(chosen, parts)
@@ -72,7 +78,7 @@ def run(
         has_designs=not isinstance(machine, Machine),
         grid=_part(parts, CrankAngle),
         labels=_labels(parts, machines, gifts),
-        gifts=tuple(gifts.values()),
+        gifts=(*(parts[part] for part in (SpeedCurve,) if part in parts), *gifts.values()),
         missing=missing,
     )
 
@@ -89,7 +95,6 @@ def _step(degrees: float) -> float:
 
 def _needed(stages: Sequence[Stage], names: Sequence[str]) -> tuple[Stage, ...]:
     """Those stages that the named quantities need, in order."""
-    by_gift = {stage.gives: stage for stage in stages}
     home = {entry.name: stage for stage in stages for entry in entries(stage.gives)}
     unknown = [name for name in names if name not in home]
     if unknown:
@@ -104,14 +109,7 @@ def _needed(stages: Sequence[Stage], names: Sequence[str]) -> tuple[Stage, ...]:
             )
             for name in unknown
         )
-    wanted: set[type] = set()
-    open_ends = [home[name].gives for name in names]
-    while open_ends:
-        gift = open_ends.pop()
-        if gift in by_gift and gift not in wanted:
-            wanted.add(gift)
-            open_ends += by_gift[gift].needs.values()
-    return tuple(stage for stage in stages if stage.gives in wanted)
+    return leading_to(stages, [home[name].gives for name in names])
 
 
 def _part(parts: Parts, kind: type[Any]) -> Any:

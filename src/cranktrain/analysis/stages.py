@@ -23,6 +23,7 @@ from cranktrain.engine.followed import link_motion, slider_motions
 from cranktrain.engine.forces import joint_forces, loaded_machine, mechanism_torques, solved_cycle
 from cranktrain.engine.frame_forces import frame_forces
 from cranktrain.engine.gas import gas_in_chambers, gas_pressures
+from cranktrain.engine.load_curve import load_torque
 from cranktrain.engine.motion import piston_motion, piston_speeds
 from cranktrain.engine.opposed import combined_motion, combined_speeds, volumetric_dead_centres
 from cranktrain.engine.piston_forces import piston_force_set
@@ -34,6 +35,8 @@ from cranktrain.engine.rockers import dead_positions, rocker_motion, rocker_spee
 from cranktrain.engine.rod_methods import rod_methods
 from cranktrain.engine.rod_orders import rod_orders
 from cranktrain.engine.rods import rod_motion, rod_speeds
+from cranktrain.engine.running_frame import running_frame
+from cranktrain.engine.shaft_torque import applied_torque
 from cranktrain.engine.torque import gear_torques, journal_torques, shaft_torques
 from cranktrain.engine.torque_orders import phase_star_sums, torque_orders
 from cranktrain.engine.travel import cylinder_travel
@@ -94,6 +97,19 @@ def ordered(stages: Iterable[Stage]) -> tuple[Stage, ...]:
     return tuple(by_gift[gift] for gift in TopologicalSorter(graph).static_order())
 
 
+def leading_to(stages: Sequence[Stage], gifts: Iterable[type]) -> tuple[Stage, ...]:
+    """Those stages that gifts need, and their own, in the order of `stages`."""
+    by_gift = {one.gives: one for one in stages}
+    wanted: set[type] = set()
+    open_ends = list(gifts)
+    while open_ends:
+        gift = open_ends.pop()
+        if gift in by_gift and gift not in wanted:
+            wanted.add(gift)
+            open_ends += by_gift[gift].needs.values()
+    return tuple(one for one in stages if one.gives in wanted)
+
+
 STAGES: tuple[Stage, ...] = tuple(
     stage(function)
     for function in (
@@ -141,11 +157,14 @@ STAGES: tuple[Stage, ...] = tuple(
         journal_torques,
         joint_forces,
         frame_forces,
+        running_frame,
         balance_weights,
         shaking_forces,
         shaking_couples,
         rolling_moment,
         flywheel_moment,
+        applied_torque,
+        load_torque,
         shaft_work,
         running_speed,
         flywheel_size,

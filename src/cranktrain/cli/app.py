@@ -167,7 +167,8 @@ def _check(file: _File) -> Task:
         "  cranktrain run 3d12\n"
         '  cranktrain run 3d12 --set "shaft.main.speed=1800 rpm"\n'
         "  cranktrain run 3d12 --quantities stroke,piston_displacement\n"
-        "  cranktrain run 3d12 -o 3d12.csv --step 0.5"
+        "  cranktrain run 3d12 -o 3d12.csv --step 0.5\n"
+        "  cranktrain run 3d12 --running-speed"
     ),
 )
 def _run(
@@ -187,6 +188,12 @@ def _run(
         typer.Option(metavar="A,B,…", help=_("Only these results; `cranktrain list results` names all.")),
     ] = None,
     step: Annotated[float, typer.Option(metavar="DEGREES", help=_("Of the crank angle, in curves."))] = 1.0,
+    running_speed: Annotated[
+        bool,
+        typer.Option(
+            "--running-speed", help=_("All at the speed of steady running that [evenness] gives, not a constant one.")
+        ),
+    ] = False,
     partial_turn: _Partial = False,
     inputs: Annotated[
         bool, typer.Option("--inputs", help=_("Show every number of the file and where it is from."))
@@ -202,6 +209,7 @@ def _run(
         quantities=names,
         step_degrees=step,
         is_partial=partial_turn,
+        is_at_running_speed=running_speed,
         output=output,
         force=force,
     )

@@ -21,6 +21,7 @@ class Request:
     quantities: tuple[str, ...] | None = None
     step_degrees: float = 1.0
     is_partial: bool = False
+    is_at_running_speed: bool = False
     output: str | None = None
     force: bool = False
 
@@ -59,7 +60,11 @@ def _suffix(output: str | None) -> str | None:
 def _computed(file: MachineFile, request: Request) -> Result:
     """Compute; refuse a quantity that was asked for and that this machine does not give."""
     result = computed(
-        file, step_degrees=request.step_degrees, partial=request.is_partial, quantities=request.quantities
+        file,
+        speed="running" if request.is_at_running_speed else "constant",
+        step_degrees=request.step_degrees,
+        partial=request.is_partial,
+        quantities=request.quantities,
     )
     absent = [name for name in request.quantities or () if name not in result.catalogue]
     if absent:

@@ -12,11 +12,12 @@ from cranktrain.engine.forces import LoadedMachine, MechanismTorques, SolvedCycl
 from cranktrain.engine.frame_forces import FrameForces
 from cranktrain.engine.frames import Frames
 from cranktrain.engine.layout import CrankAngle, Speed
+from cranktrain.engine.running_frame import RunningFrame
 from cranktrain.engine.shaken import BALANCE, Balanced, orders_told, shaken
 from cranktrain.engine.throws import ShaftCentres
 from cranktrain.language import N_, _
-from cranktrain.linkage.forces import weight
-from cranktrain.loads.harmonics import curve
+from cranktrain.linkage.forces import Drive, weight
+from cranktrain.loads.harmonics import ComplexArray, curve, from_vectors
 from cranktrain.loads.vectors import running_axes
 from cranktrain.loads.weights import weight_orders, weight_roll
 from cranktrain.motion import Array
@@ -102,17 +103,23 @@ class ShakingCouples:
 
 
 def shaking_forces(
-    frame: FrameForces, frames: Frames, crank_angle: CrankAngle, speed: Speed, weights: BalanceWeights | None
+    frame: FrameForces,
+    running: RunningFrame | None,
+    frames: Frames,
+    crank_angle: CrankAngle,
+    speed: Speed,
+    weights: BalanceWeights | None,
 ) -> ShakingForces:
     """Sum the forces of all mechanisms, and of the balance weights."""
     balanced = None if weights is None else Balanced(weights.weights, np.ones_like(weights.weights.moment))
     arm = np.ones(frame.force.shape[:2])
-    found = shaken(frame, frames, crank_angle, speed, arm=arm, balanced=balanced)
+    found = shaken(frame, running, frames, crank_angle, speed, arm=arm, balanced=balanced)
     return ShakingForces(*found[:7], gross=found.gross, labels=found.labels)
 
 
 def shaking_couples(
     frame: FrameForces,
+    running: RunningFrame | None,
     frames: Frames,
     crank_angle: CrankAngle,
     speed: Speed,
@@ -122,7 +129,7 @@ def shaking_couples(
     """Sum the first moments of the forces of all mechanisms about the mid-plane, and of the balance weights."""
     middle = axial.mid_plane[:, np.newaxis]
     balanced = None if weights is None else Balanced(weights.weights, weights.weights.position - middle)
-    found = shaken(frame, frames, crank_angle, speed, arm=axial.value - middle, balanced=balanced)
+    found = shaken(frame, running, frames, crank_angle, speed, arm=axial.value - middle, balanced=balanced)
     return ShakingCouples(*found[:7], gross=found.gross, labels=found.labels)
 
 
@@ -138,6 +145,7 @@ class RollingMoment:
 
 def rolling_moment(
     frame: FrameForces,
+    running: RunningFrame | None,
     frames: Frames,
     centres: ShaftCentres,
     loaded: LoadedMachine,
@@ -150,18 +158,29 @@ def rolling_moment(
 
     The frame holds the gears between shafts; what drives or is driven is on `main`. docs/theory/balance, eq. (16.16).
     """
-    turns = round(crank_angle.cycle / (2 * np.pi))
     centre = running_axes(centres.value, clockwise=frames.clockwise)[..., np.newaxis]
-    inertia = np.sum(frame.moment + np.imag(np.conj(centre) * frame.force), axis=1)[..., :: frame.step]
-    square = loaded.speed[:, 0] ** 2
-    without = torques.driving_torque + square * np.tile(inertia, turns)
+    drive = Drive(*(part[:, 0] for part in loaded.speed.drive(crank_angle.angle)))
+    if running is None:
+        turns = round(crank_angle.cycle / (2 * np.pi))
+        inertia = drive.speed**2 * np.tile(_roll_of_masses(frame, centre), turns)
+    else:
+        inertia = _roll_of_masses(running, centre)
+    without = torques.driving_torque + inertia
     if any(np.any(made.gravity) for made in loaded.masses.groups):
         without = without + _weights_moment(loaded, solved, frames, centres)
     curves = [without]
     if weights is not None:
         roll = weight_roll(weights.weights, weight_orders(weights.weights))
-        curves.append(without + square * curve(roll, crank_angle.angle[:, 0]))
+        lagging = from_vectors(roll.order, roll.vectors / (1j * roll.order))
+        angle = crank_angle.angle[:, 0]
+        turning = curve(roll, angle) * drive.speed**2 + curve(lagging, angle) * drive.acceleration
+        curves.append(without + turning)
     return RollingMoment(np.stack(curves, axis=1), {"balance": BALANCE[: len(curves)]})
+
+
+def _roll_of_masses(of: FrameForces | RunningFrame, centre: ComplexArray) -> Array:
+    """Moment of the inertia of all parts about the main shaft on the grid, shape (design, n)."""
+    return np.sum(of.moment + np.imag(np.conj(centre) * of.force), axis=1)[..., :: of.step]
 
 
 def _weights_moment(loaded: LoadedMachine, solved: SolvedCycle, frames: Frames, centres: ShaftCentres) -> Array:

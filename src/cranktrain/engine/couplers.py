@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.dead_centres import rod_angle
-from cranktrain.engine.layout import CrankAngle, RockerRods, Rockers, Speed
+from cranktrain.engine.layout import CrankAngle, RockerRods, Rockers, Speed, accelerations
 from cranktrain.language import N_
 from cranktrain.motion import Array
 from cranktrain.numerics import unwrapped
@@ -41,7 +41,7 @@ def coupler_motion(rockers: Rockers, rods: RockerRods, crank_angle: CrankAngle) 
 
 @dataclass(frozen=True, eq=False)
 class CouplerSpeeds:
-    """Angular velocities and accelerations of the rods at the declared, constant speed."""
+    """Angular velocities and accelerations of the rods."""
 
     coupler_angular_velocity: Array = quantity("ω_2", "rad/s", _CURVE, N_("Angular velocity of the rod"), _THEORY)
     coupler_angular_acceleration: Array = quantity(
@@ -49,9 +49,12 @@ class CouplerSpeeds:
     )
 
 
-def coupler_speeds(motion: CouplerMotion, speed: Speed) -> CouplerSpeeds:
-    """Velocities θ′ω and accelerations θ″ω² at constant speed."""
+def coupler_speeds(motion: CouplerMotion, speed: Speed, crank_angle: CrankAngle) -> CouplerSpeeds:
+    """Velocities θ′ω and accelerations θ″ω² + θ′ε."""
+    drive = speed.drive(crank_angle.angle)
     return CouplerSpeeds(
-        coupler_angular_velocity=motion.coupler_velocity_coefficient * speed.value,
-        coupler_angular_acceleration=motion.coupler_acceleration_coefficient * speed.value**2,
+        coupler_angular_velocity=motion.coupler_velocity_coefficient * drive.speed,
+        coupler_angular_acceleration=accelerations(
+            motion.coupler_velocity_coefficient, motion.coupler_acceleration_coefficient, drive
+        ),
     )

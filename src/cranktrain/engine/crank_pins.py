@@ -11,7 +11,7 @@ from cranktrain.engine.forces import LoadedMachine, SolvedCycle
 from cranktrain.engine.layout import CrankAngle, Mechanisms
 from cranktrain.language import N_, _
 from cranktrain.linkage import Crank
-from cranktrain.linkage.forces import Drive, crank_link
+from cranktrain.linkage.forces import crank_link
 from cranktrain.loads.crank_pin import pin_load, with_rotating_mass
 from cranktrain.loads.rod_masses import two_masses
 from cranktrain.motion import Array
@@ -112,8 +112,7 @@ def crank_pin_loads(
         radial[:, group.index], tangential[:, group.index] = load
         if pin.has_rod:
             rotating = two_masses(loaded.masses.groups[pin.group].bodies.rod, size.rod_length).first
-            drive = Drive(loaded.speed, np.zeros_like(loaded.speed))
-            without[:, group.index] = with_rotating_mass(load, -rotating, radius, drive).radial
+            without[:, group.index] = with_rotating_mass(load, -rotating, radius, loaded.speed.drive(phi)).radial
     load = np.hypot(radial, tangential)
     largest = np.argmax(np.where(np.isnan(load), -np.inf, load), axis=-1)[..., np.newaxis]
     value = np.take_along_axis(load, largest, axis=-1)[..., 0]

@@ -9,20 +9,15 @@ import numpy as np
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
 from cranktrain.engine.evenness_table import GivenFlywheel, ShaftLoad
-from cranktrain.engine.forces import LoadedMachine, MechanismTorques
+from cranktrain.engine.forces import MechanismTorques
 from cranktrain.engine.layout import CrankAngle, Speed
+from cranktrain.engine.load_curve import LoadTorque
+from cranktrain.engine.shaft_torque import AppliedTorque
 from cranktrain.language import N_, _
-from cranktrain.loads.excess_work import ExcessWork, excess_work
+from cranktrain.loads.excess_work import ExcessWork, excess_against, excess_work
+from cranktrain.loads.harmonics import TURN
 from cranktrain.loads.mean_speed import quadratic_coefficient
-from cranktrain.loads.periodic import (
-    Interpolation,
-    PeriodicCurve,
-    fourier_curve,
-    fourier_integral,
-    plus,
-    spline_curve,
-    spline_integral,
-)
+from cranktrain.loads.periodic import PeriodicCurve, combined, fourier_integral, plus
 from cranktrain.loads.speed import SpeedOverCycle, steady_speed
 from cranktrain.loads.speed_law import TorqueLaw, given_torque, motor, quadratic_load, speed_under_law, together
 from cranktrain.motion import Array
@@ -51,16 +46,9 @@ def flywheel_moment(torques: MechanismTorques) -> FlywheelMoment:
     return FlywheelMoment(4 * torques.reduced_inertia)
 
 
-class Interpolations(NamedTuple):
-    """How curves run between the points of the grid: a curve, and the integral of a torque."""
-
-    curve: Interpolation
-    integral: Interpolation
-
-
 @dataclass(frozen=True, eq=False)
 class ShaftWork:
-    """Torque without inertia, and its work.
+    """Work of the torque without inertia, less that of a load that is given as a curve.
 
     Attributes
     ----------
@@ -68,17 +56,13 @@ class ShaftWork:
         Its curve from the first point of the grid. [rad, J]
     inertia : PeriodicCurve
         J of the moving parts. [kg·m²]
-    by : Interpolations
-        Fourier series where nothing but masses acts; splines where gas or friction gives the torque kinks.
     """
 
     excess: ExcessWork
     inertia: PeriodicCurve
-    by: Interpolations
-    applied_torque: Array = quantity(
-        "M_d", "N*m", _CURVE, N_("Torque of gas, weight and friction on the shaft, without inertia"), _THEORY
+    excess_work: Array = quantity(
+        "A", "J", _CURVE, N_("Work of that torque, less that of a given load curve, less its mean"), _THEORY
     )
-    excess_work: Array = quantity("A", "J", _CURVE, N_("Work of that torque less its mean"), _THEORY)
     largest_excess_work: Array = quantity(
         "ΔA", "J", (), N_("Largest excess work: from the least to the most that is stored within a cycle"), _THEORY
     )
@@ -91,28 +75,20 @@ class ShaftWork:
 
 
 def shaft_work(
-    _load: ShaftLoad, torques: MechanismTorques, loaded: LoadedMachine, speed: Speed, crank_angle: CrankAngle
+    applied: AppliedTorque, given: LoadTorque | None, torques: MechanismTorques, crank_angle: CrankAngle
 ) -> ShaftWork:
-    """Work of the torque less its mean, over the cycle; a file that says nothing of a load has none.
+    """Work of what drives the shaft less what the load curve takes, over the cycle.
 
     Notes
     -----
-    At constant speed the shaft takes M = ½J′ω² − M_d. Friction that inertia causes stays in M_d as it is at that speed.
-    docs/theory/evenness, eqs. (17.2) and (17.16).
+    docs/theory/evenness, eqs. (17.2) and (17.17).
     """
-    applied = torques.reduced_inertia_slope * speed.value[..., 0] ** 2 / 2 - torques.driving_torque
-    has_friction = any(np.any(part) for made in loaded.masses.groups for part in made.friction)
-    by = (
-        Interpolations(fourier_curve, fourier_integral)
-        if loaded.gas is None and not has_friction
-        else Interpolations(spline_curve, spline_integral)
-    )
-    excess = excess_work(applied, crank_angle.cycle, by.integral)
+    excess = excess_work(applied.applied_torque, crank_angle.cycle, applied.by.integral)
+    if given is not None:
+        excess = excess_against(excess, given.work, given.load_factor, given.mean)
     return ShaftWork(
         excess=excess,
-        inertia=by.curve(torques.reduced_inertia, crank_angle.cycle),
-        by=by,
-        applied_torque=applied,
+        inertia=applied.by.curve(torques.reduced_inertia, crank_angle.cycle),
         excess_work=excess.work.samples,
         largest_excess_work=excess.difference,
     )
@@ -160,6 +136,8 @@ class RunningSpeed:
 def running_speed(
     load: ShaftLoad,
     flywheel: GivenFlywheel,
+    applied: AppliedTorque,
+    given: LoadTorque | None,
     work: ShaftWork,
     torques: MechanismTorques,
     speed: Speed,
@@ -172,51 +150,60 @@ def running_speed(
     docs/theory/evenness, eqs. (17.4), (17.5) and (17.11).
     """
     inertia = plus(work.inertia, flywheel.inertia)
-    found, torque, multiplier = _found(load, work, inertia, speed.value[:, 0, 0], crank_angle.cycle)
+    found = _found(load, applied, work, inertia, speed.value[:, 0, 0])
     slope = torques.reduced_inertia_slope
+    taken = 0.0 if given is None else given.load_torque
+    torque = applied.applied_torque - taken + found.balancing
+    running = found.speed
     return RunningSpeed(
-        crank_speed=found.speed,
-        crank_acceleration=(torque - slope * found.speed**2 / 2) / inertia.samples,
-        coefficient_of_fluctuation=found.fluctuation(load.mean),
-        mean_speed_over_time=found.means.time,
-        mean_speed_over_angle=found.means.angle,
-        mean_speed_of_extremes=found.means.extremes,
-        largest_crank_speed=found.largest.value[:, 0],
-        largest_crank_speed_at=_shown(found.largest, crank_angle),
-        smallest_crank_speed=found.smallest.value[:, 0],
-        smallest_crank_speed_at=_shown(found.smallest, crank_angle),
-        checks=(_motion_check(found.speed, inertia.samples, slope, work.by.integral(torque, crank_angle.cycle)),),
-        flags=tuple(_flags(load, work, found, multiplier)),
+        crank_speed=running.speed,
+        crank_acceleration=(torque - slope * running.speed**2 / 2) / inertia.samples,
+        coefficient_of_fluctuation=running.fluctuation(load.mean),
+        mean_speed_over_time=running.means.time,
+        mean_speed_over_angle=running.means.angle,
+        mean_speed_of_extremes=running.means.extremes,
+        largest_crank_speed=running.largest.value[:, 0],
+        largest_crank_speed_at=_shown(running.largest, crank_angle),
+        smallest_crank_speed=running.smallest.value[:, 0],
+        smallest_crank_speed_at=_shown(running.smallest, crank_angle),
+        checks=(_motion_check(running.speed, inertia.samples, slope, found.work),),
+        flags=tuple(_flags(load, work, running, found.multiplier)),
     )
 
 
 class _Found(NamedTuple):
-    """Speed, the torque that is left over for the inertia [N·m], and what is left of a small departure after a cycle.
+    """Speed; the torque that balances the machine, and the work of all torques [N·m, J]; what is left of a departure.
 
-    A load that does not depend on the speed lets it stay: 1.
+    A load that does not depend on the speed lets a small departure stay after a cycle: 1.
     """
 
     speed: SpeedOverCycle
-    torque: Array
+    balancing: Array
+    work: PeriodicCurve
     multiplier: Array
 
 
-def _found(load: ShaftLoad, work: ShaftWork, inertia: PeriodicCurve, wanted: Array, cycle: float) -> _Found:
+def _found(load: ShaftLoad, applied: AppliedTorque, work: ShaftWork, inertia: PeriodicCurve, wanted: Array) -> _Found:
     """Steady running, by the energy alone or under a law."""
-    torque = work.applied_torque
+    left = work.excess.mean_excess[:, np.newaxis]
+    cycle = inertia.cycle
     if load.motor is None and not load.is_quadratic:
         steady = steady_speed(work.excess, inertia, wanted, load.mean).speed
-        return _Found(steady, torque - work.excess.mean_excess[:, np.newaxis], np.ones(1))
-    law = together(given_torque(torque), _law(load, work, inertia, wanted, cycle))
-    under = speed_under_law(law, inertia.samples, cycle, work.by.curve)
-    return _Found(under.speed, under.torque, under.multiplier)
+        return _Found(steady, -left, work.excess.work, np.ones(1))
+    # The slope of the work's series: what it gives back when it is integrated by orders is the work itself.
+    torque = left + spectral_derivative(work.excess.work.samples) * (TURN / cycle)
+    law = _law(load, torque, inertia, wanted)
+    under = speed_under_law(together(given_torque(torque), law), inertia.samples, cycle, applied.by.curve)
+    balancing = under.torque - torque
+    whole = combined(work.excess.work, np.ones(1), applied.by.integral(balancing, cycle))
+    return _Found(under.speed, balancing, whole, under.multiplier)
 
 
-def _law(load: ShaftLoad, work: ShaftWork, inertia: PeriodicCurve, wanted: Array, cycle: float) -> TorqueLaw:
+def _law(load: ShaftLoad, torque: Array, inertia: PeriodicCurve, wanted: Array) -> TorqueLaw:
     """What balances the machine's own torque, as it depends on the speed."""
     if load.motor is not None:
         return motor(load.motor.no_load_speed[:, np.newaxis], load.motor.stiffness[:, np.newaxis])
-    found = quadratic_coefficient(work.applied_torque, inertia.samples, wanted, cycle, load.mean)
+    found = quadratic_coefficient(torque, inertia.samples, wanted, inertia.cycle, load.mean)
     return quadratic_load(found[:, np.newaxis])
 
 

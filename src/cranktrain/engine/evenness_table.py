@@ -7,8 +7,10 @@ from typing import Annotated, ClassVar, Literal, Self
 import numpy as np
 from pydantic import Field, model_validator
 
+from cranktrain.engine.load_table import LoadCurveSpec, load_polyline
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
+from cranktrain.loads.polyline import Polyline
 from cranktrain.loads.speed import Mean
 from cranktrain.motion import Array
 from cranktrain.quantities import (
@@ -75,6 +77,9 @@ class EvennessSpec(Spec, frozen=True):
             "What balances the machine's mean torque: a constant torque, or one that rises with the speed squared."
         ),
     )
+    load_curve: LoadCurveSpec | None = Field(
+        default=None, description=N_("A load torque given over the crank angle; the rest of the mean is balanced.")
+    )
     motor: MotorSpec | None = Field(
         default=None, description=N_("A motor that drives the machine instead; the mean speed comes out.")
     )
@@ -109,6 +114,12 @@ class EvennessSpec(Spec, frozen=True):
         if self.motor is not None and "load" in self.model_fields_set:
             allowed = _("must not stand beside [evenness.motor], which balances the machine")
             found.append(Problem("load", None, allowed))
+        if self.load_curve is not None and self.load_curve.scale == "balanced":
+            allowed = _('leaves nothing to balance, so it must not stand beside {other}; write "given"')
+            rivals = {"motor": self.motor is not None, "load": self.load == "quadratic"}
+            found += [
+                Problem("load_curve.scale", None, allowed.format(other=name)) for name, is_so in rivals.items() if is_so
+            ]
         if self.rim is not None and self.inertia is None and self.coefficient is None:
             allowed = _("needs a flywheel: give flywheel or flywheel_moment, or coefficient for the one that it takes")
             found.append(Problem("rim", None, allowed))
@@ -141,6 +152,16 @@ class ShaftLoad:
     is_quadratic: bool
     motor: LinearMotor | None
     mean: Mean
+
+
+@dataclass(frozen=True, eq=False)
+class LoadCurve:
+    """Load torque over the shown crank angle as the file has it, and whether it is scaled to balance the machine."""
+
+    needs: ClassVar[str] = ""
+
+    polyline: Polyline
+    is_scaled: bool
 
 
 @dataclass(frozen=True, eq=False)
@@ -179,6 +200,8 @@ def evenness_parts(specs: Sequence[EvennessSpec]) -> list[object]:
     first = specs[0]
     motors = [spec.motor for spec in specs if spec.motor is not None]
     parts: list[object] = [ShaftLoad(first.load == "quadratic", _motor(motors), first.mean)]
+    if first.load_curve is not None:
+        parts.append(LoadCurve(load_polyline(first.load_curve), first.load_curve.scale == "balanced"))
     sizes = [spec.inertia for spec in specs if spec.inertia is not None]
     if sizes:
         parts.append(GivenFlywheel(np.array(sizes)))

@@ -21,7 +21,7 @@ _THEORY = "docs/theory/evenness"
 
 @dataclass(frozen=True, eq=False)
 class FlywheelSize:
-    """Flywheels that give the coefficient of fluctuation wanted, against a load of constant torque.
+    """Flywheels that give the coefficient of fluctuation wanted, against a load that does not depend on the speed.
 
     Attributes
     ----------
@@ -99,7 +99,8 @@ def _size_flags(load: ShaftLoad, inertia: Array) -> Iterator[str]:
         yield _("The moving parts alone run as evenly as is wanted: no flywheel is needed.")
     if load.motor is not None or load.is_quadratic:
         yield _(
-            "The flywheel wanted is for a load of constant torque; one that rises with the speed evens it out more."
+            "The flywheel wanted is for a load that does not depend on the speed;"
+            " one that rises with it evens it out more."
         )
 
 

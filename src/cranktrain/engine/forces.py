@@ -14,7 +14,7 @@ from cranktrain.engine.layout import CrankAngle, Mechanisms, Speed
 from cranktrain.engine.masses import Masses
 from cranktrain.engine.places import Place
 from cranktrain.language import N_, _
-from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench, added, work
+from cranktrain.linkage.forces import Conditions, Friction, Wrench, added, work
 from cranktrain.motion import Array, Coefficient, single
 
 _JOINT = ("joint", "crank_angle")
@@ -91,14 +91,14 @@ class LoadedMachine:
     carriers : Carriers
     masses : Masses
     gas : GasInChambers or None
-    speed : Array, shape (design, 1, 1). [rad/s]
+    speed : Speed
     """
 
     mechanisms: Mechanisms
     carriers: Carriers
     masses: Masses
     gas: GasInChambers | None
-    speed: Array
+    speed: Speed
 
     def motions(self, angle: Array) -> tuple[Any, ...]:
         """Motion of every mechanism at crank angles φ [rad], in the order of `mechanisms.groups`."""
@@ -134,6 +134,7 @@ class LoadedMachine:
         """
         moving = self.motions(angle) if motions is None else motions
         toward = self._gas_force(angle, moving) if gas_force is None else gas_force
+        drive = self.speed.drive(angle)
         on_rods: dict[int, Wrench] = {}
         found: dict[int, SolvedGroup] = {}
         groups = list(enumerate(self.mechanisms.groups))
@@ -153,7 +154,7 @@ class LoadedMachine:
                 )
                 for name, coefficient in zip(dynamics.sliding, made.friction, strict=True)
             )
-            conditions = Conditions(Drive(self.speed, np.zeros_like(self.speed)), made.gravity, friction)
+            conditions = Conditions(drive, made.gravity, friction)
             forces = dynamics.forces(motion, size, made.bodies, loads, conditions)
             if handed is not None:
                 # What slaves hand over is their own work, which counts once.
@@ -172,7 +173,7 @@ class LoadedMachine:
         if self.gas is None:
             return None
         n_pistons = np.count_nonzero(self.carriers.piston >= 0)
-        slider = np.empty((3, len(self.speed), n_pistons, angle.shape[-1]))
+        slider = np.empty((3, len(self.speed.value), n_pistons, angle.shape[-1]))
         for group, motion in zip(self.mechanisms.groups, motions, strict=True):
             piston = self.carriers.piston[group.index]
             if piston[0] >= 0:
@@ -199,7 +200,7 @@ def loaded_machine(
     mechanisms: Mechanisms, carriers: Carriers, masses: Masses, speed: Speed, gas: GasInChambers | None
 ) -> LoadedMachine:
     """Put masses and gas to the mechanisms."""
-    return LoadedMachine(mechanisms, carriers, masses, gas, speed.value)
+    return LoadedMachine(mechanisms, carriers, masses, gas, speed)
 
 
 def driving_torques(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Array:

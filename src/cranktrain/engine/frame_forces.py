@@ -11,7 +11,7 @@ from cranktrain.checks import Check
 from cranktrain.engine.balance_specs import HIGHEST_ORDER
 from cranktrain.engine.forces import Carriers, LoadedMachine, SolvedGroup
 from cranktrain.engine.frames import Frames
-from cranktrain.engine.layout import CrankAngle, Mechanisms
+from cranktrain.engine.layout import CrankAngle, Mechanisms, Speed
 from cranktrain.engine.masses import Masses
 from cranktrain.engine.throws import Throws
 from cranktrain.language import _
@@ -54,7 +54,7 @@ class FrameForces:
     checks: tuple[Check, ...] = ()
 
 
-class _Momenta(NamedTuple):
+class Momenta(NamedTuple):
     """Momentum in the common axes and its moment, for each rad/s, shape (design, mechanism, n)."""
 
     vector: ComplexArray
@@ -72,28 +72,28 @@ def frame_forces(
     # Inertia repeats with the turn, as all shafts turn as fast as `main`.
     n_turn = round(crank_angle.shown.size * 2 * np.pi / crank_angle.cycle)
     step = -(-_FEWEST // n_turn)
-    machine = LoadedMachine(mechanisms, carriers, _bare(masses), None, np.ones((1, 1, 1)))
+    machine = LoadedMachine(mechanisms, carriers, without_loads(masses), None, Speed(np.ones((1, 1, 1))))
     while True:
         angle = turn_grid(n_turn * step) + crank_angle.zero
         motions = machine.motions(angle)
-        momenta = _momenta(machine, motions, frames)
-        if n_turn * step >= _MOST or _has_ended(momenta.vector):
+        found = momenta(machine, motions, frames)
+        if n_turn * step >= _MOST or _has_ended(found.vector):
             break
         step *= 2
-    force = _of_frame(machine, machine.solved(angle, motions=motions), frames, momenta.vector.shape)
+    force = force_on_frame(machine, machine.solved(angle, motions=motions), frames, found.vector.shape)
     zero = crank_angle.zero[:, 0]
-    own = -(spectral_derivative(momenta.vector.real) + 1j * spectral_derivative(momenta.vector.imag))
+    own = -derivative(found.vector)
     return FrameForces(
         force=force,
-        moment=-spectral_derivative(momenta.moment),
+        moment=-spectral_derivative(found.moment),
         step=step,
         vectors=delayed_vectors(curve_vectors(force.real, force.imag, HIGHEST_ORDER), zero),
         own=delayed_vectors(curve_vectors(own.real, own.imag, HIGHEST_ORDER), zero),
-        checks=(_check(throws.gathered(force), throws.gathered(own)),),
+        checks=(momentum_check("momentum", throws.gathered(force), throws.gathered(own)),),
     )
 
 
-def _bare(masses: Masses) -> Masses:
+def without_loads(masses: Masses) -> Masses:
     """Masses that nothing weighs on and that nothing rubs."""
     nothing = Gravity(single(0.0), single(0.0))
     groups = tuple(
@@ -103,16 +103,21 @@ def _bare(masses: Masses) -> Masses:
     return Masses(groups, masses.weightless, masses.assumed)
 
 
-def _momenta(machine: LoadedMachine, motions: Sequence[Any], frames: Frames) -> _Momenta:
+def momenta(machine: LoadedMachine, motions: Sequence[Any], frames: Frames) -> Momenta:
     """Add up the links of every mechanism."""
-    parts: list[_Momenta] = []
+    parts: list[Momenta] = []
     for group, made, motion in zip(machine.mechanisms.groups, machine.masses.groups, motions, strict=True):
         links = group.kind.dynamics.links(motion, group.members.geometry)
         total = reduce(lambda one, other: Momentum(*map(np.add, one, other)), map(momentum, links, tuple(made.bodies)))
         vector = frames.common(group.index, total.x, total.y)
-        parts.append(_Momenta(vector, frames.sense[group.index, np.newaxis] * total.moment))
+        parts.append(Momenta(vector, frames.sense[group.index, np.newaxis] * total.moment))
     order = np.argsort(np.concatenate([group.index for group in machine.mechanisms.groups]))
-    return _Momenta(*(np.concatenate(columns, axis=1)[:, order] for columns in zip(*parts, strict=True)))
+    return Momenta(*(np.concatenate(columns, axis=1)[:, order] for columns in zip(*parts, strict=True)))
+
+
+def derivative(vector: ComplexArray) -> ComplexArray:
+    """Derivative by the crank angle of a vector x + iy over one turn."""
+    return spectral_derivative(vector.real) + 1j * spectral_derivative(vector.imag)
 
 
 def _has_ended(vector: ComplexArray) -> bool:
@@ -123,7 +128,7 @@ def _has_ended(vector: ComplexArray) -> bool:
     return not bool(np.any(tail > _ENDED * np.max(size, axis=-1)))
 
 
-def _of_frame(
+def force_on_frame(
     machine: LoadedMachine, solved: Sequence[SolvedGroup], frames: Frames, shape: tuple[int, ...]
 ) -> ComplexArray:
     """Force of every mechanism on what stands still."""
@@ -138,12 +143,12 @@ def _of_frame(
     return force
 
 
-def _check(force: ComplexArray, momentum_lost: ComplexArray) -> Check:
+def momentum_check(name: str, force: ComplexArray, momentum_lost: ComplexArray) -> Check:
     """Compare the throws' forces with what their momentum says, relative to the largest throw's."""
     scale = np.max(np.abs(force), axis=(-2, -1))
     residual = np.max(np.abs(force - momentum_lost), axis=(-2, -1)) / np.where(scale == 0, 1.0, scale)
     return Check(
-        "momentum",
+        name,
         _("Inertia forces on the frame against the change of momentum of all parts, relative to the largest throw's"),
         residual,
         _LIMIT,

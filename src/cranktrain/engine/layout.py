@@ -8,8 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.engine.places import Place
+from cranktrain.engine.speed_curve import SpeedCurve
 from cranktrain.language import N_
 from cranktrain.linkage import in_blocks
+from cranktrain.linkage.forces import Drive
 from cranktrain.mechanisms.kind import Kind, Members, rows, stacked
 from cranktrain.motion import Array
 
@@ -152,11 +154,34 @@ class RockerRods:
 
 @dataclass(frozen=True, eq=False)
 class Speed:
-    """Speed of the main shaft, constant over the cycle, shape (design, 1, 1). [rad/s]"""
+    """Speed of the main shaft.
+
+    Attributes
+    ----------
+    value : Array, shape (design, 1, 1)
+        The declared mean, of whichever kind it is; constant over the cycle where there is no curve. [rad/s]
+    curve : SpeedCurve or None
+        How it varies over the cycle, in a second run.
+    """
 
     needs: ClassVar[str] = N_("[shaft.main] speed")
 
     value: Array
+    curve: SpeedCurve | None = None
+
+    @property
+    def mean(self) -> Array:
+        """Mean over time, shape (design, 1, 1). [rad/s]"""
+        return self.value if self.curve is None else self.curve.mean
+
+    def drive(self, angle: Array) -> Drive:
+        """How the crank turns at φ [rad], shape (n,) or (design, m, n): arrays that broadcast to (design, m, n)."""
+        return Drive(self.value, np.zeros_like(self.value)) if self.curve is None else self.curve.drive(angle)
+
+
+def accelerations(first: Array, second: Array, drive: Drive) -> Array:
+    """Accelerations q″ω² + q′ε of what goes with the crank by q′ and q″."""
+    return second * drive.speed**2 + first * drive.acceleration
 
 
 MechanismsLike = TypeVar("MechanismsLike", bound=Mechanisms)

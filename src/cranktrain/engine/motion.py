@@ -8,10 +8,10 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
 from cranktrain.engine.dead_centres import DeadCentres, PistonTurn, slider_motion
 from cranktrain.engine.distinct import Distinct
-from cranktrain.engine.layout import CrankAngle, Pistons, Speed
+from cranktrain.engine.layout import CrankAngle, Pistons, Speed, accelerations
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
-from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, derivatives_residual, extremes
+from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, Extremes, derivatives_residual, extremes
 from cranktrain.wording import Names, shared
 
 _PISTON = ("piston",)
@@ -61,7 +61,7 @@ def _derivatives_check(pistons: Distinct) -> Check:
 
 @dataclass(frozen=True, eq=False)
 class PistonSpeeds:
-    """Velocities and accelerations of pistons at the declared, constant speed."""
+    """Velocities and accelerations of pistons."""
 
     piston_velocity: Array = quantity("v", "m/s", _CURVE, N_("Piston velocity toward the shaft"), _THEORY)
     piston_acceleration: Array = quantity("j", "m/s^2", _CURVE, N_("Piston acceleration toward the shaft"), _THEORY)
@@ -122,10 +122,43 @@ class PistonSpeeds:
 
 
 def piston_speeds(
-    crank_angle: CrankAngle, turn: PistonTurn, motion: PistonMotion, dead_centres: DeadCentres, speed: Speed
+    pistons: Pistons,
+    crank_angle: CrankAngle,
+    turn: PistonTurn,
+    motion: PistonMotion,
+    dead_centres: DeadCentres,
+    speed: Speed,
 ) -> PistonSpeeds:
-    """Velocities q′ω and accelerations q″ω² at constant speed, and their extremes."""
-    omega = speed.value
+    """Velocities q′ω and accelerations q″ω² + q′ε, and their extremes."""
+    drive = speed.drive(crank_angle.angle)
+    velocity = motion.piston_velocity_coefficient * drive.speed
+    acceleration = accelerations(motion.piston_velocity_coefficient, motion.piston_acceleration_coefficient, drive)
+    if speed.curve is None:
+        found = _at_constant_speed(turn, speed.value)
+    else:
+        found = _over_cycle(pistons, crank_angle, speed, velocity, acceleration)
+    (slowest, fastest), (least, most) = found
+
+    def at(extreme: Extreme) -> Array:
+        return crank_angle.counted(extreme.angle, 2 * np.pi if speed.curve is None else crank_angle.cycle)[..., 0]
+
+    return PistonSpeeds(
+        piston_velocity=velocity,
+        piston_acceleration=acceleration,
+        mean_piston_speed=dead_centres.stroke * (speed.mean / np.pi)[..., 0],
+        largest_piston_speed=fastest.value[..., 0],
+        largest_piston_speed_at=at(fastest),
+        smallest_piston_velocity=slowest.value[..., 0],
+        smallest_piston_velocity_at=at(slowest),
+        largest_piston_acceleration=most.value[..., 0],
+        largest_piston_acceleration_at=at(most),
+        smallest_piston_acceleration=least.value[..., 0],
+        smallest_piston_acceleration_at=at(least),
+    )
+
+
+def _at_constant_speed(turn: PistonTurn, omega: Array) -> tuple[Extremes, Extremes]:
+    """Extremes of velocity and acceleration over a turn, φ and value of shape (design, piston, 1)."""
     different = turn.distinct
 
     def velocity(alpha: Array) -> Array:
@@ -137,22 +170,28 @@ def piston_speeds(
     slowest, fastest = extremes(velocity, acceleration, samples=-turn.samples.position_first)
     least, most = extremes(acceleration, samples=-turn.samples.position_second)
 
-    def at(extreme: Extreme) -> Array:
-        return crank_angle.counted(different.angle(extreme.angle))[..., 0]
+    def spread(extreme: Extreme, factor: Array) -> Extreme:
+        return Extreme(different.angle(extreme.angle), different.spread(extreme.value) * factor)
 
-    def scaled(extreme: Extreme, factor: Array) -> Array:
-        return (different.spread(extreme.value) * factor)[..., 0]
-
-    return PistonSpeeds(
-        piston_velocity=motion.piston_velocity_coefficient * omega,
-        piston_acceleration=motion.piston_acceleration_coefficient * omega**2,
-        mean_piston_speed=dead_centres.stroke * (omega / np.pi)[..., 0],
-        largest_piston_speed=scaled(fastest, omega),
-        largest_piston_speed_at=at(fastest),
-        smallest_piston_velocity=scaled(slowest, omega),
-        smallest_piston_velocity_at=at(slowest),
-        largest_piston_acceleration=scaled(most, omega**2),
-        largest_piston_acceleration_at=at(most),
-        smallest_piston_acceleration=scaled(least, omega**2),
-        smallest_piston_acceleration_at=at(least),
+    return (
+        Extremes(spread(slowest, omega), spread(fastest, omega)),
+        Extremes(spread(least, omega**2), spread(most, omega**2)),
     )
+
+
+def _over_cycle(
+    pistons: Pistons, crank_angle: CrankAngle, speed: Speed, velocity: Array, acceleration: Array
+) -> tuple[Extremes, Extremes]:
+    """The same over a cycle, at a speed that varies: like pistons differ, as each has its own phase."""
+
+    def moving(shown: Array) -> tuple[Array, Array]:
+        phi = shown + crank_angle.zero
+        slider, drive = slider_motion(pistons, phi), speed.drive(phi)
+        return -slider.first * drive.speed, -accelerations(slider.first, slider.second, drive)
+
+    def from_zero(found: Extremes) -> Extremes:
+        return Extremes(*(Extreme(one.angle + crank_angle.zero, one.value) for one in found))
+
+    grid = crank_angle.shown
+    of_speed = extremes(lambda shown: moving(shown)[0], lambda shown: moving(shown)[1], grid=grid, samples=velocity)
+    return from_zero(of_speed), from_zero(extremes(lambda shown: moving(shown)[1], grid=grid, samples=acceleration))

@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
 from cranktrain.engine.dead_centres import DeadCentres, around_zero
-from cranktrain.engine.layout import CrankAngle, Pistons, Speed
+from cranktrain.engine.layout import CrankAngle, Pistons, Speed, accelerations
 from cranktrain.engine.travel import CylinderPistons, CylinderTravel, reach
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
@@ -170,7 +170,7 @@ def combined_motion(
 
 @dataclass(frozen=True, eq=False)
 class CombinedSpeeds:
-    """Velocity and acceleration at which opposed pistons part, at the declared, constant speed."""
+    """Velocity and acceleration at which opposed pistons part."""
 
     combined_velocity: Array = quantity("v_Σ", "m/s", _CURVE, N_("Velocity at which both pistons part"), _THEORY)
     combined_acceleration: Array = quantity(
@@ -178,9 +178,12 @@ class CombinedSpeeds:
     )
 
 
-def combined_speeds(motion: CombinedMotion, speed: Speed) -> CombinedSpeeds:
-    """Velocities q′ω and accelerations q″ω² at constant speed."""
+def combined_speeds(motion: CombinedMotion, speed: Speed, crank_angle: CrankAngle) -> CombinedSpeeds:
+    """Velocities q′ω and accelerations q″ω² + q′ε."""
+    drive = speed.drive(crank_angle.angle)
     return CombinedSpeeds(
-        combined_velocity=motion.combined_velocity_coefficient * speed.value,
-        combined_acceleration=motion.combined_acceleration_coefficient * speed.value**2,
+        combined_velocity=motion.combined_velocity_coefficient * drive.speed,
+        combined_acceleration=accelerations(
+            motion.combined_velocity_coefficient, motion.combined_acceleration_coefficient, drive
+        ),
     )

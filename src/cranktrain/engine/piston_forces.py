@@ -119,13 +119,14 @@ def piston_force_set(
     Exact means the motion: the rod is two masses in both. docs/theory/forces, eqs. (13.30) to (13.34).
     """
     phi = crank_angle.angle
+    drive = loaded.speed.drive(phi)
     sets = np.full((6, len(phi), len(_INERTIA), direct.n_pistons, phi.shape[-1]), np.nan)
     identities = [np.zeros(len(phi))]
     for one in _direct(loaded, solved):
         pressed = 0.0 if gas is None else gas.gas_force[:, one.piston]
         angle = phi + one.group.members.phase
         for method, inertia in enumerate(_INERTIA.values()):
-            pulled = inertia(one, angle, loaded.speed)
+            pulled = inertia(one, angle, drive)
             found = piston_forces(pressed + pulled, one.motion, one.group.members.geometry)
             for part, values in zip(sets, (pulled, *found), strict=True):
                 part[:, method, one.piston] = values
@@ -143,15 +144,15 @@ def piston_force_set(
     )
 
 
-def _exact_inertia(one: _Direct, _angle: Array, speed: Array) -> Array:
-    return inertia_force(one.motion.slider, one.mass, Drive(speed, np.zeros_like(speed)))
+def _exact_inertia(one: _Direct, _angle: Array, drive: Drive) -> Array:
+    return inertia_force(one.motion.slider, one.mass, drive)
 
 
-def _two_harmonics(one: _Direct, angle: Array, speed: Array) -> Array:
-    return two_harmonic_inertia_force(angle, one.group.members.geometry, one.mass, speed)
+def _two_harmonics(one: _Direct, angle: Array, drive: Drive) -> Array:
+    return two_harmonic_inertia_force(angle, one.group.members.geometry, one.mass, drive)
 
 
-_INERTIA: Mapping[str, Callable[[_Direct, Array, Array], Array]] = {
+_INERTIA: Mapping[str, Callable[[_Direct, Array, Drive], Array]] = {
     "exact": _exact_inertia,
     "two_harmonics": _two_harmonics,
 }

@@ -22,7 +22,7 @@ _THEORY = "docs/theory/gas"
 
 @dataclass(frozen=True, eq=False)
 class IndicatedPowers:
-    """Power of the gas on the pistons at the declared speed."""
+    """Power of the gas on the pistons at the mean speed."""
 
     indicated_power: Array = quantity("P_i", "W", (), N_("Power of the gas on all pistons"), _THEORY)
     bank_indicated_power: Array = quantity("P_b", "W", ("bank",), N_("Power of the gas on the bank's pistons"), _THEORY)
@@ -46,7 +46,7 @@ def indicated_powers(
     gas: GasPressures, chambers: Chambers, swept: SweptVolumes, cycle: Cycle, speed: Speed
 ) -> IndicatedPowers:
     """Powers from the work of each chamber; docs/theory/gas, eq. (14.8)."""
-    power = indicated_power(gas.indicated_work, np.array(cycle.length), speed.value[..., 0])
+    power = indicated_power(gas.indicated_work, np.array(cycle.length), speed.mean[..., 0])
     banks = [np.array(chambers.banks) == bank for bank in dict.fromkeys(chambers.banks)]
     return IndicatedPowers(
         indicated_power=np.sum(power, axis=-1),
@@ -119,7 +119,7 @@ def brake_powers(
     losses: Losses, indicated: IndicatedPowers, swept: SweptVolumes, cycle: Cycle, speed: Speed
 ) -> BrakePowers:
     """Friction by the mechanical efficiency, or by a constant mean pressure; docs/theory/gas, eq. (14.12)."""
-    omega = speed.value[:, 0, 0]
+    omega = speed.mean[:, 0, 0]
     length = np.array(cycle.length)
     gas = indicated.indicated_power
     lost = np.where(

@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
-from cranktrain.engine.layout import CrankAngle, Rockers, Speed
+from cranktrain.engine.layout import CrankAngle, Rockers, Speed, accelerations
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import DERIVATIVES_LIMIT, derivatives_residual, turn_grid, turning_points, unwrapped
@@ -172,7 +172,7 @@ def _derivatives_check(rockers: Rockers) -> Check:
 
 @dataclass(frozen=True, eq=False)
 class RockerSpeeds:
-    """Velocities and accelerations of rockers at the declared, constant speed."""
+    """Velocities and accelerations of rockers."""
 
     rocker_angular_velocity: Array = quantity("ω_3", "rad/s", _CURVE, N_("Angular velocity of the rocker"), _THEORY)
     rocker_angular_acceleration: Array = quantity(
@@ -180,10 +180,12 @@ class RockerSpeeds:
     )
 
 
-def rocker_speeds(motion: RockerMotion, speed: Speed) -> RockerSpeeds:
-    """Velocities q′ω and accelerations q″ω² at constant speed."""
-    omega = speed.value
+def rocker_speeds(motion: RockerMotion, speed: Speed, crank_angle: CrankAngle) -> RockerSpeeds:
+    """Velocities q′ω and accelerations q″ω² + q′ε."""
+    drive = speed.drive(crank_angle.angle)
     return RockerSpeeds(
-        rocker_angular_velocity=motion.rocker_velocity_coefficient * omega,
-        rocker_angular_acceleration=motion.rocker_acceleration_coefficient * omega**2,
+        rocker_angular_velocity=motion.rocker_velocity_coefficient * drive.speed,
+        rocker_angular_acceleration=accelerations(
+            motion.rocker_velocity_coefficient, motion.rocker_acceleration_coefficient, drive
+        ),
     )

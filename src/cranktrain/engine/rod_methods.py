@@ -7,17 +7,18 @@ import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.forces import LoadedMachine, SolvedCycle
+from cranktrain.engine.layout import CrankAngle
 from cranktrain.engine.piston_forces import DirectPistons, direct_groups
 from cranktrain.language import N_, _
-from cranktrain.linkage.forces import Drive, Gravity, Wrench, work
+from cranktrain.linkage.forces import Gravity, Wrench, work
+from cranktrain.loads.harmonics import TURN
+from cranktrain.loads.periodic import cycle_grid
 from cranktrain.loads.rod_masses import ROD_METHODS
 from cranktrain.motion import Array, single
-from cranktrain.numerics import turn_grid
 from cranktrain.wording import Names, number
 
 _FACT = ("rod_method", "piston")
 _THEORY = "docs/theory/forces"
-_TURN = turn_grid(360)
 _WEIGHTLESS = Gravity(single(0.0), single(0.0))
 
 
@@ -51,20 +52,26 @@ class RodMethods:
         )
 
 
-def rod_methods(direct: DirectPistons, loaded: LoadedMachine, solved: SolvedCycle) -> RodMethods:
-    """Errors of every method against the rigid rod, over a turn in steps of 1°, in parts of the peaks of the cycle.
+def rod_methods(
+    direct: DirectPistons, loaded: LoadedMachine, solved: SolvedCycle, crank_angle: CrankAngle
+) -> RodMethods:
+    """Errors of every method against the rigid rod in steps of 1°, in parts of the peaks of the cycle.
+
+    Over one turn, as all turns are alike at constant speed; else over the cycle.
 
     Notes
     -----
     All methods have the rod's mass and centroid, so that they differ by a couple on the rod alone: it presses the guide
     with −C/(L cos θ) and turns the crank by Cθ′. docs/theory/forces, eq. (13.37).
     """
-    shape = (len(loaded.speed), len(ROD_METHODS), direct.n_pistons)
+    shape = (len(loaded.speed.value), len(ROD_METHODS), direct.n_pistons)
     side, torque = np.full((2, *shape), np.nan)
-    drive = Drive(loaded.speed, np.zeros_like(loaded.speed))
+    n_turns = 1 if loaded.speed.curve is None else round(crank_angle.cycle / TURN)
+    angle = cycle_grid(360 * n_turns, n_turns * TURN)
+    drive = loaded.speed.drive(angle)
     for place, group in direct_groups(loaded):
         size = group.members.geometry
-        rod = group.kind.motion(_TURN + group.members.phase, size).rod
+        rod = group.kind.motion(angle + group.members.phase, size).rod
         body = loaded.masses.groups[place].bodies.rod
         forces = solved.groups[place].forces
         piston = loaded.carriers.piston[group.index]

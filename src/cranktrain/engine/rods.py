@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.dead_centres import PistonTurn, rod_angle
-from cranktrain.engine.layout import CrankAngle, Mechanisms, PistonRods, Pistons, Speed
+from cranktrain.engine.layout import CrankAngle, Mechanisms, PistonRods, Pistons, Speed, accelerations
 from cranktrain.language import N_
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import turning_points
@@ -82,15 +82,18 @@ def rod_motion(pistons: Pistons, rods: PistonRods, crank_angle: CrankAngle, turn
 
 @dataclass(frozen=True, eq=False)
 class RodSpeeds:
-    """Angular velocities and accelerations of the rods at the declared, constant speed."""
+    """Angular velocities and accelerations of the rods."""
 
     rod_angular_velocity: Array = quantity("ω_r", "rad/s", _CURVE, N_("Angular velocity of the rod"), _GROUPS)
     rod_angular_acceleration: Array = quantity("ε_r", "rad/s^2", _CURVE, N_("Angular acceleration of the rod"), _GROUPS)
 
 
-def rod_speeds(motion: RodMotion, speed: Speed) -> RodSpeeds:
-    """Velocities θ′ω and accelerations θ″ω² at constant speed."""
+def rod_speeds(motion: RodMotion, speed: Speed, crank_angle: CrankAngle) -> RodSpeeds:
+    """Velocities θ′ω and accelerations θ″ω² + θ′ε."""
+    drive = speed.drive(crank_angle.angle)
     return RodSpeeds(
-        rod_angular_velocity=motion.rod_velocity_coefficient * speed.value,
-        rod_angular_acceleration=motion.rod_acceleration_coefficient * speed.value**2,
+        rod_angular_velocity=motion.rod_velocity_coefficient * drive.speed,
+        rod_angular_acceleration=accelerations(
+            motion.rod_velocity_coefficient, motion.rod_acceleration_coefficient, drive
+        ),
     )

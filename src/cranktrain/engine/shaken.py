@@ -9,9 +9,11 @@ from cranktrain.engine.balance_specs import HIGHEST_ORDER
 from cranktrain.engine.frame_forces import FrameForces
 from cranktrain.engine.frames import Frames
 from cranktrain.engine.layout import CrankAngle, Speed
+from cranktrain.engine.running_frame import RunningFrame
 from cranktrain.engine.torque_orders import order_labels, orders
 from cranktrain.language import _
-from cranktrain.loads.vectors import PlaneVectors, hodograph, machine_axes, vector_curve
+from cranktrain.loads.harmonics import ComplexArray
+from cranktrain.loads.vectors import PlaneVectors, curve_vectors, hodograph, integrated, machine_axes, vector_curve
 from cranktrain.loads.weights import RotatingWeights, weight_orders, weight_vectors
 from cranktrain.motion import Array
 
@@ -50,8 +52,16 @@ class Balanced(NamedTuple):
     arm: Array
 
 
+class _Sums(NamedTuple):
+    """Sums of all parts, without and with balance weights: over the cycle's grid, and by order; [N or N·m]."""
+
+    curves: ComplexArray
+    vectors: PlaneVectors
+
+
 def shaken(
     frame: FrameForces,
+    running: RunningFrame | None,
     frames: Frames,
     crank_angle: CrankAngle,
     speed: Speed,
@@ -64,6 +74,8 @@ def shaken(
     Parameters
     ----------
     frame : FrameForces
+    running : RunningFrame or None
+        Where the speed varies over the cycle.
     frames : Frames
     crank_angle : CrankAngle
     speed : Speed
@@ -79,30 +91,14 @@ def shaken(
     -----
     docs/theory/balance, eqs. (16.5) and (16.7).
     """
-    turns = round(crank_angle.cycle / (2 * np.pi))
-    weigh = arm[..., np.newaxis]
-    curves = [np.tile(np.sum(weigh * frame.force[..., :: frame.step], axis=1), turns)]
-    by_order = [_summed(frame.vectors, weigh)]
-    size = np.sum(np.abs(arm) * np.sum(hodograph(frame.vectors).major[..., 1:], axis=-1), axis=-1)
-    if balanced is not None:
-        own = weight_vectors(balanced.weights, frame.vectors.order)
-        more = _summed(own, balanced.arm[..., np.newaxis])
-        shown = weight_vectors(balanced.weights, weight_orders(balanced.weights))
-        turning = vector_curve(_summed(shown, balanced.arm[..., np.newaxis]), crank_angle.angle[:, 0])
-        curves.append(curves[0] + turning)
-        by_order.append(PlaneVectors(more.order, *map(np.add, by_order[0][1:], more[1:])))
-        size = size + np.sum(np.abs(balanced.arm) * np.sum(hodograph(own).major, axis=-1), axis=-1)
-    square = speed.value**2
-    curve = square * machine_axes(np.stack(curves, axis=1), clockwise=frames.clockwise)
-    vectors = _in_cycle(
-        [
-            PlaneVectors(one.order, speed.value[:, 0] ** 2 * one.forward, speed.value[:, 0] ** 2 * one.backward)
-            for one in by_order
-        ],
-        turns,
-    )
+    if running is None:
+        sums = _at_constant_speed(frame, crank_angle, speed, arm, balanced)
+    else:
+        sums = _over_cycle(running, crank_angle, arm, balanced)
+    curve = machine_axes(sums.curves, clockwise=frames.clockwise)
+    vectors = sums.vectors
     ellipse = hodograph(vectors)
-    gross = square[:, 0, 0] * size
+    gross = speed.mean[:, 0, 0] ** 2 * _gross(frame, arm, balanced)
     least = np.maximum(_GONE * gross[:, np.newaxis, np.newaxis], _GONE * ellipse.major)
     # A circle has no long axis, and what has gone no direction.
     has_axis = ellipse.major - ellipse.minor > least
@@ -117,8 +113,54 @@ def shaken(
         ellipse.minor,
         np.where(has_axis, along, np.nan),
         gross,
-        {"balance": BALANCE[: len(by_order)], **order_labels(crank_angle.cycle)},
+        {"balance": BALANCE[: sums.curves.shape[1]], **order_labels(crank_angle.cycle)},
     )
+
+
+def _gross(frame: FrameForces, arm: Array, balanced: Balanced | None) -> Array:
+    """What all parts would do if they added up, for each (rad/s)², shape (design,)."""
+    size = np.sum(np.abs(arm) * np.sum(hodograph(frame.vectors).major[..., 1:], axis=-1), axis=-1)
+    if balanced is not None:
+        own = weight_vectors(balanced.weights, frame.vectors.order)
+        size = size + np.sum(np.abs(balanced.arm) * np.sum(hodograph(own).major, axis=-1), axis=-1)
+    return size
+
+
+def _at_constant_speed(
+    frame: FrameForces, crank_angle: CrankAngle, speed: Speed, arm: Array, balanced: Balanced | None
+) -> _Sums:
+    """Sums of what the parts do over a turn, for each (rad/s)², times the square of the speed."""
+    turns = round(crank_angle.cycle / (2 * np.pi))
+    weigh = arm[..., np.newaxis]
+    curves: list[ComplexArray] = [np.tile(np.sum(weigh * frame.force[..., :: frame.step], axis=1), turns)]
+    by_order = [_summed(frame.vectors, weigh)]
+    if balanced is not None:
+        own = weight_vectors(balanced.weights, frame.vectors.order)
+        more = _summed(own, balanced.arm[..., np.newaxis])
+        curves.append(curves[0] + vector_curve(_of_weights(balanced), crank_angle.angle[:, 0]))
+        by_order.append(PlaneVectors(more.order, *map(np.add, by_order[0][1:], more[1:])))
+    square = speed.value[:, 0] ** 2
+    lots = [PlaneVectors(one.order, square * one.forward, square * one.backward) for one in by_order]
+    whole: ComplexArray = speed.value**2 * np.stack(curves, axis=1)
+    return _Sums(whole, _in_cycle(lots, turns))
+
+
+def _over_cycle(running: RunningFrame, crank_angle: CrankAngle, arm: Array, balanced: Balanced | None) -> _Sums:
+    """Sums over the cycle, and their orders, of which a speed that varies makes half ones as well."""
+    curves: list[ComplexArray] = [np.sum(arm[..., np.newaxis] * running.force, axis=1)]
+    if balanced is not None:
+        of = _of_weights(balanced)
+        turning = vector_curve(of, running.angle) * running.drive.speed**2
+        curves.append(curves[0] + turning + vector_curve(integrated(of), running.angle) * running.drive.acceleration)
+    whole: ComplexArray = np.stack(curves, axis=1)
+    order, forward, backward = curve_vectors(whole.real, whole.imag, HIGHEST_ORDER, crank_angle.cycle)
+    return _Sums(whole[..., :: running.step], PlaneVectors(order[1:], forward[..., 1:], backward[..., 1:]))
+
+
+def _of_weights(balanced: Balanced) -> PlaneVectors:
+    """What all weights do together, at their own orders, for each (rad/s)²."""
+    own = weight_vectors(balanced.weights, weight_orders(balanced.weights))
+    return _summed(own, balanced.arm[..., np.newaxis])
 
 
 def _in_cycle(lots: Sequence[PlaneVectors], turns: int) -> PlaneVectors:

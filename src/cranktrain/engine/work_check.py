@@ -5,7 +5,7 @@ samples, the run's own sum over its grid is compared with the exact integral of 
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import NamedTuple
 
@@ -15,7 +15,7 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
 from cranktrain.engine.forces import LoadedMachine, driving_torques
 from cranktrain.engine.gas import GasInChambers
-from cranktrain.engine.layout import CrankAngle
+from cranktrain.engine.layout import CrankAngle, Speed
 from cranktrain.engine.torque import ShaftTorques
 from cranktrain.engine.travel import CylinderTravel
 from cranktrain.engine.volumes import SweptVolumes
@@ -107,7 +107,9 @@ def _slope_of(gas: GasInChambers, design: int, place: int) -> Callable[[Array], 
 def _work_of_torque(loaded: LoadedMachine, gas: GasInChambers, travel: CylinderTravel) -> Array:
     """Work that the machine's torque by the reactions does over a cycle, shape (design,). [J]"""
     quadrature = _quadrature(_events(gas, travel), _widest(gas, travel), gas.cycle)
-    torque = np.sum(driving_torques(loaded, loaded.solved(quadrature.angle[:, np.newaxis])), axis=1)
+    # Inertia gives no work over a cycle at any speed; at a constant one nothing is interpolated.
+    even = replace(loaded, speed=Speed(loaded.speed.value))
+    torque = np.sum(driving_torques(even, even.solved(quadrature.angle[:, np.newaxis])), axis=1)
     return -np.sum(quadrature.weight * torque, axis=-1)
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 from cranktrain.analysis import Result
+from cranktrain.engine.speed_curve import SpeedCurve
 from cranktrain.language import _
 from cranktrain.machine import Machine
 
@@ -17,7 +18,8 @@ def conventions(result: Result) -> dict[str, str]:
     Returns
     -------
     dict of str
-        Sentences by what they are about: `rotation`, `running`, `crank_angle`, `units`, and the signs that matter.
+        Sentences by what they are about: `rotation`, `running`, `crank_angle`, `units`, and the signs that matter;
+        `crank_speed` where it varies over the cycle.
     """
     return dict(_sentences(result))
 
@@ -37,6 +39,9 @@ def _sentences(result: Result) -> Iterator[tuple[str, str]]:
     yield "rotation", rotation[machine.rotation]
     yield "running", running[machine.running]
     yield "crank_angle", _crank_angle(machine)
+    for gift in result.gifts:
+        if isinstance(gift, SpeedCurve):
+            yield "crank_speed", gift.answer(result.labels, 0)
     if "piston" in result.labels:
         yield (
             "piston_displacement",

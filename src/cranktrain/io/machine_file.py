@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io import editing
+from cranktrain.io.curve_files import with_curves
 from cranktrain.io.document import Document
 from cranktrain.io.examples import EXAMPLES_FOLDER, example_called, example_document, example_near
-from cranktrain.io.indicator_file import with_indicator
 from cranktrain.language import _
 from cranktrain.machine import Machine, machine_problems
 from cranktrain.mechanisms.kind import LISTS
@@ -93,15 +93,10 @@ def read_machine(
     """
     typed = document_of(source)
     document, paths = _with_settings(typed, settings)
-    found: tuple[Problem, ...] = ()
-    data: Mapping[str, Any] = document.data
+    # A curve that cannot be read is one problem among the others.
+    data, found = with_curves(document.data, _folder_of(source))
     try:
-        data = with_indicator(document.data, _folder_of(source))
-    except InputError as error:
-        # A diagram that cannot be read is one problem among the others.
-        found = tuple(error.problems)
-    try:
-        machine = Machine(**data)
+        machine = Machine(**cast("dict[str, Any]", data))
         found = (*found, *machine_problems(machine, partial=partial))
         if not found:
             return MachineFile(document, machine)

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.loads.harmonics import TURN
-from cranktrain.loads.periodic import Interpolation, PeriodicCurve, curve_extremes, fourier_integral
+from cranktrain.loads.periodic import Interpolation, PeriodicCurve, combined, curve_extremes, fourier_integral
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
 
@@ -64,3 +64,29 @@ def excess_work(excess: Array, cycle: float = TURN, by: Interpolation = fourier_
     """
     work = by(excess, cycle)
     return ExcessWork(work, np.mean(excess, axis=-1), *curve_extremes(work))
+
+
+def excess_against(driving: ExcessWork, load_work: PeriodicCurve, factor: Array, mean: Array) -> ExcessWork:
+    """Excess work of a driving torque against a load curve.
+
+    Parameters
+    ----------
+    driving : ExcessWork
+        Of the driving torque alone.
+    load_work : PeriodicCurve
+        Of the load less its mean, on the same grid. [J]
+    factor : Array, shape (...)
+        What the load is multiplied by. [1]
+    mean : Array, shape (...)
+        Of the load so multiplied. [N·m]
+
+    Returns
+    -------
+    ExcessWork
+
+    Notes
+    -----
+    docs/theory/evenness, eq. (17.17).
+    """
+    work = combined(driving.work, -factor, load_work)
+    return ExcessWork(work, driving.mean_excess - mean, *curve_extremes(work))

@@ -87,13 +87,18 @@ def spline_curve(samples: Array, cycle: float = TURN) -> PeriodicCurve:
     -----
     The slopes at the nodes solve s₋ + 4s + s₊ = 3(y₊ − y₋)/h, a circulant system, through its Fourier transform.
     """
-    return _by_pieces(_cubics(samples, cycle), cycle)
+    return _by_pieces(_cubics(samples), cycle)
+
+
+def hermite_curve(samples: Array, slopes: Array, cycle: float = TURN) -> PeriodicCurve:
+    """Cubics through samples (..., n) with given slopes (..., n) there: continuous with its slope."""
+    return _by_pieces(_between(samples, slopes * (cycle / samples.shape[-1])), cycle)
 
 
 def spline_integral(samples: Array, cycle: float = TURN) -> PeriodicCurve:
     """Integral of samples (..., n) less their mean, from φ = 0, exact for their periodic cubic spline."""
     step = cycle / samples.shape[-1]
-    cubics = _cubics(samples - np.mean(samples, axis=-1, keepdims=True), cycle)
+    cubics = _cubics(samples - np.mean(samples, axis=-1, keepdims=True))
     risen = np.stack([step * part / power for power, part in enumerate(cubics, 1)])
     ends = np.cumsum(np.sum(risen, axis=0), axis=-1)
     starts = np.concatenate([np.zeros_like(ends[..., :1]), ends[..., :-1]], axis=-1)
@@ -127,13 +132,17 @@ def curve_extremes(one: PeriodicCurve) -> Extremes:
     return turning_points(one.motion, one.samples, one.angle)
 
 
-def _cubics(samples: Array, cycle: float) -> Array:
+def _cubics(samples: Array) -> Array:
     """Coefficients of the periodic cubic spline in each piece, by powers of the share of the step, (4, ..., n)."""
     n_points = samples.shape[-1]
     turn = np.arange(n_points // 2 + 1, dtype=float) * (TURN / n_points)
     # In parts of the step.
     transfer = 3j * np.sin(turn) / (2 + np.cos(turn))
-    slope = np.fft.irfft(transfer * np.fft.rfft(samples, axis=-1), n_points, axis=-1)
+    return _between(samples, np.fft.irfft(transfer * np.fft.rfft(samples, axis=-1), n_points, axis=-1))
+
+
+def _between(samples: Array, slope: Array) -> Array:
+    """Coefficients of the cubics from node to node with given values, and slopes in parts of the step, (4, ..., n)."""
     rise, slope_after = np.roll(samples, -1, axis=-1) - samples, np.roll(slope, -1, axis=-1)
     return np.stack([samples, slope, 3 * rise - 2 * slope - slope_after, slope + slope_after - 2 * rise])
 

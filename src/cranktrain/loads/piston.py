@@ -36,16 +36,19 @@ def inertia_force(slider: Coefficient, mass: Array, drive: Drive) -> Array:
     return mass * (slider.second * (drive.speed * drive.speed) + slider.first * drive.acceleration)
 
 
-def two_harmonic_inertia_force(angle: Array, geometry: SliderCrank, mass: Array, speed: Array) -> Array:
-    """Inertia force of two harmonics, at constant speed: −m_j Rω²(cos φ + λ cos 2φ), for a central mechanism. [N]
+def two_harmonic_inertia_force(angle: Array, geometry: SliderCrank, mass: Array, drive: Drive) -> Array:
+    """Inertia force of two harmonics of the motion, for a central mechanism. [N]
 
-    NaN for one with an offset, which has other harmonics. docs/theory/forces, eq. (13.34).
+    −m_j R[ω²(cos φ + λ cos 2φ) + ε(sin φ + ½λ sin 2φ)]; NaN for one with an offset, which has other harmonics.
+    docs/theory/forces, eq. (13.34).
     """
     ratio = geometry.crank_radius / geometry.rod_length
-    scale = mass * geometry.crank_radius * (speed * speed)
     # An offset makes NaN.
     central = 0.0 * np.sqrt(-np.abs(geometry.offset))
-    return central - scale * (np.cos(angle) + ratio * np.cos(2.0 * angle))
+    second = np.cos(angle) + ratio * np.cos(2.0 * angle)
+    first = np.sin(angle) + 0.5 * ratio * np.sin(2.0 * angle)
+    pulled = second * (drive.speed * drive.speed) + first * drive.acceleration
+    return central - mass * geometry.crank_radius * pulled
 
 
 def piston_forces(force: Array, motion: SliderCrankMotion, geometry: SliderCrank) -> PistonForces:

@@ -86,6 +86,14 @@ def vector_curve(of: PlaneVectors, angle: Array) -> ComplexArray:
     return np.sum(parts, axis=-1)
 
 
+def integrated(of: PlaneVectors) -> PlaneVectors:
+    """Integral of the vectors by the crank angle, about its mean; orders above 0.
+
+    Of what turning weights do for each (rad/s)² it is what they do for each rad/s²: both come of their momentum.
+    """
+    return PlaneVectors(of.order, of.forward / (1j * of.order), of.backward * 1j / of.order)
+
+
 def turned_vectors(of: PlaneVectors, angle: Array) -> PlaneVectors:
     """Give vectors in axes from which their own are turned by an angle [rad] of shape (...), from x toward y."""
     turn = phasor(angle)[..., np.newaxis]

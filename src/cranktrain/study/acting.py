@@ -229,7 +229,7 @@ def _inertia(one: Member, i: int) -> tuple[Array, Array]:
     nothing = Body(*(np.zeros((1, 1)) for _part in Body._fields))
     bodies = one.dynamics.bodies(*(body if j == i else nothing for j, body in enumerate(one.bodies)))
     unloaded = one.dynamics.load(one.motion, one.size, np.zeros((1, 1)))
-    speed = one.loaded.speed[0]
+    speed = one.loaded.speed.value[0]
     conditions = Conditions(
         Drive(speed, np.zeros_like(speed)),
         Gravity(np.zeros((1, 1)), np.zeros((1, 1))),

@@ -108,7 +108,7 @@ def zhukovsky_lever(machine: Machine, angle: float, *, mechanism: str | None = N
     rubbing = list(friction_on_links(one))
     forces += (_of_friction(machine, one, each, numbers) for each in rubbing)
     torque = _driving_torque(one, rubbing)
-    return Lever(place.name, float(shown[0]), float(loaded.speed[0, 0, 0]), tuple(forces), torque)
+    return Lever(place.name, float(shown[0]), float(loaded.speed.value[0, 0, 0]), tuple(forces), torque)
 
 
 def _of_link(machine: Machine, one: Member, i: int, number: int) -> Iterator[LeverForce]:
@@ -129,14 +129,14 @@ def _of_link(machine: Machine, one: Member, i: int, number: int) -> Iterator[Lev
 def _at(force: Force, point: str, velocity: Array, one: Member) -> LeverForce:
     """Put a force to its point."""
     value = force.value[:, 0]
-    speed = float(one.loaded.speed[0, 0, 0])
+    speed = float(one.loaded.speed.value[0, 0, 0])
     moment = float(value @ velocity) / speed
     return LeverForce(force.symbol, point, _pair(value), _pair(velocity), moment)
 
 
 def _of_friction(machine: Machine, one: Member, rubbing: Rubbing, numbers: dict[str, int]) -> LeverForce:
     """Friction at its point, `f_14` of 1 on 4."""
-    speed = float(one.loaded.speed[0, 0, 0])
+    speed = float(one.loaded.speed.value[0, 0, 0])
     wrench = rubbing.wrench
     value = turned(machine, one.place, wrench.x[0], wrench.y[0])[:, 0]
     x, y = (speed * np.array([part]) for part in rubbing.velocity)
@@ -158,7 +158,7 @@ def _pin_name(one: Member, i: int) -> str:
 
 def _velocity(machine: Machine, one: Member, i: int, *, is_centroid: bool) -> Array:
     """Velocity of a link's first pin or centroid, by the work of unit forces there. [m/s]"""
-    speed = float(one.loaded.speed[0, 0, 0])
+    speed = float(one.loaded.speed.value[0, 0, 0])
     units = ((1.0, 0.0), (0.0, 1.0))
     if is_centroid:
         parts = [_work_of_weight(one, i, Gravity(*map(np.asarray, ((x,), (y,))))) for x, y in units]
@@ -211,12 +211,12 @@ def _couple(one: Member, i: int) -> float:
     """Torque on the crank that a link's inertia about its own centroid takes: ½J′ω² of a link without mass."""
     body = one.bodies[i]._replace(mass=np.zeros((1, 1)))
     equation = one.dynamics.reduced(one.motion, one.size, _bodies(one, i, body), _nothing(one), _NO_GRAVITY)
-    return 0.5 * float(np.ravel(equation.inertia.first)[0]) * float(one.loaded.speed[0, 0, 0]) ** 2
+    return 0.5 * float(np.ravel(equation.inertia.first)[0]) * float(one.loaded.speed.value[0, 0, 0]) ** 2
 
 
 def _driving_torque(one: Member, rubbing: Sequence[Rubbing]) -> float:
     """Torque to be applied to the crank for the mechanism alone, by its joints' reactions; friction is a load."""
-    speed = one.loaded.speed[0]
+    speed = one.loaded.speed.value[0]
     still = Drive(speed, np.zeros_like(speed))
     conditions = Conditions(still, one.gravity, tuple(NO_FRICTION for _slider in one.dynamics.sliding))
     acting = dict(zip(one.dynamics.moving, loads_of(one), strict=True))

@@ -268,3 +268,20 @@ def test_a_notch_from_the_terminal(typed):
         answer = typed("run", "lms_class5", "--set", f"bank.valve.mechanism.notch={notch}", "--quantities", "stroke")
         assert answer.status == 0, answer.errors
         assert travel in answer.output
+
+
+def test_at_the_running_speed(typed, tmp_path):
+    """The answer and the file's head say so; what is missing for it is told."""
+    output = typed("run", "3d12", "--running-speed", "-o", str(tmp_path / "a.csv"), "--quantities", "piston_velocity")
+    said = (
+        "All of this is at the speed of steady running, 1497.5 rpm to 1502.8 rpm over the cycle, 1500.0 rpm over time."
+    )
+    assert said in " ".join(output.output.split())
+    assert f"# crank_speed: {said}" in (tmp_path / "a.csv").read_text(encoding="utf-8")
+    (tmp_path / "small.toml").write_text(CENTRAL, encoding="utf-8")
+    refused = typed("run", str(tmp_path / "small.toml"), "--running-speed")
+    assert refused.status != 0
+    assert (
+        "speed = running: needs [evenness], [evenness] flywheel or flywheel_moment, [masses] in the file"
+        in refused.errors
+    )

@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import quad, solve_ivp
 
 import cranktrain as ct
-from cranktrain.engine.evenness import ShaftWork
+from cranktrain.engine.shaft_torque import AppliedTorque
 from cranktrain.errors import InputError
 
 RADIUS, ROD, BORE, RATIO = 0.05, 0.18, 0.085, 16.0
@@ -331,7 +331,7 @@ def test_no_flywheel_needed_is_told():
 
 def test_kinks_are_joined_by_splines_and_smooth_curves_by_series(engine):
     def by(result):
-        return next(gift for gift in result.gifts if isinstance(gift, ShaftWork)).by.curve.__name__
+        return next(gift for gift in result.gifts if isinstance(gift, AppliedTorque)).by.curve.__name__
 
     assert by(engine) == "spline_curve"
     assert by(run(machine=MASSES_ALONE, flywheel="1 kg·m²")) == "fourier_curve"

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from scipy.interpolate import CubicSpline
+from scipy.interpolate import CubicHermiteSpline, CubicSpline
 
 from cranktrain.loads.periodic import (
     combined,
@@ -10,6 +10,7 @@ from cranktrain.loads.periodic import (
     cycle_grid,
     fourier_curve,
     fourier_integral,
+    hermite_curve,
     plus,
     spline_curve,
     spline_integral,
@@ -88,3 +89,15 @@ def test_extremes_lie_between_the_nodes(cycle):
     assert (low.value[0], high.value[0]) == pytest.approx((-3, 3), abs=1e-14)
     assert high.angle[0] == pytest.approx(5.01, abs=1e-12)
     assert low.angle[0] % cycle == pytest.approx((5.01 + cycle / 2) % cycle, abs=1e-12)
+
+
+def test_cubics_with_given_slopes():
+    random = np.random.default_rng(5)
+    samples, slopes = random.normal(size=(2, 3, 24))
+    curve = hermite_curve(samples, slopes)
+    nodes = np.append(curve.angle, 2 * np.pi)
+    ends = [np.concatenate([part, part[:, :1]], axis=-1) for part in (samples, slopes)]
+    other = CubicHermiteSpline(nodes, *ends, axis=-1)
+    inside = np.mod(AT, 2 * np.pi)
+    np.testing.assert_allclose(curve.value(AT), other(inside), atol=1e-12)
+    np.testing.assert_allclose(curve.slope(AT), other(inside, 1), atol=1e-11)

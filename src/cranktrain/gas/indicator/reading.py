@@ -111,7 +111,7 @@ def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
     axis, where, level = _columns(table, said, name)
     labels = table.labels or ("",) * len(table.rows[0])
     place_scale, findings = _place_scale(axis, labels[where], said, table, where)
-    unit = said.pressure_unit or _unit_in(labels[level], Dimension.PRESSURE)
+    unit = said.pressure_unit or unit_in(labels[level], Dimension.PRESSURE)
     if unit is None:
         allowed = _("the file does not say in which unit its pressures are")
         repair = _('write pressure_unit = "bar" (or {units})').format(units=", ".join(unit_names(Dimension.PRESSURE)))
@@ -164,14 +164,14 @@ def _axis_of(label: str) -> Axis | None:
         if re.search(_WORDS[axis], words, re.IGNORECASE):
             return axis
     for axis, dimension in _DIMENSIONS.items():
-        if _unit_in(label, dimension):
+        if unit_in(label, dimension):
             return "angle" if axis == "angle" else "volume" if axis == "volume" else "displacement"
     return None
 
 
 def _is_pressure(label: str) -> bool:
     """Whether a column's header means a pressure."""
-    return bool(_unit_in(label, Dimension.PRESSURE) or re.search(_WORDS["pressure"], _spaced(label), re.IGNORECASE))
+    return bool(unit_in(label, Dimension.PRESSURE) or re.search(_WORDS["pressure"], _spaced(label), re.IGNORECASE))
 
 
 def _spaced(label: str) -> str:
@@ -179,8 +179,8 @@ def _spaced(label: str) -> str:
     return re.sub(r"[_,;:/()\[\]]+", " ", label)
 
 
-def _unit_in(label: str, dimension: Dimension) -> str | None:
-    """Find a unit in a column's header: in brackets, after a comma or an underscore, or its last word."""
+def unit_in(label: str, dimension: Dimension) -> str | None:
+    """Find a unit in a column's header: in brackets, after a comma or an underscore, or its last word; None if none."""
     bracketed = re.findall(r"[\[(]([^\])]*)[\])]", label)
     pieces = [*bracketed, *re.split(r",\s*", label)[1:], label, *reversed(_spaced(label).split())]
     for piece in map(str.strip, pieces):
@@ -202,7 +202,7 @@ def _is_unit(text: str, dimension: Dimension) -> bool:
 
 def _place_scale(axis: Axis, label: str, said: Columns, table: Table, column: int) -> tuple[float, tuple[str, ...]]:
     """Give the SI value of one of the axis's units, and say what was taken for granted."""
-    unit = said.axis_unit or _unit_in(label, _DIMENSIONS[axis])
+    unit = said.axis_unit or unit_in(label, _DIMENSIONS[axis])
     if unit is not None:
         return read(f"1 {unit}", _DIMENSIONS[axis]), ()
     if axis == "displacement":

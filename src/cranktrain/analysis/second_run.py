@@ -1,0 +1,91 @@
+"""A second run: everything at a speed that varies over the cycle, found by a first run or given."""
+
+from collections.abc import Sequence
+from typing import Any, Literal, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from cranktrain.analysis.parts import Parts
+from cranktrain.analysis.stages import Stage, leading_to, run_stages
+from cranktrain.catalogue import entries
+from cranktrain.engine.evenness import RunningSpeed
+from cranktrain.engine.layout import CrankAngle, Speed
+from cranktrain.engine.speed_curve import SpeedCurve, speed_curve
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.loads.periodic import spline_curve
+from cranktrain.motion import Array
+
+SpeedWanted: TypeAlias = Literal["constant", "running"] | ArrayLike
+"""Constant; that of the steady running which the machine's file makes; or one's own on the grid."""
+
+
+def with_speed(parts: Parts, speed: SpeedWanted, stages: Sequence[Stage]) -> Parts:
+    """Put the speed that is wanted into the parts.
+
+    Parameters
+    ----------
+    parts : mapping of type to object
+        What the machine declares.
+    speed : "constant", "running" or array-like, shape (n,) or (design, n)
+        [rad/s]
+    stages : sequence of Stage
+        Which of them find the running speed.
+
+    Returns
+    -------
+    mapping of type to object
+        The same for a constant speed; else with `SpeedCurve`, which `Speed` holds as well.
+
+    Raises
+    ------
+    InputError
+        Where the file does not say what the running speed needs, there is none, or the speeds given are none.
+    """
+    grid: Any = parts[CrankAngle]
+    if isinstance(speed, str):
+        if speed == "constant":
+            return parts
+        if speed != "running":
+            allowed = _('must be "constant", "running" or speeds in rad/s at the crank angles of the grid')
+            raise InputError([Problem("speed", speed, allowed)])
+        found = _found(parts, stages)
+        speeds, accelerations, mean = found.crank_speed, found.crank_acceleration, found.mean_speed_over_time
+    else:
+        speeds = _given(speed, grid)
+        accelerations = spline_curve(speeds**2, grid.cycle).slope(grid.shown) / 2
+        mean = 1 / np.mean(1 / speeds, axis=-1)
+    curve = speed_curve(
+        speeds, accelerations, grid.cycle, zero=grid.zero, mean=mean, is_steady_running=isinstance(speed, str)
+    )
+    declared: Any = parts.get(Speed, Speed(curve.mean))
+    return {**parts, Speed: Speed(declared.value, curve), SpeedCurve: curve}
+
+
+def _found(parts: Parts, stages: Sequence[Stage]) -> RunningSpeed:
+    """Run as far as the running speed, at constant speed."""
+    gifts, missing = run_stages(leading_to(stages, [RunningSpeed]), parts)
+    found = gifts.get(RunningSpeed)
+    if not isinstance(found, RunningSpeed):
+        names = {entry.name for entry in entries(RunningSpeed)}
+        needs = [need for one in missing if names & set(one.results) for need in one.needs]
+        allowed = _("needs {needs} in the file").format(needs=", ".join(needs))
+        raise InputError([Problem("speed", "running", allowed)])
+    if np.all(np.isnan(found.crank_speed)):
+        reasons = " ".join(found.flags) or _("The speed over the cycle is not known all round.")
+        raise InputError([Problem("speed", "running", reasons)])
+    return found
+
+
+def _given(speed: ArrayLike, grid: CrankAngle) -> Array:
+    """Speeds on the grid, shape (design, n)."""
+    speeds = np.atleast_2d(np.asarray(speed, dtype=np.float64))
+    n_designs, n_angles = len(grid.zero), grid.shown.size
+    if speeds.shape not in ((1, n_angles), (n_designs, n_angles)):
+        shown = " × ".join(map(str, np.shape(speed)))
+        allowed = _("must be one speed at each of the {n} crank angles of the grid, for all designs or each")
+        raise InputError([Problem("speed", shown, allowed.format(n=n_angles))])
+    if not np.all(np.isfinite(speeds) & (speeds > 0)):
+        raise InputError([Problem("speed", None, _("must be finite and more than 0 all round"))])
+    return np.broadcast_to(speeds, (n_designs, n_angles)).copy()

@@ -1,0 +1,66 @@
+"""The torque of gas, weight and friction on the shaft: what is left of a machine's torque without its inertia."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.engine.evenness_table import ShaftLoad
+from cranktrain.engine.forces import LoadedMachine, MechanismTorques
+from cranktrain.engine.layout import CrankAngle
+from cranktrain.language import N_
+from cranktrain.linkage.forces import Drive, Reduced, ReducedInertia, torque_by_work
+from cranktrain.loads.periodic import Interpolation, fourier_curve, fourier_integral, spline_curve, spline_integral
+from cranktrain.motion import Array
+
+_THEORY = "docs/theory/evenness"
+
+
+class Interpolations(NamedTuple):
+    """How curves run between the points of the grid: a curve, and the integral of a torque."""
+
+    curve: Interpolation
+    integral: Interpolation
+
+
+@dataclass(frozen=True, eq=False)
+class AppliedTorque:
+    """Torque without inertia.
+
+    Attributes
+    ----------
+    by : Interpolations
+        Fourier series where nothing but masses acts; splines where gas or friction gives the torque kinks.
+    """
+
+    by: Interpolations
+    applied_torque: Array = quantity(
+        "M_d",
+        "N*m",
+        ("crank_angle",),
+        N_("Torque of gas, weight and friction on the shaft, without inertia"),
+        _THEORY,
+    )
+
+
+def applied_torque(
+    _load: ShaftLoad, torques: MechanismTorques, loaded: LoadedMachine, crank_angle: CrankAngle
+) -> AppliedTorque:
+    """Torque that is left without inertia; a file that says nothing of a load has none.
+
+    Notes
+    -----
+    The shaft takes M = Jε + ½J′ω² − M_d. Friction that inertia causes stays in M_d as it is at the speed of the run.
+    docs/theory/evenness, eq. (17.16).
+    """
+    drive = loaded.speed.drive(crank_angle.angle)
+    equation = Reduced(ReducedInertia(torques.reduced_inertia, torques.reduced_inertia_slope), torques.driving_torque)
+    applied = torque_by_work(equation, Drive(drive.speed[:, 0], drive.acceleration[:, 0]))
+    has_friction = any(np.any(part) for made in loaded.masses.groups for part in made.friction)
+    by = (
+        Interpolations(fourier_curve, fourier_integral)
+        if loaded.gas is None and not has_friction
+        else Interpolations(spline_curve, spline_integral)
+    )
+    return AppliedTorque(by, applied)

@@ -1,0 +1,87 @@
+"""Speed of the main shaft that varies over the cycle: found by the machine's own evenness, or given."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from cranktrain.language import _
+from cranktrain.linkage.forces import Drive
+from cranktrain.loads.periodic import PeriodicCurve, hermite_curve
+from cranktrain.motion import Array
+from cranktrain.wording import Names, number
+
+
+@dataclass(frozen=True, eq=False)
+class SpeedCurve:
+    """How the main shaft turns over the cycle: what a second run is at.
+
+    Attributes
+    ----------
+    square : PeriodicCurve, shape (design, n)
+        ω² from the first point of the grid. [rad²/s²]
+    zero : Array, shape (design, 1, 1)
+        φ of that point. [rad]
+    mean : Array, shape (design, 1, 1)
+        Mean of ω over time. [rad/s]
+    is_steady_running : bool
+        Whether it is what the machine's torques, load and flywheel make of it, and not given.
+    """
+
+    needs: ClassVar[str] = ""
+
+    square: PeriodicCurve
+    zero: Array
+    mean: Array
+    is_steady_running: bool
+
+    def drive(self, angle: Array) -> Drive:
+        """How the crank turns at φ [rad], shape (n,) or (design, m, n): arrays of shape (design, m or 1, n).
+
+        Notes
+        -----
+        ε = ω dω/dφ = ½ (ω²)′. docs/theory/evenness, eq. (17.19).
+        """
+        shown = angle - self.zero
+        flat = shown.reshape(len(shown), -1)
+        square = self.square.motion(flat)
+        return Drive(np.sqrt(square.value).reshape(shown.shape), square.first.reshape(shown.shape) / 2)
+
+    def answer(self, _names: Names, design: int) -> str:
+        """Say at which speed everything is."""
+        speeds = np.sqrt(self.square.samples[design])
+        said = _("All of this is at the speed that was given, {least} to {most} over the cycle, {mean} over time.")
+        if self.is_steady_running:
+            said = _(
+                "All of this is at the speed of steady running, {least} to {most} over the cycle, {mean} over time."
+            )
+        return said.format(
+            least=number(float(np.min(speeds)), "rpm"),
+            most=number(float(np.max(speeds)), "rpm"),
+            mean=number(float(self.mean[design, 0, 0]), "rpm"),
+        )
+
+
+def speed_curve(
+    speed: Array, acceleration: Array, cycle: float, *, zero: Array, mean: Array, is_steady_running: bool
+) -> SpeedCurve:
+    """Curve through speeds and accelerations on the grid: cubics of ω², so that both meet everywhere.
+
+    Parameters
+    ----------
+    speed, acceleration : Array, shape (design, n)
+        ω and ε in equal steps over the cycle. [rad/s, rad/s²]
+    cycle : float
+        [rad]
+    zero : Array, shape (design, 1, 1)
+        φ of the first point. [rad]
+    mean : Array, shape (design,)
+        Mean of the speed over time. [rad/s]
+    is_steady_running : bool
+
+    Returns
+    -------
+    SpeedCurve
+    """
+    square = hermite_curve(speed**2, 2 * acceleration, cycle)
+    return SpeedCurve(square, zero, mean[:, np.newaxis, np.newaxis], is_steady_running)

@@ -1,0 +1,110 @@
+"""Files of curves beside a machine file, such as indicator diagrams: found, decoded, put into the machine's tables."""
+
+import codecs
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import NamedTuple, cast
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.io.files import Wanted, content_of, refusal
+from cranktrain.language import N_, _
+
+LARGEST_FILE = 16 * 2**20
+"""Bytes; a cycle in steps of 0.1° has some 200 000."""
+
+_WIDE = {codecs.BOM_UTF16_LE: "utf-16", codecs.BOM_UTF16_BE: "utf-16"}
+
+
+class CurveFile(NamedTuple):
+    """A table of the machine file that names a file: its path, its `kind` where only one has a file, what this is."""
+
+    table: tuple[str, ...]
+    kind: str | None
+    noun: str
+
+
+CURVE_FILES = (
+    CurveFile(("gas",), "indicator", N_("an indicator diagram")),
+    CurveFile(("evenness", "load_curve"), None, N_("a load curve")),
+)
+
+
+def curve_text(path: Path, name: str, noun: str) -> str:
+    """Read the file of a curve.
+
+    Parameters
+    ----------
+    path : Path
+    name : str
+        As shown in messages.
+    noun : str
+        What it should be, as `CurveFile` says it.
+
+    Returns
+    -------
+    str
+        UTF-8 or UTF-16 with a byte-order mark; else Windows-1251, in which ° stands where Western code pages have it.
+
+    Raises
+    ------
+    InputError
+        If there is no such file, it cannot be read, or is no text.
+    """
+    too_large = _("is larger than {limit} MiB, too large for {noun}").format(limit=LARGEST_FILE // 2**20, noun=_(noun))
+    wanted = Wanted(LARGEST_FILE, too_large, _("is a folder, not {noun}").format(noun=_(noun)))
+    content = content_of(path, name, wanted, suffix=".csv")
+    encoding = _WIDE.get(content[:2])
+    if encoding is None and b"\0" in content:
+        raise refusal(name, _("is no text: it has NUL bytes"), _("save it as CSV"))
+    if encoding is not None:
+        return content.decode(encoding, errors="replace")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return content.decode("cp1251", errors="replace")
+
+
+def with_curves(data: Mapping[str, object], folder: Path) -> tuple[dict[str, object], tuple[Problem, ...]]:
+    """Put what the files of curves hold into the tables that name them.
+
+    Parameters
+    ----------
+    data : mapping
+        The tables of a machine file.
+    folder : Path
+        Where the machine file is: the paths of the others are relative to it.
+
+    Returns
+    -------
+    data : dict
+        The same, with `text` beside each `file`; unchanged where no file is named, a table holds its text itself, or
+        the file cannot be read.
+    problems : tuple of Problem
+        Of the files that cannot be read, each with the path of its `file`.
+    """
+    found: list[Problem] = []
+    filled = dict(data)
+    for curve in CURVE_FILES:
+        try:
+            filled = _filled(filled, curve.table, curve, folder)
+        except InputError as error:
+            found += error.problems
+    return filled, tuple(found)
+
+
+def _filled(data: Mapping[str, object], below: tuple[str, ...], curve: CurveFile, folder: Path) -> dict[str, object]:
+    """Put the text of one file into its table, so many tables below this one."""
+    inner = data.get(below[0]) if below else None
+    if below:
+        if not isinstance(inner, Mapping):
+            return dict(data)
+        return {**data, below[0]: _filled(cast(Mapping[str, object], inner), below[1:], curve, folder)}
+    file = data.get("file")
+    if data.get("kind") != curve.kind or not isinstance(file, str) or "text" in data:
+        return dict(data)
+    try:
+        return {**data, "text": curve_text(folder / file, file, curve.noun)}
+    except InputError as error:
+        path = ".".join((*curve.table, "file"))
+        raise InputError(replace(problem, path=path, given=file, position=None) for problem in error.problems) from None

@@ -1,0 +1,287 @@
+"""A load that is given as a curve: speed and flywheel in closed form or step by step, and what files may hold."""
+
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import quad, solve_ivp
+
+import cranktrain as ct
+from cranktrain.errors import InputError
+from cranktrain.io.machine_file import read_machine
+
+INERTIA, SPEED = 5.0, 2 * np.pi * 5
+DISC: dict[str, Any] = {
+    "shaft": {"main": {"speed": "300 rpm"}},
+    "mechanism": {"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "200 mm"},
+    "masses": {"crank": {"mass": "1 kg", "along": "0 mm", "inertia": "1 kg·m²"}},
+}
+"""A crank alone: J is constant, and nothing drives it."""
+FLYWHEEL = "4 kg·m²"
+
+PEAK, START, END, RAMP = 400.0, 150.3, 169.7, 0.9
+"""A pulse whose corners lie between the points of the grid. [N·m, deg]"""
+PULSE = f"angle;load [N·m]\n0;0\n{START};0\n{START + RAMP};{PEAK}\n{END};{PEAK}\n{END + RAMP};0\n360;0\n"
+MEAN = PEAK * (END - START) / 360
+
+
+def run(text=PULSE, *, machine=DISC, scale="given", step=1.0, **evenness):
+    curve = {"file": "load.csv", "text": text, "scale": scale}
+    return ct.run(ct.Machine(**machine, evenness={"load_curve": curve, **evenness}), step_degrees=step)
+
+
+def pulse(phi):
+    corners = np.radians([0, START, START + RAMP, END, END + RAMP, 360])
+    return np.interp(np.mod(phi, 2 * np.pi), corners, [0, 0, PEAK, PEAK, 0, 0])
+
+
+def over_the_mean():
+    """ΔA: what the pulse takes beyond the mean, a trapezoid."""
+    height = PEAK - MEAN
+    return height * np.radians(END - START - RAMP + RAMP * height / PEAK)
+
+
+def test_a_pulse_on_a_disc_in_closed_form():
+    """ω_M² − ω_m² = 2ΔA/J, so with the mean of the extremes δ = ΔA/(Jω²), whatever the grid."""
+    for step in (1.0, 5.0):
+        found = run(flywheel=FLYWHEEL, mean="extremes", step=step)
+        assert found.largest_excess_work == pytest.approx(over_the_mean(), rel=1e-13)
+        assert found.coefficient_of_fluctuation == pytest.approx(over_the_mean() / INERTIA / SPEED**2, rel=1e-12)
+        assert found.largest_crank_speed_at == pytest.approx(START + RAMP * MEAN / PEAK, abs=1e-9)
+        assert found.smallest_crank_speed_at == pytest.approx(END + RAMP * (1 - MEAN / PEAK), abs=1e-9)
+        assert found.remaining_torque == pytest.approx(-MEAN, rel=1e-13)
+        assert found.load_factor == 1
+        assert f"A constant torque of {MEAN:.1f} N*m drives the shaft besides." in found.summary()
+
+
+def test_the_speed_of_a_disc_under_a_pulse_in_closed_form():
+    found = run(flywheel=FLYWHEEL)
+    start = float(found.crank_speed[0])
+
+    def speed(phi):
+        work = MEAN * phi - quad(pulse, 0, phi, points=np.radians([START, START + RAMP, END, END + RAMP]))[0]
+        return np.sqrt(start**2 + 2 * work / INERTIA)
+
+    angles = np.radians(found.crank_angle)
+    np.testing.assert_allclose(found.crank_speed, [speed(phi) for phi in angles], rtol=1e-11)
+    np.testing.assert_allclose(found.crank_acceleration, (MEAN - pulse(angles)) / INERTIA, rtol=0, atol=1e-10)
+    time = quad(lambda phi: 1 / speed(phi), 0, 2 * np.pi, points=np.radians([START, END + RAMP]), limit=200)[0]
+    assert 2 * np.pi / time == pytest.approx(SPEED, rel=1e-7)
+
+
+def test_a_cosine_on_a_disc():
+    """M_r = M₀(1 + a cos φ) gives Jω² = 2(E₀ − M₀ a sin φ); the sum over straight lines has (h/2)/tan(h/2) of it."""
+    half = np.radians(0.5)
+    text = "\n".join(f"{angle} {50 * (1 + 0.8 * np.cos(np.radians(angle))):.17g}" for angle in range(361))
+    curve = {"file": "load.csv", "text": text, "torque_unit": "N·m"}
+    evenness = {"load_curve": curve, "flywheel": FLYWHEEL, "mean": "extremes", "coefficient": 0.1}
+    found = ct.run(ct.Machine(**DISC, evenness=evenness))
+    work = 2 * 50 * 0.8 * half / np.tan(half)
+    assert found.largest_excess_work == pytest.approx(work, rel=1e-12)
+    assert found.coefficient_of_fluctuation == pytest.approx(work / INERTIA / SPEED**2, rel=1e-12)
+    # J = ΔA/(δω²), of which the disc has 1 kg·m², that both approximations leave out
+    needed = work / 0.1 / SPEED**2
+    np.testing.assert_allclose(found.flywheel_inertia, [needed - 1, needed, needed], rtol=1e-12)
+    np.testing.assert_allclose(found.flywheel_fluctuation[0], 0.1, rtol=1e-12)
+
+
+def integrated(start, torque):
+    """Speed at whole degrees from a speed at 0, by steps along J ω ω′ = torque(φ, ω)."""
+    at, speeds, state = np.radians(np.arange(361.0)), np.empty(361), start
+    corners = np.radians([0, START, START + RAMP, END, END + RAMP, 360])
+    for low, high in pairwise(corners):
+        own = (at >= low - 1e-9) & (at <= high + 1e-9)
+        found = solve_ivp(
+            lambda phi, speed: torque(phi, speed) / INERTIA / speed,
+            (low, high), [state], "DOP853", dense_output=True, rtol=1e-12, atol=1e-12,
+        )  # fmt: skip
+        speeds[own], state = found.sol(at[own])[0], found.y[0, -1]
+    return speeds
+
+
+def test_a_motor_drives_a_press():
+    found = run(flywheel=FLYWHEEL, motor={"torque": "50 N·m", "speed": "280 rpm", "no_load_speed": "300 rpm"})
+    stiffness = 50 / (2 * np.pi * 20 / 60)
+    speeds = integrated(float(found.crank_speed[0]), lambda phi, speed: stiffness * (SPEED - speed) - pulse(phi))
+    assert speeds[-1] == pytest.approx(speeds[0], abs=1e-4 * np.ptp(speeds))
+    np.testing.assert_allclose(found.crank_speed, speeds[:-1], rtol=0, atol=1e-4 * np.ptp(speeds))
+    # the mean over the angle balances exactly
+    assert found.mean_speed_over_angle == pytest.approx(SPEED - MEAN / stiffness, rel=1e-4)
+    assert "drives the shaft besides" not in found.summary()
+
+
+ENGINE: dict[str, Any] = {
+    "shaft": {"main": {"speed": "900 rpm"}},
+    "mechanism": {"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "180 mm"},
+    "cylinder": {"bore": "85 mm", "compression_ratio": 16, "cycle": "four-stroke", "firing_order": "1"},
+    "masses": {"piston": {"mass": "1.2 kg"}, "rod": {"mass": "1.6 kg", "along": "60 mm", "inertia": "0.008 kg·m²"}},
+    "gas": {
+        "kind": "dual",
+        "start_pressure": "100 kPa",
+        "compression_exponent": 1.36,
+        "expansion_exponent": 1.25,
+        "pressure_ratio": 1.55,
+        "cut_off_ratio": 1.45,
+    },
+}
+EVEN = "angle;load [N·m]\n0;7\n360;7\n"
+
+
+@pytest.mark.parametrize("scale", ["given", "balanced"])
+def test_an_even_curve_is_a_constant_load(scale):
+    """On a four-stroke engine the curve of one turn counts for both."""
+    plain = ct.run(ct.Machine(**ENGINE, evenness={"flywheel": "2 kg·m²", "coefficient": 0.02}))
+    found = run(EVEN, machine=ENGINE, scale=scale, flywheel="2 kg·m²", coefficient=0.02)
+    for name in ("crank_speed", "crank_acceleration", "flywheel_inertia", "largest_excess_work"):
+        np.testing.assert_allclose(getattr(found, name), getattr(plain, name), rtol=1e-11, atol=1e-9, err_msg=name)
+    factor = plain.mean_torque / 7 if scale == "balanced" else 1
+    assert found.load_factor == pytest.approx(factor, rel=1e-9)
+    assert found.remaining_torque == pytest.approx(plain.mean_torque - 7 * factor, rel=1e-9, abs=1e-9)
+    said = "goes into a constant load of" if scale == "given" else f"curve times {factor:.5g} takes the machine's"
+    assert said in found.summary()
+
+
+def test_what_a_curve_leaves_may_rise_with_the_speed():
+    plain = ct.run(ct.Machine(**ENGINE, evenness={"flywheel": "2 kg·m²", "load": "quadratic"}))
+    found = run("angle;load [N·m]\n0;0\n360;0", machine=ENGINE, flywheel="2 kg·m²", load="quadratic", scale="given")
+    np.testing.assert_allclose(found.crank_speed, plain.crank_speed, rtol=1e-12)
+
+
+def test_an_engine_that_drives_its_own_torque_curve_runs_evenly_but_for_its_masses():
+    """Against its own M_d the energy is constant: Jω² is, with J of flywheel and moving parts."""
+    plain = ct.run(ct.Machine(**ENGINE, evenness={"flywheel": "2 kg·m²"}), step_degrees=0.5)
+    rows = zip(plain.crank_angle, plain.applied_torque, strict=True)
+    text = "\n".join(f"{angle} {torque:.17g}" for angle, torque in rows)
+    found = run("angle  torque_Nm\n" + text, machine=ENGINE, flywheel="2 kg·m²", step=0.5, scale="balanced")
+    energy = (found.flywheel_moment / 4 + 2) * found.crank_speed**2
+    assert found.largest_excess_work < 2e-4 * plain.largest_excess_work
+    np.testing.assert_allclose(energy, np.mean(energy), rtol=1e-5)
+    assert found.load_factor == pytest.approx(1, rel=1e-12)
+
+
+def test_the_curve_counts_from_the_crank_zero():
+    """A zero that is 40° later takes the curve along."""
+    plain = run(flywheel=FLYWHEEL)
+    moved = run(machine={**DISC, "crank_zero": "40 deg"}, flywheel=FLYWHEEL)
+    np.testing.assert_allclose(moved.crank_speed, plain.crank_speed, rtol=1e-13)
+
+
+def test_units_and_columns():
+    """Radians, kgf·m, decimal commas, columns as told; in equal steps without the last point."""
+    angles = np.radians(np.arange(0, 360, 30))
+    rows = "\n".join(f"x;{5 + np.cos(one):.15f};{one:.15f}".replace(".", ",")[2:] for one in angles)
+    text = "Момент, кгс·м;угол, рад\n" + rows
+    curve = {"file": "load.csv", "text": text, "columns": [2, 1]}
+    found = ct.run(ct.Machine(**DISC, evenness={"load_curve": curve, "flywheel": FLYWHEEL}), step_degrees=30)
+    np.testing.assert_allclose(found.load_torque, 9.80665 * (5 + np.cos(angles)), rtol=1e-13)
+
+
+def test_a_load_that_cannot_be_scaled_is_told():
+    found = run(scale="balanced", flywheel=FLYWHEEL)
+    assert np.all(np.isnan(found.crank_speed))
+    assert any("is for a machine that gives work" in flag for flag in found.flags)
+    assert "given load" not in found.summary()
+
+
+HEAD = "angle [deg];torque [N·m]\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (HEAD + "0;1\n90;2\n90;3\n80;1\n360;1", [
+            "load.csv:4:1  evenness.load_curve = 90: must be more than the angle in line 3, 90;"
+            " for a jump, give two angles a little apart",
+            "load.csv:5:1  evenness.load_curve = 80: must be more than the angle in line 4, 90",
+        ]),
+        (HEAD + "0;1\n90;2\n300;1", [
+            "load.csv:4:1  evenness.load_curve.file = load.csv: reaches from 0° to 300°;"
+            " it must go on over one turn, 360°, or over two, 720°;"
+            " give the torque at both ends, or in equal steps all round"
+        ]),
+        (HEAD + "0;1\n3.14159265;2\n6.28318531;1", ["if these are radians, write so in the header: angle [rad]"]),
+        (HEAD + "0;1\n90;2\n360;9", [
+            "load.csv:4:1  evenness.load_curve = 9: must be as at the start of the turn, 1, as it begins again there"
+        ]),
+        (HEAD + "0;1\n90;\n180;two\n360;1", [
+            "load.csv:3  evenness.load_curve = 1 values: must have 2 values, as the first line of numbers has",
+            "load.csv:4:5  evenness.load_curve = two: must be a number",
+        ]),
+        ("0;1\n360;1", [
+            "evenness.load_curve.torque_unit: the file does not say in which unit its torques are;"
+            ' write torque_unit = "N·m" (or '
+        ]),
+        ("0;1\n90;2\n300;1", ["reaches from 0° to 300°", "in which unit its torques are"]),
+        ("nothing", ["load.csv: has no numbers in it"]),
+        ("0;1;2\n360;1;2", ["evenness.load_curve.columns: must say which of the 3 columns"]),
+        ("0\n360", ["load.csv:1  evenness.load_curve: has one column; a load curve needs two"]),
+    ],
+)  # fmt: skip
+def test_refused(text, said):
+    with pytest.raises(InputError) as caught:
+        run(text)
+    problems = [str(problem) for problem in caught.value.problems]
+    assert len(problems) == len(said), problems
+    for problem, words in zip(problems, said, strict=True):
+        assert words in problem
+
+
+def test_many_wrong_angles_are_counted():
+    with pytest.raises(InputError) as caught:
+        run(HEAD + "\n".join(f"{-angle};1" for angle in range(15)))
+    assert len(caught.value.problems) == 11
+    assert "4 more angles like these" in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("curve", "beside", "paths"),
+    [
+        ({"torque_unit": "bar"}, {}, ["torque_unit"]),
+        ({"columns": [1, 4]}, {}, ["columns"]),
+        ({"scale": "balanced", "text": HEAD + "0;-1\n360;-1"}, {}, ["file"]),
+        ({"scale": "balanced"}, {"load": "quadratic"}, ["scale"]),
+        (
+            {"scale": "balanced"},
+            {"motor": {"torque": "5 N·m", "speed": "290 rpm", "no_load_speed": "300 rpm"}},
+            ["scale"],
+        ),
+    ],
+)
+def test_tables_refused(curve, beside, paths):
+    with pytest.raises(InputError) as caught:
+        ct.Machine(**DISC, evenness={"load_curve": {"file": "load.csv", "text": PULSE, **curve}, **beside})
+    assert [problem.path for problem in caught.value.problems] == [f"evenness.load_curve.{path}" for path in paths]
+
+
+def test_two_turns_are_for_a_four_stroke():
+    with pytest.raises(InputError, match="goes on over two turns, and the cycle of this machine is one"):
+        run(HEAD + "0;1\n720;1", flywheel=FLYWHEEL)
+    assert np.ptp(run(HEAD + "0;1\n720;1", machine=ENGINE).load_torque) == 0
+
+
+MACHINE = """
+[shaft.main]
+speed = "300 rpm"
+[mechanism]
+kind = "slider_crank"
+crank_radius = "50 mm"
+rod_length = "200 mm"
+[masses.piston]
+mass = "2 kg"
+[evenness]
+flywheel = "4 kg·m²"
+[evenness.load_curve]
+file = "shears.csv"
+"""
+
+
+def test_the_file_stands_beside_the_machine_file(tmp_path):
+    (tmp_path / "machine.toml").write_text(MACHINE, encoding="utf-8")
+    with pytest.raises(InputError) as caught:
+        read_machine(tmp_path / "machine.toml")
+    assert "machine.toml:13:8  evenness.load_curve.file = shears.csv: there is no such file" in str(caught.value)
+    (tmp_path / "shears.csv").write_text(PULSE.replace(".", ","), encoding="utf-8")
+    found = ct.run(read_machine(tmp_path / "machine.toml").machine)
+    assert found.largest_load_torque == PEAK
+    assert "The given load takes 21.6 N*m on the mean, at most 400.0 N*m." in found.summary()

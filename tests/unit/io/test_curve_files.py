@@ -1,0 +1,92 @@
+"""The file of a curve is found beside the machine file, whatever it is encoded in."""
+
+import codecs
+
+import pytest
+
+from cranktrain.gas.indicator.reading import read_trace
+from cranktrain.io.curve_files import LARGEST_FILE, curve_text, with_curves
+
+TEXT = "Угол, °;Давление, бар\r\n0;50,5\r\n1;51"
+ENCODED = {
+    "UTF-8": TEXT.encode(),
+    "UTF-8 with a mark": codecs.BOM_UTF8 + TEXT.encode(),
+    "UTF-16": codecs.BOM_UTF16_LE + TEXT.encode("utf-16-le"),
+    "UTF-16, big end first": codecs.BOM_UTF16_BE + TEXT.encode("utf-16-be"),
+    "Windows-1251": TEXT.encode("cp1251"),
+}
+GAS = {"kind": "indicator", "file": "traces/a.csv"}
+
+
+def written(folder, content, name="traces/a.csv"):
+    path = folder / name
+    path.parent.mkdir(exist_ok=True)
+    path.write_bytes(content)
+    return path
+
+
+@pytest.mark.parametrize("encoding", ENCODED)
+def test_encodings(encoding, tmp_path):
+    text = curve_text(written(tmp_path, ENCODED[encoding]), "a.csv", "a curve")
+    assert text == TEXT
+    assert read_trace(text, "a.csv").pressures.tolist() == [5050000.0, 5100000.0]
+
+
+def test_degree_sign_of_western_code_pages(tmp_path):
+    text = curve_text(written(tmp_path, "angle [°];p [bar]\n0;1\n1;2".encode("cp1252")), "a.csv", "a curve")
+    assert "[°]" in text
+
+
+def test_file_is_relative_to_the_machine_file(tmp_path):
+    written(tmp_path, TEXT.encode())
+    data = {"name": "x", "gas": GAS, "evenness": {"load": "constant", "load_curve": {"file": "traces/a.csv"}}}
+    filled = {"load": "constant", "load_curve": {"file": "traces/a.csv", "text": TEXT}}
+    assert with_curves(data, tmp_path) == ({"name": "x", "gas": GAS | {"text": TEXT}, "evenness": filled}, ())
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        {},
+        {"gas": 1},
+        {"gas": {"kind": "dual"}},
+        {"gas": GAS | {"text": "0;1"}},
+        {"gas": GAS | {"file": 3}},
+        {"evenness": {}},
+        {"evenness": {"load_curve": "constant"}},
+        {"evenness": {"load_curve": {"file": "none.csv", "text": "0;1"}}},
+    ],
+)
+def test_nothing_else_is_read(data, tmp_path):
+    assert with_curves(data, tmp_path) == (data, ())
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (None, "gas.file = traces/a.csv: there is no such file; is it b.csv?"),
+        (b"\x89PNG\r\n\x1a\n\0\0", "gas.file = traces/a.csv: is no text: it has NUL bytes; save it as CSV"),
+        (
+            b"1" * (LARGEST_FILE + 1),
+            "gas.file = traces/a.csv: is larger than 16 MiB, too large for an indicator diagram",
+        ),
+    ],
+)
+def test_refused(content, message, tmp_path):
+    written(tmp_path, b"", "traces/b.csv")
+    if content is not None:
+        written(tmp_path, content)
+    data, problems = with_curves({"gas": GAS}, tmp_path)
+    assert data == {"gas": GAS}
+    assert [str(problem) for problem in problems] == [message]
+
+
+def test_a_folder_is_no_diagram(tmp_path):
+    written(tmp_path, b"")
+    _data, (problem,) = with_curves({"gas": GAS | {"file": "traces"}}, tmp_path)
+    assert "is a folder, not an indicator diagram; name a file in it" in str(problem)
+
+
+def test_all_files_that_are_missing_are_told(tmp_path):
+    data = {"gas": GAS, "evenness": {"load_curve": {"file": "b.csv"}}}
+    assert [problem.path for problem in with_curves(data, tmp_path)[1]] == ["gas.file", "evenness.load_curve.file"]
