@@ -33,6 +33,8 @@ _CURVE = ("crank_angle",)
 _THEORY = "docs/theory/evenness"
 _MOTION_LIMIT = 0.1
 """Of the equation of motion, for each radian of the grid's step: torques with jumps leave a tenth of that."""
+_UNLIKELY = 0.5
+"""Coefficient of fluctuation from which a flywheel is doubted."""
 _LAST_ORDERS = 0.1
 """Share of the upper half of a grid's orders in a work that the grid resolves."""
 
@@ -120,8 +122,9 @@ def shaft_work(
 
 @dataclass(frozen=True)
 class RunningSpeed:
-    """Speed of the shaft over the cycle, with the flywheel that there is."""
+    """Speed of the shaft over the cycle, with the flywheel that there is; load says against what, as answers begin."""
 
+    load: str
     crank_speed: Array = quantity("ω", "rad/s", _CURVE, N_("Speed of the crank over the cycle"), _THEORY)
     crank_acceleration: Array = quantity("ε", "rad/s^2", _CURVE, N_("Angular acceleration of the crank"), _THEORY)
     coefficient_of_fluctuation: Array = quantity(
@@ -146,9 +149,10 @@ class RunningSpeed:
         if np.isnan(self.coefficient_of_fluctuation[design]):
             return ""
         return _(
-            "The shaft runs at {least} to {most}, coefficient of fluctuation {delta};"
+            "{load} the shaft runs at {least} to {most}, coefficient of fluctuation {delta};"
             " mean {time} over time, {middle} of the extremes."
         ).format(
+            load=self.load,
             least=_speed(self.smallest_crank_speed[design]),
             most=_speed(self.largest_crank_speed[design]),
             delta=f"{float(self.coefficient_of_fluctuation[design]):.4g}",
@@ -175,6 +179,7 @@ def running_speed(
     found, torque, multiplier = _found(load, work, inertia, speed.value[:, 0, 0], crank_angle.cycle)
     slope = torques.reduced_inertia_slope
     return RunningSpeed(
+        load=_load_words(load),
         crank_speed=found.speed,
         crank_acceleration=(torque - slope * found.speed**2 / 2) / inertia.samples,
         coefficient_of_fluctuation=found.fluctuation(load.mean),
@@ -243,6 +248,15 @@ def _motion_check(speed: Array, inertia: Array, slope: Array, work: PeriodicCurv
     )
 
 
+def _load_words(load: ShaftLoad) -> str:
+    """Say what balances the machine, as a sentence begins."""
+    if load.motor is not None:
+        return _("Driven by its motor")
+    if load.is_quadratic:
+        return _("Against a load that rises with the speed squared")
+    return _("Against a constant torque")
+
+
 def _flags(load: ShaftLoad, work: ShaftWork, found: SpeedOverCycle, multiplier: Array) -> Iterator[str]:
     """Mind a shaft that would stop, a load that nothing drives, and running that is not stable."""
     is_known = np.isfinite(work.largest_excess_work)
@@ -255,6 +269,8 @@ def _flags(load: ShaftLoad, work: ShaftWork, found: SpeedOverCycle, multiplier: 
             yield _("No steady running: a load that rises with the speed is for a machine that gives work.")
         else:
             yield _("No steady running at this speed: flywheel and moving parts are too light to carry the shaft.")
+    if np.any(found.fluctuation(load.mean) > _UNLIKELY):
+        yield _("Within a cycle the speed changes by more than half of its mean: is the flywheel right?")
     if np.any(multiplier > 1):
         yield _("The running is not stable: a small departure from it grows.")
 

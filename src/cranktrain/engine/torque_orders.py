@@ -21,6 +21,8 @@ _ORDER = ("order",)
 _THEORY = "docs/theory/harmonics-and-orders"
 _TOLD = 3
 """How many of the largest orders the answer names."""
+_ROUNDING = 1e-6
+"""Of the largest order; what is less is not named."""
 
 
 def orders(cycle: float) -> Array:
@@ -53,7 +55,10 @@ class TorqueOrders:
     def answer(self, names: Names, design: int) -> str | None:
         """Name the largest orders."""
         amplitude = np.nan_to_num(self.torque_order_amplitude[design])
-        largest = [place for place in np.argsort(-amplitude, kind="stable")[:_TOLD].tolist() if amplitude[place] > 0]
+        least = _ROUNDING * float(np.max(amplitude))
+        largest = [
+            place for place in np.argsort(-amplitude, kind="stable")[:_TOLD].tolist() if amplitude[place] > least
+        ]
         if not largest:
             return None
         return _("Largest orders of the torque: {orders}.").format(
