@@ -117,6 +117,9 @@ def read_machine(
 def document_of(source: "str | os.PathLike[str]") -> Document:
     """Read a file if it is there, else the example of that name."""
     name = os.fspath(source)
+    if not name.strip():
+        allowed = _("must be the name of a machine file, or of an example; `cranktrain list` names all")
+        raise InputError([Problem("FILE", '""', allowed)])
     example = _example_meant(name)
     if example is not None:
         return example_document(example)
