@@ -82,7 +82,7 @@ def _without_jumps(angles: Array) -> Array:
     steps = np.diff(angles)
     usual = float(np.median(steps))
     turns = np.rint((steps - usual) / _TURN)
-    onward = np.mean(np.sign(steps - _TURN * turns) == np.sign(usual))
+    onward = np.count_nonzero((steps - _TURN * turns) * usual >= 0.0) / len(steps)
     return angles if onward < _IN_ORDER else angles - _TURN * np.concatenate([[0.0], np.cumsum(turns)])
 
 
