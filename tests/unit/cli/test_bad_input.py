@@ -195,6 +195,12 @@ def test_files_that_are_not_there(typed, written, name, said):
     assert answer.errors.startswith(said)
 
 
+def test_step_that_is_no_number(typed):
+    answer = typed("run", "3d12", "--step", "1,5")
+    assert answer.status == 2
+    assert "'--step': 1,5 must be a number of degrees, such as 0.5" in answer.errors
+
+
 def test_no_quantities_are_not_all_of_them(typed):
     answer = typed("run", "3d12", "--quantities", " , ")
     assert (answer.status, answer.output) == (2, "")
@@ -220,6 +226,16 @@ def test_diagram_with_a_gap_is_refused_in_its_own_line(typed, written):
     )
     said = "trace.csv:101  gas: has no samples between 99° and 140°, a gap of 41°; give what is missing"
     assert typed("run", "machine.toml").errors.startswith(said)
+
+
+def test_weights_that_balance_nothing(typed, written):
+    """Of two on one throw the second stands where the first one's opposite side is, unless an angle says so."""
+    weight = '[[balance.weight]]\nmass = "1 kg"\nradius = "50 mm"\nthrow = 1\n'
+    written(f'{ROD}inertia = "0.003 kg·m²"\n{weight}{weight}angle = "0 deg"\n')
+    said = "machine.toml:15:1  balance.weight[1]: stands opposite balance.weight[0] on throw 1"
+    assert typed("check", "machine.toml").errors.startswith(said)
+    written(f'{ROD}inertia = "0.003 kg·m²"\n{weight}{weight}angle = "10 deg"\n')
+    assert typed("check", "machine.toml").status == 0
 
 
 def test_unreadable_file(typed, written, monkeypatch):
