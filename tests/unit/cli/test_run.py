@@ -63,6 +63,16 @@ def test_facts_of_a_radial_have_a_row_for_each_cylinder(typed):
     assert "S stroke, φ_T top_dead_centre" in results
 
 
+def test_numbers_of_orders_and_journals_are_no_pistons(typed):
+    """Piston 2, order 2 and journal 2 have tables of their own, of which two say what they are of."""
+    results = sections(typed("run", "vaz_21213").output)["Results"]
+    assert re.search(r"^ +1, 4 +2, 3$", results, re.MULTILINE)
+    assert re.search(r"^  order +T_k +ψ_k +S_k$", results, re.MULTILINE)
+    assert re.search(r"^  journal +T_J,max$", results, re.MULTILINE)
+    assert not re.search(r"^  [0-9.]+$", results, re.MULTILINE)
+    assert not re.search(r"e-1[2-9]", results)
+
+
 def test_numbers_are_aligned(typed):
     results = sections(typed("run", "3d12").output)["Results"]
     first = results.partition("\n\n")[0].splitlines()
