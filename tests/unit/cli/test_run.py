@@ -192,6 +192,17 @@ def test_problems_of_a_setting_say_so(typed, setting, said):
     assert answer.errors.startswith(said)
 
 
+def test_a_setting_above_the_banks_is_led_to_the_bank(typed):
+    errors = typed("run", "vaz_21213", "--set", "mechanism.offset=2 mm").errors
+    assert errors.rstrip().endswith("the file alone may be right; did you mean bank.line.mechanism.offset?")
+
+
+def test_a_setting_is_made_once(typed):
+    twice = typed("run", "3d12", "--set", "shaft.main.speed=1 rpm", "--set", "shaft.main.speed=2 rpm")
+    assert (twice.status, twice.output) == (2, "")
+    assert twice.errors == "--set  shaft.main.speed = 2 rpm: is set twice; keep one of the two\n"
+
+
 def test_a_setting_may_spoil_another_value(typed):
     answer = typed("run", "3d12", "--set", "cylinder.cycle=two-stroke")
     first, last = answer.errors.splitlines()
