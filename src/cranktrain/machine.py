@@ -1,8 +1,9 @@
 """The declared machine: the domains' tables together, and what only they together can check."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
 from typing import Any, Literal, Self, cast
 
 import numpy as np
@@ -163,7 +164,38 @@ class Machine(Spec, frozen=True):
     @property
     def places(self) -> tuple[Place, ...]:
         """Every mechanism of the machine, arranged on shaft and banks; none where they cannot be arranged."""
-        return arranged(self)[0]
+        return self.arranged[0]
+
+    # A machine does not change: what is wrong with it is found once, however often it runs.
+
+    @cached_property
+    def arranged(self) -> tuple[tuple[Place, ...], tuple[Problem, ...]]:
+        """Its mechanisms in their places, and what is wrong with these; with problems there are no places."""
+        if self.mechanism is None:
+            return places_of(self.shafts, self.bank, astern=self.is_astern)
+        # A bare `[mechanism]` is a bank of one.
+        bank = BankSpec.model_construct(
+            angle=(self.angle,), mechanism=(self.mechanism,), throws=(1,), stagger=Given(0.0, "0 mm"), shaft=MAIN
+        )
+        return places_of(self.shafts, {"": bank}, astern=self.is_astern, prefix="")
+
+    @cached_property
+    def table_problems(self) -> tuple[Problem, ...]:
+        """What only the tables together can show to be wrong."""
+        places, found = self.arranged
+        return found or tuple(_table_problems(self, places))
+
+    @cached_property
+    def closing_problems(self) -> tuple[Problem, ...]:
+        """Over which crank angles a mechanism cannot close, once for each geometry."""
+        return _closing_problems(self, self.places)
+
+    def __copy__(self) -> Self:
+        """Copy what was declared alone: what was found may not hold of the copy, which may be given other fields."""
+        copied = super().__copy__()
+        for found in ("arranged", "table_problems", "closing_problems"):
+            copied.__dict__.pop(found, None)
+        return copied
 
 
 def _as_in_file(problem: Problem, data: Mapping[str, Any]) -> Problem:
@@ -193,16 +225,6 @@ def _at(data: object, path: str) -> object:
     return data
 
 
-def arranged(machine: Machine) -> tuple[tuple[Place, ...], tuple[Problem, ...]]:
-    """Arrange the mechanisms; a bare `[mechanism]` is a bank of one. With problems there are no places."""
-    if machine.mechanism is None:
-        return places_of(machine.shafts, machine.bank, astern=machine.is_astern)
-    bank = BankSpec.model_construct(
-        angle=(machine.angle,), mechanism=(machine.mechanism,), throws=(1,), stagger=Given(0.0, "0 mm"), shaft=MAIN
-    )
-    return places_of(machine.shafts, {"": bank}, astern=machine.is_astern, prefix="")
-
-
 def machine_problems(machine: Machine, *, partial: bool = False) -> tuple[Problem, ...]:
     """Find what only the whole machine can show to be wrong.
 
@@ -216,27 +238,27 @@ def machine_problems(machine: Machine, *, partial: bool = False) -> tuple[Proble
     -------
     tuple of Problem
     """
-    places, found = arranged(machine)
-    if found:
-        return found
+    found = machine.table_problems
+    return found if partial or machine.arranged[1] else (*found, *machine.closing_problems)
+
+
+def _table_problems(machine: Machine, places: Sequence[Place]) -> Iterator[Problem]:
+    """Find what does not fit together in the tables of a machine that can be arranged."""
     pistons = [place for place in places if place.kind.output == "slider"]
-    found = (
-        *point_problems(places),
-        *cylinder_problems(machine.cylinder, pistons),
-        *standing_problems(
-            machine.shafts, places, first_angle=machine.first_axis, clockwise=machine.rotation == "clockwise"
-        ),
+    yield from point_problems(places)
+    yield from cylinder_problems(machine.cylinder, pistons)
+    yield from standing_problems(
+        machine.shafts, places, first_angle=machine.first_axis, clockwise=machine.rotation == "clockwise"
     )
-    found = (*found, *mass_problems(places, machine.weighed))
+    yield from mass_problems(places, machine.weighed)
     if machine.balance is not None:
-        found = (*found, *balance_problems(machine.balance, machine.main_shaft))
+        yield from balance_problems(machine.balance, machine.main_shaft)
     if pistons:
-        found = (*found, *firing_order_of(machine.cylinder, pistons, astern=machine.is_astern)[1])
-    return found if partial else (*found, *_closing_problems(machine, places))
+        yield from firing_order_of(machine.cylinder, pistons, astern=machine.is_astern)[1]
 
 
 def _closing_problems(machine: Machine, places: Sequence[Place]) -> tuple[Problem, ...]:
-    """Say over which crank angles a mechanism cannot close, once for each geometry."""
+    """Look at each geometry once."""
     different: dict[object, Place] = {}
     for place in places:
         different.setdefault((place.path, place.geometry), place)

@@ -17,14 +17,15 @@ _CANDIDATES = 2
 """How many of the grid's peaks are refined: of two that are nearly alike the grid may show the wrong one higher."""
 _ALIKE = 1e-9
 """Peaks that differ by less, in parts of the curve's, are one height: rounding must not choose between their angles."""
-_ZOOMS = 3
-"""How often a parabola is laid through closer points: its top is then exact to some 1e-10 rad."""
+_CLOSEST, _FARTHEST = 1e-5, 30.0
+"""How close the points of a parabola have to come [rad], for its top to be exact to some 1e-10 rad; and how far beyond
+them, in parts of that, its top is worth a second look."""
+_CLOSER, _MOST_ZOOMS = 12, 4
+"""By how much closer, at least, the points of the next parabola are, where those first looks miss."""
 _MOST_STEPS = 60
 _MOST_NEWTON_STEPS = 10
 _SETTLED = 1e-13
 """A step of Newton's method after which the next one is less than rounding. [rad, or in parts of the root]"""
-_ASIDE = 1e-5
-"""How far aside of a root a slope is measured, in parts of it."""
 _SERIES_LENGTHS = (720, 5760, 46080, 368640)
 """Points of a turn for a Fourier series."""
 
@@ -96,15 +97,14 @@ def bracketed_roots(curve: Curve, low: Array, high: Array, *, precision: float =
         return np.where(bracketed & ~np.isnan(value_newest), best, np.nan)
 
 
-def corrected_roots(curve: Curve, likely: Curve, low: Array, high: Array) -> Array:
-    """Roots of curves that are dear to compute, from those of curves that are cheap and nearly alike.
+def near_roots(curve: Curve, start: Array, low: Array, high: Array) -> Array:
+    """Roots of curves that are dear to compute, whose slope is near 1 and whose roots are near a start.
 
     Parameters
     ----------
-    curve, likely : Curve
-        The one whose roots are asked for, and one that has nearly its values and slopes.
-    low, high : Array, shape (..., n)
-        Ends of each bracket.
+    curve : Curve
+    start, low, high : Array, shape (..., n)
+        Where the root is thought to be, and between what it has to be.
 
     Returns
     -------
@@ -113,20 +113,20 @@ def corrected_roots(curve: Curve, likely: Curve, low: Array, high: Array) -> Arr
 
     Notes
     -----
-    The chord method with the cheap curve's slope: every step leaves as much of the error as the slopes differ. What
-    does not settle is searched for by `bracketed_roots`.
+    The secant method; what it does not settle is searched for by `bracketed_roots`.
     """
     with np.errstate(all="ignore"):
-        root = bracketed_roots(likely, low, high)
-        aside = _ASIDE * np.abs(root)
-        slope = (likely(root + aside) - likely(root - aside)) / (2 * aside)
-        move = np.full(root.shape, np.inf)
+        root, value, slope = start, curve(start), np.ones_like(start)
+        is_settled = np.zeros(start.shape, dtype=np.bool_)
         for _ in range(_MOST_NEWTON_STEPS):
-            move = curve(root) / slope
-            root = root - move
-            if not np.any(np.abs(move) > _SETTLED * np.abs(root)):
+            move = np.where(is_settled, 0.0, -value / slope)
+            root, before = root + move, value
+            is_settled = np.abs(move) <= _SETTLED * np.abs(root)
+            if np.all(is_settled):
                 break
-        is_found = (np.abs(move) <= _SETTLED * np.abs(root)) & (low <= root) & (root <= high)
+            value = curve(root)
+            slope = np.where(value == before, slope, (value - before) / move)
+        is_found = is_settled & (low <= root) & (root <= high)
         return root if np.all(is_found) else bracketed_roots(curve, low, high)
 
 
@@ -175,7 +175,7 @@ def smallest(
     return _refined(curve, slope, grid, samples, (-1.0,))[0]
 
 
-def turning_points(motion: Callable[[Array], Coefficient], samples: Array) -> Extremes:
+def turning_points(motion: Callable[[Array], Coefficient], samples: Array, grid: Array | None = None) -> Extremes:
     """Smallest and largest value of a motion whose derivatives are known, by Newton's method.
 
     Parameters
@@ -183,7 +183,9 @@ def turning_points(motion: Callable[[Array], Coefficient], samples: Array) -> Ex
     motion : callable
         From angles (..., k) to a Coefficient of that shape.
     samples : Array, shape (..., n)
-        Its value on `turn_grid(n)`.
+        Its value on the grid.
+    grid : Array, shape (n,), optional
+        Equal steps over a turn or cycle; `turn_grid(n)` unless given.
 
     Returns
     -------
@@ -191,8 +193,8 @@ def turning_points(motion: Callable[[Array], Coefficient], samples: Array) -> Ex
         Angles exact to rounding; an angle may lie one step beside the grid's turn. NaN where the motion is NaN all over
         the turn, or has no turning point at the grid's extreme but an end.
     """
-    grid = turn_grid(samples.shape[-1])
-    step = float(grid[1])
+    grid = turn_grid(samples.shape[-1]) if grid is None else grid
+    step = float(grid[1] - grid[0])
     with np.errstate(all="ignore"):
         start = grid[_candidates(samples, _BOTH)]
         angle, found, move = start, motion(start), np.full(start.shape, np.inf)
@@ -204,7 +206,7 @@ def turning_points(motion: Callable[[Array], Coefficient], samples: Array) -> Ex
             found = motion(angle)
         turns = (np.abs(move) <= _SETTLED) & (np.repeat(_BOTH, _CANDIDATES) * found.second < 0)
         if not np.all(turns | np.any(np.isnan(samples), axis=-1, keepdims=True)):
-            return extremes(lambda phi: motion(phi).value, lambda phi: motion(phi).first, samples=samples)
+            return extremes(lambda phi: motion(phi).value, lambda phi: motion(phi).first, grid=grid, samples=samples)
         # The last move is too small to be felt in the value.
         return Extremes(
             *_best(np.where(turns, angle, np.nan), np.where(turns, found.value, np.nan), _scale(samples), _BOTH)
@@ -222,52 +224,106 @@ def _refined(
         place = _candidates(known, signs)
         start = grid[place]
         if slope is None:
-            angle = _zoomed(curve, known, place, grid, signs)
+            angle, value = _zoomed(curve, known, place, grid, signs)
         else:
             angle = bracketed_roots(slope, start - step, start + step)
             if np.any(np.isnan(angle)):
-                angle = np.where(np.isnan(angle), _zoomed(curve, known, place, grid, signs), angle)
-        return _best(angle, curve(angle), _scale(known), signs)
+                angle = np.where(np.isnan(angle), _zoomed(curve, known, place, grid, signs).angle, angle)
+            value = curve(angle)
+        return _best(angle, value, _scale(known), signs)
 
 
 def _candidates(samples: Array, signs: Sequence[float]) -> NDArray[np.intp]:
-    """Places of the highest peaks on the grid, the highest first, for each sign, shape (..., sign · candidate)."""
-    return np.concatenate([_peaks(sign * samples) for sign in signs], axis=-1)
+    """Places of the two highest peaks of each curve round the turn, the higher first, (..., sign · candidate).
 
-
-def _peaks(samples: Array) -> NDArray[np.intp]:
-    """Places of the two highest peaks of each curve round the turn; of the highest twice where there is one."""
-    known = np.where(np.isnan(samples), -np.inf, samples)
+    Of a curve with one peak, or none, the same place twice.
+    """
+    known = np.fmax(np.stack([sign * samples for sign in signs]), -np.inf)
     ring = np.concatenate([known[..., -1:], known, known[..., :1]], axis=-1)
-    peaks = np.where((known > ring[..., :-2]) & (known >= ring[..., 2:]), known, -np.inf)
-    first: NDArray[np.intp] = np.argmax(peaks, axis=-1)[..., np.newaxis]
-    np.put_along_axis(peaks, first, -np.inf, axis=-1)
-    second: NDArray[np.intp] = np.argmax(peaks, axis=-1)[..., np.newaxis]
-    is_peak = np.isfinite(np.take_along_axis(peaks, second, axis=-1))
-    return np.concatenate([first, np.where(is_peak, second, first)], axis=-1)
+    is_peak = (known > ring[..., :-2]) & (known >= ring[..., 2:])
+    heights = np.where(is_peak, known, -np.inf).reshape(-1, known.shape[-1])
+    row = np.arange(len(heights))
+    first = np.argmax(heights, axis=-1)
+    heights[row, first] = -np.inf
+    second = np.argmax(heights, axis=-1)
+    second = np.where(heights[row, second] > -np.inf, second, first)
+    return np.concatenate([*np.stack([first, second], axis=-1).reshape(*known.shape[:-1], _CANDIDATES)], axis=-1)
 
 
-def _zoomed(curve: Curve, samples: Array, place: NDArray[np.intp], grid: Array, signs: Sequence[float]) -> Array:
-    """Angle of the top of the parabola through three points, those of the grid, then at a twelfth of the distance."""
+def _zoomed(curve: Curve, samples: Array, place: NDArray[np.intp], grid: Array, signs: Sequence[float]) -> Extreme:
+    """Tops of parabolas through three close points about the top of a quartic through five of the grid.
+
+    Where that misses, as at kinks and at peaks hardly wider than the grid's step, through ever closer points.
+    """
     sign = np.repeat(signs, _CANDIDATES)
-    middle, half = grid[place], float(grid[1] - grid[0])
-    left, centre, right = (np.take_along_axis(samples, (place + beside) % len(grid), axis=-1) for beside in (-1, 0, 1))
-    for _ in range(_ZOOMS):
-        middle, half = middle + _to_top(left, centre, right, half, sign), half / 12
-        left, centre, right = np.split(curve(np.concatenate([middle - half, middle, middle + half], axis=-1)), 3, -1)
-    return middle + _to_top(left, centre, right, half, sign)
+    step, peak = float(grid[1] - grid[0]), grid[place]
+    around = (place[..., np.newaxis, :] + np.array([[-2], [-1], [0], [1], [2]])) % len(grid)
+    five = np.take_along_axis(samples, around.reshape(*place.shape[:-1], 5 * place.shape[-1]), axis=-1)
+    five = five.reshape(around.shape)
+
+    def top(middle: Array, half: Array, farthest: float = 1.0) -> _Top:
+        three = curve(np.concatenate([middle - half, middle, middle + half], axis=-1))
+        return _top(three.reshape(*three.shape[:-1], 3, place.shape[-1]), sign, farthest)
+
+    wide = _top(five[..., 1:4, :], sign)
+    middle, half = peak + step * _top_of_quartic(five, wide.way), np.full(place.shape, _CLOSEST)
+    found = top(middle, half, _FARTHEST)
+    is_missed = np.abs(found.way) >= 1
+    if np.any(is_missed) and not np.any(np.abs(found.way) >= _FARTHEST):
+        middle = np.where(is_missed, middle + half * found.way, middle)
+        found = top(middle, half)
+        is_missed = np.abs(found.way) >= 1
+    if np.any(is_missed):
+        middle = np.where(is_missed, peak + step * wide.way, middle)
+        before, half = np.full(place.shape, step), np.where(is_missed, step / _CLOSER, half)
+        for _ in range(_MOST_ZOOMS):
+            found = top(middle, half)
+            if not np.any(half > 2 * _CLOSEST):
+                break
+            middle = middle + half * found.way
+            # What a parabola's top is off by goes with the square of its width; four times that is wide enough.
+            width = np.minimum(4 * np.abs(found.way) * half * (half / before) ** 2, half / _CLOSER)
+            before, half = half, np.maximum(width, _CLOSEST)
+    return Extreme(middle + half * found.way, found.value)
 
 
-def _to_top(left: Array, centre: Array, right: Array, half: float, sign: Array) -> Array:
-    """Way from the middle of three points, `half` apart, to the top of the parabola through them; NaN where one is."""
-    curvature = left - 2 * centre + right
-    step = np.where(sign * curvature < 0, 0.5 * half * (left - right) / curvature, 0.0)
-    return np.where(np.isnan(curvature), np.nan, np.clip(step, -half, half))
+class _Top(NamedTuple):
+    """Top of a parabola through three points: the way to it from the middle one, in parts of the distance; value."""
+
+    way: Array
+    value: Array
+
+
+def _top(three: Array, sign: Array, farthest: float = 1.0) -> _Top:
+    """Top of the parabola through three points, (..., 3, k), no farther than these unless said; NaN where one is."""
+    left, centre, right = (three[..., place, :] for place in range(3))
+    curvature, slope = left - 2 * centre + right, (right - left) / 2
+    # A parabola that opens the wrong way has its top at an end.
+    way = np.where(sign * curvature < 0, -slope / curvature, np.sign(sign * slope))
+    way = np.minimum(np.maximum(way, -farthest), farthest)
+    return _Top(way, centre + (slope + curvature / 2 * way) * way)
+
+
+def _top_of_quartic(five: Array, way: Array) -> Array:
+    """Way to the top of the polynomial through five points, (..., 5, k), by Newton's method from the parabola's.
+
+    Stirling's formula. The parabola's where there are not five.
+    """
+    far_left, left, centre, right, far_right = (five[..., place, :] for place in range(5))
+    first, second = (right - left) / 2, left - 2 * centre + right
+    third, fourth = (far_right - far_left) / 2 - (right - left), far_left + far_right - 4 * (left + right) + 6 * centre
+    start = way
+    for _ in range(2):
+        square = way * way
+        slope = first + way * second + (3 * square - 1) / 6 * third + (2 * square - 1) * way / 12 * fourth
+        way = way - slope / (second + way * third + (6 * square - 1) / 12 * fourth)
+        way = np.minimum(np.maximum(way, -1.0), 1.0)
+    return np.where(np.isnan(way), start, way)
 
 
 def _scale(samples: Array) -> Array:
     """Largest absolute value of each curve, shape (..., 1)."""
-    return np.nanmax(np.abs(samples), axis=-1, keepdims=True, initial=0.0)
+    return np.fmax.reduce(np.abs(samples), axis=-1, keepdims=True, initial=0.0)
 
 
 def _best(angle: Array, value: Array, scale: Array, signs: Sequence[float]) -> list[Extreme]:

@@ -23,6 +23,7 @@ from cranktrain.linkage import (
 from cranktrain.linkage.forces import (
     Body,
     Conditions,
+    CrossingFriction,
     Drive,
     Friction,
     Gravity,
@@ -32,6 +33,7 @@ from cranktrain.linkage.forces import (
     SlideLoads,
     SwivelLoads,
     TrammelLoads,
+    TriadFriction,
     TriadLoads,
     Wrench,
     YokeLoads,
@@ -74,8 +76,13 @@ def friction(size):
     return Friction(size(0.05), 1.0)
 
 
+def crossing_friction(size):
+    return CrossingFriction(friction(size), friction(size))
+
+
 def conditions(size):
-    return Conditions(drive(size), gravity(size), (friction(size),))
+    """Two things slide in a scotch yoke, one in the others."""
+    return Conditions(drive(size), gravity(size), (friction(size), friction(size)))
 
 
 def crank_pin(angle, size):
@@ -230,6 +237,12 @@ EXAMPLES = {
     ),
     "forces.crank_link": lambda angle, size, side: (crank_pin(angle, size), Crank(size(0.3))),
     "forces.crank_reactions": lambda angle, size, side: (wrench(size),),
+    "forces.crossing_forces": lambda angle, size, side: (
+        guide(angle, size).cos,
+        guide(angle, size).sin,
+        wrench(size),
+        crossing_friction(size),
+    ),
     "forces.dragged": lambda angle, size, side: (size(-3.0), friction(size)),
     "forces.handed_back": lambda angle, size, side: (
         group(angle, size, side).rod,
@@ -275,9 +288,13 @@ EXAMPLES = {
     "forces.trammel_reactions": lambda angle, size, side: (
         guide(angle, size),
         TrammelLoads(wrench(size), wrench(size)),
-        friction(size),
+        crossing_friction(size),
     ),
     "forces.triad_reactions": lambda angle, size, side: triad(angle, size),
+    "forces.triad_reactions_with_friction": lambda angle, size, side: (
+        *triad(angle, size),
+        TriadFriction(*(friction(size) for _ in range(3))),
+    ),
     "forces.turned_wrench": lambda angle, size, side: (wrench(size), size(0.7)),
     "forces.weight": lambda angle, size, side: (group(angle, size, side).rod, body(size), gravity(size)),
     "forces.work": lambda angle, size, side: (group(angle, size, side).rod, wrench(size)),
@@ -285,7 +302,7 @@ EXAMPLES = {
         size(0.3),
         Yoke(size(0.1), size(1.2)),
         YokeLoads(wrench(size), wrench(size)),
-        friction(size),
+        crossing_friction(size),
     ),
     "crank_pin.pin_load": lambda angle, size, side: (
         wrench(size),

@@ -92,7 +92,8 @@ ONLY_DESIGNS = {"triad.triad"} | force_kernels.EXAMPLES.keys()
 """What takes long to compile for arrays: with designs there are crank angles too."""
 
 ONLY_NUMBERS = {name for name in force_kernels.EXAMPLES if name.split(".")[0] in force_kernels.KINDS} | {
-    "forces.triad_reactions"
+    "forces.triad_reactions",
+    "forces.triad_reactions_with_friction",
 }
 """What takes up to ten seconds to compile for arrays: a transient asks for numbers, and on arrays NumPy is as good."""
 
@@ -205,6 +206,7 @@ EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
     **force_kernels.EXAMPLES,
     "articulated_rod.articulated_rod": lambda angle, size, side: (angle, articulated_rod_geometry(size)),
     "articulated_rod.articulated_rod_gap": lambda angle, size, side: (angle, articulated_rod_geometry(size)),
+    "articulated_rod.knuckle_pin": lambda angle, size, side: (rod(angle, size), articulated_rod_geometry(size)),
     "dual.corner_pressures": lambda angle, size, side: (ideal_cycle(size), 3.1 + 0.1 * np.cos(angle)),
     "dual.ideal_mean_pressures": lambda angle, size, side: (ideal_cycle(size), 3.1 + 0.1 * np.cos(angle)),
     "dual.ideal_pressure": lambda angle, size, side: (chamber(angle, size, side), ideal_cycle(size)),

@@ -11,7 +11,7 @@ import cranktrain as ct
 from cranktrain.linkage.forces import Body, Conditions, Drive, Friction, Gravity
 from cranktrain.mechanisms import KINDS, kind_named
 from cranktrain.mechanisms.closing import closing_margin
-from cranktrain.mechanisms.kind import leaves, named_part, scaled, stacked
+from cranktrain.mechanisms.kind import FRAME, leaves, named_part, scaled, stacked
 from cranktrain.study.placement import placed
 from cranktrain.study.polygons import acceleration_polygons, velocity_polygons
 
@@ -285,9 +285,32 @@ def test_moving_and_sliding_are_in_the_motion(kind):
     place = place_of(kind)
     dynamics, motion = place.kind.dynamics, place.kind.motion(PHI, place.geometry)
     assert len(set(dynamics.moving)) == len(dynamics.moving)
-    assert {*place.kind.links, *dynamics.sliding} - {"block"} <= set(dynamics.moving)
+    sliding = {name for name in dynamics.sliding if name != "block" and not name.endswith(".slot")}
+    assert {*place.kind.links, *sliding} <= set(dynamics.moving)
     for name in dynamics.sliding:
         assert np.shape(place.kind.part(motion, name).first) == PHI.shape
+
+
+@every_kind
+def test_contacts_are_where_links_slide(kind):
+    """At the contact's pin one link moves past the other as fast as the coordinate of what slides changes."""
+    place = place_of(kind)
+    dynamics, motion = place.kind.dynamics, place.kind.motion(PHI, place.geometry)
+    pins = place.kind.drawing(PHI, place.geometry).pins
+    links = dict(zip(dynamics.moving, dynamics.links(motion, place.geometry), strict=True))
+    joints = {joint.name: joint for joint in dynamics.reactions}
+
+    def velocity(body, pin):
+        if body == FRAME:
+            return 0.0
+        x, y = links[body].origin
+        arm = (pin.x.value - x.value) + 1j * (pin.y.value - y.value)
+        return x.first + 1j * y.first + 1j * links[body].angle.first * arm
+
+    for name, contact in zip(dynamics.sliding, dynamics.contacts, strict=True):
+        joint, pin = joints[contact.joint], pins[contact.pin]
+        passing = np.abs(velocity(joint.on, pin) - velocity(joint.by, pin))
+        np.testing.assert_allclose(passing, np.abs(place.kind.part(motion, name).first), rtol=0, atol=1e-12)
 
 
 @every_kind

@@ -136,11 +136,17 @@ class Builder:
     def guide(self, slider, direction):
         """A slider on a fixed guide; its friction is a load here."""
         name, point = f"guide/{slider}", pin_of(slider)
+        self.bodies[point] = self.body(slider, block_link(self.made[point], direction))
+        self.rub(name, self.bodies[slider], FRAME, self.at(point), direction)
+        self.system.line(name, self.bodies[slider], FRAME, self.at(point), direction)
+
+    def rub(self, name, one, other, place, direction):
+        """Friction along a line is a load here, of both bodies."""
         along = np.array([np.cos(direction), np.sin(direction)])
         drag = (along @ self.joints[name][:2]) * along
-        self.bodies[point] = self.body(slider, block_link(self.made[point], direction))
-        self.system.force(self.bodies[slider], self.at(point), drag)
-        self.system.line(name, self.bodies[slider], FRAME, self.at(point), direction)
+        for body, force in ((one, drag), (other, -drag)):
+            if body != FRAME:
+                self.system.force(body, place, force)
 
     def PinStep(self, step, own):
         for link, start in ((step.rod, step.rod_from), (step.rocker, step.rocker_from)):
@@ -162,22 +168,22 @@ class Builder:
         lever = self.body(step.guide, guide)
         self.pin(step.pin, step.slider)
         self.pin(step.pivot, step.guide)
-        name, along = f"{step.slider}/{step.guide}", np.array([guide.cos, guide.sin])
-        drag = (along @ self.joints[name][:2]) * along
-        self.system.force(lever, self.at(step.pin), drag)
-        self.system.force(slider, self.at(step.pin), -drag)
-        self.system.line(f"-{name}", slider, lever, self.at(step.pin), np.arctan2(guide.sin, guide.cos))
+        name, direction = f"{step.slider}/{step.guide}", np.arctan2(guide.sin, guide.cos)
+        self.rub(name, lever, slider, self.at(step.pin), direction)
+        self.system.line(f"-{name}", slider, lever, self.at(step.pin), direction)
 
     def YokeStep(self, step, own):
         self.guide(step.slider, own.direction)
         carrier, slider = self.bodies[step.pin], self.bodies[step.slider]
         direction = own.direction + own.slot_angle
+        self.rub(f"{step.pin}/{step.slider}", slider, carrier, self.at(step.pin), direction)
         self.system.slot(f"-{step.pin}/{step.slider}", carrier, slider, self.at(step.pin), direction)
 
     def TrammelStep(self, step, own):
         self.guide(step.slider, own.direction)
         link, point = self.made[step.link], pin_of(step.slider)
         slider, direction = self.bodies[step.slider], np.arctan2(link.sin, link.cos)
+        self.rub(f"{point}/{step.slider}", slider, self.bodies[step.link], self.at(point), direction)
         self.system.slot(f"{point}/{step.slider}", slider, self.bodies[step.link], self.at(point), direction)
 
     def TriadStep(self, step, own):

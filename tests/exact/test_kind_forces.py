@@ -102,7 +102,11 @@ def scotch_yoke(system, motion, geometry, carried, joints):
     links = LINKS["scotch_yoke"](motion, geometry)
     slider = links[2]
     crank, block, ram = (system.body(*each) for each in zip(links, *carried, strict=True))
+    along = np.array([np.cos(geometry.slot_angle), np.sin(geometry.slot_angle)])
+    rubbing = (along @ joints["slot"][:2]) * along
     system.force(ram, xy(slider.origin), (joints["guide"].x, 0))
+    system.force(ram, xy(motion.pin), rubbing)
+    system.force(block, xy(motion.pin), -rubbing)
     system.pin("main_bearing", crank, FRAME, (0, 0))
     system.pin("crank_pin", block, crank, xy(motion.pin))
     system.line("-slot", block, ram, xy(motion.pin), geometry.slot_angle)

@@ -1,7 +1,7 @@
 """Stages: functions whose parameter types are their needs and whose return type is their gift."""
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import dataclass, is_dataclass
 from graphlib import TopologicalSorter
 from types import NoneType
 from typing import Any, cast, get_args, get_type_hints
@@ -32,6 +32,7 @@ from cranktrain.engine.powers import brake_powers, indicated_powers
 from cranktrain.engine.rocker_load import load_motion
 from cranktrain.engine.rockers import dead_positions, rocker_motion, rocker_speeds, rocker_turn
 from cranktrain.engine.rod_methods import rod_methods
+from cranktrain.engine.rod_orders import rod_orders
 from cranktrain.engine.rods import rod_motion, rod_speeds
 from cranktrain.engine.torque import gear_torques, journal_torques, shaft_torques
 from cranktrain.engine.torque_orders import phase_star_sums, torque_orders
@@ -151,6 +152,7 @@ STAGES: tuple[Stage, ...] = tuple(
         rim_size,
         axial_positions,
         closing,
+        rod_orders,
         textbook_motion,
     )
 )
@@ -175,6 +177,9 @@ def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict
         machine is not spoken of.
     """
     known = dict(parts)
+    seen: set[int] = set()
+    for part in parts.values():
+        _freeze(part, seen)
     gifts: dict[type, object] = {}
     lacking: dict[type, frozenset[type]] = {}
     absent: dict[type, tuple[str, ...]] = {}
@@ -187,7 +192,7 @@ def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict
             # NaN stands for links that cannot close, and is no news.
             with np.errstate(all="ignore"):
                 gift = one.function(**{name: known.get(need) for name, need in one.needs.items()})
-            _freeze(gift)
+            _freeze(gift, seen)
             known[one.gives] = gifts[one.gives] = gift
             continue
         lacking[one.gives] = frozenset(roots)
@@ -203,13 +208,14 @@ def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict
     return in_order, tuple(Missing(tuple(results), needs) for needs, results in missing.items())
 
 
-def _freeze(value: Any) -> None:
-    """Make all arrays of a gift read-only: stages and users share them."""
+def _freeze(value: Any, seen: set[int]) -> None:
+    """Make all arrays of a gift read-only: stages and users share them. `seen` holds what has been gone through."""
     if isinstance(value, np.ndarray):
         value.flags.writeable = False
-    elif isinstance(value, tuple):
-        for item in cast(tuple[Any, ...], value):
-            _freeze(item)
-    elif is_dataclass(value) and not isinstance(value, type):
-        for part in fields(value):
-            _freeze(getattr(value, part.name))
+        return
+    is_tuple = isinstance(value, tuple)
+    if (is_tuple or (is_dataclass(value) and not isinstance(value, type))) and id(value) not in seen:
+        seen.add(id(value))
+        for part in cast(Iterable[Any], value) if is_tuple else vars(value).values():
+            if not isinstance(part, str):
+                _freeze(part, seen)

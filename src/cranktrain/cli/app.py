@@ -314,6 +314,7 @@ def _synthesise(context: typer.Context) -> Task:
         "  cranktrain textbook 3d12\n"
         "  cranktrain textbook 3d12 --table\n"
         "  cranktrain textbook 3d12 --forces kgf/cm2 --step 10\n"
+        "  cranktrain textbook 3d12 --harmonics\n"
         "  cranktrain textbook errata"
     ),
 )
@@ -350,7 +351,28 @@ def _textbook(
     piston: Annotated[
         str | None, typer.Option(metavar="NAME", help=_("Whose forces, such as 2L; the first unless given."))
     ] = None,
+    harmonics: Annotated[
+        bool,
+        typer.Option(
+            "--harmonics",
+            help=_("Show instead the harmonics of acceleration and inertia torque: exact, series, two harmonics."),
+        ),
+    ] = False,
+    crank_to_rod_ratio: Annotated[
+        str | None, typer.Option(metavar="NUMBER", help=_("Show harmonics for this λ = R/L instead of a machine's."))
+    ] = None,
 ) -> Task:
+    if harmonics or crank_to_rod_ratio is not None:
+        from cranktrain.cli.harmonic_tables import HarmonicRequest, show_harmonics
+
+        others = {
+            "--table": "" if table else None,
+            "--errata": "" if errata else None,
+            "--forces": forces,
+            "--step": None if step is None else f"{step:g}",
+            "--piston": piston,
+        }
+        return partial(show_harmonics, HarmonicRequest(file, crank_to_rod_ratio, tuple(settings or ()), others))
     from cranktrain.cli.force_tables import ForceRequest, refuse_without_forces, show_force_tables
     from cranktrain.cli.textbook import show_textbook
 

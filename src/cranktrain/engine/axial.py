@@ -13,7 +13,7 @@ from cranktrain.language import N_
 from cranktrain.motion import Array
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class AxialPlaces:
     """Distance of every mechanism from throw 1 along Z, shape (design, mechanism). [m]
 
@@ -60,7 +60,7 @@ def throw_positions(shaft: ShaftSpec) -> Array | None:
     return np.cumsum([0.0, *(gaps * n_gaps if len(gaps) == 1 else gaps)])
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class AxialPositions:
     """Where each mechanism stands along the shaft."""
 

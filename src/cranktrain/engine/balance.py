@@ -27,7 +27,7 @@ _ORDER = ("balance", "order")
 _THEORY = "docs/theory/balance"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ShakingForces:
     """Force of the moving masses on the frame, without and with balance weights."""
 
@@ -60,7 +60,7 @@ class ShakingForces:
         return _("Shaking force: {force}; left with [balance]: {left}.").format(force=said[0], left=said[1])
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ShakingCouples:
     """Couple of the moving masses on the frame about the throws' mid-plane, without and with balance weights."""
 
@@ -126,7 +126,7 @@ def shaking_couples(
     return ShakingCouples(*found[:7], gross=found.gross, labels=found.labels)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class RollingMoment:
     """What rolls the frame about the crankshaft: gas, inertia and weights, without and with balance weights."""
 

@@ -33,7 +33,7 @@ _NOISE = 1e-12
 """Of what all parts could do together: less is rounding."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class DeclaredBalance:
     """The table [balance] of each design, and the throws of `main`, to which its weights are put.
 
@@ -111,7 +111,7 @@ def _angle_on(weight: WeightSpec, main: ShaftSpec) -> float:
     return main.throws[(weight.throw or 1) - 1].si - main.throws[0].si + np.pi
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class BalanceWeights:
     """Weights that balance the machine, given and solved for."""
 

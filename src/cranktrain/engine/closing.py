@@ -16,7 +16,7 @@ _MECHANISM = ("mechanism",)
 _THEORY = "docs/theory/closing-margin"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Closing:
     """How far each mechanism is from locking.
 

@@ -13,7 +13,7 @@ _CURVE = ("rocker", "crank_angle")
 _THEORY = "docs/theory/crank-rocker"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class CouplerMotion:
     """Motion of every rocker's rod by the crank angle alone; NaN for a rocker that hangs on none."""
 
@@ -39,7 +39,7 @@ def coupler_motion(rockers: Rockers, rods: RockerRods, crank_angle: CrankAngle) 
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class CouplerSpeeds:
     """Angular velocities and accelerations of the rods at the declared, constant speed."""
 

@@ -33,7 +33,7 @@ class CrankPin(NamedTuple):
     has_rod: bool
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class CrankPins:
     """Which mechanisms have something of their own on a crank pin."""
 
@@ -56,7 +56,7 @@ def _pins(mechanisms: Mechanisms) -> Iterator[CrankPin]:
                 yield CrankPin(place, joint, reaction.on == _ROD)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class CrankPinLoads:
     """Load of every rod on its crank pin, with what hangs on the rod; NaN for what has no rod there."""
 

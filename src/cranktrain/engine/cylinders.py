@@ -22,7 +22,7 @@ CYCLES = {"two-stroke": 2 * np.pi, "four-stroke": 4 * np.pi}
 """Length of a cycle by name. [rad]"""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Cylinder:
     """One cylinder: what its own table, its bank's or the common one gives, the nearest first.
 

@@ -65,7 +65,7 @@ def slider_motion(pistons: Mechanisms, angle: Array) -> Coefficient:
     return pistons.evaluated(lambda motion: motion.slider, angle)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PistonTurn:
     """One turn of the pistons that are distinct, whatever the machine's own grid: where extremes are looked for first.
 
@@ -86,7 +86,7 @@ def piston_turn(pistons: Pistons) -> PistonTurn:
     return PistonTurn(different, slider_and_rod(different.mechanisms, turn_grid()))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class DeadCentres:
     """Where each piston truly turns back, and how far it travels."""
 

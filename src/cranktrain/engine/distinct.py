@@ -10,7 +10,7 @@ from cranktrain.mechanisms.kind import leaves, rows
 from cranktrain.motion import Array
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Distinct:
     """Those mechanisms of a machine that differ in more than their phase, each at its own crank angle.
 

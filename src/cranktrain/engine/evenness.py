@@ -39,7 +39,7 @@ _LAST_ORDERS = 0.1
 """Share of the upper half of a grid's orders in a work that the grid resolves."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FlywheelMoment:
     """GD² of the moving parts."""
 
@@ -60,7 +60,7 @@ class Interpolations(NamedTuple):
     integral: Interpolation
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ShaftWork:
     """Torque without inertia, and its work.
 
@@ -120,7 +120,7 @@ def shaft_work(
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class RunningSpeed:
     """Speed of the shaft over the cycle, with the flywheel that there is; load says against what, as answers begin."""
 

@@ -124,7 +124,7 @@ class EvennessSpec(Spec, frozen=True):
         return None if self.flywheel_moment is None else self.flywheel_moment.si / 4
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class LinearMotor:
     """Motor M = c (ω_s − ω): no-load speed ω_s [rad/s] and stiffness c [N·m·s], shape (design,)."""
 
@@ -132,7 +132,7 @@ class LinearMotor:
     stiffness: Array
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ShaftLoad:
     """What balances the machine's own torque, and which mean its speed is."""
 
@@ -143,7 +143,7 @@ class ShaftLoad:
     mean: Mean
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class GivenFlywheel:
     """Moment of inertia of the flywheel that there is, shape (design,). [kg·m²]"""
 
@@ -152,7 +152,7 @@ class GivenFlywheel:
     inertia: Array
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class WantedCoefficient:
     """Coefficient of fluctuation wanted, shape (design,). [1]"""
 
@@ -161,7 +161,7 @@ class WantedCoefficient:
     value: Array
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class DeclaredRim:
     """Rim wanted, arrays of shape (design,): what its field says in `RimSpec`, in SI."""
 

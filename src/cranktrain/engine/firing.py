@@ -22,7 +22,7 @@ _ROUNDING = 1e-12
 """Sums of a few angles differ by less. [rad]"""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Cycle:
     """The working cycle that the machine declares: 2π or 4π. [rad]"""
 
@@ -31,7 +31,7 @@ class Cycle:
     length: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FiringOrder:
     """Cylinders in the order in which they fire, as indices, shape (cylinder,); by the maker's numbers too, if any."""
 
@@ -41,7 +41,7 @@ class FiringOrder:
     numbers: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Firing:
     """When each cylinder fires, nominally (crank along it), and how long until the next one does."""
 

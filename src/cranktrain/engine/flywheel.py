@@ -19,7 +19,7 @@ _METHOD = "flywheel_method"
 _THEORY = "docs/theory/evenness"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FlywheelSize:
     """Flywheels that give the coefficient of fluctuation wanted, against a load of constant torque.
 
@@ -102,7 +102,7 @@ def _size_flags(load: ShaftLoad) -> Iterator[str]:
         )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class RimSize:
     """Rim of the flywheel that is wanted, or where none is, of the one that there is."""
 

@@ -19,7 +19,7 @@ _SLIDER = ("slider", "crank_angle")
 _THEORY = "docs/theory/groups-2"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Followed:
     """Parts of mechanisms that are followed.
 
@@ -40,12 +40,12 @@ class Followed:
     parts: tuple[str, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FollowedLinks(Followed):
     """Links."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FollowedSliders(Followed):
     """What slides: its position is a number."""
 
@@ -69,7 +69,7 @@ def followed_of(result: type[FollowedLike], places: Sequence[Place]) -> Followed
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class LinkMotion:
     """Motion of links by their names."""
 
@@ -94,7 +94,7 @@ def link_motion(links: FollowedLinks, mechanisms: Mechanisms, crank_angle: Crank
     return LinkMotion(unwrapped(angle), first, second)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class SliderMotion:
     """Motion of what slides, by its name."""
 

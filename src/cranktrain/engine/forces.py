@@ -25,7 +25,7 @@ _MASTER = "slider_crank"
 """Kind of what slaves hang on."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Carriers:
     """Which mechanisms hang on which, and which pistons they are.
 
@@ -81,7 +81,7 @@ class SolvedGroup(NamedTuple):
     forces: Any
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class LoadedMachine:
     """A machine with all that acts on it, to be solved at any crank angle.
 
@@ -224,7 +224,7 @@ def driving_torques(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Arr
     return torque
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class SolvedCycle:
     """Forces of every mechanism on the grid of crank angles; nothing that people read as it is."""
 
@@ -236,7 +236,7 @@ def solved_cycle(loaded: LoadedMachine, crank_angle: CrankAngle, gas: GasPressur
     return SolvedCycle(loaded.solved(crank_angle.angle, gas_force=None if gas is None else gas.gas_force))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class JointForces:
     """Reaction in every joint, in the axes of its mechanism."""
 
@@ -300,7 +300,7 @@ def _flags(masses: Masses) -> Iterator[str]:
         ).format(parts=", ".join(masses.assumed))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class MechanismTorques:
     """What every mechanism does to the shaft, and all together."""
 

@@ -28,7 +28,7 @@ _ENDED = 1e-13
 """What the highest orders may have of the largest order, for the grid to show all that there is."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FrameForces:
     """What the moving masses do to the frame, for each (rad/s)²; in the common axes of `Frames`, over one turn.
 

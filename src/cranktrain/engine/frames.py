@@ -77,7 +77,7 @@ class Orientation(NamedTuple):
     is_astern: bool
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Frames:
     """Where all mechanisms' axes lie in common ones: x along Y, y turned from it in the sense in which `main` runs.
 

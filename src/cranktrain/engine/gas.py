@@ -34,7 +34,7 @@ Unroll = Callable[[Array, float], Array]
 """From the travelled part of the stroke and λ to the crank angle of the outward stroke. [rad]"""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class DeclaredGas:
     """The gas model of every design, as its file declares it; and Brix's construction, backward, as some ask for it."""
 
@@ -44,7 +44,7 @@ class DeclaredGas:
     brix: Unroll
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class GasInChambers:
     """The gas model of every chamber, to be asked at any crank angle.
 
@@ -278,7 +278,7 @@ def _model(kind: GasKind, spec: GasSpec, chamber: Chamber) -> Any:
         ) from None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class GasPressures:
     """Pressure of the gas, and what it does."""
 

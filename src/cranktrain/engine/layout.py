@@ -19,7 +19,7 @@ _ROUNDING = 16 * np.spacing(2 * np.pi)
 """Sums of a few angles differ by less. [rad]"""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class CrankAngle:
     """The grid of crank angles.
 
@@ -49,7 +49,7 @@ class CrankAngle:
         return np.where(period - counted < _ROUNDING, 0.0, counted)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Group:
     """Mechanisms of one kind among those of a `Mechanisms`: which of its places they take."""
 
@@ -58,7 +58,7 @@ class Group:
     members: Members
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Mechanisms:
     """All mechanisms of a machine, or of several designs of one machine.
 
@@ -122,35 +122,35 @@ class Mechanisms:
         raise IndexError(mechanism)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Pistons(Mechanisms):
     """The mechanisms whose output is a slider."""
 
     dimension: ClassVar[str] = "piston"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Rockers(Mechanisms):
     """The mechanisms whose output is a rocker."""
 
     dimension: ClassVar[str] = "rocker"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PistonRods:
     """Whether each piston hangs on a rod, shape (piston,); there is none where no piston does."""
 
     value: NDArray[np.bool_]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class RockerRods:
     """Whether each rocker hangs on a rod, shape (rocker,); there is none where no rocker does."""
 
     value: NDArray[np.bool_]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Speed:
     """Speed of the main shaft, constant over the cycle, shape (design, 1, 1). [rad/s]"""
 

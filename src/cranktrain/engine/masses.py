@@ -36,7 +36,7 @@ class PlaceMasses(NamedTuple):
     friction: tuple[Array, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Masses:
     """Bodies of all mechanisms, and what weighs on them.
 
@@ -100,7 +100,9 @@ def mass_problems(places: Sequence[Place], given: Weighed) -> tuple[Problem, ...
     sliding = list(dict.fromkeys(part_name(name) for place in places for name in place.kind.dynamics.sliding))
     for name, coefficient in given.friction.items():
         if name not in sliding:
-            allowed = _("must be what slides in a guide: {parts}").format(parts=", ".join(sliding) or _("nothing does"))
+            allowed = _("must be what slides in a guide or a slot: {parts}").format(
+                parts=", ".join(sliding) or _("nothing does")
+            )
             found.append(Problem(f"friction.{name}", coefficient.text, allowed))
     return tuple(dict.fromkeys(found))
 

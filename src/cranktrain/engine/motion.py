@@ -22,7 +22,7 @@ _FASTEST = 40.0
 """Mean piston speed that none has; racing engines come to 27. [m/s]"""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PistonMotion:
     """Motion of every piston by the crank angle alone; speed enters with `PistonSpeeds`."""
 
@@ -62,7 +62,7 @@ def _derivatives_check(pistons: Distinct) -> Check:
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PistonSpeeds:
     """Velocities and accelerations of pistons at the declared, constant speed."""
 

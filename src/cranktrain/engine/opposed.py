@@ -20,7 +20,7 @@ _CURVE = ("cylinder", "crank_angle")
 _THEORY = "docs/theory/opposed-pistons"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class OpposedCylinders:
     """The cylinders of a machine, of which some at least have two pistons."""
 
@@ -29,7 +29,7 @@ class OpposedCylinders:
     cylinders: CylinderPistons
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class VolumetricDeadCentres:
     """Where the room between two pistons is least and greatest, and by how much they part."""
 
@@ -131,7 +131,7 @@ def volumetric_dead_centres(
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class CombinedMotion:
     """How the pistons of a cylinder part, both together: as one piston would that sweeps the same volume."""
 
@@ -168,7 +168,7 @@ def combined_motion(
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class CombinedSpeeds:
     """Velocity and acceleration at which opposed pistons part, at the declared, constant speed."""
 

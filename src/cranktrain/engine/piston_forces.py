@@ -28,11 +28,11 @@ from cranktrain.wording import Names, number
 _CURVE = ("force_method", "piston", "crank_angle")
 _THEORY = "docs/theory/forces"
 _LIMIT = 1e-12
-_DIRECT = "slider_crank"
+DIRECT = "slider_crank"
 """Kind whose rod joins piston and crank pin, and nothing else does."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class DirectPistons:
     """Pistons of which some at least have rods on the crank pin itself."""
 
@@ -43,7 +43,7 @@ class DirectPistons:
 
 def direct_pistons_of(pistons: Pistons) -> DirectPistons | None:
     """Count the pistons; None where no rod sits on a crank pin."""
-    has_some = any(group.kind.name == _DIRECT for group in pistons.groups)
+    has_some = any(group.kind.name == DIRECT for group in pistons.groups)
     return DirectPistons(len(pistons.names)) if has_some else None
 
 
@@ -58,7 +58,7 @@ class _Direct(NamedTuple):
 
 def direct_groups(loaded: LoadedMachine) -> Iterator[tuple[int, Group]]:
     """Those groups of the mechanisms whose rods join piston and crank pin, with their places."""
-    return ((place, group) for place, group in enumerate(loaded.mechanisms.groups) if group.kind.name == _DIRECT)
+    return ((place, group) for place, group in enumerate(loaded.mechanisms.groups) if group.kind.name == DIRECT)
 
 
 def _direct(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[_Direct]:
@@ -70,7 +70,7 @@ def _direct(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[_Direct]:
         yield _Direct(group, solved.groups[place].motion, bodies.slider.mass + share, piston)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PistonForceSet:
     """P, N, S, K and T of pistons on crank pins of their own, the rod as two masses; NaN for other pistons.
 

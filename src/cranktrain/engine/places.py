@@ -12,7 +12,7 @@ from cranktrain.mechanisms import Kind, MechanismSpec, kind_of
 from cranktrain.mechanisms.kind import Master, mirrored
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Place:
     """One mechanism of a machine.
 
@@ -74,7 +74,7 @@ class Place:
         return self.axis - self.throw_angle
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class _Slot:
     """A place before its geometry is known: bank and throw by index, angle of its axis from Y in the file's sense."""
 

@@ -19,7 +19,7 @@ _CURVE = ("point", "crank_angle")
 _THEORY = "docs/theory/groups"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class LinkPoints:
     """Points that are followed.
 
@@ -89,7 +89,7 @@ def link_points_of(designs: Sequence[Sequence[Place]]) -> LinkPoints | None:
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PointMotion:
     """Paths of points on links, in the axes of their mechanism."""
 

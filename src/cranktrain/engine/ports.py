@@ -21,14 +21,14 @@ _CYLINDER = ("cylinder",)
 _THEORY = "docs/theory/opposed-pistons"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class TwoStroke:
     """Says that cylinders are scavenged through ports: a machine that is no two-stroke is not asked for any."""
 
     needs: ClassVar[str] = ""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Ports:
     """Exhaust and scavenge ports of every cylinder.
 
@@ -46,7 +46,7 @@ class Ports:
     height: Array
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PortTiming:
     """When ports open and close; NaN for a port that is never shut."""
 
@@ -170,7 +170,7 @@ def _flags(names: tuple[str, ...], before: Array, opens: Array) -> Iterator[str]
         )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class EffectiveCompression:
     """What is compressed after the last port has closed."""
 

@@ -20,7 +20,7 @@ from cranktrain.wording import Names, number, shared
 _THEORY = "docs/theory/gas"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class IndicatedPowers:
     """Power of the gas on the pistons at the declared speed."""
 
@@ -55,7 +55,7 @@ def indicated_powers(
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Losses:
     """Friction of the whole machine: a mechanical efficiency or a mean pressure, shape (design,); NaN is not given.
 
@@ -80,7 +80,7 @@ def losses_of(cylinders: Sequence[CylindersSpec]) -> Losses | None:
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class BrakePowers:
     """What friction takes of the indicated power, and what the shaft gives; a driven machine takes it."""
 

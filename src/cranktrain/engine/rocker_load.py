@@ -23,7 +23,7 @@ _THEORY = "docs/theory/crank-rocker"
 _DIRECTIONS = {"with": 1.0, "against": -1.0}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class LoadRadius:
     """Radius about each rocker's pivot at which its load is carried, shape (design, rocker, 1). [m]
 
@@ -50,7 +50,7 @@ def load_radius_of(designs: Sequence[Sequence[Place]]) -> LoadRadius | None:
     return None if np.all(np.isnan(value)) else LoadRadius(value)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class LoadMotion:
     """Travel of a load that hangs at the load radius of each rocker."""
 

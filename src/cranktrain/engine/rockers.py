@@ -33,7 +33,7 @@ def rocker_angle(rockers: Rockers, angle: Array) -> Coefficient:
     return rockers.evaluated(lambda motion: motion.rocker.angle, angle)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class RockerTurn:
     """One turn of the rockers, whatever the machine's own grid: where extremes are looked for first.
 
@@ -64,7 +64,7 @@ def _counted(angle: Array, middle: Array) -> Array:
     return np.where(np.isnan(middle), unwrapped(angle), about)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class DeadPositions:
     """Between which positions each rocker swings; NaN for a rocker that turns with the crank."""
 
@@ -122,7 +122,7 @@ def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) 
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class RockerMotion:
     """Motion of every rocker by the crank angle alone."""
 
@@ -170,7 +170,7 @@ def _derivatives_check(rockers: Rockers) -> Check:
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class RockerSpeeds:
     """Velocities and accelerations of rockers at the declared, constant speed."""
 

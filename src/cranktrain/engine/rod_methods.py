@@ -25,7 +25,7 @@ _TOLD = 1e-9
 """An error that is told; less is rounding, where a rod's inertia was assumed to be that of two masses."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class RodMethods:
     """Errors of rods replaced by masses, in parts of the exact peak; 0 where a method is exact.
 

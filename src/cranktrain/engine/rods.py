@@ -17,7 +17,7 @@ _THEORY = "docs/theory/slider-crank"
 _GROUPS = "docs/theory/groups"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class RodMotion:
     """Motion of every piston's rod by the crank angle alone; NaN for a piston that hangs on none."""
 
@@ -80,7 +80,7 @@ def rod_motion(pistons: Pistons, rods: PistonRods, crank_angle: CrankAngle, turn
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class RodSpeeds:
     """Angular velocities and accelerations of the rods at the declared, constant speed."""
 

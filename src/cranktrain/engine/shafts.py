@@ -11,7 +11,7 @@ from cranktrain.engine.places import Place
 from cranktrain.engine.specs import MAIN, ShaftSpec
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Shafts:
     """The crankshafts of a machine and what works on them.
 
@@ -46,7 +46,7 @@ class Shafts:
         )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class GearedShafts:
     """The shafts of a machine that has more than one."""
 

@@ -15,7 +15,7 @@ from cranktrain.loads.harmonics import ComplexArray
 from cranktrain.motion import Array
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Throws:
     """Throws that carry mechanisms.
 
@@ -56,7 +56,7 @@ def throws_of(places: Sequence[Place]) -> Throws:
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ShaftCentres:
     """Centre of every mechanism's shaft from that of `main`, X + iY, shape (design, mechanism). [m]"""
 

@@ -24,7 +24,7 @@ _NOTHING = 1e-9
 """A mean torque below this part of the peak is none: a machine without gas gives no work."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ShaftTorques:
     """Torque of the machine on its shafts, by the reactions: positive in each shaft's own running sense."""
 
@@ -86,7 +86,7 @@ def shaft_torques(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, cr
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class JournalTorques:
     """Torque that each main journal passes on toward the flywheel, gathered from the free end."""
 
@@ -114,7 +114,7 @@ def journal_torques(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts) 
     return JournalTorques(passed, np.max(np.abs(passed), axis=-1), {"journal": shafts.journals})
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class GearTorques:
     """What the gear passes from every other shaft to the main one, and each shaft's share of the work."""
 

@@ -36,7 +36,7 @@ def order_labels(cycle: float) -> dict[str, tuple[str, ...]]:
     return {"order": tuple(f"{order:g}" for order in orders(cycle).tolist())}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class TorqueOrders:
     """Harmonics of the machine's torque: amplitude · cos(kφ − ψ), φ as shown."""
 
@@ -78,7 +78,7 @@ def torque_orders(torques: ShaftTorques, crank_angle: CrankAngle) -> TorqueOrder
     return TorqueOrders(amplitude, phase, order_labels(crank_angle.cycle))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PhaseStarSums:
     """How far the cylinders' torques of one order add up by their firing: as many as cylinders where all do."""
 

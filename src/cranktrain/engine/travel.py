@@ -12,7 +12,7 @@ from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import turn_grid, turning_points
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class CylinderPistons:
     """Which pistons work in which cylinder.
 
@@ -73,7 +73,7 @@ def reach(cylinders: CylinderPistons, pistons: Pistons, angle: Array) -> Coeffic
     return Coefficient(*(cylinders.summed(part) for part in motion))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class CylinderTravel:
     """Where each cylinder has its least and its greatest room.
 

@@ -20,7 +20,7 @@ _CHAMBER = ("chamber",)
 _THEORY = "docs/conventions"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Chambers:
     """The working chambers.
 
@@ -76,7 +76,7 @@ class Chambers:
         return sum(parts[1:], start=parts[0])
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class CompressionRatios:
     """Compression ratio of each chamber, shape (design, chamber); NaN where the deck decides it.
 
@@ -90,7 +90,7 @@ class CompressionRatios:
     leader: NDArray[np.intp]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class SweptVolumes:
     """What the pistons sweep between their true dead centres."""
 
@@ -119,7 +119,7 @@ def swept_volumes(chambers: Chambers, travel: CylinderTravel) -> SweptVolumes:
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ChamberVolumes:
     """Volume of every chamber, and what is left of it at its smallest."""
 

@@ -35,7 +35,7 @@ _NARROWEST = 1e-13
 _MOST_STEPS, _SETTLED = 30, 1e-14
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class WorkBalance:
     """Work of the gas over a cycle, without any step of the grid, and whether the torque does it."""
 

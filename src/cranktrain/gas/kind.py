@@ -66,7 +66,7 @@ def _no_kinks(model: object, limits: VolumeLimits) -> tuple[Kink, ...]:
     return ()
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class GasKind:
     """A kind of gas model, as data.
 

@@ -20,7 +20,9 @@ _SENTENCES = {
         "masses": N_(
             "Bodies by the part that they are: piston, rod, crank, a chain's own names; a bank may have its own."
         ),
-        "friction": N_("Coefficients of friction by what slides: piston, or a chain's slider."),
+        "friction": N_(
+            'Coefficients of friction by what slides: piston, block, or a chain\'s slider S and its slot, "S.slot".'
+        ),
         "gravity": N_("Whether weights count, downward."),
         "gas": N_("What the chambers hold: the kind of gas model and its numbers."),
         "cylinder": N_("Cylinders: what is common to all, and tables for one bank or one cylinder."),

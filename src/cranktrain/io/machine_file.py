@@ -219,9 +219,12 @@ def _deeper(table: Mapping[str, Any], path: editing.PathParts, above: editing.Pa
     """Find a path that ends as one does whose first table is not there: bank.L.mechanism.rod_length by its end."""
     if path[0] in table:
         return editing.path_text((*above, *path)) if above else None
-    inner = ((name, value) for name, value in table.items() if isinstance(value, Mapping))
-    found = (_deeper(cast("Mapping[str, Any]", value), path, (*above, name)) for name, value in inner)
-    return next((deeper for deeper in found if deeper is not None), None)
+    for name, value in table.items():
+        if isinstance(value, Mapping):
+            deeper = _deeper(cast("Mapping[str, Any]", value), path, (*above, name))
+            if deeper is not None:
+                return deeper
+    return None
 
 
 def _has_line(problem: Problem) -> bool:

@@ -6,9 +6,9 @@ import numpy as np
 
 from cranktrain.loads.excess_work import ExcessWork
 from cranktrain.loads.periodic import PeriodicCurve, combined, curve_extremes, plus
-from cranktrain.loads.speed import Mean, grid_mean, speed_from_energy, steady_speed
+from cranktrain.loads.speed import Mean, grid_mean, steady_speed
 from cranktrain.motion import Array
-from cranktrain.numerics import Extreme, corrected_roots, largest, smallest
+from cranktrain.numerics import Extreme, near_roots
 
 
 class Flywheel(NamedTuple):
@@ -96,23 +96,14 @@ def exact_flywheel(
 
     stored, carried = excess.work.samples, inertia.samples
 
-    def off(size: Array, energy: Array) -> Array:
-        square = 2 * (stored + energy[..., np.newaxis]) / (carried + size[..., np.newaxis])
-        return (grid_mean(square, mean) - wanted)[..., np.newaxis]
-
     def missing(middle: Array) -> Array:
         found = _between(excess, inertia, middle[..., 0] - half, middle[..., 0] + half)
-        return off(found.inertia, found.initial_energy)
-
-    def missing_on_grid(middle: Array) -> Array:
-        slow, fast = (middle - half[..., np.newaxis]) ** 2 / 2, (middle + half[..., np.newaxis]) ** 2 / 2
-        upper = np.max(stored - fast * carried, axis=-1)
-        size = (upper - np.min(stored - slow * carried, axis=-1)) / (fast - slow)[..., 0]
-        return off(size, fast[..., 0] * size - upper)
+        energy, total = stored + found.initial_energy[..., np.newaxis], carried + found.inertia[..., np.newaxis]
+        return (grid_mean(2 * energy / total, mean) - wanted)[..., np.newaxis]
 
     # The smallest speed is not negative: its square would be that of another.
-    ends = np.maximum(wanted - half, half)[..., np.newaxis], (wanted + half)[..., np.newaxis]
-    middle = corrected_roots(missing, missing_on_grid, *ends)[..., 0]
+    ends = np.maximum(wanted - half, half), wanted + half
+    middle = near_roots(missing, *(part[..., np.newaxis] for part in (wanted, *ends)))[..., 0]
     return _between(excess, inertia, middle - half, middle + half)
 
 
@@ -164,30 +155,20 @@ def flywheels_by_method(
     """
     speed = np.asarray(mean_speed, dtype=float)
     exact = exact_flywheel(excess, inertia, speed, fluctuation, mean)
-    sizes = (
-        exact.inertia,
+    approximate = (
         mertsalov_inertia(excess, inertia, speed, fluctuation),
         textbook_inertia(excess, speed, fluctuation),
     )
-    found = [
-        speed_from_energy(plus(excess.work, exact.initial_energy), plus(inertia, exact.inertia)),
-        *(steady_speed(excess, plus(inertia, size), speed, mean).speed for size in sizes[1:]),
-    ]
-    stacked = np.stack(np.broadcast_arrays(*sizes), axis=-1)
-    return FlywheelByMethod(
-        exact,
-        stacked,
-        stacked / stacked[..., :1] - 1,
-        np.stack([speed.fluctuation(mean) for speed in found], axis=-1),
-    )
+    sizes = np.stack(np.broadcast_arrays(exact.inertia, *approximate))
+    found = steady_speed(excess, plus(inertia, sizes), speed, mean).speed.fluctuation(mean)
+    by_method = np.moveaxis(sizes, 0, -1)
+    return FlywheelByMethod(exact, by_method, by_method / by_method[..., :1] - 1, np.moveaxis(found, 0, -1))
 
 
 def _between(excess: ExcessWork, inertia: PeriodicCurve, slowest: Array, fastest: Array) -> Flywheel:
     """Flywheel with which the speed runs just between two speeds."""
-    over = combined(excess.work, -(fastest**2) / 2, inertia)
-    under = combined(excess.work, -(slowest**2) / 2, inertia)
-    upper = largest(over.value, over.slope, grid=over.angle, samples=over.samples)
-    lower = smallest(under.value, under.slope, grid=under.angle, samples=under.samples)
+    low, high = curve_extremes(combined(excess.work, -(np.stack([slowest, fastest]) ** 2) / 2, inertia))
+    lower, upper = (Extreme(one.angle[place], one.value[place]) for place, one in enumerate((low, high)))
     apart = (fastest - slowest) * (fastest + slowest) / 2
     size = (upper.value - lower.value)[..., 0] / apart
     return Flywheel(size, fastest**2 / 2 * size - upper.value[..., 0], fastest, slowest, upper, lower)

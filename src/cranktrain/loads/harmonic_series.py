@@ -28,6 +28,10 @@ _TORQUE: Mapping[int, Mapping[int, float]] = {
     6: {4: 3 / 32, 6: 3 / 32},
 }
 """Coefficients of D_k by order and power of λ."""
+_TWO_ACCELERATION: Mapping[int, Mapping[int, float]] = {1: {0: 1.0}, 2: {1: 1.0}}
+"""Two harmonics of the acceleration, cos φ + λ cos 2φ."""
+_TWO_TORQUE: Mapping[int, Mapping[int, float]] = {1: {1: 1 / 4}, 2: {0: -1 / 2}, 3: {1: -3 / 4}, 4: {2: -1 / 4}}
+"""Torque of that acceleration at its own velocity, sin φ + ½λ sin 2φ."""
 
 
 class HarmonicsByMethod(NamedTuple):
@@ -84,8 +88,20 @@ def torque_series(rod_ratio: Array) -> HarmonicsByMethod:
 
 def two_harmonics(rod_ratio: Array) -> HarmonicsByMethod:
     """Two harmonics of the texts, A_1 = 1 and A_2 = λ, and what they leave of orders up to 8; shape (..., 9)."""
-    first_terms = {1: {0: 1.0}, 2: {1: 1.0}}
-    return _compared(acceleration_harmonics(rod_ratio, HIGHEST_ACCELERATION), rod_ratio, first_terms)
+    return _compared(acceleration_harmonics(rod_ratio, HIGHEST_ACCELERATION), rod_ratio, _TWO_ACCELERATION)
+
+
+def two_harmonic_torque(rod_ratio: Array) -> HarmonicsByMethod:
+    """Torque of the texts' two harmonics, and what it leaves of orders up to 6; shape (..., 7).
+
+    The first terms of eq. (15.8), docs/theory/harmonics-and-orders.
+
+    Examples
+    --------
+    >>> two_harmonic_torque(0.25).textbook[:5].tolist()
+    [0.0, 0.0625, -0.5, -0.1875, -0.015625]
+    """
+    return _compared(torque_harmonics(rod_ratio, HIGHEST_TORQUE), rod_ratio, _TWO_TORQUE)
 
 
 def _compared(exact: Array, rod_ratio: Array, series: Mapping[int, Mapping[int, float]]) -> HarmonicsByMethod:

@@ -5,15 +5,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.loads.harmonics import TURN, curve, from_vectors, harmonics
-from cranktrain.motion import Array
-from cranktrain.numerics import Curve, Extremes, extremes
+from cranktrain.loads.harmonics import TURN, harmonics, phasor
+from cranktrain.motion import Array, Coefficient
+from cranktrain.numerics import Extremes, turning_points
 
 
 class PeriodicCurve(NamedTuple):
     """A periodic curve, known at equal steps and to be asked anywhere.
-
-    A kernel's own value and first derivative make one as well.
 
     Attributes
     ----------
@@ -21,19 +19,26 @@ class PeriodicCurve(NamedTuple):
         Its period. [rad]
     samples : Array, shape (..., n)
         Values at 0, cycle/n, …
-    value, slope : callable
-        Value and slope at angles (k,) or (..., k).
+    motion : callable
+        Value and first two derivatives at angles (k,) or (..., k).
     """
 
     cycle: float
     samples: Array
-    value: Curve
-    slope: Curve
+    motion: Callable[[Array], Coefficient]
 
     @property
     def angle(self) -> Array:
         """Angles of the samples, shape (n,). [rad]"""
         return cycle_grid(self.samples.shape[-1], self.cycle)
+
+    def value(self, angle: Array) -> Array:
+        """Value at angles (k,) or (..., k)."""
+        return self.motion(angle).value
+
+    def slope(self, angle: Array) -> Array:
+        """Derivative at angles (k,) or (..., k)."""
+        return self.motion(angle).first
 
 
 Interpolation = Callable[[Array, float], PeriodicCurve]
@@ -48,15 +53,14 @@ def cycle_grid(n_points: int, cycle: float = TURN) -> Array:
 def fourier_curve(samples: Array, cycle: float = TURN) -> PeriodicCurve:
     """Curve through samples (..., n) by their Fourier series: exact for a smooth one."""
     series = harmonics(samples, cycle)
-    derivative = from_vectors(series.order, 1j * series.order * series.vectors)
+    turned = 1j * series.order
+    derivatives = np.stack([turned**n * series.vectors for n in range(3)], axis=-1)
 
-    def value(angle: Array) -> Array:
-        return curve(series, angle)
+    def motion(angle: Array) -> Coefficient:
+        waves = phasor(angle[..., np.newaxis] * series.order)
+        return Coefficient(*np.moveaxis((waves @ derivatives).real, -1, 0))
 
-    def slope(angle: Array) -> Array:
-        return curve(derivative, angle)
-
-    return PeriodicCurve(cycle, samples, value, slope)
+    return PeriodicCurve(cycle, samples, motion)
 
 
 def fourier_integral(samples: Array, cycle: float = TURN) -> PeriodicCurve:
@@ -83,85 +87,74 @@ def spline_curve(samples: Array, cycle: float = TURN) -> PeriodicCurve:
     -----
     The slopes at the nodes solve s₋ + 4s + s₊ = 3(y₊ − y₋)/h, a circulant system, through its Fourier transform.
     """
-    step = cycle / samples.shape[-1]
-    nodes = np.stack([samples, _spline_slopes(samples, step)])
-
-    def value(angle: Array) -> Array:
-        (y0, s0), (y1, s1), t = _piece(nodes, angle, step)
-        return y0 * (1 + 2 * t) * (1 - t) ** 2 + y1 * t**2 * (3 - 2 * t) + step * t * (1 - t) * (s0 * (1 - t) - s1 * t)
-
-    def slope(angle: Array) -> Array:
-        (y0, s0), (y1, s1), t = _piece(nodes, angle, step)
-        return 6 * t * (1 - t) * (y1 - y0) / step + s0 * (1 - t) * (1 - 3 * t) + s1 * t * (3 * t - 2)
-
-    return PeriodicCurve(cycle, samples, value, slope)
+    return _by_pieces(_cubics(samples, cycle), cycle)
 
 
 def spline_integral(samples: Array, cycle: float = TURN) -> PeriodicCurve:
     """Integral of samples (..., n) less their mean, from φ = 0, exact for their periodic cubic spline."""
     step = cycle / samples.shape[-1]
-    centred = samples - np.mean(samples, axis=-1, keepdims=True)
-    slopes = _spline_slopes(centred, step)
-    after, slopes_after = np.roll(centred, -1, axis=-1), np.roll(slopes, -1, axis=-1)
-    pieces = step * (centred + after) / 2 + step**2 * (slopes - slopes_after) / 12
-    starts = np.concatenate([np.zeros_like(pieces[..., :1]), np.cumsum(pieces, axis=-1)[..., :-1]], axis=-1)
-    nodes = np.stack([centred, slopes, starts])
-    spline = spline_curve(centred, cycle)
-
-    def value(angle: Array) -> Array:
-        (y0, s0, start), (y1, s1, _), t = _piece(nodes, angle, step)
-        rise = y1 - y0
-        square = t**2
-        inside = y0 * t + s0 * step * square / 2
-        inside = inside + (3 * rise - step * (2 * s0 + s1)) * square * t / 3
-        inside = inside + (step * (s0 + s1) - 2 * rise) * square**2 / 4
-        return start + step * inside
-
-    return PeriodicCurve(cycle, starts, value, spline.value)
+    cubics = _cubics(samples - np.mean(samples, axis=-1, keepdims=True), cycle)
+    risen = np.stack([step * part / power for power, part in enumerate(cubics, 1)])
+    ends = np.cumsum(np.sum(risen, axis=0), axis=-1)
+    starts = np.concatenate([np.zeros_like(ends[..., :1]), ends[..., :-1]], axis=-1)
+    return _by_pieces(np.concatenate([starts[np.newaxis], risen]), cycle)
 
 
 def plus(one: PeriodicCurve, constant: Array) -> PeriodicCurve:
     """The curve raised by a constant of shape (...)."""
     raised = np.asarray(constant)[..., np.newaxis]
 
-    def value(angle: Array) -> Array:
-        return one.value(angle) + raised
+    def motion(angle: Array) -> Coefficient:
+        value, first, second = one.motion(angle)
+        return Coefficient(value + raised, first, second)
 
-    return PeriodicCurve(one.cycle, one.samples + raised, value, one.slope)
+    return PeriodicCurve(one.cycle, one.samples + raised, motion)
 
 
 def combined(one: PeriodicCurve, factor: Array, other: PeriodicCurve) -> PeriodicCurve:
     """The first curve plus a factor, shape (...), times the second; both on one grid."""
     times = np.asarray(factor)[..., np.newaxis]
 
-    def value(angle: Array) -> Array:
-        return one.value(angle) + times * other.value(angle)
+    def motion(angle: Array) -> Coefficient:
+        parts = zip(one.motion(angle), other.motion(angle), strict=True)
+        return Coefficient(*(part + times * added for part, added in parts))
 
-    def slope(angle: Array) -> Array:
-        return one.slope(angle) + times * other.slope(angle)
-
-    return PeriodicCurve(one.cycle, one.samples + times * other.samples, value, slope)
+    return PeriodicCurve(one.cycle, one.samples + times * other.samples, motion)
 
 
 def curve_extremes(one: PeriodicCurve) -> Extremes:
     """Smallest and largest value over the cycle, refined between the samples; shapes (..., 1)."""
-    return extremes(one.value, one.slope, grid=one.angle, samples=one.samples)
+    return turning_points(one.motion, one.samples, one.angle)
 
 
-def _spline_slopes(samples: Array, step: float) -> Array:
-    """Slopes of the periodic cubic spline at its nodes."""
+def _cubics(samples: Array, cycle: float) -> Array:
+    """Coefficients of the periodic cubic spline in each piece, by powers of the share of the step, (4, ..., n)."""
     n_points = samples.shape[-1]
     turn = np.arange(n_points // 2 + 1, dtype=float) * (TURN / n_points)
-    transfer = 3j * np.sin(turn) / (step * (2 + np.cos(turn)))
-    return np.fft.irfft(transfer * np.fft.rfft(samples, axis=-1), n_points, axis=-1)
+    # In parts of the step.
+    transfer = 3j * np.sin(turn) / (2 + np.cos(turn))
+    slope = np.fft.irfft(transfer * np.fft.rfft(samples, axis=-1), n_points, axis=-1)
+    rise, slope_after = np.roll(samples, -1, axis=-1) - samples, np.roll(slope, -1, axis=-1)
+    return np.stack([samples, slope, 3 * rise - 2 * slope - slope_after, slope + slope_after - 2 * rise])
 
 
-def _piece(nodes: Array, angle: Array, step: float) -> tuple[Array, Array, Array]:
-    """What is known of the nodes, (k, ..., n), at both ends of the piece that holds an angle, and its share of it."""
-    lead, n_points = nodes.shape[1:-1], nodes.shape[-1]
-    place = np.floor(angle / step)
-    # Of an angle that is NaN any piece will do, as its share is NaN.
-    before = np.fmax(np.mod(place, n_points), 0.0).astype(np.intp)
-    rows = np.reshape(np.arange(nodes[0, ..., 0].size) * n_points, (*lead, 1))
-    flat = np.reshape(nodes, (nodes.shape[0], -1))
-    return flat[:, before + rows], flat[:, np.mod(before + 1, n_points) + rows], angle / step - place
+def _by_pieces(coefficients: Array, cycle: float) -> PeriodicCurve:
+    """Curve of polynomials, one from each node to the next; coefficients (power, ..., n) as `_cubics` has them."""
+    n_points = coefficients.shape[-1]
+    step = cycle / n_points
+    flat = coefficients.reshape(len(coefficients), -1)
+    rows = np.reshape(np.arange(0, flat.shape[-1], n_points), (*coefficients.shape[1:-1], 1))
+
+    def motion(angle: Array) -> Coefficient:
+        place = np.floor(angle / step)
+        share = angle / step - place
+        # Of an angle that is NaN any piece will do, as its share is NaN.
+        *others, value = flat[:, np.fmax(np.mod(place, n_points), 0.0).astype(np.intp) + rows]
+        first = second = np.zeros_like(value)
+        for part in reversed(others):
+            second = second * share + first
+            first = first * share + value
+            value = value * share + part
+        return Coefficient(value, first / step, 2 * second / step**2)
+
+    return PeriodicCurve(cycle, coefficients[0], motion)

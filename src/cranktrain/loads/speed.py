@@ -7,8 +7,8 @@ import numpy as np
 
 from cranktrain.loads.excess_work import ExcessWork
 from cranktrain.loads.periodic import PeriodicCurve, plus
-from cranktrain.motion import Array
-from cranktrain.numerics import Extreme, bracketed_roots, corrected_roots, extremes
+from cranktrain.motion import Array, Coefficient
+from cranktrain.numerics import Extreme, near_roots, turning_points
 
 Mean: TypeAlias = Literal["time", "angle", "extremes"]
 """Over time (what a counter of revolutions shows), over the crank angle, or half the sum of the extremes."""
@@ -25,7 +25,7 @@ class MeanSpeeds(NamedTuple):
     extremes: Array
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class SpeedOverCycle:
     """Speed over one cycle of steady running.
 
@@ -75,14 +75,15 @@ def speed_from_energy(energy: PeriodicCurve, inertia: PeriodicCurve) -> SpeedOve
     """
     angle = energy.angle
 
-    def square(phi: Array) -> Array:
-        return 2 * energy.value(phi) / inertia.value(phi)
-
-    def slope(phi: Array) -> Array:
-        return energy.slope(phi) * inertia.value(phi) - energy.value(phi) * inertia.slope(phi)
+    def square(phi: Array) -> Coefficient:
+        stored, carried = energy.motion(phi), inertia.motion(phi)
+        value = 2 * stored.value / carried.value
+        first = (2 * stored.first - value * carried.first) / carried.value
+        second = (2 * stored.second - 2 * first * carried.first - value * carried.second) / carried.value
+        return Coefficient(value, first, second)
 
     samples = 2 * energy.samples / inertia.samples
-    found = extremes(square, slope, grid=angle, samples=samples)
+    found = turning_points(square, samples, angle)
     with np.errstate(invalid="ignore", divide="ignore"):
         speed = np.sqrt(samples)
         smallest, largest = (Extreme(one.angle, np.sqrt(one.value)) for one in found)
@@ -128,25 +129,24 @@ def steady_speed(excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array, 
     fast = wanted**2 / 2 * np.max(carried, axis=-1, keepdims=True) + stops
     aside = _ASIDE * (np.abs(fast) + np.abs(slow))
 
+    # The slope of the mean speed by the energy is near 1/(Jω).
+    scale = wanted * np.mean(carried, axis=-1, keepdims=True)
+
     def missing(energy: Array) -> Array:
-        return grid_mean(2 * (stored + energy) / carried, mean)[..., np.newaxis] - wanted
+        if mean == "extremes":
+            found = speed_from_energy(plus(excess.work, energy[..., 0]), inertia).means.extremes
+        else:
+            found = grid_mean(2 * (stored + energy) / carried, mean)
+        return scale * (found[..., np.newaxis] - wanted)
 
-    def missing_between(energy: Array) -> Array:
-        speed = speed_from_energy(plus(excess.work, energy[..., 0]), inertia)
-        return speed.means.extremes[..., np.newaxis] - wanted
-
-    low, high = np.broadcast_arrays(np.maximum(slow - aside, stops + _ASIDE * aside), fast + aside)
-    if mean == "extremes":
-        energy = corrected_roots(missing_between, missing, low, high)[..., 0]
-    else:
-        energy = bracketed_roots(missing, low, high)[..., 0]
+    start = wanted * scale / 2 - np.mean(stored, axis=-1, keepdims=True)
+    ends = np.maximum(slow - aside, stops + _ASIDE * aside), fast + aside
+    energy = near_roots(missing, *np.broadcast_arrays(start, *ends))[..., 0]
     return SteadySpeed(speed_from_energy(plus(excess.work, energy), inertia), energy)
 
 
-def grid_mean(square: Array, mean: Mean) -> Array:
-    """Mean of a speed whose square is known on the grid, shape (..., n) [rad²/s²]; its extremes are the grid's."""
+def grid_mean(square: Array, mean: Literal["time", "angle"]) -> Array:
+    """Mean of a speed whose square is known on the grid, shape (..., n) [rad²/s²]."""
     with np.errstate(invalid="ignore", divide="ignore"):
         speed = np.sqrt(square)
-        if mean == "extremes":
-            return (np.max(speed, axis=-1) + np.min(speed, axis=-1)) / 2
         return 1 / np.mean(1 / speed, axis=-1) if mean == "time" else np.mean(speed, axis=-1)

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from cranktrain.mechanisms.kind import Kind, leaves, named_part, rows, scaled
 from cranktrain.motion import Array
-from cranktrain.numerics import Extreme, bracketed_roots, smallest, turn_grid
+from cranktrain.numerics import Extreme, bracketed_roots, near_roots, smallest, turn_grid
 
-_GRID, _COARSE_GRID = turn_grid(360), turn_grid(36)
+_GRID, _SCAN_GRID, _COARSE_GRID = turn_grid(360), turn_grid(90), turn_grid(36)
 _CHANGES = 10.0 ** np.linspace(-7, 3, 21)
 """Relative changes tried for a first bound of the margin: where the links are open anywhere, they open before."""
 _CELLS = 4
@@ -86,19 +86,36 @@ def closing_margin(kind: Kind, geometry: Any) -> ClosingMargin:
 
 def _openings(kind: Kind, geometry: Any) -> Openings:
     """Roots of the least gap over a turn, for the ways that open the links soonest."""
-    way, row, low, high = _first_openings(kind, geometry)
-    opened = rows(geometry, row)
+    found = _first_openings(kind, geometry)
+    way, low, high = found.way, found.low, found.high
+    opened = rows(geometry, found.row)
+    fall = (found.gap_low - found.gap_high) / (high - low)
 
     def least_gap(change: Array) -> Extreme:
         return _least_gap(kind, changed(kind.lengths, opened, way, change))
 
-    change = bracketed_roots(lambda trial: least_gap(trial).value, low, high)
+    # In parts of the fall, as most gaps shrink in proportion to the change.
+    change = near_roots(lambda trial: -least_gap(trial).value / fall, low + found.gap_low / fall, low, high)
     angle = np.mod(least_gap(change).angle, 2 * np.pi)
-    return Openings(row, way.length[:, 0], change[:, 0], angle[:, 0])
+    return Openings(found.row, way.length[:, 0], change[:, 0], angle[:, 0])
 
 
-def _first_openings(kind: Kind, geometry: Any) -> tuple[Way, NDArray[np.intp], Array, Array]:
-    """Ways that open the links soonest: each with the row of its mechanism, and changes between which it does."""
+class _Bracket(NamedTuple):
+    """Ways that open the links soonest: each with the row of its mechanism, and two changes with their least gaps.
+
+    Between the changes the gap becomes negative; all of shape (found, 1), row of (found,).
+    """
+
+    way: Way
+    row: NDArray[np.intp]
+    low: Array
+    high: Array
+    gap_low: Array
+    gap_high: Array
+
+
+def _first_openings(kind: Kind, geometry: Any) -> _Bracket:
+    """Scan coarsely for the ways that open the links soonest."""
     n_lengths, n_rows = len(kind.lengths), len(leaves(geometry)[0])
     ways = Way(np.repeat(np.arange(n_lengths), 2), np.tile([-1.0, 1.0], n_lengths))
 
@@ -110,11 +127,17 @@ def _first_openings(kind: Kind, geometry: Any) -> tuple[Way, NDArray[np.intp], A
     gaps = kind.gap(_COARSE_GRID, tried(np.repeat(_CHANGES[:, np.newaxis], n_rows, axis=1)))
     bound = _CHANGES[np.argmax(np.any(gaps < 0, axis=(0, -1)), axis=0)]
     cell = bound / _CELLS
-    is_open = _least_gap(kind, tried(cell * np.arange(1, _CELLS + 1)[:, np.newaxis])).value[..., 0] < 0
+    gap = _least_gap(kind, tried(cell * np.arange(_CELLS + 1)[:, np.newaxis]), _SCAN_GRID).value
+    is_open = gap[:, 1:, :, 0] < 0
     first = np.where(np.any(is_open, axis=1), np.argmax(is_open, axis=1), _CELLS)
     way, row = np.nonzero((first == np.min(first, axis=0)) & (first < _CELLS))
-    low, high = ((cell[row] * (first[way, row] + end))[:, np.newaxis] for end in (0, 1))
-    return Way(ways.length[way, np.newaxis], ways.sign[way, np.newaxis]), row, low, high
+    place = first[way, row]
+    return _Bracket(
+        Way(ways.length[way, np.newaxis], ways.sign[way, np.newaxis]),
+        row,
+        *((cell[row] * (place + end))[:, np.newaxis] for end in (0, 1)),
+        *(gap[way, place + end, row] for end in (0, 1)),
+    )
 
 
 def changed(lengths: Sequence[str], geometry: Any, way: Way, change: Array) -> Any:
@@ -135,9 +158,9 @@ def changed(lengths: Sequence[str], geometry: Any, way: Way, change: Array) -> A
     return geometry
 
 
-def _least_gap(kind: Kind, geometry: Any) -> Extreme:
+def _least_gap(kind: Kind, geometry: Any, grid: Array = _GRID) -> Extreme:
     """By how much the links close where they do so least, over a turn."""
-    return smallest(lambda phi: kind.gap(phi, geometry), grid=_GRID)
+    return smallest(lambda phi: kind.gap(phi, geometry), grid=grid)
 
 
 def _rounding(kind: Kind, geometry: Any) -> Array:

@@ -77,7 +77,7 @@ class Block(NamedTuple):
     link: tuple[str, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Drawing:
     """A mechanism to draw: how its pins move, in its own axes, and what joins them.
 
@@ -130,11 +130,18 @@ class Reaction(NamedTuple):
     by: str
 
 
+class Contact(NamedTuple):
+    """Where something slides: the joint that bears its friction, and the drawing's pin at which that acts."""
+
+    joint: str
+    pin: str
+
+
 FRAME = "frame"
 """What stands still, as one of a joint's two bodies."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Dynamics:
     """What forces a kind of mechanism gives; every function is a kernel.
 
@@ -146,8 +153,10 @@ class Dynamics:
     reactions : tuple of Reaction
         In the order in which `forces` gives them.
     sliding : tuple of str
-        Sliders that may have friction, in the order in which `Conditions` has it. The sense of each is the sign of its
+        What may have friction, in the order in which `Conditions` has it. The sense of each is the sign of its
         coordinate's velocity.
+    contacts : tuple of Contact
+        Where it slides, in that order.
     links : kernel (motion, geometry) → tuple of Link
         In the order of `moving`, in the mechanism's axes.
     load : kernel (motion, geometry, value) → wrenches
@@ -166,6 +175,7 @@ class Dynamics:
     moving: tuple[str, ...]
     reactions: tuple[Reaction, ...]
     sliding: tuple[str, ...]
+    contacts: tuple[Contact, ...]
     links: Callable[[Any, Any], tuple[Link, ...]]
     load: Callable[[Any, Any, Array], Any]
     forces: Callable[[Any, Any, Any, Any, Any], Any]
@@ -173,7 +183,7 @@ class Dynamics:
     on_master: Callable[[Any, Any, Any], Any] | None = None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Members:
     """The mechanisms of one kind in a machine: their names and geometry.
 
@@ -192,7 +202,7 @@ class Members:
     phase: Array
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Kind:
     """A kind of mechanism, as data.
 

@@ -1,44 +1,14 @@
-"""Exact conversion of units to SI and back; pint says what a unit means."""
+"""Output in the units of the list."""
 
 from fractions import Fraction
-from functools import cache
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, cast, overload
+from typing import TYPE_CHECKING, overload
 
 from cranktrain.language import _
 from cranktrain.quantities.dimensions import Dimension, Unit, plain, spellings
 from cranktrain.quantities.refusal import QuantityError
 
 if TYPE_CHECKING:
-    import pint
-
     from cranktrain.motion import Array
-
-
-class Conversion(NamedTuple):
-    """SI value = scale · number + offset, exactly."""
-
-    scale: Fraction
-    offset: Fraction
-
-
-@cache
-def _registry() -> "pint.UnitRegistry[Any]":
-    """Load our own definitions; pint's default is neither closed nor exact, and takes 500 ms."""
-    import pint  # a terminal that only lists and helps does without
-
-    definitions = str(Path(__file__).with_name("units.txt"))
-    return pint.UnitRegistry(definitions, non_int_type=cast("type[float]", Fraction), cache_folder=None)
-
-
-@cache
-def conversion(unit: Unit) -> Conversion:
-    """Scale and offset of a unit."""
-
-    def in_si(number: int) -> Fraction:
-        return cast(Fraction, _registry().Quantity(Fraction(number), unit.meaning).to_root_units().magnitude)
-
-    return Conversion(scale=in_si(1) - in_si(0), offset=in_si(0))
 
 
 @overload
@@ -69,7 +39,7 @@ def shown(si: "float | Array", unit: str) -> "float | Array":
     >>> shown(0.0635, "in"), shown(101325.0, "ati")
     (2.5, 0.0)
     """
-    scale, offset = conversion(_unit_called(unit))
+    _name, _also, scale, offset = _unit_called(unit)
     # Multiply or divide by whichever of the two is exact in binary, so that 0.07 m are 70 mm and not 70.00000000000001.
     per_unit = float(1 / scale)
     return (si - float(offset)) * per_unit if Fraction(per_unit) == 1 / scale else (si - float(offset)) / float(scale)

@@ -1,9 +1,13 @@
-"""What can be measured in a machine file, and in which units: the closed list, English names first."""
+"""What can be measured in a machine file, and in which units: the closed list, English names first.
+
+Numbers are read as fractions, so that a value is rounded once. Gauge pressures count from 101.325 kPa.
+"""
 
 import re
 import unicodedata
 from collections.abc import Mapping
 from enum import Enum
+from fractions import Fraction
 from functools import cache
 from typing import NamedTuple
 
@@ -11,16 +15,28 @@ from cranktrain.language import N_, _
 
 
 class Unit(NamedTuple):
-    """A unit of the list: its name, its other spellings, and what it means in the words of `units.txt`."""
+    """A unit of the list: its name, its other spellings, and SI value = scale · number + offset, exactly."""
 
     name: str
     also: tuple[str, ...]
-    meaning: str
+    scale: Fraction
+    offset: Fraction
 
 
-def _unit(name: str, *also: str, meaning: str | None = None) -> Unit:
-    """List a unit; where the name says what it means, pint reads the name."""
-    return Unit(name, also, meaning or name)
+def _unit(name: str, *also: str, si: int | str | Fraction = 1, offset: int | str = 0) -> Unit:
+    """List a unit with the SI value of one of it; what counts from elsewhere than zero has an offset."""
+    return Unit(name, also, Fraction(si), Fraction(offset))
+
+
+# Exact by definition: yard and pound of 1959, standard gravity of 1901. π has 50 digits, so that an angle is rounded
+# once, too.
+_INCH, _FOOT, _POUND, _GRAVITY = Fraction("0.0254"), Fraction("0.3048"), Fraction("0.45359237"), Fraction("9.80665")
+_POUND_FORCE = _POUND * _GRAVITY
+_PSI = _POUND_FORCE / _INCH**2
+_TECHNICAL_ATMOSPHERE = _GRAVITY * 10**4
+_TURN = 2 * Fraction("3.1415926535897932384626433832795028841971693993751")
+_AMBIENT = 101325
+_FREEZING = "273.15"
 
 
 class Dimension(Enum):
@@ -30,71 +46,119 @@ class Dimension(Enum):
     LENGTH = (
         N_("a length"),
         "90 mm",
-        (_unit("mm", "мм"), _unit("cm", "см"), _unit("m", "м"), _unit("in", "дюйм"), _unit("ft", "фут")),
+        (
+            _unit("mm", "мм", si="0.001"),
+            _unit("cm", "см", si="0.01"),
+            _unit("m", "м"),
+            _unit("in", "дюйм", si=_INCH),
+            _unit("ft", "фут", si=_FOOT),
+        ),
     )
     AREA = (
         N_("an area"),
         "180 cm²",
-        (_unit("cm²", "см²"), _unit("mm²", "мм²"), _unit("m²", "м²"), _unit("in²", "дюйм²")),
+        (
+            _unit("cm²", "см²", si="1e-4"),
+            _unit("mm²", "мм²", si="1e-6"),
+            _unit("m²", "м²"),
+            _unit("in²", "дюйм²", si=_INCH**2),
+        ),
     )
     VOLUME = (
         N_("a volume"),
         "3.2 L",
-        (_unit("L", "l", "л"), _unit("cm³", "см³"), _unit("in³", "дюйм³"), _unit("m³", "м³")),
+        (
+            _unit("L", "l", "л", si="0.001"),
+            _unit("cm³", "см³", si="1e-6"),
+            _unit("in³", "дюйм³", si=_INCH**3),
+            _unit("m³", "м³"),
+        ),
     )
-    ANGLE = (N_("an angle"), "30 deg", (_unit("deg", "°", "град"), _unit("rad", "рад"), _unit("rev", "об")))
+    ANGLE = (
+        N_("an angle"),
+        "30 deg",
+        (_unit("deg", "°", "град", si=_TURN / 360), _unit("rad", "рад"), _unit("rev", "об", si=_TURN)),
+    )
     SPEED = (
         N_("a speed of rotation"),
         "1500 rpm",
-        (_unit("rpm", "rev/min", "r/min", "об/мин"), _unit("rad/s", "рад/с")),
+        (_unit("rpm", "rev/min", "r/min", "об/мин", si=_TURN / 60), _unit("rad/s", "рад/с")),
     )
-    VELOCITY = (N_("a velocity"), "9 m/s", (_unit("m/s", "м/с"), _unit("mm/s", "мм/с"), _unit("ft/s", "фут/с")))
+    VELOCITY = (
+        N_("a velocity"),
+        "9 m/s",
+        (_unit("m/s", "м/с"), _unit("mm/s", "мм/с", si="0.001"), _unit("ft/s", "фут/с", si=_FOOT)),
+    )
     FORCE = (
         N_("a force"),
         "500 N",
-        (_unit("N", "Н"), _unit("kN", "кН"), _unit("kgf", "кгс"), _unit("tf", "тс"), _unit("lbf", "фунт-сила")),
+        (
+            _unit("N", "Н"),
+            _unit("kN", "кН", si=1000),
+            _unit("kgf", "кгс", si=_GRAVITY),
+            _unit("tf", "тс", si=1000 * _GRAVITY),
+            _unit("lbf", "фунт-сила", si=_POUND_FORCE),
+        ),
     )
     TORQUE = (
         N_("a torque"),
         "120 N·m",
         (
             _unit("N·m", "Н·м"),
-            _unit("kgf·m", "кгс·м"),
-            _unit("lbf·ft", "ft·lbf", "фунт-сила·фут"),
-            _unit("lbf·in", "in·lbf", "фунт-сила·дюйм"),
+            _unit("kgf·m", "кгс·м", si=_GRAVITY),
+            _unit("lbf·ft", "ft·lbf", "фунт-сила·фут", si=_POUND_FORCE * _FOOT),
+            _unit("lbf·in", "in·lbf", "фунт-сила·дюйм", si=_POUND_FORCE * _INCH),
         ),
     )
     PRESSURE = (
         N_("a pressure"),
         "800 kPa",
         (
-            _unit("kPa", "кПа"),
+            _unit("kPa", "кПа", si=1000),
             _unit("Pa", "Па"),
-            _unit("MPa", "МПа"),
-            _unit("bar", "бар"),
-            _unit("barg", "бари"),
-            _unit("at", "ат", "kgf/cm²", "кгс/см²"),
-            _unit("ati", "ати"),
-            _unit("atm", "атм"),
-            _unit("psi", "psia", "фунт-сила/дюйм²"),
-            _unit("psig"),
+            _unit("MPa", "МПа", si=10**6),
+            _unit("bar", "бар", si=10**5),
+            _unit("barg", "бари", si=10**5, offset=_AMBIENT),
+            _unit("at", "ат", "kgf/cm²", "кгс/см²", si=_TECHNICAL_ATMOSPHERE),
+            _unit("ati", "ати", si=_TECHNICAL_ATMOSPHERE, offset=_AMBIENT),
+            _unit("atm", "атм", si=_AMBIENT),
+            _unit("psi", "psia", "фунт-сила/дюйм²", si=_PSI),
+            _unit("psig", si=_PSI, offset=_AMBIENT),
         ),
     )
-    MASS = (N_("a mass"), "4.5 kg", (_unit("kg", "кг"), _unit("g", "г"), _unit("t", "т"), _unit("lb", "фунт")))
+    MASS = (
+        N_("a mass"),
+        "4.5 kg",
+        (
+            _unit("kg", "кг"),
+            _unit("g", "г", si="0.001"),
+            _unit("t", "т", si=1000),
+            _unit("lb", "фунт", si=_POUND),
+        ),
+    )
     INERTIA = (N_("a moment of inertia"), "0.5 kg·m²", (_unit("kg·m²", "кг·м²"),))
     FLYWHEEL_MOMENT = (
         N_("a flywheel moment GD²"),
         "2 kgf·m²",
         (  # a weight G and a mass G in these two units are the same number
-            _unit("kgf·m²", "кгс·м²", meaning="kgf·m²/g_n"),
+            _unit("kgf·m²", "кгс·м²"),
             _unit("kg·m²", "кг·м²"),
-            _unit("N·m²", "Н·м²", meaning="N·m²/g_n"),
+            _unit("N·m²", "Н·м²", si=1 / _GRAVITY),
         ),
     )
-    POWER = (N_("a power"), "220 kW", (_unit("kW", "кВт"), _unit("W", "Вт"), _unit("hp"), _unit("PS", "л.с.")))
-    STIFFNESS = (N_("a stiffness"), "250 N/mm", (_unit("N/mm", "Н/мм"), _unit("N/m", "Н/м")))
-    DENSITY = (N_("a density"), "7200 kg/m³", (_unit("kg/m³", "кг/м³"), _unit("g/cm³", "г/см³")))
-    TEMPERATURE = (N_("a temperature"), "20 °C", (_unit("°C", "degC", "°С"), _unit("K", "К")))
+    POWER = (
+        N_("a power"),
+        "220 kW",
+        (
+            _unit("kW", "кВт", si=1000),
+            _unit("W", "Вт"),
+            _unit("hp", si=550 * _FOOT * _POUND_FORCE),
+            _unit("PS", "л.с.", si=75 * _GRAVITY),
+        ),
+    )
+    STIFFNESS = (N_("a stiffness"), "250 N/mm", (_unit("N/mm", "Н/мм", si=1000), _unit("N/m", "Н/м")))
+    DENSITY = (N_("a density"), "7200 kg/m³", (_unit("kg/m³", "кг/м³"), _unit("g/cm³", "г/см³", si=1000)))
+    TEMPERATURE = (N_("a temperature"), "20 °C", (_unit("°C", "degC", "°С", offset=_FREEZING), _unit("K", "К")))
 
     def __init__(self, noun: str, example: str, units: tuple[Unit, ...]) -> None:
         self.noun = noun

@@ -1,4 +1,4 @@
-"""The number before a unit, by a strict rule of ours: pint reads `1,5 m` as 15 m and `7 1/16 in` as 0.4375 in."""
+"""The number before a unit, by a strict rule: laxer readers take `1,5 m` for 15 m and `7 1/16 in` for 0.4375 in."""
 
 import math
 import re

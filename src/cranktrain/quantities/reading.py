@@ -5,7 +5,6 @@ from itertools import zip_longest
 from typing import NamedTuple
 
 from cranktrain.language import _
-from cranktrain.quantities.conversion import conversion
 from cranktrain.quantities.dimensions import Dimension, Unit, expected, plain, spellings
 from cranktrain.quantities.number import Measured, measured, rounded
 from cranktrain.quantities.refusal import QuantityError, nearest, written
@@ -65,7 +64,7 @@ def reading(given: object, dimension: Dimension) -> Reading:
         if parts is None:
             raise _no_number(text, dimension)
         unit = _unit(parts, text, dimension)
-        exact = parts.number if unit is None else conversion(unit).scale * parts.number + conversion(unit).offset
+        exact = parts.number if unit is None else unit.scale * parts.number + unit.offset
         return Reading(rounded(exact), text, unit)
     except ZeroDivisionError:
         raise QuantityError(text, _("must be a fraction whose denominator is not 0")) from None

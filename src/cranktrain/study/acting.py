@@ -177,14 +177,14 @@ def _reactions_on(name: str, reactions: Sequence[tuple[Reaction, Array]], number
     """Reactions on one link."""
     for reaction, value in reactions:
         if name == reaction.on:
-            yield Force(_pair(numbers[reaction.by], numbers[name]), "reaction", reaction.name, value)
+            yield Force(pair_symbol("F", numbers[reaction.by], numbers[name]), "reaction", reaction.name, value)
         elif name == reaction.by:
-            yield Force(_pair(numbers[reaction.on], numbers[name]), "reaction", reaction.name, -value)
+            yield Force(pair_symbol("F", numbers[reaction.on], numbers[name]), "reaction", reaction.name, -value)
 
 
-def _pair(by: int, on: int) -> str:
-    """Symbol of the force of one body on another."""
-    return f"F_{by}{on}" if max(by, on) < 10 else f"F_{by},{on}"
+def pair_symbol(letter: str, by: int, on: int) -> str:
+    """Symbol of a force of one body on another."""
+    return f"{letter}_{by}{on}" if max(by, on) < 10 else f"{letter}_{by},{on}"
 
 
 def _hanging(machine: Machine, one: Member, solved: Sequence[Any]) -> Iterator[tuple[str, str, Array]]:

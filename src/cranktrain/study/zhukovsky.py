@@ -3,19 +3,29 @@
 The plan is turned by 90° clockwise, so that a force's moment about the pole, anticlockwise, is its power.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity, Wrench
+from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity, Wrench, added
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.study.acting import Force, Member, known_forces, link_numbers, loads_of, made_ready, member_of
+from cranktrain.study.acting import (
+    Force,
+    Member,
+    known_forces,
+    link_numbers,
+    loads_of,
+    made_ready,
+    member_of,
+    pair_symbol,
+)
 from cranktrain.study.acting import turned_to_machine as turned
 from cranktrain.study.placement import place_called
 from cranktrain.study.plans import closed_angles
+from cranktrain.study.rubbing import Rubbing, friction_on_links
 
 
 class LeverForce(NamedTuple):
@@ -44,7 +54,7 @@ class Lever:
     speed : float
         Of the crank. [rad/s]
     forces : tuple of LeverForce
-        Loads, weights, forces and couples of inertia of the mechanism's own links.
+        Loads, weights, forces and couples of inertia, and friction of the mechanism's own links.
     driving_torque : float
         What must be applied to the crank for them, by the joints' reactions. [N·m]
     """
@@ -68,7 +78,7 @@ def zhukovsky_lever(machine: Machine, angle: float, *, mechanism: str | None = N
     Parameters
     ----------
     machine : Machine
-        With masses or gas, and a speed, which is taken as constant. Friction is left out.
+        With masses or gas, and a speed, which is taken as constant.
     angle : float
         Crank angle as the machine shows it. [deg]
     mechanism : str, optional
@@ -81,8 +91,8 @@ def zhukovsky_lever(machine: Machine, angle: float, *, mechanism: str | None = N
 
     Notes
     -----
-    M ω + Σ F·v + Σ M_i ω_i = 0, docs/theory/forces, eq. (13.6). The driving torque comes from the joints' reactions,
-    which the lever does without.
+    M ω + Σ F·v + Σ M_i ω_i = 0, docs/theory/forces, eqs. (13.6) and (13.7). The driving torque comes from the joints'
+    reactions, of which the lever knows friction alone: what a master's guide bears of its slaves rubs on the master's.
     """
     place = place_called(machine, mechanism)
     shown = closed_angles(machine, place, [angle])
@@ -95,7 +105,10 @@ def zhukovsky_lever(machine: Machine, angle: float, *, mechanism: str | None = N
         for force in _of_link(machine, one, i, numbers[name])
         if force.moment != 0.0 or (force.point and np.any(force.value))
     ]
-    return Lever(place.name, float(shown[0]), float(loaded.speed[0, 0, 0]), tuple(forces), _driving_torque(one))
+    rubbing = list(friction_on_links(one))
+    forces += (_of_friction(machine, one, each, numbers) for each in rubbing)
+    torque = _driving_torque(one, rubbing)
+    return Lever(place.name, float(shown[0]), float(loaded.speed[0, 0, 0]), tuple(forces), torque)
 
 
 def _of_link(machine: Machine, one: Member, i: int, number: int) -> Iterator[LeverForce]:
@@ -119,6 +132,17 @@ def _at(force: Force, point: str, velocity: Array, one: Member) -> LeverForce:
     speed = float(one.loaded.speed[0, 0, 0])
     moment = float(value @ velocity) / speed
     return LeverForce(force.symbol, point, _pair(value), _pair(velocity), moment)
+
+
+def _of_friction(machine: Machine, one: Member, rubbing: Rubbing, numbers: dict[str, int]) -> LeverForce:
+    """Friction at its point, `f_14` of 1 on 4."""
+    speed = float(one.loaded.speed[0, 0, 0])
+    wrench = rubbing.wrench
+    value = turned(machine, one.place, wrench.x[0], wrench.y[0])[:, 0]
+    x, y = (speed * np.array([part]) for part in rubbing.velocity)
+    velocity = turned(machine, one.place, x, y)[:, 0]
+    symbol = pair_symbol("f", numbers[rubbing.by], numbers[rubbing.on])
+    return LeverForce(symbol, rubbing.pin, _pair(value), _pair(velocity), float(value @ velocity) / speed)
 
 
 def _pair(vector: Array) -> tuple[float, float]:
@@ -149,6 +173,12 @@ def _nothing(one: Member) -> Any:
     return one.dynamics.load(one.motion, one.size, np.zeros((1, 1)))
 
 
+def _loads(one: Member, wrenches: Sequence[Wrench]) -> Any:
+    """Loads of all links as the kind's kernels take them."""
+    made = _nothing(one)
+    return type(made)(*wrenches) if hasattr(made, "_fields") else tuple(wrenches)
+
+
 def _bodies(one: Member, i: int, body: Body) -> Any:
     """Bodies of all links, of which only one has mass."""
     nothing = Body(*(np.zeros((1, 1)) for _part in Body._fields))
@@ -163,8 +193,7 @@ def _work(one: Member, i: int, wrench: Wrench) -> float:
     """Work by the crank angle of a wrench on one link, about its first pin."""
     loads = list(_nothing(one))
     loads[i] = wrench
-    made = _nothing(one)
-    acting = type(made)(*loads) if hasattr(made, "_fields") else tuple(loads)
+    acting = _loads(one, loads)
     return float(
         np.ravel(one.dynamics.reduced(one.motion, one.size, _bodies(one, i, _NO_BODY), acting, _NO_GRAVITY).load)[0]
     )
@@ -185,10 +214,14 @@ def _couple(one: Member, i: int) -> float:
     return 0.5 * float(np.ravel(equation.inertia.first)[0]) * float(one.loaded.speed[0, 0, 0]) ** 2
 
 
-def _driving_torque(one: Member) -> float:
-    """Torque that must be applied to the crank for the mechanism alone, by its joints' reactions, without friction."""
+def _driving_torque(one: Member, rubbing: Sequence[Rubbing]) -> float:
+    """Torque to be applied to the crank for the mechanism alone, by its joints' reactions; friction is a load."""
     speed = one.loaded.speed[0]
     still = Drive(speed, np.zeros_like(speed))
     conditions = Conditions(still, one.gravity, tuple(NO_FRICTION for _slider in one.dynamics.sliding))
-    forces = one.dynamics.forces(one.motion, one.size, one.dynamics.bodies(*one.bodies), loads_of(one), conditions)
+    acting = dict(zip(one.dynamics.moving, loads_of(one), strict=True))
+    for each in rubbing:
+        acting[each.on] = added(acting[each.on], each.wrench)
+    loads = _loads(one, list(acting.values()))
+    forces = one.dynamics.forces(one.motion, one.size, one.dynamics.bodies(*one.bodies), loads, conditions)
     return float(np.ravel(forces.driving_torque)[0])

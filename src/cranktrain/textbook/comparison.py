@@ -70,7 +70,7 @@ FORMS: Mapping[str, Mapping[str, Form]] = {
 """The sources' forms by method, and for each the kinds of mechanism that it speaks of."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class TextbookMotion:
     """Motion of every piston by each method, `exact` first; NaN where a source has no form for the mechanism."""
 

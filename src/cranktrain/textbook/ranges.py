@@ -16,7 +16,7 @@ _ROUNDING = 1e-12
 """A ratio is a quotient of lengths: one that rounding moved off a limit still stands on it."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Range:
     """The range of one method, as its source gives it.
 

@@ -7,7 +7,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from cranktrain.loads.harmonic_series import acceleration_series, torque_series, two_harmonics
+from cranktrain.loads.harmonic_series import acceleration_series, torque_series, two_harmonic_torque, two_harmonics
 from cranktrain.loads.rod_harmonics import acceleration_harmonics, torque_harmonics
 
 TABLE = json.loads((Path(__file__).parents[2] / "golden/theory/harmonics_pnskt.json").read_text(encoding="utf-8"))
@@ -106,3 +106,13 @@ def test_two_harmonics_miss_a_quarter_of_the_cube():
     assert found.textbook[2] == 0.1
     assert found.error[2] == pytest.approx(-(0.1**3) / 4, rel=0.01)
     assert found.error[4] == pytest.approx(0.1**3 / 4, rel=0.01)
+
+
+def test_torque_of_two_harmonics_is_their_product():
+    """−(sin φ + ½λ sin 2φ)(cos φ + λ cos 2φ) has no order above 4: 16 points are exact."""
+    phi = np.arange(16) * (2 * np.pi / 16)
+    found = two_harmonic_torque(0.25)
+    product = -(np.sin(phi) + 0.125 * np.sin(2 * phi)) * (np.cos(phi) + 0.25 * np.cos(2 * phi))
+    expected = [2 * np.mean(product * np.sin(k * phi)) for k in range(7)]
+    np.testing.assert_allclose(found.textbook, expected, rtol=0, atol=1e-15)
+    np.testing.assert_array_equal(found.error, found.textbook - torque_harmonics(0.25, 6))

@@ -2,9 +2,11 @@
 
 import numpy as np
 import pytest
+from tests.unit.engine.test_friction import CHAIN
 from tests.weighed_machines import WEIGHED as MACHINES
 
 import cranktrain as ct
+from cranktrain.engine.masses import part_name
 from cranktrain.engine.torque import ShaftTorques
 from cranktrain.errors import InputError
 from cranktrain.study.force_polygons import force_polygons, rescaled
@@ -66,6 +68,59 @@ def test_levers_of_all_mechanisms_are_the_torque_of_the_machine():
     assert any(isinstance(gift, ShaftTorques) for gift in result.gifts)
     torque = result.machine_torque[result.crank_angle == 30.0]
     assert -sum(lever.driving_torque for lever in levers) == pytest.approx(float(torque[0]), rel=1e-12)
+
+
+def rubbing(machine):
+    """The machine with friction in everything that slides, of another coefficient each."""
+    sliding = sorted({part_name(name) for place in machine.places for name in place.kind.dynamics.sliding})
+    given = {name: getattr(machine, name) for name in machine.model_fields_set}
+    return ct.Machine(**given | {"friction": {name: 0.1 - 0.01 * n for n, name in enumerate(sliding)}})
+
+
+RUBBING = [name for name in MACHINES if name != "crank_rocker"]
+
+
+@pytest.mark.parametrize("name", [*RUBBING, "slots and a triad"])
+def test_levers_with_friction_are_the_exact_torque(name):
+    """All mechanisms' levers together, a master's guide bearing its slaves, against the torque with friction."""
+    chain = ct.Machine(shaft={"main": {"speed": "900 rpm"}}, gravity=True, **CHAIN)
+    machine = rubbing(MACHINES.get(name, chain))
+    torque = ct.run(machine, quantities=("driving_torque",)).driving_torque
+    smooth = ct.run(MACHINES.get(name, chain), quantities=("driving_torque",)).driving_torque
+    for angle in (33, 130):
+        levers = [zhukovsky_lever(machine, angle, mechanism=place.name) for place in machine.places]
+        assert max(lever.residual for lever in levers) < 1e-10
+        assert sum(lever.driving_torque for lever in levers) == pytest.approx(torque[angle], rel=1e-10)
+        drags = [force for lever in levers for force in lever.forces if force.symbol.startswith("f_")]
+        assert len(drags) >= len(levers)
+        assert sum(force.moment for force in drags) < 0
+        assert torque[angle] != pytest.approx(smooth[angle], rel=1e-6)
+
+
+def test_friction_by_hand():
+    """As above with μ = 0.1: the piston goes toward the shaft, tan θ = −5/12 of the rod from its crank pin.
+
+    N = N₀/(1 + k), N₀ = 416.67 N · 5/12, k = 0.1 · 5/12; friction is 16.67 N away from the shaft.
+    """
+    machine = ct.Machine(
+        shaft={"main": {"speed": "100 rad/s"}},
+        mechanism={"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "130 mm"},
+        masses={"piston": {"mass": "2 kg"}},
+        friction={"piston": 0.1},
+    )
+    lever = zhukovsky_lever(machine, 90.0)
+    _inertia, friction = lever.forces
+    assert (friction.symbol, friction.point) == ("f_14", "B")
+    assert friction.value == pytest.approx((0.0, 50 / 3), abs=1e-9)
+    assert friction.velocity == pytest.approx((0.0, -5.0), abs=1e-12)
+    assert friction.moment == pytest.approx(-5 / 6, rel=1e-13)
+    assert lever.driving_torque == pytest.approx(-20.0, rel=1e-13)
+
+
+def test_what_stands_still_has_no_friction_on_the_lever():
+    machine = rubbing(MACHINES["slider_crank"])
+    for angle in (0.0, 180.0):
+        assert not [force for force in zhukovsky_lever(machine, angle).forces if force.symbol.startswith("f_")]
 
 
 def test_numbers_by_hand():

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from tests.unit.study.test_force_polygons import rubbing
 from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
 from tests.weighed_machines import WEIGHED
 
@@ -31,6 +32,13 @@ def results():
 def test_plan_is_readable(name, draw):
     mechanism = "1valve" if name == "walschaerts" else None
     assert_words_are_readable(draw(WEIGHED[name], [60.0], mechanism=mechanism))
+
+
+@pytest.mark.parametrize("name", ["slider_crank", "scotch_yoke", "slotted_lever", "chain", "3d12"])
+def test_lever_with_friction_is_readable(name):
+    drawn = plan_zhukovsky(rubbing(WEIGHED[name]), [60.0])
+    assert_words_are_readable(drawn)
+    assert any(text.startswith("$f_{") for text, _box in words_of(drawn))
 
 
 @pytest.mark.parametrize("name", [*ENGINES, "crank_rocker"])

@@ -53,7 +53,7 @@ class Columns(NamedTuple):
     ambient: float = STANDARD_ATMOSPHERE
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Trace:
     """An indicator file as it was read, in the file's own order and counting.
 

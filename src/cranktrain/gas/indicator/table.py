@@ -16,7 +16,7 @@ _MOST_PROBLEMS = 10
 """Problems told of one file; a file of another kind has one in every line."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Table:
     """A table of numbers.
 
@@ -37,7 +37,7 @@ class Table:
     columns: tuple[tuple[int, ...], ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class _Field:
     """A field of a line: its text without blanks and quotes, and its column from 1."""
 

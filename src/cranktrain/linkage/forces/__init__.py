@@ -22,11 +22,19 @@ from cranktrain.linkage.forces.body import (
 )
 from cranktrain.linkage.forces.conditions import NO_FRICTION, Conditions, Friction, borne
 from cranktrain.linkage.forces.crank import CrankReactions, carrying_crank, crank_link, crank_reactions
+from cranktrain.linkage.forces.crossing import CrossingForces, CrossingFriction, crossing_forces
 from cranktrain.linkage.forces.pin import PinLoads, PinReactions, pin_reactions
 from cranktrain.linkage.forces.slide import SlideLoads, SlideReactions, slide_reactions, slider_link
 from cranktrain.linkage.forces.swivel import SwivelLoads, SwivelReactions, swivel_reactions, swivel_slider_link
 from cranktrain.linkage.forces.trammel import TrammelLoads, TrammelReactions, trammel_reactions
-from cranktrain.linkage.forces.triad import LegReactions, TriadLoads, TriadReactions, triad_reactions
+from cranktrain.linkage.forces.triad import (
+    LegReactions,
+    TriadFriction,
+    TriadLoads,
+    TriadReactions,
+    triad_reactions,
+    triad_reactions_with_friction,
+)
 from cranktrain.linkage.forces.wrench import Wrench, added, handed_back, opposite, turned_wrench, work
 from cranktrain.linkage.forces.yoke import YokeLoads, YokeReactions, block_link, yoke_reactions
 
@@ -35,6 +43,8 @@ __all__ = [
     "Body",
     "Conditions",
     "CrankReactions",
+    "CrossingForces",
+    "CrossingFriction",
     "Drive",
     "Friction",
     "Gravity",
@@ -50,6 +60,7 @@ __all__ = [
     "SwivelReactions",
     "TrammelLoads",
     "TrammelReactions",
+    "TriadFriction",
     "TriadLoads",
     "TriadReactions",
     "Wrench",
@@ -63,6 +74,7 @@ __all__ = [
     "carrying_crank",
     "crank_link",
     "crank_reactions",
+    "crossing_forces",
     "handed_back",
     "momentum",
     "opposite",
@@ -77,6 +89,7 @@ __all__ = [
     "torque_by_work",
     "trammel_reactions",
     "triad_reactions",
+    "triad_reactions_with_friction",
     "turned_wrench",
     "weight",
     "work",

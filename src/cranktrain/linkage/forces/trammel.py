@@ -1,9 +1,10 @@
-"""Reactions of a PRP group: a block in a moving link's slot, jointed to a slider, with friction in its guide."""
+"""Reactions of a PRP group: a block in a moving link's slot, jointed to a slider, with friction in slot and guide."""
 
 from typing import NamedTuple
 
-from cranktrain.linkage.forces.conditions import Friction, dragged, pressed
-from cranktrain.linkage.forces.wrench import Wrench
+from cranktrain.linkage.forces.conditions import Friction
+from cranktrain.linkage.forces.crossing import CrossingFriction, crossing_forces
+from cranktrain.linkage.forces.wrench import Wrench, added
 from cranktrain.motion import Link
 
 
@@ -22,7 +23,7 @@ class TrammelReactions(NamedTuple):
     guide: Wrench
 
 
-def trammel_reactions(link: Link, loads: TrammelLoads, friction: Friction) -> TrammelReactions:
+def trammel_reactions(link: Link, loads: TrammelLoads, friction: CrossingFriction) -> TrammelReactions:
     """Reactions of a slider on a guide along x and the block by which a moving link's slot drives it.
 
     Parameters
@@ -30,8 +31,8 @@ def trammel_reactions(link: Link, loads: TrammelLoads, friction: Friction) -> Tr
     link : Link, shape (..., n)
         The slotted link, in the guide's axes.
     loads : TrammelLoads, shape (..., n)
-    friction : Friction, fields broadcastable to (..., n)
-        Of the slider in its guide; the slot has none.
+    friction : CrossingFriction, fields broadcastable to (..., n)
+        The slot's sense is that of the block along the link.
 
     Returns
     -------
@@ -40,19 +41,15 @@ def trammel_reactions(link: Link, loads: TrammelLoads, friction: Friction) -> Tr
 
     Notes
     -----
-    As a yoke whose slot has the link's direction, loaded by block and slider together. docs/theory/forces,
-    eqs. (13.20) and (13.21).
+    As a yoke whose slot has the link's direction, loaded by block and slider together. Here the block is the slider's
+    and not the slot's, so that friction has the other sign. docs/theory/forces, eqs. (13.18) to (13.21).
     """
-    slope = link.cos / link.sin
-    load_x = loads.block.x + loads.slider.x
-    load_y = loads.block.y + loads.slider.y
-    normal = pressed(-load_y - load_x * slope, -slope, friction)
-    drag = dragged(normal, friction)
-    x = -(load_x + drag)
-    y = -x * slope
-    zero = 0.0 * x
+    slot = Friction(friction.slot.coefficient, -friction.slot.sense)
+    together = added(loads.block, loads.slider)
+    found = crossing_forces(link.cos, link.sin, together, CrossingFriction(friction.guide, slot))
+    zero = 0.0 * found.x
     return TrammelReactions(
-        Wrench(x, y, zero - loads.block.moment),
-        Wrench(x + loads.block.x, y + loads.block.y, zero),
-        Wrench(drag, normal, zero - loads.slider.moment),
+        Wrench(found.x, found.y, zero - loads.block.moment),
+        Wrench(found.x + loads.block.x, found.y + loads.block.y, zero),
+        Wrench(found.drag, found.normal, zero - loads.slider.moment),
     )

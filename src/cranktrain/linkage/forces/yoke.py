@@ -1,10 +1,10 @@
-"""Reactions of an RPP group: a block on a pin in a slider's slot, with friction between slider and guide."""
+"""Reactions of an RPP group: a block on a pin in a slider's slot, with friction in slot and guide."""
 
 from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.linkage.forces.conditions import Friction, dragged, pressed
+from cranktrain.linkage.forces.crossing import CrossingFriction, crossing_forces
 from cranktrain.linkage.forces.wrench import Wrench
 from cranktrain.linkage.yoke import Yoke
 from cranktrain.motion import Array, Coefficient, Link, Point
@@ -34,8 +34,8 @@ def block_link(pin: Point, angle: Array) -> Link:
     return Link(pin, Coefficient(angle + zero, zero, zero), np.cos(angle) + zero, np.sin(angle) + zero)
 
 
-def yoke_reactions(block: Array, geometry: Yoke, loads: YokeLoads, friction: Friction) -> YokeReactions:
-    """Reactions of a block and its slotted slider; none of friction in the slot.
+def yoke_reactions(block: Array, geometry: Yoke, loads: YokeLoads, friction: CrossingFriction) -> YokeReactions:
+    """Reactions of a block and its slotted slider.
 
     Parameters
     ----------
@@ -43,7 +43,7 @@ def yoke_reactions(block: Array, geometry: Yoke, loads: YokeLoads, friction: Fri
         Its position along the slot, from where that meets the guide. [m]
     geometry : Yoke, fields broadcastable to (..., 1)
     loads : YokeLoads, shape (..., n)
-    friction : Friction, fields broadcastable to (..., n)
+    friction : CrossingFriction, fields broadcastable to (..., n)
 
     Returns
     -------
@@ -52,22 +52,17 @@ def yoke_reactions(block: Array, geometry: Yoke, loads: YokeLoads, friction: Fri
 
     Notes
     -----
-    With X, Y the slider's load and β the slot's angle: N = N₀ + μσ|N| cot β, N₀ = −Y − X cot β, and the block presses
-    with (X + f)/sin β to the left of the slot. docs/theory/forces, eqs. (13.18) and (13.19).
+    `crossing_forces` with the slot's angle; the block's force at its place along the slot gives the guide a moment.
+    docs/theory/forces, eqs. (13.18) to (13.20).
     """
     sin = np.sin(geometry.slot_angle)
     cos = np.cos(geometry.slot_angle)
-    slope = cos / sin
-    load = loads.slider
-    normal = pressed(-load.y - load.x * slope, -slope, friction)
-    drag = dragged(normal, friction)
-    across = (load.x + drag) / sin
-    x = -(load.x + drag)
-    y = across * cos
-    zero = 0.0 * x
+    found = crossing_forces(cos, sin, loads.slider, friction)
     couple = loads.block.moment
+    zero = 0.0 * found.x
+    across = cos * found.y - sin * found.x
     return YokeReactions(
-        Wrench(x - loads.block.x, y - loads.block.y, zero),
-        Wrench(x, y, zero + couple),
-        Wrench(drag, normal, -(load.moment + couple + block * across)),
+        Wrench(found.x - loads.block.x, found.y - loads.block.y, zero),
+        Wrench(found.x, found.y, zero + couple),
+        Wrench(found.drag, found.normal, -(loads.slider.moment + couple + block * across)),
     )

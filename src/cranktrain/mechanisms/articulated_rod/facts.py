@@ -16,14 +16,14 @@ _ROD = ("articulated_rod",)
 _THEORY = "docs/theory/articulated-rod"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ArticulatedRods(Members):
     """The articulated rods of a machine."""
 
     geometry: ArticulatedRod
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Articulation:
     """Where the knuckle pin stands, and where it would have to stand for an unshifted dead centre."""
 

@@ -24,7 +24,7 @@ from cranktrain.linkage.forces import (
     turned_wrench,
 )
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, ArticulatedRodMotion
-from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
+from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Reaction
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import Array, Link
 
@@ -198,6 +198,7 @@ DYNAMICS = Dynamics(
         Reaction("master_guide", "master_slider", FRAME),
     ),
     sliding=("slider",),
+    contacts=(Contact("guide", "D"),),
     links=articulated_rod_links,
     load=articulated_rod_load,
     forces=articulated_rod_forces,

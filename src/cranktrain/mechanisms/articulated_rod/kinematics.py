@@ -55,15 +55,19 @@ def articulated_rod(angle: Array, geometry: ArticulatedRod) -> ArticulatedRodMot
     docs/theory/articulated-rod; (I.13) of [Bolotin] is its two-harmonic form.
     """
     master = slider_crank(angle, geometry.master)
-    knuckle = turned(
-        point(master.rod, LinkPoint(geometry.knuckle_radius, geometry.articulation_angle)), geometry.bank_angle
-    )
+    knuckle = knuckle_pin(master.rod, geometry)
     slave = slide(knuckle, Slide(geometry.rod_length, geometry.offset, AHEAD))
     return ArticulatedRodMotion(master.pin, master.rod, knuckle, slave.slider, slave.rod)
 
 
+def knuckle_pin(master_rod: Link, geometry: ArticulatedRod) -> Point:
+    """Knuckle pin on the master's rod, in the slave cylinder's axes. [m, m/rad, m/rad²]"""
+    on_rod = point(master_rod, LinkPoint(geometry.knuckle_radius, geometry.articulation_angle))
+    return turned(on_rod, geometry.bank_angle)
+
+
 def articulated_rod_gap(angle: Array, geometry: ArticulatedRod) -> Array:
     """By how much the shorter of master and slave rod is long enough; negative where the links cannot close. [m]"""
-    knuckle = articulated_rod(angle, geometry).knuckle
+    knuckle = knuckle_pin(slider_crank(angle, geometry.master).rod, geometry)
     slave = slide_gap(knuckle, Slide(geometry.rod_length, geometry.offset, AHEAD))
     return np.fmin(slider_crank_gap(angle, geometry.master), slave)

@@ -5,13 +5,16 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from cranktrain.linkage import OnLine, Pin, PinMotion, Slide, Swivel, Yoke, turned, turned_link
+from cranktrain.linkage import OnLine, Pin, PinMotion, Slide, Swivel, Yoke, turned_link
 from cranktrain.linkage.forces import (
+    NO_FRICTION,
+    CrossingFriction,
     Friction,
     PinLoads,
     SlideLoads,
     SwivelLoads,
     TrammelLoads,
+    TriadFriction,
     TriadLoads,
     Wrench,
     YokeLoads,
@@ -22,11 +25,12 @@ from cranktrain.linkage.forces import (
     swivel_reactions,
     trammel_reactions,
     triad_reactions,
+    triad_reactions_with_friction,
     turned_wrench,
     yoke_reactions,
 )
 from cranktrain.mechanisms.chain.joints import GUIDE, joint_name
-from cranktrain.mechanisms.chain.made import pin_of
+from cranktrain.mechanisms.chain.made import pin_of, slot_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     MountStep,
@@ -54,7 +58,7 @@ _NOTHING = Wrench(single(0.0), single(0.0), single(0.0))
 
 
 class BackwardWalk(NamedTuple):
-    """What the walk goes by, and what it fills: each link's load, each joint's wrench, each slider's friction."""
+    """What the walk goes by, and what it fills: links' loads, joints' wrenches, friction of sliders and blocks."""
 
     made: dict[str, Any]
     links: Mapping[str, Link]
@@ -107,32 +111,36 @@ def _solve_swivel(step: SwivelStep, own: SwivelSize, walk: BackwardWalk) -> None
     _hang(walk, step.pin, step.slider, found.pin)
     _hang(walk, step.pivot, step.guide, found.pivot)
     walk.joints[joint_name(step.slider, step.guide)] = found.slider
-    walk.drags[step.slider] = -(held.line.cos * found.slider.x + held.line.sin * found.slider.y)
+    walk.drags[step.slider] = -_along(found.slider, held.line.cos, held.line.sin)
 
 
 def _solve_yoke(step: YokeStep, own: YokeSize, walk: BackwardWalk) -> None:
-    block = _block_of_yoke(walk, step, own)
+    block = walk.made[slot_of(step.slider)].value
     loads = YokeLoads(_NOTHING, turned_wrench(walk.loads[step.slider], own.direction))
-    found = yoke_reactions(block, Yoke(own.offset, own.slot_angle), loads, walk.friction[step.slider])
+    found = yoke_reactions(block, Yoke(own.offset, own.slot_angle), loads, _crossing(walk, step.slider))
     _hang(walk, step.pin, step.slider, turned_wrench(found.pin, -own.direction))
     _note_guide(walk, step.slider, found.guide, own.direction)
+    walk.drags[slot_of(step.slider)] = -_along(found.slot, np.cos(own.slot_angle), np.sin(own.slot_angle))
 
 
-def _block_of_yoke(walk: BackwardWalk, step: YokeStep, own: YokeSize) -> Array:
-    """Position of a yoke's block along its slot; the walk forward keeps the slider only."""
-    pin, slider = (turned(walk.made[name], own.direction) for name in (step.pin, pin_of(step.slider)))
-    return (pin.y.value - slider.y.value) / np.sin(own.slot_angle)
+def _crossing(walk: BackwardWalk, slider: str) -> CrossingFriction:
+    return CrossingFriction(walk.friction[slider], walk.friction[slot_of(slider)])
+
+
+def _along(wrench: Wrench, cos: Array, sin: Array) -> Array:
+    return cos * wrench.x + sin * wrench.y
 
 
 def _solve_trammel(step: TrammelStep, own: TrammelSize, walk: BackwardWalk) -> None:
     loads = TrammelLoads(_NOTHING, turned_wrench(walk.loads[step.slider], own.direction))
     link = turned_link(walk.made[step.link], own.direction)
-    found = trammel_reactions(link, loads, walk.friction[step.slider])
+    found = trammel_reactions(link, loads, _crossing(walk, step.slider))
     slot = turned_wrench(found.slot, -own.direction)
     place = pin_of(step.slider)
     walk.joints[joint_name(place, step.slider)] = slot
     _load(walk, step.link, walk.made[place], slot)
     _note_guide(walk, step.slider, found.guide, own.direction)
+    walk.drags[slot_of(step.slider)] = _along(found.slot, link.cos, link.sin)
 
 
 def _note_guide(walk: BackwardWalk, slider: str, guide: Wrench, direction: Array) -> None:
@@ -146,14 +154,19 @@ def _solve_triad(step: TriadStep, own: TriadSize, walk: BackwardWalk) -> None:
     first, second, third = (walk.loads[name] for name in moving)
     ends = triad_ends(step, own, walk.made)
     loads = TriadLoads(walk.loads[step.link], first, second, third)
-    found = triad_reactions(walk.made[step.link], ends, triad_legs(own), loads)
-    for leg, reactions in zip(step.legs, found, strict=True):
+    friction = TriadFriction(*(walk.friction.get(name, NO_FRICTION) for name in moving))
+    acting = walk.made[step.link], ends, triad_legs(own), loads
+    has_friction = any(np.any(part.coefficient) for part in friction)
+    found = triad_reactions_with_friction(*acting, friction) if has_friction else triad_reactions(*acting)
+    for leg, end, reactions in zip(step.legs, ends, found, strict=True):
         if isinstance(leg, RodLegStep):
             walk.joints[joint_name(leg.joint, step.link)] = reactions.joint
             _hang(walk, leg.rod_from, leg.rod, reactions.end)
         else:
             walk.joints[joint_name(pin_of(leg.slider), step.link)] = reactions.joint
             walk.joints[joint_name(GUIDE, leg.slider)] = reactions.end
+            if has_friction:
+                walk.drags[leg.slider] = _along(reactions.end, end.cos, end.sin)
 
 
 def _solve_point(step: PointStep | MountStep, own: Any, walk: BackwardWalk) -> None:

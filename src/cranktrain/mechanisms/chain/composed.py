@@ -152,7 +152,7 @@ def _advice(structure: Structure, size: ChainSize) -> str:
     groups = step.legs if isinstance(step, TriadStep) else (step,)
     named = [getattr(group, field) for group in groups for field in _HUNG_ON if hasattr(group, field)]
     said = _("it is the part that makes {made} on {on}").format(
-        made=", ".join(name for name in made_by(step) if name not in map(pin_of, made_by(step))),
+        made=", ".join(name for name in made_by(step) if "." not in name),
         on=", ".join(dict.fromkeys(name for name in named if name != SHAFT)) or SHAFT,
     )
     if isinstance(step, TriadStep) and np.any(triad_branch(structure, place, size).apart > 0):

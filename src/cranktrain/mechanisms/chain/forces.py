@@ -22,7 +22,14 @@ from cranktrain.linkage.forces import (
     torque_by_work,
 )
 from cranktrain.mechanisms.chain.backward import BackwardWalk, walk_backward
-from cranktrain.mechanisms.chain.joints import carriers_of, chain_moving, chain_reactions, chain_sliding, moving_of
+from cranktrain.mechanisms.chain.joints import (
+    carriers_of,
+    chain_contacts,
+    chain_moving,
+    chain_reactions,
+    chain_sliding,
+    moving_of,
+)
 from cranktrain.mechanisms.chain.kinematics import ChainMotion
 from cranktrain.mechanisms.chain.made import made_names, pin_of
 from cranktrain.mechanisms.chain.steps import ChainSize, Step, Structure, SwivelSize, SwivelStep, TriadStep
@@ -134,8 +141,8 @@ def chain_forces(
     by_work = torque_by_work(
         chain_reduced(structure, motion, size, bodies, loads, conditions.gravity), conditions.drive
     )
-    for slider, drag in walk.drags.items():
-        by_work = by_work - drag * made[slider].first
+    for name, drag in walk.drags.items():
+        by_work = by_work - drag * made[name].first
     joints = tuple(walk.joints[reaction.name] for reaction in chain_reactions(structure))
     return Forces(joints, shaft.driving_torque, by_work)
 
@@ -198,6 +205,7 @@ def chain_dynamics(structure: Structure, size_of: Callable[[Any], ChainSize] = _
         chain_moving(structure),
         chain_reactions(structure),
         chain_sliding(structure),
+        chain_contacts(structure),
         links,
         load,
         forces,

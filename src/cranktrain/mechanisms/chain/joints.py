@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 
-from cranktrain.mechanisms.chain.made import SHAFT, pin_of
+from cranktrain.mechanisms.chain.made import SHAFT, pin_of, slot_of
 from cranktrain.mechanisms.chain.steps import (
     GuideLegStep,
     MountStep,
@@ -17,7 +17,7 @@ from cranktrain.mechanisms.chain.steps import (
     TriadStep,
     YokeStep,
 )
-from cranktrain.mechanisms.kind import FRAME, Reaction
+from cranktrain.mechanisms.kind import FRAME, Contact, Reaction
 
 GUIDE = "guide"
 """Where a slider meets its fixed guide, in a joint's name."""
@@ -46,10 +46,37 @@ def moving_of(step: Step) -> tuple[str, ...]:
 
 
 def chain_sliding(structure: Structure) -> tuple[str, ...]:
-    """Names of the sliders that may have friction: all but those of triads."""
-    return tuple(
-        step.slider for step in structure.steps if isinstance(step, SlideStep | SwivelStep | YokeStep | TrammelStep)
-    )
+    """Names of what may have friction: sliders in their guides, and blocks in slots, by the slider of the slot."""
+    return tuple(name for step in structure.steps for name in _contacts_of(step))
+
+
+def chain_contacts(structure: Structure) -> tuple[Contact, ...]:
+    """Where these slide."""
+    return tuple(contact for step in structure.steps for contact in _contacts_of(step).values())
+
+
+def _contacts_of(step: Step) -> dict[str, Contact]:
+    """What slides in a part, and where."""
+    match step:
+        case SlideStep():
+            return _in_guide(step.slider)
+        case SwivelStep():
+            return {step.slider: Contact(joint_name(step.slider, step.guide), step.pin)}
+        case YokeStep():
+            slot = Contact(joint_name(step.pin, step.slider), step.pin)
+            return {**_in_guide(step.slider), slot_of(step.slider): slot}
+        case TrammelStep():
+            slot = Contact(joint_name(pin_of(step.slider), step.slider), pin_of(step.slider))
+            return {**_in_guide(step.slider), slot_of(step.slider): slot}
+        case TriadStep():
+            sliders = [leg.slider for leg in step.legs if isinstance(leg, GuideLegStep)]
+            return {name: contact for slider in sliders for name, contact in _in_guide(slider).items()}
+        case PinStep() | PointStep() | MountStep():
+            return {}
+
+
+def _in_guide(slider: str) -> dict[str, Contact]:
+    return {slider: Contact(joint_name(GUIDE, slider), pin_of(slider))}
 
 
 def chain_reactions(structure: Structure) -> tuple[Reaction, ...]:

@@ -29,6 +29,11 @@ def pin_of(name: str) -> str:
     return f"{name}.pin"
 
 
+def slot_of(slider: str) -> str:
+    """Name of what slides in the slot that drives a slider, or that it drives."""
+    return f"{slider}.slot"
+
+
 def made_names(structure: Structure) -> tuple[str, ...]:
     """Names of all that a chain makes, in order."""
     pins = [pin_of(name) for name in structure.cranks]
@@ -36,7 +41,7 @@ def made_names(structure: Structure) -> tuple[str, ...]:
 
 
 def made_by(step: Step | RodLegStep | GuideLegStep) -> dict[str, str]:
-    """Names of what a group makes, in order; what sort of thing each is: a point, a link or a slider."""
+    """Names of what a group makes, in order; what sort of thing each is: a point, link, slider or block."""
     match step:
         case PinStep():
             return {step.joint: "point", step.rod: "link", step.rocker: "link"}
@@ -44,7 +49,9 @@ def made_by(step: Step | RodLegStep | GuideLegStep) -> dict[str, str]:
             return {step.rod: "link", **_slider(step.slider)}
         case SwivelStep():
             return {step.slider: "slider", step.guide: "link"}
-        case YokeStep() | TrammelStep() | GuideLegStep():
+        case YokeStep() | TrammelStep():
+            return {**_slider(step.slider), slot_of(step.slider): "block"}
+        case GuideLegStep():
             return _slider(step.slider)
         case PointStep() | MountStep():
             return {step.point: "point"}

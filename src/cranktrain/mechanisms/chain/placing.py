@@ -26,7 +26,7 @@ from cranktrain.linkage import (
     turned_link,
     yoke,
 )
-from cranktrain.mechanisms.chain.made import SHAFT, Made, pin_of
+from cranktrain.mechanisms.chain.made import SHAFT, Made, pin_of, slot_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     MountStep,
@@ -108,6 +108,7 @@ def _place_yoke(step: YokeStep, own: YokeSize, made: Made) -> None:
     motion = yoke(in_guide(made, step.pin, own.direction), Yoke(height, own.slot_angle))
     made[step.slider] = motion.slider
     made[pin_of(step.slider)] = _on_guide(motion.slider, height, own.direction)
+    made[slot_of(step.slider)] = motion.block
 
 
 def _place_trammel(step: TrammelStep, own: TrammelSize, made: Made) -> None:
@@ -115,6 +116,7 @@ def _place_trammel(step: TrammelStep, own: TrammelSize, made: Made) -> None:
     motion = trammel(turned_link(made[step.link], own.direction), Trammel(height, own.shift))
     made[step.slider] = motion.slider
     made[pin_of(step.slider)] = _on_guide(motion.slider, height, own.direction)
+    made[slot_of(step.slider)] = motion.block
 
 
 def _place_point(step: PointStep, own: PointSize, made: Made) -> None:

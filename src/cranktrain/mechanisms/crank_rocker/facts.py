@@ -27,14 +27,14 @@ CLASSES = (
 """Classes of the four-bar linkage by which link is shortest; `grashof_class` counts them from 0."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class CrankRockers(Members):
     """The crank-rockers of a machine."""
 
     geometry: CrankRocker
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Transmission:
     """Class of the linkage and extremes of the angle between rod and rocker."""
 

@@ -131,6 +131,7 @@ DYNAMICS = Dynamics(
         Reaction("pivot", "rocker", FRAME),
     ),
     sliding=(),
+    contacts=(),
     links=crank_rocker_links,
     load=crank_rocker_load,
     forces=crank_rocker_forces,

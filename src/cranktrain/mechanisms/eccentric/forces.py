@@ -51,6 +51,7 @@ DYNAMICS = Dynamics(
     moving=SLIDER_CRANK.moving,
     reactions=SLIDER_CRANK.reactions,
     sliding=SLIDER_CRANK.sliding,
+    contacts=SLIDER_CRANK.contacts,
     links=eccentric_links,
     load=eccentric_load,
     forces=eccentric_forces,

@@ -19,7 +19,7 @@ from cranktrain.linkage.forces import (
     swivel_slider_link,
     torque_by_work,
 )
-from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
+from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Reaction
 from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinder, OscillatingCylinderMotion
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import Array, Link
@@ -155,6 +155,7 @@ DYNAMICS = Dynamics(
         Reaction("trunnion", "cylinder", FRAME),
     ),
     sliding=("slider",),
+    contacts=(Contact("guide", "A"),),
     links=oscillating_cylinder_links,
     load=oscillating_cylinder_load,
     forces=oscillating_cylinder_forces,

@@ -6,6 +6,7 @@ from cranktrain.linkage import Crank, Yoke
 from cranktrain.linkage.forces import (
     Body,
     Conditions,
+    CrossingFriction,
     Gravity,
     Reduced,
     Wrench,
@@ -19,7 +20,7 @@ from cranktrain.linkage.forces import (
     torque_by_work,
     yoke_reactions,
 )
-from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
+from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Reaction
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke, ScotchYokeMotion
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import Array, Link
@@ -81,6 +82,7 @@ def scotch_yoke_forces(
     bodies : ScotchYokeBodies, fields broadcastable to (..., 1)
     loads : ScotchYokeLoads, shape (..., n)
     conditions : Conditions, fields broadcastable to (..., n)
+        Friction of the slider in its guide, and of the block along the slot.
 
     Returns
     -------
@@ -89,7 +91,7 @@ def scotch_yoke_forces(
 
     Notes
     -----
-    Exact for rigid bodies; docs/theory/forces, eqs. (13.5), (13.7) and (13.19).
+    Exact for rigid bodies; docs/theory/forces, eqs. (13.5), (13.7) and (13.20).
     """
     links = scotch_yoke_links(motion, geometry)
     crank, block, slider = links
@@ -100,15 +102,18 @@ def scotch_yoke_forces(
             borne(block, bodies.block, loads.block, conditions),
             borne(slider, bodies.slider, loads.slider, conditions),
         ),
-        conditions.friction[0],
+        CrossingFriction(conditions.friction[0], conditions.friction[1]),
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
     shaft = carrying_crank(crank, on_crank, motion.pin, group.pin)
     equation = reduced_of_three(links, bodies, loads, conditions.gravity)
+    # Of the block on the slot, along it: on the block it is the opposite.
+    rubbing = block.cos * group.slot.x + block.sin * group.slot.y
     return Forces(
         ScotchYokeJoints(shaft.bearing, group.pin, group.slot, group.guide),
         shaft.driving_torque,
-        torque_by_work(equation, conditions.drive) - group.guide.x * motion.slider.first,
+        torque_by_work(equation, conditions.drive)
+        - (group.guide.x * motion.slider.first - rubbing * motion.block.first),
     )
 
 
@@ -135,7 +140,8 @@ DYNAMICS = Dynamics(
         Reaction("slot", "slider", "block"),
         Reaction("guide", "slider", FRAME),
     ),
-    sliding=("slider",),
+    sliding=("slider", "block"),
+    contacts=(Contact("guide", "B"), Contact("slot", "A")),
     links=scotch_yoke_links,
     load=scotch_yoke_load,
     forces=scotch_yoke_forces,

@@ -18,7 +18,7 @@ from cranktrain.linkage.forces import (
     slider_link,
     torque_by_work,
 )
-from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
+from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Reaction
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, SliderCrankMotion
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import Array, Link
@@ -150,6 +150,7 @@ DYNAMICS = Dynamics(
         Reaction("guide", "slider", FRAME),
     ),
     sliding=("slider",),
+    contacts=(Contact("guide", "B"),),
     links=slider_crank_links,
     load=slider_crank_load,
     forces=slider_crank_forces,

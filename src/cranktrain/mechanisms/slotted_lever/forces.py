@@ -18,7 +18,7 @@ from cranktrain.linkage.forces import (
     swivel_slider_link,
     torque_by_work,
 )
-from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
+from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Reaction
 from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLever, SlottedLeverMotion
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import Array, Link
@@ -136,6 +136,7 @@ DYNAMICS = Dynamics(
         Reaction("pivot", "rocker", FRAME),
     ),
     sliding=("block",),
+    contacts=(Contact("slot", "A"),),
     links=slotted_lever_links,
     load=slotted_lever_load,
     forces=slotted_lever_forces,

@@ -1,0 +1,66 @@
+"""A slider between a fixed guide and a slot that crosses it, with friction in both: what yoke and trammel share."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.linkage.forces.conditions import Friction, dragged, pressed
+from cranktrain.linkage.forces.wrench import Wrench
+from cranktrain.motion import Array
+
+
+class CrossingFriction(NamedTuple):
+    """Friction of a slider in its guide along x, and of the block in its slot, in the sense of the slot's direction."""
+
+    guide: Friction
+    slot: Friction
+
+
+class CrossingForces(NamedTuple):
+    """Forces on the slider: of the slot along x and y; of the guide, friction along x and normal force along y. [N]"""
+
+    x: Array
+    y: Array
+    drag: Array
+    normal: Array
+
+
+def crossing_forces(cos: Array, sin: Array, load: Wrench, friction: CrossingFriction) -> CrossingForces:
+    """Forces that hold a slider where a slot crosses its guide.
+
+    Parameters
+    ----------
+    cos, sin : Array, broadcastable to (..., n)
+        Of the slot's direction from the guide's.
+    load : Wrench, shape (..., n)
+        Of the slider; its force counts.
+    friction : CrossingFriction, fields broadcastable to (..., n)
+        The slot's sense is that of the block along it, as the slider sees it.
+
+    Returns
+    -------
+    CrossingForces, shape (..., n)
+        NaN where friction wedges the slider: where there are loads for which two forces would hold it, or none.
+
+    Notes
+    -----
+    The block's force leans from the slot's normal by κ = μσ of the slot, one way or the other by the side on which it
+    presses: a slot of slope (cos ± κ sin)/(sin ∓ κ cos) without friction. If what the block does when it presses to the
+    left agrees with that it is right, else the other is. docs/theory/forces, eqs. (13.18) and (13.19).
+    """
+    lean = friction.slot.coefficient * friction.slot.sense
+    left = sin - lean * cos
+    right = sin + lean * cos
+    slope_left = (cos + lean * sin) / left
+    slope_right = (cos - lean * sin) / right
+    normal_left = pressed(-load.y - load.x * slope_left, -slope_left, friction.guide)
+    normal_right = pressed(-load.y - load.x * slope_right, -slope_right, friction.guide)
+    # +1 where pressing to the left agrees with itself, −1 where not; NaN where the slot wedges its block.
+    side = np.sign((load.x + dragged(normal_left, friction.guide)) * left) + 0.0 * np.sqrt(left * right)
+    to_left = 0.5 + 0.5 * side
+    to_right = 0.5 - 0.5 * side
+    normal = to_left * normal_left + to_right * normal_right
+    slope = to_left * slope_left + to_right * slope_right
+    drag = dragged(normal, friction.guide)
+    x = -(load.x + drag)
+    return CrossingForces(x, -x * slope, drag, normal)
