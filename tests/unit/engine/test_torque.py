@@ -94,6 +94,13 @@ def test_answers_name_no_rounding_and_the_first_of_equals():
     assert "by the rod of 1 at" in answers
 
 
+def test_an_order_that_is_rounding_has_no_phase():
+    result = inertia(0, 90, 180, 270, shaft=throws(0, 90, 180, 270, speed="300 rad/s"))
+    order = np.arange(1, len(result.torque_order_phase) + 1)
+    assert np.all(np.isnan(result.torque_order_phase[order % 4 > 0]))
+    assert np.all(np.isfinite(result.torque_order_phase[[3, 7, 11]]))
+
+
 def test_orders_that_the_grid_cannot_show_are_absent():
     tables = {"shaft": throws(0, speed="900 rpm"), "bank": {"A": {"mechanism": slider()}}, "masses": PISTON}
     result = ct.run(ct.Machine(**tables), step_degrees=30)
