@@ -44,6 +44,7 @@ REFERENCES: dict[str, Reference] = {
         Reference("khurmi-gupta", "Khurmi and Gupta, Theory of Machines, chapters 15 and 16"),
         Reference("bevan", "Bevan, The Theory of Machines, chapters 12, 14 and 15"),
         Reference("sarkar", "Sarkar, Theory of Machines, chapters 5 and 11"),
+        Reference("machinerys-handbook", "Machinery's Handbook, Flywheels: safe speed of cast-iron rims, 100 ft/s"),
         Reference("api-11e", "API Spec 11E (pumping units)"),
     )
 }

@@ -70,6 +70,15 @@ def _usage_problem(error: Exception) -> Problem:
     return Problem("", None, message, _("see `{command} --help`").format(command=command), Position(command))
 
 
+def _degrees(text: str | float) -> float:
+    """Read a number of degrees."""
+    try:
+        return float(text)
+    except ValueError:
+        said = _("{text} must be a number of degrees, such as 0.5").format(text=text)
+        raise typer.BadParameter(said) from None
+
+
 def _version(asked: bool) -> None:
     if asked:
         typer.echo(f"cranktrain {__version__}")
@@ -187,7 +196,9 @@ def _run(
         str | None,
         typer.Option(metavar="A,B,…", help=_("Only these results; `cranktrain list results` names all.")),
     ] = None,
-    step: Annotated[float, typer.Option(metavar="DEGREES", help=_("Of the crank angle, in curves."))] = 1.0,
+    step: Annotated[
+        float, typer.Option(metavar="DEGREES", parser=_degrees, help=_("Of the crank angle, in curves."))
+    ] = 1.0,
     running_speed: Annotated[
         bool,
         typer.Option(
@@ -340,7 +351,10 @@ def _textbook(
         ),
     ] = None,
     step: Annotated[
-        float | None, typer.Option(metavar="10|15|30", help=_("Degrees between the rows of forces; 30 unless given."))
+        float | None,
+        typer.Option(
+            metavar="10|15|30", parser=_degrees, help=_("Degrees between the rows of forces; 30 unless given.")
+        ),
     ] = None,
     piston: Annotated[
         str | None, typer.Option(metavar="NAME", help=_("Whose forces, such as 2L; the first unless given."))

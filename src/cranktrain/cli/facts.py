@@ -13,10 +13,14 @@ from cranktrain.analysis import Result
 from cranktrain.catalogue import Entry
 from cranktrain.cli.figures import ABSENT, figures
 from cranktrain.cli.screen import table
+from cranktrain.language import N_, _
 from cranktrain.wording import ranged
 
 _MOST_COLUMNS = 3
 """Of a table with one row for each fact; facts that need more groups get one row for each group."""
+
+_NUMBERED = {"order": N_("order"), "journal": N_("journal"), "weight": N_("weight"), "throw": N_("throw")}
+"""Dimensions whose members are numbers, which may be called as pistons are but are no pistons."""
 
 _GAP = 2
 
@@ -48,8 +52,12 @@ class FactRow:
 
 
 class _Family(NamedTuple):
-    """Facts with common members: of the pistons (and of chambers that are called the same), of the banks, …"""
+    """Facts with common members: of the pistons (and of chambers that are called the same), of the banks, …
 
+    title says what the members are where they are numbered.
+    """
+
+    title: str
     members: tuple[str, ...]
     rows: list[FactRow]
 
@@ -78,7 +86,7 @@ def fact_tables(result: Result, names: Sequence[str], width: int) -> Iterator[st
         Tables, one below the other: their lines, and paragraphs that name their columns.
     """
     flat = [name for name in names if len(result.catalogue[name].dimensions) <= 1]
-    for i, (members, rows) in enumerate(_families([_row(result, name) for name in flat])):
+    for i, (title, members, rows) in enumerate(_families([_row(result, name) for name in flat])):
         narrow, groups = _narrow(rows, members, width)
         if narrow:
             if i:
@@ -86,7 +94,7 @@ def fact_tables(result: Result, names: Sequence[str], width: int) -> Iterator[st
             yield from _by_fact(narrow, groups, members)
         wide = [row for row in rows if row not in narrow]
         if wide:
-            yield from _by_member(wide, _lines(wide, members), width)
+            yield from _by_member(wide, _lines(wide, members), width, _(title) if title else "")
     deep = [result.catalogue[name] for name in names if name not in flat]
     for dimensions in dict.fromkeys(entry.dimensions for entry in deep):
         entries = [entry for entry in deep if entry.dimensions == dimensions]
@@ -102,16 +110,18 @@ def _row(result: Result, name: str) -> FactRow:
 
 
 def _families(rows: Sequence[FactRow]) -> list[_Family]:
-    """Sort facts by their members; a part of the members is of the family of all."""
+    """Sort facts by their members; a part of the members is of the family of all, but a number of another."""
     families: list[_Family] = []
     for row in rows:
         members = tuple(row.texts)
+        title = _NUMBERED.get(row.entry.dimensions[0], "") if len(members) > 1 else ""
         for i, family in enumerate(families):
-            if set(family.members) <= set(members) or set(members) <= set(family.members):
-                families[i] = _Family(max(family.members, members, key=len), [*family.rows, row])
+            is_part = set(family.members) <= set(members) or set(members) <= set(family.members)
+            if family.title == title and is_part:
+                families[i] = _Family(title, max(family.members, members, key=len), [*family.rows, row])
                 break
         else:
-            families.append(_Family(members, [row]))
+            families.append(_Family(title, members, [row]))
     return families
 
 
@@ -175,10 +185,10 @@ def _deep(result: Result, entries: Sequence[Entry], width: int) -> Iterator[str 
     yield from _by_member(rows, lines, width)
 
 
-def _by_member(rows: Sequence[FactRow], lines: Sequence[_Line], width: int) -> Iterator[str | Text]:
+def _by_member(rows: Sequence[FactRow], lines: Sequence[_Line], width: int, title: str = "") -> Iterator[str | Text]:
     """One column for each fact, as many as there is room for side by side, and the facts' names below."""
     labels = [textwrap.wrap(line.label, width // 2, break_on_hyphens=False) or [""] for line in lines]
-    beside = width - max(len(part) for label in labels for part in label)
+    beside = width - max(len(title), *(len(part) for label in labels for part in label))
     room = beside
     parts: list[list[int]] = [[]]
     for i, row in enumerate(rows):
@@ -189,7 +199,7 @@ def _by_member(rows: Sequence[FactRow], lines: Sequence[_Line], width: int) -> I
         parts[-1].append(i)
         room -= needed
     for part in parts:
-        heads = ["", *(_symbol(rows[i]) for i in part)]
+        heads = [title, *(_symbol(rows[i]) for i in part)]
         units = ["", *(rows[i].unit for i in part)]
         yield ""
         cells = [units]

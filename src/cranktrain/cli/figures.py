@@ -13,6 +13,9 @@ _SHOWN = {"m": "mm", "rad": "deg", "deg": "deg", "m/s": "m/s", "m/s^2": "m/s^2",
 ABSENT = "–"
 """Stands for what there is not."""
 
+_ROUNDING = 1e-12
+"""Of the largest value of a quantity; what is less is shown as 0."""
+
 _SMALL_VOLUME = 1e-4
 """Volumes that are all smaller than this are given in cm³. [m³]"""
 
@@ -40,6 +43,8 @@ def figures(values: Array, unit: str) -> Figures:
         A part of less than one is given in percent.
     """
     whole = values[~np.isnan(values)]
+    if whole.size:
+        values = np.where(np.abs(values) < _ROUNDING * np.max(np.abs(whole)), 0.0, values)
     shown = _SHOWN.get(unit)
     if unit == "m^3":
         shown = "cm^3" if whole.size and np.max(np.abs(whole)) < _SMALL_VOLUME else "L"

@@ -31,6 +31,9 @@ def show_run(request: Request, *, with_inputs: bool = False) -> None:
     from cranktrain.cli.report import show_result
 
     suffix = _suffix(request.output)
+    if request.quantities == ():
+        allowed = _("must be names of results, with commas between; `cranktrain list results` names them")
+        raise InputError([Problem("--quantities", '""', allowed)])
     file = read_machine(request.file, request.settings, partial=request.is_partial)
     if request.output is None or suffix is None:
         result = _computed(file, request)

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import reduce
+from itertools import combinations
 from typing import ClassVar, NamedTuple
 
 import numpy as np
@@ -76,6 +77,7 @@ def balance_problems(spec: BalanceSpec, main: ShaftSpec) -> tuple[Problem, ...]:
         for i, weight in enumerate(spec.weight)
         if weight.throw is not None and weight.throw > n_throws
     ]
+    found += _cancelled(spec, main)
     if throw_positions(main) is None:
         unknown = _("needs [shaft.main] spacing, or couples along the shaft are not known")
         found += [
@@ -86,6 +88,27 @@ def balance_problems(spec: BalanceSpec, main: ShaftSpec) -> tuple[Problem, ...]:
         if spec.planes is not None:
             found.append(Problem("balance.planes", None, unknown))
     return tuple(found)
+
+
+def _cancelled(spec: BalanceSpec, main: ShaftSpec) -> Iterator[Problem]:
+    """Find weights on one throw that do nothing together, as one of them stands on the wrong side."""
+    on_throws = [
+        (i, weight, weight.mass.si * weight.radius.si * np.exp(1j * _angle_on(weight, main)))
+        for i, weight in enumerate(spec.weight)
+        if weight.throw is not None and weight.throw <= len(main.throws)
+    ]
+    for (i, one, moment), (j, other, against) in combinations(on_throws, 2):
+        if one.throw == other.throw and abs(moment + against) <= _NOISE * abs(moment):
+            allowed = _("stands opposite balance.weight[{i}] on throw {throw}: together they balance nothing")
+            repair = _("leave one of them out, or put it where it is to be")
+            yield Problem(f"balance.weight[{j}]", None, allowed.format(i=i, throw=one.throw), repair)
+
+
+def _angle_on(weight: WeightSpec, main: ShaftSpec) -> float:
+    """Where a weight on a throw stands ahead of throw 1: opposite the throw unless given. [rad]"""
+    if weight.angle is not None:
+        return weight.angle.si
+    return main.throws[(weight.throw or 1) - 1].si - main.throws[0].si + np.pi
 
 
 @dataclass(frozen=True, eq=False)

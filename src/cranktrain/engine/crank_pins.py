@@ -21,6 +21,8 @@ _MECHANISM = ("mechanism",)
 _CURVE = ("mechanism", "crank_angle")
 _THEORY = "docs/theory/forces"
 _PIN, _ROD = "crank_pin", "rod"
+_ALIKE = 1e-9
+"""Loads that differ by less, relative, are the same; the first is named."""
 
 
 class CrankPin(NamedTuple):
@@ -83,8 +85,8 @@ class CrankPinLoads:
         largest = self.largest_crankpin_load[design]
         if np.all(np.isnan(largest)):
             return None
-        worst = int(np.nanargmax(largest))
-        return _("Largest load of a crank pin {load}, by {mechanism} at {angle}.").format(
+        worst = int(np.argmax(largest >= (1 - _ALIKE) * np.nanmax(largest)))
+        return _("Largest load of a crank pin {load}, by the rod of {mechanism} at {angle}.").format(
             load=number(float(largest[worst]), "kN"),
             mechanism=names["mechanism"][worst],
             angle=number(float(self.largest_crankpin_load_at[design, worst]), "deg"),

@@ -28,6 +28,8 @@ _CURVE = ("crank_angle",)
 _THEORY = "docs/theory/evenness"
 _MOTION_LIMIT = 0.1
 """Of the equation of motion, for each radian of the grid's step: torques with jumps leave a tenth of that."""
+_UNLIKELY = 0.5
+"""Coefficient of fluctuation from which a flywheel is doubted."""
 _LAST_ORDERS = 0.1
 """Share of the upper half of a grid's orders in a work that the grid resolves."""
 
@@ -96,8 +98,9 @@ def shaft_work(
 
 @dataclass(frozen=True, eq=False)
 class RunningSpeed:
-    """Speed of the shaft over the cycle, with the flywheel that there is."""
+    """Speed of the shaft over the cycle, with the flywheel that there is; load says against what, as answers begin."""
 
+    load: str
     crank_speed: Array = quantity("ω", "rad/s", _CURVE, N_("Speed of the crank over the cycle"), _THEORY)
     crank_acceleration: Array = quantity("ε", "rad/s^2", _CURVE, N_("Angular acceleration of the crank"), _THEORY)
     coefficient_of_fluctuation: Array = quantity(
@@ -122,9 +125,10 @@ class RunningSpeed:
         if np.isnan(self.coefficient_of_fluctuation[design]):
             return ""
         return _(
-            "The shaft runs at {least} to {most}, coefficient of fluctuation {delta};"
+            "{load} the shaft runs at {least} to {most}, coefficient of fluctuation {delta};"
             " mean {time} over time, {middle} of the extremes."
         ).format(
+            load=self.load,
             least=_speed(self.smallest_crank_speed[design]),
             most=_speed(self.largest_crank_speed[design]),
             delta=f"{float(self.coefficient_of_fluctuation[design]):.4g}",
@@ -156,6 +160,7 @@ def running_speed(
     torque = applied.applied_torque - taken + found.balancing
     running = found.speed
     return RunningSpeed(
+        load=_load_words(load, has_curve=given is not None),
         crank_speed=running.speed,
         crank_acceleration=(torque - slope * running.speed**2 / 2) / inertia.samples,
         coefficient_of_fluctuation=running.fluctuation(load.mean),
@@ -230,6 +235,19 @@ def _motion_check(speed: Array, inertia: Array, slope: Array, work: PeriodicCurv
     )
 
 
+def _load_words(load: ShaftLoad, *, has_curve: bool) -> str:
+    """Say what balances the machine, as a sentence begins."""
+    if load.motor is not None:
+        return _("Driven by its motor")
+    if load.is_quadratic:
+        return (
+            _("Against the load curve and a load that rises with the speed squared")
+            if has_curve
+            else _("Against a load that rises with the speed squared")
+        )
+    return _("Against the load curve") if has_curve else _("Against a constant torque")
+
+
 def _flags(load: ShaftLoad, work: ShaftWork, found: SpeedOverCycle, multiplier: Array) -> Iterator[str]:
     """Mind a shaft that would stop, a load that nothing drives, and running that is not stable."""
     is_known = np.isfinite(work.largest_excess_work)
@@ -242,6 +260,8 @@ def _flags(load: ShaftLoad, work: ShaftWork, found: SpeedOverCycle, multiplier: 
             yield _("No steady running: a load that rises with the speed is for a machine that gives work.")
         else:
             yield _("No steady running at this speed: flywheel and moving parts are too light to carry the shaft.")
+    if np.any(found.fluctuation(load.mean) > _UNLIKELY):
+        yield _("Within a cycle the speed changes by more than half of its mean: is the flywheel right?")
     if np.any(multiplier > 1):
         yield _("The running is not stable: a small departure from it grows.")
 

@@ -64,7 +64,7 @@ class RimSpec(Spec, frozen=True):
     )
     largest_speed: PositiveVelocity = Field(
         default=Given(30.0, "30 m/s"),
-        description=N_("Speed that the rim's outside bears; that of cast iron, 30 m/s, unless given."),
+        description=N_("Speed that the rim's outside bears; 30 m/s, as cast iron, unless given [machinerys-handbook]."),
     )
 
 

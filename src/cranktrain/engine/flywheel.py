@@ -56,12 +56,13 @@ class FlywheelSize:
             return ""
         if size <= 0:
             return _(
-                "For a coefficient of fluctuation of {delta} no flywheel is needed: the moving parts do, and more."
+                "For a coefficient of fluctuation of {delta} no flywheel is needed:"
+                " the moving parts alone keep it below."
             ).format(delta=delta)
         exact, mertsalov, textbook = (number(float(value), "kg*m^2") for value in self.flywheel_inertia[design])
         _zero, off, far = (f"{100 * float(error):+.2f} %" for error in self.flywheel_inertia_error[design])
         return _(
-            "For a coefficient of fluctuation of {delta} the flywheel takes J = {exact}, GD² = {moment};"
+            "For a coefficient of fluctuation of {delta} the flywheel needs J = {exact}, GD² = {moment};"
             " by Mertsalov {mertsalov} ({off}), by textbooks {textbook} ({far})."
         ).format(
             delta=delta,
@@ -89,14 +90,12 @@ def flywheel_size(load: ShaftLoad, coefficient: WantedCoefficient, work: ShaftWo
         wanted_flywheel_moment=4 * found.inertia,
         flywheel_inertia_error=found.error,
         flywheel_fluctuation=found.fluctuation,
-        flags=tuple(_size_flags(load, found.inertia[:, 0])),
+        flags=tuple(_size_flags(load)),
     )
 
 
-def _size_flags(load: ShaftLoad, inertia: Array) -> Iterator[str]:
-    """Mind a flywheel that is not needed, and a load for which another would do."""
-    if np.any(inertia <= 0):
-        yield _("The moving parts alone run as evenly as is wanted: no flywheel is needed.")
+def _size_flags(load: ShaftLoad) -> Iterator[str]:
+    """Mind a load for which another flywheel would do."""
     if load.motor is not None or load.is_quadratic:
         yield _(
             "The flywheel wanted is for a load that does not depend on the speed;"
@@ -170,8 +169,9 @@ def _rim_flags(inertia: Array, speed: Array, wanted: DeclaredRim, height: Array)
     too_fast = speed > wanted.largest_speed
     if np.any(too_fast):
         worst = int(np.argmax(np.where(too_fast, speed / wanted.largest_speed, 0.0)))
-        yield _("The rim runs too fast: {speed}, and it bears {largest}.").format(
-            speed=number(float(speed[worst]), "m/s"), largest=number(float(wanted.largest_speed[worst]), "m/s")
-        )
+        yield _(
+            "The rim's outside runs too fast: at {speed}, and it bears {largest}"
+            " ([evenness.rim] largest_speed; of cast iron unless given)."
+        ).format(speed=number(float(speed[worst]), "m/s"), largest=number(float(wanted.largest_speed[worst]), "m/s"))
     if np.any((inertia > 0) & np.isnan(height)):
         yield _("The rim's section would reach the shaft's axis: its mean diameter is too small.")

@@ -290,6 +290,11 @@ def _flags(masses: Masses) -> Iterator[str]:
     """Mind what has no mass, and rods whose inertia is assumed."""
     if masses.weightless:
         yield _("Without mass: {parts}.").format(parts=", ".join(masses.weightless))
+    if masses.doubtful:
+        yield _(
+            "The inertia of {parts} is hardly that of a link of such mass and length:"
+            " is it in kg·m², about the centroid?"
+        ).format(parts=", ".join(masses.doubtful))
     if masses.assumed:
         yield _(
             "Inertia of two masses at its ends is taken for {parts}; of measured rods it is from 3 % less to 22 % more."

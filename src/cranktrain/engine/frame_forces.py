@@ -100,7 +100,7 @@ def without_loads(masses: Masses) -> Masses:
         group._replace(gravity=nothing, friction=tuple(single(0.0) for _slider in group.friction))
         for group in masses.groups
     )
-    return Masses(groups, masses.weightless, masses.assumed)
+    return Masses(groups, masses.weightless, masses.assumed, masses.doubtful)
 
 
 def momenta(machine: LoadedMachine, motions: Sequence[Any], frames: Frames) -> Momenta:

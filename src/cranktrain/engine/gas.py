@@ -14,13 +14,13 @@ from cranktrain.engine.layout import CrankAngle, Pistons
 from cranktrain.engine.motion import PistonMotion
 from cranktrain.engine.travel import CylinderPistons, CylinderTravel
 from cranktrain.engine.volumes import Chambers, ChamberVolumes, SweptVolumes
-from cranktrain.errors import InputError
+from cranktrain.errors import InputError, Problem
 from cranktrain.gas import Chamber, GasKind, GasSpec, VolumeLimits, chamber_state, kind_of
 from cranktrain.gas.work import indicated_work
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient, single
 from cranktrain.numerics import largest
-from cranktrain.wording import Names, shared
+from cranktrain.wording import Names, ranged, shared
 
 _CHAMBER = ("chamber",)
 _CURVE = ("chamber", "crank_angle")
@@ -188,6 +188,7 @@ def gas_in_chambers(
     firing: Firing,
 ) -> GasInChambers:
     """Make each chamber's model out of the file."""
+    _refuse_chambers_without_room(chambers, volumes)
     of = chambers.cylinder
     nominal = firing.firing_angle[:, of] + crank_angle.zero[..., 0] + np.where(chambers.is_head, 0.0, np.pi)
     smallest = np.where(chambers.is_head, travel.least[:, of], -travel.stroke[:, of])
@@ -217,6 +218,18 @@ def gas_in_chambers(
         findings=tuple(dict.fromkeys(said for kind, _spec, model in told for said in kind.findings(model))),
         doubts=tuple(dict.fromkeys(said for kind, spec, model in told for said in kind.doubts(spec, model))),
     )
+
+
+def _refuse_chambers_without_room(chambers: Chambers, volumes: ChamberVolumes) -> None:
+    """Refuse chambers that the deck of the first one leaves no room: no gas can be in them."""
+    short = np.flatnonzero(np.any(volumes.clearance_volume <= 0, axis=0)).tolist()
+    if short:
+        allowed = _("leaves no room over {chambers}, whose pistons reach beyond the first one's deck")
+        repair = _("give these a compression_ratio of their own, such as [cylinder.{name}], or check their dimensions")
+        names = ranged(chambers.names, short)
+        bank = chambers.banks[short[0]] or chambers.names[short[0]]
+        problem = Problem("cylinder.compression_ratio", None, allowed.format(chambers=names), repair.format(name=bank))
+        raise InputError([problem])
 
 
 def _central_ratios(pistons: Pistons, cylinders: CylinderPistons) -> Array:
@@ -260,7 +273,9 @@ def _model(kind: GasKind, spec: GasSpec, chamber: Chamber) -> Any:
     try:
         return kind.model(spec, chamber)
     except InputError as error:
-        raise InputError(replace(problem, path=f"gas.{problem.path}") for problem in error.problems) from None
+        raise InputError(
+            replace(problem, path=f"gas.{problem.path}".removesuffix(".")) for problem in error.problems
+        ) from None
 
 
 @dataclass(frozen=True, eq=False)

@@ -21,6 +21,8 @@ STANDARD_GRAVITY = 9.80665
 PISTON = "piston"
 """Name in the file of an engine's slider: the piston set, or a crosshead with piston and rod."""
 _SLIDER, _CRANK = "slider", "crank"
+_LEAST_GYRATION, _MOST_GYRATION = 0.1, 1.0
+"""Radius of gyration, in lengths of the link, beyond which its inertia is doubted: a bar has 0.29, two masses 0.5."""
 
 
 class PlaceMasses(NamedTuple):
@@ -46,6 +48,8 @@ class Masses:
         Rods and sliders for which no mass is given.
     assumed : tuple of str
         Rods whose inertia is that of two masses at their ends, as none is given.
+    doubtful : tuple of str
+        Links whose inertia hardly any body of their mass and length has.
     """
 
     needs: ClassVar[str] = N_("[masses]")
@@ -53,6 +57,7 @@ class Masses:
     groups: tuple[PlaceMasses, ...]
     weightless: tuple[str, ...]
     assumed: tuple[str, ...]
+    doubtful: tuple[str, ...]
 
 
 class Weighed(NamedTuple):
@@ -120,6 +125,11 @@ def _body_problems(where: str, name: str, body: BodySpec, places: Sequence[Place
                 least=precise(-length), most=precise(2 * length)
             )
             found.append(Problem(f"{where}.along", body.along.text, allowed))
+        if abs(body.across.si) > length:
+            allowed = _(
+                "must lie on the link or not far from it: {least} to {most} beside the line of its pins"
+            ).format(least=precise(-length), most=precise(length))
+            found.append(Problem(f"{where}.across", body.across.text, allowed))
     return found
 
 
@@ -153,7 +163,22 @@ def masses_of(designs: Sequence[Sequence[Place]], given: Sequence[Weighed]) -> M
             for place, part, spec in moving
             if spec is not None and spec.inertia is None and part != _SLIDER
         ),
+        doubtful=tuple(
+            f"{place.name}.{part}"
+            for place, part, spec in moving
+            if spec is not None and not _has_likely_inertia(place, part, spec)
+        ),
     )
+
+
+def _has_likely_inertia(place: Place, part: str, spec: BodySpec) -> bool:
+    """Whether a given inertia that is not 0 is one that a link of its mass and length can have."""
+    length = _length(place, part)
+    if length is None or spec.inertia is None or spec.inertia.si == 0:
+        return True
+    body = _body(place, part, spec)
+    square = float(body.inertia) / float(body.mass)
+    return (_LEAST_GYRATION * length) ** 2 <= square <= (_MOST_GYRATION * length) ** 2
 
 
 def _tables(place: Place) -> tuple[str, ...]:

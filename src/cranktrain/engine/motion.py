@@ -1,5 +1,6 @@
 """Motion of pistons: displacement and its derivatives by the crank angle; with the speed, velocities."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,11 +13,13 @@ from cranktrain.engine.layout import CrankAngle, Pistons, Speed, accelerations
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, Extremes, derivatives_residual, extremes
-from cranktrain.wording import Names, shared
+from cranktrain.wording import Names, number, shared
 
 _PISTON = ("piston",)
 _CURVE = ("piston", "crank_angle")
 _THEORY = "docs/theory/slider-crank"
+_FASTEST = 40.0
+"""Mean piston speed that none has; racing engines come to 27. [m/s]"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,6 +113,7 @@ class PistonSpeeds:
         N_("Crank angle of the largest acceleration away from the shaft"),
         _THEORY,
     )
+    flags: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str:
         """Say mean and largest piston speeds."""
@@ -142,10 +146,11 @@ def piston_speeds(
     def at(extreme: Extreme) -> Array:
         return crank_angle.counted(extreme.angle, 2 * np.pi if speed.curve is None else crank_angle.cycle)[..., 0]
 
+    mean_speed = dead_centres.stroke * (speed.mean / np.pi)[..., 0]
     return PistonSpeeds(
         piston_velocity=velocity,
         piston_acceleration=acceleration,
-        mean_piston_speed=dead_centres.stroke * (speed.mean / np.pi)[..., 0],
+        mean_piston_speed=mean_speed,
         largest_piston_speed=fastest.value[..., 0],
         largest_piston_speed_at=at(fastest),
         smallest_piston_velocity=slowest.value[..., 0],
@@ -154,6 +159,7 @@ def piston_speeds(
         largest_piston_acceleration_at=at(most),
         smallest_piston_acceleration=least.value[..., 0],
         smallest_piston_acceleration_at=at(least),
+        flags=tuple(_speed_flags(mean_speed)),
     )
 
 
@@ -195,3 +201,11 @@ def _over_cycle(
     grid = crank_angle.shown
     of_speed = extremes(lambda shown: moving(shown)[0], lambda shown: moving(shown)[1], grid=grid, samples=velocity)
     return from_zero(of_speed), from_zero(extremes(lambda shown: moving(shown)[1], grid=grid, samples=acceleration))
+
+
+def _speed_flags(mean_speed: Array) -> Iterator[str]:
+    """Doubt a stroke or a speed with which no piston runs."""
+    if np.any(mean_speed > _FASTEST):
+        yield _("A mean piston speed of {speed} is more than any piston bears: are speed and stroke right?").format(
+            speed=number(float(np.max(mean_speed)), "m/s")
+        )

@@ -44,7 +44,7 @@ class ShaftTorques:
     def answer(self, names: Names, design: int) -> str:
         """Say mean, largest and smallest torque."""
         del names
-        return _("Torque on the shaft: {mean} on the mean, from {least} at {low} to {most} at {high}.").format(
+        return _("Torque on the shaft: mean {mean}, from {least} at {low} to {most} at {high}.").format(
             mean=number(float(self.mean_torque[design]), "N*m"),
             least=number(float(self.smallest_torque[design]), "N*m"),
             low=number(float(self.smallest_torque_at[design]), "deg"),

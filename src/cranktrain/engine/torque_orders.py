@@ -21,6 +21,10 @@ _ORDER = ("order",)
 _THEORY = "docs/theory/harmonics-and-orders"
 _TOLD = 3
 """How many of the largest orders the answer names."""
+_NOTHING = 1e-12
+"""Of the largest torque; an order of less is rounding."""
+_ROUNDING = 1e-6
+"""Of the largest order; what is less is not named."""
 
 
 def orders(cycle: float) -> Array:
@@ -53,7 +57,10 @@ class TorqueOrders:
     def answer(self, names: Names, design: int) -> str | None:
         """Name the largest orders."""
         amplitude = np.nan_to_num(self.torque_order_amplitude[design])
-        largest = [place for place in np.argsort(-amplitude, kind="stable")[:_TOLD].tolist() if amplitude[place] > 0]
+        least = _ROUNDING * float(np.max(amplitude))
+        largest = [
+            place for place in np.argsort(-amplitude, kind="stable")[:_TOLD].tolist() if amplitude[place] > least
+        ]
         if not largest:
             return None
         return _("Largest orders of the torque: {orders}.").format(
@@ -62,7 +69,10 @@ class TorqueOrders:
 
 
 def torque_orders(torques: ShaftTorques, crank_angle: CrankAngle) -> TorqueOrders:
-    """Harmonics of the torque of all mechanisms together; NaN where the grid is too coarse to show an order."""
+    """Harmonics of the torque of all mechanisms together.
+
+    NaN where the grid is too coarse to show an order; rounding has no phase.
+    """
     found = harmonics(torques.machine_torque, crank_angle.cycle)
     wanted = len(orders(crank_angle.cycle))
     shown = (torques.machine_torque.shape[-1] - 1) // 2
@@ -70,6 +80,7 @@ def torque_orders(torques: ShaftTorques, crank_angle: CrankAngle) -> TorqueOrder
     taken = min(wanted, shown)
     amplitude[:, :taken] = found.amplitude[:, 1 : taken + 1]
     phase[:, :taken] = found.phase[:, 1 : taken + 1]
+    phase[amplitude <= _NOTHING * np.max(np.abs(torques.machine_torque), axis=-1, keepdims=True)] = np.nan
     return TorqueOrders(amplitude, phase, order_labels(crank_angle.cycle))
 
 

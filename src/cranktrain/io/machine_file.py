@@ -105,13 +105,18 @@ def read_machine(
     problems = tuple(_placed(problem, typed, paths) for problem in found)
     if settings and not any(problem.position == _SETTING for problem in problems):
         allowed = _("was set for this run; the file alone may be right")
-        problems = (*problems, Problem("", ", ".join(settings), allowed, position=_SETTING))
+        meant = next((near for path in paths if (near := _deeper(typed.data, path)) is not None), None)
+        repair = None if meant is None else _("did you mean {path}?").format(path=meant)
+        problems = (*problems, Problem("", ", ".join(settings), allowed, repair, _SETTING))
     raise InputError(problems)
 
 
 def document_of(source: "str | os.PathLike[str]") -> Document:
     """Read a file if it is there, else the example of that name."""
     name = os.fspath(source)
+    if not name.strip():
+        allowed = _("must be the name of a machine file, or of an example; `cranktrain list` names all")
+        raise InputError([Problem("FILE", '""', allowed)])
     example = _example_meant(name)
     if example is not None:
         return example_document(example)
@@ -194,12 +199,27 @@ def _with_settings(document: Document, settings: Sequence[str]) -> tuple[Documen
             continue
         try:
             document = document.with_value(path, value)
-            paths.append(editing.quantity_path(path))
+            parts = editing.quantity_path(path)
+            if parts in paths:
+                problems.append(Problem(path, value, _("is set twice; keep one of the two"), position=_SETTING))
+            paths.append(parts)
         except InputError as error:
             problems += [problem if _has_line(problem) else problem.at(_SETTING) for problem in error.problems]
     if problems:
         raise InputError(problems)
     return document, tuple(paths)
+
+
+def _deeper(table: Mapping[str, Any], path: editing.PathParts, above: editing.PathParts = ()) -> str | None:
+    """Find a path that ends as one does whose first table is not there: bank.L.mechanism.rod_length by its end."""
+    if path[0] in table:
+        return editing.path_text((*above, *path)) if above else None
+    for name, value in table.items():
+        if isinstance(value, Mapping):
+            deeper = _deeper(cast("Mapping[str, Any]", value), path, (*above, name))
+            if deeper is not None:
+                return deeper
+    return None
 
 
 def _has_line(problem: Problem) -> bool:

@@ -1,6 +1,7 @@
 """From the text of a quantity to its SI value, or to an error that says what to write."""
 
 import re
+from itertools import zip_longest
 from typing import NamedTuple
 
 from cranktrain.language import _
@@ -15,6 +16,8 @@ _HABITS = (
     (re.compile(r"(?<=\d),(?=\d)"), "."),
     (re.compile(r"(?<=\d)-(?=\d+/\d)"), " "),
 )
+_BASE = re.compile(r"^[GMkhdcmµμnГМкгдсмн](\D.*)")
+"""A unit with a prefix, and what it is without."""
 _THOUSANDS = re.compile(r"^[+-]?\d{1,3}(?:,\d{3})+(?![\d,])", re.ASCII)
 
 
@@ -120,8 +123,17 @@ def _wrong_unit(unit: str, text: str, dimension: Dimension) -> QuantityError:
         noun = _(others[0].noun)
         return QuantityError(text, allowed.format(unit=unit, noun=noun, expected=expected(dimension)))
     meant = nearest(key, spellings(dimension))
+    if meant is not None and _is_of_another_size(key, meant):
+        return QuantityError(text, expected(dimension))
     repair = _write(f"{number} {spellings(dimension)[meant][1]}") if meant else _other_habit(text, dimension)
     return QuantityError(text, expected(dimension), repair)
+
+
+def _is_of_another_size(given: str, meant: str) -> bool:
+    """Whether two units differ by a prefix, as kg·cm² and kg·m²: to write the one for the other changes the value."""
+    pairs = list(zip_longest(*(re.split("[·/]", unit) for unit in (given, meant)), fillvalue=""))
+    different = [(one, other) for one, other in pairs if one.casefold() != other.casefold()]
+    return bool(different) and all(_BASE.sub(r"\1", one) == _BASE.sub(r"\1", other) for one, other in different)
 
 
 def _other_habit(text: str, dimension: Dimension) -> str | None:

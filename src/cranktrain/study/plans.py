@@ -23,7 +23,8 @@ ROOM = (80.0, 80.0)
 _DIGITS = 9
 """Of a crank angle in degrees, so that 30 stays 30."""
 
-_STEPS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)
+DRAWING_STEPS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)
+"""Scale factors of a drawing within a power of ten."""
 
 
 @dataclass(frozen=True)
@@ -165,14 +166,14 @@ def source_angles(machine: Machine, *, mechanism: str | None = None, is_shown: b
     return tuple(round(float(angle), _DIGITS) % 360.0 for angle in turn)
 
 
-def fitting(outlines: Sequence[Array], room: tuple[float, float]) -> float:
+def fitting(outlines: Sequence[Array], room: tuple[float, float], steps: Sequence[float] = DRAWING_STEPS) -> float:
     """Choose the round scale factor at which each of several outlines, shape (2, n), fits a room. [unit for 1 mm]"""
     spans = [np.nanmax(outline, axis=1) - np.nanmin(outline, axis=1) for outline in outlines]
-    return rounded_scale(float(np.max(np.stack(spans) / np.asarray(room))))
+    return rounded_scale(float(np.max(np.stack(spans) / np.asarray(room))), steps)
 
 
-def rounded_scale(least: float) -> float:
-    """Give the next scale factor up that a draughtsman would take: 1, 2, 2.5, 4 or 5 times a power of ten."""
+def rounded_scale(least: float, steps: Sequence[float] = DRAWING_STEPS) -> float:
+    """Give the next scale factor up that a draughtsman would take: one of the steps times a power of ten."""
     power = 10.0 ** float(np.floor(np.log10(least)))
-    step = next(step for step in _STEPS if step * power >= least * (1 - 1e-9))
+    step = next(step for step in steps if step * power >= least * (1 - 1e-9))
     return float(f"{step * power:.6g}")  # 0.0025, not 0.0025000000000000001

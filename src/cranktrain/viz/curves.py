@@ -158,13 +158,14 @@ class _Row(NamedTuple):
 
 def _piston_rows(turn: _Turn) -> tuple[_Row, ...]:
     """Travel, velocity and acceleration; without a speed by the crank angle."""
+    titles = _row_titles(turn)
     has_speed = "piston_velocity" in turn.result.catalogue
     omega = turn.result.machines[turn.design].main_shaft.speed
     rate = omega.si if has_speed and omega is not None else 1.0
     return (
-        _Row(_("Piston travel"), "s", "mm", "piston_displacement", "displacement_by_method", shown(1.0, "mm")),
+        _Row(titles[0], "s", "mm", "piston_displacement", "displacement_by_method", shown(1.0, "mm")),
         _Row(
-            _("Piston velocity"),
+            titles[1],
             "v" if has_speed else "s'",
             "m/s" if has_speed else "mm/rad",
             "piston_velocity_coefficient",
@@ -172,7 +173,7 @@ def _piston_rows(turn: _Turn) -> tuple[_Row, ...]:
             rate if has_speed else 1e3,
         ),
         _Row(
-            _("Piston acceleration"),
+            titles[2],
             "j" if has_speed else "s''",
             "m/s²" if has_speed else "mm/rad²",
             "piston_acceleration_coefficient",
@@ -180,6 +181,21 @@ def _piston_rows(turn: _Turn) -> tuple[_Row, ...]:
             rate**2 if has_speed else 1e3,
         ),
     )
+
+
+def _row_titles(turn: _Turn) -> tuple[str, str, str]:
+    """Titles of travel, velocity and acceleration: of pistons, of valves, or of both."""
+    names = drawn_names(turn.result, "piston")
+    are_pistons = {place.kind.has_chambers for place in turn.result.machines[turn.design].places if place.name in names}
+    if are_pistons == {False}:
+        return _("Valve travel"), _("Valve velocity"), _("Valve acceleration")
+    if False in are_pistons:
+        return (
+            _("Travel of piston and valve"),
+            _("Velocity of piston and valve"),
+            _("Acceleration of piston and valve"),
+        )
+    return _("Piston travel"), _("Piston velocity"), _("Piston acceleration")
 
 
 def _opposed_panels(turn: _Turn, names: Sequence[str]) -> Iterator[Panel]:

@@ -23,6 +23,10 @@ _TABLE = 86.0
 """Width of the table beside a diagram. [mm]"""
 _UPPER, _LOWER = (9.0, 3.0), (3.0, 2.0)
 """Dashes of the tangents at the largest and the smallest speed."""
+_ONE_POINT = 1.5
+"""Marks of the crank angle nearer to each other are one, with one label. [mm]"""
+_NAMED = 2
+"""Of more angles at one mark not each is named."""
 _CARRIED = (6.0, 2.5)
 """Dashes of the moving parts' energy."""
 
@@ -64,10 +68,11 @@ def plan_wittenbauer(result: Result, *, size: str = "A4", design: int = 0) -> Fi
         page, box = _page(
             result, size, design, _("Wittenbauer's diagram: excess work over inertia of the moving parts")
         )
-        # Where there is hardly any work, the tangents' slope sets the scale.
-        rise = float(upper.slope) * float(np.ptp(inertia))
+        # Where there is hardly any work, or hardly any change of inertia, the tangents' slope sets the scale.
+        rise, run = float(upper.slope) * float(np.ptp(inertia)), float(np.ptp(work)) / float(upper.slope)
         heights = np.append(work, np.mean(work) + rise * np.array([-0.2, 0.2]))
-        close = _Frame(box, _wide(inertia, 0.25), _wide(heights, 0.12))
+        widths = np.append(inertia, np.mean(inertia) + run * np.array([-0.05, 0.05]))
+        close = _Frame(box, _wide(widths, 0.25), _wide(heights, 0.12))
         axes = _axes(page, close, _("Inertia of the moving parts $J_v$, kg·m²"), _("Excess work $A$, J"))
         axes.plot(np.append(inertia, inertia[0]), np.append(work, work[0]), color=COLOURS["v"], linewidth=1.6)
         for tangent, dashes in ((upper, _UPPER), (lower, _LOWER)):
@@ -107,9 +112,9 @@ def plan_mertsalov(result: Result, *, size: str = "A4", design: int = 0) -> Figu
         for extreme in (found.smallest, found.largest):
             at, value = float(extreme.angle[design, 0]), float(extreme.value[design, 0])
             axes.axhline(value, color=INK, linewidth=0.6, dashes=_LOWER)
-            axes.plot([shown(at, "deg") % cycle], [value], "o", ms=4.5, mfc="white", mec=INK, mew=0.9, zorder=6)
-        ends = float(found.smallest.value[design, 0]), float(found.largest.value[design, 0])
-        _dimension(axes, bottom, ends)
+            place = [shown(at, "deg") % cycle], [value]
+            axes.plot(*place, "o", ms=4.5, mfc="white", mec=INK, mew=0.9, zorder=6, clip_on=False)
+        _dimension(page, bottom, (float(found.smallest.value[design, 0]), float(found.largest.value[design, 0])))
         _legend(page, low, ((r"$A-\frac{1}{2}\omega_a^2 J_v$", COLOURS["T"], ()),))
         _write_numbers(page, result, design, (box.left + box.width + 10.0, box.bottom + box.height), ())
         return page.figure
@@ -138,6 +143,7 @@ def _axes(page: Page, frame: _Frame, across: str, up: str, every: float | None =
     axes.spines[["top", "right"]].set_visible(False)
     axes.xaxis.set_major_locator(MaxNLocator(nbins=5) if every is None else MultipleLocator(every))
     axes.yaxis.set_major_locator(MaxNLocator(nbins=6))
+    axes.ticklabel_format(useOffset=False)
     page.text(box.left + box.width / 2, box.bottom - 8.5, across, ha="center")
     page.text(box.left, box.bottom + box.height + 2.2, up)
     return axes
@@ -166,13 +172,37 @@ def _number_angles(
     points = frame.on_paper(inertia[at], work[at])
     middle = np.mean(frame.on_paper(inertia, work), axis=1)
     away = np.arctan2(*(points - middle[:, np.newaxis])[::-1])
-    wishes = [Wish(points[:, i], f"{angle[place]:g}°", float(away[i]), "name") for i, place in enumerate(at)]
+    wishes = [
+        Wish(points[:, of[0]], _joined(angle[at[of]]), float(away[of[0]]), "name")
+        for of in _together(points, _ONE_POINT)
+    ]
     lines = [frame.on_paper(np.append(inertia, inertia[0]), np.append(work, work[0]))]
     for tangent in tangents:
         ends = np.array(frame.x)
         lines.append(frame.on_paper(ends, tangent.slope * ends + tangent.intercept))
     for label in placed_labels(wishes, lines, 1.0):
         _write(page, axes, label.position, label.text, ha="center")
+
+
+def _together(points: Array, reach: float) -> list[list[int]]:
+    """Group points, shape (2, n), that lie nearer than `reach` to the first of their group."""
+    groups: list[list[int]] = []
+    for i in range(points.shape[1]):
+        near = (of for of in groups if np.hypot(*(points[:, i] - points[:, of[0]])) < reach)
+        found = next(near, None)
+        if found is None:
+            groups.append([i])
+        else:
+            found.append(i)
+    return groups
+
+
+def _joined(angles: Array) -> str:
+    """Name all crank angles of one point; many at even distances by the first one and the distance, 60° + 180°k."""
+    steps = np.diff(angles)
+    if len(angles) > _NAMED and np.ptp(steps) < 1e-6:
+        return f"{angles[0]:g}° + {steps[0]:g}°k"
+    return ", ".join(f"{angle:g}°" for angle in angles)
 
 
 def _draw_whole(
@@ -198,20 +228,14 @@ def _write(page: Page, axes: Axes, at: Array, words: str, *, ha: str) -> None:
     axes.text(float(at[0]), float(at[1]), words, ha=ha, va="center_baseline", transform=page.paper.transData, zorder=20)
 
 
-def _dimension(axes: Axes, frame: _Frame, ends: tuple[float, float]) -> None:
-    """Draw the range that the flywheel takes up as a dimension at the right end."""
-    x = frame.x[0] + 0.965 * (frame.x[1] - frame.x[0])
-    axes.annotate("", (x, ends[1]), (x, ends[0]), arrowprops={"arrowstyle": "<->", "lw": 0.7, "color": INK})
-    axes.text(
-        x,
-        sum(ends) / 2,
-        r"$\delta\,\omega_a^2 J_f$",
-        ha="center",
-        va="center",
-        fontsize=SYMBOL,
-        bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.5},
-        zorder=20,
-    )
+def _dimension(page: Page, frame: _Frame, ends: tuple[float, float]) -> None:
+    """Draw the range that the flywheel takes up as a dimension beside the right end, clear of the curve."""
+    (right, _same), (low, high) = frame.on_paper(np.full(2, frame.x[1]), np.array(ends)).tolist()
+    x = right + 4.0
+    for y in (low, high):
+        page.paper.plot((right, x + 1.5), (y, y), color=INK, lw=0.6)
+    page.paper.annotate("", (x, high), (x, low), arrowprops={"arrowstyle": "<->", "lw": 0.7, "color": INK})
+    page.text(x + 2.0, (low + high) / 2, r"$\delta\,\omega_a^2 J_f$", va="center", fontsize=SYMBOL)
 
 
 def _legend(page: Page, box: Box, entries: Sequence[tuple[str, str, tuple[float, ...]]]) -> None:
@@ -253,9 +277,13 @@ def _write_numbers(
         size.flywheel_inertia_error[design],
         strict=True,
     ):
-        share = "" if name == "exact" else f"{100 * float(error):+.2f} %".replace("-", "−")
+        if float(inertia) <= 0:
+            methods.append((titles[name], _("not needed"), "–", "" if name == "exact" else "–"))
+            continue
+        share = f"{100 * float(error):+.2f} %".replace("-", "−") if float(size.flywheel_inertia[design, 0]) > 0 else "–"
+        share = "" if name == "exact" else share
         methods.append((titles[name], figure(float(inertia)), figure(4 * float(inertia)), share))
-    y = write_table(page, methods, (left, y - 3.0, _TABLE), (0.56, 0.82, 1.0))
+    y = write_table(page, methods, (left, y - 3.0, _TABLE), (0.52, 0.77, 1.0))
     if tangents:
         for words, dashes in ((_("tangent at the largest speed"), _UPPER), (_("tangent at the smallest"), _LOWER)):
             page.sample(left, left + 10.0, y - 1.0, color=INK, lw=0.9, dashes=dashes)

@@ -62,7 +62,7 @@ def draw_orders(page: Page, shown: OneDesign, place: tuple[float, float, float])
     axes.bar(order, amplitude, width=width, color=colours, edgecolor=COLOURS["T"], linewidth=0.7)
     axes.set(xlim=(0.0, float(order[-1]) + 0.5), xticks=np.arange(1.0, float(order[-1]) + 0.5), ylim=(0.0, None))
     axes.grid(visible=False, axis="x")
-    page.heading(left, top - 3.0, _("Orders of the torque, amplitude in N·m"))
+    page.heading(left, top - 3.0, _("Amplitude of the torque's orders, N·m, over the order"))
     return top - 5.0 - height - 7.0
 
 

@@ -78,7 +78,7 @@ def force_panels(result: Result, piston: str | None, design: int = 0) -> Iterato
         at = chambers_of(result, piston)
         named = [Drawn("p", shown("gas_pressure")[at[0]] / 1e6, "p", 1.6)]
         named += [Drawn("p", shown("gas_pressure")[i] / 1e6, "p", 0.9, (5.0, 2.0)) for i in at[1:]]
-        yield ForcePanel(_("Gas pressure, absolute, {piston}").format(piston=piston), "MPa", tuple(named))
+        yield ForcePanel(_("Gas pressure at piston {piston}, absolute").format(piston=piston), "MPa", tuple(named))
     if piston is not None and shown.has("piston_force"):
         place, method = result.labels["piston"].index(piston), result.labels["force_method"].index(_EXACT)
         curves = {
@@ -104,10 +104,10 @@ def _piston_panels(piston: str, curves: dict[str, Array]) -> Iterator[ForcePanel
         Drawn("S", rod, "F", 0.8, (2.0, 2.0)),
         Drawn("N", side, "N", 1.1, (8.0, 2.0)),
     )
-    yield ForcePanel(_("At the piston {piston}").format(piston=piston), "kN", at_piston)
+    yield ForcePanel(_("Forces at piston {piston}").format(piston=piston), "kN", at_piston)
     radial, tangential = (curves[name] / 1e3 for name in ("radial_force", "tangential_force"))
     at_pin = (Drawn("T", tangential, "T", 1.6), Drawn("K", radial, "K", 0.9, (6.0, 2.0)))
-    yield ForcePanel(_("At its crank pin"), "kN", at_pin)
+    yield ForcePanel(_("Forces at its crank pin"), "kN", at_pin)
 
 
 def chambers_of(result: Result, piston: str) -> list[int]:

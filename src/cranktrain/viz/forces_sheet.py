@@ -101,7 +101,7 @@ def _draw_indicator(page: Page, shown: OneDesign, piston: str | None, place: tup
     for number, chamber in enumerate(at):
         volume, pressure = (_closed(shown(name)[chamber]) for name in ("chamber_volume", "gas_pressure"))
         axes.plot(volume * 1e3, pressure / 1e6, color=COLOURS["p"], lw=0.9 if number else 1.4)
-    page.heading(left, top - 3.0, _("Indicator diagram, p in MPa over V in litres"))
+    page.heading(left, top - 3.0, _("Indicator diagram, pressure in MPa over volume in litres"))
     if shown.has("indicated_mean_pressure"):
         words = _("mean {mean:.3f} MPa").format(mean=float(shown("indicated_mean_pressure")[at[0]]) / 1e6)
         axes.text(0.98, 0.9, words, ha="right", va="top", transform=axes.transAxes, fontsize=TEXT)

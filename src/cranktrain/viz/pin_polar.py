@@ -22,6 +22,9 @@ _TABLE = 62.0
 """Width of the table. [mm]"""
 
 _COLUMNS = (0.42, 0.71, 1.0)
+_STEPS = (1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
+"""Scale factors within a power of ten: close, as the diagram is read by its rings."""
+
 _RINGS, _BEYOND = 3.0, 5.0
 """How many rings there are at least, and how far axes go beyond the curves. [mm]"""
 
@@ -29,7 +32,7 @@ _ROUND = np.linspace(0.0, 2 * np.pi, 721)
 
 
 def plan_polar(
-    machine: Machine, angles: int | Sequence[float] = 12, *, mechanism: str | None = None, size: str = "A4"
+    machine: Machine, angles: int | Sequence[float] | None = None, *, mechanism: str | None = None, size: str = "A4"
 ) -> Figure:
     """Draw the polar diagrams of a crank pin's load.
 
@@ -37,8 +40,9 @@ def plan_polar(
     ----------
     machine : Machine
         With masses or gas, and a speed.
-    angles : int or sequence of float
-        How many crank angles, evenly over a turn, or which, at which the table gives the load. [deg]
+    angles : int or sequence of float, optional
+        How many crank angles, evenly over a turn, or which, at which the table gives the load; each 30° of the cycle
+        unless given. [deg]
     mechanism : str, optional
         Whose rod; the first with a rod on a crank pin unless given.
     size : "A4" or "A3"
@@ -48,12 +52,13 @@ def plan_polar(
     Figure
     """
     loads = pin_loads(machine, mechanism=mechanism)
+    chosen = np.arange(0.0, loads.cycle, _MARKS) if angles is None else plan_angles(angles)
     with drawing_settings():
-        page, box = plan_page(machine, angles, size, _("Polar diagram of the crank pin's load"), loads.mechanism)
+        page, box = plan_page(
+            machine, chosen.tolist(), size, _("Polar diagram of the crank pin's load"), loads.mechanism
+        )
         width = (box.width - _TABLE) / 2
         pairs = ((loads.on_pin, loads.on_pin_without), (loads.in_rod, loads.in_rod_without))
-        outlines = [np.concatenate([*pair, np.zeros((2, 1))], axis=1) for pair in pairs]
-        scale = fitting(outlines, (width - 26.0, box.height - 38.0))
         heads = (_("On the pin, in the crank's axes"), _("On the rod's bearing, in the rod's axes"))
         upward = (_("up: away from the shaft"), _("up: toward the piston"))
         across = (_("right: in the sense of rotation"), _("right: 90° from it in the sense of rotation"))
@@ -63,18 +68,22 @@ def plan_polar(
             page.heading(cell.left, top - 4.0, heads[number])
             page.text(cell.left, top - 8.5, upward[number], **muted())
             page.text(cell.left, top - 12.7, across[number], **muted())
-            centre(page, polar_sketch(loads, pair, scale), cell._replace(height=cell.height - 15.0))
+            outline = np.concatenate([*pair, np.zeros((2, 1))], axis=1)
+            scale = fitting([outline], (width - 26.0, box.height - 42.0), _STEPS)
+            rings = _("rings each {step:g} kN").format(step=ring_step(pair[0]) / 1e3)
+            page.text(cell.left, top - 17.2, f"{scale_of('F', scale / 1e3, _('kN'))}, {rings}")
+            centre(page, polar_sketch(loads, pair, scale), cell._replace(height=cell.height - 19.0))
         start = box.left + 2 * width + 4.0
-        rows = list(_table(loads, np.asarray(plan_angles(angles))))
+        rows = list(_table(loads, chosen))
         end = write_table(page, rows, (start, box.bottom + box.height, _TABLE - 4.0), _COLUMNS)
         for number, note in enumerate(_notes(loads)):
             page.text(start, end - 2.0 - 4.2 * number, note, **muted())
-        page.sample(box.left + 62.0, box.left + 70.0, box.bottom + 0.5, color=INK, lw=1.0)
-        page.text(box.left + 72.0, box.bottom - 0.4, _("with the rod's rotating mass"))
+        page.sample(box.left, box.left + 8.0, box.bottom + 0.5, color=INK, lw=1.0)
+        page.text(box.left + 10.0, box.bottom - 0.4, _("with the rod's rotating mass"))
         if np.any(np.isfinite(loads.on_pin_without)):
-            page.sample(box.left + 118.0, box.left + 126.0, box.bottom + 0.5, color=INK, lw=0.6, dashes=(5.0, 2.5))
-            page.text(box.left + 128.0, box.bottom - 0.4, _("without it"))
-        write_scales(page, box, [scale_of("F", scale / 1e3, _("kN"))], None)
+            page.sample(box.left + 62.0, box.left + 70.0, box.bottom + 0.5, color=INK, lw=0.6, dashes=(5.0, 2.5))
+            page.text(box.left + 72.0, box.bottom - 0.4, _("without it"))
+        write_scales(page, box, [], None)
         return page.figure
 
 
@@ -87,7 +96,7 @@ def polar_sketch(loads: PinLoads, pair: tuple[Array, Array], scale: float) -> Sk
     sketch.add([Line(np.array([[low[0], high[0]], [0.0, 0.0]]), "LINKS", "thin", 1)])
     sketch.add([Line(np.array([[0.0, 0.0], [low[1], high[1]]]), "LINKS", "thin", 1)])
     sketch.add([Line(without, "LINKS", "part", 3), Line(full, "LINKS", "vector", 4)])
-    step = rounded_down(float(np.nanmax(np.hypot(*full))) * scale / _RINGS) / scale
+    step = ring_step(pair[0]) / scale
     radii = step * np.arange(1, int(max(np.max(np.abs(low)), np.max(high)) / step) + 1)
     rings = [_ring(radius, low, high) for radius in radii.tolist()]
     sketch.add(Line(ring, "LINKS", "dotted", 1) for ring in rings if np.any(np.isfinite(ring)))
@@ -96,16 +105,22 @@ def polar_sketch(loads: PinLoads, pair: tuple[Array, Array], scale: float) -> Sk
     largest = full[:, int(np.argmin(np.abs(loads.angle - loads.largest_at)))]
     sketch.add([Circle(largest, 1.8, "LINKS", "outline", 7)])
     lines = [full, np.array([[low[0], high[0]], [0.0, 0.0]]), np.array([[0.0, 0.0], [low[1], high[1]]])]
+    longer = -1.0 if -low[1] >= high[1] else 1.0
     wishes = [
-        Wish(np.array([0.0, -radius]), f"{radius * scale / 1e3:g}", -0.2, "number")
+        Wish(np.array([0.0, longer * radius]), f"{radius * scale / 1e3:g}", -0.2, "number")
         for radius in radii.tolist()
-        if -radius > low[1] + 2.0
+        if radius < max(-low[1], high[1]) - 2.0
     ]
     middle = np.nanmean(full, axis=1)
     named = marked[loads.angle[marked] % (_MARKS * round(loads.cycle / 360.0)) == 0]
     wishes += [Wish(full[:, i], f"{loads.angle[i]:g}°", _away(full[:, i] - middle), "number") for i in named]
     sketch.add(placed_labels(wishes, lines, 1.0))
     return sketch
+
+
+def ring_step(load: Array) -> float:
+    """Load from ring to ring, a round one of which the largest load has three or more. [N]"""
+    return rounded_down(float(np.nanmax(np.hypot(*load))) / _RINGS)
 
 
 def _ring(radius: float, low: Array, high: Array) -> Array:

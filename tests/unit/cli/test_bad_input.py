@@ -39,7 +39,27 @@ slider = "ram"
 guide = { through = "O", direction = "0 deg" }
 """
 
+ROD = """\
+[shaft.main]
+speed = "1500 rpm"
+[mechanism]
+kind = "slider_crank"
+stroke = "80 mm"
+rod_length = "136 mm"
+[masses.rod]
+mass = "0.7 kg"
+along = "36 mm"
+"""
+
 FILES = {
+    "centroid far beside the rod": (
+        (ROD + 'across = "2 m"\n').encode(),
+        "bad.toml:10:10  masses.rod.across = 2 m: must lie on the link or not far from it: -136 mm to 136 mm beside",
+    ),
+    "inertia in a unit of another size": (
+        (ROD + 'inertia = "20 kg·cm²"\n').encode(),
+        "bad.toml:10:11  masses.rod.inertia = 20 kg·cm²: must be a moment of inertia in kg·m², such as 0.5 kg·m²\n",
+    ),
     "name before it exists": (
         CHAIN.replace('from = "main.pin"', 'from = "ram.pin"').encode(),
         "bad.toml:13:51  mechanism.part[0].leg[0].rod.from = ram.pin: is made only here or further down; must be",
@@ -161,6 +181,7 @@ def test_all_problems_at_once(typed, written):
     [
         ("machin.toml", "machin.toml  there is no such file; is it machine.toml?"),
         ("3d13", "3d13  there is no such file; is it the example 3d12?"),
+        ("", 'FILE = "": must be the name of a machine file, or of an example; `cranktrain list` names all'),
         ("no/such/file.toml", "no/such/file.toml  there is no folder no/such"),
         (".", ".  is a folder, not a machine file"),
         ("a\0b", "a"),
@@ -172,6 +193,49 @@ def test_files_that_are_not_there(typed, written, name, said):
     answer = typed("run", name)
     assert (answer.status, answer.output) == (2, "")
     assert answer.errors.startswith(said)
+
+
+def test_step_that_is_no_number(typed):
+    answer = typed("run", "3d12", "--step", "1,5")
+    assert answer.status == 2
+    assert "'--step': 1,5 must be a number of degrees, such as 0.5" in answer.errors
+
+
+def test_no_quantities_are_not_all_of_them(typed):
+    answer = typed("run", "3d12", "--quantities", " , ")
+    assert (answer.status, answer.output) == (2, "")
+    assert answer.errors.startswith('--quantities = "": must be names of results, with commas between')
+
+
+def test_gas_in_a_chamber_without_room_is_refused_where_the_room_is_given(typed):
+    answer = typed("run", "3d12", "--set", "bank.R.mechanism.knuckle_radius=400 mm")
+    assert (answer.status, answer.output) == (2, "")
+    assert "cylinder.compression_ratio" in answer.errors
+    assert "leaves no room over 1R–6R, whose pistons reach beyond the first one's deck" in answer.errors
+    assert "such as [cylinder.R]" in answer.errors
+
+
+def test_diagram_with_a_gap_is_refused_in_its_own_line(typed, written):
+    """The problem is the diagram's, and names the table that asks for it."""
+    rows = "\n".join(f"{angle};{1 + 30 / (1 + abs(angle - 370)):.4f}" for angle in range(720) if not 99 < angle < 140)
+    written(f"angle [deg];p abs [bar]\n{rows}\n", "trace.csv")
+    written(
+        f"{ROD.partition('[masses')[0]}"
+        '[cylinder]\nbore = "82 mm"\ncompression_ratio = 9.3\ncycle = "four-stroke"\n'
+        '[gas]\nkind = "indicator"\nfile = "trace.csv"\n'
+    )
+    said = "trace.csv:101  gas: has no samples between 99° and 140°, a gap of 41°; give what is missing"
+    assert typed("run", "machine.toml").errors.startswith(said)
+
+
+def test_weights_that_balance_nothing(typed, written):
+    """Of two on one throw the second stands where the first one's opposite side is, unless an angle says so."""
+    weight = '[[balance.weight]]\nmass = "1 kg"\nradius = "50 mm"\nthrow = 1\n'
+    written(f'{ROD}inertia = "0.003 kg·m²"\n{weight}{weight}angle = "0 deg"\n')
+    said = "machine.toml:15:1  balance.weight[1]: stands opposite balance.weight[0] on throw 1"
+    assert typed("check", "machine.toml").errors.startswith(said)
+    written(f'{ROD}inertia = "0.003 kg·m²"\n{weight}{weight}angle = "10 deg"\n')
+    assert typed("check", "machine.toml").status == 0
 
 
 def test_unreadable_file(typed, written, monkeypatch):

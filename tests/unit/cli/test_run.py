@@ -63,6 +63,16 @@ def test_facts_of_a_radial_have_a_row_for_each_cylinder(typed):
     assert "S stroke, φ_T top_dead_centre" in results
 
 
+def test_numbers_of_orders_and_journals_are_no_pistons(typed):
+    """Piston 2, order 2 and journal 2 have tables of their own, of which two say what they are of."""
+    results = sections(typed("run", "vaz_21213").output)["Results"]
+    assert re.search(r"^ +1, 4 +2, 3$", results, re.MULTILINE)
+    assert re.search(r"^  order +T_k +ψ_k +S_k$", results, re.MULTILINE)
+    assert re.search(r"^  journal +T_J,max$", results, re.MULTILINE)
+    assert not re.search(r"^  [0-9.]+$", results, re.MULTILINE)
+    assert not re.search(r"e-1[2-9]", results)
+
+
 def test_numbers_are_aligned(typed):
     results = sections(typed("run", "3d12").output)["Results"]
     first = results.partition("\n\n")[0].splitlines()
@@ -180,6 +190,17 @@ def test_problems_of_a_setting_say_so(typed, setting, said):
     answer = typed("run", "3d12", "--set", setting)
     assert (answer.status, answer.output) == (2, "")
     assert answer.errors.startswith(said)
+
+
+def test_a_setting_above_the_banks_is_led_to_the_bank(typed):
+    errors = typed("run", "vaz_21213", "--set", "mechanism.offset=2 mm").errors
+    assert errors.rstrip().endswith("the file alone may be right; did you mean bank.line.mechanism.offset?")
+
+
+def test_a_setting_is_made_once(typed):
+    twice = typed("run", "3d12", "--set", "shaft.main.speed=1 rpm", "--set", "shaft.main.speed=2 rpm")
+    assert (twice.status, twice.output) == (2, "")
+    assert twice.errors == "--set  shaft.main.speed = 2 rpm: is set twice; keep one of the two\n"
 
 
 def test_a_setting_may_spoil_another_value(typed):

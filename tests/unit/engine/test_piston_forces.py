@@ -69,6 +69,14 @@ def test_the_rods_share_goes_with_the_piston():
     np.testing.assert_allclose(turning, 2 / 3 * 0.05 * 300.0**2, rtol=1e-11)
 
 
+@pytest.mark.parametrize(("inertia", "is_doubted"), [(20.0, True), (1e-5, True), (0.0, False), (0.004, False)])
+def test_inertia_that_no_such_rod_has_is_doubted(inertia, is_doubted):
+    """A rod of 1 kg and 180 mm: a bar's is 0.0027, two masses' at its ends at most 0.0081."""
+    rod = {"mass": "1 kg", "along": "60 mm", "inertia": f"{inertia!r} kg·m²"}
+    flags = one(slider(), 100.0, {"rod": rod}).flags
+    assert any(flag.startswith("The inertia of 1.rod is hardly") for flag in flags) is is_doubted
+
+
 def test_a_slave_has_no_crank_pin_of_its_own():
     result = ct.run(ct.Machine(**V12, masses={"piston": {"mass": "3 kg"}}), step_degrees=10)
     slaves = [place for place, name in enumerate(result.labels["piston"]) if name.endswith("R")]

@@ -85,6 +85,22 @@ def test_orders_of_the_pistons_inertia():
     assert np.max(inertia(0, 120, 240).torque_order_amplitude[[0, 1, 3, 4]]) < 1e-12 * peak
 
 
+def test_answers_name_no_rounding_and_the_first_of_equals():
+    """Of four even throws the rest are rounding; every crank pin has the same load."""
+    answers = inertia(0, 90, 180, 270, shaft=throws(0, 90, 180, 270, speed="300 rad/s")).summary()
+    told = next(line for line in answers.splitlines() if line.startswith("Largest orders"))
+    assert "(0.0 N*m)" not in told
+    assert "e-1" not in told
+    assert "by the rod of 1 at" in answers
+
+
+def test_an_order_that_is_rounding_has_no_phase():
+    result = inertia(0, 90, 180, 270, shaft=throws(0, 90, 180, 270, speed="300 rad/s"))
+    order = np.arange(1, len(result.torque_order_phase) + 1)
+    assert np.all(np.isnan(result.torque_order_phase[order % 4 > 0]))
+    assert np.all(np.isfinite(result.torque_order_phase[[3, 7, 11]]))
+
+
 def test_orders_that_the_grid_cannot_show_are_absent():
     tables = {"shaft": throws(0, speed="900 rpm"), "bank": {"A": {"mechanism": slider()}}, "masses": PISTON}
     result = ct.run(ct.Machine(**tables), step_degrees=30)

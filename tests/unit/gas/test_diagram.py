@@ -1,6 +1,7 @@
 """From a file to a diagram: one cycle in order, placed on firing, pegged, smoothed; what is wrong or odd is told."""
 
 import itertools
+import re
 
 import numpy as np
 import pytest
@@ -87,6 +88,42 @@ def test_noise_reversed_sense_and_wrong_dead_centre_are_recovered_and_told():
     assert diagram_work(diagram, ENGINE.slope) == pytest.approx(diagram_work(PLAIN, ENGINE.slope), abs=uncertain)
     same = diagram_of(text, sense="backward", smoothing="0.7 deg")
     np.testing.assert_array_equal(same.pressures, diagram.pressures)
+
+
+def test_rows_in_no_order_are_sorted():
+    order = np.random.default_rng(5).permutation(len(DEGREES))
+    diagram = diagram_of(csv(DEGREES[order], PRESSURES[order]))
+    np.testing.assert_array_equal(diagram.pressures, PLAIN.pressures)
+
+
+@pytest.mark.parametrize("offset", [-101325.0, 101325.0], ids=["gauge as absolute", "absolute as gauge"])
+@pytest.mark.parametrize("boost", [1.0, 2.6])
+def test_a_level_that_is_off_by_the_atmosphere_is_doubted(offset, boost):
+    """Supercharged, every pressure is one that an engine could have: the exponent of the compression tells."""
+    assert diagram_of(csv(DEGREES, boost * PRESSURES)).doubts == ()
+    off = boost * PRESSURES + offset
+    doubts = diagram_of(csv(DEGREES, np.maximum(off, 1e3))).doubts
+    if offset < 0 or boost == 1.0:
+        assert any("the level of the pressures (absolute or gauge)" in doubt for doubt in doubts)
+
+
+def test_noise_is_doubted_until_it_is_smoothed():
+    noise = 0.02 * np.max(PRESSURES) * np.random.default_rng(1).standard_normal(len(DEGREES))
+    text = csv(DEGREES, np.maximum(PRESSURES + noise, 1e3))
+    assert any(re.search(r"scatter by (1\.[89]|2\.?[01]?) % of the peak", doubt) for doubt in diagram_of(text).doubts)
+    assert not any("scatter" in doubt for doubt in diagram_of(text, smoothing="2 deg").doubts)
+
+
+def test_sense_that_is_wrongly_given_is_not_advised_again():
+    (doubt,) = (one for one in diagram_of(csv(DEGREES, PRESSURES), sense="backward").doubts if "takes work" in one)
+    assert "leave sense out" in doubt
+
+
+def test_radians_without_a_word_are_advised():
+    rows = csv(np.radians(DEGREES), PRESSURES).split("\n", 1)[1]
+    with pytest.raises(InputError) as refusal:
+        diagram_of(f"CA,p_abs_Pa\n{rows}")
+    assert 'if the file\'s angles are radians, write axis_unit = "rad"' in told(refusal)
 
 
 def test_motored_cycle_is_told():

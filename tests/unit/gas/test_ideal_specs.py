@@ -66,3 +66,8 @@ def test_heat_beyond_the_bottom_dead_centre_is_no_number():
     angle = np.radians(np.array([10.0]))
     state = gas.ChamberState(CHAMBER.volume(angle), *CHAMBER.limits, np.array(1.0), np.array(1.0), angle)
     assert np.isnan(gas.kind_named("dual").pressure(state, model)).tolist() == [False, True]
+
+
+def test_an_exponent_that_no_gas_has_is_doubted():
+    _, doubts = model_of(expansion_exponent=0.5)
+    assert doubts == ("expansion_exponent = 0.5 is no polytrope of an engine; 1.2 to 1.4 are usual.",)

@@ -122,3 +122,15 @@ def test_levels_that_no_engine_has_are_doubted(lowest, peak, doubt):
     doubts = read_trace(f"angle;p abs [bar]\n0;{lowest}\n1;{peak}", "trace.csv").doubts
     assert len(doubts) == (doubt is not None)
     assert doubt is None or doubt in doubts[0]
+
+
+def test_more_columns_than_needed_are_told():
+    trace = read_trace("angle [deg];p1 [bar];p2 [bar]\n0;1;2\n1;1;2", "trace.csv")
+    assert "The file has 3 columns; pressures are taken from column 2, p1 [bar]" in trace.findings[0]
+    chosen = read_trace("angle [deg];p1 [bar];p2 [bar]\n0;1;2\n1;1;2", "trace.csv", Columns(columns=(1, 3)))
+    assert not any("columns" in finding for finding in chosen.findings)
+
+
+def test_one_column_for_both_is_refused():
+    with pytest.raises(InputError, match="columns: must be two columns, of the axis and of the pressure"):
+        read_trace("angle [deg];p [bar]\n0;1\n1;1", "trace.csv", Columns(columns=(2, 2)))

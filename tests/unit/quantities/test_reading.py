@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from cranktrain.quantities import Dimension, QuantityError, read, shown, unit_names
+from cranktrain.quantities import Dimension, QuantityError, expected, read, shown, unit_names
 
 D = Dimension
 LBF = Fraction("0.45359237") * Fraction("9.80665")  # pound and standard gravity, both by definition
@@ -203,6 +203,10 @@ RANGE = "must be within what a computer number holds, in SI units 5e-324 to 1.8e
             None,
         ),
         ("5 MM", D.LENGTH, "5 MM", LENGTH, 'write "5 mm"'),
+        ("5 kg·cm²", D.INERTIA, "5 kg·cm²", "must be a moment of inertia in kg·m², such as 0.5 kg·m²", None),
+        ("5 kN·m", D.TORQUE, "5 kN·m", TORQUE, None),
+        ("5 кН·м", D.TORQUE, "5 кН·м", TORQUE, None),
+        ("5 hPa", D.PRESSURE, "5 hPa", expected(D.PRESSURE), None),
         ("5 Mm", D.LENGTH, "5 Mm", LENGTH, 'write "5 mm"'),
         ("5 kgm", D.TORQUE, "5 kgm", TORQUE, 'write "5 kgf·m"'),
         ("5 кгм", D.TORQUE, "5 кгм", TORQUE, 'write "5 кгс·м"'),

@@ -38,6 +38,31 @@ def test_of_one_of_several_designs():
         assert "0.05" in of_second
 
 
+EVEN_BY_ITSELF = {"deltic": 0.005, "10d100": 0.005}
+
+
+@pytest.mark.parametrize("name", EVEN_BY_ITSELF)
+def test_inertia_that_does_not_change_is_drawn_as_a_line(name):
+    """Rounding of the reduced inertia must not fill the sheet: the tangents' slope sets the scale."""
+    result = ct.run(ct.load(name), step_degrees=2)
+    close = plan_wittenbauer(result).axes[1]
+    curve = next(line for line in close.lines if len(line.get_xdata()) > 2)
+    assert np.ptp(curve.get_xdata()) < 1e-4 * np.ptp(close.get_xlim())
+    words = [text for text, _box in words_of(plan_wittenbauer(result))]
+    assert not any("e−" in text or "e-" in text for text in words)
+
+
+def test_flywheel_that_is_not_needed_has_no_size():
+    words = [text for text, _box in words_of(plan_mertsalov(ct.run(ct.load("deltic"), step_degrees=2)))]
+    assert "not needed" in words
+    assert not any("%" in text for text in words)
+
+
+def test_crank_angles_of_one_point_share_a_label():
+    words = [text for text, _box in words_of(plan_wittenbauer(ct.run(ct.load("vaz_21213"), step_degrees=2)))]
+    assert {"0° + 180°k", "60° + 180°k", "120° + 180°k"} <= set(words)
+
+
 def test_tangents_are_drawn_at_both_speeds():
     result = ct.run(ct.Machine(**ENGINE, evenness={"coefficient": 0.05}))
     close = plan_wittenbauer(result).axes[1]

@@ -74,18 +74,18 @@ def test_sheet_is_readable(results, name, size):
 def test_sheet_of_a_slave_says_why_it_has_no_piston_forces(results):
     words = " | ".join(text for text, _box in words_of(sheet_forces(results["3d12"], piston="1R")))
     assert "1R hangs on another rod" in words
-    assert "At its crank pin" not in words
+    assert "Forces at its crank pin" not in words
 
 
 def test_sheet_says_what_it_shows(results):
     words = " | ".join(text for text, _box in words_of(sheet_forces(results["3d12"], piston="2L")))
     for part in (
         "Forces. φ = 0 where crank 1 is on the axis of bank L",
-        "Gas pressure, absolute, 2L, MPa",
-        "At the piston 2L, kN",
-        "At its crank pin, kN",
+        "Gas pressure at piston 2L, absolute, MPa",
+        "Forces at piston 2L, kN",
+        "Forces at its crank pin, kN",
         f"Torque on the shaft, mean {results['3d12'].mean_torque:.1f}, N·m",
-        "Indicator diagram, p in MPa over V in litres",
+        "Indicator diagram, pressure in MPa over volume in litres",
         "6: sum 12.00 of 12",
         "Crank angle φ, °",
     ):
@@ -152,6 +152,17 @@ def test_polar_curves_are_to_scale():
     assert full[:, -1] == pytest.approx(full[:, 0])
     words = [label.text for label in sketch.labels]
     assert "0°" in words and "5" in words
+
+
+@pytest.mark.parametrize("name", ["vaz_21213", "3d12", "r_1340", "deltic"])
+def test_polar_sheet_says_its_scales_and_covers_the_cycle(name):
+    """Every diagram has a scale of its own, and the table a row each 30° of the whole cycle."""
+    figure = plan_polar(WEIGHED[name])
+    words = [text for text, _box in words_of(figure)]
+    assert sum("kN/mm, rings each" in text for text in words) == 2
+    cycle = pin_loads(WEIGHED[name]).cycle
+    angles = [float(text) for text in words if text.isdigit()]
+    assert set(np.arange(0.0, cycle, 30.0)) <= set(angles)
 
 
 def test_same_bytes(tmp_path, results):

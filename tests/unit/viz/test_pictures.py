@@ -188,6 +188,17 @@ def test_sheet_says_what_it_shows(results):
         assert part in words
 
 
+def test_curves_of_a_valve_are_not_called_a_piston_s():
+    eccentric = {"kind": "eccentric", "eccentricity": "60 mm", "rod_length": "1.4 m", "angle_of_advance": "30 deg"}
+    alone = ct.run(ct.Machine(mechanism=eccentric))
+    assert [panel.title for panel in panels(alone)] == ["Valve travel", "Valve velocity", "Valve acceleration"]
+    assert [panel.title for panel in panels(ct.run(ct.load("lms_class5")))][:3] == [
+        "Travel of piston and valve",
+        "Velocity of piston and valve",
+        "Acceleration of piston and valve",
+    ]
+
+
 @pytest.mark.parametrize("name", ["3d12", "r_1340", "pumping_unit_c57", "vaz_21213"])
 @pytest.mark.parametrize("kind", PLANS)
 @pytest.mark.parametrize("angles", [12, [30.0, 60.0]])

@@ -11,6 +11,9 @@ from cranktrain.language import N_, _
 from cranktrain.motion import single
 from cranktrain.quantities import Dimension, Given, Quantity, shown
 
+_LEAST_EXPONENT, _MOST_EXPONENT = 1.0, 5 / 3
+"""Of an isotherm, and of a gas of single atoms."""
+
 Exponent = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=2.0)]
 AbsolutePressure = Annotated[Given, Quantity(Dimension.PRESSURE, above=0.0)]
 HeatRatio = Annotated[Given, Quantity(Dimension.RATIO, at_least=1.0)]
@@ -85,15 +88,22 @@ def ideal_cycle(spec: IdealCycleSpec, chamber: Chamber) -> IdealCycle:
     )
 
 
-def gauge_doubts(spec: IdealCycleSpec, model: IdealCycle) -> tuple[str, ...]:
-    """Doubt pressures that are so low that gauge pressures may be meant."""
+def cycle_doubts(spec: IdealCycleSpec, model: IdealCycle) -> tuple[str, ...]:
+    """Doubt pressures that are so low that gauge pressures may be meant, and exponents that no gas has."""
     del model
+    exponents = {name: getattr(spec, name) for name in ("compression_exponent", "expansion_exponent")}
+    unusual = tuple(
+        _("{name} = {given} is no polytrope of an engine; 1.2 to 1.4 are usual.").format(name=name, given=exponent.text)
+        for name, exponent in exponents.items()
+        if not _LEAST_EXPONENT <= exponent.si <= _MOST_EXPONENT
+    )
     names = ("start_pressure", "inlet_pressure", "exhaust_pressure")
     given = [(name, pressure) for name in names if (pressure := getattr(spec, name)) is not None]
-    return tuple(
+    gauge = tuple(
         _(
             "{name} = {given} is {pressure} kPa absolute: if it is a gauge pressure, write it in barg, ati or psig."
         ).format(name=name, given=pressure.text, pressure=f"{shown(pressure.si, 'kPa'):.4g}")
         for name, pressure in given
         if pressure.si < _LOWEST_USUAL
     )
+    return (*gauge, *unusual)

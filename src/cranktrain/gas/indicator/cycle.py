@@ -19,8 +19,12 @@ _FEWEST = 24
 _WIDEST_STEP = np.radians(31.0)
 _WIDEST_GAP = np.radians(15.0)
 """In a trace of finer steps."""
+_RADIANS = 15.0
+"""A cycle of fewer degrees may be in radians."""
 _DOUBTFUL_GAP = 3.5
 """Steps over which the spline's word is doubted."""
+_IN_ORDER = 0.9
+"""Share of the rows that go on in one sense, jumps apart, in a file whose rows are in order."""
 _ALIKE = 0.01
 """First and last sample of a closed cycle differ by less, in parts of the peak."""
 
@@ -74,11 +78,12 @@ def _refuse_few(trace: Trace, n_samples: int, cycle: float) -> None:
 
 
 def _without_jumps(angles: Array) -> Array:
-    """Take whole turns out of the steps, so that 719° → 0° goes on to 720°."""
+    """Take whole turns out of the steps, so that 719° → 0° goes on to 720°; rows in no order have none to take out."""
     steps = np.diff(angles)
     usual = float(np.median(steps))
     turns = np.rint((steps - usual) / _TURN)
-    return angles - _TURN * np.concatenate([[0.0], np.cumsum(turns)])
+    onward = np.count_nonzero((steps - _TURN * turns) * usual >= 0.0) / len(steps)
+    return angles if onward < _IN_ORDER else angles - _TURN * np.concatenate([[0.0], np.cumsum(turns)])
 
 
 def _each_once(samples: Samples, trace: Trace, lines: NDArray[np.intp]) -> tuple[Samples, NDArray[np.intp]]:
@@ -94,7 +99,8 @@ def _each_once(samples: Samples, trace: Trace, lines: NDArray[np.intp]) -> tuple
         at = int(different[0])
         first, again = sorted((int(lines[at]), int(lines[at + 1])))
         allowed = _("has two pressures for the angle {angle}, the first in line {line} ({n} angles are given twice)")
-        _refuse(trace, allowed.format(angle=_degrees(angles[at]), line=first, n=different.size), again)
+        repair = _("keep one row for each angle, or the mean of both")
+        _refuse(trace, allowed.format(angle=_degrees(angles[at]), line=first, n=different.size), again, repair)
     kept = np.ones(len(angles), dtype=np.bool_)
     kept[repeated + 1] = False
     told = _("{n} samples that were given twice are left out.").format(n=repeated.size)
@@ -112,8 +118,10 @@ def _open_ended(
     told = told.format(first=_degrees(angles[0]), last=_degrees(angles[-1]))
     apart = abs(pressures[-1] - pressures[0]) / np.max(pressures)
     if apart > _ALIKE:
-        differ = _("The pressures there differ by {percent:.2g} % of the peak: the cycle does not close.")
-        doubts = (*doubts, differ.format(percent=100 * float(apart)))
+        differ = _(
+            "The pressures at {first} and {last} differ by {percent:.2g} % of the peak: the cycle does not close."
+        ).format(first=_degrees(angles[0]), last=_degrees(angles[-1]), percent=100 * float(apart))
+        doubts = (*doubts, differ)
     return Samples(angles[:-1], pressures[:-1], (*findings, told), doubts), lines[:-1]
 
 
@@ -141,7 +149,10 @@ def _gap_doubts(trace: Trace, angles: Array, lines: NDArray[np.intp], cycle: flo
         allowed = _("has no samples between {start} and {end}, a gap of {gap}").format(
             start=start, end=end, gap=_degrees(gap)
         )
-        _refuse(trace, allowed, int(lines[widest]))
+        repair = _("give what is missing, or a whole cycle")
+        if shown(float(np.ptp(angles)), "deg") < _RADIANS:
+            repair = _('if the file\'s angles are radians, write axis_unit = "rad"')
+        _refuse(trace, allowed, int(lines[widest]), repair)
     missing = _("There are no samples between {start} and {end}: the spline bridges them.")
     return (missing.format(start=start, end=end),)
 
@@ -151,8 +162,8 @@ def _degrees(angle: float) -> str:
     return f"{shown(float(angle), 'deg'):.7g}°"
 
 
-def _refuse(trace: Trace, allowed: str, line: int | None = None) -> None:
+def _refuse(trace: Trace, allowed: str, line: int | None = None, repair: str | None = None) -> None:
     """Refuse the file, at a line of it if it has one."""
     if line is None:
-        raise InputError([Problem("file", trace.name, allowed)])
-    raise InputError([Problem("", None, allowed, None, Position(trace.name, line))])
+        raise InputError([Problem("file", trace.name, allowed, repair)])
+    raise InputError([Problem("", None, allowed, repair, Position(trace.name, line))])

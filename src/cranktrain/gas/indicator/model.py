@@ -5,6 +5,7 @@ import numpy as np
 from cranktrain.errors import InputError, Problem
 from cranktrain.gas.indicator.cycle import Samples, one_cycle
 from cranktrain.gas.indicator.diagram import Diagram, diagram_through, pressure_at, smoothed
+from cranktrain.gas.indicator.doubts import compression_doubts, noise_doubts
 from cranktrain.gas.indicator.pegging import polytropic_offset
 from cranktrain.gas.indicator.placing import placed
 from cranktrain.gas.indicator.spec import IndicatorSpec, PegSpec, trace_of
@@ -45,9 +46,12 @@ def indicator_diagram(spec: IndicatorSpec, chamber: Chamber) -> Diagram:
         _refuse_angles(spec, trace.axis)
         samples = unrolled(trace, chamber, _outward(spec, chamber))
     samples = samples._replace(findings=(*trace.findings, *samples.findings), doubts=(*trace.doubts, *samples.doubts))
-    diagram = diagram_through(samples, chamber.cycle)
     if spec.peg is not None:
-        diagram = diagram_through(_pegged(samples, diagram, spec.peg, chamber), chamber.cycle)
+        samples = _pegged(samples, diagram_through(samples, chamber.cycle), spec.peg, chamber)
+    doubts = (*samples.doubts, *compression_doubts(samples, chamber))
+    if spec.smoothing is None:
+        doubts = (*doubts, *noise_doubts(samples))
+    diagram = diagram_through(samples._replace(doubts=doubts), chamber.cycle)
     return diagram if spec.smoothing is None else smoothed(diagram, spec.smoothing.si)
 
 

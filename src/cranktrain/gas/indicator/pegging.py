@@ -1,4 +1,7 @@
-"""Pegging: a pressure sensor measures changes only, so the level is found by one known pressure or by compression."""
+"""Level of the pressures by the compression, a polytrope: its exponent, and what makes it the one that is known.
+
+Pegging: a pressure sensor measures changes only, so the level is found by one known pressure or by compression.
+"""
 
 import numpy as np
 
@@ -36,3 +39,28 @@ def polytropic_offset(pressures: Array, volumes: Array, exponent: float) -> floa
     from_mean = power - np.mean(power)
     level = np.sum(from_mean * pressures) / np.sum(from_mean**2)
     return float(level * np.mean(power) - np.mean(pressures))
+
+
+def polytropic_exponent(pressures: Array, volumes: Array) -> float:
+    """Exponent n of the polytrope p Vⁿ = const that fits a piece of the compression best, by least squares of ln p.
+
+    Parameters
+    ----------
+    pressures : Array, shape (n,)
+        Absolute. [Pa]
+    volumes : Array, shape (n,)
+        [m³]
+
+    Returns
+    -------
+    float
+        n. [1]
+
+    Examples
+    --------
+    >>> volumes = np.array([5e-4, 4e-4, 3e-4])
+    >>> round(polytropic_exponent(20.0 * volumes**-1.3, volumes), 9)
+    1.3
+    """
+    volume, pressure = (np.log(values) - np.mean(np.log(values)) for values in (volumes, pressures))
+    return -float(np.sum(volume * pressure) / np.sum(volume * volume))

@@ -79,7 +79,7 @@ def placed(samples: Samples, cycle: float, firing_angle: float | None, sense: Se
         angles=angles[order],
         pressures=samples.pressures[order],
         findings=(*samples.findings, *_findings(own, count, is_backward, sense, firing_angle is not None)),
-        doubts=(*samples.doubts, *_doubts(own)),
+        doubts=(*samples.doubts, *_doubts(own, is_backward=is_backward)),
     )
 
 
@@ -137,7 +137,7 @@ def _findings(own: _Found, count: float, is_backward: bool, sense: Sense, is_giv
     return tuple(told)
 
 
-def _doubts(own: _Found) -> tuple[str, ...]:
+def _doubts(own: _Found, *, is_backward: bool) -> tuple[str, ...]:
     """Doubt the sense and the dead centre where the pressures say otherwise."""
     peak = _degrees(own.peak)
     if own.asymmetry < -_MOTORED:
@@ -145,6 +145,11 @@ def _doubts(own: _Found) -> tuple[str, ...]:
             "Counted like this, the gas takes work and peaks at {peak} from firing: if the file's angles count against"
             ' the rotation, write sense = "backward", or "found".'
         )
+        if is_backward:
+            counted = _(
+                "Turned round, the gas takes work and peaks at {peak} from firing: if the file's angles count with the"
+                " rotation, leave sense out."
+            )
         return (counted.format(peak=peak),)
     if own.is_motored:
         misplaced = _(

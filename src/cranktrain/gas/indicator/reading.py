@@ -1,7 +1,7 @@
 """An indicator file as text, read: which columns it has, in which units, absolute or gauge."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal, NamedTuple, TypeAlias
 
@@ -31,6 +31,8 @@ _WORDS = {
 _GAUGE = r"gauge|\bgage\b|\brel\b|relative|избыт|изб"
 _ABSOLUTE = r"\babs|абс"
 
+_PAIR = 2
+"""Columns of a diagram."""
 _DEGREES_BEYOND = 15.0
 """Angles that reach farther than two turns in radians are degrees."""
 _LOWEST_USUAL, _HIGHEST_LOWEST, _HIGHEST_USUAL, _LOWEST_PEAK = 0.3e5, 8e5, 350e5, 3e5
@@ -127,7 +129,7 @@ def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
         places=numbers[:, where] * place_scale,
         pressures=pressures,
         lines=np.array(table.lines, dtype=np.intp),
-        findings=(*findings, *told),
+        findings=(*_columns_taken(table, said, level), *findings, *told),
         doubts=_level_doubts(pressures),
     )
 
@@ -135,7 +137,7 @@ def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
 def _columns(table: Table, said: Columns, name: str) -> tuple[Axis, int, int]:
     """Tell what the axis is, and which columns hold axis and pressure, counted from 0."""
     n_columns = len(table.rows[0])
-    if n_columns < 2:
+    if n_columns < _PAIR:
         allowed = _("has one column; an indicator diagram needs two, crank angle (or volume) and pressure")
         raise InputError([Problem("", None, allowed, None, Position(name, table.lines[0]))])
     if said.columns is not None:
@@ -143,6 +145,8 @@ def _columns(table: Table, said: Columns, name: str) -> tuple[Axis, int, int]:
             allowed = _("must be columns of the file, 1 to {n}").format(n=n_columns)
             raise InputError([Problem("columns", None, allowed)])
         where, level = (column - 1 for column in said.columns)
+        if where == level:
+            raise InputError([Problem("columns", None, _("must be two columns, of the axis and of the pressure"))])
         meant = _axis_of(table.labels[where]) if table.labels else None
         return said.axis or meant or "angle", where, level
     axes = {place: axis for place, label in enumerate(table.labels) if (axis := _axis_of(label)) is not None}
@@ -153,6 +157,14 @@ def _columns(table: Table, said: Columns, name: str) -> tuple[Axis, int, int]:
         if found and levels:
             return axis, found[0], levels[0]
     return said.axis or "angle", 0, 1
+
+
+def _columns_taken(table: Table, said: Columns, level: int) -> Iterator[str]:
+    """Say which column is taken where there are more than the two that are needed."""
+    if said.columns is None and len(table.rows[0]) > _PAIR:
+        label = table.labels[level] if table.labels else ""
+        told = _("The file has {n} columns; pressures are taken from column {column}{label}: `columns` says otherwise.")
+        yield told.format(n=len(table.rows[0]), column=level + 1, label=f", {label}" if label else "")
 
 
 def _axis_of(label: str) -> Axis | None:

@@ -1,0 +1,79 @@
+"""What an engineer would ask about a diagram: does its compression look like one, and is it smooth."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from cranktrain.gas.indicator.cycle import Samples
+from cranktrain.gas.indicator.pegging import polytropic_exponent
+from cranktrain.gas.kind import Chamber
+from cranktrain.language import _
+
+_START, _END = np.radians(-80.0), np.radians(-40.0)
+"""A piece of the compression with closed ports and valves and before the fire, from firing. [rad]"""
+_FEWEST = 3
+_COMPRESSED = 1.5
+"""Pressures that rise by less there are no compression: steam is still let out."""
+_LOWEST, _HIGHEST = 1.2, 1.45
+"""Exponents of compressions, with some reserve: 1.25 to 1.4 are usual."""
+_FINE = np.radians(2.01)
+"""Up to such steps the fourth differences are noise, not the curve. [rad]"""
+_NOISY = 0.005
+"""Noise that is doubted, in parts of the peak."""
+_OF_NOISE = 0.6745 * np.sqrt(70.0)
+"""Median size of the fourth differences of white noise of standard deviation 1."""
+
+
+def compression_doubts(samples: Samples, chamber: Chamber) -> Iterator[str]:
+    """Doubt a fired cycle whose compression is no polytrope of a usual exponent.
+
+    Parameters
+    ----------
+    samples : Samples
+        Counted from the chamber's nominal firing.
+    chamber : Chamber
+
+    Yields
+    ------
+    str
+
+    Notes
+    -----
+    Gauge pressures taken as absolute raise the exponent, absolute ones taken as gauge lower it: supercharged, both are
+    pressures that an engine could have.
+    """
+    from_firing = np.mod(samples.angles + chamber.cycle / 2, chamber.cycle) - chamber.cycle / 2
+    chosen = (from_firing >= _START) & (from_firing <= _END)
+    pressures = samples.pressures[chosen]
+    volume = chamber.volume(np.append(samples.angles, samples.angles[0]))
+    work = np.trapezoid(np.append(samples.pressures, samples.pressures[0]), volume)
+    if work <= 0 or np.count_nonzero(chosen) < _FEWEST or np.max(pressures) < _COMPRESSED * np.min(pressures):
+        return
+    exponent = polytropic_exponent(pressures, volume[:-1][chosen])
+    if not _LOWEST <= exponent <= _HIGHEST:
+        yield _(
+            "Compression from 80° to 40° before firing has the exponent {exponent:.2f}; 1.25 to 1.4 are usual: are the"
+            " level of the pressures (absolute or gauge), the zero of the angles and the compression ratio right?"
+        ).format(exponent=exponent)
+
+
+def noise_doubts(samples: Samples) -> Iterator[str]:
+    """Doubt samples that scatter, by the median of their fourth differences, which a smooth curve hardly has.
+
+    Parameters
+    ----------
+    samples : Samples
+
+    Yields
+    ------
+    str
+    """
+    if np.median(np.diff(samples.angles)) > _FINE:
+        return
+    noise = float(np.median(np.abs(np.diff(samples.pressures, 4))) / _OF_NOISE)
+    peak = float(np.max(samples.pressures))
+    if noise > _NOISY * peak:
+        yield _(
+            "The pressures scatter by {percent:.2g} % of the peak from sample to sample: write smoothing, such as"
+            ' smoothing = "1 deg", or forces and torque will have that noise.'
+        ).format(percent=100 * noise / peak)
