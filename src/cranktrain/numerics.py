@@ -17,11 +17,13 @@ _CANDIDATES = 2
 """How many of the grid's peaks are refined: of two that are nearly alike the grid may show the wrong one higher."""
 _ALIKE = 1e-9
 """Peaks that differ by less, in parts of the curve's, are one height: rounding must not choose between their angles."""
-_CLOSEST, _FARTHEST = 1e-5, 30.0
-"""How close the points of a parabola have to come [rad], for its top to be exact to some 1e-10 rad; and how far beyond
-them, in parts of that, its top is worth a second look."""
-_CLOSER, _MOST_ZOOMS = 12, 4
-"""By how much closer, at least, the points of the next parabola are, where those first looks miss."""
+_FIVE = np.array([[-2.0], [-1.0], [0.0], [1.0], [2.0]])
+_CLOSE, _SMOOTH = 1e-3, 0.02
+"""How far apart five points are [rad] for the top of the quartic through them to be exact to some 1e-12 rad, and by how
+much, in parts of that, the top of a parabola differs from it at most where the curve is smooth enough."""
+_CLOSER, _CLOSEST, _MOST_ZOOMS = 12, 1e-5, 4
+"""By how much closer, at least, the points of the next parabola are, where that is not so; and how close they come
+[rad]."""
 _MOST_STEPS = 60
 _MOST_NEWTON_STEPS = 10
 _SETTLED = 1e-13
@@ -251,74 +253,86 @@ def _candidates(samples: Array, signs: Sequence[float]) -> NDArray[np.intp]:
 
 
 def _zoomed(curve: Curve, samples: Array, place: NDArray[np.intp], grid: Array, signs: Sequence[float]) -> Extreme:
-    """Tops of parabolas through three close points about the top of a quartic through five of the grid.
+    """Tops of quartics through five close points about the top of one through five of the grid.
 
-    Where that misses, as at kinks and at peaks hardly wider than the grid's step, through ever closer points.
+    Where the curve is not that smooth, as at kinks and at peaks hardly wider than the grid's step, of parabolas
+    through three ever closer points.
     """
     sign = np.repeat(signs, _CANDIDATES)
     step, peak = float(grid[1] - grid[0]), grid[place]
-    around = (place[..., np.newaxis, :] + np.array([[-2], [-1], [0], [1], [2]])) % len(grid)
-    five = np.take_along_axis(samples, around.reshape(*place.shape[:-1], 5 * place.shape[-1]), axis=-1)
-    five = five.reshape(around.shape)
+    n_places = place.shape[-1]
 
-    def top(middle: Array, half: Array, farthest: float = 1.0) -> _Top:
-        three = curve(np.concatenate([middle - half, middle, middle + half], axis=-1))
-        return _top(three.reshape(*three.shape[:-1], 3, place.shape[-1]), sign, farthest)
+    def points(middle: Array, half: Array, beside: Array) -> Array:
+        """Values beside some angles, (..., point, k)."""
+        angles = middle[..., np.newaxis, :] + half[..., np.newaxis, :] * beside
+        found = curve(angles.reshape(*angles.shape[:-2], beside.size * n_places))
+        return found.reshape(*found.shape[:-1], beside.size, n_places)
 
-    wide = _top(five[..., 1:4, :], sign)
-    middle, half = peak + step * _top_of_quartic(five, wide.way), np.full(place.shape, _CLOSEST)
-    found = top(middle, half, _FARTHEST)
-    is_missed = np.abs(found.way) >= 1
-    if np.any(is_missed) and not np.any(np.abs(found.way) >= _FARTHEST):
-        middle = np.where(is_missed, middle + half * found.way, middle)
-        found = top(middle, half)
-        is_missed = np.abs(found.way) >= 1
-    if np.any(is_missed):
-        middle = np.where(is_missed, peak + step * wide.way, middle)
-        before, half = np.full(place.shape, step), np.where(is_missed, step / _CLOSER, half)
-        for _ in range(_MOST_ZOOMS):
-            found = top(middle, half)
-            if not np.any(half > 2 * _CLOSEST):
-                break
-            middle = middle + half * found.way
-            # What a parabola's top is off by goes with the square of its width; four times that is wide enough.
-            width = np.minimum(4 * np.abs(found.way) * half * (half / before) ** 2, half / _CLOSER)
-            before, half = half, np.maximum(width, _CLOSEST)
-    return Extreme(middle + half * found.way, found.value)
+    around = (place[..., np.newaxis, :] + _FIVE.astype(np.intp)) % len(grid)
+    five = np.take_along_axis(samples, around.reshape(*around.shape[:-2], 5 * n_places), axis=-1)
+    wide = _top_of_quartic(five.reshape(around.shape), sign)
+    middle, half = peak + step * wide.way, np.full(place.shape, _CLOSE)
+    found = _top_of_quartic(points(middle, half, _FIVE), sign)
+    is_missed = (np.abs(found.way) >= 1) | (np.abs(found.way - found.parabola) > _SMOOTH)
+    if not np.any(is_missed):
+        return Extreme(middle + half * found.way, found.value)
+    zoomed = np.where(is_missed, peak + step * wide.parabola, middle + half * found.way)
+    before, half = np.full(place.shape, step), np.where(is_missed, step / _CLOSER, _CLOSEST)
+    top = found
+    for _ in range(_MOST_ZOOMS):
+        top = _top(points(zoomed, half, _FIVE[1:4]), sign)
+        if not np.any(half > 2 * _CLOSEST):
+            break
+        zoomed = zoomed + half * top.way
+        # What a parabola's top is off by goes with the square of its width; four times that is wide enough.
+        width = np.minimum(4 * np.abs(top.way) * half * (half / before) ** 2, half / _CLOSER)
+        before, half = half, np.maximum(width, _CLOSEST)
+    return Extreme(
+        np.where(is_missed, zoomed + half * top.way, middle + _CLOSE * found.way),
+        np.where(is_missed, top.value, found.value),
+    )
 
 
 class _Top(NamedTuple):
-    """Top of a parabola through three points: the way to it from the middle one, in parts of the distance; value."""
+    """Top of a curve through equally spaced points: way to it from the middle one, in parts of the distance; value.
+
+    And the way to the top of the parabola through the middle three.
+    """
 
     way: Array
     value: Array
+    parabola: Array
 
 
-def _top(three: Array, sign: Array, farthest: float = 1.0) -> _Top:
-    """Top of the parabola through three points, (..., 3, k), no farther than these unless said; NaN where one is."""
+def _top(three: Array, sign: Array) -> _Top:
+    """Top of the parabola through three points, (..., 3, k), no farther than these; NaN where one is."""
     left, centre, right = (three[..., place, :] for place in range(3))
     curvature, slope = left - 2 * centre + right, (right - left) / 2
     # A parabola that opens the wrong way has its top at an end.
     way = np.where(sign * curvature < 0, -slope / curvature, np.sign(sign * slope))
-    way = np.minimum(np.maximum(way, -farthest), farthest)
-    return _Top(way, centre + (slope + curvature / 2 * way) * way)
+    way = np.minimum(np.maximum(way, -1.0), 1.0)
+    return _Top(way, centre + (slope + curvature / 2 * way) * way, way)
 
 
-def _top_of_quartic(five: Array, way: Array) -> Array:
-    """Way to the top of the polynomial through five points, (..., 5, k), by Newton's method from the parabola's.
+def _top_of_quartic(five: Array, sign: Array) -> _Top:
+    """Top of the polynomial through five points, (..., 5, k), by Newton's method from the parabola's.
 
     Stirling's formula. The parabola's where there are not five.
     """
     far_left, left, centre, right, far_right = (five[..., place, :] for place in range(5))
     first, second = (right - left) / 2, left - 2 * centre + right
     third, fourth = (far_right - far_left) / 2 - (right - left), far_left + far_right - 4 * (left + right) + 6 * centre
-    start = way
+    start = _top(five[..., 1:4, :], sign)
+    way = start.way
     for _ in range(2):
         square = way * way
         slope = first + way * second + (3 * square - 1) / 6 * third + (2 * square - 1) * way / 12 * fourth
         way = way - slope / (second + way * third + (6 * square - 1) / 12 * fourth)
         way = np.minimum(np.maximum(way, -1.0), 1.0)
-    return np.where(np.isnan(way), start, way)
+    square = way * way
+    value = centre + way * first + square / 2 * (second + (square - 1) / 12 * fourth) + (square - 1) * way / 6 * third
+    is_known = ~np.isnan(way)
+    return _Top(np.where(is_known, way, start.way), np.where(is_known, value, start.value), start.way)
 
 
 def _scale(samples: Array) -> Array:
