@@ -194,7 +194,7 @@ class Machine(Spec, frozen=True):
         """Copy what was declared alone: what was found may not hold of the copy, which may be given other fields."""
         copied = super().__copy__()
         for found in ("arranged", "table_problems", "closing_problems"):
-            copied.__dict__.pop(found, None)
+            vars(copied).pop(found, None)
         return copied
 
 

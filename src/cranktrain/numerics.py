@@ -147,8 +147,8 @@ def extremes(
     curve : Curve
         Gives (..., k) for angles (..., k) or (k,).
     slope : Curve, optional
-        Its derivative; with it the angle is exact to rounding, without it to some 1e-10 (parabolas through ever closer
-        points), which leaves the value exact to rounding all the same.
+        Its derivative; with it the angle is exact to rounding, without it to some 1e-12 (quartics through close points;
+        at kinks 1e-5 and less), which leaves the value exact to rounding all the same.
     grid : Array, shape (n,), optional
         Where to look first: equal steps over a turn; 720 points unless given.
     samples : Array, shape (..., n), optional
@@ -245,10 +245,10 @@ def _candidates(samples: Array, signs: Sequence[float]) -> NDArray[np.intp]:
     is_peak = (known > ring[..., :-2]) & (known >= ring[..., 2:])
     heights = np.where(is_peak, known, -np.inf).reshape(-1, known.shape[-1])
     row = np.arange(len(heights))
-    first = np.argmax(heights, axis=-1)
+    first: NDArray[np.intp] = np.argmax(heights, axis=-1)
     heights[row, first] = -np.inf
-    second = np.argmax(heights, axis=-1)
-    second = np.where(heights[row, second] > -np.inf, second, first)
+    lower: NDArray[np.intp] = np.argmax(heights, axis=-1)
+    second: NDArray[np.intp] = np.where(heights[row, lower] > -np.inf, lower, first)
     return np.concatenate([*np.stack([first, second], axis=-1).reshape(*known.shape[:-1], _CANDIDATES)], axis=-1)
 
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.virtual_work import torque_of_work
 
 import cranktrain as ct
 from cranktrain.linkage.forces import Body, Conditions, Drive, Friction, Gravity
@@ -327,10 +328,11 @@ def test_joints_have_names_and_bodies(kind):
 
 @every_kind
 def test_both_torques_agree(kind):
-    place, *others = dynamics_of(kind)
-    forces = place.kind.dynamics.forces(others[0], place.geometry, *others[1:])
-    scale = np.max(np.abs(forces.torque_by_work))
-    np.testing.assert_allclose(forces.driving_torque, forces.torque_by_work, rtol=0, atol=1e-12 * scale)
+    place, motion, *others = dynamics_of(kind)
+    dynamics = place.kind.dynamics
+    forces = dynamics.forces(motion, place.geometry, *others)
+    by_work = torque_of_work(dynamics, motion, place.geometry, *others, forces)
+    np.testing.assert_allclose(forces.driving_torque, by_work, rtol=0, atol=1e-12 * np.max(np.abs(by_work)))
 
 
 @every_kind

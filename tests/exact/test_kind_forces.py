@@ -9,6 +9,7 @@ import pytest
 from tests.exact import geometries
 from tests.exact.agreement import rows
 from tests.multibody import FRAME, Multibody
+from tests.virtual_work import torque_of_work
 
 from cranktrain.linkage import Crank, turned_link
 from cranktrain.linkage.forces import (
@@ -200,14 +201,15 @@ def test_joints_and_torques(name, coefficient):
     kind, geometry, motion, bodies, loads, conditions = any_machines(name, coefficient)
     bodies, loads = (record(*parts) for record, parts in zip(records(kind), (bodies, loads), strict=True))
     everything = kind.dynamics.forces(motion, geometry, bodies, loads, conditions)
+    by_work = torque_of_work(kind.dynamics, motion, geometry, bodies, loads, conditions, everything)
     free = np.flatnonzero(np.isfinite(np.broadcast_to(everything.driving_torque, (N, 1))))
     assert len(free) >= (0.7 * N if coefficient else N)  # friction wedges some
     for i in free:
-        one = number((motion, geometry, (bodies, loads), conditions, everything), i)
+        one = number((motion, geometry, (bodies, loads), conditions, everything, by_work), i)
         joints = one[4].joints._asdict()
         system = Multibody()
         BUILDERS[name](system, *one[:3], joints)
-        apart, largest = system.compare(joints, (one[4].driving_torque, one[4].torque_by_work), one[3])
+        apart, largest = system.compare(joints, (one[4].driving_torque, one[5]), one[3])
         assert apart < CLOSE * largest, i
 
 
@@ -260,7 +262,11 @@ def test_master_and_slave(coefficient):
     load = own_loads._replace(rod=added(own_loads.rod, on_master_rod(motion, geometry, slave.joints.knuckle)))
     master = slider_crank_forces(own, geometry.master, own_bodies, load, conditions)
     alone = slider_crank_forces(own, geometry.master, own_bodies, own_loads, conditions)
-    shared = alone.driving_torque + slave.driving_torque, alone.torque_by_work + slave.torque_by_work
+    works = (
+        torque_of_work(master_kind.dynamics, own, geometry.master, own_bodies, own_loads, conditions, alone),
+        torque_of_work(kind.dynamics, motion, geometry, bodies, loads, in_slaves_axes, slave),
+    )
+    shared = alone.driving_torque + slave.driving_torque, sum(works)
     torques = (master.driving_torque,) if coefficient else (master.driving_torque, *shared)
     in_masters_axes = [turned_wrench(wrench, -geometry.bank_angle) for wrench in loads]
     carried = (*own_bodies, *bodies), (*own_loads, *in_masters_axes)
@@ -290,7 +296,8 @@ def test_both_torques_agree():
             bodies, loads, conditions = circumstances(random, kind.dynamics, senses, coefficient)
             bodies, loads = (record(*parts) for record, parts in zip(records(kind), (bodies, loads), strict=True))
             forces = kind.dynamics.forces(motion, geometry, bodies, loads, conditions)
-            apart = np.abs(forces.driving_torque - forces.torque_by_work)
-            scale = np.nanmax(np.abs(forces.torque_by_work), axis=-1, keepdims=True)
+            by_work = torque_of_work(kind.dynamics, motion, geometry, bodies, loads, conditions, forces)
+            apart = np.abs(forces.driving_torque - by_work)
+            scale = np.nanmax(np.abs(by_work), axis=-1, keepdims=True)
             assert np.nanmax(apart / scale) < 1e-12, name
             assert np.mean(np.isfinite(apart)) > (0.7 if coefficient else 0.9999), name

@@ -8,6 +8,7 @@ import json
 import numpy as np
 import pytest
 from tests.reference_case import GOLDEN
+from tests.virtual_work import torque_of_work
 
 from cranktrain.linkage import Crank, Ends, Pin, PinMotion, crank, fixed, pin
 from cranktrain.linkage.forces import (
@@ -25,6 +26,7 @@ from cranktrain.linkage.forces import (
     handed_back,
     pin_reactions,
 )
+from cranktrain.mechanisms import kind_named
 from cranktrain.mechanisms.slider_crank.forces import (
     SliderCrankBodies,
     slider_crank_forces,
@@ -60,7 +62,8 @@ def test_slider_crank(row):
     got = [*joints.crank_pin[:2], *joints.wrist_pin[:2], *joints.main_bearing[:2], joints.guide.y, joints.guide.x]
     expected = [*row["FA"], *row["FB"], *row["FO"], row["N"], row["f"]]
     np.testing.assert_allclose(got, expected, rtol=0, atol=CLOSE * np.max(np.abs(expected)))
-    torques = [forces.driving_torque, forces.torque_by_work]
+    by_work = torque_of_work(kind_named("slider_crank").dynamics, motion, geometry, bodies, load, conditions, forces)
+    torques = [forces.driving_torque, by_work]
     np.testing.assert_allclose(torques, row["M"], rtol=CLOSE)
 
 

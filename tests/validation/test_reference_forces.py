@@ -9,8 +9,10 @@ import csv
 import numpy as np
 import pytest
 from tests.reference_case import GOLDEN, ReferenceCase
+from tests.virtual_work import torque_of_work
 
 from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity, Wrench, added, turned_wrench
+from cranktrain.mechanisms import kind_named
 from cranktrain.mechanisms.articulated_rod.forces import (
     ArticulatedRodBodies,
     articulated_rod_forces,
@@ -65,7 +67,10 @@ def test_slider_crank(name):
     motion = slider_crank(case.crank_angle, geometry)
     load = slider_crank_load(motion, geometry, gas_force(case))
     forces = slider_crank_forces(motion, geometry, bodies, load, steady(machine))
-    for torque in (forces.driving_torque, forces.torque_by_work):
+    by_work = torque_of_work(
+        kind_named("slider_crank").dynamics, motion, geometry, bodies, load, steady(machine), forces
+    )
+    for torque in (forces.driving_torque, by_work):
         case.compare(
             {
                 **both("F_wrist_on_piston", forces.joints.wrist_pin),
@@ -101,7 +106,8 @@ def test_crank_rocker(name):
     load = crank_rocker_load(motion, geometry, machine["rocker_load_torque_Nm"] - viscous)
     forces = crank_rocker_forces(motion, geometry, bodies, load, conditions)
     inertia = crank_rocker_reduced(motion, geometry, bodies, load, conditions.gravity).inertia
-    for torque in (forces.driving_torque, forces.torque_by_work):
+    by_work = torque_of_work(kind_named("crank_rocker").dynamics, motion, geometry, bodies, load, conditions, forces)
+    for torque in (forces.driving_torque, by_work):
         case.compare(
             {
                 **both("F_O2_on_crank", forces.joints.main_bearing),
@@ -145,9 +151,8 @@ def test_articulated_pair():
     conditions = steady(machine)
     motion = articulated_rod(case.crank_angle, geometry)
     own = slider_crank(case.crank_angle, master)
-    slave = articulated_rod_forces(
-        motion, geometry, ArticulatedRodBodies(link, piston), articulated_rod_load(motion, geometry, 0.0), conditions
-    )
+    slave_bodies, slave_load = ArticulatedRodBodies(link, piston), articulated_rod_load(motion, geometry, 0.0)
+    slave = articulated_rod_forces(motion, geometry, slave_bodies, slave_load, conditions)
     unloaded = slider_crank_load(own, master, 0.0)
     loaded = unloaded._replace(rod=on_master_rod(motion, geometry, slave.joints.knuckle))
     alone = slider_crank_forces(own, master, bodies, unloaded, conditions)
@@ -172,11 +177,13 @@ def test_articulated_pair():
             },
             rel_to_peak=CLOSE,
         )
+    of_slave, of_master = (kind_named(name).dynamics for name in ("articulated_rod", "slider_crank"))
+    slave_by_work = torque_of_work(of_slave, motion, geometry, slave_bodies, slave_load, conditions, slave)
     for torque in (
         whole.driving_torque,
         alone.driving_torque + slave.driving_torque,
-        alone.torque_by_work + slave.torque_by_work,
-        whole.torque_by_work,
+        torque_of_work(of_master, own, master, bodies, unloaded, conditions, alone) + slave_by_work,
+        torque_of_work(of_master, own, master, bodies, loaded, conditions, whole),
     ):
         case.compare({"T_drive_Nm": torque}, rel_to_peak=CLOSE)
 

@@ -232,9 +232,15 @@ def _freeze(value: Any, seen: set[int]) -> None:
     if isinstance(value, np.ndarray):
         value.flags.writeable = False
         return
-    is_tuple = isinstance(value, tuple)
-    if (is_tuple or (is_dataclass(value) and not isinstance(value, type))) and id(value) not in seen:
-        seen.add(id(value))
-        for part in cast(Iterable[Any], value) if is_tuple else vars(value).values():
+    if isinstance(value, tuple):
+        parts: Iterable[object] = cast(tuple[object, ...], value)
+    elif is_dataclass(value) and not isinstance(value, type):
+        parts = vars(value).values()
+    else:
+        return
+    place = id(cast(object, value))
+    if place not in seen:
+        seen.add(place)
+        for part in parts:
             if not isinstance(part, str):
                 _freeze(part, seen)

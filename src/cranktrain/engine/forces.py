@@ -14,7 +14,7 @@ from cranktrain.engine.layout import CrankAngle, Mechanisms, Speed
 from cranktrain.engine.masses import Masses
 from cranktrain.engine.places import Place
 from cranktrain.language import N_, _
-from cranktrain.linkage.forces import Conditions, Friction, Wrench, added, work
+from cranktrain.linkage.forces import Conditions, Friction, Wrench, added, torque_by_work
 from cranktrain.motion import Array, Coefficient, single
 
 _JOINT = ("joint", "crank_angle")
@@ -73,11 +73,13 @@ def carriers_of(places: Sequence[Place]) -> Carriers:
 class SolvedGroup(NamedTuple):
     """Forces of the mechanisms of one kind, arrays of shape (design, member, n).
 
-    motion, and `Forces`: the joints bear what slaves hand over as well; torque by virtual work is that of a mechanism's
-    own loads, weights, inertia and friction.
+    motion; loads, those of the mechanism alone; conditions; and `Forces`, whose joints bear what slaves hand over as
+    well.
     """
 
     motion: Any
+    loads: Any
+    conditions: Conditions
     forces: Any
 
 
@@ -143,10 +145,10 @@ class LoadedMachine:
             dynamics, size = group.kind.dynamics, group.members.geometry
             motion = moving[place]
             made = self.masses.groups[place]
-            loads = dynamics.load(motion, size, self._pressing(group.index, toward))
+            loads = borne = dynamics.load(motion, size, self._pressing(group.index, toward))
             handed = _of_slaves(group.index, on_rods) if group.kind.name == _MASTER else None
             if handed is not None:
-                loads = loads._replace(rod=added(loads.rod, handed))
+                borne = loads._replace(rod=added(loads.rod, handed))
             friction = tuple(
                 Friction(
                     coefficient,
@@ -155,11 +157,8 @@ class LoadedMachine:
                 for name, coefficient in zip(dynamics.sliding, made.friction, strict=True)
             )
             conditions = Conditions(drive, made.gravity, friction)
-            forces = dynamics.forces(motion, size, made.bodies, loads, conditions)
-            if handed is not None:
-                # What slaves hand over is their own work, which counts once.
-                forces = forces._replace(torque_by_work=forces.torque_by_work + work(motion.rod, handed))
-            found[place] = SolvedGroup(motion, forces)
+            forces = dynamics.forces(motion, size, made.bodies, borne, conditions)
+            found[place] = SolvedGroup(motion, loads, conditions, forces)
             if dynamics.on_master is not None:
                 wrench = dynamics.on_master(motion, size, forces.joints[0])
                 for member, mechanism in enumerate(group.index.tolist()):
@@ -328,11 +327,11 @@ def mechanism_torques(loaded: LoadedMachine, solved: SolvedCycle) -> MechanismTo
     inertia, slope = np.zeros((2, shape[0], shape[-1]))
     for place, (group, one) in enumerate(zip(loaded.mechanisms.groups, solved.groups, strict=True)):
         dynamics, size, made = group.kind.dynamics, group.members.geometry, loaded.masses.groups[place]
-        by_work[:, group.index] = one.forces.torque_by_work
-        unloaded = dynamics.load(one.motion, size, np.zeros((1, 1, 1)))
-        reduced = dynamics.reduced(one.motion, size, made.bodies, unloaded, made.gravity).inertia
-        inertia = inertia + np.sum(reduced.value, axis=1)
-        slope = slope + np.sum(reduced.first, axis=1)
+        # What slaves hand over is their own work, which counts once: the mechanism's own loads.
+        equation = dynamics.reduced(one.motion, size, made.bodies, one.loads, made.gravity)
+        by_work[:, group.index] = torque_by_work(equation, one.conditions.drive) - one.forces.friction_torque
+        inertia = inertia + np.sum(equation.inertia.value, axis=1)
+        slope = slope + np.sum(equation.inertia.first, axis=1)
     driving = np.sum(by_reactions, axis=1)
     scale = np.max(np.sum(np.abs(by_work), axis=1), axis=-1)
     residual = np.max(np.abs(driving - np.sum(by_work, axis=1)), axis=-1) / np.where(scale > 0, scale, 1.0)

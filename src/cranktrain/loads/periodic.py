@@ -152,7 +152,8 @@ def _by_pieces(coefficients: Array, cycle: float) -> PeriodicCurve:
     n_points = coefficients.shape[-1]
     step = cycle / n_points
     flat = coefficients.reshape(len(coefficients), -1)
-    rows = np.reshape(np.arange(0, flat.shape[-1], n_points), (*coefficients.shape[1:-1], 1))
+    starts = np.arange(0, flat.shape[-1], n_points, dtype=np.intp)
+    rows = starts.reshape((*coefficients.shape[1:-1], 1))
 
     def motion(angle: Array) -> Coefficient:
         place = np.floor(angle / step)

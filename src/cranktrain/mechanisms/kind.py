@@ -163,8 +163,8 @@ class Dynamics:
         Load on each of `moving` for a force along the output slider's coordinate, or a torque on the output link, or
         of whichever else has to bear its counterpart. [N or N·m]
     forces : kernel (motion, geometry, bodies, loads, conditions) → Forces
-        bodies and loads as `moving` has them; `Forces` has the joints' wrenches, as `reactions` has them, and the
-        driving torque by them and by virtual work.
+        bodies and loads as `moving` has them; `Forces` has the joints' wrenches, as `reactions` has them, the driving
+        torque by them, and that of friction.
     reduced : kernel (motion, geometry, bodies, loads, gravity) → Reduced
         What an equation of motion needs: reduced inertia, its derivative, and the loads' torque on the crank.
     on_master : kernel (motion, geometry, wrench) → Wrench, optional

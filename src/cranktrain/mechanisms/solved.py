@@ -8,11 +8,12 @@ Joints = TypeVar("Joints")
 
 
 class Forces(NamedTuple, Generic[Joints]):
-    """Wrenches in the joints, and the torque that must be applied to the crank, by two ways that share little. [N·m]
+    """Wrenches in the joints, the torque that must be applied to the crank, and that of friction on it. [N·m]
 
-    driving_torque is what the joints' reactions leave to the shaft; torque_by_work needs none of them but friction.
+    driving_torque is what the joints' reactions leave to the shaft. friction_torque is what the forces of friction do
+    along the crank angle: all of the reactions that the torque by virtual work needs.
     """
 
     joints: Joints
     driving_torque: Array
-    torque_by_work: Array
+    friction_torque: Array

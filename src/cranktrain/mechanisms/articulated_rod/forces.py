@@ -20,7 +20,6 @@ from cranktrain.linkage.forces import (
     reduced,
     slide_reactions,
     slider_link,
-    torque_by_work,
     turned_wrench,
 )
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, ArticulatedRodMotion
@@ -150,7 +149,6 @@ def articulated_rod_forces(
     )
     crank = crank_link(motion.pin, Crank(master.crank_radius))
     shaft = crank_reactions(handed_back(crank, motion.pin, share.pin))
-    equation = articulated_rod_reduced(motion, geometry, bodies, loads, conditions.gravity)
     gamma = geometry.bank_angle
     return Forces(
         ArticulatedRodJoints(
@@ -163,7 +161,7 @@ def articulated_rod_forces(
             turned_wrench(share.guide, gamma),
         ),
         shaft.driving_torque,
-        torque_by_work(equation, conditions.drive) - own.guide.x * motion.slider.first,
+        own.guide.x * motion.slider.first,
     )
 
 

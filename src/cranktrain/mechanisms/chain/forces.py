@@ -19,7 +19,6 @@ from cranktrain.linkage.forces import (
     crank_reactions,
     reduced,
     swivel_slider_link,
-    torque_by_work,
 )
 from cranktrain.mechanisms.chain.backward import BackwardWalk, walk_backward
 from cranktrain.mechanisms.chain.joints import (
@@ -138,13 +137,11 @@ def chain_forces(
     walk_backward(structure, size, walk)
     shaft = crank_reactions(reduce(added, (walk.loads[name] for name in structure.cranks)))
     walk.joints["main_bearing"] = shaft.bearing
-    by_work = torque_by_work(
-        chain_reduced(structure, motion, size, bodies, loads, conditions.gravity), conditions.drive
-    )
+    friction_torque = 0.0 * shaft.driving_torque
     for name, drag in walk.drags.items():
-        by_work = by_work - drag * made[name].first
+        friction_torque = friction_torque + drag * made[name].first
     joints = tuple(walk.joints[reaction.name] for reaction in chain_reactions(structure))
-    return Forces(joints, shaft.driving_torque, by_work)
+    return Forces(joints, shaft.driving_torque, friction_torque)
 
 
 def _together(*bodies: Body) -> tuple[Body, ...]:

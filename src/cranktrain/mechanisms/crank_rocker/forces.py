@@ -15,7 +15,6 @@ from cranktrain.linkage.forces import (
     crank_link,
     pin_reactions,
     reduced_of_three,
-    torque_by_work,
 )
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, CrankRockerMotion
 from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
@@ -99,11 +98,10 @@ def crank_rocker_forces(
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
     shaft = carrying_crank(crank, on_crank, motion.pin, group.rod)
-    equation = reduced_of_three(links, bodies, loads, conditions.gravity)
     return Forces(
         CrankRockerJoints(shaft.bearing, group.rod, group.joint, group.rocker),
         shaft.driving_torque,
-        torque_by_work(equation, conditions.drive),
+        0.0 * shaft.driving_torque,
     )
 
 

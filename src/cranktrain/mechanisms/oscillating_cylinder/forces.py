@@ -17,7 +17,6 @@ from cranktrain.linkage.forces import (
     reduced_of_three,
     swivel_reactions,
     swivel_slider_link,
-    torque_by_work,
 )
 from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Reaction
 from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinder, OscillatingCylinderMotion
@@ -122,12 +121,11 @@ def oscillating_cylinder_forces(
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
     shaft = carrying_crank(crank, on_crank, motion.pin, group.pin)
-    equation = reduced_of_three(links, bodies, loads, conditions.gravity)
     drag = motion.cylinder.cos * group.slider.x + motion.cylinder.sin * group.slider.y
     return Forces(
         OscillatingCylinderJoints(shaft.bearing, group.pin, group.slider, group.pivot),
         shaft.driving_torque,
-        torque_by_work(equation, conditions.drive) - drag * motion.slider.first,
+        drag * motion.slider.first,
     )
 
 

@@ -17,7 +17,6 @@ from cranktrain.linkage.forces import (
     crank_link,
     reduced_of_three,
     slider_link,
-    torque_by_work,
     yoke_reactions,
 )
 from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Reaction
@@ -106,14 +105,12 @@ def scotch_yoke_forces(
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
     shaft = carrying_crank(crank, on_crank, motion.pin, group.pin)
-    equation = reduced_of_three(links, bodies, loads, conditions.gravity)
     # Of the block on the slot, along it: on the block it is the opposite.
     rubbing = block.cos * group.slot.x + block.sin * group.slot.y
     return Forces(
         ScotchYokeJoints(shaft.bearing, group.pin, group.slot, group.guide),
         shaft.driving_torque,
-        torque_by_work(equation, conditions.drive)
-        - (group.guide.x * motion.slider.first - rubbing * motion.block.first),
+        group.guide.x * motion.slider.first - rubbing * motion.block.first,
     )
 
 

@@ -16,7 +16,6 @@ from cranktrain.linkage.forces import (
     reduced_of_three,
     slide_reactions,
     slider_link,
-    torque_by_work,
 )
 from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Reaction
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, SliderCrankMotion
@@ -118,11 +117,10 @@ def slider_crank_forces(
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
     shaft = carrying_crank(crank, on_crank, motion.pin, group.pin)
-    equation = reduced_of_three(links, bodies, loads, conditions.gravity)
     return Forces(
         SliderCrankJoints(shaft.bearing, group.pin, group.joint, group.guide),
         shaft.driving_torque,
-        torque_by_work(equation, conditions.drive) - group.guide.x * motion.slider.first,
+        group.guide.x * motion.slider.first,
     )
 
 

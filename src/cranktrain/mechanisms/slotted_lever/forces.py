@@ -16,7 +16,6 @@ from cranktrain.linkage.forces import (
     reduced_of_three,
     swivel_reactions,
     swivel_slider_link,
-    torque_by_work,
 )
 from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Reaction
 from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLever, SlottedLeverMotion
@@ -103,12 +102,11 @@ def slotted_lever_forces(
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
     shaft = carrying_crank(crank, on_crank, motion.pin, group.pin)
-    equation = reduced_of_three(links, bodies, loads, conditions.gravity)
     drag = motion.rocker.cos * group.slider.x + motion.rocker.sin * group.slider.y
     return Forces(
         SlottedLeverJoints(shaft.bearing, group.pin, group.slider, group.pivot),
         shaft.driving_torque,
-        torque_by_work(equation, conditions.drive) + drag * motion.block.first,
+        -drag * motion.block.first,
     )
 
 
