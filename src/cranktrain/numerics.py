@@ -270,7 +270,8 @@ def _zoomed(curve: Curve, samples: Array, place: NDArray[np.intp], grid: Array, 
 
     around = (place[..., np.newaxis, :] + _FIVE.astype(np.intp)) % len(grid)
     five = np.take_along_axis(samples, around.reshape(*around.shape[:-2], 5 * n_places), axis=-1)
-    wide = _top_of_quartic(five.reshape(around.shape), sign)
+    five = five.reshape(around.shape)
+    wide = _top_of_quartic(five, sign)
     middle, half = peak + step * wide.way, np.full(place.shape, _CLOSE)
     found = _top_of_quartic(points(middle, half, _FIVE), sign)
     is_missed = (np.abs(found.way) >= 1) | (np.abs(found.way - found.parabola) > _SMOOTH)
@@ -287,9 +288,13 @@ def _zoomed(curve: Curve, samples: Array, place: NDArray[np.intp], grid: Array, 
         # What a parabola's top is off by goes with the square of its width; four times that is wide enough.
         width = np.minimum(4 * np.abs(top.way) * half * (half / before) ** 2, half / _CLOSER)
         before, half = half, np.maximum(width, _CLOSEST)
+    sample = five[..., 2, :]
+    # At a jump nothing beside the grid's own point may be as high.
+    is_sample = sign * (sample - top.value) > 0
+    missed = Extreme(np.where(is_sample, peak, zoomed + half * top.way), np.where(is_sample, sample, top.value))
     return Extreme(
-        np.where(is_missed, zoomed + half * top.way, middle + _CLOSE * found.way),
-        np.where(is_missed, top.value, found.value),
+        np.where(is_missed, missed.angle, middle + _CLOSE * found.way),
+        np.where(is_missed, missed.value, found.value),
     )
 
 

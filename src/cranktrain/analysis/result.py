@@ -58,8 +58,8 @@ class Result:
         """Entry and stage result of every quantity."""
         return {entry.name: (entry, gift) for gift in self.gifts for entry in entries(type(gift))}
 
-    @property
-    def catalogue(self) -> dict[str, Entry]:
+    @cached_property
+    def catalogue(self) -> Mapping[str, Entry]:
         """What there is, by name."""
         return {name: entry for name, (entry, _gift) in self._homes.items()}
 

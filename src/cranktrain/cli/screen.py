@@ -46,12 +46,9 @@ def plain(text: str) -> str:
 
 def section(console: Console, heading: str, lines: Sequence[str | Text]) -> None:
     """Show lines under a heading; one that is no `Text` is a paragraph, folded to the width of the screen."""
-    console.print()
-    console.print(Text(heading, style="bold"))
-    for line in lines:
-        parts = [line] if isinstance(line, Text) else paragraph(console, line)
-        for part in parts:
-            console.print(Text(" " * INDENT) + part, soft_wrap=True)
+    parts = [part for line in lines for part in ([line] if isinstance(line, Text) else paragraph(console, line))]
+    indented = (Text(" " * INDENT) + part for part in parts)
+    console.print(Text("\n").join((Text(), Text(heading, style="bold"), *indented)), soft_wrap=True)
 
 
 def paragraph(console: Console, text: str, style: str = "") -> list[Text]:

@@ -1,7 +1,8 @@
 """Output in the units of the list."""
 
 from fractions import Fraction
-from typing import TYPE_CHECKING, overload
+from functools import cache
+from typing import TYPE_CHECKING, NamedTuple, overload
 
 from cranktrain.language import _
 from cranktrain.quantities.dimensions import Dimension, Unit, plain, spellings
@@ -39,10 +40,29 @@ def shown(si: "float | Array", unit: str) -> "float | Array":
     >>> shown(0.0635, "in"), shown(101325.0, "ati")
     (2.5, 0.0)
     """
-    _name, _also, scale, offset = _unit_called(unit)
-    # Multiply or divide by whichever of the two is exact in binary, so that 0.07 m are 70 mm and not 70.00000000000001.
-    per_unit = float(1 / scale)
-    return (si - float(offset)) * per_unit if Fraction(per_unit) == 1 / scale else (si - float(offset)) / float(scale)
+    scale, is_factor, offset = _conversion(unit)
+    return (si - offset) * scale if is_factor else (si - offset) / scale
+
+
+class _Conversion(NamedTuple):
+    """What to multiply with or to divide by, and what to take off before: whichever of the two is exact in binary.
+
+    So 0.07 m are 70 mm and not 70.00000000000001.
+    """
+
+    scale: float
+    is_factor: bool
+    offset: float
+
+
+@cache
+def _conversion(name: str) -> _Conversion:
+    """Find a unit in the whole list."""
+    unit = _unit_called(name)
+    per_unit = float(1 / unit.scale)
+    if Fraction(per_unit) == 1 / unit.scale:
+        return _Conversion(per_unit, True, float(unit.offset))
+    return _Conversion(float(unit.scale), False, float(unit.offset))
 
 
 def _unit_called(name: str) -> Unit:
