@@ -21,6 +21,8 @@ _FIVE = np.array([[-2.0], [-1.0], [0.0], [1.0], [2.0]])
 _CLOSE, _SMOOTH = 1e-3, 0.02
 """How far apart five points are [rad] for the top of the quartic through them to be exact to some 1e-12 rad, and by how
 much, in parts of that, the top of a parabola differs from it at most where the curve is smooth enough."""
+_ASIDE, _TINY = 1e-6, 1e-8
+"""How far aside of a top its curvature is measured, and how far the top may be off for one step to mend it. [rad]"""
 _CLOSER, _CLOSEST, _MOST_ZOOMS = 12, 1e-5, 4
 """By how much closer, at least, the points of the next parabola are, where that is not so; and how close they come
 [rad]."""
@@ -138,7 +140,12 @@ def turn_grid(n_points: int = 720) -> Array:
 
 
 def extremes(
-    curve: Curve, slope: Curve | None = None, *, grid: Array | None = None, samples: Array | None = None
+    curve: Curve,
+    slope: Curve | None = None,
+    *,
+    grid: Array | None = None,
+    samples: Array | None = None,
+    kinks: Array | None = None,
 ) -> Extremes:
     """Smallest and largest value of each curve over a turn.
 
@@ -148,11 +155,13 @@ def extremes(
         Gives (..., k) for angles (..., k) or (k,).
     slope : Curve, optional
         Its derivative; with it the angle is exact to rounding, without it to some 1e-12 (quartics through close points;
-        at kinks 1e-5 and less), which leaves the value exact to rounding all the same.
+        at kinks that are not told 1e-5 and less), which leaves the value exact to rounding all the same.
     grid : Array, shape (n,), optional
         Where to look first: equal steps over a turn; 720 points unless given.
     samples : Array, shape (..., n), optional
         The curve on `grid`, where it is known already.
+    kinks : Array, shape (..., m), optional
+        Where the curve may have kinks, at which its extremes may stand; NaN for none. Of no use beside a slope. [rad]
 
     Returns
     -------
@@ -160,14 +169,19 @@ def extremes(
         An angle may lie one step beside the grid's turn. NaN where the curve is NaN all over the turn or next to the
         grid's extreme: a curve that ends there has no extreme but an end.
     """
-    return Extremes(*_refined(curve, slope, grid, samples, _BOTH))
+    return Extremes(*_refined(curve, slope, grid, samples, _BOTH, kinks))
 
 
 def largest(
-    curve: Curve, slope: Curve | None = None, *, grid: Array | None = None, samples: Array | None = None
+    curve: Curve,
+    slope: Curve | None = None,
+    *,
+    grid: Array | None = None,
+    samples: Array | None = None,
+    kinks: Array | None = None,
 ) -> Extreme:
     """Largest value of each curve over a turn; as `extremes`."""
-    return _refined(curve, slope, grid, samples, (1.0,))[0]
+    return _refined(curve, slope, grid, samples, (1.0,), kinks)[0]
 
 
 def smallest(
@@ -216,7 +230,12 @@ def turning_points(motion: Callable[[Array], Coefficient], samples: Array, grid:
 
 
 def _refined(
-    curve: Curve, slope: Curve | None, grid: Array | None, samples: Array | None, signs: Sequence[float]
+    curve: Curve,
+    slope: Curve | None,
+    grid: Array | None,
+    samples: Array | None,
+    signs: Sequence[float],
+    kinks: Array | None = None,
 ) -> list[Extreme]:
     """Extremes of each curve, the largest value for a sign of +1, the smallest for −1."""
     grid = turn_grid() if grid is None else grid
@@ -224,15 +243,17 @@ def _refined(
     with np.errstate(all="ignore"):
         known = curve(grid) if samples is None else samples
         place = _candidates(known, signs)
-        start = grid[place]
-        if slope is None:
-            angle, value = _zoomed(curve, known, place, grid, signs)
-        else:
-            angle = bracketed_roots(slope, start - step, start + step)
-            if np.any(np.isnan(angle)):
-                angle = np.where(np.isnan(angle), _zoomed(curve, known, place, grid, signs).angle, angle)
-            value = curve(angle)
-        return _best(angle, value, _scale(known), signs)
+        top = _zoomed(curve, known, place, grid, signs, kinks)
+        if slope is not None:
+            polished = _polished(slope, top, np.repeat(signs, _CANDIDATES))
+            if np.any(np.isnan(polished)):
+                start = grid[place]
+                rooted = bracketed_roots(slope, start - step, start + step)
+                polished = np.where(np.isnan(polished), rooted, polished)
+                polished = np.where(np.isnan(polished), top.angle, polished)
+                top = Extreme(polished, curve(polished))
+            top = Extreme(polished, top.value)
+        return _best(*top, _scale(known), signs)
 
 
 def _candidates(samples: Array, signs: Sequence[float]) -> NDArray[np.intp]:
@@ -252,50 +273,79 @@ def _candidates(samples: Array, signs: Sequence[float]) -> NDArray[np.intp]:
     return np.concatenate([*np.stack([first, second], axis=-1).reshape(*known.shape[:-1], _CANDIDATES)], axis=-1)
 
 
-def _zoomed(curve: Curve, samples: Array, place: NDArray[np.intp], grid: Array, signs: Sequence[float]) -> Extreme:
-    """Tops of quartics through five close points about the top of one through five of the grid.
-
-    Where the curve is not that smooth, as at kinks and at peaks hardly wider than the grid's step, of parabolas
-    through three ever closer points.
-    """
+def _zoomed(
+    curve: Curve,
+    samples: Array,
+    place: NDArray[np.intp],
+    grid: Array,
+    signs: Sequence[float],
+    kinks: Array | None = None,
+) -> Extreme:
+    """Tops of quartics through five close points about the top of one through five of the grid; or kinks."""
     sign = np.repeat(signs, _CANDIDATES)
     step, peak = float(grid[1] - grid[0]), grid[place]
-    n_places = place.shape[-1]
-
-    def points(middle: Array, half: Array, beside: Array) -> Array:
-        """Values beside some angles, (..., point, k)."""
-        angles = middle[..., np.newaxis, :] + half[..., np.newaxis, :] * beside
-        found = curve(angles.reshape(*angles.shape[:-2], beside.size * n_places))
-        return found.reshape(*found.shape[:-1], beside.size, n_places)
-
     around = (place[..., np.newaxis, :] + _FIVE.astype(np.intp)) % len(grid)
-    five = np.take_along_axis(samples, around.reshape(*around.shape[:-2], 5 * n_places), axis=-1)
-    five = five.reshape(around.shape)
+    flat = (*place.shape[:-1], 5 * place.shape[-1])
+    five = np.take_along_axis(samples, around.reshape(flat), axis=-1).reshape(around.shape)
     wide = _top_of_quartic(five, sign)
-    middle, half = peak + step * wide.way, np.full(place.shape, _CLOSE)
-    found = _top_of_quartic(points(middle, half, _FIVE), sign)
-    is_missed = (np.abs(found.way) >= 1) | (np.abs(found.way - found.parabola) > _SMOOTH)
-    if not np.any(is_missed):
-        return Extreme(middle + half * found.way, found.value)
-    zoomed = np.where(is_missed, peak + step * wide.parabola, middle + half * found.way)
-    before, half = np.full(place.shape, step), np.where(is_missed, step / _CLOSER, _CLOSEST)
-    top = found
+    middle = peak + step * wide.way
+    points = (middle[..., np.newaxis, :] + _CLOSE * _FIVE).reshape(flat)
+    values = curve(points if kinks is None else np.concatenate([points, kinks], axis=-1))
+    found = _top_of_quartic(values[..., : flat[-1]].reshape(*values.shape[:-1], *around.shape[-2:]), sign)
+    top = Extreme(middle + _CLOSE * found.way, found.value)
+    is_rough = (np.abs(found.way) >= 1) | (np.abs(found.way - found.parabola) > _SMOOTH)
+    if np.any(is_rough):
+        # At a jump nothing beside the grid's own point may be as high.
+        top = _chosen(is_rough, Extreme(peak, five[..., 2, :]), top)
+        if kinks is not None:
+            period = step * len(grid)
+            apart = np.mod(peak[..., np.newaxis] - kinks[..., np.newaxis, :] + period / 2, period) - period / 2
+            is_rough = is_rough & ~np.any(np.abs(apart) <= 2 * step, axis=-1)
+    if np.any(is_rough):
+        start = np.where(is_rough, peak + step * wide.parabola, top.angle)
+        closest = _closest(curve, start, np.where(is_rough, step, _CLOSEST), sign)
+        top = _chosen(is_rough & (sign * (closest.value - top.value) > 0), closest, top)
+    return top if kinks is None else _or_kink(top, kinks, values[..., flat[-1] :], sign)
+
+
+def _polished(slope: Curve, top: Extreme, sign: Array) -> Array:
+    """Angle of the top by one step of Newton's method, to rounding; NaN where that is no tiny one."""
+    three = slope(np.concatenate([top.angle - _ASIDE, top.angle, top.angle + _ASIDE], axis=-1))
+    before, at, after = np.split(three, 3, axis=-1)
+    curvature = (after - before) / (2 * _ASIDE)
+    move = -at / curvature
+    return np.where((np.abs(move) <= _TINY) & (sign * curvature < 0), top.angle + move, np.nan)
+
+
+def _closest(curve: Curve, middle: Array, wide: Array, sign: Array) -> Extreme:
+    """Tops of parabolas through three ever closer points, where the curve is rough or a peak narrow."""
+    before, half = wide, np.maximum(wide / _CLOSER, _CLOSEST)
     for _ in range(_MOST_ZOOMS):
-        top = _top(points(zoomed, half, _FIVE[1:4]), sign)
+        points = middle[..., np.newaxis, :] + half[..., np.newaxis, :] * _FIVE[1:4]
+        found = curve(points.reshape(*middle.shape[:-1], 3 * middle.shape[-1]))
+        top = _top(found.reshape(*found.shape[:-1], *points.shape[-2:]), sign)
+        middle = middle + half * top.way
         if not np.any(half > 2 * _CLOSEST):
             break
-        zoomed = zoomed + half * top.way
         # What a parabola's top is off by goes with the square of its width; four times that is wide enough.
         width = np.minimum(4 * np.abs(top.way) * half * (half / before) ** 2, half / _CLOSER)
         before, half = half, np.maximum(width, _CLOSEST)
-    sample = five[..., 2, :]
-    # At a jump nothing beside the grid's own point may be as high.
-    is_sample = sign * (sample - top.value) > 0
-    missed = Extreme(np.where(is_sample, peak, zoomed + half * top.way), np.where(is_sample, sample, top.value))
-    return Extreme(
-        np.where(is_missed, missed.angle, middle + _CLOSE * found.way),
-        np.where(is_missed, missed.value, found.value),
+    return Extreme(middle, top.value)
+
+
+def _or_kink(top: Extreme, kinks: Array, values: Array, sign: Array) -> Extreme:
+    """Take the highest kink where it is higher than the top."""
+    signed = np.fmax(sign[:, np.newaxis] * values[..., np.newaxis, :], -np.inf)
+    highest = np.argmax(signed, axis=-1)
+    kink = Extreme(
+        *(np.take_along_axis(part, highest, axis=-1) for part in (np.broadcast_to(kinks, values.shape), values))
     )
+    return _chosen(sign * (kink.value - top.value) > 0, kink, top)
+
+
+def _chosen(is_one: NDArray[np.bool_], one: Extreme, other: Extreme) -> Extreme:
+    """Take one extreme where so said, else the other."""
+    return Extreme(*(np.where(is_one, *parts) for parts in zip(one, other, strict=True)))
 
 
 class _Top(NamedTuple):
@@ -395,13 +445,15 @@ DERIVATIVES_LIMIT = 1e-8
 """What rounding leaves of `derivatives_residual` for a machine within a millionth of locking; 1e-12 for most others."""
 
 
-def derivatives_residual(motion: Callable[[Array], Coefficient]) -> Array:
+def derivatives_residual(motion: Callable[[Array], Coefficient], samples: Coefficient | None = None) -> Array:
     """Compare both derivatives of a periodic motion with those of the Fourier series of its value and its first one.
 
     Parameters
     ----------
     motion : callable
         From angles (n,) to a Coefficient of shape (..., n).
+    samples : Coefficient, shape (..., 720), optional
+        Where it is known on `turn_grid()` already.
 
     Returns
     -------
@@ -416,7 +468,8 @@ def derivatives_residual(motion: Callable[[Array], Coefficient]) -> Array:
     residual = np.empty(())
     with np.errstate(all="ignore"):
         for n_points in _SERIES_LENGTHS:
-            value, first, second = motion(turn_grid(n_points))
+            is_known = samples is not None and n_points == samples.value.shape[-1]
+            value, first, second = samples if is_known else motion(turn_grid(n_points))
             residual = np.maximum(
                 _relative(spectral_derivative(value) - first, first),
                 _relative(spectral_derivative(first) - second, second),

@@ -206,7 +206,6 @@ EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
     **force_kernels.EXAMPLES,
     "articulated_rod.articulated_rod": lambda angle, size, side: (angle, articulated_rod_geometry(size)),
     "articulated_rod.articulated_rod_gap": lambda angle, size, side: (angle, articulated_rod_geometry(size)),
-    "articulated_rod.knuckle_pin": lambda angle, size, side: (rod(angle, size), articulated_rod_geometry(size)),
     "dual.corner_pressures": lambda angle, size, side: (ideal_cycle(size), 3.1 + 0.1 * np.cos(angle)),
     "dual.ideal_mean_pressures": lambda angle, size, side: (ideal_cycle(size), 3.1 + 0.1 * np.cos(angle)),
     "dual.ideal_pressure": lambda angle, size, side: (chamber(angle, size, side), ideal_cycle(size)),

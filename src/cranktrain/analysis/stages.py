@@ -15,7 +15,7 @@ from cranktrain.engine.balance_weights import balance_weights
 from cranktrain.engine.closing import closing
 from cranktrain.engine.couplers import coupler_motion, coupler_speeds
 from cranktrain.engine.crank_pins import crank_pin_loads
-from cranktrain.engine.dead_centres import dead_centres, piston_turn
+from cranktrain.engine.dead_centres import dead_centres, piston_grid, piston_turn
 from cranktrain.engine.evenness import flywheel_moment, running_speed, shaft_work
 from cranktrain.engine.firing import firing
 from cranktrain.engine.flywheel import flywheel_size, rim_size
@@ -23,6 +23,7 @@ from cranktrain.engine.followed import link_motion, slider_motions
 from cranktrain.engine.forces import joint_forces, loaded_machine, mechanism_torques, solved_cycle
 from cranktrain.engine.frame_forces import frame_forces
 from cranktrain.engine.gas import gas_in_chambers, gas_pressures
+from cranktrain.engine.gas_events import gas_events
 from cranktrain.engine.load_curve import load_torque
 from cranktrain.engine.motion import piston_motion, piston_speeds
 from cranktrain.engine.opposed import combined_motion, combined_speeds, volumetric_dead_centres
@@ -114,6 +115,7 @@ STAGES: tuple[Stage, ...] = tuple(
     stage(function)
     for function in (
         piston_turn,
+        piston_grid,
         dead_centres,
         cylinder_travel,
         volumetric_dead_centres,
@@ -140,6 +142,7 @@ STAGES: tuple[Stage, ...] = tuple(
         slider_motions,
         *(function for kind in KINDS for function in kind.stages),
         gas_in_chambers,
+        gas_events,
         gas_pressures,
         indicated_powers,
         brake_powers,

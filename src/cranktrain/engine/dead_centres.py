@@ -10,7 +10,7 @@ from cranktrain.engine.distinct import Distinct, distinct
 from cranktrain.engine.layout import CrankAngle, Mechanisms, Pistons
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient, Link
-from cranktrain.numerics import turn_grid, turning_points
+from cranktrain.numerics import Extreme, Extremes, extremes, turn_grid
 from cranktrain.wording import Names, shared
 
 _PISTON = ("piston",)
@@ -74,16 +74,43 @@ class PistonTurn:
     distinct : Distinct
     samples : SliderAndRod, shape (1, distinct, 720)
         On `turn_grid()`, at each piston's own crank angle.
+    peaks : Extremes, shapes (3, 1, distinct, 1)
+        Of the slider's position and of its two derivatives.
     """
 
     distinct: Distinct
     samples: SliderAndRod
+    peaks: Extremes
 
 
 def piston_turn(pistons: Pistons) -> PistonTurn:
     """Find the distinct pistons and sample their turn."""
     different = distinct(pistons)
-    return PistonTurn(different, slider_and_rod(different.mechanisms, turn_grid()))
+    samples = slider_and_rod(different.mechanisms, turn_grid())
+
+    def slider(angle: Array, lowest: int) -> Array:
+        """Position, velocity and acceleration, from one of them on, each at angles of its own, (…, 1, distinct, k)."""
+        apart = np.moveaxis(angle, 0, -2)
+        motion = slider_motion(different.mechanisms, apart.reshape(*apart.shape[:2], -1))[lowest:]
+        return np.stack([motion[order].reshape(apart.shape)[..., order, :] for order in range(apart.shape[-2])])
+
+    known = np.stack(samples[:3])
+    slow = extremes(lambda angle: slider(angle, 0), lambda angle: slider(angle, 1), samples=known[:2])
+    fast = extremes(lambda angle: slider(angle, 2), samples=known[2:])
+    peaks = (Extreme(*map(np.concatenate, zip(*pair, strict=True))) for pair in zip(slow, fast, strict=True))
+    return PistonTurn(different, samples, Extremes(*peaks))
+
+
+@dataclass(frozen=True, eq=False)
+class PistonGrid:
+    """Slider and rod of every piston on the grid of crank angles, shape (design, piston, n)."""
+
+    value: SliderAndRod
+
+
+def piston_grid(pistons: Pistons, crank_angle: CrankAngle) -> PistonGrid:
+    """Evaluate every piston on the grid."""
+    return PistonGrid(slider_and_rod(pistons, crank_angle.angle))
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,7 +146,7 @@ class DeadCentres:
 def dead_centres(turn: PistonTurn, crank_angle: CrankAngle) -> DeadCentres:
     """True dead centres of every piston."""
     different = turn.distinct
-    bottom, top = turning_points(lambda alpha: slider_motion(different.mechanisms, alpha), turn.samples.position)
+    bottom, top = (Extreme(one.angle[0], one.value[0]) for one in turn.peaks)
     return DeadCentres(
         stroke=different.spread(top.value - bottom.value)[..., 0],
         top_dead_centre=crank_angle.counted(different.angle(top.angle))[..., 0],

@@ -247,7 +247,10 @@ def _models(spec: GasSpec, chambers: GasInChambers, design: int, unroll: Unroll,
     kind = kind_of(spec)
     made: dict[tuple[float, ...], Any] = {}
     found: list[Any] = []
-    for place in range(len(chambers.chambers.names)):
+    # What the volume is at some angles after firing tells a chamber from those that are not like it.
+    every = range(len(chambers.chambers.names))
+    told = chambers.at_own(chambers.firing + _TELLING, every, lambda angle: chambers.volume(angle).value)[design]
+    for place in every:
         limits = VolumeLimits(*(single(float(part[design, place, 0])) for part in chambers.limits))
         start = float(chambers.firing[design, place, 0])
 
@@ -259,8 +262,7 @@ def _models(spec: GasSpec, chambers: GasInChambers, design: int, unroll: Unroll,
         def outward(travelled: Array, ratio: float = ratio) -> Array:
             return unroll(travelled, ratio)
 
-        # What the volume is at some angles after firing tells a chamber from those that are not like it.
-        key = tuple(float(f"{float(value):.9g}") for value in (*limits, *volume(_TELLING)))
+        key = tuple(float(f"{float(value):.9g}") for value in (*limits, *told[place]))
         if key not in made:
             chamber = Chamber(chambers.cycle, limits, volume, None if np.isnan(ratio) else outward)
             made[key] = _model(kind, spec, chamber)
@@ -345,9 +347,9 @@ def _peaks(gas: GasInChambers, firing: Array, crank_angle: CrankAngle, pressure:
         phi = shown_angle + zero
         return gas.at_own(phi, places, lambda angle: gas.pressure(angle, gas.volume(angle)))
 
-    found = largest(own, grid=crank_angle.shown, samples=pressure[:, places])
     # A rise at constant volume stands at the dead centre itself, between the grid's points.
     start = firing[:, places, np.newaxis]
+    found = largest(own, grid=crank_angle.shown, samples=pressure[:, places], kinks=start - zero)
     at_firing = own(start - zero)
     is_there = at_firing >= found.value * (1 - _ALIKE)
     after = np.where(is_there, 0.0, around_zero(found.angle + zero - start))[..., 0]

@@ -7,11 +7,10 @@ import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
-from cranktrain.engine.dead_centres import DeadCentres, PistonTurn, slider_motion
-from cranktrain.engine.distinct import Distinct
+from cranktrain.engine.dead_centres import DeadCentres, PistonGrid, PistonTurn, slider_motion
 from cranktrain.engine.layout import CrankAngle, Pistons, Speed, accelerations
 from cranktrain.language import N_, _
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, Extremes, derivatives_residual, extremes
 from cranktrain.wording import Names, number, shared
 
@@ -38,22 +37,23 @@ class PistonMotion:
     checks: tuple[Check, ...] = ()
 
 
-def piston_motion(
-    pistons: Pistons, crank_angle: CrankAngle, turn: PistonTurn, dead_centres: DeadCentres
-) -> PistonMotion:
+def piston_motion(grid: PistonGrid, turn: PistonTurn, dead_centres: DeadCentres) -> PistonMotion:
     """Displacement from the true top toward the shaft and its derivatives."""
-    motion = slider_motion(pistons, crank_angle.angle)
+    motion = grid.value
     return PistonMotion(
-        piston_displacement=dead_centres.top_position[..., np.newaxis] - motion.value,
-        piston_velocity_coefficient=-motion.first,
-        piston_acceleration_coefficient=-motion.second,
-        checks=(_derivatives_check(turn.distinct),),
+        piston_displacement=dead_centres.top_position[..., np.newaxis] - motion.position,
+        piston_velocity_coefficient=-motion.position_first,
+        piston_acceleration_coefficient=-motion.position_second,
+        checks=(_derivatives_check(turn),),
     )
 
 
-def _derivatives_check(pistons: Distinct) -> Check:
+def _derivatives_check(turn: PistonTurn) -> Check:
     """Compare x′ and x″ with the derivatives of the Fourier series of x and x′, which know no mechanism formula."""
-    residual = derivatives_residual(lambda alpha: slider_motion(pistons.mechanisms, alpha))
+    pistons = turn.distinct
+    residual = derivatives_residual(
+        lambda alpha: slider_motion(pistons.mechanisms, alpha), Coefficient(*turn.samples[:3])
+    )
     return Check(
         "piston_derivatives",
         _("x′ and x″ against the derivatives of the Fourier series of x and x′, relative to their peaks"),
@@ -167,22 +167,14 @@ def _at_constant_speed(turn: PistonTurn, omega: Array) -> tuple[Extremes, Extrem
     """Extremes of velocity and acceleration over a turn, φ and value of shape (design, piston, 1)."""
     different = turn.distinct
 
-    def velocity(alpha: Array) -> Array:
-        return -slider_motion(different.mechanisms, alpha).first
+    def toward_shaft(order: int, factor: Array) -> Extremes:
+        away, toward = (
+            Extreme(different.angle(one.angle[order]), -different.spread(one.value[order]) * factor)
+            for one in reversed(turn.peaks)
+        )
+        return Extremes(away, toward)
 
-    def acceleration(alpha: Array) -> Array:
-        return -slider_motion(different.mechanisms, alpha).second
-
-    slowest, fastest = extremes(velocity, acceleration, samples=-turn.samples.position_first)
-    least, most = extremes(acceleration, samples=-turn.samples.position_second)
-
-    def spread(extreme: Extreme, factor: Array) -> Extreme:
-        return Extreme(different.angle(extreme.angle), different.spread(extreme.value) * factor)
-
-    return (
-        Extremes(spread(slowest, omega), spread(fastest, omega)),
-        Extremes(spread(least, omega**2), spread(most, omega**2)),
-    )
+    return toward_shaft(1, omega), toward_shaft(2, omega**2)
 
 
 def _over_cycle(

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.engine.dead_centres import PistonTurn, rod_angle
-from cranktrain.engine.layout import CrankAngle, Mechanisms, PistonRods, Pistons, Speed, accelerations
+from cranktrain.engine.dead_centres import PistonGrid, PistonTurn, rod_angle
+from cranktrain.engine.layout import CrankAngle, Mechanisms, PistonRods, Speed, accelerations
 from cranktrain.language import N_
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import turning_points
@@ -57,10 +57,10 @@ def _rod(pistons: Mechanisms, angle: Array) -> Coefficient:
     return pistons.evaluated(lambda motion: rod_angle(motion, motion.slider), angle)
 
 
-def rod_motion(pistons: Pistons, rods: PistonRods, crank_angle: CrankAngle, turn: PistonTurn) -> RodMotion:
+def rod_motion(grid: PistonGrid, rods: PistonRods, crank_angle: CrankAngle, turn: PistonTurn) -> RodMotion:
     """Rod angles, their derivatives and extremes."""
     del rods
-    rod = _rod(pistons, crank_angle.angle)
+    motion = grid.value
     different = turn.distinct
     opposite, usual = turning_points(
         lambda alpha: Coefficient(*(-part for part in _rod(different.mechanisms, alpha))), -turn.samples.rod
@@ -70,9 +70,9 @@ def rod_motion(pistons: Pistons, rods: PistonRods, crank_angle: CrankAngle, turn
     angles = [different.spread(one.value)[..., 0] for one in (usual, opposite)]
     places = [crank_angle.counted(different.angle(one.angle))[..., 0] for one in (usual, opposite)]
     return RodMotion(
-        rod_angle=rod.value,
-        rod_velocity_coefficient=rod.first,
-        rod_acceleration_coefficient=rod.second,
+        rod_angle=motion.rod,
+        rod_velocity_coefficient=motion.rod_first,
+        rod_acceleration_coefficient=motion.rod_second,
         largest_pressure_angle=np.where(is_usual[..., 0], *angles),
         largest_pressure_angle_at=np.where(is_usual[..., 0], *places),
         opposite_pressure_angle=np.where(is_usual[..., 0], *reversed(angles)),

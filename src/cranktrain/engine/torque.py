@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.forces import LoadedMachine, SolvedCycle, driving_torques
+from cranktrain.engine.gas_events import GasEvents
 from cranktrain.engine.layout import CrankAngle
 from cranktrain.engine.shafts import GearedShafts, Shafts
 from cranktrain.language import N_, _
@@ -53,7 +54,9 @@ class ShaftTorques:
         )
 
 
-def shaft_torques(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, crank_angle: CrankAngle) -> ShaftTorques:
+def shaft_torques(
+    loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, crank_angle: CrankAngle, events: GasEvents | None
+) -> ShaftTorques:
     """Torque on every shaft over the cycle, and the extremes of all together, refined on the mechanisms.
 
     Notes
@@ -69,7 +72,8 @@ def shaft_torques(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, cr
         phi = angle[:, np.newaxis] + crank_angle.zero
         return -np.sum(driving_torques(loaded, loaded.solved(phi)), axis=1)
 
-    least, most = extremes(torque, grid=crank_angle.shown, samples=whole)
+    kinks = None if events is None else events.angle - crank_angle.zero[:, 0]
+    least, most = extremes(torque, grid=crank_angle.shown, samples=whole, kinks=kinks)
 
     def at(found: Extreme) -> Array:
         return crank_angle.counted(found.angle[:, np.newaxis] + crank_angle.zero, crank_angle.cycle)[:, 0, 0]

@@ -4,7 +4,7 @@ Between dead centres and other kinks everything is smooth, so that few points ar
 samples, the run's own sum over its grid is compared with the exact integral of what was laid through them.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache
 from typing import NamedTuple
@@ -15,13 +15,14 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
 from cranktrain.engine.forces import LoadedMachine, driving_torques
 from cranktrain.engine.gas import GasInChambers
+from cranktrain.engine.gas_events import GasEvents
 from cranktrain.engine.layout import CrankAngle, Speed
 from cranktrain.engine.torque import ShaftTorques
 from cranktrain.engine.travel import CylinderTravel
 from cranktrain.engine.volumes import SweptVolumes
-from cranktrain.gas import GasKind, Kink, VolumeLimits, kind_of
+from cranktrain.gas import GasKind, kind_of
 from cranktrain.language import N_, _
-from cranktrain.motion import Array, Coefficient, single
+from cranktrain.motion import Array, Coefficient
 
 _THEORY = "docs/theory/forces"
 _EXACT_LIMIT = 1e-12
@@ -32,7 +33,6 @@ _REACH = 1.3
 _NODES = ((0.0, 0.04, 3), (0.04, 0.2, 5), (0.2, 0.6, 8), (0.6, 1.01, 12))
 """Intervals from a part of the widest to another, and how many points are enough there for 13 digits."""
 _NARROWEST = 1e-13
-_MOST_STEPS, _SETTLED = 30, 1e-14
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,6 +49,7 @@ def work_balance(
     loaded: LoadedMachine,
     gas: GasInChambers,
     travel: CylinderTravel,
+    events: GasEvents,
     swept: SweptVolumes,
     torques: ShaftTorques,
     crank_angle: CrankAngle,
@@ -66,7 +67,7 @@ def work_balance(
         return WorkBalance(total)
     scale = np.sum(np.abs(works), axis=-1)
     if all(kind.mean_pressures is not None for kind in kinds):
-        residual = np.abs(_work_of_torque(loaded, gas, travel) - total) / scale
+        residual = np.abs(_work_of_torque(loaded, gas, travel, events) - total) / scale
         sentence = _("Work of the torque by the reactions, by quadrature, against that of the gas in closed form")
         return WorkBalance(total, (Check("work", sentence, residual, _EXACT_LIMIT),))
     residual = np.abs(np.mean(torques.machine_torque, axis=-1) * gas.cycle - total) / scale
@@ -104,63 +105,13 @@ def _slope_of(gas: GasInChambers, design: int, place: int) -> Callable[[Array], 
     return slope
 
 
-def _work_of_torque(loaded: LoadedMachine, gas: GasInChambers, travel: CylinderTravel) -> Array:
+def _work_of_torque(loaded: LoadedMachine, gas: GasInChambers, travel: CylinderTravel, events: GasEvents) -> Array:
     """Work that the machine's torque by the reactions does over a cycle, shape (design,). [J]"""
-    quadrature = _quadrature(_events(gas, travel), _widest(gas, travel), gas.cycle)
+    quadrature = _quadrature(events.angle, _widest(gas, travel), gas.cycle)
     # Inertia gives no work over a cycle at any speed; at a constant one nothing is interpolated.
     even = replace(loaded, speed=Speed(loaded.speed.value))
     torque = np.sum(driving_torques(even, even.solved(quadrature.angle[:, np.newaxis])), axis=1)
     return -np.sum(quadrature.weight * torque, axis=-1)
-
-
-def _events(gas: GasInChambers, travel: CylinderTravel) -> Array:
-    """φ of all dead centres and kinks in a cycle, shape (design, event); NaN for none. [rad]"""
-    firing, opposite = gas.dead_centres(travel)
-    turns = 2 * np.pi * np.arange(round(gas.cycle / (2 * np.pi)))
-    centres = np.concatenate([firing, opposite], axis=-1)[..., np.newaxis] + turns
-    return np.concatenate([centres.reshape(len(centres), -1), _kinks(gas, firing)], axis=-1)
-
-
-def _kinks(gas: GasInChambers, firing: Array) -> Array:
-    """φ of the kinks of all chambers, by Newton's method from the dead centre, shape (design, chamber · kink). [rad]"""
-    told = _told_kinks(gas)
-    places = [place for place in gas.distinct for _kink in range(told.shape[-1])]
-    volume, sense, turn = told.reshape(3, len(firing), -1)[..., np.newaxis]
-    if volume.size == 0:
-        return volume[..., 0]
-    centre = firing[:, places, np.newaxis]
-
-    def at(away: Array) -> Coefficient:
-        return Coefficient(*gas.at_own(centre + sense * away, places, lambda angle: np.stack(gas.volume(angle))))
-
-    least = at(np.zeros_like(volume))
-    # Near the dead centre the volume is a parabola.
-    away = np.minimum(np.sqrt(2 * (volume - least.value) / least.second), 0.75 * np.pi)
-    for _step in range(_MOST_STEPS):
-        found = at(away)
-        before, away = away, np.clip(away - sense * (found.value - volume) / found.first, away / 4, np.pi)
-        if not np.any(np.abs(away - before) > _SETTLED):
-            break
-    after = np.where(turn > 0, 0.0, 2 * np.pi) + sense * away
-    each = after.reshape(len(firing), len(gas.distinct), -1)
-    design = np.arange(len(firing))[:, np.newaxis]
-    return (firing[..., np.newaxis] + each[design, gas.origin]).reshape(len(firing), -1)
-
-
-def _told_kinks(gas: GasInChambers) -> Array:
-    """Volume, sense and turn of the kinks of the distinct chambers, (3, design, distinct, kink): NaN fills up."""
-    told: list[list[Sequence[Kink]]] = []
-    for design, spec in enumerate(gas.specs):
-        limits = [VolumeLimits(*(single(float(part[design, i, 0])) for part in gas.limits)) for i in gas.distinct]
-        models = [gas.models[design][place] for place in gas.distinct]
-        told.append([kind_of(spec).kinks(model, own) for model, own in zip(models, limits, strict=True)])
-    most = max(len(kinks) for of_design in told for kinks in of_design)
-    filled = np.full((3, len(told), len(gas.distinct), most), np.nan)
-    for design, of_design in enumerate(told):
-        for place, kinks in enumerate(of_design):
-            for number, kink in enumerate(kinks):
-                filled[:, design, place, number] = (float(kink.volume), kink.sense, kink.turn)
-    return filled
 
 
 def _widest(gas: GasInChambers, travel: CylinderTravel) -> Array:

@@ -91,12 +91,16 @@ def _openings(kind: Kind, geometry: Any) -> Openings:
     opened = rows(geometry, found.row)
     fall = (found.gap_low - found.gap_high) / (high - low)
 
-    def least_gap(change: Array) -> Extreme:
-        return _least_gap(kind, changed(kind.lengths, opened, way, change))
+    tried: list[Extreme] = []
 
-    # In parts of the fall, as most gaps shrink in proportion to the change.
-    change = near_roots(lambda trial: -least_gap(trial).value / fall, low + found.gap_low / fall, low, high)
-    angle = np.mod(least_gap(change).angle, 2 * np.pi)
+    def least_gap(change: Array) -> Array:
+        """In parts of the fall, as most gaps shrink in proportion to the change."""
+        tried.append(_least_gap(kind, changed(kind.lengths, opened, way, change)))
+        return -tried[-1].value / fall
+
+    change = near_roots(least_gap, low + found.gap_low / fall, low, high)
+    # The last change that was tried is the root but for rounding.
+    angle = np.mod(tried[-1].angle, 2 * np.pi)
     return Openings(found.row, way.length[:, 0], change[:, 0], angle[:, 0])
 
 

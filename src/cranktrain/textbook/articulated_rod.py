@@ -11,8 +11,9 @@ import numpy as np
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.motion import Array, Coefficient
 
-_NEWTON_STEPS = 8
-"""Digits double with each step; from the first harmonic's top, enough for a second harmonic up to 0.6 of the first."""
+_NEWTON_STEPS, _SETTLED = 8, 1e-9
+"""Digits double with each step; from the first harmonic's top, enough for a second harmonic up to 0.6 of the first. And
+a step after which the next one is less than rounding. [rad]"""
 
 
 class Harmonics(NamedTuple):
@@ -126,7 +127,10 @@ def own_top_distance(rod: ArticulatedRod, harmonics: Harmonics) -> Array:
     angle = -Phi
     for _step in range(_NEWTON_STEPS):
         slope = E * np.sin(angle + Phi) + F / 2 * np.sin(2 * angle - Theta)
-        angle = angle - slope / (E * np.cos(angle + Phi) + F * np.cos(2 * angle - Theta))
+        move = slope / (E * np.cos(angle + Phi) + F * np.cos(2 * angle - Theta))
+        angle = angle - move
+        if not np.any(np.abs(move) > _SETTLED):
+            break
     return K + rod.master.crank_radius * (E * np.cos(angle + Phi) + F / 4 * np.cos(2 * angle - Theta))
 
 

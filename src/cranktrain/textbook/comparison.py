@@ -14,7 +14,7 @@ from cranktrain.language import N_, _
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array, Coefficient
-from cranktrain.numerics import Extreme, extremes, largest, turn_grid
+from cranktrain.numerics import Extreme, Extremes, largest, turn_grid
 from cranktrain.textbook.articulated_rod import (
     Harmonics,
     derived,
@@ -148,7 +148,8 @@ def textbook_motion(
             for curve, values in zip(curves, own, strict=True):
                 curve[:, method, group.index] = values
         samples = Coefficient(*(part[:, alike.index] for part in turn.samples[:3]))
-        worst = _largest_errors(tuple(forms.values()), alike, samples)
+        peaks = Extremes(*(Extreme(*(part[:, :, alike.index] for part in one)) for one in turn.peaks))
+        worst = _largest_errors(tuple(forms.values()), alike, samples, peaks)
         origin = turn.distinct.origin[:, group.index] - alike.index[0]
         for row, method in enumerate(forms):
             errors[:, :, method, group.index] = worst.value[row][:, 0, origin, 0]
@@ -168,11 +169,11 @@ def textbook_motion(
     )
 
 
-def _largest_errors(forms: Sequence[Form], group: Group, samples: Coefficient) -> Extreme:
+def _largest_errors(forms: Sequence[Form], group: Group, samples: Coefficient, peaks: Extremes) -> Extreme:
     """Largest errors of displacement, velocity and acceleration and own crank angles there, (form, 3, 1, member, 1).
 
     Displacement in parts of the exact stroke, the others of their exact peak. `samples` is the exact slider on
-    `turn_grid()`.
+    `turn_grid()`, with its peaks.
     """
     members = group.members
     curves = [form(members.geometry) for form in forms]
@@ -180,7 +181,7 @@ def _largest_errors(forms: Sequence[Form], group: Group, samples: Coefficient) -
     def slider(alpha: Array) -> Coefficient:
         return group.kind.motion(alpha + members.phase, members.geometry).slider
 
-    low, high = extremes(lambda alpha: _own_rows(slider(alpha)), samples=np.stack(samples))
+    low, high = peaks
     top = high.value[0]
     peak = np.concatenate([top[np.newaxis] - low.value[:1], np.maximum(high.value, -low.value)[1:]])
 

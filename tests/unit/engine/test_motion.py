@@ -1,5 +1,7 @@
 """Motion and speeds of pistons: extremes in closed form, and where they are."""
 
+from functools import partial
+
 import mpmath
 import numpy as np
 import pytest
@@ -110,15 +112,18 @@ def test_check_holds_for_machines_near_locking(margin):
 
 def test_check_finds_a_wrong_derivative(monkeypatch):
     """An acceleration that is off by a millionth of its peak fails."""
-    from cranktrain.engine import motion
+    from cranktrain.engine import dead_centres, motion
 
-    right = motion.slider_motion
+    for module, name, field in (
+        (dead_centres, "slider_and_rod", "position_second"),
+        (motion, "slider_motion", "second"),
+    ):
 
-    def wrong(pistons, angle):
-        coefficient = right(pistons, angle)
-        return coefficient._replace(second=coefficient.second + 1e-6 * RADIUS)
+        def wrong(right, field, pistons, angle):
+            found = right(pistons, angle)
+            return found._replace(**{field: getattr(found, field) + 1e-6 * RADIUS})
 
-    monkeypatch.setattr(motion, "slider_motion", wrong)
+        monkeypatch.setattr(module, name, partial(wrong, getattr(module, name), field))
     (check,) = run().checks
     assert check.judged[0]
     assert not check.passed[0]

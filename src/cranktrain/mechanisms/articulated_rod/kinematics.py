@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.linkage import AHEAD, LinkPoint, Slide, point, slide, slide_gap, turned
-from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank, slider_crank_gap
+from cranktrain.linkage import AHEAD, Crank, LinkPoint, Slide, crank, point, slide, slide_gap, turned
+from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 from cranktrain.motion import Array, Coefficient, Link, Point
 
 
@@ -55,19 +55,27 @@ def articulated_rod(angle: Array, geometry: ArticulatedRod) -> ArticulatedRodMot
     docs/theory/articulated-rod; (I.13) of [Bolotin] is its two-harmonic form.
     """
     master = slider_crank(angle, geometry.master)
-    knuckle = knuckle_pin(master.rod, geometry)
+    knuckle = turned(
+        point(master.rod, LinkPoint(geometry.knuckle_radius, geometry.articulation_angle)), geometry.bank_angle
+    )
     slave = slide(knuckle, Slide(geometry.rod_length, geometry.offset, AHEAD))
     return ArticulatedRodMotion(master.pin, master.rod, knuckle, slave.slider, slave.rod)
 
 
-def knuckle_pin(master_rod: Link, geometry: ArticulatedRod) -> Point:
-    """Knuckle pin on the master's rod, in the slave cylinder's axes. [m, m/rad, m/rad²]"""
-    on_rod = point(master_rod, LinkPoint(geometry.knuckle_radius, geometry.articulation_angle))
-    return turned(on_rod, geometry.bank_angle)
-
-
 def articulated_rod_gap(angle: Array, geometry: ArticulatedRod) -> Array:
-    """By how much the shorter of master and slave rod is long enough; negative where the links cannot close. [m]"""
-    knuckle = knuckle_pin(slider_crank(angle, geometry.master).rod, geometry)
-    slave = slide_gap(knuckle, Slide(geometry.rod_length, geometry.offset, AHEAD))
-    return np.fmin(slider_crank_gap(angle, geometry.master), slave)
+    """By how much the shorter of master and slave rod is long enough; negative where the links cannot close. [m]
+
+    The slave has to bridge Q − e, with the Q of `articulated_rod`.
+    """
+    master = geometry.master
+    pin = crank(angle, Crank(master.crank_radius))
+    rise = master.offset - pin.y.value
+    reach = np.sqrt((master.rod_length - rise) * (master.rod_length + rise))
+    along = geometry.knuckle_radius / master.rod_length
+    ahead = geometry.articulation_angle - geometry.bank_angle
+    knuckle = along * (np.cos(ahead) * rise + np.sin(ahead) * reach)
+    across = np.cos(geometry.bank_angle) * pin.y.value - np.sin(geometry.bank_angle) * pin.x.value + knuckle
+    return np.fmin(
+        slide_gap(pin, Slide(master.rod_length, master.offset, AHEAD)),
+        geometry.rod_length - np.abs(across - geometry.offset),
+    )

@@ -1,0 +1,70 @@
+"""Events of the gas: dead centres and kinks of its pressure, between which all torques are smooth."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from cranktrain.engine.gas import GasInChambers
+from cranktrain.engine.travel import CylinderTravel
+from cranktrain.gas import Kink, VolumeLimits, kind_of
+from cranktrain.motion import Array, Coefficient, single
+
+_MOST_STEPS, _SETTLED = 30, 1e-14
+
+
+@dataclass(frozen=True, eq=False)
+class GasEvents:
+    """φ of all dead centres and kinks in a cycle, shape (design, event); NaN for none. [rad]"""
+
+    angle: Array
+
+
+def gas_events(gas: GasInChambers, travel: CylinderTravel) -> GasEvents:
+    """Find dead centres and kinks of all chambers."""
+    firing, opposite = gas.dead_centres(travel)
+    turns = 2 * np.pi * np.arange(round(gas.cycle / (2 * np.pi)))
+    centres = np.concatenate([firing, opposite], axis=-1)[..., np.newaxis] + turns
+    return GasEvents(np.concatenate([centres.reshape(len(centres), -1), _kinks(gas, firing)], axis=-1))
+
+
+def _kinks(gas: GasInChambers, firing: Array) -> Array:
+    """φ of the kinks of all chambers, by Newton's method from the dead centre, shape (design, chamber · kink). [rad]"""
+    told = _told_kinks(gas)
+    places = [place for place in gas.distinct for _kink in range(told.shape[-1])]
+    volume, sense, turn = told.reshape(3, len(firing), -1)[..., np.newaxis]
+    if volume.size == 0:
+        return volume[..., 0]
+    centre = firing[:, places, np.newaxis]
+
+    def at(away: Array) -> Coefficient:
+        return Coefficient(*gas.at_own(centre + sense * away, places, lambda angle: np.stack(gas.volume(angle))))
+
+    least = at(np.zeros_like(volume))
+    # Near the dead centre the volume is a parabola.
+    away = np.minimum(np.sqrt(2 * (volume - least.value) / least.second), 0.75 * np.pi)
+    for _step in range(_MOST_STEPS):
+        found = at(away)
+        before, away = away, np.clip(away - sense * (found.value - volume) / found.first, away / 4, np.pi)
+        if not np.any(np.abs(away - before) > _SETTLED):
+            break
+    after = np.where(turn > 0, 0.0, 2 * np.pi) + sense * away
+    each = after.reshape(len(firing), len(gas.distinct), -1)
+    design = np.arange(len(firing))[:, np.newaxis]
+    return (firing[..., np.newaxis] + each[design, gas.origin]).reshape(len(firing), -1)
+
+
+def _told_kinks(gas: GasInChambers) -> Array:
+    """Volume, sense and turn of the kinks of the distinct chambers, (3, design, distinct, kink): NaN fills up."""
+    told: list[list[Sequence[Kink]]] = []
+    for design, spec in enumerate(gas.specs):
+        limits = [VolumeLimits(*(single(float(part[design, i, 0])) for part in gas.limits)) for i in gas.distinct]
+        models = [gas.models[design][place] for place in gas.distinct]
+        told.append([kind_of(spec).kinks(model, own) for model, own in zip(models, limits, strict=True)])
+    most = max(len(kinks) for of_design in told for kinks in of_design)
+    filled = np.full((3, len(told), len(gas.distinct), most), np.nan)
+    for design, of_design in enumerate(told):
+        for place, kinks in enumerate(of_design):
+            for number, kink in enumerate(kinks):
+                filled[:, design, place, number] = (float(kink.volume), kink.sense, kink.turn)
+    return filled
