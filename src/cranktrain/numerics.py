@@ -154,7 +154,8 @@ def extremes(
     curve : Curve
         Gives (..., k) for angles (..., k) or (k,).
     slope : Curve, optional
-        Its derivative; with it the angle is exact to rounding, without it to some 1e-12 (quartics through close points;
+        Its derivative, NaN where it is not known; with it the angle is exact to rounding, without it to some 1e-12
+        (quartics through close points;
         at kinks that are not told 1e-5 and less), which leaves the value exact to rounding all the same.
     grid : Array, shape (n,), optional
         Where to look first: equal steps over a turn; 720 points unless given.
@@ -246,13 +247,12 @@ def _refined(
         top = _zoomed(curve, known, place, grid, signs, kinks)
         if slope is not None:
             polished = _polished(slope, top, np.repeat(signs, _CANDIDATES))
-            if np.any(np.isnan(polished)):
+            is_rough = np.isnan(polished) & ~np.isnan(top.angle)
+            if np.any(is_rough):
                 start = grid[place]
-                rooted = bracketed_roots(slope, start - step, start + step)
-                polished = np.where(np.isnan(polished), rooted, polished)
-                polished = np.where(np.isnan(polished), top.angle, polished)
-                top = Extreme(polished, curve(polished))
-            top = Extreme(polished, top.value)
+                root = bracketed_roots(slope, start - step, start + step)
+                top = _chosen(is_rough & ~np.isnan(root), Extreme(root, curve(root)), top)
+            top = Extreme(np.where(np.isnan(polished), top.angle, polished), top.value)
         return _best(*top, _scale(known), signs)
 
 
@@ -309,12 +309,16 @@ def _zoomed(
 
 
 def _polished(slope: Curve, top: Extreme, sign: Array) -> Array:
-    """Angle of the top by one step of Newton's method, to rounding; NaN where that is no tiny one."""
+    """Angle of the top by one step of Newton's method, to rounding; NaN where that is no tiny one.
+
+    A slope that is NaN is not known, and leaves the angle.
+    """
     three = slope(np.concatenate([top.angle - _ASIDE, top.angle, top.angle + _ASIDE], axis=-1))
     before, at, after = np.split(three, 3, axis=-1)
     curvature = (after - before) / (2 * _ASIDE)
     move = -at / curvature
-    return np.where((np.abs(move) <= _TINY) & (sign * curvature < 0), top.angle + move, np.nan)
+    is_tiny = (np.abs(move) <= _TINY) & (sign * curvature < 0)
+    return np.where(np.isnan(at), top.angle, np.where(is_tiny, top.angle + move, np.nan))
 
 
 def _closest(curve: Curve, middle: Array, wide: Array, sign: Array) -> Extreme:

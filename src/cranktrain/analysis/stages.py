@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, is_dataclass
+from functools import cache
 from graphlib import TopologicalSorter
 from types import NoneType
 from typing import Any, cast, get_args, get_type_hints
@@ -48,7 +49,7 @@ from cranktrain.mechanisms import KINDS
 from cranktrain.textbook.comparison import textbook_motion
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Stage:
     """One step of the computation.
 
@@ -93,6 +94,12 @@ def stage(function: Callable[..., Any]) -> Stage:
 
 def ordered(stages: Iterable[Stage]) -> tuple[Stage, ...]:
     """Put stages in an order in which every need comes before its use."""
+    return _ordered(tuple(stages))
+
+
+@cache
+def _ordered(stages: tuple[Stage, ...]) -> tuple[Stage, ...]:
+    """Put stages in order once, however often they run."""
     by_gift = {one.gives: one for one in stages}
     graph = {one.gives: [need for need in one.needs.values() if need in by_gift] for one in by_gift.values()}
     return tuple(by_gift[gift] for gift in TopologicalSorter(graph).static_order())

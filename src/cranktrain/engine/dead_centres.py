@@ -88,17 +88,19 @@ def piston_turn(pistons: Pistons) -> PistonTurn:
     different = distinct(pistons)
     samples = slider_and_rod(different.mechanisms, turn_grid())
 
-    def slider(angle: Array, lowest: int) -> Array:
-        """Position, velocity and acceleration, from one of them on, each at angles of its own, (…, 1, distinct, k)."""
+    def slider(angle: Array) -> list[Array]:
+        """Position, its derivatives, and NaN for the third one, each at angles of its own, (1, distinct, k)."""
         apart = np.moveaxis(angle, 0, -2)
-        motion = slider_motion(different.mechanisms, apart.reshape(*apart.shape[:2], -1))[lowest:]
-        return np.stack([motion[order].reshape(apart.shape)[..., order, :] for order in range(apart.shape[-2])])
+        motion = slider_motion(different.mechanisms, apart.reshape(*apart.shape[:2], -1))
+        return [part.reshape(apart.shape) for part in (*motion, np.full_like(motion.value, np.nan))]
 
-    known = np.stack(samples[:3])
-    slow = extremes(lambda angle: slider(angle, 0), lambda angle: slider(angle, 1), samples=known[:2])
-    fast = extremes(lambda angle: slider(angle, 2), samples=known[2:])
-    peaks = (Extreme(*map(np.concatenate, zip(*pair, strict=True))) for pair in zip(slow, fast, strict=True))
-    return PistonTurn(different, samples, Extremes(*peaks))
+    def coordinate(angle: Array) -> Array:
+        return np.stack([part[..., order, :] for order, part in enumerate(slider(angle)[:3])])
+
+    def slope(angle: Array) -> Array:
+        return np.stack([part[..., order, :] for order, part in enumerate(slider(angle)[1:])])
+
+    return PistonTurn(different, samples, extremes(coordinate, slope, samples=np.stack(samples[:3])))
 
 
 @dataclass(frozen=True, eq=False)

@@ -71,13 +71,11 @@ def torque_harmonics(rod_ratio: Array, highest: int) -> Array:
     ratio = np.asarray(rod_ratio, dtype=float)
     n_all = 2 * max(_n_terms(ratio), highest)
     velocity = acceleration_harmonics(ratio, n_all)[..., 1:] / np.arange(1, n_all + 1)
-    harmonics = np.zeros((*ratio.shape, highest + 1))
-    for order in range(1, highest + 1):
-        differences = np.sum(velocity[..., :-order] * velocity[..., order:], axis=-1)
-        sums = np.sum(velocity[..., : order - 1] * velocity[..., : order - 1][..., ::-1], axis=-1)
-        harmonics[..., order] = order / 2 * (differences - sums / 2)
-    harmonics[np.isnan(velocity[..., 0])] = np.nan
-    return harmonics
+    # Both sums over i, from 1 on: V beyond the last, and before the first, is nothing.
+    order, index = np.arange(highest + 1)[:, np.newaxis], np.arange(n_all)
+    padded = np.concatenate([np.zeros((*ratio.shape, n_all)), velocity, np.zeros((*ratio.shape, highest))], axis=-1)
+    others = padded[..., n_all + index + order] - padded[..., n_all + order - 2 - index] / 2
+    return order[:, 0] / 2 * np.sum(velocity[..., np.newaxis, :] * others, axis=-1)
 
 
 def _even_harmonics(ratio: Array, n_wanted: int) -> Array:
