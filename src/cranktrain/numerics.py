@@ -213,15 +213,17 @@ def turning_points(motion: Callable[[Array], Coefficient], samples: Array, grid:
     grid = turn_grid(samples.shape[-1]) if grid is None else grid
     step = float(grid[1] - grid[0])
     with np.errstate(all="ignore"):
-        start = grid[_candidates(samples, _BOTH)]
-        angle, found, move = start, motion(start), np.full(start.shape, np.inf)
+        place, sign = _candidates(samples, _BOTH), np.repeat(_BOTH, _CANDIDATES)
+        start = grid[place]
+        angle = start + step * _top_of_quartic(_five(samples, place), sign).way
+        found, move = motion(angle), np.full(start.shape, np.inf)
         for _ in range(_MOST_NEWTON_STEPS):
             move = np.clip(angle - found.first / found.second, start - step, start + step) - angle
             angle = angle + move
-            if np.all(np.abs(move) <= _SETTLED):
+            if np.all(np.abs(move) <= _TINY):
                 break
             found = motion(angle)
-        turns = (np.abs(move) <= _SETTLED) & (np.repeat(_BOTH, _CANDIDATES) * found.second < 0)
+        turns = (np.abs(move) <= _TINY) & (sign * found.second < 0)
         if not np.all(turns | np.any(np.isnan(samples), axis=-1, keepdims=True)):
             return extremes(lambda phi: motion(phi).value, lambda phi: motion(phi).first, grid=grid, samples=samples)
         # The last move is too small to be felt in the value.
@@ -284,14 +286,13 @@ def _zoomed(
     """Tops of quartics through five close points about the top of one through five of the grid; or kinks."""
     sign = np.repeat(signs, _CANDIDATES)
     step, peak = float(grid[1] - grid[0]), grid[place]
-    around = (place[..., np.newaxis, :] + _FIVE.astype(np.intp)) % len(grid)
-    flat = (*place.shape[:-1], 5 * place.shape[-1])
-    five = np.take_along_axis(samples, around.reshape(flat), axis=-1).reshape(around.shape)
+    five = _five(samples, place)
     wide = _top_of_quartic(five, sign)
     middle = peak + step * wide.way
-    points = (middle[..., np.newaxis, :] + _CLOSE * _FIVE).reshape(flat)
+    points = (middle[..., np.newaxis, :] + _CLOSE * _FIVE).reshape(*place.shape[:-1], 5 * place.shape[-1])
+    n_points = points.shape[-1]
     values = curve(points if kinks is None else np.concatenate([points, kinks], axis=-1))
-    found = _top_of_quartic(values[..., : flat[-1]].reshape(*values.shape[:-1], *around.shape[-2:]), sign)
+    found = _top_of_quartic(values[..., :n_points].reshape(*values.shape[:-1], *five.shape[-2:]), sign)
     top = Extreme(middle + _CLOSE * found.way, found.value)
     is_rough = (np.abs(found.way) >= 1) | (np.abs(found.way - found.parabola) > _SMOOTH)
     if np.any(is_rough):
@@ -305,7 +306,14 @@ def _zoomed(
         start = np.where(is_rough, peak + step * wide.parabola, top.angle)
         closest = _closest(curve, start, np.where(is_rough, step, _CLOSEST), sign)
         top = _chosen(is_rough & (sign * (closest.value - top.value) > 0), closest, top)
-    return top if kinks is None else _or_kink(top, kinks, values[..., flat[-1] :], sign)
+    return top if kinks is None else _or_kink(top, kinks, values[..., n_points:], sign)
+
+
+def _five(samples: Array, place: NDArray[np.intp]) -> Array:
+    """Samples about some places round the turn, from two before to two after, shape (..., 5, k)."""
+    around = (place[..., np.newaxis, :] + _FIVE.astype(np.intp)) % samples.shape[-1]
+    flat = around.reshape(*place.shape[:-1], 5 * place.shape[-1])
+    return np.take_along_axis(samples, flat, axis=-1).reshape(around.shape)
 
 
 def _polished(slope: Curve, top: Extreme, sign: Array) -> Array:
@@ -404,19 +412,13 @@ def _best(angle: Array, value: Array, scale: Array, signs: Sequence[float]) -> l
 
     Of two that are alike but for rounding, the first in the turn.
     """
-    best: list[Extreme] = []
-    for place, sign in enumerate(signs):
-        first, second = [_CANDIDATES * place], [_CANDIDATES * place + 1]
-        gain = sign * (value[..., second] - value[..., first])
-        is_alike = np.abs(gain) <= _ALIKE * scale
-        is_second = np.where(is_alike, angle[..., second] < angle[..., first], gain > 0)
-        best.append(
-            Extreme(
-                np.where(is_second, angle[..., second], angle[..., first]),
-                np.where(gain > 0, value[..., second], value[..., first]),
-            )
-        )
-    return best
+    angles, values = (part.reshape(*part.shape[:-1], len(signs), _CANDIDATES) for part in (angle, value))
+    gain = np.asarray(signs) * (values[..., 1] - values[..., 0])
+    is_alike = np.abs(gain) <= _ALIKE * scale
+    is_second = np.where(is_alike, angles[..., 1] < angles[..., 0], gain > 0)
+    best_angle = np.where(is_second, angles[..., 1], angles[..., 0])
+    best_value = np.where(gain > 0, values[..., 1], values[..., 0])
+    return [Extreme(best_angle[..., [place]], best_value[..., [place]]) for place in range(len(signs))]
 
 
 def unwrapped(angle: Array) -> Array:
