@@ -158,7 +158,7 @@ def _designs(machines: Sequence[Machine], *, partial: bool) -> list[tuple[Place,
 
 def _differences(machines: Sequence[Machine]) -> Iterator[Problem]:
     """Find where designs differ in more than numbers."""
-    first = dict(_structure(machines[0]))
+    first = dict(_structure(machines[0])) if len(machines) > 1 else {}
     allowed = _("must be the same in all designs, which may differ in numbers alone; in design {n} it is another")
     for n, machine in enumerate(machines[1:], start=2):
         other = dict(_structure(machine))

@@ -255,21 +255,23 @@ class JointForces:
 def joint_forces(loaded: LoadedMachine, solved: SolvedCycle) -> JointForces:
     """Reactions of all joints; a master's hold what its slaves do to it."""
     names: list[str] = []
-    rows: list[Wrench] = []
     order: list[int] = []
+    given: list[tuple[Wrench, range]] = []
     for group, one in zip(loaded.mechanisms.groups, solved.groups, strict=True):
         dynamics = group.kind.dynamics
-        for place, reaction in enumerate(dynamics.reactions):
+        for reaction, joint in zip(dynamics.reactions, one.forces.joints, strict=True):
             if reaction.on not in dynamics.moving:
                 continue  # a slave's share of its master's, which has it already
-            for member, mechanism in enumerate(group.index.tolist()):
-                names.append(f"{loaded.mechanisms.names[mechanism]}.{reaction.name}")
-                rows.append(Wrench(*(_member(part, member) for part in one.forces.joints[place])))
-                order.append(mechanism)
+            given.append((joint, range(len(names), len(names) + len(group.index))))
+            names += [f"{loaded.mechanisms.names[mechanism]}.{reaction.name}" for mechanism in group.index.tolist()]
+            order += group.index.tolist()
     sequence: list[int] = np.argsort(order, kind="stable").tolist()
-    x, y, moment = (
-        np.stack(np.broadcast_arrays(*(row[part] for row in rows)), axis=1)[:, sequence] for part in range(3)
-    )
+    row = np.argsort(sequence)
+    n_designs, _n_members, n_angles = solved.groups[0].forces.driving_torque.shape
+    x, y, moment = parts = np.empty((3, n_designs, len(names), n_angles))
+    for joint, joints in given:
+        for part, values in zip(parts, joint, strict=True):
+            part[:, row[joints]] = values
     return JointForces(
         joint_force_x=x,
         joint_force_y=y,
@@ -278,11 +280,6 @@ def joint_forces(loaded: LoadedMachine, solved: SolvedCycle) -> JointForces:
         labels={"joint": tuple(names[i] for i in sequence)},
         flags=tuple(_flags(loaded.masses)),
     )
-
-
-def _member(part: Array, member: int) -> Array:
-    """One mechanism's values, shape (design, n); what is one number for all stands for each."""
-    return part[:, min(member, part.shape[1] - 1)] if part.ndim == 3 else np.reshape(part, (1, 1))
 
 
 def _flags(masses: Masses) -> Iterator[str]:
