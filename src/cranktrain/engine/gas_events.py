@@ -10,7 +10,8 @@ from cranktrain.engine.travel import CylinderTravel
 from cranktrain.gas import Kink, VolumeLimits, kind_of
 from cranktrain.motion import Array, Coefficient, single
 
-_MOST_STEPS, _SETTLED = 30, 1e-14
+_MOST_STEPS, _SETTLED = 30, 1e-8
+"""A step of Newton's method after which the next one is less than rounding. [rad]"""
 
 
 @dataclass(frozen=True, eq=False)

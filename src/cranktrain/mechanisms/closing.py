@@ -11,7 +11,7 @@ from cranktrain.mechanisms.kind import Kind, leaves, named_part, rows, scaled
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme, bracketed_roots, near_roots, smallest, turn_grid
 
-_GRID, _SCAN_GRID, _COARSE_GRID = turn_grid(360), turn_grid(90), turn_grid(36)
+_GRID, _SCAN_GRID, _COARSE_GRID = turn_grid(360), turn_grid(72), turn_grid(24)
 _CHANGES = 10.0 ** np.linspace(-7, 3, 21)
 """Relative changes tried for a first bound of the margin: where the links are open anywhere, they open before."""
 _CELLS = 4
