@@ -89,7 +89,7 @@ def crank_rocker_numpy(angle, crank_radius, rod_length, rocker_length, ground_le
 
 
 def slider_crank_forces_numpy(angle, geometry, crank, rod, piston_mass, pressing, speed, acceleration, gravity):
-    """Bearing on crank, crank on rod, rod on slider (x and y of each), wall on slider, torque by reactions and by work.
+    """Bearing on crank, crank on rod, rod on slider (x and y of each), wall on slider, torque.
 
     Bodies are (mass, along, across, inertia); gravity is (x, y); without friction.
     """
@@ -128,18 +128,7 @@ def slider_crank_forces_numpy(angle, geometry, crank, rod, piston_mass, pressing
     on_x = crank_mass * (gx + crank_x * square + crank_y * acceleration)
     on_y = crank_mass * (gy + crank_y * square - crank_x * acceleration)
     torque = crank_inertia * acceleration + (crank_y * on_x - crank_x * on_y) + (x * pin_y - y * pin_x)
-    crank_square = crank_x * crank_x + crank_y * crank_y
-    inertia = (
-        crank_inertia
-        + crank_mass * crank_square
-        + rod_mass * (vx * vx + vy * vy)
-        + rod_inertia * turn * turn
-        + piston_mass * s1 * s1
-    )
-    slope = rod_mass * (vx * ax + vy * ay) + rod_inertia * turn * rate + piston_mass * s1 * s2
-    weights = crank_mass * (crank_x * gy - crank_y * gx) + rod_mass * (vx * gx + vy * gy) + piston_mass * s1 * gx
-    by_work = inertia * acceleration + slope * square - weights + pressing * s1
-    return pin_x - on_x, pin_y - on_y, pin_x, pin_y, wrist_x, wrist_y, -wrist_y - piston_mass * gy, torque, by_work
+    return pin_x - on_x, pin_y - on_y, pin_x, pin_y, wrist_x, wrist_y, -wrist_y - piston_mass * gy, torque
 
 
 slider_crank_forces_at = njit(error_model="numpy")(slider_crank_forces_numpy)

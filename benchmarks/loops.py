@@ -126,4 +126,3 @@ def slider_crank_forces_loop(angles, geometry, bodies, pressing, conditions, tab
         table[i, 5] = joints.wrist_pin.y
         table[i, 6] = joints.guide.y
         table[i, 7] = forces.driving_torque
-        table[i, 8] = forces.torque_by_work

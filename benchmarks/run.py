@@ -187,11 +187,11 @@ def chain_comparison(n):
 def force_columns(forces):
     joints = forces.joints
     pins = [part for wrench in (joints.main_bearing, joints.crank_pin, joints.wrist_pin) for part in wrench[:2]]
-    return [*pins, joints.guide.y, forces.driving_torque, forces.torque_by_work]
+    return [*pins, joints.guide.y, forces.driving_torque]
 
 
 def force_comparisons(n):
-    """Motion, reactions and both torques of a slider-crank with a rigid rod, from the crank angle."""
+    """Motion, reactions and torque of a slider-crank with a rigid rod, from the crank angle."""
     angles = np.arange(n) * (2 * np.pi / n)
     geometry, bodies = SliderCrank(*SLIDER_CRANK), SliderCrankBodies(*FORCED)
     conditions = Conditions(DRIVE, GRAVITY, (NO_FRICTION,))
@@ -206,8 +206,8 @@ def force_comparisons(n):
     def forces_by_hand():
         return by_hand.slider_crank_forces_numpy(angles, *given)
 
-    loop = filled(loops.slider_crank_forces_loop, angles, (geometry, bodies, PRESSING, conditions), 9)
-    loop_by_hand = filled(by_hand.slider_crank_forces_numba, angles, given, 9)
+    loop = filled(loops.slider_crank_forces_loop, angles, (geometry, bodies, PRESSING, conditions), 8)
+    loop_by_hand = filled(by_hand.slider_crank_forces_numba, angles, given, 8)
     yield Comparison("NumPy", "NumPy by hand", forces, forces_by_hand, force_columns, list, 3.0)
     yield Comparison("compiled", "Numba by hand", loop, loop_by_hand, list, list, 1.7)
 
@@ -229,7 +229,7 @@ def golden_forces(n):
         motion = slider_crank(angles, geometry)
         return slider_crank_forces(motion, geometry, bodies, slider_crank_load(motion, geometry, 0.0), conditions)
 
-    return forces, filled(loops.slider_crank_forces_loop, angles, (geometry, bodies, 0.0, conditions), 9)
+    return forces, filled(loops.slider_crank_forces_loop, angles, (geometry, bodies, 0.0, conditions), 8)
 
 
 FORCE_PEERS = (
@@ -250,19 +250,12 @@ def force_peer_comparisons(n):
             return list(read()[:, ::n_steps])
 
         solve()
-        errors = (
-            f"errors {force_peers.error(without_work(force_columns(forces()))):.0e}, {force_peers.error(read()):.0e}"
-        )
+        errors = f"errors {force_peers.error(force_columns(forces())):.0e}, {force_peers.error(read()):.0e}"
         for what, ours, our_columns, limit in (
-            ("NumPy", forces, lambda found: without_work(force_columns(found)), limits[0]),
-            ("compiled", loop, without_work, limits[1]),
+            ("NumPy", forces, force_columns, limits[0]),
+            ("compiled", loop, list, limits[1]),
         ):
             yield Comparison(what, against, ours, solve, our_columns, their_columns, limit, apart, errors)
-
-
-def without_work(columns):
-    """Columns of forces without the last, the torque by virtual work, which no peer has."""
-    return list(columns)[:-1]
 
 
 MOTION = ("piston_displacement", "piston_velocity", "piston_acceleration")

@@ -8,6 +8,15 @@ from cranktrain.motion import Coefficient
 from cranktrain.numerics import extremes
 
 FOUR_STROKE, TWO_STROKE = 4 * np.pi, 2 * np.pi
+DUAL_CYCLE = {
+    "kind": "dual",
+    "start_pressure": "100 kPa",
+    "compression_exponent": 1.36,
+    "expansion_exponent": 1.25,
+    "pressure_ratio": 1.55,
+    "cut_off_ratio": 1.45,
+}
+"""A [gas] table."""
 
 
 class Engine:

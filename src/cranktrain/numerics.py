@@ -332,17 +332,18 @@ def _polished(slope: Curve, top: Extreme, sign: Array) -> Array:
 def _closest(curve: Curve, middle: Array, wide: Array, sign: Array) -> Extreme:
     """Tops of parabolas through three ever closer points, where the curve is rough or a peak narrow."""
     before, half = wide, np.maximum(wide / _CLOSER, _CLOSEST)
+    value = np.full_like(middle, np.nan)
     for _ in range(_MOST_ZOOMS):
         points = middle[..., np.newaxis, :] + half[..., np.newaxis, :] * _FIVE[1:4]
         found = curve(points.reshape(*middle.shape[:-1], 3 * middle.shape[-1]))
         top = _top(found.reshape(*found.shape[:-1], *points.shape[-2:]), sign)
-        middle = middle + half * top.way
+        middle, value = middle + half * top.way, top.value
         if not np.any(half > 2 * _CLOSEST):
             break
         # What a parabola's top is off by goes with the square of its width; four times that is wide enough.
         width = np.minimum(4 * np.abs(top.way) * half * (half / before) ** 2, half / _CLOSER)
         before, half = half, np.maximum(width, _CLOSEST)
-    return Extreme(middle, top.value)
+    return Extreme(middle, value)
 
 
 def _or_kink(top: Extreme, kinks: Array, values: Array, sign: Array) -> Extreme:
@@ -474,8 +475,10 @@ def derivatives_residual(motion: Callable[[Array], Coefficient], samples: Coeffi
     residual = np.empty(())
     with np.errstate(all="ignore"):
         for n_points in _SERIES_LENGTHS:
-            is_known = samples is not None and n_points == samples.value.shape[-1]
-            value, first, second = samples if is_known else motion(turn_grid(n_points))
+            if samples is not None and n_points == samples.value.shape[-1]:
+                value, first, second = samples
+            else:
+                value, first, second = motion(turn_grid(n_points))
             residual = np.maximum(
                 _relative(spectral_derivative(value) - first, first),
                 _relative(spectral_derivative(first) - second, second),

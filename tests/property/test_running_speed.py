@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.gas_engines import DUAL_CYCLE
 from tests.weighed_machines import WEIGHED
 
 import cranktrain as ct
@@ -27,14 +28,7 @@ SLIDER_CRANK: dict[str, Any] = {
 }
 GAS = {
     "cylinder": {"bore": "85 mm", "compression_ratio": 16, "cycle": "four-stroke", "firing_order": "1"},
-    "gas": {
-        "kind": "dual",
-        "start_pressure": "100 kPa",
-        "compression_exponent": 1.36,
-        "expansion_exponent": 1.25,
-        "pressure_ratio": 1.55,
-        "cut_off_ratio": 1.45,
-    },
+    "gas": DUAL_CYCLE,
 }
 
 

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.integrate import quad, solve_ivp
+from tests.gas_engines import DUAL_CYCLE
 
 import cranktrain as ct
 from cranktrain.engine.shaft_torque import AppliedTorque
@@ -29,14 +30,7 @@ ENGINE: dict[str, Any] = {
         "rod": {"mass": "1.6 kg", "along": "60 mm", "inertia": "0.008 kg·m²"},
         "crank": {"mass": "5 kg", "along": "0 mm", "inertia": "0.02 kg·m²"},
     },
-    "gas": {
-        "kind": "dual",
-        "start_pressure": "100 kPa",
-        "compression_exponent": 1.36,
-        "expansion_exponent": 1.25,
-        "pressure_ratio": 1.55,
-        "cut_off_ratio": 1.45,
-    },
+    "gas": DUAL_CYCLE,
 }
 """One cylinder of a four-stroke diesel."""
 

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.integrate import quad, solve_ivp
+from tests.gas_engines import DUAL_CYCLE
 
 import cranktrain as ct
 from cranktrain.errors import InputError
@@ -116,14 +117,7 @@ ENGINE: dict[str, Any] = {
     "mechanism": {"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "180 mm"},
     "cylinder": {"bore": "85 mm", "compression_ratio": 16, "cycle": "four-stroke", "firing_order": "1"},
     "masses": {"piston": {"mass": "1.2 kg"}, "rod": {"mass": "1.6 kg", "along": "60 mm", "inertia": "0.008 kg·m²"}},
-    "gas": {
-        "kind": "dual",
-        "start_pressure": "100 kPa",
-        "compression_exponent": 1.36,
-        "expansion_exponent": 1.25,
-        "pressure_ratio": 1.55,
-        "cut_off_ratio": 1.45,
-    },
+    "gas": DUAL_CYCLE,
 }
 EVEN = "angle;load [N·m]\n0;7\n360;7\n"
 
