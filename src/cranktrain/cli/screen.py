@@ -47,8 +47,10 @@ def plain(text: str) -> str:
 def section(console: Console, heading: str, lines: Sequence[str | Text]) -> None:
     """Show lines under a heading; one that is no `Text` is a paragraph, folded to the width of the screen."""
     parts = [part for line in lines for part in ([line] if isinstance(line, Text) else paragraph(console, line))]
-    indented = (Text(" " * INDENT) + part for part in parts)
-    console.print(Text("\n").join((Text(), Text(heading, style="bold"), *indented)), soft_wrap=True)
+    console.print()
+    console.print(Text(heading, style="bold"))
+    if parts:
+        console.print(Text("\n").join(Text(" " * INDENT) + part for part in parts), soft_wrap=True)
 
 
 def paragraph(console: Console, text: str, style: str = "") -> list[Text]:

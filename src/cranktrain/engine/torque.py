@@ -72,6 +72,7 @@ def shaft_torques(
         phi = angle[:, np.newaxis] + crank_angle.zero
         return -np.sum(driving_torques(loaded, loaded.solved(phi)), axis=1)
 
+    mean = np.mean(whole, axis=-1)
     kinks = None if events is None else events.angle - crank_angle.zero[:, 0]
     least, most = extremes(torque, grid=crank_angle.shown, samples=whole, kinks=kinks)
 
@@ -81,7 +82,7 @@ def shaft_torques(
     return ShaftTorques(
         shaft_torque=by_shaft,
         machine_torque=whole,
-        mean_torque=np.mean(whole, axis=-1),
+        mean_torque=np.where(np.abs(mean) > _ROUNDING * np.max(np.abs(whole), axis=-1), mean, 0.0),
         largest_torque=most.value[:, 0],
         largest_torque_at=at(most),
         smallest_torque=least.value[:, 0],
