@@ -149,7 +149,6 @@ def slider_crank_forces_numba(angles, geometry, crank, rod, piston_mass, pressin
         table[i, 5] = row[5]
         table[i, 6] = row[6]
         table[i, 7] = row[7]
-        table[i, 8] = row[8]
 
 
 @njit(error_model="numpy")

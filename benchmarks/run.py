@@ -234,7 +234,7 @@ def golden_forces(n):
 
 FORCE_PEERS = (
     ("kinepy", force_peers.kinepy_forces, 1, 2e-5, (1 / 10, 1 / 50)),
-    ("Exudyn", force_peers.exudyn_forces, 1, 1e-4, (1 / 50, 1 / 100)),
+    ("Exudyn", force_peers.exudyn_forces, 1, 1e-4, (1 / 100, 1 / 100)),
     ("Exudyn, 1e-6", force_peers.exudyn_forces, 6, 1e-6, (1 / 100, 1 / 100)),
 )
 """Name, solution, how many steps it takes for one angle, its error at most, limits for NumPy and compiled."""
