@@ -65,9 +65,17 @@ def test_harmonics_of_inertia(ratio):
     np.testing.assert_allclose(amplitudes[1:7], [expected[f"D{k}"] for k in range(1, 7)], atol=1e-15)
 
 
-def test_two_harmonics_are_for_central_mechanisms():
-    with np.errstate(invalid="ignore"):
-        assert np.isnan(two_harmonic_inertia_force(0.3, SliderCrank(0.05, 0.2, 0.01), 1.0, Drive(100.0, 0.0)))
+@pytest.mark.parametrize("drive", [Drive(1.0, 0.0), Drive(0.0, 1.0)])
+def test_two_harmonics_with_an_offset_leave_the_third_power_of_the_ratio(drive):
+    """An offset that is some part of the crank; what a rod twice as long leaves is an eighth."""
+
+    def left(ratio):
+        geometry = SliderCrank(ratio, 1.0, 0.4 * ratio)
+        exact = inertia_force(slider_crank(PHI, geometry).slider, 1.0, drive)
+        return np.max(np.abs(exact - two_harmonic_inertia_force(PHI, geometry, 1.0, drive))) / ratio
+
+    assert left(0.1) < 3 * 0.1**3
+    assert left(0.1) / left(0.05) == pytest.approx(8, rel=0.02)
 
 
 ROD = CASE["rod_replacement"]["parameters"]

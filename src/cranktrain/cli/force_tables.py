@@ -77,10 +77,7 @@ def _show(console: Console, table: ForceTable) -> None:
     if table.area is not None:
         heading = _("{heading}, over its area of {area:.2f} cm²").format(heading=heading, area=1e4 * table.area)
     section(console, heading, list(column_tables(exact, labels, width)))
-    if np.all(np.isnan(table.columns[0].two_harmonics)):
-        section(console, _("Two harmonics of inertia"), [_("The sources have them for central mechanisms alone.")])
-    else:
-        _show_textbook(console, table, labels)
+    _show_textbook(console, table, labels)
     explained = _(
         "P along the cylinder toward the shaft, N of the wall toward +y, S along the rod (+ compression), K (or Z) "
         "toward the shaft, T with the rotation, M = TR. The rod is two masses, its rotating one in none of them."

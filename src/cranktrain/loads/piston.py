@@ -37,18 +37,18 @@ def inertia_force(slider: Coefficient, mass: Array, drive: Drive) -> Array:
 
 
 def two_harmonic_inertia_force(angle: Array, geometry: SliderCrank, mass: Array, drive: Drive) -> Array:
-    """Inertia force of two harmonics of the motion, for a central mechanism. [N]
+    """Inertia force of two harmonics of the motion. [N]
 
-    −m_j R[ω²(cos φ + λ cos 2φ) + ε(sin φ + ½λ sin 2φ)]; NaN for one with an offset, which has other harmonics.
-    docs/theory/forces, eq. (13.34).
+    −m_j R[ω²(cos φ + λ cos 2φ + (e/L) sin φ) + ε(sin φ + ½λ sin 2φ − (e/L) cos φ)]; docs/theory/forces, eq. (13.34).
     """
     ratio = geometry.crank_radius / geometry.rod_length
-    # An offset makes NaN.
-    central = 0.0 * np.sqrt(-np.abs(geometry.offset))
-    second = np.cos(angle) + ratio * np.cos(2.0 * angle)
-    first = np.sin(angle) + 0.5 * ratio * np.sin(2.0 * angle)
+    aside = geometry.offset / geometry.rod_length
+    cos = np.cos(angle)
+    sin = np.sin(angle)
+    second = cos + ratio * np.cos(2.0 * angle) + aside * sin
+    first = sin + 0.5 * ratio * np.sin(2.0 * angle) - aside * cos
     pulled = second * (drive.speed * drive.speed) + first * drive.acceleration
-    return central - mass * geometry.crank_radius * pulled
+    return -mass * geometry.crank_radius * pulled
 
 
 def piston_forces(force: Array, motion: SliderCrankMotion, geometry: SliderCrank) -> PistonForces:
