@@ -1,0 +1,101 @@
+"""Roots of many curves at once, to rounding."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from cranktrain.motion import Array
+
+Curve = Callable[[Array], Array]
+"""A curve of the crank angle: takes angles of shape (..., n), gives values of the same shape."""
+
+_MOST_STEPS = 60
+_MOST_NEWTON_STEPS = 10
+_SETTLED = 1e-13
+"""A step of Newton's method after which the next one is less than rounding. [rad, or in parts of the root]"""
+
+
+def bracketed_roots(curve: Curve, low: Array, high: Array, *, precision: float = 0.0) -> Array:
+    """Roots of many curves, each within its own bracket, by Chandrupatla's method.
+
+    Parameters
+    ----------
+    curve : Curve
+    low, high : Array, shape (..., n)
+        Ends of each bracket. [rad]
+    precision : float
+        Relative precision at which to stop; 0 goes on to rounding.
+
+    Returns
+    -------
+    Array, shape (..., n)
+        To rounding, or the precision asked for; NaN where the curve has the same sign at both ends, or is NaN within.
+
+    Notes
+    -----
+    Chandrupatla, Adv. Eng. Software 28 (1997) 145: inverse quadratic interpolation where it is safe, else bisection;
+    here the first step is the secant's, as most brackets are narrow.
+    """
+    with np.errstate(all="ignore"):
+        newest, value_newest = np.array(low, dtype=float), curve(low)
+        other, value_other = np.array(high, dtype=float), curve(high)
+        bracketed = np.sign(value_newest) * np.sign(value_other) <= 0
+        third, value_third = other, value_other
+        # Not at the ends themselves, which may be roots that the caller does not mean.
+        share = np.clip(np.nan_to_num(value_newest / (value_newest - value_other), nan=0.5), 0.01, 0.99)
+        for _ in range(_MOST_STEPS):
+            trial = newest + share * (other - newest)
+            value = curve(trial)
+            same = np.sign(value) == np.sign(value_newest)
+            third, value_third = np.where(same, newest, other), np.where(same, value_newest, value_other)
+            other, value_other = np.where(same, other, newest), np.where(same, value_other, value_newest)
+            newest, value_newest = trial, value
+            best = np.where(np.abs(value_newest) < np.abs(value_other), newest, other)
+            tolerance = np.maximum(np.spacing(np.abs(best)), precision * np.abs(best)) + 1e-17
+            least = tolerance / np.abs(other - newest)
+            if np.all((least > 0.5) | (value_newest == 0) | (value_other == 0) | ~bracketed | np.isnan(value_newest)):
+                break
+            xi = (newest - other) / (third - other)
+            phi = (value_newest - value_other) / (value_third - value_other)
+            safe = (phi**2 < xi) & ((1 - phi) ** 2 < 1 - xi)
+            inverse = value_newest / (value_other - value_newest) * value_third / (value_other - value_third) + (
+                third - newest
+            ) / (other - newest) * value_newest / (value_third - value_newest) * value_other / (
+                value_third - value_other
+            )
+            share = np.clip(np.where(safe, inverse, 0.5), least, 1 - least)
+        best = np.where(np.abs(value_newest) <= np.abs(value_other), newest, other)
+        return np.where(bracketed & ~np.isnan(value_newest), best, np.nan)
+
+
+def near_roots(curve: Curve, start: Array, low: Array, high: Array) -> Array:
+    """Roots of curves that are dear to compute, whose slope is near 1 and whose roots are near a start.
+
+    Parameters
+    ----------
+    curve : Curve
+    start, low, high : Array, shape (..., n)
+        Where the root is thought to be, and between what it has to be.
+
+    Returns
+    -------
+    Array, shape (..., n)
+        To rounding; NaN where there is no root.
+
+    Notes
+    -----
+    The secant method; what it does not settle is searched for by `bracketed_roots`.
+    """
+    with np.errstate(all="ignore"):
+        root, value, slope = start, curve(start), np.ones_like(start)
+        is_settled = np.zeros(start.shape, dtype=np.bool_)
+        for _ in range(_MOST_NEWTON_STEPS):
+            move = np.where(is_settled, 0.0, -value / slope)
+            root, before = root + move, value
+            is_settled = np.abs(move) <= _SETTLED * np.abs(root)
+            if np.all(is_settled):
+                break
+            value = curve(root)
+            slope = np.where(value == before, slope, (value - before) / move)
+        is_found = is_settled & (low <= root) & (root <= high)
+        return root if np.all(is_found) else bracketed_roots(curve, low, high)

@@ -1,0 +1,87 @@
+"""Grids of a turn, and curves by their Fourier series."""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.motion import Array, Coefficient
+
+_SERIES_LENGTHS = (720, 5760, 46080, 368640)
+"""Points of a turn for a Fourier series."""
+
+
+def turn_grid(n_points: int = 720) -> Array:
+    """One turn of the crank in equal steps, endpoint excluded. [rad]"""
+    return np.arange(n_points, dtype=np.float64) * (2 * np.pi / n_points)
+
+
+def unwrapped(angle: Array) -> Array:
+    """Angles without jumps of a turn along the last axis, across NaN too. [rad]"""
+    place: NDArray[np.intp] = np.where(np.isnan(angle), 0, np.arange(angle.shape[-1], dtype=np.intp))
+    last_known: Array = np.take_along_axis(angle, np.maximum.accumulate(place, axis=-1), axis=-1)
+    turns = np.cumsum(np.nan_to_num(np.rint(np.diff(last_known, axis=-1) / (2 * np.pi))), axis=-1)
+    return np.concatenate([angle[..., :1], angle[..., 1:] - 2 * np.pi * turns], axis=-1)
+
+
+def spectral_derivative(samples: Array) -> Array:
+    """Derivative by the angle of a periodic curve sampled at equal steps over one turn, by its Fourier series.
+
+    Parameters
+    ----------
+    samples : Array, shape (..., n)
+
+    Returns
+    -------
+    Array, shape (..., n). [unit/rad]
+    """
+    n_points = samples.shape[-1]
+    order = np.arange(n_points // 2 + 1, dtype=float)
+    if n_points % 2 == 0:
+        order[-1] = 0.0  # the highest cosine is seen only at its zeros of slope
+    return np.fft.irfft(1j * order * np.fft.rfft(samples, axis=-1), n_points, axis=-1)
+
+
+DERIVATIVES_LIMIT = 1e-8
+"""What rounding leaves of `derivatives_residual` for a machine within a millionth of locking; 1e-12 for most others."""
+
+
+def derivatives_residual(motion: Callable[[Array], Coefficient], samples: Coefficient | None = None) -> Array:
+    """Compare both derivatives of a periodic motion with those of the Fourier series of its value and its first one.
+
+    Parameters
+    ----------
+    motion : callable
+        From angles (n,) to a Coefficient of shape (..., n).
+    samples : Coefficient, shape (..., 720), optional
+        Where it is known on `turn_grid()` already.
+
+    Returns
+    -------
+    Array, shape (..., 1)
+        Largest difference over a turn, in parts of the derivative's own peak; NaN where the motion is NaN.
+
+    Notes
+    -----
+    The nearer a machine is to locking, the sharper its curves: the series is made longer until the residual is small,
+    if it can be.
+    """
+    residual = np.empty(())
+    with np.errstate(all="ignore"):
+        for n_points in _SERIES_LENGTHS:
+            if samples is not None and n_points == samples.value.shape[-1]:
+                value, first, second = samples
+            else:
+                value, first, second = motion(turn_grid(n_points))
+            residual = np.maximum(
+                _relative(spectral_derivative(value) - first, first),
+                _relative(spectral_derivative(first) - second, second),
+            )
+            if not np.any(residual > DERIVATIVES_LIMIT):
+                break
+    return residual
+
+
+def _relative(difference: Array, scale: Array) -> Array:
+    """Largest |difference| over the last axis, which is kept, in parts of the scale's peak there."""
+    return np.max(np.abs(difference), axis=-1, keepdims=True) / np.max(np.abs(scale), axis=-1, keepdims=True)

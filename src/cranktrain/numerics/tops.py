@@ -1,0 +1,194 @@
+"""Tops of curves between the points of a grid: by quartics and parabolas through close points, and at kinks."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.motion import Array
+from cranktrain.numerics.roots import Curve
+
+CANDIDATES = 2
+"""How many of the grid's peaks are refined: of two that are nearly alike the grid may show the wrong one higher."""
+_FIVE = np.array([[-2.0], [-1.0], [0.0], [1.0], [2.0]])
+_CLOSE, _SMOOTH = 1e-3, 0.02
+"""How far apart five points are [rad] for the top of the quartic through them to be exact to some 1e-12 rad, and by how
+much, in parts of that, the top of a parabola differs from it at most where the curve is smooth enough."""
+_ASIDE, TINY = 1e-6, 1e-8
+"""How far aside of a top its curvature is measured, and how far the top may be off for one step to mend it. [rad]"""
+_CLOSER, _CLOSEST, _MOST_ZOOMS = 12, 1e-5, 4
+"""By how much closer, at least, the points of the next parabola are, where that is not so; and how close they come
+[rad]."""
+
+
+class Extreme(NamedTuple):
+    """An extreme of each curve: where [rad] and how much, of shape (..., 1)."""
+
+    angle: Array
+    value: Array
+
+
+def highest_peaks(samples: Array, signs: Sequence[float]) -> NDArray[np.intp]:
+    """Places of the two highest peaks of each curve round the turn, the higher first, (..., sign · candidate).
+
+    Of a curve with one peak, or none, the same place twice.
+    """
+    known = np.fmax(np.stack([sign * samples for sign in signs]), -np.inf)
+    ring = np.concatenate([known[..., -1:], known, known[..., :1]], axis=-1)
+    is_peak = (known > ring[..., :-2]) & (known >= ring[..., 2:])
+    heights = np.where(is_peak, known, -np.inf).reshape(-1, known.shape[-1])
+    row = np.arange(len(heights))
+    first: NDArray[np.intp] = np.argmax(heights, axis=-1)
+    heights[row, first] = -np.inf
+    lower: NDArray[np.intp] = np.argmax(heights, axis=-1)
+    second: NDArray[np.intp] = np.where(heights[row, lower] > -np.inf, lower, first)
+    return np.concatenate([*np.stack([first, second], axis=-1).reshape(*known.shape[:-1], CANDIDATES)], axis=-1)
+
+
+def tops(
+    curve: Curve,
+    samples: Array,
+    place: NDArray[np.intp],
+    grid: Array,
+    signs: Sequence[float],
+    kinks: Array | None = None,
+) -> Extreme:
+    """Refine the grid's peaks: tops of quartics through five close points about that of one through five of the grid.
+
+    Parameters
+    ----------
+    curve : Curve
+    samples : Array, shape (..., n)
+        The curve on the grid.
+    place : array of int, shape (..., k)
+        Of `highest_peaks`, with the same signs.
+    grid : Array, shape (n,)
+        Equal steps over a turn or cycle. [rad]
+    signs : sequence of float
+        +1 for largest values, −1 for smallest.
+    kinks : Array, shape (..., m), optional
+        Where the curve may have kinks; they are taken where they are higher. [rad]
+
+    Returns
+    -------
+    Extreme, shape (..., k)
+        Where the curve is rough and no kink is told, of parabolas through ever closer points; NaN where it ends.
+    """
+    sign = np.repeat(signs, CANDIDATES)
+    step, peak = float(grid[1] - grid[0]), grid[place]
+    five = five_about(samples, place)
+    wide = top_of_quartic(five, sign)
+    middle = peak + step * wide.way
+    points = (middle[..., np.newaxis, :] + _CLOSE * _FIVE).reshape(*place.shape[:-1], 5 * place.shape[-1])
+    n_points = points.shape[-1]
+    values = curve(points if kinks is None else np.concatenate([points, kinks], axis=-1))
+    found = top_of_quartic(values[..., :n_points].reshape(*values.shape[:-1], *five.shape[-2:]), sign)
+    top = Extreme(middle + _CLOSE * found.way, found.value)
+    is_rough = (np.abs(found.way) >= 1) | (np.abs(found.way - found.parabola) > _SMOOTH)
+    if np.any(is_rough):
+        # At a jump nothing beside the grid's own point may be as high.
+        top = chosen(is_rough, Extreme(peak, five[..., 2, :]), top)
+        if kinks is not None:
+            period = step * len(grid)
+            apart = np.mod(peak[..., np.newaxis] - kinks[..., np.newaxis, :] + period / 2, period) - period / 2
+            is_rough = is_rough & ~np.any(np.abs(apart) <= 2 * step, axis=-1)
+    if np.any(is_rough):
+        start = np.where(is_rough, peak + step * wide.parabola, top.angle)
+        closest = _closest(curve, start, np.where(is_rough, step, _CLOSEST), sign)
+        top = chosen(is_rough & (sign * (closest.value - top.value) > 0), closest, top)
+    return top if kinks is None else _or_kink(top, kinks, values[..., n_points:], sign)
+
+
+def five_about(samples: Array, place: NDArray[np.intp]) -> Array:
+    """Samples about some places round the turn, from two before to two after, shape (..., 5, k)."""
+    around = (place[..., np.newaxis, :] + _FIVE.astype(np.intp)) % samples.shape[-1]
+    flat = around.reshape(*place.shape[:-1], 5 * place.shape[-1])
+    return np.take_along_axis(samples, flat, axis=-1).reshape(around.shape)
+
+
+def polished(slope: Curve, top: Extreme, sign: Array) -> Array:
+    """Angle of the top by one step of Newton's method, to rounding; NaN where that is no tiny one.
+
+    A slope that is NaN is not known, and leaves the angle.
+    """
+    three = slope(np.concatenate([top.angle - _ASIDE, top.angle, top.angle + _ASIDE], axis=-1))
+    before, at, after = np.split(three, 3, axis=-1)
+    curvature = (after - before) / (2 * _ASIDE)
+    move = -at / curvature
+    is_tiny = (np.abs(move) <= TINY) & (sign * curvature < 0)
+    return np.where(np.isnan(at), top.angle, np.where(is_tiny, top.angle + move, np.nan))
+
+
+def _closest(curve: Curve, middle: Array, wide: Array, sign: Array) -> Extreme:
+    """Tops of parabolas through three ever closer points, where the curve is rough or a peak narrow."""
+    before, half = wide, np.maximum(wide / _CLOSER, _CLOSEST)
+    value = np.full_like(middle, np.nan)
+    for _ in range(_MOST_ZOOMS):
+        points = middle[..., np.newaxis, :] + half[..., np.newaxis, :] * _FIVE[1:4]
+        found = curve(points.reshape(*middle.shape[:-1], 3 * middle.shape[-1]))
+        top = _top(found.reshape(*found.shape[:-1], *points.shape[-2:]), sign)
+        middle, value = middle + half * top.way, top.value
+        if not np.any(half > 2 * _CLOSEST):
+            break
+        # What a parabola's top is off by goes with the square of its width; four times that is wide enough.
+        width = np.minimum(4 * np.abs(top.way) * half * (half / before) ** 2, half / _CLOSER)
+        before, half = half, np.maximum(width, _CLOSEST)
+    return Extreme(middle, value)
+
+
+def _or_kink(top: Extreme, kinks: Array, values: Array, sign: Array) -> Extreme:
+    """Take the highest kink where it is higher than the top."""
+    signed = np.fmax(sign[:, np.newaxis] * values[..., np.newaxis, :], -np.inf)
+    highest = np.argmax(signed, axis=-1)
+    kink = Extreme(
+        *(np.take_along_axis(part, highest, axis=-1) for part in (np.broadcast_to(kinks, values.shape), values))
+    )
+    return chosen(sign * (kink.value - top.value) > 0, kink, top)
+
+
+def chosen(is_one: NDArray[np.bool_], one: Extreme, other: Extreme) -> Extreme:
+    """Take one extreme where so said, else the other."""
+    return Extreme(*(np.where(is_one, *parts) for parts in zip(one, other, strict=True)))
+
+
+class Top(NamedTuple):
+    """Top of a curve through equally spaced points: way to it from the middle one, in parts of the distance; value.
+
+    And the way to the top of the parabola through the middle three.
+    """
+
+    way: Array
+    value: Array
+    parabola: Array
+
+
+def _top(three: Array, sign: Array) -> Top:
+    """Top of the parabola through three points, (..., 3, k), no farther than these; NaN where one is."""
+    left, centre, right = (three[..., place, :] for place in range(3))
+    curvature, slope = left - 2 * centre + right, (right - left) / 2
+    # A parabola that opens the wrong way has its top at an end.
+    way = np.where(sign * curvature < 0, -slope / curvature, np.sign(sign * slope))
+    way = np.minimum(np.maximum(way, -1.0), 1.0)
+    return Top(way, centre + (slope + curvature / 2 * way) * way, way)
+
+
+def top_of_quartic(five: Array, sign: Array) -> Top:
+    """Top of the polynomial through five points, (..., 5, k), by Newton's method from the parabola's.
+
+    Stirling's formula. The parabola's where there are not five.
+    """
+    far_left, left, centre, right, far_right = (five[..., place, :] for place in range(5))
+    first, second = (right - left) / 2, left - 2 * centre + right
+    third, fourth = (far_right - far_left) / 2 - (right - left), far_left + far_right - 4 * (left + right) + 6 * centre
+    start = _top(five[..., 1:4, :], sign)
+    way = start.way
+    for _ in range(2):
+        square = way * way
+        slope = first + way * second + (3 * square - 1) / 6 * third + (2 * square - 1) * way / 12 * fourth
+        way = way - slope / (second + way * third + (6 * square - 1) / 12 * fourth)
+        way = np.minimum(np.maximum(way, -1.0), 1.0)
+    square = way * way
+    value = centre + way * first + square / 2 * (second + (square - 1) / 12 * fourth) + (square - 1) * way / 6 * third
+    is_known = ~np.isnan(way)
+    return Top(np.where(is_known, way, start.way), np.where(is_known, value, start.value), start.way)
