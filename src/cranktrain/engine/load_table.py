@@ -164,7 +164,7 @@ def _span_problems(spec: LoadCurveSpec, table: Table, angles: Array, torques: Ar
 
 def _missing_unit() -> Problem:
     """Refuse torques without a unit, where they are to count as they are."""
-    allowed = _("the file does not say in which unit its torques are")
+    allowed = _("the file names no unit of torque")
     repair = _('write torque_unit = "N·m" (or {units}), or scale = "balanced"')
     return Problem("torque_unit", None, allowed, repair.format(units=", ".join(unit_names(Dimension.TORQUE))))
 

@@ -203,10 +203,10 @@ HEAD = "angle [deg];torque [N·m]\n"
             "load.csv:4:5  evenness.load_curve = two: must be a number",
         ]),
         ("0;1\n360;1", [
-            "evenness.load_curve.torque_unit: the file does not say in which unit its torques are;"
+            "evenness.load_curve.torque_unit: the file names no unit of torque;"
             ' write torque_unit = "N·m" (or '
         ]),
-        ("0;1\n90;2\n300;1", ["reaches from 0° to 300°", "in which unit its torques are"]),
+        ("0;1\n90;2\n300;1", ["reaches from 0° to 300°", "names no unit of torque"]),
         ("nothing", ["load.csv: has no numbers in it"]),
         ("0;1;2\n360;1;2", ["evenness.load_curve.columns: must say which of the 3 columns"]),
         ("0\n360", ["load.csv:1  evenness.load_curve: has one column; a load curve needs two"]),

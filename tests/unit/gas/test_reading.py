@@ -87,8 +87,8 @@ def test_other_axes(header, axis):
         ("angle;p [bar]\n0;1\n1;\n2;3", "trace.csv:3  1 values: must have 2 values"),
         ("angle,p [bar]\n0,1.234.5\n1,2", "trace.csv:2:3  1.234.5: must be a number"),
         ("angle [deg]\n0\n1\n2", "trace.csv:2  has one column"),
-        ("angle;p\n0;1\n1;2", "pressure_unit: the file does not say in which unit"),
-        ("V;p [bar]\n10;1\n20;2", "axis_unit: the file does not say in which unit its volumes are"),
+        ("angle;p\n0;1\n1;2", "pressure_unit: the file names no unit of pressure"),
+        ("V;p [bar]\n10;1\n20;2", "axis_unit: the file names no unit of volume"),
         ("0,5,1,02\n1,0,1,03", "trace.csv:1  0,5,1,02: commas may stand here for decimal points or between columns"),
         (
             "angle;p [bar]\n0;1\n1;-0.2\n2;-0.3",

@@ -115,7 +115,7 @@ def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
     place_scale, findings = _place_scale(axis, labels[where], said, table, where)
     unit = said.pressure_unit or unit_in(labels[level], Dimension.PRESSURE)
     if unit is None:
-        allowed = _("the file does not say in which unit its pressures are")
+        allowed = _("the file names no unit of pressure")
         repair = _('write pressure_unit = "bar" (or {units})').format(units=", ".join(unit_names(Dimension.PRESSURE)))
         raise InputError([Problem("pressure_unit", None, allowed, repair)])
     numbers = np.array(table.rows, dtype=float)
@@ -229,7 +229,7 @@ def _place_scale(axis: Axis, label: str, said: Columns, table: Table, column: in
 
 def _missing_volume_unit() -> Problem:
     """Refuse volumes without a unit."""
-    allowed = _("the file does not say in which unit its volumes are")
+    allowed = _("the file names no unit of volume")
     repair = _('write axis_unit = "cm³" (or {units})').format(units=", ".join(unit_names(Dimension.VOLUME)))
     return Problem("axis_unit", None, allowed, repair)
 
