@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from math import cos, sin
 from typing import Any, ClassVar, NamedTuple
 
+import numpy as np
+
 from cranktrain.engine.bodies import BodySpec
 from cranktrain.engine.frames import frame_of
 from cranktrain.engine.places import Place
@@ -58,6 +60,11 @@ class Masses:
     weightless: tuple[str, ...]
     assumed: tuple[str, ...]
     doubtful: tuple[str, ...]
+
+    @property
+    def has_friction(self) -> bool:
+        """Whether any slider of any design rubs."""
+        return any(np.any(coefficient != 0.0) for group in self.groups for coefficient in group.friction)
 
 
 class Weighed(NamedTuple):

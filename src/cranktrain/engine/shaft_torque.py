@@ -3,8 +3,6 @@
 from dataclasses import dataclass
 from typing import NamedTuple
 
-import numpy as np
-
 from cranktrain.catalogue import quantity
 from cranktrain.engine.evenness_table import ShaftLoad
 from cranktrain.engine.forces import LoadedMachine, MechanismTorques
@@ -57,10 +55,9 @@ def applied_torque(
     drive = loaded.speed.drive(crank_angle.angle)
     equation = Reduced(ReducedInertia(torques.reduced_inertia, torques.reduced_inertia_slope), torques.driving_torque)
     applied = torque_by_work(equation, Drive(drive.speed[:, 0], drive.acceleration[:, 0]))
-    has_friction = any(np.any(part) for made in loaded.masses.groups for part in made.friction)
     by = (
         Interpolations(fourier_curve, fourier_integral)
-        if loaded.gas is None and not has_friction
+        if loaded.gas is None and not loaded.masses.has_friction
         else Interpolations(spline_curve, spline_integral)
     )
     return AppliedTorque(by, applied)

@@ -63,7 +63,7 @@ def work_balance(
     kinds = [kind_of(spec) for spec in gas.specs]
     works = np.stack([_gas_works(gas, kind, design, swept) for design, kind in enumerate(kinds)])
     total = np.sum(works, axis=-1)
-    if any(np.any(coefficient != 0.0) for made in loaded.masses.groups for coefficient in made.friction):
+    if loaded.masses.has_friction:
         return WorkBalance(total)
     scale = np.sum(np.abs(works), axis=-1)
     if all(kind.mean_pressures is not None for kind in kinds):

@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from cranktrain.engine.torque_orders import orders
 from cranktrain.language import _
-from cranktrain.loads.stars import phase_stars
+from cranktrain.loads.stars import PhaseStars, phase_stars
 from cranktrain.motion import Array
 from cranktrain.viz.force_panels import OneDesign, prepare
 from cranktrain.viz.page import Page
@@ -28,9 +28,6 @@ _NOTHING = 1e-9
 
 _CROWD = 12
 """With more directions only the first cylinder is named."""
-
-_WHOLE = 1e-9
-"""A star's sum that falls short of the number of cylinders by less is all of them."""
 
 
 def draw_orders(page: Page, shown: OneDesign, place: tuple[float, float, float]) -> float:
@@ -76,7 +73,12 @@ def _is_major(shown: OneDesign) -> NDArray[np.bool_]:
     """Which orders all cylinders share; none where no firing order is known."""
     if not shown.has("phase_star_sum"):
         return np.zeros(len(shown("torque_order_amplitude")), dtype=np.bool_)
-    return shown("phase_star_sum") >= len(shown("firing_angle")) - _WHOLE
+    return _stars(shown, orders(shown.result.grid.cycle)).is_major
+
+
+def _stars(shown: OneDesign, order: Array) -> PhaseStars:
+    """Phase stars of some orders, by nominal firing."""
+    return phase_stars(order, np.deg2rad(shown("firing_angle")))
 
 
 def draw_stars(page: Page, shown: OneDesign, place: tuple[float, float, float]) -> float:
@@ -102,7 +104,7 @@ def draw_stars(page: Page, shown: OneDesign, place: tuple[float, float, float]) 
     if not len(largest):
         return top
     order = orders(shown.result.grid.cycle)[largest]
-    stars = phase_stars(order, np.deg2rad(shown("firing_angle")))
+    stars = _stars(shown, order)
     page.heading(left, top - 3.0, _("Phase stars of the largest orders, by nominal firing"))
     names = shown.result.labels["cylinder"]
     middle = top - 8.0 - _NAME - 2.0
