@@ -48,9 +48,12 @@ def distinct(mechanisms: Mechanisms) -> Distinct:
         members = group.members
         lead = members.phase + mechanisms.nominal_top[:, group.index]
         # Rounding leaves the leads of like mechanisms on different throws some 1e-16 apart.
-        columns = [value.ravel() for value in (np.round(lead, 12) + 0.0, *leaves(members.geometry))]
-        _columns, first, inverse = np.unique(np.stack(columns), axis=1, return_index=True, return_inverse=True)
-        origin[:, group.index] = len(names) + inverse.reshape(lead.shape[:2])
+        columns = np.stack([value.ravel() for value in (np.round(lead, 12), *leaves(members.geometry))], axis=1)
+        seen: dict[bytes, int] = {}
+        # Adding 0 makes −0 and 0 the same bytes.
+        alike = np.array([seen.setdefault(row.tobytes(), len(seen)) for row in columns + 0.0], dtype=np.intp)
+        _numbers, first = np.unique(alike, return_index=True)
+        origin[:, group.index] = len(names) + alike.reshape(lead.shape[:2])
         one_design = first[np.newaxis]
         own = replace(
             members,

@@ -67,8 +67,10 @@ def closing_margin(kind: Kind, geometry: Any) -> ClosingMargin:
     -----
     The least gap over a turn is followed as each length is multiplied by 1 ± c. A coarse scan bounds the change c that
     opens the links; of the ways that open them in the first cell below that bound, the roots are found. A kind whose
-    gap has to be walked for has its own way. docs/theory/closing-margin.
+    gap has to be walked for has its own way, and one with a closed form needs none. docs/theory/closing-margin.
     """
+    if kind.least_gap is not None:
+        return _of_longest(kind, geometry, kind.least_gap(geometry))
     shape = np.broadcast_shapes(*(np.shape(leaf) for leaf in leaves(geometry)))
     flat = rows(geometry, np.arange(np.prod(shape)))
     margin, angle = np.full((2, np.prod(shape), 1), np.nan)
@@ -82,6 +84,17 @@ def closing_margin(kind: Kind, geometry: Any) -> ClosingMargin:
             best, at = order[first], able[row]
             margin[at, 0], angle[at, 0], length[at, 0] = found.change[best], found.angle[best], found.length[best]
     return ClosingMargin(margin.reshape(shape), length.reshape(shape), angle.reshape(shape))
+
+
+def _of_longest(kind: Kind, geometry: Any, least: Extreme) -> ClosingMargin:
+    """Margin where every length takes as much of the gap as it changes: that of the longest."""
+    lengths = np.abs(np.stack([named_part(geometry, name) for name in kind.lengths]))
+    closes = least.value > _ROUNDING * np.sum(lengths, axis=0)
+    return ClosingMargin(
+        np.where(closes, least.value / np.max(lengths, axis=0), np.nan),
+        np.where(closes, np.argmax(lengths, axis=0), -1),
+        np.where(closes, np.mod(least.angle, 2 * np.pi), np.nan),
+    )
 
 
 def _openings(kind: Kind, geometry: Any) -> Openings:

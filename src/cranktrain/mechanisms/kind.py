@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array, Coefficient, Link, Point
+from cranktrain.numerics import Extreme
 from cranktrain.quantities import Length
 from cranktrain.spec import Spec
 
@@ -249,6 +250,8 @@ class Kind:
         For a kind whose file says what the mechanism is made of: the kind of just this one.
     closing_field : callable (geometry) → str, optional
         Path in the mechanism's table of what cannot close; unless given, the spec's `rod_field`.
+    least_gap : callable (geometry) → Extreme, optional
+        The least gap over a turn in closed form, for a kind of whose gap every length takes as much as it changes.
     openings : callable (geometry) → Openings, optional
         Finds what `closing_margin` looks for; for a kind whose gap has to be walked for.
     has_chambers : bool
@@ -277,6 +280,7 @@ class Kind:
     length_paths: tuple[str, ...] = ()
     composed: "Callable[[Any], Kind] | None" = None
     closing_field: Callable[[Any], str] | None = None
+    least_gap: Callable[[Any], Extreme] | None = None
     openings: Callable[[Any], Any] | None = None
     has_chambers: bool = True
 

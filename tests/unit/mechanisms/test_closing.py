@@ -1,15 +1,18 @@
 """Closing margins: closed forms of slider-crank and crank-rocker, brute force for the articulated rod."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from tests.exact import geometries
 from tests.machines import ROCKER, slider
 
 import cranktrain as ct
-from cranktrain.mechanisms import articulated_rod, crank_rocker, slider_crank
+from cranktrain.mechanisms import articulated_rod, crank_rocker, eccentric, slider_crank
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.closing import closing_margin, open_ranges
 from cranktrain.mechanisms.crank_rocker import CrankRocker
+from cranktrain.mechanisms.eccentric import Eccentric
 from cranktrain.mechanisms.slider_crank import SliderCrank
 
 
@@ -82,6 +85,23 @@ def test_crank_rocker(n_designs):
     np.testing.assert_allclose(found.margin.reshape(-1, 1), machines.margin, rtol=0, atol=1e-12)
     longest = np.argmax(np.concatenate(machines.geometry[:4], axis=1), axis=1)
     assert found.length.ravel().tolist() == longest.tolist()
+
+
+def test_closed_forms_are_what_a_search_by_the_definition_finds():
+    sliders = geometries.slider_cranks(60, seed=8).geometry
+    ahead = np.random.default_rng(8).uniform(-3, 3, sliders.offset.shape)
+    for kind, geometry in (
+        (slider_crank.KIND, sliders),
+        (eccentric.KIND, Eccentric(*sliders, ahead)),
+        (crank_rocker.KIND, geometries.crank_rockers(60, seed=9).geometry),
+    ):
+        found = closing_margin(kind, geometry)
+        searched = closing_margin(replace(kind, least_gap=None), geometry)
+        np.testing.assert_allclose(found.margin, searched.margin, rtol=0, atol=1e-12)
+        np.testing.assert_array_equal(found.length, searched.length)
+        away = np.abs(np.mod(found.angle - searched.angle + np.pi, 2 * np.pi) - np.pi)
+        opens_twice = getattr(geometry, "offset", 1.0) == 0
+        assert np.max(np.where(opens_twice, np.minimum(away, np.pi - away), away)) < 1e-7
 
 
 def test_articulated_rod():

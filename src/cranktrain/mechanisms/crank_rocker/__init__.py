@@ -9,6 +9,7 @@ from cranktrain.mechanisms.crank_rocker.kinematics import (
     CrankRockerMotion,
     crank_rocker,
     crank_rocker_gap,
+    crank_rocker_least_gap,
 )
 from cranktrain.mechanisms.crank_rocker.spec import CrankRockerSpec, crank_rocker_advice, crank_rocker_geometry
 from cranktrain.mechanisms.kind import Kind
@@ -22,6 +23,7 @@ KIND = Kind(
     geometry=crank_rocker_geometry,
     motion=crank_rocker,
     gap=crank_rocker_gap,
+    least_gap=crank_rocker_least_gap,
     lengths=("crank_radius", "rod_length", "rocker_length", "ground_length"),
     output="rocker",
     has_rod=True,

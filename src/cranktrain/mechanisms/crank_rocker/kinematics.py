@@ -2,8 +2,11 @@
 
 from typing import NamedTuple
 
+import numpy as np
+
 from cranktrain.linkage import Crank, Ends, Pin, Span, crank, fixed, line_from_crank, pin_across, pin_gap
 from cranktrain.motion import Array, Link, Point
+from cranktrain.numerics import Extreme
 
 
 class CrankRocker(NamedTuple):
@@ -59,3 +62,10 @@ def crank_rocker_gap(angle: Array, geometry: CrankRocker) -> Array:
     crank_pin = crank(angle, Crank(geometry.crank_radius))
     pivot = fixed(geometry.ground_length, 0.0 * geometry.ground_length)
     return pin_gap(Ends(crank_pin, pivot), Pin(geometry.rod_length, geometry.rocker_length, geometry.side))
+
+
+def crank_rocker_least_gap(geometry: CrankRocker) -> Extreme:
+    """Least gap over a turn: the crank pin nearest to the pivot, or farthest from it. docs/theory/closing-margin."""
+    R, l, r, g, _side = geometry  # noqa: N806 - the letters of the equation
+    near, far = np.abs(g - R) - np.abs(l - r), l + r - g - R
+    return Extreme(np.where(near < far, 0.0, np.pi), np.minimum(near, far))

@@ -3,7 +3,7 @@
 from cranktrain.language import N_
 from cranktrain.mechanisms.eccentric.drawing import eccentric_drawing
 from cranktrain.mechanisms.eccentric.forces import DYNAMICS
-from cranktrain.mechanisms.eccentric.kinematics import Eccentric, eccentric, eccentric_gap
+from cranktrain.mechanisms.eccentric.kinematics import Eccentric, eccentric, eccentric_gap, eccentric_least_gap
 from cranktrain.mechanisms.eccentric.spec import EccentricSpec, eccentric_advice, eccentric_geometry
 from cranktrain.mechanisms.kind import Kind, Members
 
@@ -16,6 +16,7 @@ KIND = Kind(
     geometry=eccentric_geometry,
     motion=eccentric,
     gap=eccentric_gap,
+    least_gap=eccentric_least_gap,
     lengths=("eccentricity", "rod_length", "offset"),
     output="slider",
     has_rod=True,

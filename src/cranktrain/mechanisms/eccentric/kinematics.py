@@ -7,8 +7,10 @@ from cranktrain.mechanisms.slider_crank.kinematics import (
     SliderCrankMotion,
     slider_crank,
     slider_crank_gap,
+    slider_crank_least_gap,
 )
 from cranktrain.motion import Array
+from cranktrain.numerics import Extreme
 
 
 class Eccentric(NamedTuple):
@@ -44,3 +46,9 @@ def eccentric(angle: Array, geometry: Eccentric) -> SliderCrankMotion:
 def eccentric_gap(angle: Array, geometry: Eccentric) -> Array:
     """By how much the rod is long enough at each angle; negative where the links cannot close. [m]"""
     return slider_crank_gap(angle + geometry.ahead, SliderCrank(*geometry[:3]))
+
+
+def eccentric_least_gap(geometry: Eccentric) -> Extreme:
+    """Least gap over a turn, as of the slider-crank."""
+    angle, gap = slider_crank_least_gap(SliderCrank(*geometry[:3]))
+    return Extreme(angle - geometry.ahead, gap)

@@ -9,6 +9,7 @@ from cranktrain.mechanisms.slider_crank.kinematics import (
     SliderCrankMotion,
     slider_crank,
     slider_crank_gap,
+    slider_crank_least_gap,
 )
 from cranktrain.mechanisms.slider_crank.spec import SliderCrankSpec, slider_crank_advice, slider_crank_geometry
 
@@ -21,6 +22,7 @@ KIND = Kind(
     geometry=slider_crank_geometry,
     motion=slider_crank,
     gap=slider_crank_gap,
+    least_gap=slider_crank_least_gap,
     lengths=("crank_radius", "rod_length", "offset"),
     output="slider",
     has_rod=True,

@@ -2,8 +2,11 @@
 
 from typing import NamedTuple
 
+import numpy as np
+
 from cranktrain.linkage import AHEAD, Crank, Slide, crank, slide, slide_gap
 from cranktrain.motion import Array, Coefficient, Link, Point
+from cranktrain.numerics import Extreme
 
 
 class SliderCrank(NamedTuple):
@@ -49,3 +52,9 @@ def slider_crank_gap(angle: Array, geometry: SliderCrank) -> Array:
     """By how much the rod is long enough at each angle; negative where the links cannot close. [m]"""
     pin = crank(angle, Crank(geometry.crank_radius))
     return slide_gap(pin, Slide(geometry.rod_length, geometry.offset, AHEAD))
+
+
+def slider_crank_least_gap(geometry: SliderCrank) -> Extreme:
+    """Least gap over a turn: where the crank pin is farthest from the line of stroke. docs/theory/closing-margin."""
+    R, l, e = geometry  # noqa: N806 - the letters of the equation
+    return Extreme(np.where(e > 0, 3 * np.pi / 2, np.pi / 2), l - R - np.abs(e))
