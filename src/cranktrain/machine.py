@@ -12,8 +12,9 @@ from pydantic import Field, ValidationError, model_validator
 from cranktrain.engine.balance_specs import BalanceSpec
 from cranktrain.engine.balance_weights import balance_problems
 from cranktrain.engine.bodies import BodySpec, Friction
-from cranktrain.engine.cylinders import cylinder_problems, firing_order_of
+from cranktrain.engine.cylinders import Cylinder, cylinder_problems, cylinders_of, firing_order_of
 from cranktrain.engine.evenness_table import EvennessSpec
+from cranktrain.engine.firing import FiringOrder
 from cranktrain.engine.frames import Orientation
 from cranktrain.engine.gearing import first_axis
 from cranktrain.engine.masses import Weighed, mass_problems
@@ -166,7 +167,12 @@ class Machine(Spec, frozen=True):
         """Every mechanism of the machine, arranged on shaft and banks; none where they cannot be arranged."""
         return self.arranged[0]
 
-    # A machine does not change: what is wrong with it is found once, however often it runs.
+    @property
+    def pistons(self) -> tuple[Place, ...]:
+        """Those of its mechanisms that drive a slider."""
+        return tuple(place for place in self.places if place.kind.output == "slider")
+
+    # A machine does not change: how it is arranged and what is wrong with it is found once, however often it runs.
 
     @cached_property
     def arranged(self) -> tuple[tuple[Place, ...], tuple[Problem, ...]]:
@@ -178,6 +184,18 @@ class Machine(Spec, frozen=True):
             angle=(self.angle,), mechanism=(self.mechanism,), throws=(1,), stagger=Given(0.0, "0 mm"), shaft=MAIN
         )
         return places_of(self.shafts, {"": bank}, astern=self.is_astern, prefix="")
+
+    @cached_property
+    def cylinders(self) -> tuple[Cylinder, ...]:
+        """Its cylinders, each with its pistons and dimensions."""
+        return cylinders_of(self.cylinder, self.pistons)
+
+    @cached_property
+    def firing(self) -> tuple[FiringOrder | None, tuple[Problem, ...]]:
+        """In which order the cylinders fire, and what is wrong with that."""
+        pistons = self.pistons
+        leading = [pistons[cylinder.pistons[0]] for cylinder in self.cylinders]
+        return firing_order_of(self.cylinder, leading, astern=self.is_astern)
 
     @cached_property
     def table_problems(self) -> tuple[Problem, ...]:
@@ -193,7 +211,7 @@ class Machine(Spec, frozen=True):
     def __copy__(self) -> Self:
         """Copy what was declared alone: what was found may not hold of the copy, which may be given other fields."""
         copied = super().__copy__()
-        for found in ("arranged", "table_problems", "closing_problems"):
+        for found in ("arranged", "cylinders", "firing", "table_problems", "closing_problems"):
             vars(copied).pop(found, None)
         return copied
 
@@ -244,17 +262,16 @@ def machine_problems(machine: Machine, *, partial: bool = False) -> tuple[Proble
 
 def _table_problems(machine: Machine, places: Sequence[Place]) -> Iterator[Problem]:
     """Find what does not fit together in the tables of a machine that can be arranged."""
-    pistons = [place for place in places if place.kind.output == "slider"]
     yield from point_problems(places)
-    yield from cylinder_problems(machine.cylinder, pistons)
+    yield from cylinder_problems(machine.cylinder, machine.pistons, machine.cylinders)
     yield from standing_problems(
         machine.shafts, places, first_angle=machine.first_axis, clockwise=machine.rotation == "clockwise"
     )
     yield from mass_problems(places, machine.weighed)
     if machine.balance is not None:
         yield from balance_problems(machine.balance, machine.main_shaft)
-    if pistons:
-        yield from firing_order_of(machine.cylinder, pistons, astern=machine.is_astern)[1]
+    if machine.pistons:
+        yield from machine.firing[1]
 
 
 def _closing_problems(machine: Machine, places: Sequence[Place]) -> tuple[Problem, ...]:

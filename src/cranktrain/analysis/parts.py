@@ -14,8 +14,6 @@ from cranktrain.engine.cylinders import (
     chambers_of,
     compression_ratios_of,
     cylinder_pistons_of,
-    cylinders_of,
-    firing_order_of,
     ports_of,
 )
 from cranktrain.engine.evenness_table import evenness_parts
@@ -108,10 +106,10 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
     ]
     if first.gas is not None or first.masses or first.weighed.bodies:
         parts.append(masses_of(designs, [machine.weighed for machine in machines]))
-    pistons = _with_output(designs, "slider")
-    rockers = _with_output(designs, "rocker")
+    pistons = [machine.pistons for machine in machines]
+    rockers = [[place for place in design if place.kind.output == "rocker"] for design in designs]
     if pistons[0]:
-        cylinders = [cylinders_of(machine.cylinder, some) for machine, some in zip(machines, pistons, strict=True)]
+        cylinders = [machine.cylinders for machine in machines]
         drivers = mechanisms_of(Pistons, pistons)
         sharing = cylinder_pistons_of(cylinders[0])
         parts += [
@@ -127,7 +125,7 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
             Cycle(cycle) if cycle else None,
             _declared_gas(machines),
             losses_of([machine.cylinder for machine in machines]),
-            firing_order_of(first.cylinder, pistons[0], astern=first.is_astern)[0],
+            first.firing[0],
         ]
     if rockers[0]:
         swinging = mechanisms_of(Rockers, rockers)
@@ -194,8 +192,3 @@ def _declared_gas(machines: Sequence[Machine]) -> DeclaredGas | None:
 def _brix(travelled: Array, ratio: float) -> Array:
     """Crank angle of the outward stroke by Brix's construction read backwards."""
     return brix_angle(2.0 * travelled, single(1.0), single(ratio))
-
-
-def _with_output(designs: Sequence[Sequence[Place]], output: str) -> list[list[Place]]:
-    """Those places whose mechanism drives a slider, or a rocker."""
-    return [[place for place in design if place.kind.output == output] for design in designs]

@@ -237,20 +237,21 @@ def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict
     return in_order, tuple(Missing(tuple(results), needs) for needs, results in missing.items())
 
 
-def _freeze(value: Any, seen: set[int]) -> None:
+def _freeze(gift: object, seen: set[int]) -> None:
     """Make all arrays of a gift read-only: stages and users share them. `seen` holds what has been gone through."""
-    if isinstance(value, np.ndarray):
-        value.flags.writeable = False
-        return
-    if isinstance(value, tuple):
-        parts: Iterable[object] = cast(tuple[object, ...], value)
-    elif is_dataclass(value) and not isinstance(value, type):
-        parts = vars(value).values()
-    else:
-        return
-    place = id(cast(object, value))
-    if place not in seen:
-        seen.add(place)
-        for part in parts:
-            if not isinstance(part, str):
-                _freeze(part, seen)
+    open_ends: list[object] = [gift]
+    while open_ends:
+        value = open_ends.pop()
+        if isinstance(value, np.ndarray):
+            value.setflags(write=False)
+        elif isinstance(value, tuple) or _is_record(type(value)):
+            held = cast(tuple[object, ...], value)
+            if id(held) not in seen:
+                seen.add(id(held))
+                open_ends += held if isinstance(value, tuple) else vars(held).values()
+
+
+@cache
+def _is_record(kind: type) -> bool:
+    """Whether what is of this type has fields."""
+    return is_dataclass(kind)

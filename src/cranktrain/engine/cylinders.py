@@ -96,7 +96,9 @@ def _cylinder(common: CylindersSpec, pistons: Sequence[Place], index: tuple[int,
     )
 
 
-def cylinder_problems(common: CylindersSpec, pistons: Sequence[Place]) -> tuple[Problem, ...]:
+def cylinder_problems(
+    common: CylindersSpec, pistons: Sequence[Place], cylinders: Sequence[Cylinder]
+) -> tuple[Problem, ...]:
     """Find cylinders and overrides of nothing, bores given for some pistons only, piston rods that do not fit."""
     pistons = [place for place in pistons if place.kind.has_chambers]
     if not pistons:
@@ -109,7 +111,6 @@ def cylinder_problems(common: CylindersSpec, pistons: Sequence[Place]) -> tuple[
         for name in common.overrides
         if name not in known
     ]
-    cylinders = cylinders_of(common, pistons)
     without = [cylinder.name for cylinder in cylinders if cylinder.spec.bore is None]
     if without and len(without) < len(cylinders):
         allowed = _("is missing for {cylinders}, while others have one").format(cylinders=", ".join(without))
@@ -212,13 +213,13 @@ def ports_of(designs: Sequence[Sequence[Cylinder]]) -> Ports | None:
 
 
 def firing_order_of(
-    common: CylindersSpec, pistons: Sequence[Place], *, astern: bool
+    common: CylindersSpec, leading: Sequence[Place], *, astern: bool
 ) -> tuple[FiringOrder | None, tuple[Problem, ...]]:
-    """Read the firing order; None where the file has none. Running astern it is read backwards from the same cylinder.
+    """Read the firing order of cylinders, each by its leading piston; None where the file has none.
 
-    Whether the crank pins allow it can be told where the cycle is known, too.
+    Running astern it is read backwards from the same cylinder. Whether the crank pins allow it can be told where the
+    cycle is known, too.
     """
-    leading = [pistons[cylinder.pistons[0]] for cylinder in cylinders_of(common, pistons)]
     names = [place.cylinder for place in leading]
     problems = _number_problems(common, names)
     if common.firing_order is None or problems:

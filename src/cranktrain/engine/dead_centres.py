@@ -112,7 +112,8 @@ class PistonGrid:
 
 def piston_grid(pistons: Pistons, crank_angle: CrankAngle) -> PistonGrid:
     """Evaluate every piston on the grid."""
-    return PistonGrid(slider_and_rod(pistons, crank_angle.angle))
+    turn = slider_and_rod(pistons, crank_angle.first_turn)
+    return PistonGrid(SliderAndRod(*map(crank_angle.over_cycle, turn)))
 
 
 @dataclass(frozen=True, eq=False)

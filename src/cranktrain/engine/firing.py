@@ -134,11 +134,11 @@ def firing_angles(tops: Array, cycle: float) -> Array | None:
 
 def _chosen(tops: Array, cycle: float, least: float) -> Array | None:
     """Choose among the turns by the smallest sum of squared intervals; None where the order cannot rise."""
-    start = float(tops[0])
+    start, *others = tops.tolist()
     # For each possible angle of the piston reached so far: the sum of squares and the angles that led there.
     ways: list[tuple[float, list[float]]] = [(0.0, [start])]
-    for top in tops[1:]:
-        first = start + float(np.mod(top - start, 2 * np.pi))
+    for top in others:
+        first = start + (top - start) % (2 * np.pi)
         first = start if first > start + 2 * np.pi - _SAME else first
         options = [first + 2 * np.pi * turn for turn in range(round(cycle / (2 * np.pi)))]
         ways = [

@@ -28,7 +28,8 @@ _THEORY = "docs/theory/gas"
 AMBIENT = 101325.0
 """Pressure under the pistons. [Pa]"""
 _TELLING = np.array([0.0, 0.6, 1.7, 3.9])
-_ALIKE = 1e-12
+_ROUNDING = 1e-12
+"""Sums of a few angles differ by less. [rad]"""
 
 Unroll = Callable[[Array, float], Array]
 """From the travelled part of the stroke and λ to the crank angle of the outward stroke. [rad]"""
@@ -350,9 +351,7 @@ def _peaks(gas: GasInChambers, firing: Array, crank_angle: CrankAngle, pressure:
     # A rise at constant volume stands at the dead centre itself, between the grid's points.
     start = firing[:, places, np.newaxis]
     found = largest(own, grid=crank_angle.shown, samples=pressure[:, places], kinks=start - zero)
-    at_firing = own(start - zero)
-    is_there = at_firing >= found.value * (1 - _ALIKE)
-    after = np.where(is_there, 0.0, around_zero(found.angle + zero - start))[..., 0]
-    peak = np.maximum(at_firing, found.value)[..., 0]
+    after = around_zero(found.angle + zero - start)
+    after = np.where(np.abs(after) <= _ROUNDING, 0.0, after)
     design = np.arange(len(gas.models))[:, np.newaxis]
-    return after[design, gas.origin], peak[design, gas.origin]
+    return after[design, gas.origin, 0], found.value[design, gas.origin, 0]

@@ -16,9 +16,18 @@ _MOST_STEPS, _SETTLED = 30, 1e-8
 
 @dataclass(frozen=True, eq=False)
 class GasEvents:
-    """φ of all dead centres and kinks in a cycle, shape (design, event); NaN for none. [rad]"""
+    """Between what all torques are smooth.
+
+    Attributes
+    ----------
+    angle : Array, shape (design, event)
+        φ of all dead centres and kinks in a cycle; NaN for none. [rad]
+    least : Coefficient, shape (design, distinct, 1)
+        Volume of the gas's distinct chambers at their firing. [m³, m³/rad, m³/rad²]
+    """
 
     angle: Array
+    least: Coefficient
 
 
 def gas_events(gas: GasInChambers, travel: CylinderTravel) -> GasEvents:
@@ -26,10 +35,17 @@ def gas_events(gas: GasInChambers, travel: CylinderTravel) -> GasEvents:
     firing, opposite = gas.dead_centres(travel)
     turns = 2 * np.pi * np.arange(round(gas.cycle / (2 * np.pi)))
     centres = np.concatenate([firing, opposite], axis=-1)[..., np.newaxis] + turns
-    return GasEvents(np.concatenate([centres.reshape(len(centres), -1), _kinks(gas, firing)], axis=-1))
+    least = _volume_at(gas, firing[:, gas.distinct, np.newaxis], gas.distinct)
+    angle = np.concatenate([centres.reshape(len(centres), -1), _kinks(gas, firing, least)], axis=-1)
+    return GasEvents(angle, least)
 
 
-def _kinks(gas: GasInChambers, firing: Array) -> Array:
+def _volume_at(gas: GasInChambers, angle: Array, places: Sequence[int]) -> Coefficient:
+    """Volume of some chambers, each at its own φ, shape (design, place, k)."""
+    return Coefficient(*gas.at_own(angle, places, lambda own: np.stack(gas.volume(own))))
+
+
+def _kinks(gas: GasInChambers, firing: Array, least: Coefficient) -> Array:
     """φ of the kinks of all chambers, by Newton's method from the dead centre, shape (design, chamber · kink). [rad]"""
     told = _told_kinks(gas)
     places = [place for place in gas.distinct for _kink in range(told.shape[-1])]
@@ -37,15 +53,11 @@ def _kinks(gas: GasInChambers, firing: Array) -> Array:
     if volume.size == 0:
         return volume[..., 0]
     centre = firing[:, places, np.newaxis]
-
-    def at(away: Array) -> Coefficient:
-        return Coefficient(*gas.at_own(centre + sense * away, places, lambda angle: np.stack(gas.volume(angle))))
-
-    least = at(np.zeros_like(volume))
     # Near the dead centre the volume is a parabola.
-    away = np.minimum(np.sqrt(2 * (volume - least.value) / least.second), 0.75 * np.pi)
+    smallest, curvature = (np.repeat(part, told.shape[-1], axis=1) for part in (least.value, least.second))
+    away = np.minimum(np.sqrt(2 * (volume - smallest) / curvature), 0.75 * np.pi)
     for _step in range(_MOST_STEPS):
-        found = at(away)
+        found = _volume_at(gas, centre + sense * away, places)
         before, away = away, np.clip(away - sense * (found.value - volume) / found.first, away / 4, np.pi)
         if not np.any(np.abs(away - before) > _SETTLED):
             break

@@ -75,10 +75,9 @@ def rod_methods(
         body = loaded.masses.groups[place].bodies.rod
         forces = solved.groups[place].forces
         piston = loaded.carriers.piston[group.index]
-        exact = ROD_METHODS["exact"](rod, body, size.rod_length, drive, _WEIGHTLESS)
-        for row, method in enumerate(ROD_METHODS.values()):
-            other = method(rod, body, size.rod_length, drive, _WEIGHTLESS)
-            off = Wrench(*(np.subtract(one, true) for one, true in zip(other, exact, strict=True)))
+        found = {name: method(rod, body, size.rod_length, drive, _WEIGHTLESS) for name, method in ROD_METHODS.items()}
+        for row, wrench in enumerate(found.values()):
+            off = Wrench(*(np.subtract(one, true) for one, true in zip(wrench, found["exact"], strict=True)))
             side[:, row, piston] = _relative(off.moment / (size.rod_length * rod.cos), forces.joints.guide.y)
             torque[:, row, piston] = _relative(work(rod, off), forces.driving_torque)
     return RodMethods(side, torque)

@@ -18,7 +18,6 @@ from cranktrain.engine.gas import GasInChambers
 from cranktrain.engine.gas_events import GasEvents
 from cranktrain.engine.layout import CrankAngle, Speed
 from cranktrain.engine.torque import ShaftTorques
-from cranktrain.engine.travel import CylinderTravel
 from cranktrain.engine.volumes import SweptVolumes
 from cranktrain.gas import GasKind, kind_of
 from cranktrain.language import N_, _
@@ -48,7 +47,6 @@ class WorkBalance:
 def work_balance(
     loaded: LoadedMachine,
     gas: GasInChambers,
-    travel: CylinderTravel,
     events: GasEvents,
     swept: SweptVolumes,
     torques: ShaftTorques,
@@ -67,7 +65,7 @@ def work_balance(
         return WorkBalance(total)
     scale = np.sum(np.abs(works), axis=-1)
     if all(kind.mean_pressures is not None for kind in kinds):
-        residual = np.abs(_work_of_torque(loaded, gas, travel, events) - total) / scale
+        residual = np.abs(_work_of_torque(loaded, gas, events) - total) / scale
         sentence = _("Work of the torque by the reactions, by quadrature, against that of the gas in closed form")
         return WorkBalance(total, (Check("work", sentence, residual, _EXACT_LIMIT),))
     residual = np.abs(np.mean(torques.machine_torque, axis=-1) * gas.cycle - total) / scale
@@ -105,20 +103,17 @@ def _slope_of(gas: GasInChambers, design: int, place: int) -> Callable[[Array], 
     return slope
 
 
-def _work_of_torque(loaded: LoadedMachine, gas: GasInChambers, travel: CylinderTravel, events: GasEvents) -> Array:
+def _work_of_torque(loaded: LoadedMachine, gas: GasInChambers, events: GasEvents) -> Array:
     """Work that the machine's torque by the reactions does over a cycle, shape (design,). [J]"""
-    quadrature = _quadrature(events.angle, _widest(gas, travel), gas.cycle)
+    quadrature = _quadrature(events.angle, _widest(events.least), gas.cycle)
     # Inertia gives no work over a cycle at any speed; at a constant one nothing is interpolated.
     even = replace(loaded, speed=Speed(loaded.speed.value))
     torque = np.sum(driving_torques(even, even.solved(quadrature.angle[:, np.newaxis])), axis=1)
     return -np.sum(quadrature.weight * torque, axis=-1)
 
 
-def _widest(gas: GasInChambers, travel: CylinderTravel) -> Array:
+def _widest(least: Coefficient) -> Array:
     """How wide intervals may be, by the chamber with the least room for its stroke, shape (design,). [rad]"""
-    firing, _opposite = gas.dead_centres(travel)
-    centre = firing[:, gas.distinct, np.newaxis]
-    least = Coefficient(*gas.at_own(centre, gas.distinct, lambda angle: np.stack(gas.volume(angle))))
     # Near its least value V = V_c + ½V″φ², which is 0 at an imaginary φ.
     away = np.sqrt(2 * least.value / least.second)
     return np.fmin(_WIDEST, _REACH * np.fmin.reduce(away, axis=(1, 2)))

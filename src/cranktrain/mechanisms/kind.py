@@ -310,8 +310,8 @@ def _rebuilt(geometry: Geometry, change: Callable[[str, Any], Any]) -> Geometry:
     """Change each part of a geometry by its name, or of a plain tuple by its place."""
     named = cast(Any, geometry)
     if hasattr(named, "_fields"):
-        return named._replace(**{name: change(name, value) for name, value in named._asdict().items()})
-    return cast(Geometry, tuple(change(str(place), value) for place, value in enumerate(named)))
+        return named._make(map(change, named._fields, named))
+    return cast(Geometry, tuple(map(change, map(str, range(len(named))), named)))
 
 
 def _part(geometry: Any, name: str) -> Any:
@@ -321,10 +321,11 @@ def _part(geometry: Any, name: str) -> Any:
 
 def stacked(geometries: Sequence[Sequence[Geometry]]) -> Geometry:
     """Stack geometries [design][member] of floats into one of arrays, shape (design, member, 1)."""
+    numbers = np.array([[leaves(member) for member in design] for design in geometries], dtype=float)
+    columns = iter(np.ascontiguousarray(np.moveaxis(numbers, -1, 0))[..., np.newaxis])
 
-    def column(name: str, value: Any) -> Any:
-        parts = [[_part(member, name) for member in design] for design in geometries]
-        return stacked(parts) if isinstance(value, tuple) else np.array(parts, dtype=float)[..., np.newaxis]
+    def column(_name: str, value: Any) -> Any:
+        return _rebuilt(cast(tuple[Any, ...], value), column) if isinstance(value, tuple) else next(columns)
 
     return _rebuilt(geometries[0][0], column)
 

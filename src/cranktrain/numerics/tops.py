@@ -12,9 +12,15 @@ from cranktrain.numerics.roots import Curve
 CANDIDATES = 2
 """How many of the grid's peaks are refined: of two that are nearly alike the grid may show the wrong one higher."""
 _FIVE = np.array([[-2.0], [-1.0], [0.0], [1.0], [2.0]])
+_QUARTIC_SLOPE = np.array([[1, -8, 0, 8, -1], [-1, 16, -30, 16, -1], [-1, 2, 0, -2, 1], [1, -4, 6, -4, 1]]) / np.array(
+    [[12.0], [12.0], [4.0], [6.0]]
+)
+"""From five points at equal distances to their quartic's slope by powers of the way from the middle one."""
 _CLOSE, _SMOOTH = 1e-3, 0.02
 """How far apart five points are [rad] for the top of the quartic through them to be exact to some 1e-12 rad, and by how
 much, in parts of that, the top of a parabola differs from it at most where the curve is smooth enough."""
+_LEVEL = 1e-12
+"""Values that differ by less, in parts of them, are one."""
 _ASIDE, TINY = 1e-6, 1e-8
 """How far aside of a top its curvature is measured, and how far the top may be off for one step to mend it. [rad]"""
 _CLOSER, _CLOSEST, _MOST_ZOOMS = 12, 1e-5, 4
@@ -34,7 +40,7 @@ def highest_peaks(samples: Array, signs: Sequence[float]) -> NDArray[np.intp]:
 
     Of a curve with one peak, or none, the same place twice.
     """
-    known = np.fmax(np.stack([sign * samples for sign in signs]), -np.inf)
+    known = np.fmax(samples[..., np.newaxis, :] * np.array(signs)[:, np.newaxis], -np.inf)
     ring = np.concatenate([known[..., -1:], known, known[..., :1]], axis=-1)
     is_peak = (known > ring[..., :-2]) & (known >= ring[..., 2:])
     heights = np.where(is_peak, known, -np.inf).reshape(-1, known.shape[-1])
@@ -43,7 +49,7 @@ def highest_peaks(samples: Array, signs: Sequence[float]) -> NDArray[np.intp]:
     heights[row, first] = -np.inf
     lower: NDArray[np.intp] = np.argmax(heights, axis=-1)
     second: NDArray[np.intp] = np.where(heights[row, lower] > -np.inf, lower, first)
-    return np.concatenate([*np.stack([first, second], axis=-1).reshape(*known.shape[:-1], CANDIDATES)], axis=-1)
+    return np.stack([first, second], axis=-1).reshape(*samples.shape[:-1], len(signs) * CANDIDATES)
 
 
 def tops(
@@ -102,9 +108,10 @@ def tops(
 
 def five_about(samples: Array, place: NDArray[np.intp]) -> Array:
     """Samples about some places round the turn, from two before to two after, shape (..., 5, k)."""
-    around = (place[..., np.newaxis, :] + _FIVE.astype(np.intp)) % samples.shape[-1]
-    flat = around.reshape(*place.shape[:-1], 5 * place.shape[-1])
-    return np.take_along_axis(samples, flat, axis=-1).reshape(around.shape)
+    n_points = samples.shape[-1]
+    around = (place[..., np.newaxis, :] + _FIVE.astype(np.intp)) % n_points
+    starts = np.arange(0, samples.size, n_points, dtype=np.intp)
+    return samples.ravel()[around + starts.reshape(*samples.shape[:-1], 1, 1)]
 
 
 def polished(slope: Curve, top: Extreme, sign: Array) -> Array:
@@ -127,24 +134,26 @@ def _closest(curve: Curve, middle: Array, wide: Array, sign: Array) -> Extreme:
     for _ in range(_MOST_ZOOMS):
         points = middle[..., np.newaxis, :] + half[..., np.newaxis, :] * _FIVE[1:4]
         found = curve(points.reshape(*middle.shape[:-1], 3 * middle.shape[-1]))
-        top = _top(found.reshape(*found.shape[:-1], *points.shape[-2:]), sign)
-        middle, value = middle + half * top.way, top.value
+        way, value = _parabola(found.reshape(*found.shape[:-1], *points.shape[-2:]), sign)
+        middle = middle + half * way
         if not np.any(half > 2 * _CLOSEST):
             break
         # What a parabola's top is off by goes with the square of its width; four times that is wide enough.
-        width = np.minimum(4 * np.abs(top.way) * half * (half / before) ** 2, half / _CLOSER)
+        width = np.minimum(4 * np.abs(way) * half * (half / before) ** 2, half / _CLOSER)
         before, half = half, np.maximum(width, _CLOSEST)
     return Extreme(middle, value)
 
 
 def _or_kink(top: Extreme, kinks: Array, values: Array, sign: Array) -> Extreme:
-    """Take the highest kink where it is higher than the top."""
+    """Take the highest kink where it is as high as the top: rounding must not move an extreme along a level stretch."""
     signed = np.fmax(sign[:, np.newaxis] * values[..., np.newaxis, :], -np.inf)
     highest = np.argmax(signed, axis=-1)
     kink = Extreme(
         *(np.take_along_axis(part, highest, axis=-1) for part in (np.broadcast_to(kinks, values.shape), values))
     )
-    return chosen(sign * (kink.value - top.value) > 0, kink, top)
+    lead = sign * (kink.value - top.value)
+    angle = np.where(lead >= -_LEVEL * np.abs(top.value), kink.angle, top.angle)
+    return Extreme(angle, np.where(lead > 0, kink.value, top.value))
 
 
 def chosen(is_one: NDArray[np.bool_], one: Extreme, other: Extreme) -> Extreme:
@@ -163,32 +172,35 @@ class Top(NamedTuple):
     parabola: Array
 
 
-def _top(three: Array, sign: Array) -> Top:
-    """Top of the parabola through three points, (..., 3, k), no farther than these; NaN where one is."""
-    left, centre, right = (three[..., place, :] for place in range(3))
-    curvature, slope = left - 2 * centre + right, (right - left) / 2
+def _parabola(three: Array, sign: Array) -> tuple[Array, Array]:
+    """Way to the top of the parabola through three points, (..., 3, k), no farther than these, and its value.
+
+    NaN where one of them is.
+    """
+    centre = three[..., 1, :]
+    before, after = three[..., 0, :] - centre, three[..., 2, :] - centre
+    slope, curvature = (after - before) / 2, before + after
     # A parabola that opens the wrong way has its top at an end.
-    way = np.where(sign * curvature < 0, -slope / curvature, np.sign(sign * slope))
-    way = np.minimum(np.maximum(way, -1.0), 1.0)
-    return Top(way, centre + (slope + curvature / 2 * way) * way, way)
+    way = _within_one(np.where(sign * curvature < 0, -slope / curvature, np.sign(sign * slope)))
+    return way, centre + (slope + curvature / 2 * way) * way
 
 
 def top_of_quartic(five: Array, sign: Array) -> Top:
-    """Top of the polynomial through five points, (..., 5, k), by Newton's method from the parabola's.
+    """Top of the polynomial through five points, (..., 5, k), by a step of Newton's method from the parabola's.
 
-    Stirling's formula. The parabola's where there are not five.
+    It squares what the parabola's is off by. The parabola's where there are not five.
     """
-    far_left, left, centre, right, far_right = (five[..., place, :] for place in range(5))
-    first, second = (right - left) / 2, left - 2 * centre + right
-    third, fourth = (far_right - far_left) / 2 - (right - left), far_left + far_right - 4 * (left + right) + 6 * centre
-    start = _top(five[..., 1:4, :], sign)
-    way = start.way
-    for _ in range(2):
-        square = way * way
-        slope = first + way * second + (3 * square - 1) / 6 * third + (2 * square - 1) * way / 12 * fourth
-        way = way - slope / (second + way * third + (6 * square - 1) / 12 * fourth)
-        way = np.minimum(np.maximum(way, -1.0), 1.0)
-    square = way * way
-    value = centre + way * first + square / 2 * (second + (square - 1) / 12 * fourth) + (square - 1) * way / 6 * third
+    start, parabola = _parabola(five[..., 1:4, :], sign)
+    centre = five[..., 2, :]
+    # The differences of close points are exact, which their sums are not.
+    slope = _QUARTIC_SLOPE @ (five - centre[..., np.newaxis, :])
+    a, b, c, d = (slope[..., power, :] for power in range(4))
+    way = _within_one(start - (a + start * (b + start * (c + start * d))) / (b + start * (2 * c + start * 3 * d)))
+    value = centre + way * (a + way * (b / 2 + way * (c / 3 + way * d / 4)))
     is_known = ~np.isnan(way)
-    return Top(np.where(is_known, way, start.way), np.where(is_known, value, start.value), start.way)
+    return Top(np.where(is_known, way, start), np.where(is_known, value, parabola), start)
+
+
+def _within_one(way: Array) -> Array:
+    """Bring a way into [−1, 1]."""
+    return np.minimum(np.maximum(way, -1.0), 1.0)

@@ -7,7 +7,6 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.analysis import run
-from cranktrain.engine.cylinders import cylinders_of
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
@@ -150,9 +149,8 @@ def _piston(machine: Machine, wanted: str | None) -> str:
 
 def _area(machine: Machine, piston: str) -> float:
     """Area of a piston, π/4 of its bore squared. [m²]"""
-    pistons = [place for place in machine.places if place.kind.output == "slider"]
-    at = next(i for i, place in enumerate(pistons) if place.name == piston)
-    bore = next(one.spec.bore for one in cylinders_of(machine.cylinder, pistons) if at in one.pistons)
+    at = next(i for i, place in enumerate(machine.pistons) if place.name == piston)
+    bore = next(one.spec.bore for one in machine.cylinders if at in one.pistons)
     if bore is None:
         raise InputError([Problem("cylinder.bore", None, _("is missing: forces over the piston's area need it"))])
     return np.pi / 4 * bore.si**2

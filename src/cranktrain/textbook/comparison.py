@@ -144,9 +144,9 @@ def textbook_motion(
             continue
         members = group.members
         for method, form in forms.items():
-            own = form(members.geometry)(crank_angle.angle + members.phase)
+            own = form(members.geometry)(crank_angle.first_turn + members.phase)
             for curve, values in zip(curves, own, strict=True):
-                curve[:, method, group.index] = values
+                curve[:, method, group.index] = crank_angle.over_cycle(values)
         samples = Coefficient(*(part[:, alike.index] for part in turn.samples[:3]))
         peaks = Extremes(*(Extreme(*(part[:, :, alike.index] for part in one)) for one in turn.peaks))
         worst = _largest_errors(tuple(forms.values()), alike, samples, peaks)
