@@ -1,6 +1,7 @@
 """Periodic curves between the points of their grid, by Fourier series or periodic spline, with slope and integral."""
 
 from collections.abc import Callable
+from itertools import zip_longest
 from typing import NamedTuple
 
 import numpy as np
@@ -21,11 +22,14 @@ class PeriodicCurve(NamedTuple):
         Values at 0, cycle/n, …
     motion : callable
         Value and first two derivatives at angles (k,) or (..., k).
+    pieces : Array, shape (power, ..., n), or None
+        Of a curve of polynomials, from each sample to the next: their coefficients, by powers of the share of the step.
     """
 
     cycle: float
     samples: Array
     motion: Callable[[Array], Coefficient]
+    pieces: Array | None = None
 
     @property
     def angle(self) -> Array:
@@ -119,6 +123,9 @@ def plus(one: PeriodicCurve, constant: Array) -> PeriodicCurve:
 def combined(one: PeriodicCurve, factor: Array, other: PeriodicCurve) -> PeriodicCurve:
     """The first curve plus a factor, shape (...), times the second; both on one grid."""
     times = np.asarray(factor)[..., np.newaxis]
+    if one.pieces is not None and other.pieces is not None:
+        powers = zip_longest(one.pieces, other.pieces, fillvalue=np.zeros(()))
+        return _by_pieces(np.stack(np.broadcast_arrays(*(part + times * added for part, added in powers))), one.cycle)
 
     def motion(angle: Array) -> Coefficient:
         parts = zip(one.motion(angle), other.motion(angle), strict=True)
@@ -167,4 +174,4 @@ def _by_pieces(coefficients: Array, cycle: float) -> PeriodicCurve:
             value = value * share + part
         return Coefficient(value, first / step, 2 * second / step**2)
 
-    return PeriodicCurve(cycle, coefficients[0], motion)
+    return PeriodicCurve(cycle, coefficients[0], motion, coefficients)
