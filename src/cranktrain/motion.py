@@ -39,3 +39,7 @@ class Link(NamedTuple):
 def single(value: float) -> Array:
     """Take one number where arrays are asked for: kernels broadcast both alike."""
     return cast(Array, value)
+
+
+ZERO, ONE = single(0.0), single(1.0)
+"""For what is the same at every angle: an array would be computed with in vain."""

@@ -212,8 +212,10 @@ EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "crank.crank": lambda angle, size, side: (angle, Crank(size(0.3))),
     "crank_rocker.crank_rocker": lambda angle, size, side: (angle, crank_rocker_geometry(size, side)),
     "crank_rocker.crank_rocker_gap": lambda angle, size, side: (angle, crank_rocker_geometry(size, side)),
+    "crank_rocker.crank_rocker_least_gap": lambda angle, size, side: (crank_rocker_geometry(size, side),),
     "eccentric.eccentric": lambda angle, size, side: (angle, eccentric_geometry(size)),
     "eccentric.eccentric_gap": lambda angle, size, side: (angle, eccentric_geometry(size)),
+    "eccentric.eccentric_least_gap": lambda angle, size, side: (eccentric_geometry(size),),
     "legs.block_along": lambda angle, size, side: (OnLine(rod(angle, size), crank_pin(angle, size)),),
     "legs.fixed_guide": lambda angle, size, side: (size(0.4), size(-0.9), size(0.6)),
     "legs.rod_between": lambda angle, size, side: (RodEnds(crank_pin(angle, size), fixed(size(1.1), size(0.05))),),
@@ -246,6 +248,7 @@ EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "slide.slide_gap": lambda angle, size, side: (crank_pin(angle, size), Slide(size(1.0), size(0.05), side)),
     "slider_crank.slider_crank": lambda angle, size, side: (angle, slider_crank_geometry(size)),
     "slider_crank.slider_crank_gap": lambda angle, size, side: (angle, slider_crank_geometry(size)),
+    "slider_crank.slider_crank_least_gap": lambda angle, size, side: (slider_crank_geometry(size),),
     "swivel.crank_swivel_gap": lambda angle, size, side: (
         angle,
         CrankAndPivot(size(0.3), size(0.9), size(0.05), side),
@@ -343,7 +346,9 @@ def test_every_kernel_has_an_example():
 def test_numbers(name):
     for angle in ANGLES:
         expected = assert_same(name, one_machine(name, float(angle)))
-        assert all(np.all(np.isfinite(value)) for value in expected)
+        # Forces ask a crank as a link for its angle's derivatives alone: the angle itself is NaN.
+        unknown = [value for value in expected if not np.all(np.isfinite(value))]
+        assert len(unknown) <= name.endswith(("_links", ".crank_link"))
     for design in range(DESIGNS):
         for at in range(len(ANGLES)):
             shape = (DESIGNS, len(ANGLES))

@@ -46,7 +46,7 @@ def momentum_change(links, bodies, speed):
     change = 0.0
     for link, body in zip(links, bodies, strict=True):
         centre = point(link, LinkPoint(np.hypot(body.along, body.across), np.arctan2(body.across, body.along)))
-        change = change + body.mass * np.array([centre.x.first, centre.y.first])
+        change = change + body.mass * np.array(np.broadcast_arrays(centre.x.first, centre.y.first))
     return speed**2 * spectral_derivative(change)
 
 

@@ -221,7 +221,8 @@ def loads_of(one: Member) -> Sequence[Wrench]:
     gas, piston = one.loaded.gas, one.loaded.carriers.piston[one.loaded.mechanisms.names.index(one.place.name)]
     if gas is not None and piston >= 0:
         value = -gas.force(gas.pressure(one.angle, gas.volume(one.angle)))[:, piston]
-    return one.dynamics.load(one.motion, one.size, value)
+    loads = one.dynamics.load(one.motion, one.size, value)
+    return [Wrench(*(np.broadcast_to(part, value.shape) for part in load)) for load in loads]
 
 
 def _inertia(one: Member, i: int) -> tuple[Array, Array]:

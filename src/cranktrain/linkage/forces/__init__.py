@@ -35,10 +35,11 @@ from cranktrain.linkage.forces.triad import (
     triad_reactions,
     triad_reactions_with_friction,
 )
-from cranktrain.linkage.forces.wrench import Wrench, added, handed_back, opposite, turned_wrench, work
+from cranktrain.linkage.forces.wrench import NOTHING, Wrench, added, handed_back, opposite, turned_wrench, work
 from cranktrain.linkage.forces.yoke import YokeLoads, YokeReactions, block_link, yoke_reactions
 
 __all__ = [
+    "NOTHING",
     "NO_FRICTION",
     "Body",
     "Conditions",

@@ -7,7 +7,9 @@ import numpy as np
 from cranktrain.linkage.crank import Crank
 from cranktrain.linkage.forces.wrench import Wrench, added, handed_back
 from cranktrain.linkage.point import fixed
-from cranktrain.motion import Array, Coefficient, Link, Point
+from cranktrain.motion import ONE, ZERO, Array, Coefficient, Link, Point, single
+
+_NOT_ASKED = single(np.nan)
 
 
 class CrankReactions(NamedTuple):
@@ -18,10 +20,13 @@ class CrankReactions(NamedTuple):
 
 
 def crank_link(pin: Point, geometry: Crank) -> Link:
-    """Crank as a link, from the shaft's centre to its pin."""
-    zero = 0.0 * pin.x.value
-    angle = Coefficient(np.arctan2(pin.y.value, pin.x.value), zero + 1.0, zero)
-    return Link(fixed(zero, zero), angle, pin.x.value / geometry.radius, pin.y.value / geometry.radius)
+    """Crank as a link, from the shaft's centre to its pin; its angle's value is NaN, as no force asks for it."""
+    return Link(
+        fixed(ZERO, ZERO),
+        Coefficient(_NOT_ASKED, ONE, ZERO),
+        pin.x.value / geometry.radius,
+        pin.y.value / geometry.radius,
+    )
 
 
 def crank_reactions(load: Wrench) -> CrankReactions:

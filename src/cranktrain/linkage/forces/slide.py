@@ -5,7 +5,7 @@ from typing import NamedTuple
 from cranktrain.linkage.forces.conditions import Friction, dragged, pressed
 from cranktrain.linkage.forces.wrench import Wrench
 from cranktrain.linkage.slide import Slide
-from cranktrain.motion import Array, Coefficient, Link, Point
+from cranktrain.motion import ONE, ZERO, Array, Coefficient, Link, Point
 
 
 class SlideLoads(NamedTuple):
@@ -28,9 +28,8 @@ class SlideReactions(NamedTuple):
 
 def slider_link(slider: Coefficient, offset: Array) -> Link:
     """Slider on a guide along x as a link that does not turn, from its pin along the guide."""
-    zero = 0.0 * slider.value
-    still = Coefficient(zero, zero, zero)
-    return Link(Point(slider, Coefficient(offset + zero, zero, zero)), still, 1.0 + zero, zero)
+    still = Coefficient(ZERO, ZERO, ZERO)
+    return Link(Point(slider, Coefficient(offset, ZERO, ZERO)), still, ONE, ZERO)
 
 
 def slide_reactions(rod: Link, geometry: Slide, loads: SlideLoads, friction: Friction) -> SlideReactions:

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.motion import Array, Link, Point
+from cranktrain.motion import ZERO, Array, Link, Point
 
 
 class Wrench(NamedTuple):
@@ -13,6 +13,9 @@ class Wrench(NamedTuple):
     x: Array
     y: Array
     moment: Array
+
+
+NOTHING = Wrench(ZERO, ZERO, ZERO)
 
 
 def added(one: Wrench, other: Wrench) -> Wrench:

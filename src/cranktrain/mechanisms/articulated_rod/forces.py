@@ -5,6 +5,7 @@ from typing import NamedTuple
 from cranktrain.linkage import AHEAD, Crank, Slide, turned
 from cranktrain.linkage.forces import (
     NO_FRICTION,
+    NOTHING,
     Body,
     Conditions,
     Gravity,
@@ -25,7 +26,7 @@ from cranktrain.linkage.forces import (
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, ArticulatedRodMotion
 from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Reaction
 from cranktrain.mechanisms.solved import Forces
-from cranktrain.motion import Array, Link
+from cranktrain.motion import ZERO, Array, Link
 
 
 class ArticulatedRodBodies(NamedTuple):
@@ -63,10 +64,9 @@ def articulated_rod_links(motion: ArticulatedRodMotion, geometry: ArticulatedRod
     return (motion.rod, slider_link(motion.slider, geometry.offset))
 
 
-def articulated_rod_load(motion: ArticulatedRodMotion, _geometry: ArticulatedRod, force: Array) -> ArticulatedRodLoads:
+def articulated_rod_load(_motion: ArticulatedRodMotion, _geometry: ArticulatedRod, force: Array) -> ArticulatedRodLoads:
     """Loads for a force on the slave's slider along its cylinder, away from the shaft; a gas presses toward it. [N]"""
-    zero = 0.0 * (force + motion.slider.value)
-    return ArticulatedRodLoads(Wrench(zero, zero, zero), Wrench(zero + force, zero, zero))
+    return ArticulatedRodLoads(NOTHING, Wrench(force, ZERO, ZERO))
 
 
 def slave_reactions(
@@ -140,11 +140,10 @@ def articulated_rod_forces(
     """
     master = geometry.master
     own = slave_reactions(motion, geometry, bodies, loads, conditions)
-    zero = 0.0 * own.pin.x
     share = slide_reactions(
         motion.master_rod,
         Slide(master.rod_length, master.offset, AHEAD),
-        SlideLoads(on_master_rod(motion, geometry, own.pin), Wrench(zero, zero, zero)),
+        SlideLoads(on_master_rod(motion, geometry, own.pin), NOTHING),
         NO_FRICTION,
     )
     crank = crank_link(motion.pin, Crank(master.crank_radius))

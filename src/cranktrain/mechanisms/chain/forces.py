@@ -6,6 +6,7 @@ from typing import Any
 
 from cranktrain.linkage import Crank
 from cranktrain.linkage.forces import (
+    NOTHING,
     Body,
     Conditions,
     Gravity,
@@ -34,7 +35,7 @@ from cranktrain.mechanisms.chain.made import made_names, pin_of
 from cranktrain.mechanisms.chain.steps import ChainSize, Step, Structure, SwivelSize, SwivelStep, TriadStep
 from cranktrain.mechanisms.kind import Dynamics
 from cranktrain.mechanisms.solved import Forces
-from cranktrain.motion import Array, Link
+from cranktrain.motion import ZERO, Array, Link
 
 
 def chain_links(structure: Structure, motion: ChainMotion, size: ChainSize) -> dict[str, Link]:
@@ -77,16 +78,15 @@ def chain_load(structure: Structure, motion: ChainMotion, size: ChainSize, value
     made = _made(structure, motion)
     links = chain_links(structure, motion, size)
     output = links[structure.output]
-    zero = 0.0 * (value + output.cos)
-    loads = dict.fromkeys(links, Wrench(zero, zero, zero))
+    loads = dict.fromkeys(links, NOTHING)
     if isinstance(made[structure.output], Link):
-        loads[structure.output] = Wrench(zero, zero, zero + value)
+        loads[structure.output] = Wrench(ZERO, ZERO, value)
         return tuple(loads.values())
-    force = Wrench(value * output.cos, value * output.sin, zero)
+    force = Wrench(value * output.cos, value * output.sin, ZERO)
     loads[structure.output] = force
     for step, own in zip(structure.steps, size.steps, strict=True):
         if isinstance(step, SwivelStep) and isinstance(own, SwivelSize) and step.slider == structure.output:
-            loads[step.guide] = Wrench(-force.x, -force.y, own.offset * value + zero)
+            loads[step.guide] = Wrench(-force.x, -force.y, own.offset * value)
     return tuple(loads.values())
 
 

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from cranktrain.linkage import Crank, Pin, PinMotion
 from cranktrain.linkage.forces import (
+    NOTHING,
     Body,
     Conditions,
     Gravity,
@@ -19,7 +20,7 @@ from cranktrain.linkage.forces import (
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, CrankRockerMotion
 from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
 from cranktrain.mechanisms.solved import Forces
-from cranktrain.motion import Array, Link
+from cranktrain.motion import ZERO, Array, Link
 
 
 class CrankRockerBodies(NamedTuple):
@@ -53,11 +54,9 @@ def crank_rocker_links(motion: CrankRockerMotion, geometry: CrankRocker) -> tupl
     return (crank, motion.rod, motion.rocker)
 
 
-def crank_rocker_load(motion: CrankRockerMotion, _geometry: CrankRocker, torque: Array) -> CrankRockerLoads:
+def crank_rocker_load(_motion: CrankRockerMotion, _geometry: CrankRocker, torque: Array) -> CrankRockerLoads:
     """Loads for a torque on the rocker, in the sense of rotation. [N·m]"""
-    zero = 0.0 * (torque + motion.rocker.cos)
-    nothing = Wrench(zero, zero, zero)
-    return CrankRockerLoads(nothing, nothing, Wrench(zero, zero, zero + torque))
+    return CrankRockerLoads(NOTHING, NOTHING, Wrench(ZERO, ZERO, torque))
 
 
 def crank_rocker_forces(

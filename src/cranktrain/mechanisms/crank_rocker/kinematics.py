@@ -68,4 +68,4 @@ def crank_rocker_least_gap(geometry: CrankRocker) -> Extreme:
     """Least gap over a turn: the crank pin nearest to the pivot, or farthest from it. docs/theory/closing-margin."""
     R, l, r, g, _side = geometry  # noqa: N806 - the letters of the equation
     near, far = np.abs(g - R) - np.abs(l - r), l + r - g - R
-    return Extreme(np.where(near < far, 0.0, np.pi), np.minimum(near, far))
+    return Extreme(np.pi / 2 + np.copysign(np.pi / 2, near - far), np.minimum(near, far))

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from cranktrain.linkage import AHEAD, Crank, OnLine, Swivel
 from cranktrain.linkage.forces import (
+    NOTHING,
     Body,
     Conditions,
     Friction,
@@ -21,7 +22,7 @@ from cranktrain.linkage.forces import (
 from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Reaction
 from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinder, OscillatingCylinderMotion
 from cranktrain.mechanisms.solved import Forces
-from cranktrain.motion import Array, Link
+from cranktrain.motion import ZERO, Array, Link
 
 
 class OscillatingCylinderBodies(NamedTuple):
@@ -72,12 +73,9 @@ def oscillating_cylinder_load(
     Both act along the cylinder's axis. [N]
     """
     cylinder = motion.cylinder
-    zero = 0.0 * (force + cylinder.cos)
     x = force * cylinder.cos
     y = force * cylinder.sin
-    return OscillatingCylinderLoads(
-        Wrench(zero, zero, zero), Wrench(-x, -y, zero), Wrench(x, y, zero - geometry.offset * force)
-    )
+    return OscillatingCylinderLoads(NOTHING, Wrench(-x, -y, ZERO), Wrench(x, y, -geometry.offset * force))
 
 
 def oscillating_cylinder_forces(

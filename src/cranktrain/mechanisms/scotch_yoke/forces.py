@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from cranktrain.linkage import Crank, Yoke
 from cranktrain.linkage.forces import (
+    NOTHING,
     Body,
     Conditions,
     CrossingFriction,
@@ -22,7 +23,7 @@ from cranktrain.linkage.forces import (
 from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Reaction
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke, ScotchYokeMotion
 from cranktrain.mechanisms.solved import Forces
-from cranktrain.motion import Array, Link
+from cranktrain.motion import ZERO, Array, Link
 
 
 class ScotchYokeBodies(NamedTuple):
@@ -58,11 +59,9 @@ def scotch_yoke_links(motion: ScotchYokeMotion, geometry: ScotchYoke) -> tuple[L
     return (crank, block, slider)
 
 
-def scotch_yoke_load(motion: ScotchYokeMotion, _geometry: ScotchYoke, force: Array) -> ScotchYokeLoads:
+def scotch_yoke_load(_motion: ScotchYokeMotion, _geometry: ScotchYoke, force: Array) -> ScotchYokeLoads:
     """Loads for a force on the slider along x, on the line of stroke, away from the shaft. [N]"""
-    zero = 0.0 * (force + motion.slider.value)
-    nothing = Wrench(zero, zero, zero)
-    return ScotchYokeLoads(nothing, nothing, Wrench(zero + force, zero, zero))
+    return ScotchYokeLoads(NOTHING, NOTHING, Wrench(force, ZERO, ZERO))
 
 
 def scotch_yoke_forces(

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from cranktrain.linkage import AHEAD, Crank, Slide
 from cranktrain.linkage.forces import (
+    NOTHING,
     Body,
     Conditions,
     Gravity,
@@ -20,7 +21,7 @@ from cranktrain.linkage.forces import (
 from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Reaction
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, SliderCrankMotion
 from cranktrain.mechanisms.solved import Forces
-from cranktrain.motion import Array, Link
+from cranktrain.motion import ZERO, Array, Link
 
 
 class SliderCrankBodies(NamedTuple):
@@ -55,11 +56,9 @@ def slider_crank_links(motion: SliderCrankMotion, geometry: SliderCrank) -> tupl
     return (crank, motion.rod, slider)
 
 
-def slider_crank_load(motion: SliderCrankMotion, _geometry: SliderCrank, force: Array) -> SliderCrankLoads:
+def slider_crank_load(_motion: SliderCrankMotion, _geometry: SliderCrank, force: Array) -> SliderCrankLoads:
     """Loads for a force on the slider along x, away from the shaft; a gas presses toward it. [N]"""
-    zero = 0.0 * (force + motion.slider.value)
-    nothing = Wrench(zero, zero, zero)
-    return SliderCrankLoads(nothing, nothing, Wrench(zero + force, zero, zero))
+    return SliderCrankLoads(NOTHING, NOTHING, Wrench(force, ZERO, ZERO))
 
 
 def slider_crank_forces(

@@ -57,4 +57,5 @@ def slider_crank_gap(angle: Array, geometry: SliderCrank) -> Array:
 def slider_crank_least_gap(geometry: SliderCrank) -> Extreme:
     """Least gap over a turn: where the crank pin is farthest from the line of stroke. docs/theory/closing-margin."""
     R, l, e = geometry  # noqa: N806 - the letters of the equation
-    return Extreme(np.where(e > 0, 3 * np.pi / 2, np.pi / 2), l - R - np.abs(e))
+    # 270° for e > 0; without an offset 90° and 270° are alike.
+    return Extreme(np.pi - np.copysign(np.pi / 2, 0.0 - e), l - R - np.abs(e))

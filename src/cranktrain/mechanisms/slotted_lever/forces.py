@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from cranktrain.linkage import AHEAD, Crank, OnLine, Swivel
 from cranktrain.linkage.forces import (
+    NOTHING,
     Body,
     Conditions,
     Gravity,
@@ -20,7 +21,7 @@ from cranktrain.linkage.forces import (
 from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Reaction
 from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLever, SlottedLeverMotion
 from cranktrain.mechanisms.solved import Forces
-from cranktrain.motion import Array, Link
+from cranktrain.motion import ZERO, Array, Link
 
 
 class SlottedLeverBodies(NamedTuple):
@@ -55,11 +56,9 @@ def slotted_lever_links(motion: SlottedLeverMotion, geometry: SlottedLever) -> t
     return (crank, block, motion.rocker)
 
 
-def slotted_lever_load(motion: SlottedLeverMotion, _geometry: SlottedLever, torque: Array) -> SlottedLeverLoads:
+def slotted_lever_load(_motion: SlottedLeverMotion, _geometry: SlottedLever, torque: Array) -> SlottedLeverLoads:
     """Loads for a torque on the lever, in the sense of rotation. [N·m]"""
-    zero = 0.0 * (torque + motion.rocker.cos)
-    nothing = Wrench(zero, zero, zero)
-    return SlottedLeverLoads(nothing, nothing, Wrench(zero, zero, zero + torque))
+    return SlottedLeverLoads(NOTHING, NOTHING, Wrench(ZERO, ZERO, torque))
 
 
 def slotted_lever_forces(
