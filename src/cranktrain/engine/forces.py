@@ -276,7 +276,7 @@ def joint_forces(loaded: LoadedMachine, solved: SolvedCycle) -> JointForces:
         joint_force_x=x,
         joint_force_y=y,
         joint_moment=moment,
-        largest_joint_force=np.max(np.hypot(x, y), axis=-1),
+        largest_joint_force=np.sqrt(np.max(x * x + y * y, axis=-1)),
         labels={"joint": tuple(names[i] for i in sequence)},
         flags=tuple(_flags(loaded.masses)),
     )

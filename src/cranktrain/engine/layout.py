@@ -47,15 +47,11 @@ class CrankAngle:
     @property
     def first_turn(self) -> Array:
         """φ of the grid's first turn, shape (design, 1, n/turns). [rad]"""
-        return self.angle[..., : self.shown.size // self._turns]
-
-    @property
-    def _turns(self) -> int:
-        return round(self.cycle / (2 * np.pi))
+        return self.angle[..., : self.shown.size // round(self.cycle / (2 * np.pi))]
 
     def over_cycle(self, values: Array) -> Array:
         """Give what repeats with every turn, shape (..., n/turns), at all angles, shape (..., n)."""
-        return np.tile(values, self._turns)
+        return np.tile(values, self.shown.size // values.shape[-1])
 
     def counted(self, angle: Array, period: float = 2 * np.pi) -> Array:
         """Count angles φ, shape (design, ..., 1), as they are shown: from `crank_zero`, in [0, period). [rad]"""

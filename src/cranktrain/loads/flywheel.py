@@ -95,16 +95,21 @@ def exact_flywheel(
         return _between(excess, inertia, wanted - half, wanted + half)
 
     stored, carried = excess.work.samples, inertia.samples
+    tried: list[Flywheel] = []
 
     def missing(middle: Array) -> Array:
         found = _between(excess, inertia, middle[..., 0] - half, middle[..., 0] + half)
+        tried.append(found)
         energy, total = stored + found.initial_energy[..., np.newaxis], carried + found.inertia[..., np.newaxis]
         return (grid_mean(2 * energy / total, mean) - wanted)[..., np.newaxis]
 
     # The smallest speed is not negative: its square would be that of another.
     ends = np.maximum(wanted - half, half), wanted + half
     middle = near_roots(missing, *(part[..., np.newaxis] for part in (wanted, *ends)))[..., 0]
-    return _between(excess, inertia, middle - half, middle + half)
+    if np.any(np.isnan(middle)):
+        return _between(excess, inertia, middle - half, middle + half)
+    # The last one that was tried is the root but for rounding.
+    return tried[-1]
 
 
 def mertsalov_inertia(excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array, fluctuation: Array) -> Array:

@@ -133,10 +133,10 @@ def textbook_motion(
         motion.piston_acceleration_coefficient,
     )
     n_designs, n_pistons, n_angles = exact[0].shape
-    n_methods = 1 + len(FORMS)
-    curves = np.full((3, n_designs, n_methods, n_pistons, n_angles), np.nan)
+    n_methods, n_turn = 1 + len(FORMS), crank_angle.first_turn.shape[-1]
+    curves = np.full((3, n_designs, n_methods, n_pistons, n_angles // n_turn, n_turn), np.nan)
     errors, angles = np.full((2, 3, n_designs, n_methods, n_pistons), np.nan)
-    curves[:, :, 0] = exact
+    curves[:, :, 0] = np.reshape(exact, (3, n_designs, n_pistons, -1, n_turn))
     errors[:, :, 0] = 0.0
     for group, alike in zip(pistons.groups, turn.distinct.mechanisms.groups, strict=True):
         forms = {i: form[group.kind.name] for i, form in enumerate(FORMS.values(), 1) if group.kind.name in form}
@@ -146,7 +146,7 @@ def textbook_motion(
         for method, form in forms.items():
             own = form(members.geometry)(crank_angle.first_turn + members.phase)
             for curve, values in zip(curves, own, strict=True):
-                curve[:, method, group.index] = crank_angle.over_cycle(values)
+                curve[:, method, group.index] = values[..., np.newaxis, :]
         samples = Coefficient(*(part[:, alike.index] for part in turn.samples[:3]))
         peaks = Extremes(*(Extreme(*(part[:, :, alike.index] for part in one)) for one in turn.peaks))
         worst = _largest_errors(tuple(forms.values()), alike, samples, peaks)
@@ -155,10 +155,11 @@ def textbook_motion(
             errors[:, :, method, group.index] = worst.value[row][:, 0, origin, 0]
             phi = worst.angle[row][:, 0, origin] + pistons.nominal_top[:, group.index]
             angles[:, :, method, group.index] = crank_angle.counted(phi)[..., 0]
+    displacement, velocity, acceleration = curves.reshape(3, n_designs, n_methods, n_pistons, n_angles)
     return TextbookMotion(
-        displacement_by_method=curves[0],
-        velocity_coefficient_by_method=curves[1],
-        acceleration_coefficient_by_method=curves[2],
+        displacement_by_method=displacement,
+        velocity_coefficient_by_method=velocity,
+        acceleration_coefficient_by_method=acceleration,
         displacement_error=errors[0],
         displacement_error_at=angles[0],
         velocity_error=errors[1],
