@@ -53,6 +53,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if os.environ.get("CRANKTRAIN_TRACEBACK") == "1":
             traceback.print_exc()
         return _said(_bug_report(sys.argv[1:] if arguments is None else arguments), _BUG)
+    finally:
+        if arguments is None:
+            gc.freeze()  # nor does Python look through it all once more at its end
     return 0
 
 
