@@ -5,7 +5,7 @@ import os
 import re
 import tomllib
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 from typing import cast
@@ -14,6 +14,7 @@ from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io import editing
 from cranktrain.io.files import Wanted, content_of, refusal
 from cranktrain.language import N_, _
+from cranktrain.record import record
 
 LARGEST_FILE = 2**20
 """Bytes; a machine file has some thousands."""
@@ -67,7 +68,7 @@ _SYNTAX = (
 )
 
 
-@dataclass(frozen=True)
+@record
 class Document:
     """A machine file as text.
 
