@@ -5,7 +5,7 @@ import os
 import re
 import tomllib
 from collections.abc import Iterable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import cast
@@ -14,7 +14,6 @@ from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io import editing
 from cranktrain.io.files import Wanted, content_of, refusal
 from cranktrain.language import N_, _
-from cranktrain.record import record
 
 LARGEST_FILE = 2**20
 """Bytes; a machine file has some thousands."""
@@ -68,7 +67,7 @@ _SYNTAX = (
 )
 
 
-@record
+@dataclass(frozen=True)
 class Document:
     """A machine file as text.
 
