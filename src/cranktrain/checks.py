@@ -1,15 +1,14 @@
 """Checks: identities that can fail, computed with every result, so that a user sees that it is right."""
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.record import record
 
 
-@dataclass(frozen=True)
+@record
 class Check:
     """An identity and how well it holds.
 

@@ -1,7 +1,6 @@
 """The result: every quantity by name, its facts, checks, what is missing, and sentences that answer."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -14,6 +13,7 @@ from cranktrain.engine.layout import CrankAngle
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.quantities import shown
+from cranktrain.record import record
 
 if TYPE_CHECKING:
     import xarray
@@ -26,7 +26,7 @@ class Fact(NamedTuple):
     value: Array
 
 
-@dataclass(frozen=True)
+@record
 class Result:
     """What a machine does, as far as its file says.
 

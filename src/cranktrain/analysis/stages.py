@@ -46,10 +46,11 @@ from cranktrain.engine.volumes import chamber_volumes, swept_volumes
 from cranktrain.engine.work_check import work_balance
 from cranktrain.language import translated
 from cranktrain.mechanisms import KINDS
+from cranktrain.record import record
 from cranktrain.textbook.comparison import textbook_motion
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Stage:
     """One step of the computation.
 

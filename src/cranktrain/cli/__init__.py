@@ -29,6 +29,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """
     if arguments is None:
         gc.disable()  # a program so short leaves no garbage, and looking for it takes a sixth of its time
+        os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # for systems of a few unknowns more threads only wait
     try:
         _tolerate_narrow_encodings()
         from cranktrain.cli.app import task  # inside, so that Ctrl-C is answered from the start
@@ -53,6 +54,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if os.environ.get("CRANKTRAIN_TRACEBACK") == "1":
             traceback.print_exc()
         return _said(_bug_report(sys.argv[1:] if arguments is None else arguments), _BUG)
+    finally:
+        if arguments is None:
+            gc.freeze()  # nor does Python look through it all once more at its end
     return 0
 
 

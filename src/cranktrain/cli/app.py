@@ -1,8 +1,8 @@
-"""What may be typed: the commands with their arguments, options and help. A command gives back what is to be done."""
+"""What may be typed: the commands with their arguments, options and help. A command is done when Typer has returned."""
 
 from collections.abc import Callable, Sequence
-from functools import partial
-from typing import Annotated, cast
+from functools import partial, wraps
+from typing import Annotated, ParamSpec, cast
 
 import typer
 
@@ -11,6 +11,7 @@ from cranktrain.errors import InputError, Position, Problem
 from cranktrain.language import _
 
 Task = Callable[[], None]
+_Given = ParamSpec("_Given")
 
 _TYPER_STOPPED = 130
 """What newer versions of Typer make of Ctrl-C; older ones raise Abort."""
@@ -55,6 +56,20 @@ def task(arguments: Sequence[str]) -> Task:
     if given == _TYPER_STOPPED:
         raise KeyboardInterrupt
     return cast("Task", given) if callable(given) else _nothing
+
+
+def _put_off(command: Callable[_Given, None]) -> Callable[_Given, Task]:
+    """Let Typer read what a command is given, and do the command when Typer has returned.
+
+    Python takes room for its stack of calls in pieces. Where a piece is just full, each further call has the system map
+    a new one and unmap it; what a command imports comes to lie there, below the calls of Typer, and NumPy with it.
+    """
+
+    @wraps(command)
+    def read(*given: _Given.args, **named: _Given.kwargs) -> Task:
+        return partial(command, *given, **named)
+
+    return read
 
 
 def _nothing() -> None:
@@ -125,12 +140,13 @@ def _cranktrain(
         "  cranktrain list results | grep dead_centre"
     ),
 )
+@_put_off
 def _list(
     what: Annotated[str, typer.Argument(metavar="[examples|kinds|results]", show_default=False)] = "examples",
-) -> Task:
+) -> None:
     from cranktrain.cli.lists import show_list
 
-    return partial(show_list, what)
+    show_list(what)
 
 
 @_app.command(
@@ -143,14 +159,15 @@ def _list(
         "  cranktrain new crank_rocker -o mine.toml"
     ),
 )
+@_put_off
 def _new(
     kind: Annotated[str, typer.Argument(metavar="KIND", show_default=False)],
     output: _Output = None,
     force: _Force = False,
-) -> Task:
+) -> None:
     from cranktrain.cli.start import write_new
 
-    return partial(write_new, kind, output, force=force)
+    write_new(kind, output, force=force)
 
 
 @_app.command(
@@ -162,10 +179,11 @@ def _new(
         "  cranktrain check r-1340"
     ),
 )
-def _check(file: _File) -> Task:
+@_put_off
+def _check(file: _File) -> None:
     from cranktrain.cli.check import show_check
 
-    return partial(show_check, file)
+    show_check(file)
 
 
 @_app.command(
@@ -180,6 +198,7 @@ def _check(file: _File) -> Task:
         "  cranktrain run 3d12 --running-speed"
     ),
 )
+@_put_off
 def _run(
     file: _File,
     output: Annotated[
@@ -210,7 +229,7 @@ def _run(
         bool, typer.Option("--inputs", help=_("Show every number of the file and where it is from."))
     ] = False,
     force: _Force = False,
-) -> Task:
+) -> None:
     from cranktrain.cli.run import Request, show_run
 
     names = None if quantities is None else tuple(name.strip() for name in quantities.split(",") if name.strip())
@@ -224,7 +243,7 @@ def _run(
         output=output,
         force=force,
     )
-    return partial(show_run, request, with_inputs=inputs)
+    show_run(request, with_inputs=inputs)
 
 
 @_app.command(
@@ -240,6 +259,7 @@ def _run(
         "  cranktrain plot pumping_unit_c57 -o unit.gif"
     ),
 )
+@_put_off
 def _plot(
     file: _File,
     output: Annotated[
@@ -284,7 +304,7 @@ def _plot(
     settings: _Settings = None,
     partial_turn: _Partial = False,
     force: _Force = False,
-) -> Task:
+) -> None:
     from cranktrain.cli.plot import Request, write_picture
 
     request = Request(
@@ -299,7 +319,7 @@ def _plot(
         size=size,
         sheet=sheet,
     )
-    return partial(write_picture, request)
+    write_picture(request)
 
 
 @_app.command(
@@ -326,6 +346,7 @@ def _synthesise(context: typer.Context) -> Task:
         "  cranktrain textbook errata"
     ),
 )
+@_put_off
 def _textbook(
     file: Annotated[
         str,
@@ -369,7 +390,7 @@ def _textbook(
     crank_to_rod_ratio: Annotated[
         str | None, typer.Option(metavar="NUMBER", help=_("Show harmonics for this λ = R/L instead of a machine's."))
     ] = None,
-) -> Task:
+) -> None:
     if harmonics or crank_to_rod_ratio is not None:
         from cranktrain.cli.harmonic_tables import HarmonicRequest, show_harmonics
 
@@ -380,15 +401,17 @@ def _textbook(
             "--step": None if step is None else f"{step:g}",
             "--piston": piston,
         }
-        return partial(show_harmonics, HarmonicRequest(file, crank_to_rod_ratio, tuple(settings or ()), others))
+        show_harmonics(HarmonicRequest(file, crank_to_rod_ratio, tuple(settings or ()), others))
+        return
     from cranktrain.cli.force_tables import ForceRequest, refuse_without_forces, show_force_tables
     from cranktrain.cli.textbook import show_textbook
 
     if forces is not None:
         request = ForceRequest(file, forces, tuple(settings or ()), step, piston)
-        return partial(show_force_tables, request)
+        show_force_tables(request)
+        return
     refuse_without_forces(step, piston)
-    return partial(show_textbook, file, tuple(settings or ()), with_table=table, with_errata=errata)
+    show_textbook(file, tuple(settings or ()), with_table=table, with_errata=errata)
 
 
 @_app.command(
@@ -400,7 +423,8 @@ def _textbook(
         "  cranktrain schema -o cranktrain.schema.json"
     ),
 )
-def _schema(output: _Output = None, force: _Force = False) -> Task:
+@_put_off
+def _schema(output: _Output = None, force: _Force = False) -> None:
     from cranktrain.cli.start import write_schema
 
-    return partial(write_schema, output, force=force)
+    write_schema(output, force=force)

@@ -3,7 +3,7 @@
 import itertools
 import textwrap
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from functools import reduce
 from typing import NamedTuple
 
 import numpy as np
@@ -14,6 +14,7 @@ from cranktrain.catalogue import Entry
 from cranktrain.cli.figures import ABSENT, figures
 from cranktrain.cli.screen import table
 from cranktrain.language import N_, _
+from cranktrain.record import record
 from cranktrain.wording import ranged
 
 _MOST_COLUMNS = 3
@@ -25,7 +26,7 @@ _NUMBERED = {"order": N_("order"), "journal": N_("journal"), "weight": N_("weigh
 _GAP = 2
 
 
-@dataclass(frozen=True)
+@record
 class FactRow:
     """A fact as text.
 
@@ -127,10 +128,16 @@ def _families(rows: Sequence[FactRow]) -> list[_Family]:
 
 def _groups(rows: Sequence[FactRow], members: Sequence[str]) -> list[list[int]]:
     """Put members together that are equal in all of some facts."""
-    found: dict[tuple[str, ...], list[int]] = {}
-    for i, member in enumerate(members):
-        found.setdefault(tuple(row.text(member) for row in rows), []).append(i)
-    return list(found.values())
+    return reduce(lambda groups, row: _split(groups, row, members), rows, [list(range(len(members)))])
+
+
+def _split(groups: Sequence[Sequence[int]], row: FactRow, members: Sequence[str]) -> list[list[int]]:
+    """Part groups of members that are not equal in one more fact."""
+    found: dict[tuple[int, str], list[int]] = {}
+    for i, group in enumerate(groups):
+        for member in group:
+            found.setdefault((i, row.text(members[member])), []).append(member)
+    return sorted(found.values())
 
 
 def _narrow(rows: Sequence[FactRow], members: Sequence[str], width: int) -> tuple[list[FactRow], list[list[int]]]:
@@ -138,7 +145,7 @@ def _narrow(rows: Sequence[FactRow], members: Sequence[str], width: int) -> tupl
     chosen: list[FactRow] = []
     groups = [list(range(len(members)))]
     for row in sorted(rows, key=lambda row: len(_groups([row], members))):
-        finer = _groups([*chosen, row], members)
+        finer = _split(groups, row, members)
         if len(finer) == 1 or (len(finer) <= _MOST_COLUMNS and _natural_width([*chosen, row], finer, members) <= width):
             chosen, groups = [*chosen, row], finer
     return [row for row in rows if row in chosen], groups

@@ -1,7 +1,6 @@
 """`run`: compute what a machine file allows, write it where asked, and show it."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import PurePath
 
 from cranktrain.analysis import Result
@@ -10,9 +9,10 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.io.machine_file import MachineFile, computed, read_machine
 from cranktrain.io.output import write_whole
 from cranktrain.language import _
+from cranktrain.record import record
 
 
-@dataclass(frozen=True)
+@record
 class Request:
     """What is asked of `run`, as typed; `quantities` is None for all."""
 
@@ -49,10 +49,10 @@ def show_run(request: Request, *, with_inputs: bool = False) -> None:
 
 def _suffix(output: str | None) -> str | None:
     """Suffix of the output's name, by which its form is known."""
-    from cranktrain.io.tables import WRITERS
-
     if output is None:
         return None
+    from cranktrain.io.tables import WRITERS
+
     suffix = PurePath(output).suffix.lower()
     if suffix not in WRITERS:
         allowed = _("must end in one of: {suffixes}").format(suffixes=", ".join(WRITERS))

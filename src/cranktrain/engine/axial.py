@@ -1,7 +1,6 @@
 """Places along the shaft: where each mechanism stands between throw 1 and the flywheel."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -11,9 +10,10 @@ from cranktrain.engine.places import Place
 from cranktrain.engine.specs import MAIN, ShaftSpec
 from cranktrain.language import N_
 from cranktrain.motion import Array
+from cranktrain.record import record
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class AxialPlaces:
     """Distance of every mechanism from throw 1 along Z, shape (design, mechanism). [m]
 
@@ -60,7 +60,7 @@ def throw_positions(shaft: ShaftSpec) -> Array | None:
     return np.cumsum([0.0, *(gaps * n_gaps if len(gaps) == 1 else gaps)])
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class AxialPositions:
     """Where each mechanism stands along the shaft."""
 

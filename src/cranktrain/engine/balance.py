@@ -1,7 +1,7 @@
 """Balance: shaking force and couple of the machine by order, without and with its balance weights, and what is left."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from cranktrain.loads.harmonics import ComplexArray, curve, from_vectors
 from cranktrain.loads.vectors import running_axes
 from cranktrain.loads.weights import weight_orders, weight_roll
 from cranktrain.motion import Array
+from cranktrain.record import record
 from cranktrain.wording import Names
 
 _CURVE = ("balance", "crank_angle")
@@ -28,7 +29,7 @@ _ORDER = ("balance", "order")
 _THEORY = "docs/theory/balance"
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class ShakingForces:
     """Force of the moving masses on the frame, without and with balance weights."""
 
@@ -61,7 +62,7 @@ class ShakingForces:
         return _("Shaking force: {force}; left with [balance]: {left}.").format(force=said[0], left=said[1])
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class ShakingCouples:
     """Couple of the moving masses on the frame about the throws' mid-plane, without and with balance weights."""
 
@@ -133,7 +134,7 @@ def shaking_couples(
     return ShakingCouples(*found[:7], gross=found.gross, labels=found.labels)
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class RollingMoment:
     """What rolls the frame about the crankshaft: gas, inertia and weights, without and with balance weights."""
 

@@ -1,7 +1,7 @@
 """Counterweights and balance shafts of a machine: those of its file, and those solved for."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import reduce
 from itertools import combinations
 from typing import ClassVar, NamedTuple
@@ -26,6 +26,7 @@ from cranktrain.loads.vectors import PlaneVectors, reversed_vectors, running_axe
 from cranktrain.loads.weights import RotatingWeights, joined
 from cranktrain.motion import Array
 from cranktrain.quantities import Given
+from cranktrain.record import record
 
 _WEIGHT = ("weight",)
 _THEORY = "docs/theory/balance"
@@ -33,7 +34,7 @@ _NOISE = 1e-12
 """Of what all parts could do together: less is rounding."""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class DeclaredBalance:
     """The table [balance] of each design, and the throws of `main`, to which its weights are put.
 
@@ -111,7 +112,7 @@ def _angle_on(weight: WeightSpec, main: ShaftSpec) -> float:
     return main.throws[(weight.throw or 1) - 1].si - main.throws[0].si + np.pi
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class BalanceWeights:
     """Weights that balance the machine, given and solved for."""
 

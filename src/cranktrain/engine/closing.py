@@ -1,7 +1,5 @@
 """Closing margin of every mechanism: how little one length may change before the crank cannot turn."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from cranktrain.catalogue import quantity
@@ -10,13 +8,14 @@ from cranktrain.engine.layout import CrankAngle, Mechanisms
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.closing import closing_margin
 from cranktrain.motion import Array
+from cranktrain.record import record
 from cranktrain.wording import Names, around_turn, shared
 
 _MECHANISM = ("mechanism",)
 _THEORY = "docs/theory/closing-margin"
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Closing:
     """How far each mechanism is from locking.
 

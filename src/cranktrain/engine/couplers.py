@@ -1,19 +1,18 @@
 """Motion of the rods that drive rockers: angles and their derivatives; with the speed, velocities."""
 
-from dataclasses import dataclass
-
 from cranktrain.catalogue import quantity
 from cranktrain.engine.dead_centres import rod_angle
 from cranktrain.engine.layout import CrankAngle, RockerRods, Rockers, Speed, accelerations
 from cranktrain.language import N_
 from cranktrain.motion import Array
 from cranktrain.numerics import unwrapped
+from cranktrain.record import record
 
 _CURVE = ("rocker", "crank_angle")
 _THEORY = "docs/theory/crank-rocker"
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class CouplerMotion:
     """Motion of every rocker's rod by the crank angle alone; NaN for a rocker that hangs on none."""
 
@@ -39,7 +38,7 @@ def coupler_motion(rockers: Rockers, rods: RockerRods, crank_angle: CrankAngle) 
     )
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class CouplerSpeeds:
     """Angular velocities and accelerations of the rods."""
 

@@ -1,7 +1,6 @@
 """Loads of the crank pins: what every rod does to its pin, with its rotating mass and without."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import ClassVar, NamedTuple
 
 import numpy as np
@@ -15,6 +14,7 @@ from cranktrain.linkage.forces import crank_link
 from cranktrain.loads.crank_pin import pin_load, with_rotating_mass
 from cranktrain.loads.rod_masses import two_masses
 from cranktrain.motion import Array
+from cranktrain.record import record
 from cranktrain.wording import Names, number
 
 _MECHANISM = ("mechanism",)
@@ -33,7 +33,7 @@ class CrankPin(NamedTuple):
     has_rod: bool
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class CrankPins:
     """Which mechanisms have something of their own on a crank pin."""
 
@@ -56,7 +56,7 @@ def _pins(mechanisms: Mechanisms) -> Iterator[CrankPin]:
                 yield CrankPin(place, joint, reaction.on == _ROD)
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class CrankPinLoads:
     """Load of every rod on its crank pin, with what hangs on the rod; NaN for what has no rod there."""
 

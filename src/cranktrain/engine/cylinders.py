@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -16,13 +15,14 @@ from cranktrain.engine.volumes import Chambers, CompressionRatios
 from cranktrain.errors import Problem
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.record import record
 from cranktrain.wording import number
 
 CYCLES = {"two-stroke": 2 * np.pi, "four-stroke": 4 * np.pi}
 """Length of a cycle by name. [rad]"""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Cylinder:
     """One cylinder: what its own table, its bank's or the common one gives, the nearest first.
 

@@ -1,6 +1,5 @@
 """Dead centres: where each piston truly turns back, and its stroke; roots of s′, not points of a grid."""
 
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,6 +10,7 @@ from cranktrain.engine.layout import CrankAngle, Mechanisms, Pistons
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient, Link
 from cranktrain.numerics import Extreme, Extremes, extremes, turn_grid
+from cranktrain.record import record
 from cranktrain.wording import Names, shared
 
 _PISTON = ("piston",)
@@ -65,7 +65,7 @@ def slider_motion(pistons: Mechanisms, angle: Array) -> Coefficient:
     return pistons.evaluated(lambda motion: motion.slider, angle)
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class PistonTurn:
     """One turn of the pistons that are distinct, whatever the machine's own grid: where extremes are looked for first.
 
@@ -103,7 +103,7 @@ def piston_turn(pistons: Pistons) -> PistonTurn:
     return PistonTurn(different, samples, extremes(coordinate, slope, samples=np.stack(samples[:3])))
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class PistonGrid:
     """Slider and rod of every piston on the grid of crank angles, shape (design, piston, n)."""
 
@@ -116,7 +116,7 @@ def piston_grid(pistons: Pistons, crank_angle: CrankAngle) -> PistonGrid:
     return PistonGrid(SliderAndRod(*map(crank_angle.over_cycle, turn)))
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class DeadCentres:
     """Where each piston truly turns back, and how far it travels."""
 

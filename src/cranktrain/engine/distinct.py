@@ -1,6 +1,6 @@
 """Distinct mechanisms: a V12 has twelve pistons and two of these; what stands for a turn is computed once for each."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,9 +8,10 @@ from numpy.typing import NDArray
 from cranktrain.engine.layout import Group, Mechanisms
 from cranktrain.mechanisms.kind import leaves, rows
 from cranktrain.motion import Array
+from cranktrain.record import record
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Distinct:
     """Those mechanisms of a machine that differ in more than their phase, each at its own crank angle.
 

@@ -1,7 +1,6 @@
 """Evenness: the work that a machine's torque stores within a cycle, and the speed over a cycle that comes of it."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -22,6 +21,7 @@ from cranktrain.loads.speed import SpeedOverCycle, steady_speed
 from cranktrain.loads.speed_law import TorqueLaw, given_torque, motor, quadratic_load, speed_under_law, together
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme, spectral_derivative
+from cranktrain.record import record
 from cranktrain.wording import Names, number
 
 _CURVE = ("crank_angle",)
@@ -34,7 +34,7 @@ _LAST_ORDERS = 0.1
 """Share of the upper half of a grid's orders in a work that the grid resolves."""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class FlywheelMoment:
     """GD² of the moving parts."""
 
@@ -48,7 +48,7 @@ def flywheel_moment(torques: MechanismTorques) -> FlywheelMoment:
     return FlywheelMoment(4 * torques.reduced_inertia)
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class ShaftWork:
     """Work of the torque without inertia, less that of a load that is given as a curve.
 
@@ -96,7 +96,7 @@ def shaft_work(
     )
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class RunningSpeed:
     """Speed of the shaft over the cycle, with the flywheel that there is; load says against what, as answers begin."""
 

@@ -1,7 +1,6 @@
 """Evenness of running: its table of the machine file, and the parts that it declares."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Annotated, ClassVar, Literal, Self
 
 import numpy as np
@@ -24,6 +23,7 @@ from cranktrain.quantities import (
     PositiveVelocity,
     Quantity,
 )
+from cranktrain.record import record
 from cranktrain.spec import Refused, Spec
 
 NonNegativeInertia = Annotated[Given, Quantity(Dimension.INERTIA, at_least=0.0)]
@@ -135,7 +135,7 @@ class EvennessSpec(Spec, frozen=True):
         return None if self.flywheel_moment is None else self.flywheel_moment.si / 4
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class LinearMotor:
     """Motor M = c (ω_s − ω): no-load speed ω_s [rad/s] and stiffness c [N·m·s], shape (design,)."""
 
@@ -143,7 +143,7 @@ class LinearMotor:
     stiffness: Array
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class ShaftLoad:
     """What balances the machine's own torque, and which mean its speed is."""
 
@@ -154,7 +154,7 @@ class ShaftLoad:
     mean: Mean
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class LoadCurve:
     """Load torque over the shown crank angle as the file has it, and whether it is scaled to balance the machine."""
 
@@ -164,7 +164,7 @@ class LoadCurve:
     is_scaled: bool
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class GivenFlywheel:
     """Moment of inertia of the flywheel that there is, shape (design,). [kg·m²]"""
 
@@ -173,7 +173,7 @@ class GivenFlywheel:
     inertia: Array
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class WantedCoefficient:
     """Coefficient of fluctuation wanted, shape (design,). [1]"""
 
@@ -182,7 +182,7 @@ class WantedCoefficient:
     value: Array
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class DeclaredRim:
     """Rim wanted, arrays of shape (design,): what its field says in `RimSpec`, in SI."""
 

@@ -1,6 +1,5 @@
 """Firing: when each cylinder fires, at what intervals, and whether its true dead centre is there."""
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -12,6 +11,7 @@ from cranktrain.engine.layout import CrankAngle, Pistons
 from cranktrain.engine.travel import CylinderPistons, CylinderTravel
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
+from cranktrain.record import record
 from cranktrain.wording import Names, shared
 
 _CYLINDER = ("cylinder",)
@@ -22,7 +22,7 @@ _ROUNDING = 1e-12
 """Sums of a few angles differ by less. [rad]"""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Cycle:
     """The working cycle that the machine declares: 2π or 4π. [rad]"""
 
@@ -31,7 +31,7 @@ class Cycle:
     length: float
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class FiringOrder:
     """Cylinders in the order in which they fire, as indices, shape (cylinder,); by the maker's numbers too, if any."""
 
@@ -41,7 +41,7 @@ class FiringOrder:
     numbers: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Firing:
     """When each cylinder fires, nominally (crank along it), and how long until the next one does."""
 

@@ -1,7 +1,7 @@
 """Flywheel for a wanted coefficient of fluctuation, exact and as the textbooks have it, and the rim that it takes."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
@@ -13,13 +13,14 @@ from cranktrain.language import N_, _
 from cranktrain.loads.flywheel import METHODS, Flywheel, flywheels_by_method
 from cranktrain.loads.rim import RimDemand, rim, rim_speed
 from cranktrain.motion import Array
+from cranktrain.record import record
 from cranktrain.wording import Names, number
 
 _METHOD = "flywheel_method"
 _THEORY = "docs/theory/evenness"
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class FlywheelSize:
     """Flywheels that give the coefficient of fluctuation wanted, against a load that does not depend on the speed.
 
@@ -103,7 +104,7 @@ def _size_flags(load: ShaftLoad) -> Iterator[str]:
         )
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class RimSize:
     """Rim of the flywheel that is wanted, or where none is, of the one that there is."""
 

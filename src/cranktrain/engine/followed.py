@@ -1,7 +1,6 @@
 """What has a name in a mechanism and no result of its own: links beside rod and rocker, and what slides along them."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any, ClassVar, TypeVar
 
 import numpy as np
@@ -13,13 +12,14 @@ from cranktrain.engine.places import Place
 from cranktrain.language import N_
 from cranktrain.motion import Array, Coefficient, Link
 from cranktrain.numerics import unwrapped
+from cranktrain.record import record
 
 _LINK = ("link", "crank_angle")
 _SLIDER = ("slider", "crank_angle")
 _THEORY = "docs/theory/groups-2"
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Followed:
     """Parts of mechanisms that are followed.
 
@@ -40,12 +40,12 @@ class Followed:
     parts: tuple[str, ...]
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class FollowedLinks(Followed):
     """Links."""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class FollowedSliders(Followed):
     """What slides: its position is a number."""
 
@@ -69,7 +69,7 @@ def followed_of(result: type[FollowedLike], places: Sequence[Place]) -> Followed
     )
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class LinkMotion:
     """Motion of links by their names."""
 
@@ -94,7 +94,7 @@ def link_motion(links: FollowedLinks, mechanisms: Mechanisms, crank_angle: Crank
     return LinkMotion(unwrapped(angle), first, second)
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class SliderMotion:
     """Motion of what slides, by its name."""
 

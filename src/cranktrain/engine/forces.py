@@ -1,7 +1,7 @@
 """Forces in every joint of a machine, and the torque that its mechanisms give to the shaft."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -16,6 +16,7 @@ from cranktrain.engine.places import Place
 from cranktrain.language import N_, _
 from cranktrain.linkage.forces import Conditions, Friction, Wrench, added, torque_by_work
 from cranktrain.motion import Array, Coefficient, single
+from cranktrain.record import record
 
 _JOINT = ("joint", "crank_angle")
 _MECHANISM = ("mechanism", "crank_angle")
@@ -25,7 +26,7 @@ _MASTER = "slider_crank"
 """Kind of what slaves hang on."""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Carriers:
     """Which mechanisms hang on which, and which pistons they are.
 
@@ -83,7 +84,7 @@ class SolvedGroup(NamedTuple):
     forces: Any
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class LoadedMachine:
     """A machine with all that acts on it, to be solved at any crank angle.
 
@@ -224,7 +225,7 @@ def driving_torques(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Arr
     return torque
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class SolvedCycle:
     """Forces of every mechanism on the grid of crank angles; nothing that people read as it is."""
 
@@ -236,7 +237,7 @@ def solved_cycle(loaded: LoadedMachine, crank_angle: CrankAngle, gas: GasPressur
     return SolvedCycle(loaded.solved(crank_angle.angle, gas_force=None if gas is None else gas.gas_force))
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class JointForces:
     """Reaction in every joint, in the axes of its mechanism."""
 
@@ -297,7 +298,7 @@ def _flags(masses: Masses) -> Iterator[str]:
         ).format(parts=", ".join(masses.assumed))
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class MechanismTorques:
     """What every mechanism does to the shaft, and all together."""
 

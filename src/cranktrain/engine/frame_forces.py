@@ -1,7 +1,6 @@
 """What the frame bears of the moving masses: reactions of what stands still, and the momentum that they change."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import reduce
 from typing import Any, NamedTuple
 
@@ -21,6 +20,7 @@ from cranktrain.loads.vectors import PlaneVectors, curve_vectors, delayed_vector
 from cranktrain.mechanisms.kind import FRAME
 from cranktrain.motion import Array, single
 from cranktrain.numerics import spectral_derivative, turn_grid
+from cranktrain.record import record
 
 _LIMIT = 1e-11
 _FEWEST, _MOST = 360, 2880
@@ -28,7 +28,7 @@ _ENDED = 1e-13
 """What the highest orders may have of the largest order, for the grid to show all that there is."""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class FrameForces:
     """What the moving masses do to the frame, for each (rad/s)²; in the common axes of `Frames`, over one turn.
 

@@ -1,7 +1,6 @@
 """Frames: a mechanism's own axes as they lie in the machine's, X right and Y up, seen from the free end."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import ClassVar, NamedTuple
 
 import numpy as np
@@ -10,6 +9,7 @@ from numpy.typing import NDArray
 from cranktrain.engine.places import Place
 from cranktrain.loads.harmonics import ComplexArray, phasor
 from cranktrain.motion import Array
+from cranktrain.record import record
 
 
 class Frame(NamedTuple):
@@ -77,7 +77,7 @@ class Orientation(NamedTuple):
     is_astern: bool
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Frames:
     """Where all mechanisms' axes lie in common ones: x along Y, y turned from it in the sense in which `main` runs.
 

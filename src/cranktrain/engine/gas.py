@@ -1,7 +1,7 @@
 """Gas in the chambers: pressure over the cycle by the declared model, its work, and its force on every piston."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -20,6 +20,7 @@ from cranktrain.gas.work import indicated_work
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient, single
 from cranktrain.numerics import largest
+from cranktrain.record import record
 from cranktrain.wording import Names, ranged, shared
 
 _CHAMBER = ("chamber",)
@@ -35,7 +36,7 @@ Unroll = Callable[[Array, float], Array]
 """From the travelled part of the stroke and λ to the crank angle of the outward stroke. [rad]"""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class DeclaredGas:
     """The gas model of every design, as its file declares it; and Brix's construction, backward, as some ask for it."""
 
@@ -45,7 +46,7 @@ class DeclaredGas:
     brix: Unroll
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class GasInChambers:
     """The gas model of every chamber, to be asked at any crank angle.
 
@@ -281,7 +282,7 @@ def _model(kind: GasKind, spec: GasSpec, chamber: Chamber) -> Any:
         ) from None
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class GasPressures:
     """Pressure of the gas, and what it does."""
 

@@ -1,7 +1,6 @@
 """Events of the gas: dead centres and kinks of its pressure, between which all torques are smooth."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -9,12 +8,13 @@ from cranktrain.engine.gas import GasInChambers
 from cranktrain.engine.travel import CylinderTravel
 from cranktrain.gas import Kink, VolumeLimits, kind_of
 from cranktrain.motion import Array, Coefficient, single
+from cranktrain.record import record
 
 _MOST_STEPS, _SETTLED = 30, 1e-8
 """A step of Newton's method after which the next one is less than rounding. [rad]"""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class GasEvents:
     """Between what all torques are smooth.
 

@@ -1,7 +1,6 @@
 """Layout: a machine's mechanisms as SI arrays with a leading design axis. Behind it, nothing knows specs or units."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Any, ClassVar, TypeVar, cast
 
 import numpy as np
@@ -14,6 +13,7 @@ from cranktrain.linkage import in_blocks
 from cranktrain.linkage.forces import Drive
 from cranktrain.mechanisms.kind import Kind, Members, rows, stacked
 from cranktrain.motion import Array
+from cranktrain.record import record
 
 Outcome = TypeVar("Outcome", bound=tuple[Any, ...])
 
@@ -21,7 +21,7 @@ _ROUNDING = 16 * np.spacing(2 * np.pi)
 """Sums of a few angles differ by less. [rad]"""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class CrankAngle:
     """The grid of crank angles.
 
@@ -60,7 +60,7 @@ class CrankAngle:
         return np.where(period - counted < _ROUNDING, 0.0, counted)
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Group:
     """Mechanisms of one kind among those of a `Mechanisms`: which of its places they take."""
 
@@ -69,7 +69,7 @@ class Group:
     members: Members
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Mechanisms:
     """All mechanisms of a machine, or of several designs of one machine.
 
@@ -133,35 +133,35 @@ class Mechanisms:
         raise IndexError(mechanism)
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Pistons(Mechanisms):
     """The mechanisms whose output is a slider."""
 
     dimension: ClassVar[str] = "piston"
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Rockers(Mechanisms):
     """The mechanisms whose output is a rocker."""
 
     dimension: ClassVar[str] = "rocker"
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class PistonRods:
     """Whether each piston hangs on a rod, shape (piston,); there is none where no piston does."""
 
     value: NDArray[np.bool_]
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class RockerRods:
     """Whether each rocker hangs on a rod, shape (rocker,); there is none where no rocker does."""
 
     value: NDArray[np.bool_]
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Speed:
     """Speed of the main shaft.
 

@@ -1,7 +1,6 @@
 """The load that a machine file gives as a curve: its torque on the shaft, its scale, and what is left to balance."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -14,6 +13,7 @@ from cranktrain.language import N_, _
 from cranktrain.loads.periodic import PeriodicCurve
 from cranktrain.loads.polyline import polyline_integral, polyline_mean, polyline_value
 from cranktrain.motion import Array
+from cranktrain.record import record
 from cranktrain.wording import Names, number
 
 _CURVE = ("crank_angle",)
@@ -22,7 +22,7 @@ _NOTHING = 1e-9
 """A mean torque below this part of the peak is none."""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class LoadTorque:
     """Torque of the load that is given as a curve.
 

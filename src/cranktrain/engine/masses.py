@@ -1,7 +1,6 @@
 """Masses: the rigid bodies of a machine file, put to the links of every mechanism."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from math import cos, sin
 from typing import Any, ClassVar, NamedTuple
 
@@ -16,6 +15,7 @@ from cranktrain.linkage.forces import Body, Gravity
 from cranktrain.mechanisms.kind import stacked
 from cranktrain.motion import Array, single
 from cranktrain.quantities import Given
+from cranktrain.record import record
 from cranktrain.wording import precise
 
 STANDARD_GRAVITY = 9.80665
@@ -38,7 +38,7 @@ class PlaceMasses(NamedTuple):
     friction: tuple[Array, ...]
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Masses:
     """Bodies of all mechanisms, and what weighs on them.
 

@@ -1,7 +1,6 @@
 """Motion of pistons: displacement and its derivatives by the crank angle; with the speed, velocities."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -12,6 +11,7 @@ from cranktrain.engine.layout import CrankAngle, Pistons, Speed, accelerations
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, Extremes, derivatives_residual, extremes
+from cranktrain.record import record
 from cranktrain.wording import Names, number, shared
 
 _PISTON = ("piston",)
@@ -21,7 +21,7 @@ _FASTEST = 40.0
 """Mean piston speed that none has; racing engines come to 27. [m/s]"""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class PistonMotion:
     """Motion of every piston by the crank angle alone; speed enters with `PistonSpeeds`."""
 
@@ -62,7 +62,7 @@ def _derivatives_check(turn: PistonTurn) -> Check:
     )
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class PistonSpeeds:
     """Velocities and accelerations of pistons."""
 

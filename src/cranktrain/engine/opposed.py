@@ -1,6 +1,5 @@
 """Opposed pistons: lead, volumetric dead centres and the travel of both pistons of a cylinder together."""
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -13,6 +12,7 @@ from cranktrain.engine.travel import CylinderPistons, CylinderTravel, reach
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics import DERIVATIVES_LIMIT, derivatives_residual
+from cranktrain.record import record
 from cranktrain.wording import Names, number, shared
 
 _CYLINDER = ("cylinder",)
@@ -20,7 +20,7 @@ _CURVE = ("cylinder", "crank_angle")
 _THEORY = "docs/theory/opposed-pistons"
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class OpposedCylinders:
     """The cylinders of a machine, of which some at least have two pistons."""
 
@@ -29,7 +29,7 @@ class OpposedCylinders:
     cylinders: CylinderPistons
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class VolumetricDeadCentres:
     """Where the room between two pistons is least and greatest, and by how much they part."""
 
@@ -131,7 +131,7 @@ def volumetric_dead_centres(
     )
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class CombinedMotion:
     """How the pistons of a cylinder part, both together: as one piston would that sweeps the same volume."""
 
@@ -168,7 +168,7 @@ def combined_motion(
     )
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class CombinedSpeeds:
     """Velocity and acceleration at which opposed pistons part."""
 

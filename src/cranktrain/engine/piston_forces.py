@@ -1,7 +1,7 @@
 """Forces of pistons as engine dynamics takes them apart: P, N, S, K and T."""
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -23,6 +23,7 @@ from cranktrain.loads.piston import (
 )
 from cranktrain.loads.rod_masses import two_masses
 from cranktrain.motion import Array
+from cranktrain.record import record
 from cranktrain.wording import Names, number
 
 _CURVE = ("force_method", "piston", "crank_angle")
@@ -32,7 +33,7 @@ DIRECT = "slider_crank"
 """Kind whose rod joins piston and crank pin, and nothing else does."""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class DirectPistons:
     """Pistons of which some at least have rods on the crank pin itself."""
 
@@ -70,7 +71,7 @@ def _direct(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[_Direct]:
         yield _Direct(group, solved.groups[place].motion, bodies.slider.mass + share, piston)
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class PistonForceSet:
     """P, N, S, K and T of pistons on crank pins of their own, the rod as two masses; NaN for other pistons.
 

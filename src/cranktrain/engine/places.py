@@ -1,7 +1,6 @@
 """Places: every mechanism of a machine, by name, with its axis, its throw and its geometry."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from cranktrain.engine.gearing import first_axis, opposed_angle, shaft_phases
@@ -10,9 +9,10 @@ from cranktrain.errors import Problem
 from cranktrain.language import _
 from cranktrain.mechanisms import Kind, MechanismSpec, kind_of
 from cranktrain.mechanisms.kind import Master, mirrored
+from cranktrain.record import record
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Place:
     """One mechanism of a machine.
 
@@ -74,7 +74,7 @@ class Place:
         return self.axis - self.throw_angle
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class _Slot:
     """A place before its geometry is known: bank and throw by index, angle of its axis from Y in the file's sense."""
 

@@ -1,7 +1,6 @@
 """Points on links: coupler curves, centres of mass, whatever a machine file asks to follow."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any, ClassVar, cast
 
 import numpy as np
@@ -14,12 +13,13 @@ from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.linkage import LinkPoint, point
 from cranktrain.motion import Array, Link
+from cranktrain.record import record
 
 _CURVE = ("point", "crank_angle")
 _THEORY = "docs/theory/groups"
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class LinkPoints:
     """Points that are followed.
 
@@ -89,7 +89,7 @@ def link_points_of(designs: Sequence[Sequence[Place]]) -> LinkPoints | None:
     )
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class PointMotion:
     """Paths of points on links, in the axes of their mechanism."""
 

@@ -1,7 +1,6 @@
 """Ports of two-stroke cylinders: when the pistons uncover and cover them, and what is left to compress after that."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -15,20 +14,21 @@ from cranktrain.engine.volumes import Chambers, ChamberVolumes
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
+from cranktrain.record import record
 from cranktrain.wording import Names, number, ranged, shared
 
 _CYLINDER = ("cylinder",)
 _THEORY = "docs/theory/opposed-pistons"
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class TwoStroke:
     """Says that cylinders are scavenged through ports: a machine that is no two-stroke is not asked for any."""
 
     needs: ClassVar[str] = ""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Ports:
     """Exhaust and scavenge ports of every cylinder.
 
@@ -46,7 +46,7 @@ class Ports:
     height: Array
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class PortTiming:
     """When ports open and close; NaN for a port that is never shut."""
 
@@ -170,7 +170,7 @@ def _flags(names: tuple[str, ...], before: Array, opens: Array) -> Iterator[str]
         )
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class EffectiveCompression:
     """What is compressed after the last port has closed."""
 

@@ -1,7 +1,6 @@
 """Powers: of the gas on the pistons, what friction takes of it, and what comes out at the shaft."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -15,12 +14,13 @@ from cranktrain.engine.volumes import Chambers, SweptVolumes
 from cranktrain.gas.work import friction_power, friction_power_by_efficiency, indicated_power
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
+from cranktrain.record import record
 from cranktrain.wording import Names, number, shared
 
 _THEORY = "docs/theory/gas"
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class IndicatedPowers:
     """Power of the gas on the pistons at the mean speed."""
 
@@ -55,7 +55,7 @@ def indicated_powers(
     )
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Losses:
     """Friction of the whole machine: a mechanical efficiency or a mean pressure, shape (design,); NaN is not given.
 
@@ -80,7 +80,7 @@ def losses_of(cylinders: Sequence[CylindersSpec]) -> Losses | None:
     )
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class BrakePowers:
     """What friction takes of the indicated power, and what the shaft gives; a driven machine takes it."""
 

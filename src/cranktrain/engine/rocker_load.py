@@ -1,7 +1,6 @@
 """The load of a rocker, carried at a radius about its pivot: travel and torque factor."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -14,6 +13,7 @@ from cranktrain.language import N_, _
 from cranktrain.mechanisms.crank_rocker import CrankRockerSpec
 from cranktrain.motion import Array
 from cranktrain.numerics import extremes
+from cranktrain.record import record
 from cranktrain.wording import Names, shared
 
 _ROCKER = ("rocker",)
@@ -23,7 +23,7 @@ _THEORY = "docs/theory/crank-rocker"
 _DIRECTIONS = {"with": 1.0, "against": -1.0}
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class LoadRadius:
     """Radius about each rocker's pivot at which its load is carried, shape (design, rocker, 1). [m]
 
@@ -50,7 +50,7 @@ def load_radius_of(designs: Sequence[Sequence[Place]]) -> LoadRadius | None:
     return None if np.all(np.isnan(value)) else LoadRadius(value)
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class LoadMotion:
     """Travel of a load that hangs at the load radius of each rocker."""
 

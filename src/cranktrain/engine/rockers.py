@@ -1,7 +1,5 @@
 """Motion of rockers: swing, dead positions, time ratio; with the speed, velocities."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from cranktrain.catalogue import quantity
@@ -10,6 +8,7 @@ from cranktrain.engine.layout import CrankAngle, Rockers, Speed, accelerations
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import DERIVATIVES_LIMIT, derivatives_residual, turn_grid, turning_points, unwrapped
+from cranktrain.record import record
 from cranktrain.wording import Names, around_turn, shared
 
 _ROCKER = ("rocker",)
@@ -33,7 +32,7 @@ def rocker_angle(rockers: Rockers, angle: Array) -> Coefficient:
     return rockers.evaluated(lambda motion: motion.rocker.angle, angle)
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class RockerTurn:
     """One turn of the rockers, whatever the machine's own grid: where extremes are looked for first.
 
@@ -64,7 +63,7 @@ def _counted(angle: Array, middle: Array) -> Array:
     return np.where(np.isnan(middle), unwrapped(angle), about)
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class DeadPositions:
     """Between which positions each rocker swings; NaN for a rocker that turns with the crank."""
 
@@ -122,7 +121,7 @@ def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) 
     )
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class RockerMotion:
     """Motion of every rocker by the crank angle alone."""
 
@@ -170,7 +169,7 @@ def _derivatives_check(rockers: Rockers) -> Check:
     )
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class RockerSpeeds:
     """Velocities and accelerations of rockers."""
 

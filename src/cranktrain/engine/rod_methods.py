@@ -1,7 +1,7 @@
 """Rods replaced by masses, as textbooks do: by how much side force and torque are off, by method."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from cranktrain.loads.harmonics import TURN
 from cranktrain.loads.periodic import cycle_grid
 from cranktrain.loads.rod_masses import ROD_METHODS
 from cranktrain.motion import Array, single
+from cranktrain.record import record
 from cranktrain.wording import Names, number
 
 _FACT = ("rod_method", "piston")
@@ -26,7 +27,7 @@ _TOLD = 1e-9
 """An error that is told; less is rounding, where a rod's inertia was assumed to be that of two masses."""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class RodMethods:
     """Errors of rods replaced by masses, in parts of the exact peak; 0 where a method is exact.
 

@@ -1,7 +1,7 @@
 """Harmonics that a rod of finite length gives the piston's acceleration and the torque of its inertia, exact."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 
@@ -12,12 +12,13 @@ from cranktrain.engine.torque_orders import order_labels
 from cranktrain.language import N_
 from cranktrain.loads.rod_harmonics import acceleration_harmonics, torque_harmonics
 from cranktrain.motion import Array
+from cranktrain.record import record
 
 _FACT = ("order", "piston")
 _THEORY = "docs/theory/harmonics-and-orders"
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class RodOrders:
     """Harmonics of pistons by the angle of their own cranks from the top; NaN but for central slider-cranks."""
 

@@ -1,7 +1,5 @@
 """Motion of the rods that pistons hang on: angles, their derivatives, pressure angles; with the speed, velocities."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from cranktrain.catalogue import quantity
@@ -10,6 +8,7 @@ from cranktrain.engine.layout import CrankAngle, Mechanisms, PistonRods, Speed, 
 from cranktrain.language import N_
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import turning_points
+from cranktrain.record import record
 
 _PISTON = ("piston",)
 _CURVE = ("piston", "crank_angle")
@@ -17,7 +16,7 @@ _THEORY = "docs/theory/slider-crank"
 _GROUPS = "docs/theory/groups"
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class RodMotion:
     """Motion of every piston's rod by the crank angle alone; NaN for a piston that hangs on none."""
 
@@ -80,7 +79,7 @@ def rod_motion(grid: PistonGrid, rods: PistonRods, crank_angle: CrankAngle, turn
     )
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class RodSpeeds:
     """Angular velocities and accelerations of the rods."""
 

@@ -1,7 +1,5 @@
 """What the frame bears of the moving masses at a speed that varies over the cycle."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from cranktrain.checks import Check
@@ -25,9 +23,10 @@ from cranktrain.loads.harmonics import ComplexArray
 from cranktrain.loads.periodic import cycle_grid
 from cranktrain.motion import Array
 from cranktrain.numerics import spectral_derivative, turn_grid
+from cranktrain.record import record
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class RunningFrame:
     """As `FrameForces`, in newtons and over the whole cycle.
 

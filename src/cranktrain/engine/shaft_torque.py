@@ -1,6 +1,5 @@
 """The torque of gas, weight and friction on the shaft: what is left of a machine's torque without its inertia."""
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 from cranktrain.catalogue import quantity
@@ -11,6 +10,7 @@ from cranktrain.language import N_
 from cranktrain.linkage.forces import Drive, Reduced, ReducedInertia, torque_by_work
 from cranktrain.loads.periodic import Interpolation, fourier_curve, fourier_integral, spline_curve, spline_integral
 from cranktrain.motion import Array
+from cranktrain.record import record
 
 _THEORY = "docs/theory/evenness"
 
@@ -22,7 +22,7 @@ class Interpolations(NamedTuple):
     integral: Interpolation
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class AppliedTorque:
     """Torque without inertia.
 

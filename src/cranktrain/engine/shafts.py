@@ -1,7 +1,6 @@
 """Shafts: which mechanism works on which throw of which shaft, and the journals between the throws."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -9,9 +8,10 @@ from numpy.typing import NDArray
 
 from cranktrain.engine.places import Place
 from cranktrain.engine.specs import MAIN, ShaftSpec
+from cranktrain.record import record
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Shafts:
     """The crankshafts of a machine and what works on them.
 
@@ -46,7 +46,7 @@ class Shafts:
         )
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class GearedShafts:
     """The shafts of a machine that has more than one."""
 

@@ -1,6 +1,5 @@
 """Speed of the main shaft that varies over the cycle: found by the machine's own evenness, or given."""
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -9,10 +8,11 @@ from cranktrain.language import _
 from cranktrain.linkage.forces import Drive
 from cranktrain.loads.periodic import PeriodicCurve, hermite_curve
 from cranktrain.motion import Array
+from cranktrain.record import record
 from cranktrain.wording import Names, number
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class SpeedCurve:
     """How the main shaft turns over the cycle: what a second run is at.
 

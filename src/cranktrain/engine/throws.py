@@ -1,7 +1,6 @@
 """Throws that carry mechanisms: where they stand, and whose they are; and the centres of their shafts."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -13,9 +12,10 @@ from cranktrain.engine.standing import shaft_centres
 from cranktrain.language import N_
 from cranktrain.loads.harmonics import ComplexArray
 from cranktrain.motion import Array
+from cranktrain.record import record
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Throws:
     """Throws that carry mechanisms.
 
@@ -56,7 +56,7 @@ def throws_of(places: Sequence[Place]) -> Throws:
     )
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class ShaftCentres:
     """Centre of every mechanism's shaft from that of `main`, X + iY, shape (design, mechanism). [m]"""
 

@@ -1,7 +1,7 @@
 """Torque of a whole machine: on each shaft, through the gear between shafts, and gathered along each shaft."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,7 @@ from cranktrain.language import N_, _
 from cranktrain.loads import torque as along_shaft
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme, extremes
+from cranktrain.record import record
 from cranktrain.wording import Names, number
 
 _SHAFT = ("shaft",)
@@ -25,7 +26,7 @@ _NOTHING = 1e-9
 """A mean torque below this part of the peak is none: a machine without gas gives no work."""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class ShaftTorques:
     """Torque of the machine on its shafts, by the reactions: positive in each shaft's own running sense."""
 
@@ -91,7 +92,7 @@ def shaft_torques(
     )
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class JournalTorques:
     """Torque that each main journal passes on toward the flywheel, gathered from the free end."""
 
@@ -119,7 +120,7 @@ def journal_torques(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts) 
     return JournalTorques(passed, np.max(np.abs(passed), axis=-1), {"journal": shafts.journals})
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class GearTorques:
     """What the gear passes from every other shaft to the main one, and each shaft's share of the work."""
 

@@ -1,7 +1,7 @@
 """Orders of the machine's torque, and the stars of the cylinders' phases by which they add up."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,7 @@ from cranktrain.language import N_, _
 from cranktrain.loads.harmonics import TURN, harmonics
 from cranktrain.loads.stars import phase_stars
 from cranktrain.motion import Array
+from cranktrain.record import record
 from cranktrain.wording import Names, number
 
 _ORDER = ("order",)
@@ -38,7 +39,7 @@ def order_labels(cycle: float) -> dict[str, tuple[str, ...]]:
     return {"order": tuple(f"{order:g}" for order in orders(cycle).tolist())}
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class TorqueOrders:
     """Harmonics of the machine's torque: amplitude · cos(kφ − ψ), φ as shown."""
 
@@ -84,7 +85,7 @@ def torque_orders(torques: ShaftTorques, crank_angle: CrankAngle) -> TorqueOrder
     return TorqueOrders(amplitude, phase, order_labels(crank_angle.cycle))
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class PhaseStarSums:
     """How far the cylinders' torques of one order add up by their firing: as many as cylinders where all do."""
 

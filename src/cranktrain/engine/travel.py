@@ -1,6 +1,5 @@
 """Travel in a cylinder: how its piston, or both of its opposed pistons together, make its room smaller and larger."""
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -10,9 +9,10 @@ from cranktrain.engine.dead_centres import DeadCentres, slider_motion
 from cranktrain.engine.layout import Pistons
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import turn_grid, turning_points
+from cranktrain.record import record
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class CylinderPistons:
     """Which pistons work in which cylinder.
 
@@ -73,7 +73,7 @@ def reach(cylinders: CylinderPistons, pistons: Pistons, angle: Array) -> Coeffic
     return Coefficient(*(cylinders.summed(part) for part in motion))
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class CylinderTravel:
     """Where each cylinder has its least and its greatest room.
 

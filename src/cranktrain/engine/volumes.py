@@ -1,7 +1,6 @@
 """Volumes: what each chamber sweeps, holds and compresses; V = V₀ + Σ A x with a signed area for each piston."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 from typing import ClassVar
 
@@ -14,13 +13,14 @@ from cranktrain.engine.motion import PistonMotion
 from cranktrain.engine.travel import CylinderTravel
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
+from cranktrain.record import record
 from cranktrain.wording import Names, ranged, shared
 
 _CHAMBER = ("chamber",)
 _THEORY = "docs/conventions"
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Chambers:
     """The working chambers.
 
@@ -76,7 +76,7 @@ class Chambers:
         return sum(parts[1:], start=parts[0])
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class CompressionRatios:
     """Compression ratio of each chamber, shape (design, chamber); NaN where the deck decides it.
 
@@ -90,7 +90,7 @@ class CompressionRatios:
     leader: NDArray[np.intp]
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class SweptVolumes:
     """What the pistons sweep between their true dead centres."""
 
@@ -119,7 +119,7 @@ def swept_volumes(chambers: Chambers, travel: CylinderTravel) -> SweptVolumes:
     )
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class ChamberVolumes:
     """Volume of every chamber, and what is left of it at its smallest."""
 

@@ -5,7 +5,7 @@ samples, the run's own sum over its grid is compared with the exact integral of 
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 from typing import NamedTuple
 
@@ -22,6 +22,7 @@ from cranktrain.engine.volumes import SweptVolumes
 from cranktrain.gas import GasKind, kind_of
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient
+from cranktrain.record import record
 
 _THEORY = "docs/theory/forces"
 _EXACT_LIMIT = 1e-12
@@ -34,7 +35,7 @@ _NODES = ((0.0, 0.04, 3), (0.04, 0.2, 5), (0.2, 0.6, 8), (0.6, 1.01, 12))
 _NARROWEST = 1e-13
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class WorkBalance:
     """Work of the gas over a cycle, without any step of the grid, and whether the torque does it."""
 

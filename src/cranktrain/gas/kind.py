@@ -1,12 +1,12 @@
 """What every kind of gas model gives: its spec, what it makes of it for a chamber, and the pressure by the state."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from cranktrain.gas.state import ChamberState, VolumeLimits
 from cranktrain.gas.work import MeanPressures
 from cranktrain.motion import Array
+from cranktrain.record import record
 from cranktrain.spec import Spec
 
 
@@ -66,7 +66,7 @@ def _no_kinks(model: object, limits: VolumeLimits) -> tuple[Kink, ...]:
     return ()
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class GasKind:
     """A kind of gas model, as data.
 

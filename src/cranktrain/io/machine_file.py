@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
@@ -15,13 +15,14 @@ from cranktrain.language import _
 from cranktrain.machine import Machine, machine_problems
 from cranktrain.mechanisms.kind import LISTS
 from cranktrain.quantities import Given
+from cranktrain.record import record
 from cranktrain.spec import Spec
 
 if TYPE_CHECKING:
     from cranktrain.analysis import Result
 
 
-@dataclass(frozen=True)
+@record
 class MachineFile:
     """A machine and the text that declares it.
 

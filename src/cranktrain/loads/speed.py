@@ -1,6 +1,5 @@
 """Speed over a cycle from energy and inertia, its three means and its fluctuation."""
 
-from dataclasses import dataclass
 from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
@@ -9,6 +8,7 @@ from cranktrain.loads.excess_work import ExcessWork
 from cranktrain.loads.periodic import PeriodicCurve, plus
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extreme, near_roots, turning_points
+from cranktrain.record import record
 
 Mean: TypeAlias = Literal["time", "angle", "extremes"]
 """Over time (what a counter of revolutions shows), over the crank angle, or half the sum of the extremes."""
@@ -25,7 +25,7 @@ class MeanSpeeds(NamedTuple):
     extremes: Array
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class SpeedOverCycle:
     """Speed over one cycle of steady running.
 

@@ -1,7 +1,7 @@
 """What every kind of mechanism gives: its spec, geometry, kernel, drawing, and the lengths that let it close."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import reduce
 from typing import Any, ClassVar, Literal, NamedTuple, TypeVar, cast
 
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from cranktrain.motion import Array, Coefficient, Link, Point
 from cranktrain.numerics import Extreme
 from cranktrain.quantities import Length
+from cranktrain.record import record
 from cranktrain.spec import Spec
 
 LISTS = frozenset({"part"})
@@ -78,7 +79,7 @@ class Block(NamedTuple):
     link: tuple[str, ...]
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Drawing:
     """A mechanism to draw: how its pins move, in its own axes, and what joins them.
 
@@ -142,7 +143,7 @@ FRAME = "frame"
 """What stands still, as one of a joint's two bodies."""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Dynamics:
     """What forces a kind of mechanism gives; every function is a kernel.
 
@@ -184,7 +185,7 @@ class Dynamics:
     on_master: Callable[[Any, Any, Any], Any] | None = None
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Members:
     """The mechanisms of one kind in a machine: their names and geometry.
 
@@ -203,7 +204,7 @@ class Members:
     phase: Array
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Kind:
     """A kind of mechanism, as data.
 

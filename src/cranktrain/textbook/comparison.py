@@ -1,7 +1,7 @@
 """The sources' forms beside the exact motion: the same curves by each method, their largest errors, their ranges."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,7 @@ from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extreme, Extremes, largest, turn_grid
+from cranktrain.record import record
 from cranktrain.textbook.articulated_rod import (
     Harmonics,
     derived,
@@ -70,7 +71,7 @@ FORMS: Mapping[str, Mapping[str, Form]] = {
 """The sources' forms by method, and for each the kinds of mechanism that it speaks of."""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class TextbookMotion:
     """Motion of every piston by each method, `exact` first; NaN where a source has no form for the mechanism."""
 

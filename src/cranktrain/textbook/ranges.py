@@ -1,7 +1,6 @@
 """Where each source says that its formula may be used, as data: outside, a flag is shown with its source."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
@@ -9,6 +8,7 @@ from numpy.typing import NDArray
 
 from cranktrain.language import N_
 from cranktrain.motion import Array
+from cranktrain.record import record
 
 Flags: TypeAlias = NDArray[np.bool_]
 
@@ -16,7 +16,7 @@ _ROUNDING = 1e-12
 """A ratio is a quotient of lengths: one that rounding moved off a limit still stands on it."""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Range:
     """The range of one method, as its source gives it.
 

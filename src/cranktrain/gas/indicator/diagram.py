@@ -1,19 +1,19 @@
 """The indicator diagram: pressure over the crank angle from firing, as a periodic cubic spline."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
 from cranktrain.gas.indicator.cycle import Samples
 from cranktrain.gas.indicator.spline import periodic_slopes, spline_at
 from cranktrain.motion import Array
+from cranktrain.record import record
 
 _GAUSS_POINTS = 6
 """Exact to degree 11: a cubic times V′ over a step of some degrees is less to all digits."""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Diagram:
     """An indicator diagram, ready for use.
 

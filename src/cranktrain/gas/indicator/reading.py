@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
@@ -13,6 +12,7 @@ from cranktrain.gas.indicator.table import Table, read_table
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.quantities import Dimension, QuantityError, read, shown, unit_names
+from cranktrain.record import record
 
 Axis: TypeAlias = Literal["angle", "displacement", "volume"]
 
@@ -53,7 +53,7 @@ class Columns(NamedTuple):
     ambient: float = STANDARD_ATMOSPHERE
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Trace:
     """An indicator file as it was read, in the file's own order and counting.
 

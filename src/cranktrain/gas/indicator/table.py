@@ -2,11 +2,11 @@
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.language import _
+from cranktrain.record import record
 
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _STARTS_AS_NUMBER = re.compile(r"\s*[\"']?[+\-−]?[.,]?[0-9]")
@@ -16,7 +16,7 @@ _MOST_PROBLEMS = 10
 """Problems told of one file; a file of another kind has one in every line."""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Table:
     """A table of numbers.
 
@@ -37,7 +37,7 @@ class Table:
     columns: tuple[tuple[int, ...], ...]
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class _Field:
     """A field of a line: its text without blanks and quotes, and its column from 1."""
 

@@ -1,7 +1,5 @@
 """What is asked of an articulated rod alone: which articulation angle would leave a dead centre unshifted."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from cranktrain.catalogue import quantity
@@ -10,20 +8,21 @@ from cranktrain.language import N_, _
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.kind import Members
 from cranktrain.motion import Array
+from cranktrain.record import record
 from cranktrain.wording import Names, shared
 
 _ROD = ("articulated_rod",)
 _THEORY = "docs/theory/articulated-rod"
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class ArticulatedRods(Members):
     """The articulated rods of a machine."""
 
     geometry: ArticulatedRod
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Articulation:
     """Where the knuckle pin stands, and where it would have to stand for an unshifted dead centre."""
 

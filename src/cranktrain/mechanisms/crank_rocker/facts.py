@@ -1,7 +1,5 @@
 """What is asked of a crank-rocker alone: its Grashof class and its transmission angle."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from cranktrain.catalogue import quantity
@@ -11,6 +9,7 @@ from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_roc
 from cranktrain.mechanisms.kind import Members
 from cranktrain.motion import Array
 from cranktrain.numerics import extremes
+from cranktrain.record import record
 from cranktrain.wording import Names, shared
 
 _LINKAGE = ("crank_rocker",)
@@ -27,14 +26,14 @@ CLASSES = (
 """Classes of the four-bar linkage by which link is shortest; `grashof_class` counts them from 0."""
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class CrankRockers(Members):
     """The crank-rockers of a machine."""
 
     geometry: CrankRocker
 
 
-@dataclass(frozen=True, eq=False)
+@record
 class Transmission:
     """Class of the linkage and extremes of the angle between rod and rocker."""
 

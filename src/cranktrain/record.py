@@ -1,0 +1,46 @@
+"""Data that does not change: `record`, as `dataclass(frozen=True, eq=False)` is, but quickly made."""
+
+from dataclasses import FrozenInstanceError, dataclass, field, fields
+from typing import Any, TypeVar, dataclass_transform
+
+__all__ = ["record"]
+
+Data = TypeVar("Data")
+
+
+@dataclass_transform(frozen_default=True, eq_default=False, field_specifiers=(field,))
+def record(data: type[Data]) -> type[Data]:
+    """Make a class of fields a frozen dataclass whose instances are equal only to themselves, as arrays ask for.
+
+    A frozen `dataclass` writes and compiles four functions for every class. With more than a hundred classes that is a
+    seventh of the time in which the terminal answers, so here all share three of the four.
+
+    Examples
+    --------
+    >>> @record
+    ... class Rod:
+    ...     length: float
+    >>> Rod(0.136)
+    Rod(length=0.136)
+    """
+    frozen: Any = dataclass(eq=False, repr=False)(data)
+    frozen.__setattr__, frozen.__delattr__, frozen.__repr__ = _set_once, _refuse, _shown
+    return frozen
+
+
+def _set_once(self: Any, name: str, value: object) -> None:
+    """Let `__init__` set each field, and nobody after it."""
+    if name in vars(self) or name not in self.__dataclass_fields__:
+        _refuse(self, name)
+    object.__setattr__(self, name, value)
+
+
+def _refuse(self: object, name: str) -> None:
+    """Refuse a change."""
+    raise FrozenInstanceError(f"{type(self).__name__} is frozen: {name} cannot be changed")
+
+
+def _shown(self: Any) -> str:
+    """Show class and fields."""
+    shown = (f"{each.name}={getattr(self, each.name)!r}" for each in fields(self))
+    return f"{type(self).__qualname__}({', '.join(shown)})"
