@@ -14,7 +14,7 @@ from cranktrain.study.polygons import velocity_polygons
 from cranktrain.study.zhukovsky import zhukovsky_lever
 from cranktrain.viz import plan_forces, plan_polar, plan_zhukovsky, save, sheet_forces
 from cranktrain.viz.force_panels import force_panels
-from cranktrain.viz.force_plans import force_polygon_sketch
+from cranktrain.viz.force_sketches import force_polygon_sketch
 from cranktrain.viz.pin_polar import polar_sketch
 from cranktrain.viz.zhukovsky_plan import lever_sketch
 
@@ -44,14 +44,18 @@ def test_lever_with_friction_is_readable(name):
 @pytest.mark.parametrize("name", [*ENGINES, "crank_rocker"])
 @pytest.mark.parametrize("draw", [plan_forces, plan_zhukovsky])
 def test_two_angles_are_readable(name, draw):
-    assert_words_are_readable(draw(WEIGHED[name], [30.0, 200.0]))
+    size = "A3" if name == "r_1340" else "A4"  # eight slaves load its master
+    assert_words_are_readable(draw(WEIGHED[name], [30.0, 200.0], size=size))
     with pytest.raises(InputError, match="3 crank angles: must be at most 2"):
         draw(WEIGHED[name], 3)
 
 
 def test_too_many_forces_for_the_paper():
-    with pytest.raises(InputError, match="has too many forces for this paper: ask for one crank angle, or for A3"):
-        plan_forces(WEIGHED["stephenson"], [30.0, 200.0])
+    """No room for the tables of a valve gear at two angles; the polygon of a radial's master would be a speck."""
+    for name in ("stephenson", "r_1340"):
+        with pytest.raises(InputError, match="has too many forces for this paper: ask for one crank angle, or for A3"):
+            plan_forces(WEIGHED[name], [30.0, 200.0])
+        assert_words_are_readable(plan_forces(WEIGHED[name], [30.0, 200.0], size="A3"))
 
 
 @pytest.mark.parametrize("name", [name for name in WEIGHED if name not in (*NO_ROD, "eccentric")])
@@ -118,13 +122,22 @@ def test_curves_are_the_results(results):
 
 
 def test_sides_of_a_drawn_polygon_are_to_scale():
-    """Drawn beside or not: length times μ_F is the force."""
+    """Drawn beside or not: length times μ_F is the force; parts of a reaction, then the whole, then chords."""
     for polygon in force_polygons(WEIGHED["r_1340"], [40.0], mechanism="1M"):
         sketch = force_polygon_sketch(polygon)
-        sides = [line.points for line in sketch.lines if not line.is_closed]
-        lengths = [float(np.hypot(*(side[:, 1] - side[:, 0]))) for side in sides]
-        expected = [force.size / polygon.scale for force in polygon.forces]
-        assert lengths == pytest.approx(expected, rel=1e-9, abs=1e-9)
+        lines = [line for line in sketch.lines if not line.is_closed]
+        lengths = [float(np.hypot(*(line.points[:, 1] - line.points[:, 0]))) for line in lines]
+        drawn = [*polygon.forces, *(span.force for span in (*polygon.wholes, *polygon.chords))]
+        assert lengths == pytest.approx([force.size / polygon.scale for force in drawn], rel=1e-9, abs=1e-9)
+        assert [line.habit for line in lines].count("chord") == len(polygon.chords)
+
+
+def test_sheet_of_polygons_says_what_it_shows():
+    words = [text for text, _box in words_of(plan_forces(WEIGHED["3d12"], [30.0]))]
+    for part in ("4, 5: group RRP", "3, 6: group RRP", "2: initial link", "3 master rod, 6 master slider", "about D"):
+        assert part in words
+    assert any("$F_{34}^{t}$" in text for text in words)
+    assert any(text.startswith("$\\mu_F$ = 500 N/mm") or "\\mu_F$ = 500 N/mm" in text for text in words)
 
 
 def test_drawn_lever_balances_about_its_pole():
