@@ -14,7 +14,7 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.study.acting import made_ready, member_of
 from cranktrain.study.assur_groups import GroupForces, PolygonForce, Span, group_forces
-from cranktrain.study.placement import place_called
+from cranktrain.study.placement import numbered_pin, places_called, together_name
 from cranktrain.study.plans import ROOM, closed_angles, fitting
 
 
@@ -106,7 +106,8 @@ def force_polygons(
     angles : int or sequence of float
         How many, evenly over a turn from the shown angle 0, or which. [deg]
     mechanism : str, optional
-        Its name, such as `1R`; unless given, the first slave of throw 1, or the first mechanism.
+        Its name, such as `1R`; unless given, the first slave of throw 1, or the first mechanism. Of a cylinder with
+        opposed pistons, by its name or unnamed, both: the second one's links have the next numbers.
     room : (width, height)
         For which the scale factor must suffice, polygon by polygon. [mm]
 
@@ -126,23 +127,33 @@ def force_polygons(
     Reactions are the exact ones of the joints; inertia is found apart from them, so that a polygon which did not close
     would be wrong. docs/theory/forces.
     """
-    place = place_called(machine, mechanism)
-    shown = closed_angles(machine, place, angles)
+    places = places_called(machine, mechanism)
+    shown = closed_angles(machine, places, angles)
     loaded = made_ready(machine)
-    found: list[tuple[float, GroupForces]] = []
+    found: list[tuple[str, float, GroupForces]] = []
     for angle in shown.tolist():
-        one = member_of(machine, loaded, place, np.deg2rad([angle]) + machine.zero)
-        found += [(angle, group) for group in group_forces(machine, one) if group.forces]
+        after = 1
+        for i, place in enumerate(places):
+            one = member_of(machine, loaded, place, np.deg2rad([angle]) + machine.zero)
+            groups = [_numbered(group, i) for group in group_forces(machine, one, after) if group.forces]
+            after = max((number for group in groups for number in group.numbers), default=after)
+            found += [(place.name, angle, group) for group in groups]
     if not found:
-        allowed = _("no force acts on the links of {name} there").format(name=place.name)
+        allowed = _("no force acts on the links of {name} there").format(name=together_name(places))
         raise InputError([Problem("", ", ".join(f"φ = {angle:g}°" for angle in shown), allowed)])
-    scale = fitting([_corners(group.forces) for _angle, group in found], room)
-    return tuple(_polygons(place.name, found, scale))
+    scale = fitting([_corners(group.forces) for _name, _angle, group in found], room)
+    return tuple(_polygons(found, scale))
 
 
-def _polygons(mechanism: str, found: Sequence[tuple[float, GroupForces]], scale: float) -> Iterator[ForcePolygon]:
+def _numbered(group: GroupForces, i: int) -> GroupForces:
+    """Call pins of one of several mechanisms as they are drawn together."""
+    forces = (force._replace(about=numbered_pin(force.about, i)) if force.about else force for force in group.forces)
+    return group._replace(forces=tuple(forces))
+
+
+def _polygons(found: Sequence[tuple[str, float, GroupForces]], scale: float) -> Iterator[ForcePolygon]:
     """Draw groups to scale."""
-    for angle, group in found:
+    for mechanism, angle, group in found:
         yield ForcePolygon(
             mechanism,
             group.sort,

@@ -9,7 +9,7 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.study.force_polygons import force_polygons
 from cranktrain.study.lettering import pin_letters
-from cranktrain.study.placement import place_called, placed
+from cranktrain.study.placement import placed_together, places_called
 from cranktrain.study.plans import position_plan
 from cranktrain.study.plans import rescaled as rescaled_plan
 from cranktrain.viz.force_rooms import draw_rows, fitting_pictures
@@ -43,9 +43,9 @@ def plan_forces(
     """
     chosen = [float(angle) for angle in few_angles(angles, _("polygons of forces"))]
     polygons = force_polygons(machine, chosen, mechanism=mechanism)
-    letters = pin_letters(placed(machine, place_called(machine, mechanism), np.zeros(1)))
+    letters = pin_letters(placed_together(machine, places_called(machine, mechanism), np.zeros(1)))
     with drawing_settings():
-        page, box = plan_page(machine, angles, size, _("Polygons of forces"), polygons[0].mechanism)
+        page, box = plan_page(machine, angles, size, _("Polygons of forces"), mechanism)
         cells = list(cells_of(box._replace(bottom=box.bottom + _FOOT - 4.0, height=box.height - _FOOT + 4.0), len(chosen)))
         groups = [[polygon for polygon in polygons if polygon.angle == angle] for angle in chosen]
         left = 0.24 * box.width

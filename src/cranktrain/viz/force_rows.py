@@ -38,7 +38,8 @@ class Row(NamedTuple):
 def tables(polygons: Sequence[ForcePolygon], height: float, letters: Mapping[str, str]) -> list[list[Row]]:
     """Divide the rows of all forces among tables that are as high as the room. [mm]"""
     room = int((height - _HEAD) / _LINE) - 1
-    rows = [row for polygon in polygons for row in _rows(polygon, letters)]
+    has_names = len({polygon.mechanism for polygon in polygons}) > 1
+    rows = [row for polygon in polygons for row in _rows(polygon, letters, has_names=has_names)]
     divided: list[list[Row]] = [[]]
     for row, following in zip(rows, [*rows[1:], None], strict=True):
         is_last = len(divided[-1]) == room - 1
@@ -77,9 +78,9 @@ def moment_words(polygon: ForcePolygon) -> str:
     return f"{mathematics('M_b')} = {figure(polygon.moment)} N·m"
 
 
-def _rows(polygon: ForcePolygon, letters: Mapping[str, str]) -> Iterator[Row]:
+def _rows(polygon: ForcePolygon, letters: Mapping[str, str], *, has_names: bool) -> Iterator[Row]:
     """Every force of a group: its sides by their numbers, then whole reactions and those in inner joints."""
-    for line in _headings(polygon):
+    for line in _headings(polygon, has_names=has_names):
         yield Row((line,), is_heading=True)
     for i, force in enumerate(polygon.forces):
         yield _row(polygon, force, str(i + 1), letters)
@@ -87,12 +88,14 @@ def _rows(polygon: ForcePolygon, letters: Mapping[str, str]) -> Iterator[Row]:
         yield _row(polygon, span.force, "", letters)
 
 
-def _headings(polygon: ForcePolygon) -> Iterator[str]:
-    """Numbers and names of a group's links, on as many lines as they need."""
+def _headings(polygon: ForcePolygon, *, has_names: bool) -> Iterator[str]:
+    """Numbers and names of a group's links, on as many lines as they need; of several mechanisms theirs too."""
     line = ""
     named = [
         f"{number} {link.replace('_', ' ')}" for number, link in zip(polygon.numbers, polygon.links, strict=True)
     ]
+    if has_names:
+        named[0] = f"{polygon.mechanism}: {named[0]}"
     for words in named:
         if line and len(line) + len(words) + 2 > _HEADING:
             yield f"{line},"

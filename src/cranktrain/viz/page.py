@@ -1,5 +1,6 @@
 """A sheet of paper: a figure on which everything is placed in millimetres, and a sketch drawn on it to scale."""
 
+import re
 from collections.abc import Generator, Sequence
 from contextlib import contextmanager
 from importlib import import_module
@@ -27,6 +28,9 @@ _LABEL = 2.5
 
 _LETTERS = 2
 """So many letters side by side are pins; more are a word."""
+
+_NUMBERED = re.compile(r"([^\W\d_])(\d+)")
+"""A pin of several alike: its number is an index."""
 
 _SCALES = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.5, 10.0)
 
@@ -219,6 +223,9 @@ def mathematics(symbol: str) -> str:
 def _letters_or_word(name: str) -> str:
     """Leave letters as they are; set a word upright. A prime's own sign is larger than what ' becomes."""
     bare = name.rstrip("'")
+    numbered = _NUMBERED.fullmatch(bare)
+    if numbered:
+        return f"{numbered[1]}_{{{numbered[2]}}}{'′' * (len(name) - len(bare))}"
     primes = "′" * (len(name) - len(bare))
     if len(bare.replace("'", "")) <= _LETTERS and "_" not in bare:
         return bare.replace("'", "′") + primes

@@ -54,8 +54,9 @@ def plan_zhukovsky(
     """Draw Zhukovsky's lever; parameters as `plan_forces` takes them, two angles at most."""
     chosen = [float(angle) for angle in few_angles(angles, _("Zhukovsky's lever"))]
     levers = [zhukovsky_lever(machine, angle, mechanism=mechanism) for angle in chosen]
+    mechanism = levers[0].mechanism
     with drawing_settings():
-        page, box = plan_page(machine, angles, size, _("Zhukovsky's lever"), levers[0].mechanism)
+        page, box = plan_page(machine, angles, size, _("Zhukovsky's lever"), mechanism)
         cells = list(cells_of(box, len(chosen)))
         left, middle = 0.26 * box.width, 0.46 * box.width
         height = cells[0].height
