@@ -97,7 +97,7 @@ def member_of(machine: Machine, loaded: LoadedMachine, place: Place, angle: Arra
 
 
 def link_numbers(place: Place, after: int = 1) -> dict[str, int]:
-    """Number the bodies of a mechanism: 1 the frame, then after a number crank, a slave's master rod, what else moves."""
+    """Number bodies: 1 the frame; after a number crank, a slave's master rod, what else moves."""
     dynamics = place.kind.dynamics
     joined = [body for reaction in dynamics.reactions for body in (reaction.on, reaction.by)]
     first = (name for name in ("crank", MASTER_ROD) if name in joined)

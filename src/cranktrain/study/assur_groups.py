@@ -4,7 +4,7 @@ Link by link, so that a reaction in an inner joint is a chord: it closes the par
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -20,58 +20,12 @@ from cranktrain.study.acted_links import (
     seen_by_itself,
     seen_by_slave,
 )
-from cranktrain.study.acting import Cause, Force, Member, pair_symbol, turned_to_machine
+from cranktrain.study.acting import Force, Member, pair_symbol, turned_to_machine
+from cranktrain.study.force_sides import INITIAL, GroupForces, PolygonForce, Span
 from cranktrain.study.rubbing import friction_on_links
-
-INITIAL = "initial"
-"""Sort of the link that no group is: the crank, which gets the balancing moment."""
 
 _NOTHING = 1e-9
 """A force less than this part of the mechanism's largest is none."""
-
-
-class PolygonForce(NamedTuple):
-    """A side of a polygon of forces.
-
-    Symbol, cause, joint of a reaction, link on which it acts, exact X and Y [N]; of a part that moments give, the pin
-    about which they are taken.
-    """
-
-    symbol: str
-    cause: Cause
-    joint: str
-    link: str
-    value: tuple[float, float]
-    about: str = ""
-
-    @property
-    def size(self) -> float:
-        """Size of the force. [N]"""
-        return float(np.hypot(*self.value))
-
-
-class Span(NamedTuple):
-    """A force between two corners of a polygon, which are counted from its start.
-
-    A reaction of which the sides between them are the parts; or the reaction in an inner joint: a chord.
-    """
-
-    force: PolygonForce
-    by: str
-    start: int
-    end: int
-
-
-class GroupForces(NamedTuple):
-    """What acts on a group, head to tail; its links' names and numbers; a crank's balancing moment [N·m], else NaN."""
-
-    sort: str
-    links: tuple[str, ...]
-    numbers: tuple[int, ...]
-    forces: tuple[PolygonForce, ...]
-    wholes: tuple[Span, ...]
-    chords: tuple[Span, ...]
-    moment: float
 
 
 class _Arc(NamedTuple):
@@ -155,23 +109,28 @@ class _Laying(NamedTuple):
         )
 
     def _arc(self, name: str, group: Group) -> _Arc:
-        """Sort the forces on a link of a group."""
-        found: tuple[list[PolygonForce], ...] = ([], [], [])
+        """Sort the forces on a link of a group; of reactions in inner joints there is none."""
+        first: list[PolygonForce] = []
+        known: list[PolygonForce] = []
+        last: list[PolygonForce] = []
         for force in self.links[name].forces:
             reaction = self._reaction(force.joint)
-            if reaction is None or not {reaction.on, reaction.by} <= {*group.links}:
-                is_known = reaction is None or reaction.on != name
-                parts = [self._side(name, force)] if is_known else self._parts(name, force, reaction, group)
-                for part in parts:
-                    if part.size > self.least:
-                        found[0 if part.about else 1 if is_known else 2].append(part)
-        return _Arc(*map(tuple, found))
+            if reaction is not None and {reaction.on, reaction.by} <= {*group.links}:
+                continue
+            if reaction is None or reaction.on != name:
+                known.append(self._side(name, force))
+                continue
+            for part in self._parts(name, force, reaction, group):
+                (first if part.about else last).append(part)
+        return _Arc(*(tuple(side for side in sides if side.size > self.least) for sides in (first, known, last)))
 
     def _reaction(self, joint: str) -> Reaction | None:
         """Find one of the mechanism's own joints."""
         return next((one for one in self.seen.one.dynamics.reactions if one.name == joint), None)
 
-    def _side(self, name: str, force: Force, mark: str = "", value: Array | None = None, about: str = "") -> PolygonForce:
+    def _side(
+        self, name: str, force: Force, mark: str = "", value: Array | None = None, about: str = ""
+    ) -> PolygonForce:
         """Give a force, or a part of it."""
         x, y = map(float, force.value[:, 0] if value is None else value)
         return PolygonForce(f"{force.symbol}{mark}", force.cause, force.joint, self.seen.names[name], (x, y), about)

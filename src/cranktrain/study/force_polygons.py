@@ -13,9 +13,10 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.study.acting import made_ready, member_of
-from cranktrain.study.assur_groups import GroupForces, PolygonForce, Span, group_forces
-from cranktrain.study.placement import numbered_pin, places_called, together_name
+from cranktrain.study.assur_groups import group_forces
+from cranktrain.study.force_sides import GroupForces, PolygonForce, Span
 from cranktrain.study.plans import ROOM, closed_angles, fitting
+from cranktrain.study.together import numbered_pin, places_called, together_name
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,6 @@
 """The mechanisms of a machine where they stand: pins and their derivatives in machine axes."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -17,7 +17,6 @@ from cranktrain.machine import Machine
 from cranktrain.mechanisms.kind import Drawing, Guide
 from cranktrain.motion import Array, Coefficient, Point, single
 from cranktrain.numerics import turn_grid
-from cranktrain.study.lettering import renamed
 
 
 def first_throw(machine: Machine) -> tuple[Place, ...]:
@@ -104,37 +103,6 @@ def _bore(machine: Machine, place: Place, motion: Array) -> float:
     return 0.6 * float(np.ptp(motion[np.isfinite(motion)])) if bore is None else bore.si
 
 
-def places_called(machine: Machine, name: str | None) -> tuple[Place, ...]:
-    """Find the mechanisms that a plan shows: one; of a cylinder with opposed pistons those of both.
-
-    A cylinder is meant by its name, or where nothing is named. One whose shaft stands nowhere known is left out, and one
-    that is driven from the other side by side rods.
-
-    Raises
-    ------
-    InputError
-        If nothing has that name.
-
-    Examples
-    --------
-    >>> crank = {"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "200 mm"}
-    >>> pistons = {"exhaust": {"mechanism": crank}, "scavenge": {"mechanism": crank, "shaft": "upper"}}
-    >>> engine = Machine(shaft={"upper": {}}, bank={"A": {**pistons, "lead": "0 deg"}})
-    >>> [[place.name for place in places_called(engine, name)] for name in (None, "1", "1.scavenge")]
-    [['1.exhaust', '1.scavenge'], ['1.exhaust', '1.scavenge'], ['1.scavenge']]
-    """
-    first = place_called(machine, name)
-    if name == first.name:
-        return (first,)
-    centres = shaft_places(machine).centres
-    others = (
-        place
-        for place in machine.places
-        if place.cylinder == first.cylinder and not place.is_far and place.shaft in centres and place is not first
-    )
-    return (first, *(others if first.shaft in centres else ()))
-
-
 def place_called(machine: Machine, name: str | None) -> Place:
     """Find a place by its name, or the first one by its cylinder's.
 
@@ -202,55 +170,6 @@ def placed(machine: Machine, place: Place, angle: Array) -> Drawing:
         for guide in own.guides
     ]
     return replace(own, pins=pins, guides=guides)
-
-
-def placed_together(machine: Machine, places: Sequence[Place], angle: Array) -> Drawing:
-    """Give the drawing of several places in machine axes about the first one's shaft.
-
-    Parameters
-    ----------
-    machine : Machine
-    places : sequence of Place
-        On shafts that stand somewhere known.
-    angle : Array, shape (n,)
-        φ of the machine. [rad]
-
-    Returns
-    -------
-    Drawing
-        Pins of the second place have its number: `A2`.
-    """
-    if len(places) == 1:
-        return placed(machine, places[0], angle)
-    centres = shaft_places(machine).centres
-    parts: list[Drawing] = []
-    for i, place in enumerate(places):
-        drawing = placed(machine, place, angle)
-        away = np.ravel(centres[place.shaft] - centres[places[0].shaft])
-        pins = {name: _moved(pin, away) for name, pin in drawing.pins.items()}
-        parts.append(renamed(replace(drawing, pins=pins), {name: numbered_pin(name, i) for name in pins}))
-    return Drawing(
-        pins={name: pin for part in parts for name, pin in part.pins.items()},
-        **{
-            field: tuple(one for part in parts for one in getattr(part, field))
-            for field in ("links", "guides", "fixed", "paths", "blocks", "ends")
-        },
-    )
-
-
-def numbered_pin(name: str, i: int) -> str:
-    """Name of a pin of one of several places that are drawn together."""
-    return f"{name}{i + 1}" if i else name
-
-
-def together_name(places: Sequence[Place]) -> str:
-    """Name of what is drawn together: a mechanism, or a cylinder."""
-    return places[0].name if len(places) == 1 else places[0].cylinder
-
-
-def _moved(pin: Point, away: Array) -> Point:
-    """Move a point."""
-    return Point(*(part._replace(value=part.value + away[i]) for i, part in enumerate(pin)))
 
 
 def output_motion(machine: Machine, place: Place, angle: Array) -> Coefficient:

@@ -15,7 +15,8 @@ from cranktrain.machine import Machine
 from cranktrain.mechanisms.kind import Drawing
 from cranktrain.motion import Array
 from cranktrain.study.lettering import lettered
-from cranktrain.study.placement import placed_together, places_called, slider_crank_called, together_name
+from cranktrain.study.placement import slider_crank_called
+from cranktrain.study.together import placed_together, places_called, together_name
 
 ROOM = (80.0, 80.0)
 """Width and height for which a scale is chosen, unless given. [mm]"""
@@ -110,7 +111,9 @@ def closed_angles(machine: Machine, places: Sequence[Place], angles: int | Seque
     if np.all(closed) or (isinstance(angles, int) and np.any(closed)):
         return shown[closed]
     there = ", ".join(f"φ = {angle:g}°" for angle in shown[~closed])
-    raise InputError([Problem("", there, _("the links of {name} cannot close there").format(name=together_name(places)))])
+    raise InputError(
+        [Problem("", there, _("the links of {name} cannot close there").format(name=together_name(places)))]
+    )
 
 
 def rescaled(plan: PositionPlan, scale: float) -> PositionPlan:

@@ -13,8 +13,8 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.study.lettering import lettered
-from cranktrain.study.placement import placed_together, places_called, together_name
 from cranktrain.study.plans import ROOM, closed_angles, fitting
+from cranktrain.study.together import placed_together, places_called, together_name
 from cranktrain.study.vectors import POLE, Quantity, Vector, plan_vectors
 
 

@@ -6,8 +6,8 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.study.assur_groups import INITIAL
 from cranktrain.study.force_polygons import ForcePolygon, rescaled
+from cranktrain.study.force_sides import INITIAL
 from cranktrain.study.plans import fitting, rounded_scale
 from cranktrain.viz.force_rows import group_words, moment_words
 from cranktrain.viz.force_sketches import force_polygon_sketch

@@ -4,8 +4,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from cranktrain.language import _
-from cranktrain.study.assur_groups import INITIAL, PolygonForce
 from cranktrain.study.force_polygons import ForcePolygon
+from cranktrain.study.force_sides import INITIAL, PolygonForce
 from cranktrain.study.vectors import spoken_name
 from cranktrain.viz.page import Page, mathematics
 from cranktrain.viz.plan_sheet import figure
@@ -91,9 +91,7 @@ def _rows(polygon: ForcePolygon, letters: Mapping[str, str], *, has_names: bool)
 def _headings(polygon: ForcePolygon, *, has_names: bool) -> Iterator[str]:
     """Numbers and names of a group's links, on as many lines as they need; of several mechanisms theirs too."""
     line = ""
-    named = [
-        f"{number} {link.replace('_', ' ')}" for number, link in zip(polygon.numbers, polygon.links, strict=True)
-    ]
+    named = [f"{number} {link.replace('_', ' ')}" for number, link in zip(polygon.numbers, polygon.links, strict=True)]
     if has_names:
         named[0] = f"{polygon.mechanism}: {named[0]}"
     for words in named:

@@ -6,8 +6,8 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.study.assur_groups import PolygonForce
 from cranktrain.study.force_polygons import ForcePolygon
+from cranktrain.study.force_sides import PolygonForce
 from cranktrain.viz import shapes
 from cranktrain.viz.labels import Wish, placed_labels
 from cranktrain.viz.sketch import Circle, Habit, Line, Sketch
@@ -24,6 +24,9 @@ _APART = 1.0
 _ASIDE, _OVER = 0.9, 0.85
 """How far a line stands beside one that it would cover, and how near it may run to one that it does not. [mm]"""
 
+_PLACES, _CLEAR = (0.5, 0.36, 0.64, 0.22, 0.78), 7.0
+"""Where along a force its symbol may be; other lines at such a distance are far enough. [mm]"""
+
 _LEAST = 1e-9
 """Of a length by which is divided. [mm]"""
 
@@ -38,42 +41,60 @@ class _Drawn(NamedTuple):
     habit: Habit
     middle: float
 
+    @property
+    def length(self) -> float:
+        """Length on paper. [mm]"""
+        return float(np.hypot(*(self.end - self.start)))
+
+    @property
+    def direction(self) -> float:
+        """Direction from X. [rad]"""
+        return float(np.arctan2(*(self.end - self.start)[::-1]))
+
 
 def force_polygon_sketch(polygon: ForcePolygon) -> Sketch:
     """Polygon in drawing millimetres from a ring: inertia dashed, parts of a reaction thin, chords dash-dotted."""
     sketch = Sketch(1.0)
-    middle = np.mean(polygon.corners, axis=1)
-    wishes: list[Wish] = []
+    drawn = list(_to_draw(polygon))
     lines: list[Array] = []
-    for one in _to_draw(polygon):
-        length = float(np.hypot(*(one.end - one.start)))
-        ends = _beside(np.stack([one.start, one.end], axis=1), lines)
-        lines.append(ends)
-        sketch.add([Line(ends, "LINKS", one.habit, 3)])
-        direction = one.end - one.start
-        along = float(np.arctan2(direction[1], direction[0]))
-        if length > _HEADED:
-            sketch.add([shapes.arrowhead(ends[:, 1], along, 2.0)])
-        half = ends @ np.array([1.0 - one.middle, one.middle])
-        towards = _outward(half - middle, along)
-        if length > _SYMBOL:
-            wishes.append(Wish(half, one.force.symbol, towards))
-        elif length > _SEEN and one.number:
-            wishes.append(Wish(half, str(one.number), towards, "number"))
+    for one in drawn:
+        lines.append(_beside(np.stack([one.start, one.end], axis=1), lines))
+        sketch.add([Line(lines[-1], "LINKS", one.habit, 3)])
+        if one.length > _HEADED:
+            sketch.add([shapes.arrowhead(lines[-1][:, 1], one.direction, 2.0)])
     sketch.add([Circle(polygon.corners[:, 0], 0.7, "LINKS", "outline", 6, "paper")])
+    wishes = list(_wishes(drawn, lines, np.mean(polygon.corners, axis=1)))
     if wishes:
         sketch.add(placed_labels(wishes, list(sketch.outline()), 1.0))
     return sketch
 
 
+def _wishes(drawn: Sequence[_Drawn], lines: Sequence[Array], middle: Array) -> Iterator[Wish]:
+    """Symbols of forces, or numbers of short ones, where other lines are farthest."""
+    for i, (one, line) in enumerate(zip(drawn, lines, strict=True)):
+        others = [other for j, other in enumerate(lines) if j != i]
+        places = sorted(_PLACES, key=lambda place, own=one.middle: abs(place - own))
+        points = [line @ np.array([1.0 - place, place]) for place in places]
+        rooms = [min((_distance(point, other) for other in others), default=_CLEAR) for point in points]
+        point = points[int(np.argmax(np.round(np.minimum(rooms, _CLEAR))))]
+        towards = _outward(point - middle, one.direction)
+        if one.length > _SYMBOL:
+            yield Wish(point, one.force.symbol, towards)
+        elif one.length > _SEEN and one.number:
+            yield Wish(point, str(one.number), towards, "number")
+
+
+def _distance(point: Array, line: Array) -> float:
+    """How far a point is from a line between two others. [mm]"""
+    along = line[:, 1] - line[:, 0]
+    share = float(np.clip(along @ (point - line[:, 0]) / max(float(along @ along), _LEAST), 0.0, 1.0))
+    return float(np.hypot(*(line[:, 0] + share * along - point)))
+
+
 def _to_draw(polygon: ForcePolygon) -> Iterator[_Drawn]:
     """Sides, then whole reactions, then chords."""
     corners = polygon.corners.T
-    wholes = [
-        span
-        for span in polygon.wholes
-        if min(polygon.length(part) for part in polygon.parts(span)) > _APART
-    ]
+    wholes = [span for span in polygon.wholes if min(polygon.length(part) for part in polygon.parts(span)) > _APART]
     split = {span.force.joint for span in wholes}
     for i, force in enumerate(polygon.forces):
         is_part = force.cause == "reaction" and force.joint in split

@@ -29,7 +29,7 @@ _LABEL = 2.5
 _LETTERS = 2
 """So many letters side by side are pins; more are a word."""
 
-_NUMBERED = re.compile(r"([^\W\d_])(\d+)")
+_NUMBERED = re.compile(r"([^\W\d_])(\d+)('*)")
 """A pin of several alike: its number is an index."""
 
 _SCALES = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.5, 10.0)
@@ -217,15 +217,15 @@ def mathematics(symbol: str) -> str:
     head, _mark, rest = symbol.partition("_")
     index, _mark, exponent = rest.partition("^")
     set_index = ",".join(map(_letters_or_word, index.split(",")))
+    numbered = _NUMBERED.fullmatch(head)
+    if numbered and not index:
+        return f"${numbered[1]}_{{{numbered[2]}}}{'′' * len(numbered[3])}$"
     return f"${_letters_or_word(head)}{f'_{{{set_index}}}' if index else ''}{f'^{{{exponent}}}' if exponent else ''}$"
 
 
 def _letters_or_word(name: str) -> str:
     """Leave letters as they are; set a word upright. A prime's own sign is larger than what ' becomes."""
     bare = name.rstrip("'")
-    numbered = _NUMBERED.fullmatch(bare)
-    if numbered:
-        return f"{numbered[1]}_{{{numbered[2]}}}{'′' * (len(name) - len(bare))}"
     primes = "′" * (len(name) - len(bare))
     if len(bare.replace("'", "")) <= _LETTERS and "_" not in bare:
         return bare.replace("'", "′") + primes

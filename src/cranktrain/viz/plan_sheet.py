@@ -10,8 +10,8 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.study.lettering import pin_letters
-from cranktrain.study.placement import placed_together, places_called, together_name
 from cranktrain.study.plans import plan_angles
+from cranktrain.study.together import placed_together, places_called, together_name
 from cranktrain.study.vectors import spoken_name
 from cranktrain.viz.machine_sheet import title_block
 from cranktrain.viz.page import MARGIN, Page, muted, paper, scale_words
@@ -139,7 +139,7 @@ def write_table(
     for number, row in enumerate(rows):
         for column, words in enumerate(row):
             share = shares[column - 1] if shares else 0.1 + 0.9 * column / (columns - 1)
-            is_symbol = words.startswith("$")
+            is_symbol = words.startswith("$") and words.endswith("$")
             page.text(
                 left if column == 0 else left + width * share,
                 y,

@@ -11,7 +11,7 @@ from cranktrain.motion import Array
 from cranktrain.quantities import shown
 from cranktrain.study.klein import Klein, klein
 from cranktrain.study.lettering import lettered
-from cranktrain.study.placement import output_motion, places_called
+from cranktrain.study.placement import output_motion
 from cranktrain.study.plans import (
     PositionPlan,
     closed_angles,
@@ -22,6 +22,7 @@ from cranktrain.study.plans import (
     track,
 )
 from cranktrain.study.polygons import Polygon, acceleration_polygons, velocity_polygons
+from cranktrain.study.together import places_called
 from cranktrain.study.vectors import Vector
 from cranktrain.viz.page import Figure, Page, drawing_settings, mathematics, muted
 from cranktrain.viz.plan_sheet import (

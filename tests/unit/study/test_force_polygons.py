@@ -23,7 +23,7 @@ def members(machine):
 
 @pytest.mark.parametrize("name", MACHINES)
 def test_polygons_close(name):
-    """Inertia is found apart from the reactions, so that only right ones close a polygon, and each link's part of it."""
+    """Inertia is found apart from the reactions, so that only right ones close polygons and links' parts of them."""
     for mechanism in members(MACHINES[name]):
         found = force_polygons(MACHINES[name], ANGLES, mechanism=mechanism)
         assert {polygon.angle for polygon in found} == set(ANGLES)
@@ -112,6 +112,26 @@ def test_balancing_moment():
     x, y = radius * np.sin(angle), radius * np.cos(angle)
     assert crank.moment == pytest.approx(x * load.value[1] - y * load.value[0], rel=1e-12)
     assert np.add(load.value, bearing.value) == pytest.approx((0.0, 0.0), abs=1e-9)
+
+
+@pytest.mark.parametrize("name", ["10d100", "deltic"])
+def test_opposed_pistons(name):
+    """The gas presses both apart alike; both cranks together take the cylinder's torque."""
+    engine = ct.load(name)
+    polygons = force_polygons(engine, [40.0])
+    assert [polygon.numbers for polygon in polygons] == [(3, 4), (2,), (6, 7), (5,)]
+    assert max(polygon.gap for polygon in polygons) < 1e-12
+    loads = [force.value for polygon in polygons for force in polygon.forces if force.cause == "load"]
+    assert np.sum(loads, axis=0) == pytest.approx((0.0, 0.0), abs=1e-6)
+    mechanisms = list(dict.fromkeys(polygon.mechanism for polygon in polygons))
+    result = ct.run(engine, step_degrees=10.0, quantities=("mechanism_torque",))
+    at = result.crank_angle.tolist().index(40.0)
+    torques = [result.mechanism_torque[result.labels["mechanism"].index(one), at] for one in mechanisms]
+    moments = [polygon.moment for polygon in polygons if polygon.sort == "initial"]
+    assert moments == pytest.approx([-torque for torque in torques], rel=1e-10)
+    assert [force.about for force in polygons[2].forces if force.about] == ["B2"]
+    alone = force_polygons(engine, [40.0], mechanism=mechanisms[1])
+    assert [force.value for force in alone[0].forces] == [force.value for force in polygons[2].forces]
 
 
 @pytest.mark.parametrize("friction", [0.0, 0.12])

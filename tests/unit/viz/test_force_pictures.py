@@ -12,9 +12,19 @@ from cranktrain.study.force_polygons import force_polygons
 from cranktrain.study.pin_loads import pin_loads
 from cranktrain.study.polygons import velocity_polygons
 from cranktrain.study.zhukovsky import zhukovsky_lever
-from cranktrain.viz import plan_forces, plan_polar, plan_zhukovsky, save, sheet_forces
+from cranktrain.viz import (
+    plan_accelerations,
+    plan_forces,
+    plan_polar,
+    plan_positions,
+    plan_velocities,
+    plan_zhukovsky,
+    save,
+    sheet_forces,
+)
 from cranktrain.viz.force_panels import force_panels
 from cranktrain.viz.force_sketches import force_polygon_sketch
+from cranktrain.viz.labels import label_outline
 from cranktrain.viz.pin_polar import polar_sketch
 from cranktrain.viz.zhukovsky_plan import lever_sketch
 
@@ -165,6 +175,44 @@ def test_polar_curves_are_to_scale():
     assert full[:, -1] == pytest.approx(full[:, 0])
     words = [label.text for label in sketch.labels]
     assert "0°" in words and "5" in words
+
+
+@pytest.mark.parametrize("name", ["10d100", "vaz_21213"])
+def test_no_angle_stands_over_a_mark(name):
+    """Neither over the ring of the largest load."""
+    loads = pin_loads(ct.load(name))
+    for pair in ((loads.on_pin, loads.on_pin_without), (loads.in_rod, loads.in_rod_without)):
+        sketch = polar_sketch(loads, pair, 2000.0 if name == "10d100" else 400.0)
+        ring = max(sketch.circles, key=lambda circle: circle.radius)
+        for label in sketch.labels:
+            box = label_outline(label, 1.0)
+            nearest = np.clip(ring.centre, np.min(box, axis=1), np.max(box, axis=1))
+            assert np.hypot(*(nearest - ring.centre)) >= ring.radius, label.text
+
+
+def test_lever_says_what_is_too_short_to_be_drawn():
+    """All that rubs in an engine is small beside the gas."""
+    words = [text for text, _box in words_of(plan_zhukovsky(rubbing(WEIGHED["vaz_21213"]), [30.0]))]
+    assert "Too short to be drawn:" in words
+    assert words[words.index("Too short to be drawn:") + 1] == "$f_{14}$"
+
+
+def test_a_valve_gears_lever_with_friction_needs_larger_paper():
+    gear = rubbing(WEIGHED["walschaerts"])
+    with pytest.raises(InputError, match="has too many forces for A4: ask for A3, --size A3"):
+        plan_zhukovsky(gear, [60.0], mechanism="1valve")
+    assert_words_are_readable(plan_zhukovsky(gear, [60.0], mechanism="1valve", size="A3"))
+    with pytest.raises(InputError, match=r"has too many forces for this paper: ask for one crank angle$"):
+        plan_zhukovsky(gear, [60.0, 200.0], mechanism="1valve", size="A3")
+
+
+@pytest.mark.parametrize("draw", [plan_forces, plan_positions, plan_velocities, plan_accelerations])
+@pytest.mark.parametrize("name", ["10d100", "deltic"])
+def test_plans_of_opposed_pistons_are_readable(name, draw):
+    figure = draw(ct.load(name))
+    assert_words_are_readable(figure)
+    words = " | ".join(text for text, _box in words_of(figure))
+    assert f", cylinder {'1' if name == '10d100' else '1A'}. " in words
 
 
 @pytest.mark.parametrize("name", ["vaz_21213", "3d12", "r_1340", "deltic"])
