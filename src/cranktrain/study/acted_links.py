@@ -5,12 +5,12 @@ All axes are the machine's, X right and Y up, seen from the free end.
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from cranktrain.machine import Machine
-from cranktrain.mechanisms.kind import Dynamics, Reaction
+from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
 from cranktrain.motion import Array
 from cranktrain.study.acting import (
     MASTER_ROD,
@@ -23,16 +23,8 @@ from cranktrain.study.acting import (
     turned_to_machine,
 )
 
-_ROD, _MASTER = "rod", "master_"
-"""What a master calls its own rod; before what its slaves call its links."""
-
-
-class ActedLink(NamedTuple):
-    """A link: its name, its number, the forces on it: those that are known first, then reactions."""
-
-    name: str
-    number: int
-    forces: tuple[Force, ...]
+_CRANK, _ROD, _MASTER = "crank", "rod", "master_"
+"""What a master calls its crank and rod; before what its slaves call its rod and slider."""
 
 
 @dataclass(frozen=True)
@@ -64,9 +56,7 @@ def seen_by_itself(one: Member, after: int = 1) -> Seen:
 def seen_by_slave(master: Member, slave: Seen) -> Seen:
     """Give a master with the numbers that its slave has for its links."""
     own = link_numbers(master.place)
-    names = {name: name if name in slave.numbers else f"{_MASTER}{name}" for name in own}
-    # A slave's own rod has the name that the master's has.
-    names |= {_ROD: MASTER_ROD, "slider": f"{_MASTER}slider"}
+    names = {name: name if name in (FRAME, _CRANK) else f"{_MASTER}{name}" for name in own}
     numbers = {name: slave.numbers[names[name]] for name in own}
     return Seen(master, numbers, names, {slave.one.place.name: slave.numbers[_ROD]})
 
@@ -82,8 +72,8 @@ def master_of(machine: Machine, slave: Member) -> Member | None:
     return member_of(machine, loaded, place, slave.angle)
 
 
-def acted_links(machine: Machine, seen: Seen) -> dict[str, ActedLink]:
-    """Give the links of a mechanism with all that acts on them.
+def acted_links(machine: Machine, seen: Seen) -> dict[str, tuple[Force, ...]]:
+    """Give all that acts on the links of a mechanism: what is known first, then reactions.
 
     Parameters
     ----------
@@ -92,10 +82,10 @@ def acted_links(machine: Machine, seen: Seen) -> dict[str, ActedLink]:
 
     Returns
     -------
-    dict of str to ActedLink
-        By the mechanism's own names; further cranks of a shaft are one body with the first. Reactions are the exact
-        ones of the whole machine: a master's hold what its slaves do to it, the forces of whose rods on the master's
-        are named for them, `F_1R`, unless the slave's rod has a number.
+    dict of str to tuple of Force
+        By the links' names; further cranks of a shaft are one body with the first. Reactions are the exact ones of the
+        whole machine: a master's hold what its slaves do to it, the forces of whose rods on the master's are named for
+        them, `F_1R`, unless the slave's rod has a number.
     """
     one, numbers = seen.one, seen.numbers
     solved = one.loaded.solved(one.angle)
@@ -108,7 +98,7 @@ def acted_links(machine: Machine, seen: Seen) -> dict[str, ActedLink]:
             found[body] += _hanging(machine, seen, solved)
     for name, body in bodies.items():
         found[body] += _reactions_on(name, reactions, numbers)
-    return {body: ActedLink(seen.names[body], numbers[body], tuple(forces)) for body, forces in found.items()}
+    return {body: tuple(forces) for body, forces in found.items()}
 
 
 def _on_shaft(dynamics: Dynamics) -> dict[str, str]:

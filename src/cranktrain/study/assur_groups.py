@@ -12,7 +12,6 @@ from cranktrain.machine import Machine
 from cranktrain.mechanisms.kind import Group, Reaction
 from cranktrain.motion import Array
 from cranktrain.study.acted_links import (
-    ActedLink,
     Seen,
     acted_links,
     cranks_of,
@@ -64,7 +63,7 @@ def _of_mechanism(machine: Machine, seen: Seen) -> Iterator[GroupForces]:
     """Forces on one mechanism's groups and crank."""
     one = seen.one
     links = acted_links(machine, seen)
-    largest = max(float(np.max(np.hypot(*force.value))) for link in links.values() for force in link.forces)
+    largest = max(float(np.max(np.hypot(*force.value))) for forces in links.values() for force in forces)
     laying = _Laying(machine, seen, links, _friction(machine, seen), _NOTHING * largest)
     cranks = cranks_of(one.dynamics)
     groups = [*reversed(one.dynamics.groups), *([Group(INITIAL, cranks)] if cranks else [])]
@@ -86,7 +85,7 @@ class _Laying(NamedTuple):
 
     machine: Machine
     seen: Seen
-    links: Mapping[str, ActedLink]
+    links: Mapping[str, tuple[Force, ...]]
     friction: Mapping[tuple[str, str], Array]
     least: float
 
@@ -113,7 +112,7 @@ class _Laying(NamedTuple):
         first: list[PolygonForce] = []
         known: list[PolygonForce] = []
         last: list[PolygonForce] = []
-        for force in self.links[name].forces:
+        for force in self.links[name]:
             reaction = self._reaction(force.joint)
             if reaction is not None and {reaction.on, reaction.by} <= {*group.links}:
                 continue
@@ -167,7 +166,7 @@ class _Laying(NamedTuple):
     def _wholes(self, own: Sequence[str], sides: Sequence[PolygonForce]) -> Iterator[Span]:
         """Give the reactions whose parts are sides."""
         for name in own:
-            for force in self.links[name].forces:
+            for force in self.links[name]:
                 reaction = self._reaction(force.joint)
                 at = [i for i, side in enumerate(sides) if side.cause == "reaction" and side.joint == force.joint]
                 if reaction is not None and len(at) == 2 and sides[at[0]].link == self.seen.names[name]:
@@ -180,7 +179,7 @@ class _Laying(NamedTuple):
         joined = [name for one in inner for name in (one.on, one.by)]
         for one in inner:
             name, by = (one.on, one.by) if joined.count(one.on) == 1 else (one.by, one.on)
-            force = next(force for force in self.links[name].forces if force.joint == one.name)
+            force = next(force for force in self.links[name] if force.joint == one.name)
             side = self._side(name, force)
             if side.size > self.least:
                 start, end = ends[name]

@@ -197,13 +197,37 @@ def test_lever_says_what_is_too_short_to_be_drawn():
     assert words[words.index("Too short to be drawn:") + 1] == "$f_{14}$"
 
 
-def test_a_valve_gears_lever_with_friction_needs_larger_paper():
+def test_a_valve_gears_lever_with_friction_is_readable():
     gear = rubbing(WEIGHED["walschaerts"])
-    with pytest.raises(InputError, match="has too many forces for A4: ask for A3, --size A3"):
-        plan_zhukovsky(gear, [60.0], mechanism="1valve")
-    assert_words_are_readable(plan_zhukovsky(gear, [60.0], mechanism="1valve", size="A3"))
+    assert_words_are_readable(plan_zhukovsky(gear, [60.0], mechanism="1valve"))
     with pytest.raises(InputError, match=r"has too many forces for this paper: ask for one crank angle$"):
         plan_zhukovsky(gear, [60.0, 200.0], mechanism="1valve", size="A3")
+
+
+def star(n_sliders):
+    """Sliders all round a crank pin, each with a rod of its own."""
+    parts = [
+        {
+            "type": "slide",
+            "rod": {"name": f"rod{i}", "from": "main.pin", "length": "200 mm"},
+            "slider": f"slider{i}",
+            "guide": {"through": "O", "direction": f"{i * 360 // n_sliders} deg"},
+            "side": "ahead",
+        }
+        for i in range(n_sliders)
+    ]
+    still = {"along": "1 mm", "inertia": "0.001 kg*m^2"}
+    masses = {f"slider{i}": {"mass": f"{i + 1} kg", **still} for i in range(n_sliders)}
+    chain = {"kind": "chain", "output": "slider0", "crank": {"main": {"radius": "50 mm"}}, "part": parts}
+    return ct.Machine(mechanism=chain, shaft={"main": {"speed": "600 rpm"}}, masses=masses, gravity=True)
+
+
+def test_more_forces_than_a_sheet_has_room_for():
+    with pytest.raises(InputError, match=r"has too many forces for A4: ask for A3, --size A3$"):
+        plan_zhukovsky(star(18), [60.0])
+    assert_words_are_readable(plan_zhukovsky(star(18), [60.0], size="A3"))
+    with pytest.raises(InputError, match=r"has too many forces for a sheet$"):
+        plan_zhukovsky(star(40), [60.0], size="A3")
 
 
 @pytest.mark.parametrize("draw", [plan_forces, plan_positions, plan_velocities, plan_accelerations])
