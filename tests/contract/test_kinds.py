@@ -293,6 +293,24 @@ def test_moving_and_sliding_are_in_the_motion(kind):
 
 
 @every_kind
+def test_groups_are_statically_determined(kind):
+    """Three equations of a link, two unknowns of a joint: 3n = 2m; a chain's yoke and trammel have one block more."""
+    place = place_of(kind)
+    dynamics, motion = place.kind.dynamics, place.kind.motion(PHI, place.geometry)
+    grouped = [name for group in dynamics.groups for name in group.links]
+    assert len(set(grouped)) == len(grouped)
+    hanging = {reaction.on for reaction in dynamics.reactions if reaction.by != FRAME} & set(dynamics.moving)
+    assert hanging <= set(grouped) <= set(dynamics.moving)
+    lengths = dict(zip(dynamics.moving, dynamics.links(motion, place.geometry), strict=True))
+    for group in dynamics.groups:
+        joints = [reaction.name for reaction in dynamics.reactions if reaction.on in group.links]
+        block = len(group.links) == 1
+        assert 3 * (len(group.links) + block) == 2 * (len(joints) + block), group
+        for across in group.across:
+            assert across.joint in joints and across.link in group.links and across.link in lengths
+
+
+@every_kind
 def test_contacts_are_where_links_slide(kind):
     """At the contact's pin one link moves past the other as fast as the coordinate of what slides changes."""
     place = place_of(kind)

@@ -139,6 +139,25 @@ class Contact(NamedTuple):
     pin: str
 
 
+class Across(NamedTuple):
+    """An outer joint of a group whose force has a part that moments give: its part across a link.
+
+    joint; link, along and across whose direction the force is split; the pin about which the moments are taken.
+    """
+
+    joint: str
+    link: str
+    about: str
+
+
+class Group(NamedTuple):
+    """An Assur group: its sort by its joints, such as `RRP`; its links; what of its outer reactions moments give."""
+
+    sort: str
+    links: tuple[str, ...]
+    across: tuple[Across, ...] = ()
+
+
 FRAME = "frame"
 """What stands still, as one of a joint's two bodies."""
 
@@ -159,6 +178,8 @@ class Dynamics:
         coordinate's velocity.
     contacts : tuple of Contact
         Where it slides, in that order.
+    groups : tuple of Group
+        What hangs on the crank, each after those that carry it.
     links : kernel (motion, geometry) → tuple of Link
         In the order of `moving`, in the mechanism's axes.
     load : kernel (motion, geometry, value) → wrenches
@@ -178,6 +199,7 @@ class Dynamics:
     reactions: tuple[Reaction, ...]
     sliding: tuple[str, ...]
     contacts: tuple[Contact, ...]
+    groups: tuple[Group, ...]
     links: Callable[[Any, Any], tuple[Link, ...]]
     load: Callable[[Any, Any, Array], Any]
     forces: Callable[[Any, Any, Any, Any, Any], Any]

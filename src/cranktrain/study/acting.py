@@ -1,4 +1,4 @@
-"""What acts on every link of a mechanism: load, weight, inertia and the joints' reactions, and how the link moves.
+"""What acts on every link of a mechanism but its joints: load, weight, inertia; and how the link moves.
 
 All axes are the machine's, X right and Y up, seen from the free end.
 """
@@ -17,7 +17,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity, Wrench
 from cranktrain.machine import Machine
-from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction, rows
+from cranktrain.mechanisms.kind import FRAME, Dynamics, rows
 from cranktrain.motion import Array
 from cranktrain.study.placement import frame
 
@@ -26,8 +26,8 @@ Cause = Literal["load", "weight", "inertia", "reaction"]
 _STEP = 10.0
 """Of the grid on which a machine is made ready; the forces themselves are asked for at any angle. [deg]"""
 
-_ROD, _MASTER_ROD = "rod", "master_rod"
-"""What a master calls its own rod, and its slaves call it."""
+MASTER_ROD = "master_rod"
+"""What a slave calls its master's rod."""
 
 
 class Force(NamedTuple):
@@ -37,24 +37,6 @@ class Force(NamedTuple):
     cause: Cause
     joint: str
     value: Array
-
-
-@dataclass(frozen=True)
-class ActedLink:
-    """A link with all that acts on it, at n crank angles.
-
-    Attributes
-    ----------
-    name : str
-    number : int
-        1 is the frame, 2 the crank.
-    forces : tuple of Force
-        Those that are known first, then reactions; each of shape (2, n).
-    """
-
-    name: str
-    number: int
-    forces: tuple[Force, ...]
 
 
 @dataclass(frozen=True)
@@ -114,89 +96,18 @@ def member_of(machine: Machine, loaded: LoadedMachine, place: Place, angle: Arra
     return Member(loaded, place, at, member, angle, motion, size, tuple(made.bodies), made.gravity)
 
 
-def acted_links(machine: Machine, loaded: LoadedMachine, place: Place, angle: Array) -> tuple[ActedLink, ...]:
-    """Give the links of a mechanism with all that acts on them.
-
-    Parameters
-    ----------
-    machine : Machine
-    loaded : LoadedMachine
-        What `made_ready` gave.
-    place : Place
-        Which mechanism.
-    angle : Array, shape (n,)
-        φ. [rad]
-
-    Returns
-    -------
-    tuple of ActedLink
-        Reactions are the exact ones of the whole machine: a master's hold what its slaves do to it, the forces of
-        whose rods on the master's are named for them, `F_1R`.
-    """
-    one = member_of(machine, loaded, place, angle)
-    numbers = link_numbers(place)
-    solved = loaded.solved(angle)
-    reactions = list(_reactions(machine, one, solved[one.group].forces.joints))
-    hanging = list(_hanging(machine, one, solved))
-    bodies = _on_shaft(one.dynamics)
-    found: dict[str, list[Force]] = {body: [] for body in bodies.values()}
-    for i, (name, body) in enumerate(bodies.items()):
-        found[body] += known_forces(machine, one, i, numbers[name])
-        if name == _ROD:
-            found[body] += (Force(f"F_{whose}", "reaction", joint, -value) for whose, joint, value in hanging)
-    for name, body in bodies.items():
-        found[body] += _reactions_on(name, reactions, numbers)
-    return tuple(ActedLink(body, numbers[body], tuple(forces)) for body, forces in found.items())
-
-
-def link_numbers(place: Place) -> dict[str, int]:
-    """Number the bodies of a mechanism: 1 the frame, 2 the crank, then a slave's master rod, and what else moves."""
+def link_numbers(place: Place, after: int = 1) -> dict[str, int]:
+    """Number bodies: 1 the frame; after a number crank, a slave's master rod, what else moves."""
     dynamics = place.kind.dynamics
     joined = [body for reaction in dynamics.reactions for body in (reaction.on, reaction.by)]
-    first = (name for name in ("crank", _MASTER_ROD) if name in joined)
-    return {name: i + 1 for i, name in enumerate(dict.fromkeys((FRAME, *first, *dynamics.moving, *joined)))}
-
-
-def _on_shaft(dynamics: Dynamics) -> dict[str, str]:
-    """Links that are one body with another: further cranks of a shaft, on which no joint acts but through the first."""
-    held = {reaction.on for reaction in dynamics.reactions}
-    first = dynamics.reactions[0].on
-    return {name: name if name in held else first for name in dynamics.moving}
-
-
-def _reactions(machine: Machine, one: Member, joints: Sequence[Wrench]) -> Iterator[tuple[Reaction, Array]]:
-    """Reactions of a mechanism's own joints, X and Y of shape (2, n); a slave's share of its master's are none."""
-    for reaction, wrench in zip(one.dynamics.reactions, joints, strict=True):
-        if reaction.on in one.dynamics.moving:
-            shape = (1, len(one.loaded.mechanisms.groups[one.group].index), len(one.angle))
-            x, y = (np.broadcast_to(part, shape)[0, one.member] for part in (wrench.x, wrench.y))
-            yield reaction, turned_to_machine(machine, one.place, x, y)
-
-
-def _reactions_on(name: str, reactions: Sequence[tuple[Reaction, Array]], numbers: dict[str, int]) -> Iterator[Force]:
-    """Reactions on one link."""
-    for reaction, value in reactions:
-        if name == reaction.on:
-            yield Force(pair_symbol("F", numbers[reaction.by], numbers[name]), "reaction", reaction.name, value)
-        elif name == reaction.by:
-            yield Force(pair_symbol("F", numbers[reaction.on], numbers[name]), "reaction", reaction.name, -value)
+    first = (name for name in ("crank", MASTER_ROD) if name in joined)
+    moving = [name for name in dict.fromkeys((*first, *dynamics.moving, *joined)) if name != FRAME]
+    return {FRAME: 1} | {name: after + 1 + i for i, name in enumerate(moving)}
 
 
 def pair_symbol(letter: str, by: int, on: int) -> str:
     """Symbol of a force of one body on another."""
     return f"{letter}_{by}{on}" if max(by, on) < 10 else f"{letter}_{by},{on}"
-
-
-def _hanging(machine: Machine, one: Member, solved: Sequence[Any]) -> Iterator[tuple[str, str, Array]]:
-    """Slaves of a mechanism: name, joint, and the force of its rod on theirs."""
-    loaded = one.loaded
-    own = loaded.mechanisms.names.index(one.place.name)
-    for place in machine.places:
-        if loaded.carriers.master[loaded.mechanisms.names.index(place.name)] == own:
-            slave = member_of(machine, loaded, place, one.angle)
-            for reaction, value in _reactions(machine, slave, solved[slave.group].forces.joints):
-                if reaction.by == _MASTER_ROD:
-                    yield place.name, f"{place.name}.{reaction.name}", value
 
 
 def turned_to_machine(machine: Machine, place: Place, x: Array, y: Array) -> Array:
@@ -210,7 +121,7 @@ def known_forces(machine: Machine, one: Member, i: int, number: int) -> Iterator
     mass = np.ravel(one.bodies[i].mass)
     still = np.zeros(len(one.angle))
     weights = (mass * np.ravel(part) + still for part in one.gravity)
-    yield Force("P", "load", "", turned_to_machine(machine, one.place, load.x[0] + still, load.y[0] + still))
+    yield Force(f"P_{number}", "load", "", turned_to_machine(machine, one.place, load.x[0] + still, load.y[0] + still))
     yield Force(f"G_{number}", "weight", "", turned_to_machine(machine, one.place, *weights))
     yield Force(f"Φ_{number}", "inertia", "", turned_to_machine(machine, one.place, *_inertia(one, i)))
 

@@ -122,7 +122,7 @@ def instant_centres(
     array([nan, nan])
     """
     place = place_called(machine, mechanism)
-    closed_angles(machine, place, [angle])
+    closed_angles(machine, [place], [angle])
     drawing = placed(machine, place, np.array([np.deg2rad(angle) + machine.zero]))
     if is_lettered:
         drawing = lettered(drawing)

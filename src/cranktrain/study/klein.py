@@ -62,7 +62,7 @@ def klein(machine: Machine, angle: float, *, mechanism: str | None = None) -> Kl
     the chord crosses the rod. Exact for an offset line of stroke too.
     """
     place = slider_crank_called(machine, mechanism)
-    closed_angles(machine, place, [angle])
+    closed_angles(machine, [place], [angle])
     axes = frame(machine, place)
     pins = placed(machine, place, np.array([np.deg2rad(angle) + machine.zero])).positions
     stroke = np.array([np.sin(axes.direction), np.cos(axes.direction)])

@@ -104,7 +104,9 @@ def _bore(machine: Machine, place: Place, motion: Array) -> float:
 
 
 def place_called(machine: Machine, name: str | None) -> Place:
-    """Find a place by name; unless named, the first slave of the first throw, which shows its master too.
+    """Find a place by its name, or the first one by its cylinder's.
+
+    Unless named, the first slave of the first throw, which shows its master too.
 
     Raises
     ------
@@ -114,9 +116,9 @@ def place_called(machine: Machine, name: str | None) -> Place:
     on_throw = first_throw(machine)
     if name is None:
         return next((place for place in on_throw if place.kind.name == "articulated_rod"), on_throw[0])
-    for place in machine.places:
-        if place.name == name:
-            return place
+    named = [place for place in machine.places if name in (place.name, place.cylinder)]
+    if named:
+        return next((place for place in named if place.name == name), named[0])
     allowed = _("must be one of this machine's mechanisms: {names}")
     names = ", ".join(place.name for place in machine.places)
     raise InputError([Problem("", name, allowed.format(names=names))])

@@ -15,7 +15,8 @@ from cranktrain.machine import Machine
 from cranktrain.mechanisms.kind import Drawing
 from cranktrain.motion import Array
 from cranktrain.study.lettering import lettered
-from cranktrain.study.placement import place_called, placed, slider_crank_called
+from cranktrain.study.placement import slider_crank_called
+from cranktrain.study.together import placed_together, places_called, together_name
 
 ROOM = (80.0, 80.0)
 """Width and height for which a scale is chosen, unless given. [mm]"""
@@ -64,7 +65,8 @@ def position_plan(
     angles : int or sequence of float
         How many, evenly over a turn from the shown angle 0, or which. [deg]
     mechanism : str, optional
-        Its name, such as `1R`; unless given, the first slave of throw 1, or the first mechanism.
+        Its name, such as `1R`; unless given, the first slave of throw 1, or the first mechanism. Of a cylinder with
+        opposed pistons, by its name or unnamed, both: pins of the second have its number, `A2`.
     room : (width, height)
         For which the scale factor must suffice. [mm]
     is_lettered : bool
@@ -81,21 +83,21 @@ def position_plan(
     >>> plan.scale, [round(float(part[0]), 6) for part in plan.drawing.positions["B"]]
     (0.004, [0.0, 60.0])
     """
-    place = place_called(machine, mechanism)
-    shown = closed_angles(machine, place, angles)
-    drawing = placed(machine, place, np.deg2rad(shown) + machine.zero)
+    places = places_called(machine, mechanism)
+    shown = closed_angles(machine, places, angles)
+    drawing = placed_together(machine, places, np.deg2rad(shown) + machine.zero)
     scale = fitting([np.concatenate(list(drawing.positions.values()), axis=1)], room)
     named = lettered(drawing) if is_lettered else drawing
-    return PositionPlan(place.name, shown, scale, named.scaled(1.0 / scale))
+    return PositionPlan(together_name(places), shown, scale, named.scaled(1.0 / scale))
 
 
 def track(machine: Machine, scale: float, *, mechanism: str | None = None) -> Drawing:
     """Give a mechanism over a whole turn, for its paths: NaN where it cannot close. [drawing mm]"""
     phi = np.linspace(0.0, 2 * np.pi, 361) + machine.zero
-    return placed(machine, place_called(machine, mechanism), phi).scaled(1.0 / scale)
+    return placed_together(machine, places_called(machine, mechanism), phi).scaled(1.0 / scale)
 
 
-def closed_angles(machine: Machine, place: Place, angles: int | Sequence[float]) -> Array:
+def closed_angles(machine: Machine, places: Sequence[Place], angles: int | Sequence[float]) -> Array:
     """Give the crank angles that are asked for; of a number spread over the turn, those at which the links close.
 
     Raises
@@ -104,12 +106,14 @@ def closed_angles(machine: Machine, place: Place, angles: int | Sequence[float])
         If the links cannot close at an angle that is listed, or at none.
     """
     shown = plan_angles(angles)
-    drawing = placed(machine, place, np.deg2rad(shown) + machine.zero)
+    drawing = placed_together(machine, places, np.deg2rad(shown) + machine.zero)
     closed = np.all(np.isfinite(list(drawing.positions.values())), axis=(0, 1))
     if np.all(closed) or (isinstance(angles, int) and np.any(closed)):
         return shown[closed]
     there = ", ".join(f"φ = {angle:g}°" for angle in shown[~closed])
-    raise InputError([Problem("", there, _("the links of {name} cannot close there").format(name=place.name))])
+    raise InputError(
+        [Problem("", there, _("the links of {name} cannot close there").format(name=together_name(places)))]
+    )
 
 
 def rescaled(plan: PositionPlan, scale: float) -> PositionPlan:

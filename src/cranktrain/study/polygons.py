@@ -8,14 +8,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from cranktrain.engine.places import Place
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.study.lettering import lettered
-from cranktrain.study.placement import place_called, placed
 from cranktrain.study.plans import ROOM, closed_angles, fitting
+from cranktrain.study.together import placed_together, places_called, together_name
 from cranktrain.study.vectors import POLE, Quantity, Vector, plan_vectors
 
 
@@ -68,7 +67,8 @@ def velocity_polygons(
     angles : int or sequence of float
         How many, evenly over a turn from the shown angle 0, or which. [deg]
     mechanism : str, optional
-        Its name, such as `1R`; unless given, the first slave of throw 1, or the first mechanism.
+        Its name, such as `1R`; unless given, the first slave of throw 1, or the first mechanism. Of a cylinder with
+        opposed pistons, by its name or unnamed, both.
     room : (width, height)
         For which the scale factor must suffice, polygon by polygon. [mm]
     is_lettered : bool
@@ -120,21 +120,21 @@ def _polygons(
     is_lettered: bool,
 ) -> tuple[Polygon, ...]:
     """Polygons of either kind."""
-    place = place_called(machine, mechanism)
-    shown = closed_angles(machine, place, angles)
+    places = places_called(machine, mechanism)
+    shown = closed_angles(machine, places, angles)
     speed = machine.main_shaft.speed
-    drawing = placed(machine, place, np.deg2rad(shown) + machine.zero)
+    drawing = placed_together(machine, places, np.deg2rad(shown) + machine.zero)
     if is_lettered:
         drawing = lettered(drawing)
     omega = 1.0 if speed is None else speed.si
     with np.errstate(all="ignore"):
         found = [plan_vectors(drawing, at, omega, quantity) for at in range(len(shown))]
-    _refuse_boundless(place, shown, found)
+    _refuse_boundless(together_name(places), shown, found)
     described = [_points(vectors) for vectors in found]
     scale = fitting([np.stack(list(points.values()), axis=1) for points in described], room)
     return tuple(
         Polygon(
-            mechanism=place.name,
+            mechanism=together_name(places),
             quantity=quantity,
             angle=float(angle),
             scale=scale,
@@ -146,12 +146,12 @@ def _polygons(
     )
 
 
-def _refuse_boundless(place: Place, shown: Array, found: Sequence[tuple[Vector, ...]]) -> None:
+def _refuse_boundless(name: str, shown: Array, found: Sequence[tuple[Vector, ...]]) -> None:
     """Refuse positions that the links reach only at rest, where velocities have no bound."""
     bounded = np.array([np.all(np.isfinite([vector.value for vector in vectors])) for vectors in found])
     if not np.all(bounded):
         there = ", ".join(f"φ = {angle:g}°" for angle in shown[~bounded])
-        allowed = _("there the links of {name} only just close, and velocities have no bound").format(name=place.name)
+        allowed = _("there the links of {name} only just close, and velocities have no bound").format(name=name)
         raise InputError([Problem("", there, allowed)])
 
 

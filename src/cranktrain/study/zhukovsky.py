@@ -95,7 +95,7 @@ def zhukovsky_lever(machine: Machine, angle: float, *, mechanism: str | None = N
     reactions, of which the lever knows friction alone: what a master's guide bears of its slaves rubs on the master's.
     """
     place = place_called(machine, mechanism)
-    shown = closed_angles(machine, place, [angle])
+    shown = closed_angles(machine, [place], [angle])
     loaded = made_ready(machine)
     one = member_of(machine, loaded, place, np.deg2rad(shown) + machine.zero)
     numbers = link_numbers(place)

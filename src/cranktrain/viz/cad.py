@@ -120,6 +120,7 @@ def _dimensions(space: Modelspace, plan: PositionPlan) -> None:
         "dimasz": _TEXT * scale,
         "dimexo": scale,
         "dimexe": scale,
+        "dimlfac": 1.0,  # the library's own style shows metres in centimetres
         "dimdec": 3,
         "dimzin": 8,
     }

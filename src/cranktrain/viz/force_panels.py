@@ -13,8 +13,8 @@ from cranktrain.viz.plan_sheet import figure
 from cranktrain.viz.style import COLOURS, GRID, MUTED, SYMBOL, TEXT
 
 _EXACT = "exact"
-_GAP, _FOOT = 9.0, 9.0
-"""Between panels, and below them for the crank angle. [mm]"""
+_HEAD, _GAP, _FOOT = 5.2, 9.0, 9.0
+"""Above panels for the first one's head, between them, and below them for the crank angle. [mm]"""
 
 _TALLEST = 60.0
 """Of panels, where there are few. [mm]"""
@@ -125,11 +125,11 @@ def draw_panels(
 ) -> None:
     """Stack the panels over one crank angle."""
     left, bottom, width, height = box
-    each = min((height - _FOOT - _GAP * len(found)) / len(found), _TALLEST)
+    each = min((height - _FOOT - _HEAD - _GAP * (len(found) - 1)) / len(found), _TALLEST)
     angle = shown.result.crank_angle
     cycle = float(len(angle) * (angle[1] - angle[0]))
     for number, panel in enumerate(found):
-        low = bottom + height - (number + 1) * (each + _GAP)
+        low = bottom + height - _HEAD - (number + 1) * each - number * _GAP
         axes = page.axes(left, low, width, each)
         prepare(axes)
         axes.axhline(0.0, color=MUTED, linewidth=0.6, zorder=1)
@@ -140,8 +140,12 @@ def draw_panels(
         axes.set(xlim=(0.0, cycle), xticks=np.arange(0.0, cycle + 1.0, 60.0 if cycle > 360.0 else 30.0))
         axes.tick_params(labelbottom=number == len(found) - 1)
         _head(page, panel, (left, left + width, low + each + 2.2))
-    foot = bottom + height - len(found) * (each + _GAP) - _FOOT
-    page.text(left + width / 2, foot, _("Crank angle φ, °"), ha="center")
+    page.text(
+        left + width / 2,
+        bottom + height - _HEAD - len(found) * (each + _GAP) + _GAP - _FOOT,
+        _("Crank angle φ, °"),
+        ha="center",
+    )
 
 
 def prepare(axes: Axes) -> None:

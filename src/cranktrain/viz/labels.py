@@ -21,6 +21,10 @@ _NOT_ITS_OWN = 40.0
 """What it costs to stand nearer to another label's point."""
 
 
+_OVER_MARK = 60.0
+"""What it costs to lie over a mark."""
+
+
 class Wish(NamedTuple):
     """A label to place: its point [mm of the sketch], the direction from it that it would rather lie in [rad].
 
@@ -38,7 +42,16 @@ class Wish(NamedTuple):
         return self.manner == "number"
 
 
-def placed_labels(wishes: Sequence[Wish], lines: Iterable[Array], scale: float) -> Iterator[Label]:
+class Mark(NamedTuple):
+    """A round mark: centre and radius. [mm of the sketch]"""
+
+    centre: Array
+    radius: float
+
+
+def placed_labels(
+    wishes: Sequence[Wish], lines: Iterable[Array], scale: float, marks: Sequence[Mark] = ()
+) -> Iterator[Label]:
     """Place labels one by one, each at the free place that is best for it; a number without any is left out.
 
     Parameters
@@ -48,6 +61,8 @@ def placed_labels(wishes: Sequence[Wish], lines: Iterable[Array], scale: float) 
         Polylines to keep clear of. [mm of the sketch]
     scale : float
         Millimetres of the sketch in one of paper.
+    marks : sequence of Mark
+        Which a number may not lie over, as it may over lines.
 
     Yields
     ------
@@ -67,6 +82,7 @@ def placed_labels(wishes: Sequence[Wish], lines: Iterable[Array], scale: float) 
             ),
             key=lambda middle: (
                 _cost(middle, point, wish, size, taken, obstacles)
+                + _OVER_MARK * sum(_is_over(_box(middle, size), mark, scale) for mark in marks)
                 + _NOT_ITS_OWN * _is_nearer_to_another(middle, point, points)
             ),
         )
@@ -106,6 +122,13 @@ def _box(middle: Array, size: tuple[float, float]) -> tuple[float, float, float,
     """Least and largest x, least and largest y of a label."""
     x, y = float(middle[0]), float(middle[1])
     return x - size[0] / 2, x + size[0] / 2, y - size[1] / 2, y + size[1] / 2
+
+
+def _is_over(box: tuple[float, float, float, float], mark: Mark, scale: float) -> bool:
+    """Whether a label would lie over a mark."""
+    centre = mark.centre / scale
+    nearest = np.clip(centre, (box[0], box[2]), (box[1], box[3]))
+    return bool(np.hypot(*(nearest - centre)) < mark.radius / scale)
 
 
 def _cost(

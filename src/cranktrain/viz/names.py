@@ -29,7 +29,8 @@ def piston_names(scene: Scene, angle: float, sketch: Sketch) -> Iterator[Label |
         wishes.append(Wish(line.at(wall_end(member) + 2.0 * scale, 0.0), member.place.name, _away(line.along), "name"))
         is_piston = member.place.kind.has_chambers or member.output is None
         named.append(wishes[-1].point if is_piston else scene.pins(member, angle)[str(member.output)])
-    obstacles = [line.points for line in sketch.lines if line.habit != "hatch"]
+    # Names of pistons in one cylinder stand beside its hatched walls, others beyond their end.
+    obstacles = [line.points for line in sketch.lines if scene.pairs or line.habit != "hatch"]
     for pair in scene.pairs:
         outward = 0.5 * (_middle(pair[0]) + _middle(pair[1])) - np.mean([one.centre for one in scene.members], axis=0)
         across = pair[0].stroke_line.across

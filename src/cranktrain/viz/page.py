@@ -1,5 +1,6 @@
 """A sheet of paper: a figure on which everything is placed in millimetres, and a sketch drawn on it to scale."""
 
+import re
 from collections.abc import Generator, Sequence
 from contextlib import contextmanager
 from importlib import import_module
@@ -27,6 +28,9 @@ _LABEL = 2.5
 
 _LETTERS = 2
 """So many letters side by side are pins; more are a word."""
+
+_NUMBERED = re.compile(r"([^\W\d_])(\d+)('*)")
+"""A pin of several alike: its number is an index."""
 
 _SCALES = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.5, 10.0)
 
@@ -213,6 +217,9 @@ def mathematics(symbol: str) -> str:
     head, _mark, rest = symbol.partition("_")
     index, _mark, exponent = rest.partition("^")
     set_index = ",".join(map(_letters_or_word, index.split(",")))
+    numbered = _NUMBERED.fullmatch(head)
+    if numbered and not index:
+        return f"${numbered[1]}_{{{numbered[2]}}}{'′' * len(numbered[3])}$"
     return f"${_letters_or_word(head)}{f'_{{{set_index}}}' if index else ''}{f'^{{{exponent}}}' if exponent else ''}$"
 
 

@@ -9,7 +9,7 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.study.pin_loads import PinLoads, pin_loads
 from cranktrain.study.plans import fitting, plan_angles
-from cranktrain.viz.labels import Wish, placed_labels
+from cranktrain.viz.labels import Mark, Wish, placed_labels
 from cranktrain.viz.page import Figure, drawing_settings, mathematics, muted, rounded_down
 from cranktrain.viz.plan_sheet import Box, centre, plan_page, rounded, scale_of, write_scales, write_table
 from cranktrain.viz.sketch import Circle, Line, Sketch
@@ -114,7 +114,8 @@ def polar_sketch(loads: PinLoads, pair: tuple[Array, Array], scale: float) -> Sk
     middle = np.nanmean(full, axis=1)
     named = marked[loads.angle[marked] % (_MARKS * round(loads.cycle / 360.0)) == 0]
     wishes += [Wish(full[:, i], f"{loads.angle[i]:g}°", _away(full[:, i] - middle), "number") for i in named]
-    sketch.add(placed_labels(wishes, lines, 1.0))
+    marks = [Mark(circle.centre, circle.radius) for circle in sketch.circles]
+    sketch.add(placed_labels(wishes, lines, 1.0, marks))
     return sketch
 
 
@@ -136,8 +137,7 @@ def _away(direction: Array) -> float:
 
 def _table(loads: PinLoads, angles: Array) -> Iterator[tuple[str, ...]]:
     """Load at some crank angles: toward the shaft, in the sense of rotation, its size."""
-    yield ("φ, °", mathematics("K_R"), mathematics("T_R"), mathematics("R"))
-    yield ("", _("kN"), _("kN"), _("kN"))
+    yield ("φ, °", *(f"{mathematics(symbol)}, {_('kN')}" for symbol in ("K_R", "T_R", "R")))
     closed = np.append(loads.angle, loads.cycle)
     tangential, outward = (
         1e-3 * np.interp(angles % loads.cycle, closed, np.append(part, part[:1])) for part in loads.on_pin

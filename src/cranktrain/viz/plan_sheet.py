@@ -10,8 +10,8 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.study.lettering import pin_letters
-from cranktrain.study.placement import place_called, placed
 from cranktrain.study.plans import plan_angles
+from cranktrain.study.together import placed_together, places_called, together_name
 from cranktrain.study.vectors import spoken_name
 from cranktrain.viz.machine_sheet import title_block
 from cranktrain.viz.page import MARGIN, Page, muted, paper, scale_words
@@ -58,10 +58,12 @@ def plan_page(
         raise InputError([Problem("", _("{n} crank angles").format(n=n), allowed)])
     width, height = paper(size)
     page = Page(width, height)
-    place = place_called(machine, mechanism)
-    whose = _("{title}, mechanism {name}").format(title=title, name=place.name) if len(machine.places) > 1 else title
+    places = places_called(machine, mechanism)
+    of_one, of_both = _("{title}, mechanism {name}"), _("{title}, cylinder {name}")
+    words = of_one if len(places) == 1 else of_both
+    whose = words.format(title=title, name=together_name(places)) if len(machine.places) > 1 else title
     top = title_block(page, machine, [running_words(machine)], [f"{whose}. {zero_words(machine)}"])
-    letters = pin_letters(placed(machine, place, np.zeros(1)))
+    letters = pin_letters(placed_together(machine, places, np.zeros(1)))
     if letters and has_key:
         key = ", ".join(f"{letter} {spoken_name(pin).replace('_', ' ')}" for pin, letter in letters.items())
         page.text(MARGIN, top - 4.5, _("Pins: {key}").format(key=key))
@@ -137,7 +139,7 @@ def write_table(
     for number, row in enumerate(rows):
         for column, words in enumerate(row):
             share = shares[column - 1] if shares else 0.1 + 0.9 * column / (columns - 1)
-            is_symbol = words.startswith("$")
+            is_symbol = words.startswith("$") and words.endswith("$")
             page.text(
                 left if column == 0 else left + width * share,
                 y,

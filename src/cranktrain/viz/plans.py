@@ -4,12 +4,14 @@ from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
+from cranktrain.engine.places import Place
 from cranktrain.language import _
 from cranktrain.machine import Machine
+from cranktrain.motion import Array
 from cranktrain.quantities import shown
 from cranktrain.study.klein import Klein, klein
 from cranktrain.study.lettering import lettered
-from cranktrain.study.placement import output_motion, place_called
+from cranktrain.study.placement import output_motion
 from cranktrain.study.plans import (
     PositionPlan,
     closed_angles,
@@ -20,6 +22,7 @@ from cranktrain.study.plans import (
     track,
 )
 from cranktrain.study.polygons import Polygon, acceleration_polygons, velocity_polygons
+from cranktrain.study.together import places_called
 from cranktrain.study.vectors import Vector
 from cranktrain.viz.page import Figure, Page, drawing_settings, mathematics, muted
 from cranktrain.viz.plan_sheet import (
@@ -62,7 +65,8 @@ def plan_positions(
     with drawing_settings():
         is_single = len(plan_angles(angles)) == 1  # pins of several positions have numbers instead of letters
         page, box = plan_page(machine, angles, size, _("Plan of positions"), mechanism, has_key=is_single)
-        wide = 0.62 * box.width
+        places = places_called(machine, mechanism)
+        wide = (0.62 if len(places) == 1 else 0.42) * box.width
         left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
         room = (left.width - 22.0, left.height - 22.0)
         scale = position_plan(machine, 180, mechanism=mechanism, room=room).scale
@@ -72,7 +76,7 @@ def plan_positions(
         rows = list(_positions_table(machine, plan))
         start = box.left + wide + 8.0
         end = write_table(page, rows, (start, box.bottom + box.height, box.left + box.width - start))
-        if place_called(machine, mechanism).kind.output == "slider":
+        if places[0].kind.output == "slider":
             counted = (
                 _("from the shaft along the line of stroke, positive away from it")
                 if plan.drawing.guides
@@ -107,7 +111,7 @@ def _polygon_sheet(
     """Polygons, few of them beside the mechanism and a table of vectors."""
     with drawing_settings():
         page, box = plan_page(machine, angles, size, title, mechanism)
-        n = len(closed_angles(machine, place_called(machine, mechanism), angles))
+        n = len(closed_angles(machine, places_called(machine, mechanism), angles))
         cells = list(cells_of(box, n))
         has_table = n <= WITH_TABLE
         cell = cells[0]
@@ -189,22 +193,36 @@ def plan_klein(
 
 
 def _positions_table(machine: Machine, plan: PositionPlan) -> Iterator[tuple[str, ...]]:
-    """Number, crank angle and motion of the output in each position."""
-    place = place_called(machine, plan.mechanism)
+    """Number, crank angle and motion of the output in each position; of opposed pistons both."""
+    places = places_called(machine, plan.mechanism)
+    columns = [
+        (_indexed(name, i) if len(places) > 1 else name, values)
+        for i, place in enumerate(places)
+        for name, values in _output_columns(machine, place, plan)
+    ]
+    yield (_("no."), "φ, °", *(name for name, _values in columns))
+    for i, angle in enumerate(plan.angles):
+        yield (f"{i}", f"{angle:g}", *(figure(float(values[i])) for _name, values in columns))
+
+
+def _indexed(head: str, i: int) -> str:
+    """Head of a column of one of several mechanisms: x₂, mm."""
+    symbol, comma, unit = head.partition(",")
+    return f"{symbol}{'₁₂'[i]}{comma}{unit}"
+
+
+def _output_columns(machine: Machine, place: Place, plan: PositionPlan) -> Iterator[tuple[str, Array]]:
+    """Heads and values of the motion of a place's output."""
     speed = machine.main_shaft.speed
     omega = 1.0 if speed is None else speed.si
-    motion = output_motion(machine, place, np.deg2rad(plan.angles))
-    is_slider = place.kind.output == "slider"
-    if is_slider:
+    if place.kind.output == "slider":
         names = ("x, mm", "v, m/s", "a, m/s²") if speed is not None else ("x, mm", "x′, mm/rad", "x″, mm/rad²")
         factors = (1e3, omega, omega**2) if speed is not None else (1e3, 1e3, 1e3)
     else:
         names = ("θ, °", "ω₃, rad/s", "ε₃, rad/s²") if speed is not None else ("θ, °", "θ′", "θ″")
         factors = (shown(1.0, "deg"), omega, omega**2)
-    yield (_("no."), "φ, °", *names)
-    for i, angle in enumerate(plan.angles):
-        values = [factor * float(part[i]) for factor, part in zip(factors, motion, strict=True)]
-        yield (f"{i}", f"{angle:g}", *(figure(value) for value in values))
+    motion = output_motion(machine, place, np.deg2rad(plan.angles))
+    yield from ((name, factor * part) for name, factor, part in zip(names, factors, motion, strict=True))
 
 
 def _fitting_rows(polygon: Polygon, height: float) -> tuple[list[tuple[str, ...]], float]:

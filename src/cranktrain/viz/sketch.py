@@ -12,7 +12,9 @@ import numpy as np
 from cranktrain.motion import Array
 
 Layer = Literal["LINKS", "GUIDES", "PATHS", "PLAN_V", "PLAN_A", "TEXT", "DIMENSIONS"]
-Habit = Literal["outline", "rod", "thin", "hatch", "dotted", "axis", "arrow", "vector", "part", "construction", "none"]
+Habit = Literal[
+    "outline", "rod", "thin", "hatch", "dotted", "axis", "arrow", "vector", "part", "chord", "construction", "none"
+]
 Fill = Literal["none", "paper", "light", "dark", "ink"]
 
 LAYERS: tuple[Layer, ...] = ("LINKS", "GUIDES", "PATHS", "PLAN_V", "PLAN_A", "TEXT", "DIMENSIONS")

@@ -46,6 +46,7 @@ PENS: Mapping[Habit, Pen] = {
     "arrow": Pen(0.3, INK),
     "vector": Pen(1.0, INK),
     "part": Pen(0.6, INK, (5.0, 2.5)),
+    "chord": Pen(0.8, INK, (8.0, 2.0, 1.2, 2.0)),
     "construction": Pen(0.45, MUTED, (5.0, 2.5)),
     "none": Pen(0.0, "none"),
 }

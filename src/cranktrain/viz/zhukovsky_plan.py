@@ -1,6 +1,6 @@
 """Sheet of Zhukovsky's lever: the mechanism, the turned plan of velocities with the forces, and their moments."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -8,16 +8,20 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
+from cranktrain.study.lettering import pin_letters
+from cranktrain.study.placement import place_called, placed
 from cranktrain.study.plans import position_plan, rounded_scale
 from cranktrain.study.plans import rescaled as rescaled_plan
 from cranktrain.study.polygons import Polygon, velocity_polygons
-from cranktrain.study.vectors import POLE
-from cranktrain.study.zhukovsky import Lever, zhukovsky_lever
+from cranktrain.study.vectors import POLE, spoken_name
+from cranktrain.study.zhukovsky import Lever, LeverForce, zhukovsky_lever
 from cranktrain.viz import shapes
 from cranktrain.viz.force_plans import too_many_words
 from cranktrain.viz.labels import Wish, placed_labels
 from cranktrain.viz.page import Figure, drawing_settings, mathematics, muted
 from cranktrain.viz.plan_sheet import (
+    LEAST_ROW,
+    ROW,
     Box,
     cells_of,
     centre,
@@ -34,14 +38,17 @@ from cranktrain.viz.sketch import Circle, Line, Sketch
 _LONGEST = 0.30
 """The longest force, in parts of the room: the rest is the plan's."""
 
-_NAMED = 1.0
+_NAMED = 2.0
 """A force shorter than this stands in the table alone. [mm]"""
+
+_TO_A_LINE = 8
+"""Symbols side by side below a table."""
 
 _NOTES = 22.0
 """Height of the notes below the mechanism. [mm]"""
 
-_ROW, _HEAD = 5.2, 6.0
-"""Height of a row of a table, and of its head. [mm]"""
+_HEAD, _NOTE = 6.0, 4.2
+"""Height of a table's head, and of a line of notes. [mm]"""
 
 _COLUMNS = (0.26, 0.62, 1.0)
 _HEADED = 2.5
@@ -54,18 +61,22 @@ def plan_zhukovsky(
     """Draw Zhukovsky's lever; parameters as `plan_forces` takes them, two angles at most."""
     chosen = [float(angle) for angle in few_angles(angles, _("Zhukovsky's lever"))]
     levers = [zhukovsky_lever(machine, angle, mechanism=mechanism) for angle in chosen]
+    mechanism = levers[0].mechanism
+    letters = pin_letters(placed(machine, place_called(machine, mechanism), np.zeros(1)))
     with drawing_settings():
-        page, box = plan_page(machine, angles, size, _("Zhukovsky's lever"), levers[0].mechanism)
+        page, box = plan_page(machine, angles, size, _("Zhukovsky's lever"), mechanism)
         cells = list(cells_of(box, len(chosen)))
         left, middle = 0.26 * box.width, 0.46 * box.width
         height = cells[0].height
         room = ((1 - 2 * _LONGEST) * middle + 6.0, max((1 - 2 * _LONGEST) * height, 0.4 * height) - 4.0)
-        polygons = velocity_polygons(machine, chosen, mechanism=mechanism, room=room)
+        polygons = velocity_polygons(machine, chosen, mechanism=mechanism, room=room, is_lettered=True)
         longest = max(_longest(lever, polygon) for lever, polygon in zip(levers, polygons, strict=True))
         newton = rounded_scale(longest / (_LONGEST * min(middle, height)))
         own = Box(box.left, box.bottom, left, height - 5.0 - _NOTES)
         plans = [
-            position_plan(machine, [angle], mechanism=mechanism, room=(left - 14.0, own.height - 15.0))
+            position_plan(
+                machine, [angle], mechanism=mechanism, room=(left - 14.0, own.height - 15.0), is_lettered=True
+            )
             for angle in chosen
         ]
         metal = max(plan.scale for plan in plans)
@@ -77,9 +88,14 @@ def plan_zhukovsky(
                 page.text(cell.left, cell.bottom + _NOTES - 4.0 - 4.2 * number, note, **muted())
             centre(page, lever_sketch(lever, polygon, newton), Box(cell.left + left, cell.bottom, middle, height - 4.0))
             start = cell.left + left + middle + 6.0
-            rows = list(_table(lever))
-            _refuse_long(lever, len(rows), height)
-            write_table(page, rows, (start, cell.bottom + height, cell.left + cell.width - start), _COLUMNS)
+            rows = list(_table(lever, letters))
+            notes = list(_short_words(lever, newton))
+            line = min(ROW, (height - _HEAD - _NOTE * len(notes)) / len(rows))
+            if line < LEAST_ROW:
+                raise InputError([Problem("", lever.mechanism, too_many_words(len(chosen), size))])
+            end = write_table(page, rows, (start, cell.bottom + height, cell.left + cell.width - start), _COLUMNS, line)
+            for number, note in enumerate(notes):
+                page.text(start, end - _NOTE * number, note, **muted())
         velocity = scale_of("v", polygons[0].scale, polygons[0].unit)
         write_scales(page, box, [scale_of("l", metal, "m"), velocity, scale_of("F", newton, "N")], None)
         words = _("Velocities turned by 90° clockwise: a force's anticlockwise moment about p is its power")
@@ -91,12 +107,6 @@ def _longest(lever: Lever, polygon: Polygon) -> float:
     """Size of the lever's largest force, with the balancing one. [N]"""
     forces = [float(np.hypot(*force.value)) for force in lever.forces if force.point]
     return max([*forces, float(np.hypot(*_balancing_force(lever, polygon)[1]))])
-
-
-def _refuse_long(lever: Lever, n_rows: int, height: float) -> None:
-    """Refuse more forces than a table has room for."""
-    if n_rows * _ROW + _HEAD > height:
-        raise InputError([Problem("", lever.mechanism, too_many_words())])
 
 
 def lever_sketch(lever: Lever, polygon: Polygon, newton: float) -> Sketch:
@@ -114,8 +124,7 @@ def lever_sketch(lever: Lever, polygon: Polygon, newton: float) -> Sketch:
         if not force.point:
             continue
         at = _quarter_turned(np.array(force.velocity)) / polygon.scale
-        length = float(np.hypot(*force.value)) / newton
-        if length < _NAMED:
+        if _is_short(force, newton):
             continue
         drawn = _arrow(sketch, at, np.array(force.value) / newton, is_dashed=force.symbol.startswith("Φ"))
         wishes.append(Wish(drawn, force.symbol, _away(drawn - at)))
@@ -127,6 +136,11 @@ def lever_sketch(lever: Lever, polygon: Polygon, newton: float) -> Sketch:
     sketch.add([Circle(points[POLE], 0.8, "PLAN_V", "outline", 6, "paper")])
     sketch.add(placed_labels(wishes, list(sketch.outline()), 1.0))
     return sketch
+
+
+def _is_short(force: LeverForce, newton: float) -> bool:
+    """Whether a force is too short to be drawn, to newton N in a millimetre."""
+    return bool(force.point) and float(np.hypot(*force.value)) / newton < _NAMED
 
 
 def _is_at_earlier(place: int, points: dict[str, Array]) -> bool:
@@ -168,14 +182,28 @@ def _away(direction: Array) -> float:
     return float(np.arctan2(direction[1], direction[0]))
 
 
-def _table(lever: Lever) -> Iterator[tuple[str, ...]]:
+def _table(lever: Lever, letters: Mapping[str, str]) -> Iterator[tuple[str, ...]]:
     """Every force: at which point, its size and its moment about the pole, as torque on the crank."""
     yield (_("force"), _("at"), "N", "N·m")
     for force in lever.forces:
-        at = mathematics(force.point) if force.point else _("couple")
+        bare = force.point.rstrip("'")
+        at = (
+            mathematics(force.point.replace(bare, letters.get(bare) or spoken_name(bare)))
+            if force.point
+            else _("couple")
+        )
         newtons = figure(float(np.hypot(*force.value))) if force.point else "–"
         yield (mathematics(force.symbol), at, newtons, figure(force.moment))
     yield (mathematics("M_b"), "", "", figure(lever.driving_torque))
+
+
+def _short_words(lever: Lever, newton: float) -> Iterator[str]:
+    """Say which forces are too short to be drawn, some to a line."""
+    short = [mathematics(force.symbol) for force in lever.forces if _is_short(force, newton)]
+    if short:
+        yield _("Too short to be drawn:")
+    for first in range(0, len(short), _TO_A_LINE):
+        yield ", ".join(short[first : first + _TO_A_LINE])
 
 
 def _notes(lever: Lever) -> Iterator[str]:

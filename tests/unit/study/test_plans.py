@@ -259,3 +259,35 @@ def test_names_of_a_chains_pins_are_words():
     }
     ends = {vector.symbol: vector.end for vector in velocity_polygons(ct.Machine(mechanism=chain), [60.0])[0].vectors}
     assert ends["v_P"] == "p'"
+
+
+def test_plans_of_opposed_pistons():
+    """Both mechanisms about the first one's shaft; what lies between the pistons is the cylinder's volume."""
+    engine = ct.load("10d100")
+    first, second = engine.places[0], next(one for one in engine.places if one.name == "1.scavenge")
+    result = ct.run(engine, step_degrees=10.0, quantities=("chamber_volume",))
+    angles = [40.0, 130.0, 250.0]
+    plan = position_plan(engine, angles)
+    assert plan.mechanism == "1"
+    pins = {name: plan.scale * pin for name, pin in plan.drawing.positions.items()}
+    assert list(pins) == ["O", "A", "B", "O2", "A2", "B2"]
+    for place, mark in ((first, ""), (second, "2")):
+        for start, end, length in (("O", "A", place.geometry.crank_radius), ("A", "B", place.geometry.rod_length)):
+            np.testing.assert_allclose(np.hypot(*(pins[end + mark] - pins[start + mark])), length, rtol=1e-12)
+    between = np.hypot(*(pins["B2"] - pins["B"]))
+    area = np.pi / 4 * engine.cylinder.bore.si**2
+    rows = [result.crank_angle.tolist().index(angle) for angle in angles]
+    volume = result.chamber_volume[result.labels["chamber"].index("1"), rows]
+    np.testing.assert_allclose(np.diff(between) * area, np.diff(volume), rtol=1e-9)
+
+
+@pytest.mark.parametrize("polygons_of", [velocity_polygons, acceleration_polygons])
+def test_polygons_of_opposed_pistons_are_those_of_each(polygons_of):
+    engine = ct.load("deltic")
+    (both,) = polygons_of(engine, [40.0], mechanism="1A")
+    (one,), (other,) = (polygons_of(engine, [40.0], mechanism=f"1A.{side}") for side in ("exhaust", "scavenge"))
+    values = [vector.value for vector in both.vectors]
+    np.testing.assert_allclose(
+        values, [vector.value for vector in (*one.vectors, *other.vectors)], rtol=1e-12, atol=1e-9
+    )
+    assert both.points["b2"] == pytest.approx([part * other.scale / both.scale for part in other.points["b"]])

@@ -12,9 +12,19 @@ from cranktrain.study.force_polygons import force_polygons
 from cranktrain.study.pin_loads import pin_loads
 from cranktrain.study.polygons import velocity_polygons
 from cranktrain.study.zhukovsky import zhukovsky_lever
-from cranktrain.viz import plan_forces, plan_polar, plan_zhukovsky, save, sheet_forces
+from cranktrain.viz import (
+    plan_accelerations,
+    plan_forces,
+    plan_polar,
+    plan_positions,
+    plan_velocities,
+    plan_zhukovsky,
+    save,
+    sheet_forces,
+)
 from cranktrain.viz.force_panels import force_panels
-from cranktrain.viz.force_plans import force_polygon_sketch
+from cranktrain.viz.force_sketches import force_polygon_sketch
+from cranktrain.viz.labels import label_outline
 from cranktrain.viz.pin_polar import polar_sketch
 from cranktrain.viz.zhukovsky_plan import lever_sketch
 
@@ -44,14 +54,18 @@ def test_lever_with_friction_is_readable(name):
 @pytest.mark.parametrize("name", [*ENGINES, "crank_rocker"])
 @pytest.mark.parametrize("draw", [plan_forces, plan_zhukovsky])
 def test_two_angles_are_readable(name, draw):
-    assert_words_are_readable(draw(WEIGHED[name], [30.0, 200.0]))
+    size = "A3" if name == "r_1340" else "A4"  # eight slaves load its master
+    assert_words_are_readable(draw(WEIGHED[name], [30.0, 200.0], size=size))
     with pytest.raises(InputError, match="3 crank angles: must be at most 2"):
         draw(WEIGHED[name], 3)
 
 
 def test_too_many_forces_for_the_paper():
-    with pytest.raises(InputError, match="has too many forces for this paper: ask for one crank angle, or for A3"):
-        plan_forces(WEIGHED["stephenson"], [30.0, 200.0])
+    """No room for the tables of a valve gear at two angles; the polygon of a radial's master would be a speck."""
+    for name in ("stephenson", "r_1340"):
+        with pytest.raises(InputError, match="has too many forces for this paper: ask for one crank angle, or for A3"):
+            plan_forces(WEIGHED[name], [30.0, 200.0])
+        assert_words_are_readable(plan_forces(WEIGHED[name], [30.0, 200.0], size="A3"))
 
 
 @pytest.mark.parametrize("name", [name for name in WEIGHED if name not in (*NO_ROD, "eccentric")])
@@ -118,13 +132,22 @@ def test_curves_are_the_results(results):
 
 
 def test_sides_of_a_drawn_polygon_are_to_scale():
-    """Drawn beside or not: length times μ_F is the force."""
+    """Drawn beside or not: length times μ_F is the force; parts of a reaction, then the whole, then chords."""
     for polygon in force_polygons(WEIGHED["r_1340"], [40.0], mechanism="1M"):
         sketch = force_polygon_sketch(polygon)
-        sides = [line.points for line in sketch.lines if not line.is_closed]
-        lengths = [float(np.hypot(*(side[:, 1] - side[:, 0]))) for side in sides]
-        expected = [force.size / polygon.scale for force in polygon.forces]
-        assert lengths == pytest.approx(expected, rel=1e-9, abs=1e-9)
+        lines = [line for line in sketch.lines if not line.is_closed]
+        lengths = [float(np.hypot(*(line.points[:, 1] - line.points[:, 0]))) for line in lines]
+        drawn = [*polygon.forces, *(span.force for span in (*polygon.wholes, *polygon.chords))]
+        assert lengths == pytest.approx([force.size / polygon.scale for force in drawn], rel=1e-9, abs=1e-9)
+        assert [line.habit for line in lines].count("chord") == len(polygon.chords)
+
+
+def test_sheet_of_polygons_says_what_it_shows():
+    words = [text for text, _box in words_of(plan_forces(WEIGHED["3d12"], [30.0]))]
+    for part in ("4, 5: group RRP", "3, 6: group RRP", "2: initial link", "3 master rod, 6 master slider", "about D"):
+        assert part in words
+    assert any("$F_{34}^{t}$" in text for text in words)
+    assert any(text.startswith("$\\mu_F$ = 500 N/mm") or "\\mu_F$ = 500 N/mm" in text for text in words)
 
 
 def test_drawn_lever_balances_about_its_pole():
@@ -152,6 +175,68 @@ def test_polar_curves_are_to_scale():
     assert full[:, -1] == pytest.approx(full[:, 0])
     words = [label.text for label in sketch.labels]
     assert "0°" in words and "5" in words
+
+
+@pytest.mark.parametrize("name", ["10d100", "vaz_21213"])
+def test_no_angle_stands_over_a_mark(name):
+    """Neither over the ring of the largest load."""
+    loads = pin_loads(ct.load(name))
+    for pair in ((loads.on_pin, loads.on_pin_without), (loads.in_rod, loads.in_rod_without)):
+        sketch = polar_sketch(loads, pair, 2000.0 if name == "10d100" else 400.0)
+        ring = max(sketch.circles, key=lambda circle: circle.radius)
+        for label in sketch.labels:
+            box = label_outline(label, 1.0)
+            nearest = np.clip(ring.centre, np.min(box, axis=1), np.max(box, axis=1))
+            assert np.hypot(*(nearest - ring.centre)) >= ring.radius, label.text
+
+
+def test_lever_says_what_is_too_short_to_be_drawn():
+    """All that rubs in an engine is small beside the gas."""
+    words = [text for text, _box in words_of(plan_zhukovsky(rubbing(WEIGHED["vaz_21213"]), [30.0]))]
+    assert "Too short to be drawn:" in words
+    assert words[words.index("Too short to be drawn:") + 1] == "$f_{14}$"
+
+
+def test_a_valve_gears_lever_with_friction_is_readable():
+    gear = rubbing(WEIGHED["walschaerts"])
+    assert_words_are_readable(plan_zhukovsky(gear, [60.0], mechanism="1valve"))
+    with pytest.raises(InputError, match=r"has too many forces for this paper: ask for one crank angle$"):
+        plan_zhukovsky(gear, [60.0, 200.0], mechanism="1valve", size="A3")
+
+
+def star(n_sliders):
+    """Sliders all round a crank pin, each with a rod of its own."""
+    parts = [
+        {
+            "type": "slide",
+            "rod": {"name": f"rod{i}", "from": "main.pin", "length": "200 mm"},
+            "slider": f"slider{i}",
+            "guide": {"through": "O", "direction": f"{i * 360 // n_sliders} deg"},
+            "side": "ahead",
+        }
+        for i in range(n_sliders)
+    ]
+    still = {"along": "1 mm", "inertia": "0.001 kg*m^2"}
+    masses = {f"slider{i}": {"mass": f"{i + 1} kg", **still} for i in range(n_sliders)}
+    chain = {"kind": "chain", "output": "slider0", "crank": {"main": {"radius": "50 mm"}}, "part": parts}
+    return ct.Machine(mechanism=chain, shaft={"main": {"speed": "600 rpm"}}, masses=masses, gravity=True)
+
+
+def test_more_forces_than_a_sheet_has_room_for():
+    with pytest.raises(InputError, match=r"has too many forces for A4: ask for A3, --size A3$"):
+        plan_zhukovsky(star(18), [60.0])
+    assert_words_are_readable(plan_zhukovsky(star(18), [60.0], size="A3"))
+    with pytest.raises(InputError, match=r"has too many forces for a sheet$"):
+        plan_zhukovsky(star(40), [60.0], size="A3")
+
+
+@pytest.mark.parametrize("draw", [plan_forces, plan_positions, plan_velocities, plan_accelerations])
+@pytest.mark.parametrize("name", ["10d100", "deltic"])
+def test_plans_of_opposed_pistons_are_readable(name, draw):
+    figure = draw(ct.load(name))
+    assert_words_are_readable(figure)
+    words = " | ".join(text for text, _box in words_of(figure))
+    assert f", cylinder {'1' if name == '10d100' else '1A'}. " in words
 
 
 @pytest.mark.parametrize("name", ["vaz_21213", "3d12", "r_1340", "deltic"])

@@ -432,6 +432,23 @@ def test_dxf_has_layers_true_lengths_and_no_date(tmp_path):
     dimensions = sorted(dimension.get_measurement() for dimension in document.modelspace().query("DIMENSION"))
     expected = [21 * 25.4, 56.05 * 25.4, 65.63 * 25.4]
     np.testing.assert_allclose(dimensions, expected, rtol=1e-9)
+    written = {
+        float(part.text)
+        for dimension in document.modelspace().query("DIMENSION")
+        for part in dimension.get_geometry_block()
+        if part.dxftype() == "MTEXT"
+    }
+    np.testing.assert_allclose(sorted(written), expected, atol=5e-4)
+
+
+def test_dxf_of_opposed_pistons_has_both(tmp_path):
+    ezdxf = pytest.importorskip("ezdxf")
+    dxf(ct.load("10d100"), [40.0], tmp_path / "both.dxf")
+    dxf(ct.load("10d100"), [40.0], tmp_path / "one.dxf", mechanism="1.exhaust")
+    counts = {
+        name: len(ezdxf.readfile(tmp_path / f"{name}.dxf").modelspace().query("DIMENSION")) for name in ("both", "one")
+    }
+    assert counts == {"both": 4, "one": 2}
 
 
 @pytest.mark.parametrize("case", WORKS)

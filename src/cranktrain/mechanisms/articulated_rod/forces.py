@@ -24,7 +24,7 @@ from cranktrain.linkage.forces import (
     turned_wrench,
 )
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, ArticulatedRodMotion
-from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Reaction
+from cranktrain.mechanisms.kind import FRAME, Across, Contact, Dynamics, Group, Reaction
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import ZERO, Array, Link
 
@@ -196,6 +196,7 @@ DYNAMICS = Dynamics(
     ),
     sliding=("slider",),
     contacts=(Contact("guide", "D"),),
+    groups=(Group("RRP", ("rod", "slider"), (Across("knuckle", "rod", "D"),)),),
     links=articulated_rod_links,
     load=articulated_rod_load,
     forces=articulated_rod_forces,

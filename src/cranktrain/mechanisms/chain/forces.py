@@ -25,6 +25,7 @@ from cranktrain.mechanisms.chain.backward import BackwardWalk, walk_backward
 from cranktrain.mechanisms.chain.joints import (
     carriers_of,
     chain_contacts,
+    chain_groups,
     chain_moving,
     chain_reactions,
     chain_sliding,
@@ -203,6 +204,7 @@ def chain_dynamics(structure: Structure, size_of: Callable[[Any], ChainSize] = _
         chain_reactions(structure),
         chain_sliding(structure),
         chain_contacts(structure),
+        chain_groups(structure),
         links,
         load,
         forces,

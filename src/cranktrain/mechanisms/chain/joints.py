@@ -17,7 +17,7 @@ from cranktrain.mechanisms.chain.steps import (
     TriadStep,
     YokeStep,
 )
-from cranktrain.mechanisms.kind import FRAME, Contact, Reaction
+from cranktrain.mechanisms.kind import FRAME, Across, Contact, Group, Reaction
 
 GUIDE = "guide"
 """Where a slider meets its fixed guide, in a joint's name."""
@@ -84,6 +84,36 @@ def chain_reactions(structure: Structure) -> tuple[Reaction, ...]:
     carriers = carriers_of(structure)
     parts = (joint for step in structure.steps for joint in _joints(step, carriers))
     return (Reaction("main_bearing", structure.cranks[0], FRAME), *parts)
+
+
+def chain_groups(structure: Structure) -> tuple[Group, ...]:
+    """Assur groups of a chain, in the order of the file."""
+    return tuple(group for step in structure.steps for group in _group(step))
+
+
+def _group(step: Step) -> Iterator[Group]:
+    """What a part is as a group; a point is none."""
+    links = moving_of(step)
+    match step:
+        case PinStep():
+            hung = ((step.rod_from, step.rod), (step.rocker_from, step.rocker))
+            yield Group("RRR", links, tuple(Across(joint_name(*one), one[1], step.joint) for one in hung))
+        case SlideStep():
+            across = Across(joint_name(step.rod_from, step.rod), step.rod, pin_of(step.slider))
+            yield Group("RRP", links, (across,))
+        case SwivelStep():
+            yield Group("RPR", links, (Across(joint_name(step.pin, step.slider), step.guide, step.pivot),))
+        case YokeStep():
+            yield Group("RPP", links)
+        case TrammelStep():
+            yield Group("PRP", links)
+        case TriadStep():
+            rods = [leg for leg in step.legs if isinstance(leg, RodLegStep)]
+            across = tuple(Across(joint_name(leg.rod_from, leg.rod), leg.rod, leg.joint) for leg in rods)
+            # The legs first: the link between them bears only what they pass on.
+            yield Group("triad", (*links[1:], step.link), across)
+        case PointStep() | MountStep():
+            pass
 
 
 def carriers_of(structure: Structure) -> dict[str, str]:

@@ -18,7 +18,7 @@ from cranktrain.linkage.forces import (
     reduced_of_three,
 )
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, CrankRockerMotion
-from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
+from cranktrain.mechanisms.kind import FRAME, Across, Dynamics, Group, Reaction
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import ZERO, Array, Link
 
@@ -129,6 +129,7 @@ DYNAMICS = Dynamics(
     ),
     sliding=(),
     contacts=(),
+    groups=(Group("RRR", ("rod", "rocker"), (Across("crank_pin", "rod", "B"), Across("pivot", "rocker", "B"))),),
     links=crank_rocker_links,
     load=crank_rocker_load,
     forces=crank_rocker_forces,

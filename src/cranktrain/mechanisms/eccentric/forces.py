@@ -52,6 +52,7 @@ DYNAMICS = Dynamics(
     reactions=SLIDER_CRANK.reactions,
     sliding=SLIDER_CRANK.sliding,
     contacts=SLIDER_CRANK.contacts,
+    groups=SLIDER_CRANK.groups,
     links=eccentric_links,
     load=eccentric_load,
     forces=eccentric_forces,

@@ -19,7 +19,7 @@ from cranktrain.linkage.forces import (
     swivel_reactions,
     swivel_slider_link,
 )
-from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Reaction
+from cranktrain.mechanisms.kind import FRAME, Across, Contact, Dynamics, Group, Reaction
 from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinder, OscillatingCylinderMotion
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import ZERO, Array, Link
@@ -152,6 +152,7 @@ DYNAMICS = Dynamics(
     ),
     sliding=("slider",),
     contacts=(Contact("guide", "A"),),
+    groups=(Group("RPR", ("slider", "cylinder"), (Across("crank_pin", "cylinder", "C"),)),),
     links=oscillating_cylinder_links,
     load=oscillating_cylinder_load,
     forces=oscillating_cylinder_forces,

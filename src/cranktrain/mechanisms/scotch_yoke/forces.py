@@ -20,7 +20,7 @@ from cranktrain.linkage.forces import (
     slider_link,
     yoke_reactions,
 )
-from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Reaction
+from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Group, Reaction
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke, ScotchYokeMotion
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import ZERO, Array, Link
@@ -138,6 +138,7 @@ DYNAMICS = Dynamics(
     ),
     sliding=("slider", "block"),
     contacts=(Contact("guide", "B"), Contact("slot", "A")),
+    groups=(Group("RPP", ("block", "slider")),),
     links=scotch_yoke_links,
     load=scotch_yoke_load,
     forces=scotch_yoke_forces,

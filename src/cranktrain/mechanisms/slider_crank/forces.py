@@ -18,7 +18,7 @@ from cranktrain.linkage.forces import (
     slide_reactions,
     slider_link,
 )
-from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Reaction
+from cranktrain.mechanisms.kind import FRAME, Across, Contact, Dynamics, Group, Reaction
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, SliderCrankMotion
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import ZERO, Array, Link
@@ -148,6 +148,7 @@ DYNAMICS = Dynamics(
     ),
     sliding=("slider",),
     contacts=(Contact("guide", "B"),),
+    groups=(Group("RRP", ("rod", "slider"), (Across("crank_pin", "rod", "B"),)),),
     links=slider_crank_links,
     load=slider_crank_load,
     forces=slider_crank_forces,

@@ -18,7 +18,7 @@ from cranktrain.linkage.forces import (
     swivel_reactions,
     swivel_slider_link,
 )
-from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Reaction
+from cranktrain.mechanisms.kind import FRAME, Across, Contact, Dynamics, Group, Reaction
 from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLever, SlottedLeverMotion
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import ZERO, Array, Link
@@ -134,6 +134,7 @@ DYNAMICS = Dynamics(
     ),
     sliding=("block",),
     contacts=(Contact("slot", "A"),),
+    groups=(Group("RPR", ("block", "rocker"), (Across("crank_pin", "rocker", "C"),)),),
     links=slotted_lever_links,
     load=slotted_lever_load,
     forces=slotted_lever_forces,
