@@ -30,9 +30,10 @@ def record(data: type[Data]) -> type[Data]:
 
 def _set_once(self: Any, name: str, value: object) -> None:
     """Let `__init__` set each field, and nobody after it."""
-    if name in vars(self) or name not in self.__dataclass_fields__:
+    own = vars(self)
+    if name in own or name not in self.__dataclass_fields__:
         _refuse(self, name)
-    object.__setattr__(self, name, value)
+    own[name] = value
 
 
 def _refuse(self: object, name: str) -> None:
