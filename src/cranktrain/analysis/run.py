@@ -39,9 +39,9 @@ def run(
     ----------
     machine : Machine, or a sequence of machines
         Several designs of one machine give a leading dimension `design`.
-    speed : "constant", "running" or array-like, shape (crank_angle,) or (design, crank_angle)
+    speed : "constant", "running", array-like of shape (crank_angle,) or (design, crank_angle), or SpeedCurve
         At which everything is computed: the declared one all round; that of steady running, which a first run finds and
-        a second is at; or one's own at the crank angles of the grid. [rad/s]
+        a second is at; one's own at the crank angles of the grid; or what `speed_over_cycle` gave. [rad/s]
     step_degrees : float
         Of the crank-angle grid; the cycle must be a whole number of steps. [deg]
     partial : bool
@@ -81,6 +81,31 @@ def run(
         gifts=(*(parts[part] for part in (SpeedCurve,) if part in parts), *gifts.values()),
         missing=missing,
     )
+
+
+def speed_over_cycle(machine: Machine, speed: SpeedWanted) -> SpeedCurve | None:
+    """How a machine's shaft turns, at any crank angle.
+
+    Parameters
+    ----------
+    machine : Machine
+    speed : "constant", "running", array-like of shape (crank_angle,), or SpeedCurve
+        As `run` takes it, on a grid in steps of 1°.
+
+    Returns
+    -------
+    SpeedCurve or None
+        None for a constant speed.
+
+    Raises
+    ------
+    InputError
+        Where the file does not say what the running speed needs, there is none, or the speeds given are none.
+    """
+    if isinstance(speed, SpeedCurve) or (isinstance(speed, str) and speed == "constant"):
+        return speed if isinstance(speed, SpeedCurve) else None
+    parts = with_speed(parts_of((machine,), step=_step(1.0)), speed, STAGES)
+    return _part(parts, SpeedCurve)
 
 
 def _step(degrees: float) -> float:

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cranktrain.analysis import SpeedWanted
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
@@ -80,19 +81,22 @@ def force_polygons(
     *,
     mechanism: str | None = None,
     room: tuple[float, float] = ROOM,
+    speed: SpeedWanted = "constant",
 ) -> tuple[ForcePolygon, ...]:
     """Polygons of forces of every link that has any, for each crank angle, all to one scale.
 
     Parameters
     ----------
     machine : Machine
-        With masses or gas, and a speed, which is taken as constant.
+        With masses or gas, and a speed.
     angles : int or sequence of float
         How many, evenly over a turn from the shown angle 0, or which. [deg]
     mechanism : str, optional
         Its name, such as `1R`; unless given, the first slave of throw 1, or the first mechanism.
     room : (width, height)
         For which the scale factor must suffice, polygon by polygon. [mm]
+    speed : SpeedWanted
+        As `cranktrain.run` takes it.
 
     Returns
     -------
@@ -111,7 +115,7 @@ def force_polygons(
     """
     place = place_called(machine, mechanism)
     shown = closed_angles(machine, place, angles)
-    links = acted_links(machine, made_ready(machine), place, np.deg2rad(shown) + machine.zero)
+    links = acted_links(machine, made_ready(machine, speed), place, np.deg2rad(shown) + machine.zero)
     least = _NOTHING * max(float(np.max(np.hypot(*force.value))) for link in links for force in link.forces)
     if not np.isfinite(least) or least == 0.0:
         allowed = _("no force acts on the links of {name} there").format(name=place.name)

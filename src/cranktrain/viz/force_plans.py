@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
@@ -43,7 +44,12 @@ _LETTERS = 13
 
 
 def plan_forces(
-    machine: Machine, angles: int | Sequence[float] = (30.0,), *, mechanism: str | None = None, size: str = "A4"
+    machine: Machine,
+    angles: int | Sequence[float] = (30.0,),
+    *,
+    mechanism: str | None = None,
+    size: str = "A4",
+    speed: SpeedWanted = "constant",
 ) -> Figure:
     """Draw the polygons of forces of a mechanism's links, to scale, beside the mechanism and a table.
 
@@ -56,15 +62,18 @@ def plan_forces(
     mechanism : str, optional
         Its name; the first slave of throw 1, or the first mechanism, unless given.
     size : "A4" or "A3"
+    speed : SpeedWanted
+        As `cranktrain.run` takes it.
 
     Returns
     -------
     Figure
     """
     chosen = [float(angle) for angle in few_angles(angles, _("polygons of forces"))]
-    polygons = force_polygons(machine, chosen, mechanism=mechanism)
+    curve = speed_over_cycle(machine, speed)
+    polygons = force_polygons(machine, chosen, mechanism=mechanism, speed=curve or "constant")
     with drawing_settings():
-        page, box = plan_page(machine, angles, size, _("Polygons of forces"), polygons[0].mechanism)
+        page, box = plan_page(machine, angles, size, _("Polygons of forces"), polygons[0].mechanism, curve=curve)
         cells = list(cells_of(box, len(chosen)))
         groups = [[polygon for polygon in polygons if polygon.angle == angle] for angle in chosen]
         tables = [_tables(group, cell.height) for group, cell in zip(groups, cells, strict=True)]

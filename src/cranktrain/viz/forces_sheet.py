@@ -16,7 +16,7 @@ from cranktrain.viz.force_panels import OneDesign, chambers_of, draw_panels, for
 from cranktrain.viz.machine_sheet import title_block
 from cranktrain.viz.page import MARGIN, Figure, Page, drawing_settings, muted, paper
 from cranktrain.viz.style import COLOURS, TEXT
-from cranktrain.viz.words import running_words, zero_words
+from cranktrain.viz.words import running_words, speed_of, speed_words, zero_words
 
 _LEFT = 0.55
 """Share of the curves over the crank angle in the width."""
@@ -57,7 +57,11 @@ def sheet_forces(result: Result, *, size: str = "A4", piston: str | None = None,
         page = Page(*paper(size))
         machine = result.machines[design]
         top = title_block(
-            page, machine, [running_words(machine)], [_("Forces. {zero}").format(zero=zero_words(machine))]
+            page,
+            machine,
+            [running_words(machine)],
+            [_("Forces. {zero}").format(zero=zero_words(machine))],
+            speed_words(speed_of(result), design),
         )
         bottom, width = MARGIN, page.width - 2 * MARGIN
         left = (MARGIN + 12.0, bottom, _LEFT * width - 18.0, top - 4.0 - bottom)

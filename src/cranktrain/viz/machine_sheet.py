@@ -17,7 +17,7 @@ from cranktrain.viz.page import MARGIN, Figure, Page, drawing_settings, fitting_
 from cranktrain.viz.scene import Scene, scene_of
 from cranktrain.viz.sketch import Sketch
 from cranktrain.viz.style import INK, TITLE
-from cranktrain.viz.words import provenance_words, running_words, zero_words
+from cranktrain.viz.words import provenance_words, running_words, speed_of, speed_words, zero_words
 
 _FEW = 2
 """Up to so many mechanisms, each has a ruler of its own."""
@@ -57,7 +57,8 @@ def sheet(result: Result, *, size: str = "A4", at: float = _ANGLE, design: int =
         width, height = paper(size)
         page = Page(width, height)
         machine = result.machines[design]
-        top = title_block(page, machine, [running_words(machine)], [zero_words(machine)])
+        at_speed = speed_words(speed_of(result), design)
+        top = title_block(page, machine, [running_words(machine)], [zero_words(machine)], at_speed)
         middle = MARGIN + 0.48 * (width - 2 * MARGIN)
         found = marks(result, design)
         _draw_mechanism(page, machine, found, at, (MARGIN, MARGIN, middle - 4.0 - MARGIN, top - 4.0 - MARGIN))
@@ -68,14 +69,17 @@ def sheet(result: Result, *, size: str = "A4", at: float = _ANGLE, design: int =
         return page.figure
 
 
-def title_block(page: Page, machine: Machine, about: Sequence[str], below: Sequence[str]) -> float:
-    """Head a sheet; give where it ends. [mm]"""
+def title_block(page: Page, machine: Machine, about: Sequence[str], below: Sequence[str], at_speed: str = "") -> float:
+    """Head a sheet, and say where not at a constant speed at which one; give where it ends. [mm]"""
     top = page.height - MARGIN
     page.text(MARGIN, top - 4.5, machine.name or _("Machine without a name"), fontsize=TITLE, fontweight="bold")
     layout = layout_words(machine)
     page.text(MARGIN, top - 10.0, ". ".join([layout[:1].upper() + layout[1:], *about]))
     page.text(MARGIN, top - 14.5, ". ".join(below), **muted())
     page.text(page.width - MARGIN, top - 10.0, provenance_words(machine), ha="right")
+    if at_speed:
+        page.text(MARGIN, top - 19.0, at_speed)
+        top -= 4.5
     page.rule(top - 17.5)
     return top - 17.5
 
