@@ -119,7 +119,7 @@ def _step(degrees: float) -> float:
 
 
 def _needed(stages: Sequence[Stage], names: Sequence[str]) -> tuple[Stage, ...]:
-    """Those stages that the named quantities need, in order."""
+    """Those stages that the named quantities need, in order, and those that take what there is."""
     home = {entry.name: stage for stage in stages for entry in entries(stage.gives)}
     unknown = [name for name in names if name not in home]
     if unknown:
@@ -134,7 +134,9 @@ def _needed(stages: Sequence[Stage], names: Sequence[str]) -> tuple[Stage, ...]:
             )
             for name in unknown
         )
-    return leading_to(stages, [home[name].gives for name in names])
+    needed = leading_to(stages, [home[name].gives for name in names])
+    # What needs nothing, as doubts, takes what there is.
+    return tuple(one for one in stages if one in needed or set(one.needs) <= set(one.optional))
 
 
 def _part(parts: Parts, kind: type[Any]) -> Any:

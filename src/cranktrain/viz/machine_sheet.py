@@ -168,7 +168,8 @@ class _Ruler(NamedTuple):
     """What is written over the curves.
 
     words: of a mark at the top and at the bottom, or largest and smallest; pistons: names of the curves; textbook:
-    forms beside the curves, if any; is_of_cylinders: whether the marks are of cylinders and not of these pistons.
+    forms beside the curves, if any; is_of_cylinders: whether the marks are of cylinders and not of these pistons;
+    valves: which of the names are valves, that have no top.
     """
 
     heading: str
@@ -177,6 +178,12 @@ class _Ruler(NamedTuple):
     pistons: Sequence[str]
     textbook: str
     is_of_cylinders: bool = False
+    valves: Sequence[str] = ()
+
+    def word(self, mark: Mark) -> str:
+        """Word of a mark."""
+        words = (_("farthest"), _("nearest")) if mark.name in self.valves else self.words
+        return words[0] if mark.is_top else words[1]
 
     @property
     def names(self) -> list[str]:
@@ -202,9 +209,15 @@ def _ruler_of(result: Result, found: Sequence[Mark], design: int) -> _Ruler:
     pair = opposed_names(result.machines[design])
     if pair:
         return _Ruler(_("Volumetric dead centres"), (_("inner"), _("outer")), found, pair, "", is_of_cylinders=True)
+    names = list(dict.fromkeys(mark.name for mark in found))
+    valves = [place.name for place in result.machines[design].places if not place.kind.has_chambers]
     heading = _("True dead centres") if found else _("No dead centres")
+    if found and set(names) <= set(valves):
+        heading = _("Ends of valve travel")
+    elif set(names) & set(valves):
+        heading = _("Dead centres; ends of valve travel")
     textbook = textbook_words(result, design)
-    return _Ruler(heading, (_("TDC"), _("BDC")), found, list(dict.fromkeys(mark.name for mark in found)), textbook)
+    return _Ruler(heading, (_("TDC"), _("BDC")), found, names, textbook, valves=valves)
 
 
 def _draw_ruler(page: Page, ruler: _Ruler, place: tuple[float, float, float]) -> float:
@@ -220,7 +233,7 @@ def _draw_ruler(page: Page, ruler: _Ruler, place: tuple[float, float, float]) ->
         y -= 5.0
     rows: dict[str, list[tuple[Mark, str]]] = {}
     for mark in ruler.marks:
-        word = ruler.words[0] if mark.is_top else ruler.words[1]
+        word = ruler.word(mark)
         row, label = (
             (mark.name, f"{word} {mark.angle:.2f}°") if ruler.is_few else (word, f"{mark.name}\n{mark.angle:.1f}")
         )
