@@ -85,7 +85,7 @@ def by_sort(
     """Part sliders into pistons and valves: of each sort that there is, its words, names and values, shape (n,)."""
     for said, chosen in zip(words, (~is_valve, is_valve), strict=True):
         if np.any(chosen):
-            yield said, [names[i] for i in np.flatnonzero(chosen)], [part[chosen] for part in values]
+            yield said, [names[i] for i in np.flatnonzero(chosen).tolist()], [part[chosen] for part in values]
 
 
 def ranged(names: Sequence[str], members: Sequence[int]) -> str:

@@ -83,8 +83,15 @@ def _piston(result: Result, wanted: str | None) -> str | None:
         raise InputError([Problem("--mechanism", wanted, allowed)])
     if wanted is not None or "piston_force" not in result.catalogue:
         return wanted or next(iter(names), None)
+    return next(name for name in names if _has_forces(result, name))
+
+
+def _has_forces(result: Result, piston: str) -> bool:
+    """Whether a piston's rod is on a crank pin, so that it has forces of its own; a valve's is not."""
+    if "piston_force" not in result.catalogue:
+        return False
     first = result.piston_force[0] if result.has_designs else result.piston_force
-    return next(name for i, name in enumerate(names) if np.all(np.isfinite(first[0, i])))
+    return bool(np.all(np.isfinite(first[0, result.labels["piston"].index(piston)])))
 
 
 def _hangs(result: Result, piston: str) -> bool:
@@ -135,7 +142,7 @@ def _notes(result: Result, piston: str | None) -> Iterator[str]:
     """Sentences on what is shown."""
     if piston is not None and _hangs(result, piston):
         yield _("{piston} hangs on another rod: P, S, N, K, T are of rods on crank pins.").format(piston=piston)
-    elif piston is not None and "piston_force" in result.catalogue:
+    elif piston is not None and _has_forces(result, piston):
         yield _("P, S, N, K, T: exact motion, the rod as two masses, K without its rotating one.")
     yield _("Torque: reactions of rigid links, each mechanism's thin.")
     if result.labels.get("cylinder"):
