@@ -4,7 +4,7 @@ import re
 import types
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Annotated, Literal, NamedTuple, TypeVar, Union, cast, get_args, get_origin
+from typing import Annotated, ClassVar, Literal, NamedTuple, TypeVar, Union, cast, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, Discriminator, ValidationError, model_validator
 from pydantic.fields import FieldInfo
@@ -19,6 +19,9 @@ class Spec(BaseModel, frozen=True):
     """A table of the machine file: frozen, no unknown keys, nothing coerced; its lists become tuples."""
 
     model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False, defer_build=True)
+
+    of_file: ClassVar[frozenset[str]] = frozenset()
+    """Fields that say where a curve's numbers are and how they are read: as numbers, they may differ among designs."""
 
     @model_validator(mode="before")
     @classmethod

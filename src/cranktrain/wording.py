@@ -1,10 +1,11 @@
 """Numbers and names put into sentences."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from math import floor, log10
 from string import digits
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.quantities import shown
@@ -76,6 +77,15 @@ def shared(names: Sequence[str], values: Array, unit: str) -> str:
     if len(written) == 1:
         return next(iter(written))
     return ", ".join(f"{text} ({ranged(names, members)})" for text, members in written.items())
+
+
+def by_sort(
+    words: tuple[str, str], names: Sequence[str], is_valve: NDArray[np.bool_], values: Sequence[Array]
+) -> Iterator[tuple[str, list[str], list[Array]]]:
+    """Part sliders into pistons and valves: of each sort that there is, its words, names and values, shape (n,)."""
+    for said, chosen in zip(words, (~is_valve, is_valve), strict=True):
+        if np.any(chosen):
+            yield said, [names[i] for i in np.flatnonzero(chosen).tolist()], [part[chosen] for part in values]
 
 
 def ranged(names: Sequence[str], members: Sequence[int]) -> str:

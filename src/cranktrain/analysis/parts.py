@@ -170,8 +170,11 @@ def _structure(declared: object, path: str = "") -> Iterator[tuple[str, object]]
     if isinstance(declared, Given):
         yield path, Given
     elif isinstance(declared, Spec):
-        for name in type(declared).model_fields:
-            if name != "name":
+        for name, field in type(declared).model_fields.items():
+            if name in declared.of_file:
+                if field.is_required():
+                    yield f"{path}.{name}", Given
+            elif name != "name":
                 yield from _structure(getattr(declared, name), f"{path}.{name}".removeprefix("."))
     elif isinstance(declared, Mapping):
         for name, value in cast(Mapping[str, object], declared).items():

@@ -39,9 +39,9 @@ def run(
     ----------
     machine : Machine, or a sequence of machines
         Several designs of one machine give a leading dimension `design`.
-    speed : "constant", "running" or array-like, shape (crank_angle,) or (design, crank_angle)
+    speed : "constant", "running", array-like of shape (crank_angle,) or (design, crank_angle), or SpeedCurve
         At which everything is computed: the declared one all round; that of steady running, which a first run finds and
-        a second is at; or one's own at the crank angles of the grid. [rad/s]
+        a second is at; one's own at the crank angles of the grid; or what `speed_over_cycle` gave. [rad/s]
     step_degrees : float
         Of the crank-angle grid; the cycle must be a whole number of steps. [deg]
     partial : bool
@@ -83,6 +83,31 @@ def run(
     )
 
 
+def speed_over_cycle(machine: Machine, speed: SpeedWanted) -> SpeedCurve | None:
+    """How a machine's shaft turns, at any crank angle.
+
+    Parameters
+    ----------
+    machine : Machine
+    speed : "constant", "running", array-like of shape (crank_angle,), or SpeedCurve
+        As `run` takes it, on a grid in steps of 1°.
+
+    Returns
+    -------
+    SpeedCurve or None
+        None for a constant speed.
+
+    Raises
+    ------
+    InputError
+        Where the file does not say what the running speed needs, there is none, or the speeds given are none.
+    """
+    if isinstance(speed, SpeedCurve) or (isinstance(speed, str) and speed == "constant"):
+        return speed if isinstance(speed, SpeedCurve) else None
+    parts = with_speed(parts_of((machine,), step=_step(1.0)), speed, STAGES)
+    return _part(parts, SpeedCurve)
+
+
 def _step(degrees: float) -> float:
     """Step in radians, if it divides a turn."""
     if _FINEST <= degrees <= _COARSEST:
@@ -94,7 +119,7 @@ def _step(degrees: float) -> float:
 
 
 def _needed(stages: Sequence[Stage], names: Sequence[str]) -> tuple[Stage, ...]:
-    """Those stages that the named quantities need, in order."""
+    """Those stages that the named quantities need, in order, and those that take what there is."""
     home = {entry.name: stage for stage in stages for entry in entries(stage.gives)}
     unknown = [name for name in names if name not in home]
     if unknown:
@@ -109,7 +134,9 @@ def _needed(stages: Sequence[Stage], names: Sequence[str]) -> tuple[Stage, ...]:
             )
             for name in unknown
         )
-    return leading_to(stages, [home[name].gives for name in names])
+    needed = leading_to(stages, [home[name].gives for name in names])
+    # What needs nothing, as doubts, takes what there is.
+    return tuple(one for one in stages if one in needed or set(one.needs) <= set(one.optional))
 
 
 def _part(parts: Parts, kind: type[Any]) -> Any:

@@ -17,8 +17,8 @@ from cranktrain.language import _
 from cranktrain.loads.periodic import spline_curve
 from cranktrain.motion import Array
 
-SpeedWanted: TypeAlias = Literal["constant", "running"] | ArrayLike
-"""Constant; that of the steady running which the machine's file makes; or one's own on the grid."""
+SpeedWanted: TypeAlias = Literal["constant", "running"] | ArrayLike | SpeedCurve
+"""Constant; that of the steady running which the machine's file makes; one's own on the grid; or a curve there is."""
 
 
 def with_speed(parts: Parts, speed: SpeedWanted, stages: Sequence[Stage]) -> Parts:
@@ -28,7 +28,7 @@ def with_speed(parts: Parts, speed: SpeedWanted, stages: Sequence[Stage]) -> Par
     ----------
     parts : mapping of type to object
         What the machine declares.
-    speed : "constant", "running" or array-like, shape (n,) or (design, n)
+    speed : "constant", "running", array-like of shape (n,) or (design, n), or SpeedCurve
         [rad/s]
     stages : sequence of Stage
         Which of them find the running speed.
@@ -43,10 +43,17 @@ def with_speed(parts: Parts, speed: SpeedWanted, stages: Sequence[Stage]) -> Par
     InputError
         Where the file does not say what the running speed needs, there is none, or the speeds given are none.
     """
+    if isinstance(speed, str) and speed == "constant":
+        return parts
+    curve = speed if isinstance(speed, SpeedCurve) else _curve(parts, speed, stages)
+    declared: Any = parts.get(Speed, Speed(curve.mean))
+    return {**parts, Speed: Speed(declared.value, curve), SpeedCurve: curve}
+
+
+def _curve(parts: Parts, speed: str | ArrayLike, stages: Sequence[Stage]) -> SpeedCurve:
+    """Lay a curve through the running speed, or through one's own."""
     grid: Any = parts[CrankAngle]
     if isinstance(speed, str):
-        if speed == "constant":
-            return parts
         if speed != "running":
             allowed = _('must be "constant", "running" or speeds in rad/s at the crank angles of the grid')
             raise InputError([Problem("speed", speed, allowed)])
@@ -56,11 +63,9 @@ def with_speed(parts: Parts, speed: SpeedWanted, stages: Sequence[Stage]) -> Par
         speeds = _given(speed, grid)
         accelerations = spline_curve(speeds**2, grid.cycle).slope(grid.shown) / 2
         mean = 1 / np.mean(1 / speeds, axis=-1)
-    curve = speed_curve(
+    return speed_curve(
         speeds, accelerations, grid.cycle, zero=grid.zero, mean=mean, is_steady_running=isinstance(speed, str)
     )
-    declared: Any = parts.get(Speed, Speed(curve.mean))
-    return {**parts, Speed: Speed(declared.value, curve), SpeedCurve: curve}
 
 
 def _found(parts: Parts, stages: Sequence[Stage]) -> RunningSpeed:

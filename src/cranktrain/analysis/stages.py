@@ -17,6 +17,7 @@ from cranktrain.engine.closing import closing
 from cranktrain.engine.couplers import coupler_motion, coupler_speeds
 from cranktrain.engine.crank_pins import crank_pin_loads
 from cranktrain.engine.dead_centres import dead_centres, piston_grid, piston_turn
+from cranktrain.engine.doubts import doubts
 from cranktrain.engine.evenness import flywheel_moment, running_speed, shaft_work
 from cranktrain.engine.firing import firing
 from cranktrain.engine.flywheel import flywheel_size, rim_size
@@ -182,6 +183,7 @@ STAGES: tuple[Stage, ...] = tuple(
         rim_size,
         axial_positions,
         closing,
+        doubts,
         rod_orders,
         textbook_motion,
     )

@@ -111,6 +111,13 @@ _Settings = Annotated[
 ]
 _Partial = Annotated[bool, typer.Option("--partial", help=_("Accept links that do not close all round: NaN there."))]
 
+_RunningSpeed = Annotated[
+    bool,
+    typer.Option(
+        "--running-speed", help=_("All at the speed of steady running that [evenness] gives, not a constant one.")
+    ),
+]
+
 
 @_app.callback(
     help=_(
@@ -218,12 +225,7 @@ def _run(
     step: Annotated[
         float, typer.Option(metavar="DEGREES", parser=_degrees, help=_("Of the crank angle, in curves."))
     ] = 1.0,
-    running_speed: Annotated[
-        bool,
-        typer.Option(
-            "--running-speed", help=_("All at the speed of steady running that [evenness] gives, not a constant one.")
-        ),
-    ] = False,
+    running_speed: _RunningSpeed = False,
     partial_turn: _Partial = False,
     inputs: Annotated[
         bool, typer.Option("--inputs", help=_("Show every number of the file and where it is from."))
@@ -256,6 +258,7 @@ def _run(
         "  cranktrain plot 3d12 --plan accelerations --at 30,60 -o accelerations.pdf\n"
         "  cranktrain plot 3d12 --plan forces --at 30,60 --mechanism 1L -o polygons.svg\n"
         "  cranktrain plot 3d12 --sheet forces -o forces.pdf\n"
+        "  cranktrain plot vaz_21213 --sheet forces --running-speed -o running.pdf\n"
         "  cranktrain plot pumping_unit_c57 -o unit.gif"
     ),
 )
@@ -301,6 +304,7 @@ def _plot(
         typer.Option(metavar="NAME", help=_("Which one a plan, the sheet of forces or a .dxf is of, such as 1R.")),
     ] = None,
     size: Annotated[str | None, typer.Option(metavar="A4|A3", help=_("Of the paper; A4 unless given."))] = None,
+    running_speed: _RunningSpeed = False,
     settings: _Settings = None,
     partial_turn: _Partial = False,
     force: _Force = False,
@@ -318,6 +322,7 @@ def _plot(
         mechanism=mechanism,
         size=size,
         sheet=sheet,
+        is_at_running_speed=running_speed,
     )
     write_picture(request)
 

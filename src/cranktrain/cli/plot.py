@@ -3,8 +3,9 @@
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import PurePath
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, Literal, TypeAlias
 
+from cranktrain.cli.running_speed import OPTION, told_at_option
 from cranktrain.cli.screen import plain
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.machine_file import MachineFile, computed, read_machine
@@ -37,6 +38,9 @@ PLANS = {
 
 _WHOLE_CYCLE = ("wittenbauer", "mertsalov")
 """Plans of the machine over its cycle, not of one mechanism at some angles."""
+
+_AT_A_SPEED = ("positions", "velocities", "accelerations", "forces", "zhukovsky", "polar")
+"""Plans that another speed of the crank changes."""
 SHEETS_OF = {"machine": "sheet", "forces": "sheet_forces"}
 """Sheets by name: what of `cranktrain.viz` draws them."""
 
@@ -71,6 +75,7 @@ class Request:
     mechanism: str | None = None
     size: str | None = None
     sheet: str | None = None
+    is_at_running_speed: bool = False
 
 
 @dataclass(frozen=True)
@@ -85,6 +90,7 @@ class Picture:
     size: str
     is_at_source_angles: bool = False
     sheet: str = "machine"
+    speed: Literal["constant", "running"] = "constant"
 
 
 def write_picture(request: Request) -> None:
@@ -99,7 +105,8 @@ def write_picture(request: Request) -> None:
     file = read_machine(request.file, request.settings, partial=request.is_partial)
     try:
         _mechanism_found(file, picture)
-        _drawn(file, picture, request)
+        with told_at_option():
+            _drawn(file, picture, request)
     except InputError as error:
         raise InputError(_placed(error.problems, file, request)) from None
     print(_("written: {name}").format(name=plain(picture.output)))
@@ -137,6 +144,8 @@ def understood(request: Request) -> Picture:
     plan = request.plan and request.plan.strip().casefold()
     if plan is not None and plan not in PLANS:
         problems.append(unlisted("--plan", request.plan, tuple(PLANS)))
+    elif request.is_at_running_speed:
+        problems += _speed_misplaced(plan, suffix)
     sheet = (request.sheet or "machine").strip().casefold()
     if sheet not in SHEETS_OF:
         problems.append(unlisted("--sheet", request.sheet or "", tuple(SHEETS_OF)))
@@ -153,7 +162,9 @@ def understood(request: Request) -> Picture:
         problems += error.problems
     if problems:
         raise InputError(problems)
-    return Picture(request.output or "", suffix, plan, angles, request.mechanism, size, is_at_source_angles, sheet)
+    speed = "running" if request.is_at_running_speed else "constant"
+    name = request.output or ""
+    return Picture(name, suffix, plan, angles, request.mechanism, size, is_at_source_angles, sheet, speed)
 
 
 def _misplaced(request: Request, suffix: str) -> Iterator[Problem]:
@@ -186,6 +197,21 @@ def _misplaced(request: Request, suffix: str) -> Iterator[Problem]:
         allowed = _("must be left out: a sheet shows the first throw; only a plan or a .dxf is of one mechanism")
         unused = ("--mechanism",)
     yield from (Problem(name, options[name], allowed) for name in unused if options[name] is not None)
+
+
+def _speed_misplaced(plan: str | None, suffix: str) -> Iterator[Problem]:
+    """Refuse the running speed for what is alike at every speed, or for what that speed is found from."""
+    if suffix == ANIMATION:
+        allowed = _("must be left out: a .gif shows positions in even steps of the crank angle")
+    elif plan in _WHOLE_CYCLE:
+        allowed = _("must be left out: this diagram is what the running speed is found from")
+    elif plan == "klein":
+        allowed = _("must be left out: Klein's construction is for a crank that turns evenly; ask for accelerations")
+    elif plan is not None and plan not in _AT_A_SPEED:
+        allowed = _("must be left out: this plan is the same at every speed")
+    else:
+        return
+    yield Problem(OPTION, None, allowed)
 
 
 def _angles(text: str | None, *, is_count_meant: bool) -> Angles | None:
@@ -228,7 +254,8 @@ def _drawn(file: MachineFile, picture: Picture, request: Request) -> None:
 
     if picture.suffix == DRAWING:
         angles = _POSITIONS if picture.angles is None else picture.angles
-        dxf(file.machine, angles, picture.output, mechanism=picture.mechanism, force=request.force)
+        name, whose = picture.output, picture.mechanism
+        dxf(file.machine, angles, name, mechanism=whose, speed=picture.speed, force=request.force)
     elif picture.suffix == ANIMATION:
         result = computed(file, partial=request.is_partial, quantities=SHEET_QUANTITIES)
         save_animation(result, picture.output, force=request.force)
@@ -242,9 +269,10 @@ def _figure(file: MachineFile, picture: Picture, request: Request) -> "Figure":
 
     if picture.plan is None:
         if picture.sheet == "forces":
-            result = computed(file, partial=request.is_partial)
+            result = computed(file, speed=picture.speed, partial=request.is_partial)
             return viz.sheet_forces(result, size=picture.size, piston=picture.mechanism)
-        result = computed(file, partial=request.is_partial, quantities=viz.SHEET_QUANTITIES)
+        quantities = viz.SHEET_QUANTITIES
+        result = computed(file, speed=picture.speed, partial=request.is_partial, quantities=quantities)
         if isinstance(picture.angles, Sequence):
             return viz.sheet(result, size=picture.size, at=picture.angles[0])
         return viz.sheet(result, size=picture.size)
@@ -253,7 +281,8 @@ def _figure(file: MachineFile, picture: Picture, request: Request) -> "Figure":
         return draw(computed(file, partial=request.is_partial), size=picture.size)
     angles = _source_angles(file, picture) if picture.is_at_source_angles else picture.angles
     chosen = {} if angles is None else {"angles": angles}
-    return draw(file.machine, **chosen, mechanism=picture.mechanism, size=picture.size)
+    at_speed = {"speed": picture.speed} if picture.plan in _AT_A_SPEED else {}
+    return draw(file.machine, **chosen, **at_speed, mechanism=picture.mechanism, size=picture.size)
 
 
 def _source_angles(file: MachineFile, picture: Picture) -> Sequence[float]:

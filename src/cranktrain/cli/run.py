@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from pathlib import PurePath
 
 from cranktrain.analysis import Result
+from cranktrain.cli.running_speed import told_at_option
 from cranktrain.cli.screen import page, plain
 from cranktrain.errors import InputError, Problem
 from cranktrain.io.machine_file import MachineFile, computed, read_machine
@@ -62,13 +63,14 @@ def _suffix(output: str | None) -> str | None:
 
 def _computed(file: MachineFile, request: Request) -> Result:
     """Compute; refuse a quantity that was asked for and that this machine does not give."""
-    result = computed(
-        file,
-        speed="running" if request.is_at_running_speed else "constant",
-        step_degrees=request.step_degrees,
-        partial=request.is_partial,
-        quantities=request.quantities,
-    )
+    with told_at_option():
+        result = computed(
+            file,
+            speed="running" if request.is_at_running_speed else "constant",
+            step_degrees=request.step_degrees,
+            partial=request.is_partial,
+            quantities=request.quantities,
+        )
     absent = [name for name in request.quantities or () if name not in result.catalogue]
     if absent:
         raise InputError(_absence(name, result, request.file) for name in absent)

@@ -3,6 +3,7 @@
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.distinct import Distinct, distinct
@@ -11,7 +12,7 @@ from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient, Link
 from cranktrain.numerics import Extreme, Extremes, extremes, turn_grid
 from cranktrain.record import record
-from cranktrain.wording import Names, shared
+from cranktrain.wording import Names, by_sort, shared
 
 _PISTON = ("piston",)
 _THEORY = "docs/theory/slider-crank"
@@ -118,8 +119,9 @@ def piston_grid(pistons: Pistons, crank_angle: CrankAngle) -> PistonGrid:
 
 @record
 class DeadCentres:
-    """Where each piston truly turns back, and how far it travels."""
+    """Where each piston truly turns back, and how far it travels; is_valve: which are valves, shape (piston,)."""
 
+    is_valve: NDArray[np.bool_]
     stroke: Array = quantity("S", "m", _PISTON, N_("Stroke, between the true dead centres"), _THEORY)
     top_dead_centre: Array = quantity("φ_T", "deg", _PISTON, N_("Crank angle of the true top dead centre"), _THEORY)
     bottom_dead_centre: Array = quantity(
@@ -139,18 +141,25 @@ class DeadCentres:
     )
 
     def answer(self, names: Names, design: int) -> str:
-        """Say strokes and true dead centres."""
-        pistons = names["piston"]
-        return _("Strokes: {strokes}. True top dead centres: {tops} after the crank points along the cylinder.").format(
-            strokes=shared(pistons, self.stroke[design], "mm"), tops=shared(pistons, self.top_shift[design], "deg")
+        """Say strokes and true dead centres of pistons, travels of valves and where they are farthest."""
+        words = (
+            _("Strokes: {strokes}. True top dead centres: {tops} after the crank points along the cylinder."),
+            _("Valve travel: {strokes}. Farthest from the shaft: {tops} after the crank points along its line."),
+        )
+        return " ".join(
+            said.format(strokes=shared(own, strokes, "mm"), tops=shared(own, tops, "deg"))
+            for said, own, (strokes, tops) in by_sort(
+                words, names["piston"], self.is_valve, [self.stroke[design], self.top_shift[design]]
+            )
         )
 
 
-def dead_centres(turn: PistonTurn, crank_angle: CrankAngle) -> DeadCentres:
+def dead_centres(pistons: Pistons, turn: PistonTurn, crank_angle: CrankAngle) -> DeadCentres:
     """True dead centres of every piston."""
     different = turn.distinct
     bottom, top = (Extreme(one.angle[0], one.value[0]) for one in turn.peaks)
     return DeadCentres(
+        is_valve=pistons.is_valve,
         stroke=different.spread(top.value - bottom.value)[..., 0],
         top_dead_centre=crank_angle.counted(different.angle(top.angle))[..., 0],
         bottom_dead_centre=crank_angle.counted(different.angle(bottom.angle))[..., 0],

@@ -156,11 +156,14 @@ class ShaftLoad:
 
 @record
 class LoadCurve:
-    """Load torque over the shown crank angle as the file has it, and whether it is scaled to balance the machine."""
+    """Load torque over the shown crank angle as the file has it, and whether it is scaled to balance the machine.
+
+    polylines: of every design, or one that all have.
+    """
 
     needs: ClassVar[str] = ""
 
-    polyline: Polyline
+    polylines: tuple[Polyline, ...]
     is_scaled: bool
 
 
@@ -200,8 +203,10 @@ def evenness_parts(specs: Sequence[EvennessSpec]) -> list[object]:
     first = specs[0]
     motors = [spec.motor for spec in specs if spec.motor is not None]
     parts: list[object] = [ShaftLoad(first.load == "quadratic", _motor(motors), first.mean)]
-    if first.load_curve is not None:
-        parts.append(LoadCurve(load_polyline(first.load_curve), first.load_curve.scale == "balanced"))
+    curves = [spec.load_curve for spec in specs if spec.load_curve is not None]
+    if curves:
+        different = curves if len(set(curves)) > 1 else curves[:1]
+        parts.append(LoadCurve(tuple(map(load_polyline, different)), curves[0].scale == "balanced"))
     sizes = [spec.inertia for spec in specs if spec.inertia is not None]
     if sizes:
         parts.append(GivenFlywheel(np.array(sizes)))

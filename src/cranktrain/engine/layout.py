@@ -135,9 +135,17 @@ class Mechanisms:
 
 @record
 class Pistons(Mechanisms):
-    """The mechanisms whose output is a slider."""
+    """The mechanisms whose output is a slider: a piston, or the valve of a valve gear."""
 
     dimension: ClassVar[str] = "piston"
+
+    @property
+    def is_valve(self) -> NDArray[np.bool_]:
+        """Whether each slider is a valve, shape (piston,)."""
+        found = np.zeros(len(self.names), dtype=np.bool_)
+        for group in self.groups:
+            found[group.index] = not group.kind.has_chambers
+        return found
 
 
 @record

@@ -10,7 +10,7 @@ from cranktrain.engine.layout import CrankAngle
 from cranktrain.engine.shaft_torque import AppliedTorque
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
-from cranktrain.loads.periodic import PeriodicCurve
+from cranktrain.loads.periodic import PeriodicCurve, side_by_side
 from cranktrain.loads.polyline import polyline_integral, polyline_mean, polyline_value
 from cranktrain.motion import Array
 from cranktrain.record import record
@@ -29,7 +29,8 @@ class LoadTorque:
     Attributes
     ----------
     work : PeriodicCurve
-        Of the file's curve less its mean, from the first point of the grid, exact, shape (n,). [J]
+        Of the file's curve less its mean, from the first point of the grid, exact, shape (n,), or (design, n) of
+        several. [J]
     mean : Array, shape (design,)
         Of the load. [N·m]
     balance : "factor", "constant", "quadratic" or "motor"
@@ -86,23 +87,24 @@ def load_torque(curve: LoadCurve, load: ShaftLoad, applied: AppliedTorque, crank
     -----
     docs/theory/evenness, eqs. (17.17) and (17.18).
     """
-    if curve.polyline.period > crank_angle.cycle * 1.5:
+    if any(polyline.period > crank_angle.cycle * 1.5 for polyline in curve.polylines):
         allowed = _("goes on over two turns, and the cycle of this machine is one")
         raise InputError([Problem("evenness.load_curve.file", None, allowed)])
-    own = polyline_mean(curve.polyline)
+    own = np.array([polyline_mean(polyline) for polyline in curve.polylines])
     mean = np.mean(applied.applied_torque, axis=-1)
     factor = np.ones_like(mean)
     if curve.is_scaled:
         gives_work = mean > _NOTHING * np.max(np.abs(applied.applied_torque), axis=-1)
         factor = np.where(gives_work, mean / own, np.nan)
-    samples = polyline_value(curve.polyline, crank_angle.shown)
+    samples = np.stack([polyline_value(polyline, crank_angle.shown) for polyline in curve.polylines])
+    works = [polyline_integral(polyline, samples.shape[-1], crank_angle.cycle) for polyline in curve.polylines]
     return LoadTorque(
-        work=polyline_integral(curve.polyline, crank_angle.shown.size, crank_angle.cycle),
+        work=side_by_side(works),
         mean=factor * own,
         balance=_balance(curve, load),
         load_torque=factor[:, np.newaxis] * samples,
         load_factor=factor,
-        largest_load_torque=factor * np.max(curve.polyline.values),
+        largest_load_torque=factor * np.array([np.max(polyline.values) for polyline in curve.polylines]),
         remaining_torque=mean - factor * own,
         flags=tuple(_flags(factor, applied.applied_torque)),
     )

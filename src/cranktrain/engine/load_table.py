@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from functools import lru_cache
-from typing import Annotated, Literal, Self
+from typing import Annotated, ClassVar, Literal, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -29,6 +29,8 @@ class LoadCurveSpec(Spec, frozen=True):
 
     Whoever loads a machine file also reads the file that `file` names, and puts what it holds into `text`.
     """
+
+    of_file: ClassVar[frozenset[str]] = frozenset({"file", "text", "columns", "torque_unit"})
 
     file: str = Field(
         min_length=1, description=N_("File with the load torque over the crank angle, relative to the machine file.")

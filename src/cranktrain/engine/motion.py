@@ -1,8 +1,7 @@
 """Motion of pistons: displacement and its derivatives by the crank angle; with the speed, velocities."""
 
-from collections.abc import Iterator
-
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
@@ -12,13 +11,11 @@ from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, Extremes, derivatives_residual, extremes
 from cranktrain.record import record
-from cranktrain.wording import Names, number, shared
+from cranktrain.wording import Names, by_sort, shared
 
 _PISTON = ("piston",)
 _CURVE = ("piston", "crank_angle")
 _THEORY = "docs/theory/slider-crank"
-_FASTEST = 40.0
-"""Mean piston speed that none has; racing engines come to 27. [m/s]"""
 
 
 @record
@@ -64,8 +61,9 @@ def _derivatives_check(turn: PistonTurn) -> Check:
 
 @record
 class PistonSpeeds:
-    """Velocities and accelerations of pistons."""
+    """Velocities and accelerations of pistons; is_valve: which are valves, shape (piston,)."""
 
+    is_valve: NDArray[np.bool_]
     piston_velocity: Array = quantity("v", "m/s", _CURVE, N_("Piston velocity toward the shaft"), _THEORY)
     piston_acceleration: Array = quantity("j", "m/s^2", _CURVE, N_("Piston acceleration toward the shaft"), _THEORY)
     mean_piston_speed: Array = quantity("c_m", "m/s", _PISTON, N_("Mean piston speed, 2 S n"), _THEORY)
@@ -113,15 +111,23 @@ class PistonSpeeds:
         N_("Crank angle of the largest acceleration away from the shaft"),
         _THEORY,
     )
-    flags: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str:
-        """Say mean and largest piston speeds."""
-        pistons = names["piston"]
-        return _("Mean piston speed {mean}, largest {largest}; largest acceleration {acceleration}.").format(
-            mean=shared(pistons, self.mean_piston_speed[design], "m/s"),
-            largest=shared(pistons, self.largest_piston_speed[design], "m/s"),
-            acceleration=shared(pistons, self.largest_piston_acceleration[design], "m/s^2"),
+        """Say mean and largest speeds of pistons, and of valves."""
+        words = (
+            _("Mean piston speed {mean}, largest {largest}; largest acceleration {acceleration}."),
+            _("Mean valve speed {mean}, largest {largest}; largest acceleration {acceleration}."),
+        )
+        curves = (self.mean_piston_speed, self.largest_piston_speed, self.largest_piston_acceleration)
+        return " ".join(
+            said.format(
+                mean=shared(own, mean, "m/s"),
+                largest=shared(own, largest, "m/s"),
+                acceleration=shared(own, acceleration, "m/s^2"),
+            )
+            for said, own, (mean, largest, acceleration) in by_sort(
+                words, names["piston"], self.is_valve, [curve[design] for curve in curves]
+            )
         )
 
 
@@ -148,6 +154,7 @@ def piston_speeds(
 
     mean_speed = dead_centres.stroke * (speed.mean / np.pi)[..., 0]
     return PistonSpeeds(
+        is_valve=pistons.is_valve,
         piston_velocity=velocity,
         piston_acceleration=acceleration,
         mean_piston_speed=mean_speed,
@@ -159,7 +166,6 @@ def piston_speeds(
         largest_piston_acceleration_at=at(most),
         smallest_piston_acceleration=least.value[..., 0],
         smallest_piston_acceleration_at=at(least),
-        flags=tuple(_speed_flags(mean_speed)),
     )
 
 
@@ -193,11 +199,3 @@ def _over_cycle(
     grid = crank_angle.shown
     of_speed = extremes(lambda shown: moving(shown)[0], lambda shown: moving(shown)[1], grid=grid, samples=velocity)
     return from_zero(of_speed), from_zero(extremes(lambda shown: moving(shown)[1], grid=grid, samples=acceleration))
-
-
-def _speed_flags(mean_speed: Array) -> Iterator[str]:
-    """Doubt a stroke or a speed with which no piston runs."""
-    if np.any(mean_speed > _FASTEST):
-        yield _("A mean piston speed of {speed} is more than any piston bears: are speed and stroke right?").format(
-            speed=number(float(np.max(mean_speed)), "m/s")
-        )

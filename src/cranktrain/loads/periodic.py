@@ -1,6 +1,6 @@
 """Periodic curves between the points of their grid, by Fourier series or periodic spline, with slope and integral."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from itertools import zip_longest
 from typing import NamedTuple
 
@@ -132,6 +132,19 @@ def combined(one: PeriodicCurve, factor: Array, other: PeriodicCurve) -> Periodi
         return Coefficient(*(part + times * added for part, added in parts))
 
     return PeriodicCurve(one.cycle, one.samples + times * other.samples, motion)
+
+
+def side_by_side(curves: Sequence[PeriodicCurve]) -> PeriodicCurve:
+    """Curves of samples (n,) as one of samples (curve, n), at angles (k,) or (curve, k); one alone as it is."""
+    if len(curves) == 1:
+        return curves[0]
+
+    def motion(angle: Array) -> Coefficient:
+        own = np.broadcast_to(angle, (len(curves), angle.shape[-1]))
+        found = [curve.motion(one) for curve, one in zip(curves, own, strict=True)]
+        return Coefficient(*(np.stack(parts) for parts in zip(*found, strict=True)))
+
+    return PeriodicCurve(curves[0].cycle, np.stack([curve.samples for curve in curves]), motion)
 
 
 def curve_extremes(one: PeriodicCurve) -> Extremes:

@@ -9,7 +9,7 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from cranktrain.analysis import run
+from cranktrain.analysis import SpeedWanted, run, speed_over_cycle
 from cranktrain.engine.forces import LoadedMachine
 from cranktrain.engine.frames import in_machine_axes
 from cranktrain.engine.places import Place
@@ -58,9 +58,14 @@ class Member:
         """What forces its kind gives."""
         return self.place.kind.dynamics
 
+    @property
+    def drive(self) -> Drive:
+        """How the crank turns there, arrays of shape (1, 1) or (1, n)."""
+        return Drive(*(part[0] for part in self.loaded.speed.drive(self.angle)))
 
-def made_ready(machine: Machine) -> LoadedMachine:
-    """Put masses and gas to a machine's mechanisms.
+
+def made_ready(machine: Machine, speed: SpeedWanted) -> LoadedMachine:
+    """Put masses and gas to a machine's mechanisms, at a speed as `run` takes it.
 
     Raises
     ------
@@ -68,7 +73,8 @@ def made_ready(machine: Machine) -> LoadedMachine:
         If its file says of nothing that acts, or no speed.
     """
     refuse_idle(machine)
-    result = run(machine, step_degrees=_STEP, quantities=("driving_torque",))
+    curve = speed_over_cycle(machine, speed)  # not on the coarse grid
+    result = run(machine, speed=curve or "constant", step_degrees=_STEP, quantities=("driving_torque",))
     return next(gift for gift in result.gifts if isinstance(gift, LoadedMachine))
 
 
@@ -141,9 +147,8 @@ def _inertia(one: Member, i: int) -> tuple[Array, Array]:
     nothing = Body(*(np.zeros((1, 1)) for _part in Body._fields))
     bodies = one.dynamics.bodies(*(body if j == i else nothing for j, body in enumerate(one.bodies)))
     unloaded = one.dynamics.load(one.motion, one.size, np.zeros((1, 1)))
-    speed = one.loaded.speed.value[0]
     conditions = Conditions(
-        Drive(speed, np.zeros_like(speed)),
+        one.drive,
         Gravity(np.zeros((1, 1)), np.zeros((1, 1))),
         tuple(NO_FRICTION for _slider in one.dynamics.sliding),
     )

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from cranktrain.analysis import SpeedWanted
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
@@ -97,13 +98,14 @@ def force_polygons(
     *,
     mechanism: str | None = None,
     room: tuple[float, float] = ROOM,
+    speed: SpeedWanted = "constant",
 ) -> tuple[ForcePolygon, ...]:
     """Polygons of forces of a mechanism's groups and crank, for each crank angle, all to one scale.
 
     Parameters
     ----------
     machine : Machine
-        With masses or gas, and a speed, which is taken as constant.
+        With masses or gas, and a speed.
     angles : int or sequence of float
         How many, evenly over a turn from the shown angle 0, or which. [deg]
     mechanism : str, optional
@@ -111,6 +113,8 @@ def force_polygons(
         opposed pistons, by its name or unnamed, both: the second one's links have the next numbers.
     room : (width, height)
         For which the scale factor must suffice, polygon by polygon. [mm]
+    speed : SpeedWanted
+        As `cranktrain.run` takes it.
 
     Returns
     -------
@@ -130,7 +134,7 @@ def force_polygons(
     """
     places = places_called(machine, mechanism)
     shown = closed_angles(machine, places, angles)
-    loaded = made_ready(machine)
+    loaded = made_ready(machine, speed)
     found: list[tuple[str, float, GroupForces]] = []
     for angle in shown.tolist():
         after = 1

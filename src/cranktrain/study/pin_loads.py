@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from cranktrain.analysis import run
+from cranktrain.analysis import SpeedWanted, run
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
@@ -62,7 +62,7 @@ class PinLoads:
         return float(np.mean(size))
 
 
-def pin_loads(machine: Machine, *, mechanism: str | None = None) -> PinLoads:
+def pin_loads(machine: Machine, *, mechanism: str | None = None, speed: SpeedWanted = "constant") -> PinLoads:
     """Collect the load of a crank pin.
 
     Parameters
@@ -71,6 +71,8 @@ def pin_loads(machine: Machine, *, mechanism: str | None = None) -> PinLoads:
         With masses or gas, and a speed.
     mechanism : str, optional
         Whose rod; the first with a rod on a crank pin unless given. A master's load holds its slaves'.
+    speed : SpeedWanted
+        As `cranktrain.run` takes it.
 
     Returns
     -------
@@ -91,7 +93,7 @@ def pin_loads(machine: Machine, *, mechanism: str | None = None) -> PinLoads:
     place = place_called(machine, mechanism or first)
     if not _has_rod_on_pin(place.kind.dynamics):
         raise InputError([Problem("--mechanism", place.name, _("has no rod of its own on a crank pin"))])
-    result = run(machine, quantities=_QUANTITIES)
+    result = run(machine, speed=speed, quantities=_QUANTITIES)
     at = result.labels["mechanism"].index(place.name)
     radial, tangential, without = (getattr(result, name)[at] for name in _QUANTITIES[:3])
     phi = np.deg2rad(result.crank_angle) + machine.zero + place.phase

@@ -8,13 +8,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
+from cranktrain.linkage.forces import Drive
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.study.lettering import lettered
 from cranktrain.study.plans import ROOM, closed_angles, fitting
 from cranktrain.study.together import placed_together, places_called, together_name
+from cranktrain.study.turning import turning
 from cranktrain.study.vectors import POLE, Quantity, Vector, plan_vectors
 
 
@@ -57,13 +60,14 @@ def velocity_polygons(
     mechanism: str | None = None,
     room: tuple[float, float] = ROOM,
     is_lettered: bool = False,
+    speed: SpeedWanted = "constant",
 ) -> tuple[Polygon, ...]:
     """Polygons of velocities, one for each crank angle, all to one scale.
 
     Parameters
     ----------
     machine : Machine
-        Its speed, taken as constant, makes m/s of them; without one they are m/rad, for 1 rad/s.
+        Its speed makes m/s of them; without one they are m/rad, for 1 rad/s.
     angles : int or sequence of float
         How many, evenly over a turn from the shown angle 0, or which. [deg]
     mechanism : str, optional
@@ -73,6 +77,8 @@ def velocity_polygons(
         For which the scale factor must suffice, polygon by polygon. [mm]
     is_lettered : bool
         Call pins with long names by letters.
+    speed : SpeedWanted
+        As `cranktrain.run` takes it.
 
     Returns
     -------
@@ -80,8 +86,7 @@ def velocity_polygons(
         From the pole `p`: `a` of the crank pin A, `b`, `c`, `d` of the other pins; `a'` of the point of a slotted link
         under A. A fixed pin lies on the pole.
     """
-    unit = "m/rad" if machine.main_shaft.speed is None else "m/s"
-    return _polygons(machine, "velocity", unit, angles, mechanism, room, is_lettered=is_lettered)
+    return _polygons(machine, "velocity", angles, mechanism, room, speed, is_lettered=is_lettered)
 
 
 def acceleration_polygons(
@@ -91,12 +96,13 @@ def acceleration_polygons(
     mechanism: str | None = None,
     room: tuple[float, float] = ROOM,
     is_lettered: bool = False,
+    speed: SpeedWanted = "constant",
 ) -> tuple[Polygon, ...]:
     """Polygons of accelerations, one for each crank angle, all to one scale.
 
     Parameters
     ----------
-    machine, angles, mechanism, room, is_lettered
+    machine, angles, mechanism, room, is_lettered, speed
         As `velocity_polygons` takes them.
 
     Returns
@@ -105,40 +111,41 @@ def acceleration_polygons(
         Beside the points that the velocities have, `n_BA` ends the normal part of B's acceleration about A, `k_AA'`
         Coriolis' part of A's in a slot.
     """
-    unit = "m/rad^2" if machine.main_shaft.speed is None else "m/s^2"
-    return _polygons(machine, "acceleration", unit, angles, mechanism, room, is_lettered=is_lettered)
+    return _polygons(machine, "acceleration", angles, mechanism, room, speed, is_lettered=is_lettered)
 
 
 def _polygons(
     machine: Machine,
     quantity: Quantity,
-    unit: str,
     angles: int | Sequence[float],
     mechanism: str | None,
     room: tuple[float, float],
+    speed: SpeedWanted,
     *,
     is_lettered: bool,
 ) -> tuple[Polygon, ...]:
     """Polygons of either kind."""
     places = places_called(machine, mechanism)
     shown = closed_angles(machine, places, angles)
-    speed = machine.main_shaft.speed
-    drawing = placed_together(machine, places, np.deg2rad(shown) + machine.zero)
+    angle = np.deg2rad(shown) + machine.zero
+    drawing = placed_together(machine, places, angle)
     if is_lettered:
         drawing = lettered(drawing)
-    omega = 1.0 if speed is None else speed.si
+    curve = speed_over_cycle(machine, speed)
+    drives = [Drive(*pair) for pair in zip(*turning(machine, curve, angle), strict=True)]
     with np.errstate(all="ignore"):
-        found = [plan_vectors(drawing, at, omega, quantity) for at in range(len(shown))]
+        found = [plan_vectors(drawing, at, drive, quantity) for at, drive in enumerate(drives)]
     _refuse_boundless(together_name(places), shown, found)
     described = [_points(vectors) for vectors in found]
     scale = fitting([np.stack(list(points.values()), axis=1) for points in described], room)
+    time = "rad" if machine.main_shaft.speed is None and curve is None else "s"
     return tuple(
         Polygon(
             mechanism=together_name(places),
             quantity=quantity,
             angle=float(angle),
             scale=scale,
-            unit=unit,
+            unit=f"m/{time}" if quantity == "velocity" else f"m/{time}^2",
             points={name: (float(point[0] / scale), float(point[1] / scale)) for name, point in points.items()},
             vectors=vectors,
         )

@@ -6,6 +6,8 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
+from cranktrain.engine.layout import accelerations
+from cranktrain.linkage.forces import Drive
 from cranktrain.mechanisms.kind import Drawing
 from cranktrain.motion import Array
 
@@ -75,7 +77,7 @@ class _Plan:
         return Vector(symbol, part, *ends, (float(value[0]), float(value[1])), pins)
 
 
-def plan_vectors(drawing: Drawing, at: int, omega: float, quantity: Quantity) -> tuple[Vector, ...]:
+def plan_vectors(drawing: Drawing, at: int, drive: Drive, quantity: Quantity) -> tuple[Vector, ...]:
     """Give the vectors of a plan, each after those at whose ends it starts.
 
     Parameters
@@ -84,29 +86,29 @@ def plan_vectors(drawing: Drawing, at: int, omega: float, quantity: Quantity) ->
         Pins of shape (n,), in the axes of the plan.
     at : int
         Which of the n positions.
-    omega : float
-        Speed of the crank, which turns evenly. [rad/s]
+    drive : Drive
+        Speed and acceleration of the crank there. [rad/s, rad/s²]
     quantity : "velocity" or "acceleration"
 
     Returns
     -------
     tuple of Vector. [m/s or m/s²]
         Of each pin from the pole; about the first pin of its link, where that moves. Accelerations about a pin are
-        split into normal and tangential parts, but for a crank's. Of a pin in a slot: about the link's point under it,
-        along the slot; of accelerations Coriolis' part 2ω × v_r first.
+        split into normal and tangential parts, but for those of a crank that turns evenly. Of a pin in a slot: about
+        the link's point under it, along the slot; of accelerations Coriolis' part 2ω × v_r first.
 
     Notes
     -----
     docs/theory/plans.
     """
-    motions, legs = _motions(drawing, at, omega)
+    motions, legs = _motions(drawing, at, drive)
     plan = _Plan(motions, _letters(motions), drawing.fixed, quantity)
     return tuple(_vectors(plan, legs))
 
 
-def _motions(drawing: Drawing, at: int, omega: float) -> tuple[dict[str, PinMotion], list[_Leg]]:
+def _motions(drawing: Drawing, at: int, drive: Drive) -> tuple[dict[str, PinMotion], list[_Leg]]:
     """Motions of all pins, and of the points under those in slots; the steps in which a polygon reaches them."""
-    every = {name: _motion(drawing, name, at, omega) for name in drawing.pins}
+    every = {name: _motion(drawing, name, at, drive) for name in drawing.pins}
     motions = {name: motion for name, motion in every.items() if name not in drawing.ends}
     legs: list[_Leg] = []
     for link in drawing.links:
@@ -122,11 +124,11 @@ def _motions(drawing: Drawing, at: int, omega: float) -> tuple[dict[str, PinMoti
     return motions, legs
 
 
-def _motion(drawing: Drawing, name: str, at: int, omega: float) -> PinMotion:
-    """Motion of one pin at an even speed."""
+def _motion(drawing: Drawing, name: str, at: int, drive: Drive) -> PinMotion:
+    """Motion of one pin."""
     pin = drawing.pins[name]
     place, first, second = (np.array([x[at], y[at]]) for x, y in zip(pin.x, pin.y, strict=True))
-    return PinMotion(place, omega * first, omega**2 * second)
+    return PinMotion(place, drive.speed * first, accelerations(first, second, drive))
 
 
 def _point_under(pin: PinMotion, base: PinMotion, other: PinMotion) -> tuple[PinMotion, float]:

@@ -9,7 +9,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity, Wrench, added
+from cranktrain.analysis import SpeedWanted
+from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Gravity, Wrench, added, torque_by_work
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.study.acting import (
@@ -72,18 +73,22 @@ class Lever:
         return abs(sum(moments)) / (max(map(abs, moments)) or 1.0)
 
 
-def zhukovsky_lever(machine: Machine, angle: float, *, mechanism: str | None = None) -> Lever:
+def zhukovsky_lever(
+    machine: Machine, angle: float, *, mechanism: str | None = None, speed: SpeedWanted = "constant"
+) -> Lever:
     """Balance a mechanism's forces on the turned plan of velocities.
 
     Parameters
     ----------
     machine : Machine
-        With masses or gas, and a speed, which is taken as constant.
+        With masses or gas, and a speed.
     angle : float
         Crank angle as the machine shows it. [deg]
     mechanism : str, optional
         Its name; the first slave of throw 1, or the first mechanism, unless given. What others do to its links, as
         slaves to their master's rod, is on their own levers.
+    speed : SpeedWanted
+        As `cranktrain.run` takes it.
 
     Returns
     -------
@@ -96,7 +101,7 @@ def zhukovsky_lever(machine: Machine, angle: float, *, mechanism: str | None = N
     """
     place = place_called(machine, mechanism)
     shown = closed_angles(machine, [place], [angle])
-    loaded = made_ready(machine)
+    loaded = made_ready(machine, speed)
     one = member_of(machine, loaded, place, np.deg2rad(shown) + machine.zero)
     numbers = link_numbers(place)
     forces = [
@@ -108,7 +113,7 @@ def zhukovsky_lever(machine: Machine, angle: float, *, mechanism: str | None = N
     rubbing = list(friction_on_links(one))
     forces += (_of_friction(machine, one, each, numbers) for each in rubbing)
     torque = _driving_torque(one, rubbing)
-    return Lever(place.name, float(shown[0]), float(loaded.speed.value[0, 0, 0]), tuple(forces), torque)
+    return Lever(place.name, float(shown[0]), _speed(one), tuple(forces), torque)
 
 
 def _of_link(machine: Machine, one: Member, i: int, number: int) -> Iterator[LeverForce]:
@@ -129,20 +134,25 @@ def _of_link(machine: Machine, one: Member, i: int, number: int) -> Iterator[Lev
 def _at(force: Force, point: str, velocity: Array, one: Member) -> LeverForce:
     """Put a force to its point."""
     value = force.value[:, 0]
-    speed = float(one.loaded.speed.value[0, 0, 0])
+    speed = _speed(one)
     moment = float(value @ velocity) / speed
     return LeverForce(force.symbol, point, _pair(value), _pair(velocity), moment)
 
 
 def _of_friction(machine: Machine, one: Member, rubbing: Rubbing, numbers: dict[str, int]) -> LeverForce:
     """Friction at its point, `f_14` of 1 on 4."""
-    speed = float(one.loaded.speed.value[0, 0, 0])
+    speed = _speed(one)
     wrench = rubbing.wrench
     value = turned(machine, one.place, wrench.x[0], wrench.y[0])[:, 0]
     x, y = (speed * np.array([part]) for part in rubbing.velocity)
     velocity = turned(machine, one.place, x, y)[:, 0]
     symbol = pair_symbol("f", numbers[rubbing.by], numbers[rubbing.on])
     return LeverForce(symbol, rubbing.pin, _pair(value), _pair(velocity), float(value @ velocity) / speed)
+
+
+def _speed(one: Member) -> float:
+    """Speed of the crank. [rad/s]"""
+    return float(one.drive.speed[0, 0])
 
 
 def _pair(vector: Array) -> tuple[float, float]:
@@ -158,7 +168,7 @@ def _pin_name(one: Member, i: int) -> str:
 
 def _velocity(machine: Machine, one: Member, i: int, *, is_centroid: bool) -> Array:
     """Velocity of a link's first pin or centroid, by the work of unit forces there. [m/s]"""
-    speed = float(one.loaded.speed.value[0, 0, 0])
+    speed = _speed(one)
     units = ((1.0, 0.0), (0.0, 1.0))
     if is_centroid:
         parts = [_work_of_weight(one, i, Gravity(*map(np.asarray, ((x,), (y,))))) for x, y in units]
@@ -208,17 +218,15 @@ def _work_of_weight(one: Member, i: int, gravity: Gravity) -> float:
 
 
 def _couple(one: Member, i: int) -> float:
-    """Torque on the crank that a link's inertia about its own centroid takes: ½J′ω² of a link without mass."""
+    """Torque on the crank that a link's inertia about its own centroid takes: ½J′ω² + Jε of a link without mass."""
     body = one.bodies[i]._replace(mass=np.zeros((1, 1)))
     equation = one.dynamics.reduced(one.motion, one.size, _bodies(one, i, body), _nothing(one), _NO_GRAVITY)
-    return 0.5 * float(np.ravel(equation.inertia.first)[0]) * float(one.loaded.speed.value[0, 0, 0]) ** 2
+    return float(np.ravel(torque_by_work(equation, one.drive))[0])
 
 
 def _driving_torque(one: Member, rubbing: Sequence[Rubbing]) -> float:
     """Torque to be applied to the crank for the mechanism alone, by its joints' reactions; friction is a load."""
-    speed = one.loaded.speed.value[0]
-    still = Drive(speed, np.zeros_like(speed))
-    conditions = Conditions(still, one.gravity, tuple(NO_FRICTION for _slider in one.dynamics.sliding))
+    conditions = Conditions(one.drive, one.gravity, tuple(NO_FRICTION for _slider in one.dynamics.sliding))
     acting = dict(zip(one.dynamics.moving, loads_of(one), strict=True))
     for each in rubbing:
         acting[each.on] = added(acting[each.on], each.wrench)

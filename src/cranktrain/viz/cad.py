@@ -8,6 +8,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from cranktrain.analysis import SpeedWanted, speed_over_cycle
+from cranktrain.engine.speed_curve import SpeedCurve
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.output import write_whole
 from cranktrain.language import _
@@ -17,6 +19,7 @@ from cranktrain.study.plans import PositionPlan, position_plan, rescaled, track
 from cranktrain.study.polygons import Polygon, acceleration_polygons, velocity_polygons
 from cranktrain.viz.plan_sketches import polygon_sketch, positions_sketch
 from cranktrain.viz.sketch import LAYERS, Circle, Line, Sketch
+from cranktrain.viz.words import speed_words
 
 # The DXF library is an extra, and its own types are partial.
 Document: TypeAlias = Any
@@ -45,6 +48,7 @@ def dxf(
     path: "str | os.PathLike[str]",
     *,
     mechanism: str | None = None,
+    speed: SpeedWanted = "constant",
     force: bool = False,
 ) -> None:
     """Write positions and polygons as DXF.
@@ -57,6 +61,8 @@ def dxf(
     path : str or path-like
     mechanism : str, optional
         Its name; the first slave of throw 1, or the first mechanism, unless given.
+    speed : SpeedWanted
+        As `cranktrain.run` takes it.
     force : bool
         Replace a file that is there.
 
@@ -65,10 +71,12 @@ def dxf(
     InputError
         If ezdxf is not installed, or the file cannot be written.
     """
-    write_whole(path, _pieces(machine, angles, mechanism), force=force)
+    write_whole(path, _pieces(machine, angles, mechanism, speed), force=force)
 
 
-def _pieces(machine: Machine, angles: int | Sequence[float], mechanism: str | None) -> Iterator[str]:
+def _pieces(
+    machine: Machine, angles: int | Sequence[float], mechanism: str | None, speed: SpeedWanted
+) -> Iterator[str]:
     """Draw and give the file's text."""
     try:
         ezdxf: Any = import_module("ezdxf")
@@ -81,7 +89,7 @@ def _pieces(machine: Machine, angles: int | Sequence[float], mechanism: str | No
     ezdxf.options.write_fixed_meta_data_for_testing = True  # else the time and a random name make each file another
     try:
         document = ezdxf.new("R2010", setup=True, units=4)
-        _draw_all(document, machine, angles, mechanism)
+        _draw_all(document, machine, angles, mechanism, speed_over_cycle(machine, speed))
         content = StringIO()
         document.write(content)
     finally:
@@ -89,7 +97,13 @@ def _pieces(machine: Machine, angles: int | Sequence[float], mechanism: str | No
     yield content.getvalue()
 
 
-def _draw_all(document: Document, machine: Machine, angles: int | Sequence[float], mechanism: str | None) -> None:
+def _draw_all(
+    document: Document,
+    machine: Machine,
+    angles: int | Sequence[float],
+    mechanism: str | None,
+    curve: SpeedCurve | None,
+) -> None:
     """Positions about the shaft centre; to the right of them the velocities' polygons, then the accelerations'."""
     for layer in LAYERS:
         document.layers.add(layer, color=_COLOURS[layer])
@@ -102,8 +116,12 @@ def _draw_all(document: Document, machine: Machine, angles: int | Sequence[float
     _draw(space, sketch, np.zeros(2))
     _dimensions(space, plan)
     _low_x, left, _low_y, top = sketch.bounds()
-    velocities = velocity_polygons(machine, angles, mechanism=mechanism, room=_PLAN_ROOM)
-    accelerations = acceleration_polygons(machine, angles, mechanism=mechanism, room=_PLAN_ROOM)
+    velocities, accelerations = (
+        polygons_of(machine, angles, mechanism=mechanism, room=_PLAN_ROOM, speed=curve or "constant")
+        for polygons_of in (velocity_polygons, acceleration_polygons)
+    )
+    if curve is not None:
+        _write(space, speed_words(curve), np.array([left, top]) + scale * np.array([30.0, 14.0]), _TEXT * scale)
     first = -(-len(velocities) // _ROWS)
     for start, polygons in ((0, velocities), (first, accelerations)):
         for i, polygon in enumerate(polygons):

@@ -8,13 +8,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.analysis import Result
+from cranktrain.engine.layout import accelerations
 from cranktrain.language import _
+from cranktrain.linkage.forces import Drive
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.quantities import shown
 from cranktrain.study.placement import first_throw
+from cranktrain.study.turning import turning
 from cranktrain.viz.page import Axes, Page
 from cranktrain.viz.style import COLOURS, GRID, HEADING, INK, MUTED, SYMBOL, TEXT
+from cranktrain.viz.words import speed_of
 
 SHEET_QUANTITIES = (
     *("piston_displacement", "piston_velocity", "piston_velocity_coefficient", "piston_acceleration_coefficient"),
@@ -94,17 +98,29 @@ class _Turn:
 
     result: Result
     design: int
-    index: NDArray[np.bool_]
+    index: NDArray[np.intp]
     angle: Array
 
     def curve(self, name: str, *at: int) -> Array:
         """Give a quantity of a member over the turn; an angle that goes round goes on at the end."""
         values = getattr(self.result, name)
         whole = (values[self.design] if self.result.has_designs else values)[at][self.index]
-        return np.append(
-            whole,
-            whole[0] + (2 * np.pi * np.rint((whole[-1] - whole[0]) / (2 * np.pi)) if name.endswith("angle") else 0.0),
-        )
+        if name.endswith("angle"):
+            whole[-1] += 2 * np.pi * np.rint((whole[-2] - whole[-1]) / (2 * np.pi))
+        return whole
+
+    @property
+    def drive(self) -> Drive:
+        """How the crank turns at each angle; by 1 rad/s where the machine has no speed."""
+        phi = np.deg2rad(self.angle) + self.result.grid.zero[self.design, 0, 0]
+        return turning(self.result.machines[self.design], speed_of(self.result), phi, self.design)
+
+    def moved(self, order: int, names: "_Names", *at: int) -> Array:
+        """Give travel, velocity or acceleration of a member, by its motion's value and two derivatives."""
+        if order == 0:
+            return self.curve(names[0], *at)
+        first = self.curve(names[1], *at)
+        return first * self.drive.speed if order == 1 else accelerations(first, self.curve(names[2], *at), self.drive)
 
 
 def drawn_names(result: Result, dimension: str) -> tuple[str, ...]:
@@ -127,8 +143,9 @@ def panels(result: Result, design: int = 0) -> tuple[Panel, ...]:
         Travel, velocity, acceleration of the first throw's pistons and the textbook's error; of opposed pistons those
         of the first cylinder, with what both do together; or angle and derivatives of the rocker.
     """
-    within = result.crank_angle < 360.0
-    turn = _Turn(result, design, within, np.append(result.crank_angle[within], 360.0))
+    within = np.flatnonzero(result.crank_angle < 360.0)
+    closed = np.append(within, within.size % result.crank_angle.size)
+    turn = _Turn(result, design, closed, np.append(result.crank_angle[within], 360.0))
     pair = opposed_names(result.machines[design])
     if pair:
         return tuple(_opposed_panels(turn, pair))
@@ -145,14 +162,21 @@ def opposed_names(machine: Machine) -> tuple[str, ...]:
     return next((tuple(names) for names in cylinders.values() if len(names) == _PAIR), ())
 
 
+_Names = tuple[str, str, str]
+"""Results that are a motion's value and its two derivatives."""
+
+_EXACT = ("piston_displacement", "piston_velocity_coefficient", "piston_acceleration_coefficient")
+_TEXTBOOK = ("displacement_by_method", "velocity_coefficient_by_method", "acceleration_coefficient_by_method")
+_ROCKER = ("rocker_angle", "rocker_velocity_coefficient", "rocker_acceleration_coefficient")
+
+
 class _Row(NamedTuple):
-    """A quantity of the pistons: title, symbol, unit, its name and that of the textbook's, factor to the unit."""
+    """A quantity of the pistons: title, symbol, unit, order of the derivative, factor to the unit."""
 
     title: str
     symbol: str
     unit: str
-    exact: str
-    textbook: str
+    order: int
     factor: float
 
 
@@ -160,27 +184,10 @@ def _piston_rows(turn: _Turn) -> tuple[_Row, ...]:
     """Travel, velocity and acceleration; without a speed by the crank angle."""
     titles = _row_titles(turn)
     has_speed = "piston_velocity" in turn.result.catalogue
-    omega = turn.result.machines[turn.design].main_shaft.speed
-    rate = omega.si if has_speed and omega is not None else 1.0
-    return (
-        _Row(titles[0], "s", "mm", "piston_displacement", "displacement_by_method", shown(1.0, "mm")),
-        _Row(
-            titles[1],
-            "v" if has_speed else "s'",
-            "m/s" if has_speed else "mm/rad",
-            "piston_velocity_coefficient",
-            "velocity_coefficient_by_method",
-            rate if has_speed else 1e3,
-        ),
-        _Row(
-            titles[2],
-            "j" if has_speed else "s''",
-            "m/s²" if has_speed else "mm/rad²",
-            "piston_acceleration_coefficient",
-            "acceleration_coefficient_by_method",
-            rate**2 if has_speed else 1e3,
-        ),
-    )
+    travel = _Row(titles[0], "s", "mm", 0, 1e3)
+    if has_speed:
+        return travel, _Row(titles[1], "v", "m/s", 1, 1.0), _Row(titles[2], "j", "m/s²", 2, 1.0)
+    return travel, _Row(titles[1], "s'", "mm/rad", 1, 1e3), _Row(titles[2], "s''", "mm/rad²", 2, 1e3)
 
 
 def _row_titles(turn: _Turn) -> tuple[str, str, str]:
@@ -208,7 +215,7 @@ def _opposed_panels(turn: _Turn, names: Sequence[str]) -> Iterator[Panel]:
             row.unit,
             turn.angle,
             tuple(
-                Curve(name, row.factor * turn.curve(row.exact, labels["piston"].index(name)), habit, letter)
+                Curve(name, row.factor * turn.moved(row.order, _EXACT, labels["piston"].index(name)), habit, letter)
                 for name, habit in zip(names, ("first", "other"), strict=True)
             ),
         )
@@ -236,11 +243,12 @@ def _piston_panels(turn: _Turn) -> Iterator[Panel]:
         curves: list[Curve] = []
         for number, (name, member) in enumerate(zip(names, members, strict=True)):
             curves.append(
-                Curve(name, row.factor * turn.curve(row.exact, member), "other" if number else "first", letter)
+                Curve(name, row.factor * turn.moved(row.order, _EXACT, member), "other" if number else "first", letter)
             )
             method = _method(result, member, turn.design)
             if method is not None and member in told:
-                curves.append(Curve(name, row.factor * turn.curve(row.textbook, method, member), "textbook", letter))
+                textbook = row.factor * turn.moved(row.order, _TEXTBOOK, method, member)
+                curves.append(Curve(name, textbook, "textbook", letter))
         yield Panel(row.title, row.symbol, row.unit, turn.angle, tuple(curves))
     if worst is not None:
         yield _error_panel(turn, *worst)
@@ -269,13 +277,9 @@ def _worst(result: Result, members: Sequence[int], design: int) -> tuple[int, in
 def _error_panel(turn: _Turn, method: int, member: int) -> Panel:
     """Error of a textbook's form in % of the stroke and of the exact peaks."""
     curves: list[Curve] = []
-    for letter, textbook, exact in (
-        ("s", "displacement_by_method", "piston_displacement"),
-        ("v", "velocity_coefficient_by_method", "piston_velocity_coefficient"),
-        ("j", "acceleration_coefficient_by_method", "piston_acceleration_coefficient"),
-    ):
-        right = turn.curve(exact, member)
-        error = 100.0 * (turn.curve(textbook, method, member) - right) / np.nanmax(np.abs(right))
+    for order, letter in enumerate("svj"):
+        right = turn.moved(order, _EXACT, member)
+        error = 100.0 * (turn.moved(order, _TEXTBOOK, method, member) - right) / np.nanmax(np.abs(right))
         curves.append(Curve(letter, error, "error", letter))
     title = _("Textbook error, piston {piston}").format(piston=turn.result.labels["piston"][member])
     return Panel(title, "", _("% of own maximum"), turn.angle, tuple(curves))
@@ -286,37 +290,29 @@ def _rocker_panels(turn: _Turn) -> Iterator[Panel]:
     result = turn.result
     names = drawn_names(result, "rocker")
     members = [result.labels["rocker"].index(name) for name in names]
-    speed = result.machines[turn.design].main_shaft.speed
-    omega = 1.0 if speed is None else speed.si
-    degrees = shown(1.0, "deg")
-    rows = [
-        (_("Rocker angle"), r"\theta", "°", "rocker_angle", degrees, "s"),
-        (
-            _("Rocker angular velocity"),
-            r"\theta'" if speed is None else r"\omega_3",
-            "rad/rad" if speed is None else "rad/s",
-            "rocker_velocity_coefficient",
-            omega,
-            "v",
-        ),
-        (
-            _("Rocker angular acceleration"),
-            r"\theta''" if speed is None else r"\varepsilon_3",
-            "rad/rad²" if speed is None else "rad/s²",
-            "rocker_acceleration_coefficient",
-            omega**2,
-            "j",
-        ),
-    ]
+    has_speed = result.machines[turn.design].main_shaft.speed is not None or speed_of(result) is not None
+    titles = _("Rocker angle"), _("Rocker angular velocity"), _("Rocker angular acceleration")
+    symbols = (r"\theta", r"\omega_3", r"\varepsilon_3") if has_speed else (r"\theta", r"\theta'", r"\theta''")
+    units = ("°", "rad/s", "rad/s²") if has_speed else ("°", "rad/rad", "rad/rad²")
+    for order, (title, symbol, unit, letter) in enumerate(zip(titles, symbols, units, "svj", strict=True)):
+        factor = 1.0 if order else shown(1.0, "deg")
+        yield Panel(
+            title,
+            symbol,
+            unit,
+            turn.angle,
+            tuple(
+                Curve(name, factor * turn.moved(order, _ROCKER, member), "other" if number else "first", letter)
+                for number, (name, member) in enumerate(zip(names, members, strict=True))
+            ),
+        )
     if "load_velocity_coefficient" in result.catalogue:
-        name = _("Torque factor: load velocity for each rad/s of the crank")
-        rows.append((name, r"x_Q'", "mm", "load_velocity_coefficient", 1e3, "T"))
-    for title, symbol, unit, quantity, factor, letter in rows:
         curves = tuple(
-            Curve(name, factor * turn.curve(quantity, member), "other" if number else "first", letter)
+            Curve(name, 1e3 * turn.curve("load_velocity_coefficient", member), "other" if number else "first", "T")
             for number, (name, member) in enumerate(zip(names, members, strict=True))
         )
-        yield Panel(title, symbol, unit, turn.angle, curves)
+        title = _("Torque factor: load velocity for each rad/s of the crank")
+        yield Panel(title, r"x_Q'", "mm", turn.angle, curves)
 
 
 def textbook_words(result: Result, design: int = 0) -> str:

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
@@ -25,7 +26,12 @@ _FOOT = 8.0
 
 
 def plan_forces(
-    machine: Machine, angles: int | Sequence[float] = (30.0,), *, mechanism: str | None = None, size: str = "A4"
+    machine: Machine,
+    angles: int | Sequence[float] = (30.0,),
+    *,
+    mechanism: str | None = None,
+    size: str = "A4",
+    speed: SpeedWanted = "constant",
 ) -> Figure:
     """Draw the polygons of forces of a mechanism's groups and crank, to scale, beside the mechanism and a table.
 
@@ -38,17 +44,20 @@ def plan_forces(
     mechanism : str, optional
         Its name; the first slave of throw 1, or the first mechanism, unless given.
     size : "A4" or "A3"
+    speed : SpeedWanted
+        As `cranktrain.run` takes it.
 
     Returns
     -------
     Figure
     """
     chosen = [float(angle) for angle in few_angles(angles, _("polygons of forces"))]
-    polygons = force_polygons(machine, chosen, mechanism=mechanism)
+    curve = speed_over_cycle(machine, speed)
+    polygons = force_polygons(machine, chosen, mechanism=mechanism, speed=curve or "constant")
     groups = [[polygon for polygon in polygons if polygon.angle == angle] for angle in chosen]
     letters = pin_letters(placed_together(machine, places_called(machine, mechanism), np.zeros(1)))
     with drawing_settings():
-        page, box = plan_page(machine, angles, size, _("Polygons of forces"), mechanism)
+        page, box = plan_page(machine, angles, size, _("Polygons of forces"), mechanism, curve=curve)
         cells = list(cells_of(box._replace(bottom=box.bottom + _FOOT, height=box.height - _FOOT), len(chosen)))
         left, height = _LEFT * box.width, cells[0].height
         middle = box.width - left - TABLE * max(len(tables(group, height, letters)) for group in groups)

@@ -16,7 +16,7 @@ from cranktrain.viz.force_panels import OneDesign, chambers_of, draw_panels, for
 from cranktrain.viz.machine_sheet import title_block
 from cranktrain.viz.page import MARGIN, Figure, Page, drawing_settings, muted, paper
 from cranktrain.viz.style import COLOURS, TEXT
-from cranktrain.viz.words import running_words, zero_words
+from cranktrain.viz.words import running_words, speed_of, speed_words, zero_words
 
 _LEFT = 0.55
 """Share of the curves over the crank angle in the width."""
@@ -57,7 +57,11 @@ def sheet_forces(result: Result, *, size: str = "A4", piston: str | None = None,
         page = Page(*paper(size))
         machine = result.machines[design]
         top = title_block(
-            page, machine, [running_words(machine)], [_("Forces. {zero}").format(zero=zero_words(machine))]
+            page,
+            machine,
+            [running_words(machine)],
+            [_("Forces. {zero}").format(zero=zero_words(machine))],
+            speed_words(speed_of(result), design),
         )
         bottom, width = MARGIN, page.width - 2 * MARGIN
         left = (MARGIN + 12.0, bottom, _LEFT * width - 18.0, top - 4.0 - bottom)
@@ -79,8 +83,15 @@ def _piston(result: Result, wanted: str | None) -> str | None:
         raise InputError([Problem("--mechanism", wanted, allowed)])
     if wanted is not None or "piston_force" not in result.catalogue:
         return wanted or next(iter(names), None)
+    return next(name for name in names if _has_forces(result, name))
+
+
+def _has_forces(result: Result, piston: str) -> bool:
+    """Whether a piston's rod is on a crank pin, so that it has forces of its own; a valve's is not."""
+    if "piston_force" not in result.catalogue:
+        return False
     first = result.piston_force[0] if result.has_designs else result.piston_force
-    return next(name for i, name in enumerate(names) if np.all(np.isfinite(first[0, i])))
+    return bool(np.all(np.isfinite(first[0, result.labels["piston"].index(piston)])))
 
 
 def _hangs(result: Result, piston: str) -> bool:
@@ -131,7 +142,7 @@ def _notes(result: Result, piston: str | None) -> Iterator[str]:
     """Sentences on what is shown."""
     if piston is not None and _hangs(result, piston):
         yield _("{piston} hangs on another rod: P, S, N, K, T are of rods on crank pins.").format(piston=piston)
-    elif piston is not None and "piston_force" in result.catalogue:
+    elif piston is not None and _has_forces(result, piston):
         yield _("P, S, N, K, T: exact motion, the rod as two masses, K without its rotating one.")
     yield _("Torque: reactions of rigid links, each mechanism's thin.")
     if result.labels.get("cylinder"):

@@ -17,7 +17,7 @@ from cranktrain.viz.page import MARGIN, Figure, Page, drawing_settings, fitting_
 from cranktrain.viz.scene import Scene, scene_of
 from cranktrain.viz.sketch import Sketch
 from cranktrain.viz.style import INK, TITLE
-from cranktrain.viz.words import provenance_words, running_words, zero_words
+from cranktrain.viz.words import provenance_words, running_words, speed_of, speed_words, zero_words
 
 _FEW = 2
 """Up to so many mechanisms, each has a ruler of its own."""
@@ -57,7 +57,8 @@ def sheet(result: Result, *, size: str = "A4", at: float = _ANGLE, design: int =
         width, height = paper(size)
         page = Page(width, height)
         machine = result.machines[design]
-        top = title_block(page, machine, [running_words(machine)], [zero_words(machine)])
+        at_speed = speed_words(speed_of(result), design)
+        top = title_block(page, machine, [running_words(machine)], [zero_words(machine)], at_speed)
         middle = MARGIN + 0.48 * (width - 2 * MARGIN)
         found = marks(result, design)
         _draw_mechanism(page, machine, found, at, (MARGIN, MARGIN, middle - 4.0 - MARGIN, top - 4.0 - MARGIN))
@@ -68,14 +69,17 @@ def sheet(result: Result, *, size: str = "A4", at: float = _ANGLE, design: int =
         return page.figure
 
 
-def title_block(page: Page, machine: Machine, about: Sequence[str], below: Sequence[str]) -> float:
-    """Head a sheet; give where it ends. [mm]"""
+def title_block(page: Page, machine: Machine, about: Sequence[str], below: Sequence[str], at_speed: str = "") -> float:
+    """Head a sheet, and say where not at a constant speed at which one; give where it ends. [mm]"""
     top = page.height - MARGIN
     page.text(MARGIN, top - 4.5, machine.name or _("Machine without a name"), fontsize=TITLE, fontweight="bold")
     layout = layout_words(machine)
     page.text(MARGIN, top - 10.0, ". ".join([layout[:1].upper() + layout[1:], *about]))
     page.text(MARGIN, top - 14.5, ". ".join(below), **muted())
     page.text(page.width - MARGIN, top - 10.0, provenance_words(machine), ha="right")
+    if at_speed:
+        page.text(MARGIN, top - 19.0, at_speed)
+        top -= 4.5
     page.rule(top - 17.5)
     return top - 17.5
 
@@ -164,7 +168,8 @@ class _Ruler(NamedTuple):
     """What is written over the curves.
 
     words: of a mark at the top and at the bottom, or largest and smallest; pistons: names of the curves; textbook:
-    forms beside the curves, if any; is_of_cylinders: whether the marks are of cylinders and not of these pistons.
+    forms beside the curves, if any; is_of_cylinders: whether the marks are of cylinders and not of these pistons;
+    valves: which of the names are valves, that have no top.
     """
 
     heading: str
@@ -173,6 +178,12 @@ class _Ruler(NamedTuple):
     pistons: Sequence[str]
     textbook: str
     is_of_cylinders: bool = False
+    valves: Sequence[str] = ()
+
+    def word(self, mark: Mark) -> str:
+        """Word of a mark."""
+        words = (_("farthest"), _("nearest")) if mark.name in self.valves else self.words
+        return words[0] if mark.is_top else words[1]
 
     @property
     def names(self) -> list[str]:
@@ -198,9 +209,15 @@ def _ruler_of(result: Result, found: Sequence[Mark], design: int) -> _Ruler:
     pair = opposed_names(result.machines[design])
     if pair:
         return _Ruler(_("Volumetric dead centres"), (_("inner"), _("outer")), found, pair, "", is_of_cylinders=True)
+    names = list(dict.fromkeys(mark.name for mark in found))
+    valves = [place.name for place in result.machines[design].places if not place.kind.has_chambers]
     heading = _("True dead centres") if found else _("No dead centres")
+    if found and set(names) <= set(valves):
+        heading = _("Ends of valve travel")
+    elif set(names) & set(valves):
+        heading = _("Dead centres; ends of valve travel")
     textbook = textbook_words(result, design)
-    return _Ruler(heading, (_("TDC"), _("BDC")), found, list(dict.fromkeys(mark.name for mark in found)), textbook)
+    return _Ruler(heading, (_("TDC"), _("BDC")), found, names, textbook, valves=valves)
 
 
 def _draw_ruler(page: Page, ruler: _Ruler, place: tuple[float, float, float]) -> float:
@@ -216,7 +233,7 @@ def _draw_ruler(page: Page, ruler: _Ruler, place: tuple[float, float, float]) ->
         y -= 5.0
     rows: dict[str, list[tuple[Mark, str]]] = {}
     for mark in ruler.marks:
-        word = ruler.words[0] if mark.is_top else ruler.words[1]
+        word = ruler.word(mark)
         row, label = (
             (mark.name, f"{word} {mark.angle:.2f}°") if ruler.is_few else (word, f"{mark.name}\n{mark.angle:.1f}")
         )

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
@@ -32,7 +33,12 @@ _ROUND = np.linspace(0.0, 2 * np.pi, 721)
 
 
 def plan_polar(
-    machine: Machine, angles: int | Sequence[float] | None = None, *, mechanism: str | None = None, size: str = "A4"
+    machine: Machine,
+    angles: int | Sequence[float] | None = None,
+    *,
+    mechanism: str | None = None,
+    size: str = "A4",
+    speed: SpeedWanted = "constant",
 ) -> Figure:
     """Draw the polar diagrams of a crank pin's load.
 
@@ -46,16 +52,24 @@ def plan_polar(
     mechanism : str, optional
         Whose rod; the first with a rod on a crank pin unless given.
     size : "A4" or "A3"
+    speed : SpeedWanted
+        As `cranktrain.run` takes it.
 
     Returns
     -------
     Figure
     """
-    loads = pin_loads(machine, mechanism=mechanism)
+    curve = speed_over_cycle(machine, speed)
+    loads = pin_loads(machine, mechanism=mechanism, speed=curve or "constant")
     chosen = np.arange(0.0, loads.cycle, _MARKS) if angles is None else plan_angles(angles)
     with drawing_settings():
         page, box = plan_page(
-            machine, chosen.tolist(), size, _("Polar diagram of the crank pin's load"), loads.mechanism
+            machine,
+            chosen.tolist(),
+            size,
+            _("Polar diagram of the crank pin's load"),
+            loads.mechanism,
+            curve=curve,
         )
         width = (box.width - _TABLE) / 2
         pairs = ((loads.on_pin, loads.on_pin_without), (loads.in_rod, loads.in_rod_without))

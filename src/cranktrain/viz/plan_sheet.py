@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cranktrain.engine.speed_curve import SpeedCurve
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
@@ -17,7 +18,7 @@ from cranktrain.viz.machine_sheet import title_block
 from cranktrain.viz.page import MARGIN, Page, muted, paper, scale_words
 from cranktrain.viz.sketch import Sketch
 from cranktrain.viz.style import SYMBOL
-from cranktrain.viz.words import running_words, zero_words
+from cranktrain.viz.words import running_words, speed_words, zero_words
 
 MOST = 24
 """Positions or polygons on one sheet."""
@@ -50,8 +51,9 @@ def plan_page(
     mechanism: str | None,
     *,
     has_key: bool = True,
+    curve: SpeedCurve | None = None,
 ) -> tuple[Page, Box]:
-    """Begin a sheet, with a key where pins have letters; give the room below its head."""
+    """Begin a sheet, at the speed of a curve or a constant one, with a key where pins have letters; give the rest."""
     n = len(plan_angles(angles))
     if n > MOST:
         allowed = _("must be at most {most} to a sheet").format(most=MOST)
@@ -62,7 +64,7 @@ def plan_page(
     of_one, of_both = _("{title}, mechanism {name}"), _("{title}, cylinder {name}")
     words = of_one if len(places) == 1 else of_both
     whose = words.format(title=title, name=together_name(places)) if len(machine.places) > 1 else title
-    top = title_block(page, machine, [running_words(machine)], [f"{whose}. {zero_words(machine)}"])
+    top = title_block(page, machine, [running_words(machine)], [f"{whose}. {zero_words(machine)}"], speed_words(curve))
     letters = pin_letters(placed_together(machine, places, np.zeros(1)))
     if letters and has_key:
         key = ", ".join(f"{letter} {spoken_name(pin).replace('_', ' ')}" for pin, letter in letters.items())

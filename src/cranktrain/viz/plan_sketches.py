@@ -15,7 +15,7 @@ from cranktrain.viz.labels import Wish, placed_labels
 from cranktrain.viz.sketch import Circle, Habit, Layer, Line, Sketch
 
 _CORNER = 3.0
-"""A normal part shorter than this leaves no room to name its end. [mm]"""
+"""A normal part shorter than this leaves no room to name its end; nor does a tangential part to name its start. [mm]"""
 
 _LETTERS_FROM = 0.35
 """A vector shorter than this part of the longest has no room for its symbol."""
@@ -178,7 +178,9 @@ def polygon_sketch(polygon: Polygon, *, with_symbols: bool = True) -> Sketch:
             sketch.add([head._replace(layer=layer)])
     sketch.add([Circle(points[POLE], 0.7, layer, "outline", 6, "paper")])
     middle = np.mean(np.stack(list(points.values())), axis=0)
-    corners = {vector.end for vector in polygon.vectors if vector.part == "normal" and polygon.length(vector) < _CORNER}
+    short = [vector for vector in polygon.vectors if polygon.length(vector) < _CORNER]
+    corners = {vector.end for vector in short if vector.part == "normal"}
+    corners |= {vector.start for vector in short if vector.part == "tangential"}
     named = {name: point for name, point in points.items() if name not in corners}
     wishes = [Wish(point, name, _away(point - middle)) for name, point in _separate(named)]
     if with_symbols:

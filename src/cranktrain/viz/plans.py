@@ -4,7 +4,10 @@ from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
+from cranktrain.analysis import SpeedWanted, speed_over_cycle
+from cranktrain.engine.layout import accelerations
 from cranktrain.engine.places import Place
+from cranktrain.engine.speed_curve import SpeedCurve
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
@@ -23,6 +26,7 @@ from cranktrain.study.plans import (
 )
 from cranktrain.study.polygons import Polygon, acceleration_polygons, velocity_polygons
 from cranktrain.study.together import places_called
+from cranktrain.study.turning import turning
 from cranktrain.study.vectors import Vector
 from cranktrain.viz.page import Figure, Page, drawing_settings, mathematics, muted
 from cranktrain.viz.plan_sheet import (
@@ -45,7 +49,12 @@ from cranktrain.viz.plan_sketches import klein_sketch, polygon_sketch, positions
 
 
 def plan_positions(
-    machine: Machine, angles: int | Sequence[float] = 12, *, mechanism: str | None = None, size: str = "A4"
+    machine: Machine,
+    angles: int | Sequence[float] = 12,
+    *,
+    mechanism: str | None = None,
+    size: str = "A4",
+    speed: SpeedWanted = "constant",
 ) -> Figure:
     """Draw a mechanism in several positions, to scale, beside a table of its output.
 
@@ -57,14 +66,18 @@ def plan_positions(
     mechanism : str, optional
         Its name; the first slave of throw 1, or the first mechanism, unless given.
     size : "A4" or "A3"
+    speed : SpeedWanted
+        As `cranktrain.run` takes it.
 
     Returns
     -------
     Figure
     """
+    curve = speed_over_cycle(machine, speed)
     with drawing_settings():
         is_single = len(plan_angles(angles)) == 1  # pins of several positions have numbers instead of letters
-        page, box = plan_page(machine, angles, size, _("Plan of positions"), mechanism, has_key=is_single)
+        title = _("Plan of positions")
+        page, box = plan_page(machine, angles, size, title, mechanism, has_key=is_single, curve=curve)
         places = places_called(machine, mechanism)
         wide = (0.62 if len(places) == 1 else 0.42) * box.width
         left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
@@ -73,7 +86,7 @@ def plan_positions(
         plan = rescaled(position_plan(machine, angles, mechanism=mechanism, room=room, is_lettered=True), scale)
         centre(page, positions_sketch(plan, lettered(track(machine, scale, mechanism=mechanism))), left)
         write_scales(page, box, [scale_of("l", scale, "m")], 1e3 * scale)
-        rows = list(_positions_table(machine, plan))
+        rows = list(_positions_table(machine, plan, curve))
         start = box.left + wide + 8.0
         end = write_table(page, rows, (start, box.bottom + box.height, box.left + box.width - start))
         if places[0].kind.output == "slider":
@@ -87,17 +100,27 @@ def plan_positions(
 
 
 def plan_velocities(
-    machine: Machine, angles: int | Sequence[float] = (30.0, 60.0), *, mechanism: str | None = None, size: str = "A4"
+    machine: Machine,
+    angles: int | Sequence[float] = (30.0, 60.0),
+    *,
+    mechanism: str | None = None,
+    size: str = "A4",
+    speed: SpeedWanted = "constant",
 ) -> Figure:
     """Draw polygons of velocities; parameters as `plan_positions` takes them."""
-    return _polygon_sheet(machine, angles, mechanism, size, velocity_polygons, _("Plan of velocities"))
+    return _polygon_sheet(machine, angles, mechanism, size, speed, velocity_polygons, _("Plan of velocities"))
 
 
 def plan_accelerations(
-    machine: Machine, angles: int | Sequence[float] = (30.0, 60.0), *, mechanism: str | None = None, size: str = "A4"
+    machine: Machine,
+    angles: int | Sequence[float] = (30.0, 60.0),
+    *,
+    mechanism: str | None = None,
+    size: str = "A4",
+    speed: SpeedWanted = "constant",
 ) -> Figure:
     """Draw polygons of accelerations; parameters as `plan_positions` takes them."""
-    return _polygon_sheet(machine, angles, mechanism, size, acceleration_polygons, _("Plan of accelerations"))
+    return _polygon_sheet(machine, angles, mechanism, size, speed, acceleration_polygons, _("Plan of accelerations"))
 
 
 def _polygon_sheet(
@@ -105,19 +128,23 @@ def _polygon_sheet(
     angles: int | Sequence[float],
     mechanism: str | None,
     size: str,
+    speed: SpeedWanted,
     polygons_of: Callable[..., tuple[Polygon, ...]],
     title: str,
 ) -> Figure:
     """Polygons, few of them beside the mechanism and a table of vectors."""
+    curve = speed_over_cycle(machine, speed)
     with drawing_settings():
-        page, box = plan_page(machine, angles, size, title, mechanism)
+        page, box = plan_page(machine, angles, size, title, mechanism, curve=curve)
         n = len(closed_angles(machine, places_called(machine, mechanism), angles))
         cells = list(cells_of(box, n))
         has_table = n <= WITH_TABLE
         cell = cells[0]
         width = 0.38 * cell.width if has_table else cell.width
         room = (width - 22.0, cell.height - (18.0 if has_table else 16.0))
-        polygons = polygons_of(machine, angles, mechanism=mechanism, room=room, is_lettered=True)
+        polygons = polygons_of(
+            machine, angles, mechanism=mechanism, room=room, is_lettered=True, speed=curve or "constant"
+        )
         symbol = "v" if polygons[0].quantity == "velocity" else "a"
         scales = [scale_of(symbol, polygons[0].scale, unit_words(polygons[0].unit))]
         if has_table:
@@ -192,13 +219,13 @@ def plan_klein(
         return page.figure
 
 
-def _positions_table(machine: Machine, plan: PositionPlan) -> Iterator[tuple[str, ...]]:
+def _positions_table(machine: Machine, plan: PositionPlan, curve: SpeedCurve | None) -> Iterator[tuple[str, ...]]:
     """Number, crank angle and motion of the output in each position; of opposed pistons both."""
     places = places_called(machine, plan.mechanism)
     columns = [
         (_indexed(name, i) if len(places) > 1 else name, values)
         for i, place in enumerate(places)
-        for name, values in _output_columns(machine, place, plan)
+        for name, values in _output_columns(machine, place, plan, curve)
     ]
     yield (_("no."), "φ, °", *(name for name, _values in columns))
     for i, angle in enumerate(plan.angles):
@@ -211,17 +238,21 @@ def _indexed(head: str, i: int) -> str:
     return f"{symbol}{'₁₂'[i]}{comma}{unit}"
 
 
-def _output_columns(machine: Machine, place: Place, plan: PositionPlan) -> Iterator[tuple[str, Array]]:
+def _output_columns(
+    machine: Machine, place: Place, plan: PositionPlan, curve: SpeedCurve | None
+) -> Iterator[tuple[str, Array]]:
     """Heads and values of the motion of a place's output."""
-    speed = machine.main_shaft.speed
-    omega = 1.0 if speed is None else speed.si
+    has_speed = machine.main_shaft.speed is not None or curve is not None
+    angle = np.deg2rad(plan.angles)
+    drive = turning(machine, curve, angle + machine.zero)
+    moving = output_motion(machine, place, angle)
+    motion = (moving.value, moving.first * drive.speed, accelerations(moving.first, moving.second, drive))
     if place.kind.output == "slider":
-        names = ("x, mm", "v, m/s", "a, m/s²") if speed is not None else ("x, mm", "x′, mm/rad", "x″, mm/rad²")
-        factors = (1e3, omega, omega**2) if speed is not None else (1e3, 1e3, 1e3)
+        names = ("x, mm", "v, m/s", "a, m/s²") if has_speed else ("x, mm", "x′, mm/rad", "x″, mm/rad²")
+        factors = (1e3, 1.0, 1.0) if has_speed else (1e3, 1e3, 1e3)
     else:
-        names = ("θ, °", "ω₃, rad/s", "ε₃, rad/s²") if speed is not None else ("θ, °", "θ′", "θ″")
-        factors = (shown(1.0, "deg"), omega, omega**2)
-    motion = output_motion(machine, place, np.deg2rad(plan.angles))
+        names = ("θ, °", "ω₃, rad/s", "ε₃, rad/s²") if has_speed else ("θ, °", "θ′", "θ″")
+        factors = (shown(1.0, "deg"), 1.0, 1.0)
     yield from ((name, factor * part) for name, factor, part in zip(names, factors, motion, strict=True))
 
 

@@ -3,6 +3,8 @@
 from collections.abc import Iterator, Mapping
 from typing import cast
 
+from cranktrain.analysis import Result
+from cranktrain.engine.speed_curve import SpeedCurve
 from cranktrain.io.description import counted_by_status
 from cranktrain.language import _
 from cranktrain.machine import Machine
@@ -21,6 +23,16 @@ def running_words(machine: Machine) -> str:
     sense = senses[machine.rotation, machine.running]
     speed = machine.main_shaft.speed
     return f"n = {speed.text}, {sense}" if speed is not None else sense
+
+
+def speed_of(result: Result) -> SpeedCurve | None:
+    """How the shaft turns in a result; None at a constant speed."""
+    return next((gift for gift in result.gifts if isinstance(gift, SpeedCurve)), None)
+
+
+def speed_words(curve: SpeedCurve | None, design: int = 0) -> str:
+    """Say at which speed over the cycle a picture is, as the terminal does; nothing of a constant one."""
+    return "" if curve is None else curve.answer({}, design)
 
 
 def zero_words(machine: Machine) -> str:

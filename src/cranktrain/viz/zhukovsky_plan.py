@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
+from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
@@ -56,20 +57,27 @@ _HEADED = 2.5
 
 
 def plan_zhukovsky(
-    machine: Machine, angles: int | Sequence[float] = (30.0,), *, mechanism: str | None = None, size: str = "A4"
+    machine: Machine,
+    angles: int | Sequence[float] = (30.0,),
+    *,
+    mechanism: str | None = None,
+    size: str = "A4",
+    speed: SpeedWanted = "constant",
 ) -> Figure:
     """Draw Zhukovsky's lever; parameters as `plan_forces` takes them, two angles at most."""
     chosen = [float(angle) for angle in few_angles(angles, _("Zhukovsky's lever"))]
-    levers = [zhukovsky_lever(machine, angle, mechanism=mechanism) for angle in chosen]
+    curve = speed_over_cycle(machine, speed)
+    turning = curve or "constant"
+    levers = [zhukovsky_lever(machine, angle, mechanism=mechanism, speed=turning) for angle in chosen]
     mechanism = levers[0].mechanism
     letters = pin_letters(placed(machine, place_called(machine, mechanism), np.zeros(1)))
     with drawing_settings():
-        page, box = plan_page(machine, angles, size, _("Zhukovsky's lever"), mechanism)
+        page, box = plan_page(machine, angles, size, _("Zhukovsky's lever"), mechanism, curve=curve)
         cells = list(cells_of(box, len(chosen)))
         left, middle = 0.26 * box.width, 0.46 * box.width
         height = cells[0].height
         room = ((1 - 2 * _LONGEST) * middle + 6.0, max((1 - 2 * _LONGEST) * height, 0.4 * height) - 4.0)
-        polygons = velocity_polygons(machine, chosen, mechanism=mechanism, room=room, is_lettered=True)
+        polygons = velocity_polygons(machine, chosen, mechanism=mechanism, room=room, is_lettered=True, speed=turning)
         longest = max(_longest(lever, polygon) for lever, polygon in zip(levers, polygons, strict=True))
         newton = rounded_scale(longest / (_LONGEST * min(middle, height)))
         own = Box(box.left, box.bottom, left, height - 5.0 - _NOTES)

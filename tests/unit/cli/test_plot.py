@@ -96,6 +96,31 @@ def test_crank_angles_as_typed(plan, at, output, angles):
         ),
         (["3d12", "-o", "a.svg", "--at", ""], ["--at = : must be crank angles in degrees with commas between, "
                                                "such as 30,60"]),
+        (
+            ["pumping_unit_c57", "-o", "a.svg", "--running-speed"],
+            ["--running-speed: needs [evenness], [evenness] flywheel or flywheel_moment, [masses] in the file"],
+        ),
+        (
+            ["pumping_unit_c57", "-o", "a.svg", "--plan", "accelerations", "--running-speed"],
+            ["--running-speed: needs [evenness], [evenness] flywheel or flywheel_moment, [masses] in the file"],
+        ),
+        (
+            ["3d12", "-o", "a.svg", "--plan", "wittenbauer", "--running-speed"],
+            ["--running-speed: must be left out: this diagram is what the running speed is found from"],
+        ),
+        (
+            ["3d12", "-o", "a.svg", "--plan", "Klein", "--running-speed"],
+            ["--running-speed: must be left out: Klein's construction is for a crank that turns evenly; "
+             "ask for accelerations"],
+        ),
+        (
+            ["3d12", "-o", "a.svg", "--plan", "brix", "--running-speed"],
+            ["--running-speed: must be left out: this plan is the same at every speed"],
+        ),
+        (
+            ["3d12", "-o", "a.gif", "--running-speed"],
+            ["--running-speed: must be left out: a .gif shows positions in even steps of the crank angle"],
+        ),
         (["3d13", "-o", "a.svg"], ["3d13  there is no such file; is it the example 3d12? "
                                    "`cranktrain list` names all"]),
         (["3d12", "-o", "no/a.svg"], ["no/a.svg  the folder is not there; make it first, or name another"]),
@@ -133,6 +158,22 @@ def test_a_picture_is_kept_unless_forced(typed, tmp_path):
     assert path.read_text(encoding="utf-8") == "old\n"
     assert typed(*arguments, "--force") == (0, "written: a.svg\n", "")
     assert path.read_text(encoding="utf-8").startswith("<?xml")
+
+
+@pytest.mark.parametrize(
+    "kind",
+    [
+        ("a.svg",),
+        ("a.svg", "--sheet", "forces"),
+        ("a.svg", "--plan", "forces"),
+        ("a.svg", "--plan", "accelerations"),
+        ("a.dxf",),
+    ],
+)
+def test_at_the_running_speed(typed, tmp_path, kind):
+    assert typed("plot", "vaz_21213", "--running-speed", "-o", *kind) == (0, f"written: {kind[0]}\n", "")
+    drawn = (tmp_path / kind[0]).read_text(encoding="utf-8")
+    assert "at the speed of steady running" in drawn
 
 
 def test_diagram_of_the_flywheel(typed, tmp_path):

@@ -279,3 +279,47 @@ def test_the_file_stands_beside_the_machine_file(tmp_path):
     found = ct.run(read_machine(tmp_path / "machine.toml").machine)
     assert found.largest_load_torque == PEAK
     assert "The given load takes 21.6 N*m on the mean, at most 400.0 N*m." in found.summary()
+
+
+def pulse_of(peak, start, unit="N·m"):
+    return f"angle;load [{unit}]\n0;0\n{start};0\n{start + 1};{peak}\n{start + 30};{peak}\n{start + 31};0\n360;0\n"
+
+
+CURVES = (
+    {"text": PULSE},
+    {"text": pulse_of(90, 200, "kgf·m")},
+    {"text": pulse_of(250, 20).replace(" [N·m]", ""), "torque_unit": "N·m"},
+)
+MOTOR = {"motor": {"torque": "60 N·m", "speed": "290 rpm", "no_load_speed": "300 rpm"}}
+BALANCES = [(DISC, "given", {}), (ENGINE, "given", {}), (ENGINE, "balanced", {}), (DISC, "given", MOTOR)]
+
+
+@pytest.mark.parametrize(("machine", "scale", "balance"), BALANCES, ids=["disc", "engine", "balanced", "motor"])
+def test_designs_may_have_curves_of_their_own(machine, scale, balance):
+    """Each is as if it were alone, in its first and in its second run."""
+    tables = [
+        {"load_curve": {"file": f"{n}.csv", "scale": scale, **curve}, "flywheel": f"{4 + n} kg·m²", **balance}
+        for n, curve in enumerate(CURVES)
+    ]
+    machines = [ct.Machine(**machine, evenness=table) for table in tables]
+    for speed in ("constant", "running"):
+        together = ct.run(machines, speed=speed)
+        for design, one in enumerate(machines):
+            alone = ct.run(one, speed=speed)
+            assert together.summary(design) == alone.summary()
+            for name in alone.catalogue:
+                several, single = getattr(together, name)[design], getattr(alone, name)
+                scale_of = np.nanmax(np.abs(single), initial=0.0)
+                rounding = 1e-12 * (scale_of + (alone.catalogue[name].unit == "deg"))
+                np.testing.assert_allclose(several, single, rtol=0, atol=rounding, err_msg=name)
+    assert np.all(np.ptp(together.largest_load_torque) > 1.0)
+
+
+def test_designs_with_a_curve_and_without_are_refused():
+    curve = {"load_curve": {"file": "load.csv", "text": PULSE}, "flywheel": FLYWHEEL}
+    machines = [ct.Machine(**DISC, evenness=table) for table in (curve, {"flywheel": FLYWHEEL})]
+    with pytest.raises(InputError, match=r"evenness\.load_curve\.file: must be the same in all designs"):
+        ct.run(machines)
+    scaled = ct.Machine(**DISC, evenness={**curve, "load_curve": {**curve["load_curve"], "scale": "balanced"}})
+    with pytest.raises(InputError, match=r"evenness\.load_curve\.scale: must be the same in all designs"):
+        ct.run([machines[0], scaled])

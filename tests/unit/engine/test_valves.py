@@ -1,10 +1,13 @@
 """Valves of a valve gear are no pistons: they have no cylinder, and no place in a firing order."""
 
+import tomllib
+
 import pytest
 
 import cranktrain as ct
 from cranktrain.io.description import layout_words
 from cranktrain.io.machine_file import read_machine
+from cranktrain.mechanisms import kind_named
 
 
 def test_valves_are_counted_apart():
@@ -20,3 +23,22 @@ def test_a_firing_order_names_the_cylinders_alone():
     assert result.labels["cylinder"] == ("1cylinder", "2cylinder")
     # The second crank is a quarter turn ahead: its cylinder fires that much sooner in the other turn.
     assert result.firing_interval.tolist() == pytest.approx([270, 450], abs=1e-9)
+
+
+def test_answers_part_valves_from_pistons():
+    """Strokes, dead centres and speeds are of pistons; a valve travels, and is farthest and nearest."""
+    said = ct.run(ct.load("great_northern")).summary().splitlines()
+    assert said[0] == (
+        "Strokes: 762.00 mm. True top dead centres: 0.00 deg after the crank points along the cylinder. "
+        "Valve travel: 177.80 mm. Farthest from the shaft: -109.84 deg after the crank points along its line."
+    )
+    assert said[2].startswith("Mean piston speed 6.10 m/s, largest 9.65 m/s; ")
+    assert " Mean valve speed 1.42 m/s, largest 2.23 m/s; " in said[2]
+
+
+@pytest.mark.parametrize("kind", ["eccentric", "stephenson"])
+def test_of_a_valve_alone_no_piston_is_spoken_of(kind):
+    machine = ct.Machine(**tomllib.loads(kind_named(kind).example), shaft={"main": {"speed": "100 rpm"}})
+    said = ct.run(machine).summary()
+    assert "Valve travel: " in said and "Mean valve speed " in said
+    assert "iston" not in said and "dead centre" not in said and "Stroke" not in said

@@ -8,6 +8,7 @@ from tests.weighed_machines import WEIGHED
 
 import cranktrain as ct
 from cranktrain.errors import InputError
+from cranktrain.io.machine_file import read_machine
 from cranktrain.study.force_polygons import force_polygons
 from cranktrain.study.pin_loads import pin_loads
 from cranktrain.study.polygons import velocity_polygons
@@ -254,3 +255,11 @@ def test_same_bytes(tmp_path, results):
     for name in ("one", "other"):
         save(lambda: sheet_forces(results["vaz_21213"]), str(tmp_path / f"{name}.svg"))
     assert (tmp_path / "one.svg").read_bytes() == (tmp_path / "other.svg").read_bytes()
+
+
+def test_sheet_of_a_valve_speaks_of_no_piston_s_forces():
+    engine = read_machine("great_northern", ["masses.piston.mass=300 kg"]).machine
+    result = ct.run(engine)
+    said = " ".join(text for text, _box in words_of(sheet_forces(result, piston="1valve")))
+    assert "P, S, N, K, T" not in said
+    assert "P, S, N, K, T" in " ".join(text for text, _box in words_of(sheet_forces(result, piston="1cylinder")))

@@ -199,6 +199,16 @@ def test_curves_of_a_valve_are_not_called_a_piston_s():
     ]
 
 
+def test_a_valve_has_no_dead_centres(results):
+    """It is farthest and nearest, of an eccentric half a turn apart."""
+    eccentric = {"kind": "eccentric", "eccentricity": "60 mm", "rod_length": "1.4 m", "angle_of_advance": "30 deg"}
+    alone = [text for text, _box in words_of(sheet(ct.run(ct.Machine(mechanism=eccentric))))]
+    assert {"Ends of valve travel", "nearest 60.00°", "farthest 240.00°"} <= set(alone)
+    assert not any("TDC" in text or "ead centres" in text for text in alone)
+    both = [text for text, _box in words_of(sheet(results["great_northern"]))]
+    assert {"Dead centres; ends of valve travel", "TDC 0.00°", "farthest 250.16°"} <= set(both)
+
+
 @pytest.mark.parametrize("name", ["3d12", "r_1340", "pumping_unit_c57", "vaz_21213"])
 @pytest.mark.parametrize("kind", PLANS)
 @pytest.mark.parametrize("angles", [12, [30.0, 60.0]])
