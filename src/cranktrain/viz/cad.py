@@ -138,6 +138,7 @@ def _dimensions(space: Modelspace, plan: PositionPlan) -> None:
         "dimasz": _TEXT * scale,
         "dimexo": scale,
         "dimexe": scale,
+        "dimlfac": 1.0,  # ezdxf's own style writes hundredths of the drawing's unit
         "dimdec": 3,
         "dimzin": 8,
     }

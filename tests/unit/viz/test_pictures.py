@@ -442,6 +442,10 @@ def test_dxf_has_layers_true_lengths_and_no_date(tmp_path):
     dimensions = sorted(dimension.get_measurement() for dimension in document.modelspace().query("DIMENSION"))
     expected = [21 * 25.4, 56.05 * 25.4, 65.63 * 25.4]
     np.testing.assert_allclose(dimensions, expected, rtol=1e-9)
+    # What is written beside the lines, with three decimals at most.
+    blocks = [document.blocks[one.dxf.geometry] for one in document.modelspace().query("DIMENSION")]
+    written = sorted(float(text.plain_text()) for block in blocks for text in block.query("MTEXT"))
+    np.testing.assert_allclose(written, expected, atol=5.1e-4)
 
 
 @pytest.mark.parametrize("case", WORKS)
