@@ -32,6 +32,7 @@ DIMENSIONS = {
     "point",
     "link",
     "slider",
+    "guide",
     "shaft",
     "journal",
     "order",
@@ -77,6 +78,7 @@ EVERYTHING = {
         "Z": {"compression_ratio": 9},
     },
     "masses": {"piston": {"mass": "0.4 kg"}},
+    "guide": {"piston": {"length": "60 mm"}},
     "gas": {
         "kind": "otto",
         "start_pressure": "95 kPa",

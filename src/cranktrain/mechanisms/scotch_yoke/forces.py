@@ -138,7 +138,7 @@ DYNAMICS = Dynamics(
         Reaction("guide", "slider", FRAME),
     ),
     sliding=("slider", "block"),
-    contacts=(Contact("guide", "B"), Contact("slot", "A")),
+    contacts=(Contact("guide", "B"), Contact("slot", "A", bears_moment=False)),
     links=scotch_yoke_links,
     load=scotch_yoke_load,
     forces=scotch_yoke_forces,
