@@ -63,23 +63,19 @@ def pressing(guided: Guided, friction: Friction) -> Array:
     NaN where the guide wedges: where there are loads for which two sums would do, or none. docs/theory/forces, eqs.
     (13.44) and (13.45).
     """
+    rub = friction.coefficient * friction.sense
     doubled = 2.0 * friction.per_length
-    return np.maximum(
-        _pressing_alone(guided.normal, guided.lever, friction),
-        _pressing_alone(
-            doubled * (guided.moment - friction.middle * guided.normal),
-            doubled * (guided.arm - friction.middle * guided.lever),
-            friction,
-        ),
-    )
-
-
-def _pressing_alone(frictionless: Array, lever: Array, friction: Friction) -> Array:
-    """|N| of N = N₀ − k|N|, k = μσ·lever; docs/theory/forces, eqs. (13.9) and (13.10)."""
-    slope = friction.coefficient * friction.sense * lever
+    slope = rub * guided.lever
+    turning = (rub * doubled) * (guided.arm - friction.middle * guided.lever)
     # 0 where friction lets the slider go, NaN where it is too much.
-    held = 0.0 * np.sqrt(1.0 - slope * slope)
-    return np.abs(frictionless) / (1.0 + slope * np.sign(frictionless)) + held
+    held = 0.0 * np.sqrt(1.0 - np.maximum(slope * slope, turning * turning))
+    overturning = doubled * (guided.moment - friction.middle * guided.normal)
+    return np.maximum(_pressing_alone(guided.normal, slope), _pressing_alone(overturning, turning)) + held
+
+
+def _pressing_alone(frictionless: Array, slope: Array) -> Array:
+    """|N| of N = N₀ − k|N|, which for |k| < 1 has the sign of N₀; docs/theory/forces, eqs. (13.9) and (13.10)."""
+    return np.abs(frictionless) / (1.0 + slope * np.sign(frictionless))
 
 
 def dragged(pressed: Array, friction: Friction) -> Array:
