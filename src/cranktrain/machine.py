@@ -11,16 +11,17 @@ from pydantic import Field, ValidationError, model_validator
 
 from cranktrain.engine.balance_specs import BalanceSpec
 from cranktrain.engine.balance_weights import balance_problems
-from cranktrain.engine.bodies import BodySpec, Friction
+from cranktrain.engine.bodies import BodySpec, Friction, GuideSpec
 from cranktrain.engine.cylinders import Cylinder, cylinder_problems, cylinders_of, firing_order_of
 from cranktrain.engine.evenness_table import EvennessSpec
 from cranktrain.engine.firing import FiringOrder
 from cranktrain.engine.frames import Orientation
 from cranktrain.engine.gearing import first_axis
+from cranktrain.engine.guide_tables import guide_problems
 from cranktrain.engine.masses import Weighed, mass_problems
 from cranktrain.engine.places import Place, places_of
 from cranktrain.engine.points import point_problems
-from cranktrain.engine.specs import MAIN, OVERRIDES, BankSpec, CylindersSpec, ShaftSpec
+from cranktrain.engine.specs import MAIN, OVERRIDES, BankSpec, CylindersSpec, OpposedPistonSpec, ShaftSpec
 from cranktrain.engine.standing import standing_problems
 from cranktrain.errors import InputError, Problem
 from cranktrain.gas import AnyGas
@@ -62,6 +63,7 @@ class Machine(Spec, frozen=True):
     cylinder: CylindersSpec = CylindersSpec()
     masses: Mapping[str, BodySpec] = Field(default={})
     friction: Mapping[str, Friction] = Field(default={})
+    guide: Mapping[str, GuideSpec] = Field(default={})
     gravity: bool = False
     gas: AnyGas | None = None
     balance: BalanceSpec | None = None
@@ -151,11 +153,18 @@ class Machine(Spec, frozen=True):
     @property
     def weighed(self) -> Weighed:
         """What the file says of masses, by the paths of its tables."""
-        tables = {"masses": self.masses} if self.masses else {}
+        homes: dict[str, Machine | BankSpec | OpposedPistonSpec] = {"": self}
         for name, bank in self.bank.items():
-            own = {"": bank.masses} | {f"{end}.": piston.masses for end, piston in bank.opposed.items()}
-            tables |= {f"bank.{name}.{place}masses": bodies for place, bodies in own.items() if bodies}
-        return Weighed(tables, self.friction, self.gravity, self.first_axis, self.rotation == "clockwise")
+            homes[f"bank.{name}."] = bank
+            homes |= {f"bank.{name}.{end}.": piston for end, piston in bank.opposed.items()}
+        return Weighed(
+            {f"{home}masses": table.masses for home, table in homes.items() if table.masses},
+            self.friction,
+            {f"{home}guide": table.guide for home, table in homes.items() if table.guide},
+            self.gravity,
+            self.first_axis,
+            self.rotation == "clockwise",
+        )
 
     @property
     def orientation(self) -> Orientation:
@@ -268,6 +277,7 @@ def _table_problems(machine: Machine, places: Sequence[Place]) -> Iterator[Probl
         machine.shafts, places, first_angle=machine.first_axis, clockwise=machine.rotation == "clockwise"
     )
     yield from mass_problems(places, machine.weighed)
+    yield from guide_problems(places, machine.weighed.guides)
     if machine.balance is not None:
         yield from balance_problems(machine.balance, machine.main_shaft)
     if machine.pistons:

@@ -30,7 +30,7 @@ def record(data: type[Data]) -> type[Data]:
 
 def _set_once(self: Any, name: str, value: object) -> None:
     """Let `__init__` set each field, and nobody after it."""
-    own: dict[str, object] = vars(self)
+    own: dict[str, object] = self.__dict__
     if name in own or name not in self.__dataclass_fields__:
         _refuse(self, name)
     own[name] = value

@@ -1,5 +1,7 @@
 """Arguments of the kernels of forces for `test_compiled`: of the angle, of `size`, and of the side."""
 
+import numpy as np
+
 from cranktrain.linkage import (
     Crank,
     Ends,
@@ -35,9 +37,12 @@ from cranktrain.linkage.forces import (
     TrammelLoads,
     TriadFriction,
     TriadLoads,
+    Turning,
     Wrench,
     YokeLoads,
 )
+from cranktrain.linkage.forces.guide import Guided
+from cranktrain.linkage.forces.triad import Screw
 from cranktrain.linkage.triad import GUIDE, ROD, Leg, Triad
 from cranktrain.loads.crank_pin import PinLoad
 from cranktrain.loads.piston import PistonForces
@@ -60,6 +65,10 @@ def wrench(size):
     return Wrench(size(3.0), size(-2.0), size(0.7))
 
 
+def screw(angle, size):
+    return Screw(size(3.0), size(2.0) * np.cos(angle), size(0.7))
+
+
 def body(size):
     return Body(size(2.0), size(0.2), size(0.05), size(0.03))
 
@@ -73,7 +82,7 @@ def gravity(size):
 
 
 def friction(size):
-    return Friction(size(0.05), 1.0)
+    return Friction(size(0.05), 1.0, size(5.0), size(0.02))
 
 
 def crossing_friction(size):
@@ -241,22 +250,42 @@ EXAMPLES = {
         guide(angle, size).cos,
         guide(angle, size).sin,
         wrench(size),
+        Turning(size(0.7), size(0.1)),
         crossing_friction(size),
     ),
-    "forces.dragged": lambda angle, size, side: (size(-3.0), friction(size)),
+    "forces.crossed": lambda angle, size, side: (screw(angle, size), screw(angle, size)),
+    "forces.dragged": lambda angle, size, side: (size(3.0), friction(size)),
+    "forces.edge_forces": lambda angle, size, side: (size(3.0), size(0.7), size(5.0), size(0.02)),
     "forces.handed_back": lambda angle, size, side: (
         group(angle, size, side).rod,
         point(group(angle, size, side).rod, LinkPoint(size(0.2), size(0.7))),
         wrench(size),
     ),
+    "forces.hold_of": lambda angle, size, side: (
+        triad(angle, size)[0],
+        triad(angle, size)[1].third,
+        triad(angle, size)[2].third,
+        wrench(size),
+    ),
+    "forces.leg_reactions": lambda angle, size, side: (
+        screw(angle, size),
+        screw(angle, size),
+        size(3.0),
+        triad(angle, size)[2].third,
+        wrench(size),
+    ),
     "forces.momentum": lambda angle, size, side: (group(angle, size, side).rod, body(size)),
+    "forces.needed_of": lambda angle, size, side: (wrench(size), *(screw(angle, size) for _ in range(3))),
     "forces.opposite": lambda angle, size, side: (wrench(size),),
     "forces.pin_reactions": lambda angle, size, side: (
         rod_and_rocker(angle, size, side),
         Pin(size(1.0), size(0.8), side),
         PinLoads(wrench(size), wrench(size)),
     ),
-    "forces.pressed": lambda angle, size, side: (size(-3.0), size(0.4), friction(size)),
+    "forces.pressing": lambda angle, size, side: (
+        Guided(size(-3.0), size(0.7), size(0.4), size(0.1)),
+        friction(size),
+    ),
     "forces.reduced": lambda angle, size, side: (
         group(angle, size, side).rod,
         body(size),
@@ -270,6 +299,7 @@ EXAMPLES = {
         tuple(wrench(size) for _ in range(3)),
         gravity(size),
     ),
+    "forces.screw_of": lambda angle, size, side: (size(0.2), size(0.1), size(3.0), size(-2.0)),
     "forces.slide_reactions": lambda angle, size, side: (
         group(angle, size, side).rod,
         Slide(size(1.0), size(0.05), side),
@@ -295,6 +325,7 @@ EXAMPLES = {
         *triad(angle, size),
         TriadFriction(*(friction(size) for _ in range(3))),
     ),
+    "forces.triple": lambda angle, size, side: (screw(angle, size), screw(angle, size)),
     "forces.turned_wrench": lambda angle, size, side: (wrench(size), size(0.7)),
     "forces.weight": lambda angle, size, side: (group(angle, size, side).rod, body(size), gravity(size)),
     "forces.work": lambda angle, size, side: (group(angle, size, side).rod, wrench(size)),

@@ -33,6 +33,7 @@ DIMENSIONS = {
     "point",
     "link",
     "slider",
+    "guide",
     "shaft",
     "journal",
     "order",
@@ -78,6 +79,7 @@ EVERYTHING = {
         "Z": {"compression_ratio": 9},
     },
     "masses": {"piston": {"mass": "0.4 kg"}},
+    "guide": {"piston": {"length": "60 mm"}},
     "gas": {
         "kind": "otto",
         "start_pressure": "95 kPa",

@@ -22,6 +22,7 @@ from cranktrain.engine.followed import FollowedLinks, FollowedSliders, followed_
 from cranktrain.engine.forces import carriers_of
 from cranktrain.engine.frames import frames_of
 from cranktrain.engine.gas import DeclaredGas
+from cranktrain.engine.guides import guided_of, guides_with_length
 from cranktrain.engine.layout import (
     CrankAngle,
     Mechanisms,
@@ -96,6 +97,7 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
         followed_of(FollowedLinks, designs[0]),
         followed_of(FollowedSliders, designs[0]),
         carriers_of(designs[0]),
+        guided_of(designs[0]),
         frames_of(designs, [machine.orientation for machine in machines]),
         throws_of(designs[0]),
         shaft_centres_of([machine.shafts for machine in machines], designs),
@@ -105,7 +107,7 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
         GearedShafts(shafts) if len(shafts.names) > 1 else None,
     ]
     if first.gas is not None or first.masses or first.weighed.bodies:
-        parts.append(masses_of(designs, [machine.weighed for machine in machines]))
+        parts += [(masses := masses_of(designs, [machine.weighed for machine in machines])), guides_with_length(masses)]
     pistons = [machine.pistons for machine in machines]
     rockers = [[place for place in design if place.kind.output == "rocker"] for design in designs]
     if pistons[0]:

@@ -26,6 +26,7 @@ from cranktrain.engine.forces import joint_forces, loaded_machine, mechanism_tor
 from cranktrain.engine.frame_forces import frame_forces
 from cranktrain.engine.gas import gas_in_chambers, gas_pressures
 from cranktrain.engine.gas_events import gas_events
+from cranktrain.engine.guides import guide_edges
 from cranktrain.engine.load_curve import load_torque
 from cranktrain.engine.motion import piston_motion, piston_speeds
 from cranktrain.engine.opposed import combined_motion, combined_speeds, volumetric_dead_centres
@@ -168,6 +169,7 @@ STAGES: tuple[Stage, ...] = tuple(
         mechanism_torques,
         journal_torques,
         joint_forces,
+        guide_edges,
         frame_forces,
         running_frame,
         balance_weights,

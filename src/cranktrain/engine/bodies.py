@@ -1,4 +1,4 @@
-"""Rigid bodies: their tables of the machine file."""
+"""Rigid bodies, and guides of what slides: their tables of the machine file."""
 
 from typing import Annotated, Self
 
@@ -6,8 +6,8 @@ from pydantic import model_validator
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.quantities import Dimension, Given, Length, PositiveMass, Quantity
-from cranktrain.spec import Spec
+from cranktrain.quantities import Dimension, Given, Length, PositiveLength, PositiveMass, Quantity
+from cranktrain.spec import Refused, Spec
 
 Friction = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]
 NonNegativeInertia = Annotated[Given, Quantity(Dimension.INERTIA, at_least=0.0)]
@@ -43,4 +43,23 @@ class BodySpec(Spec, frozen=True):
             found += [Problem(name, None, allowed) for name in ("mass", "along") if getattr(self, name) is not None]
         if found:
             raise InputError(found)
+        return self
+
+
+class GuideSpec(Spec, frozen=True):
+    """A guide, or a bush: the distance of its outer edges along it, and where their middle lies.
+
+    `middle` is its distance from the slider's pin, where the edges go with the slider; `at` is its place, where
+    they stand still. Both count along the guide as the slider's position does.
+    """
+
+    length: PositiveLength
+    middle: Length | None = None
+    at: Length | None = None
+
+    @model_validator(mode="after")
+    def _one_middle(self) -> Self:
+        """Refuse a middle that goes with the slider and stands still."""
+        if self.middle is not None and self.at is not None:
+            raise Refused(_("must not stand beside middle: the edges go with the slider or stand still"), path="at")
         return self

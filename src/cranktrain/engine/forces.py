@@ -10,8 +10,10 @@ from numpy.typing import NDArray
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
 from cranktrain.engine.gas import GasInChambers, GasPressures
+from cranktrain.engine.guide_tables import Edges
 from cranktrain.engine.layout import CrankAngle, Mechanisms, Speed
 from cranktrain.engine.masses import Masses
+from cranktrain.engine.part_tables import part_name
 from cranktrain.engine.places import Place
 from cranktrain.language import N_, _
 from cranktrain.linkage.forces import Conditions, Friction, Wrench, added, torque_by_work
@@ -22,6 +24,8 @@ _JOINT = ("joint", "crank_angle")
 _MECHANISM = ("mechanism", "crank_angle")
 _THEORY = "docs/theory/forces"
 _TORQUES_LIMIT = 1e-12
+_NO_ARM = 1e-9
+"""Moment over force of which a guide is said to bear none. [m]"""
 _MASTER = "slider_crank"
 """Kind of what slaves hang on."""
 
@@ -151,11 +155,8 @@ class LoadedMachine:
             if handed is not None:
                 borne = loads._replace(rod=added(loads.rod, handed))
             friction = tuple(
-                Friction(
-                    coefficient,
-                    np.sign(group.kind.part(motion, name).first) if friction_sense is None else single(friction_sense),
-                )
-                for name, coefficient in zip(dynamics.sliding, made.friction, strict=True)
+                _friction(group.kind.part(motion, name), coefficient, edges, friction_sense)
+                for name, coefficient, edges in zip(dynamics.sliding, made.friction, made.edges, strict=True)
             )
             conditions = Conditions(drive, made.gravity, friction)
             forces = dynamics.forces(motion, size, made.bodies, borne, conditions)
@@ -185,6 +186,16 @@ class LoadedMachine:
         """Force along the output of each of some mechanisms, away from the shaft, shape (design, member, n)."""
         piston = self.carriers.piston[index]
         return np.zeros((1, 1, 1)) if toward is None or piston[0] < 0 else -toward[:, piston]
+
+
+def _friction(slider: Coefficient, coefficient: Array, edges: Edges, sense: float | None) -> Friction:
+    """Friction of what slides, and where its guide's middle lies from it: edges that stay are left behind."""
+    return Friction(
+        coefficient,
+        np.sign(slider.first) if sense is None else single(sense),
+        edges.per_length,
+        edges.middle - edges.stays * slider.value,
+    )
 
 
 def _of_slaves(index: NDArray[np.intp], on_rods: Mapping[int, Wrench]) -> Wrench | None:
@@ -279,7 +290,7 @@ def joint_forces(loaded: LoadedMachine, solved: SolvedCycle) -> JointForces:
         joint_moment=moment,
         largest_joint_force=np.sqrt(np.max(x * x + y * y, axis=-1)),
         labels={"joint": tuple(names[i] for i in sequence)},
-        flags=tuple(_flags(loaded.masses)),
+        flags=(*_flags(loaded.masses), *_moments_without_length(loaded, solved)),
     )
 
 
@@ -296,6 +307,25 @@ def _flags(masses: Masses) -> Iterator[str]:
         yield _(
             "Inertia of two masses at its ends is taken for {parts}; of measured rods it is from 3 % less to 22 % more."
         ).format(parts=", ".join(masses.assumed))
+
+
+def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
+    """Mind what rubs in a guide that carries a moment, where no length says on which edges."""
+    parts: list[str] = []
+    for group, one, made in zip(loaded.mechanisms.groups, solved.groups, loaded.masses.groups, strict=True):
+        dynamics = group.kind.dynamics
+        joints = dict(zip((reaction.name for reaction in dynamics.reactions), one.forces.joints, strict=True))
+        for place, (name, contact) in enumerate(zip(dynamics.sliding, dynamics.contacts, strict=True)):
+            wrench = joints[contact.joint]
+            turned = np.abs(wrench.moment) > _NO_ARM * np.max(np.hypot(wrench.x, wrench.y), axis=-1, keepdims=True)
+            rubs = (made.friction[place] > 0) & (made.edges[place].per_length == 0)
+            found = np.any(turned & rubs, axis=(0, 2))
+            parts += [f"{loaded.mechanisms.names[i]}.{part_name(name)}" for i in group.index[found].tolist()]
+    if parts:
+        yield _(
+            "A moment acts where {parts} slides, and the guide's length is not given:"
+            " friction is counted on the normal force alone."
+        ).format(parts=", ".join(parts))
 
 
 @record

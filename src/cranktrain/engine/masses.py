@@ -6,8 +6,10 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from cranktrain.engine.bodies import BodySpec
+from cranktrain.engine.bodies import BodySpec, GuideSpec
 from cranktrain.engine.frames import frame_of
+from cranktrain.engine.guide_tables import Edges, edges_of
+from cranktrain.engine.part_tables import PISTON, SLIDER, nearest_item, part_name, table_paths
 from cranktrain.engine.places import Place
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
@@ -20,9 +22,8 @@ from cranktrain.wording import precise
 
 STANDARD_GRAVITY = 9.80665
 """[m/s²]"""
-PISTON = "piston"
-"""Name in the file of an engine's slider: the piston set, or a crosshead with piston and rod."""
-_SLIDER, _CRANK = "slider", "crank"
+_CRANK = "crank"
+_TABLE = "masses"
 _LEAST_GYRATION, _MOST_GYRATION = 0.1, 1.0
 """Radius of gyration, in lengths of the link, beyond which its inertia is doubted: a bar has 0.29, two masses 0.5."""
 
@@ -30,12 +31,14 @@ _LEAST_GYRATION, _MOST_GYRATION = 0.1, 1.0
 class PlaceMasses(NamedTuple):
     """What one mechanism is made of, in floats; or several, in arrays of shape (design, member, 1).
 
-    bodies: a `Body` for each moving part; gravity: in the mechanism's axes [m/s²]; friction: of its sliders [1].
+    bodies: a `Body` for each moving part; gravity: in the mechanism's axes [m/s²]; of its sliders, friction [1] and the
+    edges of their guides.
     """
 
     bodies: Any
     gravity: Gravity
     friction: tuple[Array, ...]
+    edges: tuple[Edges, ...]
 
 
 @record
@@ -70,19 +73,16 @@ class Masses:
 class Weighed(NamedTuple):
     """What a machine file says of masses: bodies by path of their table, friction by slider, and whether they weigh.
 
-    first_angle [rad] and is_clockwise say how the machine's axes lie.
+    guides has the guides of what slides, by path of their table; first_angle [rad] and is_clockwise say how the
+    machine's axes lie.
     """
 
     bodies: Mapping[str, Mapping[str, BodySpec]]
     friction: Mapping[str, Given]
+    guides: Mapping[str, Mapping[str, GuideSpec]]
     has_gravity: bool
     first_angle: float
     is_clockwise: bool
-
-
-def part_name(moving: str) -> str:
-    """Name in the file of what a mechanism calls by another: its slider is a piston."""
-    return PISTON if moving == _SLIDER else moving
 
 
 def _length(place: Place, part: str) -> float | None:
@@ -95,7 +95,7 @@ def mass_problems(places: Sequence[Place], given: Weighed) -> tuple[Problem, ...
     """Find masses and friction of parts that no mechanism has, and bodies that cannot be the link's."""
     found: list[Problem] = []
     for path, bodies in given.bodies.items():
-        own = [place for place in places if path in _tables(place)]
+        own = [place for place in places if path in table_paths(place, _TABLE)]
         known = list(dict.fromkeys(part_name(name) for place in own for name in place.kind.dynamics.moving))
         for name, body in bodies.items():
             where = f"{path}.{name}"
@@ -157,7 +157,7 @@ def masses_of(designs: Sequence[Sequence[Place]], given: Sequence[Weighed]) -> M
         for kind in dict.fromkeys(place.kind for place in first)
     ]
     moving = [
-        (place, part, _spec(place, part, given[0].bodies))
+        (place, part, nearest_item(place, part, _TABLE, given[0].bodies))
         for place in first
         for part in place.kind.dynamics.moving
         if part != _CRANK
@@ -168,7 +168,7 @@ def masses_of(designs: Sequence[Sequence[Place]], given: Sequence[Weighed]) -> M
         assumed=tuple(
             f"{place.name}.{part}"
             for place, part, spec in moving
-            if spec is not None and spec.inertia is None and part != _SLIDER
+            if spec is not None and spec.inertia is None and part != SLIDER
         ),
         doubtful=tuple(
             f"{place.name}.{part}"
@@ -188,18 +188,6 @@ def _has_likely_inertia(place: Place, part: str, spec: BodySpec) -> bool:
     return (_LEAST_GYRATION * length) ** 2 <= square <= (_MOST_GYRATION * length) ** 2
 
 
-def _tables(place: Place) -> tuple[str, ...]:
-    """Paths of the tables that give a mechanism its bodies, the nearest first."""
-    home = place.path.rpartition(".")[0]
-    return (f"{home}.masses", "masses") if home else ("masses",)
-
-
-def _spec(place: Place, part: str, bodies: Mapping[str, Mapping[str, BodySpec]]) -> BodySpec | None:
-    """Find the body of one part in the nearest table that gives it."""
-    found = (bodies.get(path, {}).get(part_name(part)) for path in _tables(place))
-    return next((spec for spec in found if spec is not None), None)
-
-
 def _carries_crank(places: Sequence[Place], index: int) -> bool:
     """Whether the throw's own body counts with this mechanism: the first on it that has a crank."""
     place = places[index]
@@ -212,12 +200,12 @@ def _carries_crank(places: Sequence[Place], index: int) -> bool:
 
 
 def _place_masses(place: Place, given: Weighed, *, has_crank: bool) -> PlaceMasses:
-    """Bodies, gravity and friction of one mechanism."""
+    """Bodies, gravity, friction and guides of one mechanism."""
     dynamics = place.kind.dynamics
     nothing = Body(*map(single, (0.0, 0.0, 0.0, 0.0)))
     bodies = [
         nothing
-        if (part == _CRANK and not has_crank) or (spec := _spec(place, part, given.bodies)) is None
+        if (part == _CRANK and not has_crank) or (spec := nearest_item(place, part, _TABLE, given.bodies)) is None
         else _body(place, part, spec)
         for part in dynamics.moving
     ]
@@ -230,6 +218,7 @@ def _place_masses(place: Place, given: Weighed, *, has_crank: bool) -> PlaceMass
             single(given.friction[part_name(name)].si if part_name(name) in given.friction else 0.0)
             for name in dynamics.sliding
         ),
+        tuple(edges_of(place, name, given.guides) for name in dynamics.sliding),
     )
 
 

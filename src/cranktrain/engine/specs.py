@@ -5,7 +5,7 @@ from typing import Annotated, Any, Literal, Self, TypeVar, cast
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from cranktrain.engine.bodies import BodySpec
+from cranktrain.engine.bodies import BodySpec, GuideSpec
 from cranktrain.engine.ends import ENDS
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
@@ -80,6 +80,7 @@ class OpposedPistonSpec(Spec, frozen=True):
     throws: tuple[int, ...] | None = Field(default=None, min_length=1)
     side_rods: bool = False
     masses: Mapping[str, BodySpec] = Field(default={})
+    guide: Mapping[str, GuideSpec] = Field(default={})
 
 
 class BankSpec(Spec, frozen=True):
@@ -100,6 +101,7 @@ class BankSpec(Spec, frozen=True):
     scavenge: OpposedPistonSpec | None = None
     lead: Angle | None = None
     masses: Mapping[str, BodySpec] = Field(default={})
+    guide: Mapping[str, GuideSpec] = Field(default={})
 
     @property
     def opposed(self) -> "Mapping[str, OpposedPistonSpec]":

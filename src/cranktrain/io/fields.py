@@ -23,6 +23,7 @@ _SENTENCES = {
         "friction": N_(
             'Coefficients of friction by what slides: piston, block, or a chain\'s slider S and its slot, "S.slot".'
         ),
+        "guide": N_("Guides of what slides, by the names of [friction]: how long they are; a bank may have its own."),
         "gravity": N_("Whether weights count, downward."),
         "gas": N_("What the chambers hold: the kind of gas model and its numbers."),
         "cylinder": N_("Cylinders: what is common to all, and tables for one bank or one cylinder."),
@@ -78,6 +79,7 @@ _SENTENCES = {
         "exhaust": N_("With opposed pistons: the piston of each cylinder that uncovers the exhaust ports."),
         "scavenge": N_("With opposed pistons: the piston of each cylinder that uncovers the scavenge ports."),
         "masses": N_("Bodies of this bank's mechanisms, where they are not those of all."),
+        "guide": N_("Guides of this bank's mechanisms, where they are not those of all."),
         "lead": N_("By how much the exhaust crank is ahead of the scavenge crank; it phases their shafts."),
     },
     "BodySpec": {
@@ -88,8 +90,18 @@ _SENTENCES = {
         "big_end": N_("Mass at the rod's first pin, as weighed."),
         "small_end": N_("Mass at the rod's second pin, as weighed."),
     },
+    "GuideSpec": {
+        "length": N_("Between the guide's outer edges, along it: a skirt's, a shoe's, a bush's."),
+        "middle": N_(
+            "Where its middle lies from the slider's pin, ahead as the slider's position counts; 0 unless given."
+        ),
+        "at": N_(
+            "Instead of middle, of edges that stand still, such as a bush's: the slider's position in the middle."
+        ),
+    },
     "OpposedPistonSpec": {
         "masses": N_("Bodies of this piston's mechanism, where they are not those of all."),
+        "guide": N_("Guides of this piston's mechanism, where they are not those of all."),
         "mechanism": N_("The mechanism of the piston."),
         "shaft": N_("The shaft that the piston works on."),
         "throws": N_("Throws on which the bank's pistons work, counted from 1; all unless given."),

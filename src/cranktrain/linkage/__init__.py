@@ -11,15 +11,15 @@ from cranktrain.linkage.crank import Crank, crank
 from cranktrain.linkage.legs import OnLine, RodEnds, block_along, fixed_guide, rod_between, rod_end
 from cranktrain.linkage.modes import triad_modes
 from cranktrain.linkage.pin import (
+    CrankAndGround,
     Ends,
     Line,
     Pin,
     PinMotion,
-    Span,
     line_between,
     line_from_crank,
     pin,
-    pin_across,
+    pin_from_crank,
     pin_gap,
 )
 from cranktrain.linkage.point import LinkPoint, fixed, point, turned
@@ -43,6 +43,7 @@ __all__ = [
     "GUIDE",
     "ROD",
     "Crank",
+    "CrankAndGround",
     "CrankAndPivot",
     "Ends",
     "Leg",
@@ -55,7 +56,6 @@ __all__ = [
     "RodEnds",
     "Slide",
     "SlideMotion",
-    "Span",
     "Swivel",
     "SwivelEnds",
     "SwivelMotion",
@@ -78,7 +78,7 @@ __all__ = [
     "line_between",
     "line_from_crank",
     "pin",
-    "pin_across",
+    "pin_from_crank",
     "pin_gap",
     "point",
     "pose_at",

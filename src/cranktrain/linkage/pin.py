@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cranktrain.linkage.point import fixed
 from cranktrain.motion import Array, Coefficient, Link, Point
 
 
@@ -14,11 +15,18 @@ class Ends(NamedTuple):
     rocker: Point
 
 
+class CrankAndGround(NamedTuple):
+    """A crank's pin [m, m/rad, m/rad²], and how far along x from the shaft's centre a pivot stands still. [m]"""
+
+    pin: Point
+    ground_length: Array
+
+
 class Line(NamedTuple):
     """The line d from the rod's end to the rocker's, and how it moves, with e = d/D².
 
     x, y [m] and square D² [m²] of it; inverse_x, inverse_y: e [1/m]; turn ψ′ = e × d′, stretch ε = e·d′, and of the
-    second derivative across = e × d″, along = e·d″.
+    second derivative across = e × d″, bend = e·d″ + ψ′².
     """
 
     x: Array
@@ -29,14 +37,7 @@ class Line(NamedTuple):
     turn: Array
     stretch: Array
     across: Array
-    along: Array
-
-
-class Span(NamedTuple):
-    """The outer pins of the group, and the line between them."""
-
-    ends: Ends
-    line: Line
+    bend: Array
 
 
 class Pin(NamedTuple):
@@ -69,9 +70,70 @@ def pin(ends: Ends, geometry: Pin) -> PinMotion:
     Returns
     -------
     PinMotion, shape (..., n)
-        As `pin_across`, which it calls with the difference of the ends.
+        NaN where the links cannot meet. Angles are principal values in (−π, π].
+
+    Notes
+    -----
+    d from the rod's end to the rocker's, D = |d|, e = d/D²; rod q, rocker t = q − d; q × t = σH with
+    H = ½√(((l + r)² − D²)(D² − (l − r)²)), d·q = ½((l + r)(l − r) + D²), d·t = d·q − D², q = (d·q)e + σH e⊥.
+    With d's turn ψ′ = e × d′ and stretch ε = e·d′, the links swing against d by a = ε d·t/σH and b = ε d·q/σH:
+    θ_l′ = ψ′ + a, θ_r′ = ψ′ + b; and θ_l″ = c + s d·t, θ_r″ = c + s d·q with c = e × d″ − ε(θ_l′ + θ_r′) and
+    s = (e·d″ + ψ′² − ab)/σH. Exact; docs/theory/groups. The differences in H keep their digits where the links are
+    nearly in line; turn and stretch apart keep those of θ″ where the whole turns nearly as one body (a drag link).
     """
-    return pin_across(Span(ends, line_between(ends)), geometry)
+    qx, qy, tx, ty, rod_turn, rocker_turn, rod_rate, rocker_rate = _vectors_and_turns(line_between(ends), geometry)
+    rod = Coefficient(np.arctan2(qy, qx), rod_turn, rod_rate)
+    rocker = Coefficient(np.arctan2(ty, tx), rocker_turn, rocker_rate)
+    sweep_x = qy * rod_turn
+    sweep_y = qx * rod_turn
+    x = ends.rod.x
+    y = ends.rod.y
+    joint = Point(
+        Coefficient(x.value + qx, x.first - sweep_x, x.second - (qy * rod_rate + sweep_y * rod_turn)),
+        Coefficient(y.value + qy, y.first + sweep_y, y.second + (qx * rod_rate - sweep_x * rod_turn)),
+    )
+    return PinMotion(
+        joint,
+        Link(ends.rod, rod, qx / geometry.rod_length, qy / geometry.rod_length),
+        Link(ends.rocker, rocker, tx / geometry.rocker_length, ty / geometry.rocker_length),
+    )
+
+
+def pin_from_crank(driver: CrankAndGround, geometry: Pin) -> PinMotion:
+    """Joint of a rod on a crank's pin and a rocker on a pivot that stands still; the same as `pin`, in fewer steps.
+
+    Parameters
+    ----------
+    driver : CrankAndGround, coefficients of shape (..., n), length broadcastable to (..., 1)
+    geometry : Pin, fields broadcastable to (..., 1)
+
+    Returns
+    -------
+    PinMotion, shape (..., n)
+        NaN where the links cannot meet. Angles are principal values in (−π, π].
+
+    Notes
+    -----
+    The joint is the far end of a rocker t about a pivot on x: b = (g, 0) + t, b′ = θ_r′t⊥, b″ = θ_r″t⊥ − θ_r′²t.
+    """
+    crank_pin = driver.pin
+    qx, qy, tx, ty, rod_turn, rocker_turn, rod_rate, rocker_rate = _vectors_and_turns(line_from_crank(driver), geometry)
+    pivot = fixed(driver.ground_length, 0.0 * driver.ground_length)
+    # The angles first: a compiled loop then has less to keep across the calls of arctan2.
+    rod = Coefficient(np.arctan2(qy, qx), rod_turn, rod_rate)
+    rocker = Coefficient(np.arctan2(ty, tx), rocker_turn, rocker_rate)
+    minus_ty = -ty
+    x1 = minus_ty * rocker_turn
+    y1 = tx * rocker_turn
+    joint = Point(
+        Coefficient(crank_pin.x.value + qx, x1, minus_ty * rocker_rate - y1 * rocker_turn),
+        Coefficient(ty, y1, tx * rocker_rate + x1 * rocker_turn),
+    )
+    return PinMotion(
+        joint,
+        Link(crank_pin, rod, qx / geometry.rod_length, qy / geometry.rod_length),
+        Link(pivot, rocker, tx / geometry.rocker_length, ty / geometry.rocker_length),
+    )
 
 
 def line_between(ends: Ends) -> Line:
@@ -85,73 +147,28 @@ def line_between(ends: Ends) -> Line:
     square = dx * dx + dy * dy
     ex = dx / square
     ey = dy / square
-    return Line(
-        dx, dy, square, ex, ey, ex * dy1 - ey * dx1, ex * dx1 + ey * dy1, ex * dy2 - ey * dx2, ex * dx2 + ey * dy2
-    )
+    turn = ex * dy1 - ey * dx1
+    # ψ′² to e·d″ first: where the whole turns as one body they cancel without rounding.
+    bend = (ex * dx2 + ey * dy2) + turn * turn
+    return Line(dx, dy, square, ex, ey, turn, ex * dx1 + ey * dy1, ex * dy2 - ey * dx2, bend)
 
 
-def line_from_crank(ends: Ends) -> Line:
+def line_from_crank(driver: CrankAndGround) -> Line:
     """Line from a crank's pin to a pivot that stands still on the axis x through the shaft's centre.
 
-    A crank's derivatives are its own coordinates, x′ = −y, y′ = x, x″ = −x, y″ = −y; so e × d″ = ε and e·d″ = −ψ′.
+    A crank's derivatives are its own coordinates, a′ = a⊥, a″ = −a, and a + d = (g, 0): so ε = e × d″ = −g e_y, and
+    e·d″ + ψ′² = −ψ′(1 − ψ′) = −ψ′ g e_x, without the differences that lose digits where the ground is short.
     """
-    x = ends.rod.x.value
-    y = ends.rod.y.value
-    dx = ends.rocker.x.value - x
-    dy = ends.rod.x.first
-    square = dx * dx + y * y
+    crank_pin = driver.pin
+    dx = driver.ground_length - crank_pin.x.value
+    dy = crank_pin.y.second
+    square = dx * dx + dy * dy
     ex = dx / square
     ey = dy / square
-    stretch = ex * y - ey * x
-    along = ex * x + ey * y
-    return Line(dx, dy, square, ex, ey, -along, stretch, stretch, along)
-
-
-def pin_across(span: Span, geometry: Pin) -> PinMotion:
-    """Joint of a rod and a rocker across a line whose motion is known already.
-
-    Parameters
-    ----------
-    span : Span, coefficients of shape (..., n)
-    geometry : Pin, fields broadcastable to (..., 1)
-
-    Returns
-    -------
-    PinMotion, shape (..., n)
-        NaN where the links cannot meet. Angles are principal values in (−π, π].
-
-    Notes
-    -----
-    d from the rod's end to the rocker's, D = |d|, e = d/D²; rod q, rocker t = q − d; q × t = σH with
-    H = ½√(((l + r)² − D²)(D² − (l − r)²)), d·q = ½((l + r)(l − r) + D²), d·t = d·q − D², q = (d·q)e + σH e⊥.
-    With d's turn ψ′ = e × d′ and stretch ε = e·d′, the links swing against d by a = ε d·t/σH and b = ε d·q/σH:
-    θ_l′ = ψ′ + a, θ_r′ = ψ′ + b; and θ_l″ = c + s d·t, θ_r″ = c + s d·q with c = e × d″ − ε(θ_l′ + θ_r′) and
-    s = (e·d″ + ψ′² − ab)/σH. Exact; docs/theory/groups. The differences in H keep their digits where the links are
-    nearly in line; turn and stretch apart keep those of θ″ where the whole turns nearly as one body (a drag link).
-    """
-    ends = span.ends
-    qx, qy, tx, ty, rod_turn, rocker_turn, rod_rate, rocker_rate = _vectors_and_turns(span.line, geometry)
-    rod = Link(
-        ends.rod,
-        Coefficient(np.arctan2(qy, qx), rod_turn, rod_rate),
-        qx / geometry.rod_length,
-        qy / geometry.rod_length,
-    )
-    rocker = Link(
-        ends.rocker,
-        Coefficient(np.arctan2(ty, tx), rocker_turn, rocker_rate),
-        tx / geometry.rocker_length,
-        ty / geometry.rocker_length,
-    )
-    sweep_x = qy * rod_turn
-    sweep_y = qx * rod_turn
-    x = ends.rod.x
-    y = ends.rod.y
-    joint = Point(
-        Coefficient(x.value + qx, x.first - sweep_x, x.second - (qy * rod_rate + sweep_y * rod_turn)),
-        Coefficient(y.value + qy, y.first + sweep_y, y.second + (qx * rod_rate - sweep_x * rod_turn)),
-    )
-    return PinMotion(joint, rod, rocker)
+    turn = ex * crank_pin.x.second + ey * dy
+    minus_ground = -driver.ground_length
+    stretch = minus_ground * ey
+    return Line(dx, dy, square, ex, ey, turn, stretch, stretch, (minus_ground * ex) * turn)
 
 
 def _vectors_and_turns(line: Line, geometry: Pin) -> tuple[Array, Array, Array, Array, Array, Array, Array, Array]:
@@ -159,7 +176,7 @@ def _vectors_and_turns(line: Line, geometry: Pin) -> tuple[Array, Array, Array, 
 
     On its own so that its intermediate arrays are freed before the results are made.
     """
-    dx, dy, square, ex, ey, turn, stretch, across, along = line
+    dx, dy, square, ex, ey, turn, stretch, across, bend = line
     total = geometry.rod_length + geometry.rocker_length
     difference = geometry.rod_length - geometry.rocker_length
     cross = (0.5 * geometry.side) * np.sqrt((total * total - square) * (square - difference * difference))
@@ -174,8 +191,7 @@ def _vectors_and_turns(line: Line, geometry: Pin) -> tuple[Array, Array, Array, 
     rod_turn = turn + rod_swing
     rocker_turn = turn + rocker_swing
     common = across - stretch * (rod_turn + rocker_turn)
-    # ψ′² first: where the whole turns as one body it cancels e·d″ without rounding.
-    spread = ((along + turn * turn) - rod_swing * rocker_swing) * per_cross
+    spread = (bend - rod_swing * rocker_swing) * per_cross
     return qx, qy, qx - dx, qy - dy, rod_turn, rocker_turn, common + spread * behind, common + spread * ahead
 
 

@@ -133,10 +133,16 @@ class Reaction(NamedTuple):
 
 
 class Contact(NamedTuple):
-    """Where something slides: the joint that bears its friction, and the drawing's pin at which that acts."""
+    """Where something slides: the joint that bears its friction, and the drawing's pin at which that acts.
+
+    bears_moment: whether it is a guide, and not a slot about a block; way: −1 where what slides counts its position
+    against its link's direction.
+    """
 
     joint: str
     pin: str
+    bears_moment: bool = True
+    way: float = 1.0
 
 
 class Across(NamedTuple):

@@ -28,6 +28,7 @@ from cranktrain.linkage.forces import (
     SlideLoads,
     TriadFriction,
     TriadLoads,
+    Turning,
     Wrench,
     YokeLoads,
     crossing_forces,
@@ -36,7 +37,7 @@ from cranktrain.linkage.forces import (
     triad_reactions_with_friction,
     yoke_reactions,
 )
-from cranktrain.linkage.forces.conditions import dragged, pressed
+from cranktrain.linkage.forces.guide import Guided, dragged, pressing
 
 NOTHING = Wrench(0.0, 0.0, 0.0)
 GUIDE_ALONE = CrossingFriction(Friction(0.3, 1.0), Friction(0.0, 1.0))
@@ -52,8 +53,9 @@ def slid(angle, load, friction, rod_length=0.5):
 @pytest.mark.parametrize("lever", [-2.0, 0.5, 3.0])
 def test_normal_force_belongs_to_its_friction(frictionless, sense, lever):
     friction = Friction(0.3, sense)
-    normal = pressed(frictionless, lever, friction)
-    assert normal == pytest.approx(frictionless + lever * dragged(normal, friction), rel=1e-15, abs=1e-15)
+    pressed = pressing(Guided(frictionless, 5.0, lever, 0.2), friction)
+    normal = frictionless + lever * dragged(pressed, friction)
+    assert pressed == pytest.approx(abs(normal), rel=1e-15, abs=1e-15)
     assert np.sign(normal) == np.sign(frictionless)
 
 
@@ -123,7 +125,7 @@ def test_crossing_against_all_choices_of_signs(seed):
     leans = np.array([[of_slot * cos, -of_guide], [of_slot * sin, 0.0]])
     expected, determinants = choices(normals, leans, np.array([x, y]))
     with np.errstate(invalid="ignore"):
-        found = crossing_forces(cos, sin, Wrench(x, y, 0.0), CrossingFriction(guide, slot))
+        found = crossing_forces(cos, sin, Wrench(x, y, 0.0), Turning(0.0, 0.0), CrossingFriction(guide, slot))
     if np.all(determinants > 0) or np.all(determinants < 0):
         assert len(expected) == 1
         (pressed_by_slot, held) = expected[0].T

@@ -22,19 +22,14 @@ from cranktrain.linkage.forces.body import (
 )
 from cranktrain.linkage.forces.conditions import NO_FRICTION, Conditions, Friction, borne
 from cranktrain.linkage.forces.crank import CrankReactions, carrying_crank, crank_link, crank_reactions
-from cranktrain.linkage.forces.crossing import CrossingForces, CrossingFriction, crossing_forces
+from cranktrain.linkage.forces.crossing import CrossingForces, CrossingFriction, Turning, crossing_forces
+from cranktrain.linkage.forces.guide import EdgeForces, edge_forces
 from cranktrain.linkage.forces.pin import PinLoads, PinReactions, pin_reactions
+from cranktrain.linkage.forces.rubbing_triad import TriadFriction, triad_reactions_with_friction
 from cranktrain.linkage.forces.slide import SlideLoads, SlideReactions, slide_reactions, slider_link
 from cranktrain.linkage.forces.swivel import SwivelLoads, SwivelReactions, swivel_reactions, swivel_slider_link
 from cranktrain.linkage.forces.trammel import TrammelLoads, TrammelReactions, trammel_reactions
-from cranktrain.linkage.forces.triad import (
-    LegReactions,
-    TriadFriction,
-    TriadLoads,
-    TriadReactions,
-    triad_reactions,
-    triad_reactions_with_friction,
-)
+from cranktrain.linkage.forces.triad import LegReactions, TriadLoads, TriadReactions, triad_reactions
 from cranktrain.linkage.forces.wrench import NOTHING, Wrench, added, handed_back, opposite, turned_wrench, work
 from cranktrain.linkage.forces.yoke import YokeLoads, YokeReactions, block_link, yoke_reactions
 
@@ -47,6 +42,7 @@ __all__ = [
     "CrossingForces",
     "CrossingFriction",
     "Drive",
+    "EdgeForces",
     "Friction",
     "Gravity",
     "LegReactions",
@@ -64,6 +60,7 @@ __all__ = [
     "TriadFriction",
     "TriadLoads",
     "TriadReactions",
+    "Turning",
     "Wrench",
     "YokeLoads",
     "YokeReactions",
@@ -76,6 +73,7 @@ __all__ = [
     "crank_link",
     "crank_reactions",
     "crossing_forces",
+    "edge_forces",
     "handed_back",
     "momentum",
     "opposite",

@@ -2,8 +2,6 @@
 
 from typing import NamedTuple
 
-import numpy as np
-
 from cranktrain.linkage.forces.body import Body, Drive, Gravity, applied
 from cranktrain.linkage.forces.wrench import Wrench, added
 from cranktrain.motion import Array, Link, single
@@ -13,10 +11,14 @@ class Friction(NamedTuple):
     """Coulomb friction of a slider in its guide: coefficient μ, and sense: the sign of the slider's velocity.
 
     Where the slider stands still its friction jumps: whoever wants the values on both sides asks with +1 and with −1.
+    Of the guide, per_length is 1/b [1/m], 0 where no length is known and moments count for nothing; middle is where its
+    middle lies from the slider's pin, along the guide [m].
     """
 
     coefficient: Array
     sense: Array
+    per_length: Array = single(0.0)
+    middle: Array = single(0.0)
 
 
 class Conditions(NamedTuple):
@@ -34,20 +36,3 @@ NO_FRICTION = Friction(single(0.0), single(1.0))
 def borne(link: Link, body: Body, load: Wrench, conditions: Conditions) -> Wrench:
     """All that acts on a link but its joints: load, weight, inertia."""
     return added(applied(link, body, conditions.drive, conditions.gravity), load)
-
-
-def pressed(frictionless: Array, lever: Array, friction: Friction) -> Array:
-    """Normal force N of a guide where friction f = −μσ|N| adds lever·f to it; NaN where the guide wedges. [N]
-
-    N = N₀ − k|N| with k = μσ·lever has for |k| < 1 one solution, of the sign of N₀, and for |k| ≥ 1 two or none;
-    docs/theory/forces, eqs. (13.9) and (13.10).
-    """
-    slope = friction.coefficient * friction.sense * lever
-    # 0 where friction lets the slider go, NaN where it is too much.
-    held = 0.0 * np.sqrt(1.0 - slope * slope)
-    return frictionless / (1.0 + slope * np.sign(frictionless)) + held
-
-
-def dragged(normal: Array, friction: Friction) -> Array:
-    """Force of friction on a slider, against its motion. [N]"""
-    return -(friction.coefficient * friction.sense) * np.abs(normal)

@@ -4,7 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.linkage.forces.conditions import Friction, dragged, pressed
+from cranktrain.linkage.forces.conditions import Friction
+from cranktrain.linkage.forces.guide import Guided, dragged, pressing
 from cranktrain.linkage.forces.wrench import Wrench
 from cranktrain.motion import Array
 
@@ -16,6 +17,16 @@ class CrossingFriction(NamedTuple):
     slot: Friction
 
 
+class Turning(NamedTuple):
+    """Moment of the guide about the slider's pin without the slot's force [N·m]; that force's place along the slot [m].
+
+    Of a slider whose pin is the block's own the place is 0.
+    """
+
+    moment: Array
+    place: Array
+
+
 class CrossingForces(NamedTuple):
     """Forces on the slider: of the slot along x and y; of the guide, friction along x and normal force along y. [N]"""
 
@@ -25,7 +36,9 @@ class CrossingForces(NamedTuple):
     normal: Array
 
 
-def crossing_forces(cos: Array, sin: Array, load: Wrench, friction: CrossingFriction) -> CrossingForces:
+def crossing_forces(
+    cos: Array, sin: Array, load: Wrench, turning: Turning, friction: CrossingFriction
+) -> CrossingForces:
     """Forces that hold a slider where a slot crosses its guide.
 
     Parameters
@@ -34,6 +47,8 @@ def crossing_forces(cos: Array, sin: Array, load: Wrench, friction: CrossingFric
         Of the slot's direction from the guide's.
     load : Wrench, shape (..., n)
         Of the slider; its force counts.
+    turning : Turning, fields broadcastable to (..., n)
+        Counts where the guide has a length.
     friction : CrossingFriction, fields broadcastable to (..., n)
         The slot's sense is that of the block along it, as the slider sees it.
 
@@ -46,21 +61,27 @@ def crossing_forces(cos: Array, sin: Array, load: Wrench, friction: CrossingFric
     -----
     The block's force leans from the slot's normal by κ = μσ of the slot, one way or the other by the side on which it
     presses: a slot of slope (cos ± κ sin)/(sin ∓ κ cos) without friction. If what the block does when it presses to the
-    left agrees with that it is right, else the other is. docs/theory/forces, eqs. (13.18) and (13.19).
+    left agrees with that it is right, else the other is. docs/theory/forces, eqs. (13.18), (13.19) and (13.46).
     """
     lean = friction.slot.coefficient * friction.slot.sense
     left = sin - lean * cos
     right = sin + lean * cos
     slope_left = (cos + lean * sin) / left
     slope_right = (cos - lean * sin) / right
-    normal_left = pressed(-load.y - load.x * slope_left, -slope_left, friction.guide)
-    normal_right = pressed(-load.y - load.x * slope_right, -slope_right, friction.guide)
+    drag_left = _guide_drag(slope_left, turning.place / left, load, turning, friction.guide)
+    drag_right = _guide_drag(slope_right, turning.place / right, load, turning, friction.guide)
     # +1 where pressing to the left agrees with itself, −1 where not; NaN where the slot wedges its block.
-    side = np.sign((load.x + dragged(normal_left, friction.guide)) * left) + 0.0 * np.sqrt(left * right)
+    side = np.sign((load.x + drag_left) * left) + 0.0 * np.sqrt(left * right)
     to_left = 0.5 + 0.5 * side
     to_right = 0.5 - 0.5 * side
-    normal = to_left * normal_left + to_right * normal_right
+    drag = to_left * drag_left + to_right * drag_right
     slope = to_left * slope_left + to_right * slope_right
-    drag = dragged(normal, friction.guide)
     x = -(load.x + drag)
-    return CrossingForces(x, -x * slope, drag, normal)
+    y = -x * slope
+    return CrossingForces(x, y, drag, -load.y - y)
+
+
+def _guide_drag(slope: Array, place: Array, load: Wrench, turning: Turning, friction: Friction) -> Array:
+    """Friction of the guide where the slot's force leans one way: N₁ = (X + f)/s, F_y = (X + f)c/s, C = C₀ − tN₁."""
+    guided = Guided(-load.y - load.x * slope, turning.moment - load.x * place, -slope, -place)
+    return dragged(pressing(guided, friction), friction)

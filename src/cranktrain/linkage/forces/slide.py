@@ -2,7 +2,8 @@
 
 from typing import NamedTuple
 
-from cranktrain.linkage.forces.conditions import Friction, dragged, pressed
+from cranktrain.linkage.forces.conditions import Friction
+from cranktrain.linkage.forces.guide import Guided, dragged, pressing
 from cranktrain.linkage.forces.wrench import Wrench
 from cranktrain.linkage.slide import Slide
 from cranktrain.motion import ONE, ZERO, Array, Coefficient, Link, Point
@@ -51,18 +52,19 @@ def slide_reactions(rod: Link, geometry: Slide, loads: SlideLoads, friction: Fri
     Notes
     -----
     Moments about the driving pin give the rod's force across itself, M/l; with X, Y the slider's load and θ the rod's
-    direction, N₀ = X tan θ − M/(l cos θ) − Y, N = N₀ − μσ|N| tan θ. docs/theory/forces, eqs. (13.8) to (13.12).
+    direction, N₀ = X tan θ − M/(l cos θ) − Y, N = N₀ + f tan θ, f = −μσ max(|N|, 2|C|/b) with the guide's moment C
+    about its middle. docs/theory/forces, eqs. (13.8) to (13.12) and (13.44).
     """
     load = loads.slider
     slope = rod.sin / rod.cos
     across = loads.rod.moment / (geometry.rod_length * rod.cos)
-    normal = pressed(load.x * slope - across - load.y, slope, friction)
-    drag = dragged(normal, friction)
+    frictionless = load.x * slope - across - load.y
+    zero = 0.0 * frictionless
+    drag = dragged(pressing(Guided(frictionless, -load.moment, slope, zero), friction), friction)
     x = -load.x - drag
     y = x * slope + across
-    zero = 0.0 * normal
     return SlideReactions(
         Wrench(x - loads.rod.x, y - loads.rod.y, zero),
         Wrench(x, y, zero),
-        Wrench(drag, normal, zero - load.moment),
+        Wrench(drag, frictionless + slope * drag, zero - load.moment),
     )

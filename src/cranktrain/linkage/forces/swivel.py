@@ -2,7 +2,8 @@
 
 from typing import NamedTuple
 
-from cranktrain.linkage.forces.conditions import Friction, dragged, pressed
+from cranktrain.linkage.forces.conditions import Friction
+from cranktrain.linkage.forces.guide import Guided, dragged, pressing
 from cranktrain.linkage.forces.wrench import Wrench
 from cranktrain.linkage.legs import OnLine
 from cranktrain.linkage.swivel import Swivel
@@ -52,12 +53,15 @@ def swivel_reactions(held: OnLine, geometry: Swivel, loads: SwivelLoads, frictio
     Notes
     -----
     With ρ from the pivot's foot to the slider and e the guide's offset, N₀ = −(M_guide + M_slider)/ρ on the guide, to
-    its left, and N = N₀ + μσ|N| e/ρ. docs/theory/forces, eqs. (13.15) to (13.17).
+    its left, and N = N₀ + f e/ρ, f = μσ max(|N|, 2|C|/b). docs/theory/forces, eqs. (13.15) to (13.17), (13.44).
     """
     guide, pin = held
     reach = guide.cos * (pin.x.value - guide.origin.x.value) + guide.sin * (pin.y.value - guide.origin.y.value)
-    normal = pressed(-(loads.guide.moment + loads.slider.moment) / reach, -geometry.offset / reach, friction)
-    drag = -dragged(normal, friction)
+    frictionless = -(loads.guide.moment + loads.slider.moment) / reach
+    lever = -geometry.offset / reach
+    on_slider = dragged(pressing(Guided(frictionless, loads.slider.moment, lever, 0.0 * lever), friction), friction)
+    normal = frictionless + lever * on_slider
+    drag = -on_slider
     x = drag * guide.cos - normal * guide.sin
     y = drag * guide.sin + normal * guide.cos
     zero = 0.0 * x

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from cranktrain.linkage.forces.conditions import Friction
-from cranktrain.linkage.forces.crossing import CrossingFriction, crossing_forces
+from cranktrain.linkage.forces.crossing import CrossingFriction, Turning, crossing_forces
 from cranktrain.linkage.forces.wrench import Wrench, added
 from cranktrain.motion import Link
 
@@ -46,10 +46,11 @@ def trammel_reactions(link: Link, loads: TrammelLoads, friction: CrossingFrictio
     """
     slot = Friction(friction.slot.coefficient, -friction.slot.sense)
     together = added(loads.block, loads.slider)
-    found = crossing_forces(link.cos, link.sin, together, CrossingFriction(friction.guide, slot))
-    zero = 0.0 * found.x
+    zero = 0.0 * (link.cos + loads.slider.moment)
+    turning = Turning(zero - loads.slider.moment, zero)
+    found = crossing_forces(link.cos, link.sin, together, turning, CrossingFriction(friction.guide, slot))
     return TrammelReactions(
         Wrench(found.x, found.y, zero - loads.block.moment),
         Wrench(found.x + loads.block.x, found.y + loads.block.y, zero),
-        Wrench(found.drag, found.normal, zero - loads.slider.moment),
+        Wrench(found.drag, found.normal, turning.moment),
     )

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.linkage.forces.crossing import CrossingFriction, crossing_forces
+from cranktrain.linkage.forces.crossing import CrossingFriction, Turning, crossing_forces
 from cranktrain.linkage.forces.wrench import Wrench
 from cranktrain.linkage.yoke import Yoke
 from cranktrain.motion import Array, Coefficient, Link, Point
@@ -57,12 +57,13 @@ def yoke_reactions(block: Array, geometry: Yoke, loads: YokeLoads, friction: Cro
     """
     sin = np.sin(geometry.slot_angle)
     cos = np.cos(geometry.slot_angle)
-    found = crossing_forces(cos, sin, loads.slider, friction)
     couple = loads.block.moment
+    turning = Turning(-(loads.slider.moment + couple), block)
+    found = crossing_forces(cos, sin, loads.slider, turning, friction)
     zero = 0.0 * found.x
     across = cos * found.y - sin * found.x
     return YokeReactions(
         Wrench(found.x - loads.block.x, found.y - loads.block.y, zero),
         Wrench(found.x, found.y, zero + couple),
-        Wrench(found.drag, found.normal, -(loads.slider.moment + couple + block * across)),
+        Wrench(found.drag, found.normal, turning.moment - block * across),
     )

@@ -63,10 +63,10 @@ def _contacts_of(step: Step) -> dict[str, Contact]:
         case SwivelStep():
             return {step.slider: Contact(joint_name(step.slider, step.guide), step.pin)}
         case YokeStep():
-            slot = Contact(joint_name(step.pin, step.slider), step.pin)
+            slot = Contact(joint_name(step.pin, step.slider), step.pin, bears_moment=False)
             return {**_in_guide(step.slider), slot_of(step.slider): slot}
         case TrammelStep():
-            slot = Contact(joint_name(pin_of(step.slider), step.slider), pin_of(step.slider))
+            slot = Contact(joint_name(pin_of(step.slider), step.slider), pin_of(step.slider), bears_moment=False)
             return {**_in_guide(step.slider), slot_of(step.slider): slot}
         case TriadStep():
             sliders = [leg.slider for leg in step.legs if isinstance(leg, GuideLegStep)]

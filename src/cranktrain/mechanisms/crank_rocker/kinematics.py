@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.linkage import Crank, Ends, Pin, Span, crank, fixed, line_from_crank, pin_across, pin_gap
+from cranktrain.linkage import Crank, CrankAndGround, Ends, Pin, crank, fixed, pin_from_crank, pin_gap
 from cranktrain.motion import Array, Link, Point
 from cranktrain.numerics import Extreme
 
@@ -50,10 +50,8 @@ def crank_rocker(angle: Array, geometry: CrankRocker) -> CrankRockerMotion:
     Exact; docs/theory/crank-rocker.
     """
     crank_pin = crank(angle, Crank(geometry.crank_radius))
-    pivot = fixed(geometry.ground_length, 0.0 * geometry.ground_length)
-    ends = Ends(crank_pin, pivot)
-    span = Span(ends, line_from_crank(ends))
-    motion = pin_across(span, Pin(geometry.rod_length, geometry.rocker_length, geometry.side))
+    group = Pin(geometry.rod_length, geometry.rocker_length, geometry.side)
+    motion = pin_from_crank(CrankAndGround(crank_pin, geometry.ground_length), group)
     return CrankRockerMotion(crank_pin, motion.joint, motion.rod, motion.rocker)
 
 

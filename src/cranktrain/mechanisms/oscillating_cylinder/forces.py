@@ -107,6 +107,7 @@ def oscillating_cylinder_forces(
     """
     links = oscillating_cylinder_links(motion, geometry)
     crank, piston = links[:2]
+    friction = conditions.friction[0]
     group = swivel_reactions(
         OnLine(motion.cylinder, motion.pin),
         Swivel(geometry.offset, AHEAD),
@@ -115,7 +116,7 @@ def oscillating_cylinder_forces(
             borne(motion.cylinder, bodies.cylinder, loads.cylinder, conditions),
         ),
         # The group counts its slider from the trunnion, the mechanism toward it.
-        Friction(conditions.friction[0].coefficient, -conditions.friction[0].sense),
+        Friction(friction.coefficient, -friction.sense, friction.per_length, -friction.middle),
     )
     on_crank = borne(crank, bodies.crank, loads.crank, conditions)
     shaft = carrying_crank(crank, on_crank, motion.pin, group.pin)
@@ -151,7 +152,7 @@ DYNAMICS = Dynamics(
         Reaction("trunnion", "cylinder", FRAME),
     ),
     sliding=("slider",),
-    contacts=(Contact("guide", "A"),),
+    contacts=(Contact("guide", "A", way=-1.0),),
     groups=(Group("RPR", ("slider", "cylinder"), (Across("crank_pin", "cylinder", "C"),)),),
     links=oscillating_cylinder_links,
     load=oscillating_cylinder_load,

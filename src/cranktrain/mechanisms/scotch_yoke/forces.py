@@ -137,7 +137,7 @@ DYNAMICS = Dynamics(
         Reaction("guide", "slider", FRAME),
     ),
     sliding=("slider", "block"),
-    contacts=(Contact("guide", "B"), Contact("slot", "A")),
+    contacts=(Contact("guide", "B"), Contact("slot", "A", bears_moment=False)),
     groups=(Group("RPP", ("block", "slider")),),
     links=scotch_yoke_links,
     load=scotch_yoke_load,
