@@ -60,7 +60,7 @@ def slide_reactions(rod: Link, geometry: Slide, loads: SlideLoads, friction: Fri
     across = loads.rod.moment / (geometry.rod_length * rod.cos)
     frictionless = load.x * slope - across - load.y
     zero = 0.0 * frictionless
-    drag = dragged(pressing(Guided(frictionless, -load.moment, slope, zero), friction), friction)
+    drag = dragged(pressing(Guided(frictionless, -load.moment, slope, ZERO), friction), friction)
     x = -load.x - drag
     y = x * slope + across
     return SlideReactions(

@@ -7,7 +7,7 @@ from cranktrain.linkage.forces.guide import Guided, dragged, pressing
 from cranktrain.linkage.forces.wrench import Wrench
 from cranktrain.linkage.legs import OnLine
 from cranktrain.linkage.swivel import Swivel
-from cranktrain.motion import Link, Point
+from cranktrain.motion import ZERO, Link, Point
 
 
 class SwivelLoads(NamedTuple):
@@ -59,7 +59,7 @@ def swivel_reactions(held: OnLine, geometry: Swivel, loads: SwivelLoads, frictio
     reach = guide.cos * (pin.x.value - guide.origin.x.value) + guide.sin * (pin.y.value - guide.origin.y.value)
     frictionless = -(loads.guide.moment + loads.slider.moment) / reach
     lever = -geometry.offset / reach
-    on_slider = dragged(pressing(Guided(frictionless, loads.slider.moment, lever, 0.0 * lever), friction), friction)
+    on_slider = dragged(pressing(Guided(frictionless, loads.slider.moment, lever, ZERO), friction), friction)
     normal = frictionless + lever * on_slider
     drag = -on_slider
     x = drag * guide.cos - normal * guide.sin
