@@ -281,14 +281,16 @@ def joint_forces(loaded: LoadedMachine, solved: SolvedCycle) -> JointForces:
     row = np.argsort(sequence)
     n_designs, _n_members, n_angles = solved.groups[0].forces.driving_torque.shape
     x, y, moment = parts = np.empty((3, n_designs, len(names), n_angles))
+    largest = np.empty(x.shape[:-1])
     for joint, joints in given:
         for part, values in zip(parts, joint, strict=True):
             part[:, row[joints]] = values
+        largest[:, row[joints]] = np.sqrt(np.max(joint.x * joint.x + joint.y * joint.y, axis=-1))
     return JointForces(
         joint_force_x=x,
         joint_force_y=y,
         joint_moment=moment,
-        largest_joint_force=np.sqrt(np.max(x * x + y * y, axis=-1)),
+        largest_joint_force=largest,
         labels={"joint": tuple(names[i] for i in sequence)},
         flags=(*_flags(loaded.masses), *_moments_without_length(loaded, solved)),
     )
@@ -316,9 +318,11 @@ def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Itera
         dynamics = group.kind.dynamics
         joints = dict(zip((reaction.name for reaction in dynamics.reactions), one.forces.joints, strict=True))
         for place, (name, contact) in enumerate(zip(dynamics.sliding, dynamics.contacts, strict=True)):
+            rubs = (made.friction[place] > 0) & (made.edges[place].per_length == 0)
+            if not np.any(rubs):
+                continue
             wrench = joints[contact.joint]
             turned = np.abs(wrench.moment) > _NO_ARM * np.max(np.hypot(wrench.x, wrench.y), axis=-1, keepdims=True)
-            rubs = (made.friction[place] > 0) & (made.edges[place].per_length == 0)
             found = np.any(turned & rubs, axis=(0, 2))
             parts += [f"{loaded.mechanisms.names[i]}.{part_name(name)}" for i in group.index[found].tolist()]
     if parts:
