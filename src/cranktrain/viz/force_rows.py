@@ -1,5 +1,6 @@
 """Table of the forces on groups: number in the polygon, symbol, joint, length on paper, size."""
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -115,7 +116,8 @@ def _said(force: PolygonForce, letters: Mapping[str, str]) -> str:
         return causes[force.cause]
     if force.about:
         pin = letters.get(force.about) or spoken_name(force.about).replace("_", " ")
-        return _shortened(_("about {pin}").format(pin=pin))
+        numbered = re.sub(r"(?<=^[A-Z])[0-9]$", lambda found: chr(ord("₀") + int(found[0])), pin)
+        return _shortened(_("about {pin}").format(pin=numbered))
     if force.symbol.endswith("^n"):
         return _("along the link")
     if force.symbol.startswith("f_"):

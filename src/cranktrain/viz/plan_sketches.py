@@ -138,7 +138,10 @@ def _frame(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[L
             ]
             yield Line(np.stack(ends, axis=1), "GUIDES", "thin", 2)
             yield shapes.hatch(ends[0], ends[1], np.sign(side) * across, scale)
-        yield Line(np.stack([foot, foot + (max(places) + 8 * scale) * along], axis=1), "GUIDES", "axis", 1)
+        shafts = [float(along @ pins[name][:, 0]) for name in drawing.fixed if name.startswith("O")]
+        own = min(shafts, key=lambda shaft: abs(shaft - places[0]), default=0.0)
+        beyond = max(places) + 8 * scale if places[0] > own else min(places) - 8 * scale
+        yield Line(np.stack([foot + own * along, foot + beyond * along], axis=1), "GUIDES", "axis", 1)
     for name in drawing.fixed:
         yield from shapes.pivot(pins[name][:, 0], 2.0 * scale, scale)
 
