@@ -19,6 +19,7 @@ from cranktrain.language import N_, _
 from cranktrain.linkage.forces import Conditions, Friction, Wrench, added, torque_by_work
 from cranktrain.motion import Array, Coefficient, single
 from cranktrain.record import record
+from cranktrain.wording import ranged
 
 _JOINT = ("joint", "crank_angle")
 _MECHANISM = ("mechanism", "crank_angle")
@@ -292,7 +293,7 @@ def joint_forces(loaded: LoadedMachine, solved: SolvedCycle) -> JointForces:
         joint_moment=moment,
         largest_joint_force=largest,
         labels={"joint": tuple(names[i] for i in sequence)},
-        flags=(*_flags(loaded.masses), *_moments_without_length(loaded, solved)),
+        flags=(*_flags(loaded.masses), *_moments_without_length(loaded, solved), *_wedged(loaded, solved)),
     )
 
 
@@ -330,6 +331,20 @@ def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Itera
             "A moment acts where {parts} slides, and the guide's length is not given:"
             " friction is counted on the normal force alone."
         ).format(parts=", ".join(parts))
+
+
+def _wedged(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
+    """Mind mechanisms that move freely without friction and have no forces with it."""
+    stuck: list[int] = []
+    for group, one, made in zip(loaded.mechanisms.groups, solved.groups, loaded.masses.groups, strict=True):
+        for name, coefficient in zip(group.kind.dynamics.sliding, made.friction, strict=True):
+            moves = ~np.isnan(group.kind.part(one.motion, name).first)
+            found = (coefficient > 0) & moves & np.isnan(one.forces.driving_torque)
+            stuck += group.index[np.any(found, axis=(0, 2))].tolist()
+    if stuck:
+        yield _(
+            "Friction wedges {mechanisms}: at some crank angles nothing can turn the shaft, and there are no forces."
+        ).format(mechanisms=ranged(loaded.mechanisms.names, sorted(set(stuck))))
 
 
 @record

@@ -83,7 +83,7 @@ def shaft_torques(
     return ShaftTorques(
         shaft_torque=by_shaft,
         machine_torque=whole,
-        mean_torque=np.where(np.abs(mean) > _ROUNDING * np.max(np.abs(whole), axis=-1), mean, 0.0),
+        mean_torque=np.where(np.abs(mean) <= _ROUNDING * np.max(np.abs(whole), axis=-1), 0.0, mean),
         largest_torque=most.value[:, 0],
         largest_torque_at=at(most),
         smallest_torque=least.value[:, 0],

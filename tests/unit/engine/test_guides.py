@@ -250,3 +250,15 @@ mass = "4 kg"
 )
 def test_what_a_guide_cannot_be_is_said_with_its_place(text, expected, tmp_path):
     assert expected in refused(text, tmp_path)
+
+
+def test_a_guide_that_wedges_is_told_and_has_no_mean():
+    """As a drawer that is pulled at its corner: from t = b/2μ = 40 mm of R = 50 mm on."""
+    result = run(YOKE, friction={"piston": 0.1}, guide={"piston": {"length": "8 mm"}})
+    place = 50 * np.abs(np.sin(np.radians(result.crank_angle)))
+    np.testing.assert_array_equal(np.isnan(result.driving_torque), place >= 40)
+    assert np.all(np.isnan(result.mean_torque))
+    assert any(flag.startswith("Friction wedges 1:") for flag in result.flags)
+    free = run(YOKE, friction={"piston": 0.1}, guide={"piston": {"length": "12 mm"}})
+    assert not np.any(np.isnan(free.driving_torque))
+    assert not any("wedges" in flag for flag in free.flags)
