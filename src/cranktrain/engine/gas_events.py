@@ -10,8 +10,8 @@ from cranktrain.gas import Kink, VolumeLimits, kind_of
 from cranktrain.motion import Array, Coefficient, single
 from cranktrain.record import record
 
-_MOST_STEPS, _SETTLED = 30, 1e-8
-"""A step of Newton's method after which the next one is less than rounding. [rad]"""
+_MOST_STEPS, _SETTLED = 30, 1e-5
+"""A step of Halley's method, which takes the curvature too, after which the next one is less than rounding. [rad]"""
 
 
 @record
@@ -46,7 +46,7 @@ def _volume_at(gas: GasInChambers, angle: Array, places: Sequence[int]) -> Coeff
 
 
 def _kinks(gas: GasInChambers, firing: Array, least: Coefficient) -> Array:
-    """φ of the kinks of all chambers, by Newton's method from the dead centre, shape (design, chamber · kink). [rad]"""
+    """φ of the kinks of all chambers, by Halley's method from the dead centre, shape (design, chamber · kink). [rad]"""
     told = _told_kinks(gas)
     places = [place for place in gas.distinct for _kink in range(told.shape[-1])]
     volume, sense, turn = told.reshape(3, len(firing), -1)[..., np.newaxis]
@@ -58,7 +58,9 @@ def _kinks(gas: GasInChambers, firing: Array, least: Coefficient) -> Array:
     away = np.minimum(np.sqrt(2 * (volume - smallest) / curvature), 0.75 * np.pi)
     for _step in range(_MOST_STEPS):
         found = _volume_at(gas, centre + sense * away, places)
-        before, away = away, np.clip(away - sense * (found.value - volume) / found.first, away / 4, np.pi)
+        excess = found.value - volume
+        move = excess / (found.first - excess * found.second / (2 * found.first))
+        before, away = away, np.clip(away - sense * move, away / 4, np.pi)
         if not np.any(np.abs(away - before) > _SETTLED):
             break
     after = np.where(turn > 0, 0.0, 2 * np.pi) + sense * away
