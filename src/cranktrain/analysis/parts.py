@@ -22,7 +22,7 @@ from cranktrain.engine.followed import FollowedLinks, FollowedSliders, followed_
 from cranktrain.engine.forces import carriers_of
 from cranktrain.engine.frames import frames_of
 from cranktrain.engine.gas import DeclaredGas
-from cranktrain.engine.guides import guided_of, guides_with_length
+from cranktrain.engine.guides import guides_with_length, moment_guides_of
 from cranktrain.engine.layout import (
     CrankAngle,
     Mechanisms,
@@ -97,7 +97,7 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
         followed_of(FollowedLinks, designs[0]),
         followed_of(FollowedSliders, designs[0]),
         carriers_of(designs[0]),
-        guided_of(designs[0]),
+        moment_guides_of(designs[0]),
         frames_of(designs, [machine.orientation for machine in machines]),
         throws_of(designs[0]),
         shaft_centres_of([machine.shafts for machine in machines], designs),

@@ -16,6 +16,8 @@ from cranktrain.wording import Names, by_sort, shared
 
 _PISTON = ("piston",)
 _THEORY = "docs/theory/slider-crank"
+ANGLE_ROUNDING = 1e-12
+"""Sums of a few angles differ by less. [rad]"""
 
 
 class SliderAndRod(NamedTuple):

@@ -11,14 +11,13 @@ from cranktrain.engine.forces import LoadedMachine
 from cranktrain.engine.gas import GasPressures
 from cranktrain.engine.masses import Masses
 from cranktrain.engine.motion import PistonSpeeds
+from cranktrain.engine.part_tables import SLIDER
 from cranktrain.engine.volumes import Chambers, ChamberVolumes
 from cranktrain.language import N_, _
 from cranktrain.linkage.forces import Body
 from cranktrain.motion import Array
 from cranktrain.quantities import shown
 from cranktrain.record import record
-
-_SLIDER = "slider"
 
 
 class Limit(NamedTuple):
@@ -143,7 +142,7 @@ def _piston_masses(loaded: LoadedMachine, shape: tuple[int, ...]) -> Array:
     found = np.zeros(shape)
     for group, made in zip(loaded.mechanisms.groups, loaded.masses.groups, strict=True):
         piston = loaded.carriers.piston[group.index]
-        slider: Body | None = getattr(made.bodies, _SLIDER, None)
+        slider: Body | None = getattr(made.bodies, SLIDER, None)
         if slider is not None and piston[0] >= 0:
             found[:, piston] = slider.mass[..., 0]
     return found

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
-from cranktrain.engine.dead_centres import around_zero
+from cranktrain.engine.dead_centres import ANGLE_ROUNDING, around_zero
 from cranktrain.engine.layout import CrankAngle, Pistons
 from cranktrain.engine.travel import CylinderPistons, CylinderTravel
 from cranktrain.language import N_, _
@@ -18,8 +18,6 @@ _CYLINDER = ("cylinder",)
 _THEORY = "docs/conventions"
 _SAME = 1e-9
 """Firings closer than this are simultaneous. [rad]"""
-_ROUNDING = 1e-12
-"""Sums of a few angles differ by less. [rad]"""
 
 
 @record
@@ -106,7 +104,7 @@ def firing(
 def within_turn(tops: Array) -> Array:
     """Bring crank angles into [0, 2π); what rounding put just before 2π stands at 0. [rad]"""
     turned = np.mod(tops, 2 * np.pi)
-    return np.where(turned > 2 * np.pi - _ROUNDING, 0.0, turned)
+    return np.where(turned > 2 * np.pi - ANGLE_ROUNDING, 0.0, turned)
 
 
 def firing_angles(tops: Array, cycle: float) -> Array | None:

@@ -293,7 +293,7 @@ def joint_forces(loaded: LoadedMachine, solved: SolvedCycle) -> JointForces:
         joint_moment=moment,
         largest_joint_force=largest,
         labels={"joint": tuple(names[i] for i in sequence)},
-        flags=(*_flags(loaded.masses), *_moments_without_length(loaded, solved), *_wedged(loaded, solved)),
+        flags=(*_flags(loaded.masses), *(_friction_flags(loaded, solved) if loaded.masses.has_friction else ())),
     )
 
 
@@ -312,6 +312,12 @@ def _flags(masses: Masses) -> Iterator[str]:
         ).format(parts=", ".join(masses.assumed))
 
 
+def _friction_flags(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
+    """Mind on what friction is counted, and whether it lets the machine turn."""
+    yield from _moments_without_length(loaded, solved)
+    yield from _wedged(loaded, solved)
+
+
 def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
     """Mind what rubs in a guide that carries a moment, where no length says on which edges."""
     parts: list[str] = []
@@ -319,10 +325,7 @@ def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Itera
         dynamics = group.kind.dynamics
         joints = dict(zip((reaction.name for reaction in dynamics.reactions), one.forces.joints, strict=True))
         for place, (name, contact) in enumerate(zip(dynamics.sliding, dynamics.contacts, strict=True)):
-            rubs = (made.friction[place] > 0) & (made.edges[place].per_length == 0)
-            if not np.any(rubs):
-                continue
-            wrench = joints[contact.joint]
+            wrench, rubs = joints[contact.joint], (made.friction[place] > 0) & (made.edges[place].per_length == 0)
             turned = np.abs(wrench.moment) > _NO_ARM * np.max(np.hypot(wrench.x, wrench.y), axis=-1, keepdims=True)
             found = np.any(turned & rubs, axis=(0, 2))
             parts += [f"{loaded.mechanisms.names[i]}.{part_name(name)}" for i in group.index[found].tolist()]

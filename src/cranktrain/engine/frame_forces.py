@@ -14,11 +14,11 @@ from cranktrain.engine.layout import CrankAngle, Mechanisms, Speed
 from cranktrain.engine.masses import Masses
 from cranktrain.engine.throws import Throws
 from cranktrain.language import _
-from cranktrain.linkage.forces import Gravity, Momentum, Wrench, momentum
+from cranktrain.linkage.forces import WEIGHTLESS, Momentum, Wrench, momentum
 from cranktrain.loads.harmonics import ComplexArray
 from cranktrain.loads.vectors import PlaneVectors, curve_vectors, delayed_vectors
 from cranktrain.mechanisms.kind import FRAME
-from cranktrain.motion import Array, single
+from cranktrain.motion import ZERO, Array
 from cranktrain.numerics import spectral_derivative, turn_grid
 from cranktrain.record import record
 
@@ -95,9 +95,8 @@ def frame_forces(
 
 def without_loads(masses: Masses) -> Masses:
     """Masses that nothing weighs on and that nothing rubs."""
-    nothing = Gravity(single(0.0), single(0.0))
     groups = tuple(
-        group._replace(gravity=nothing, friction=tuple(single(0.0) for _slider in group.friction))
+        group._replace(gravity=WEIGHTLESS, friction=tuple(ZERO for _slider in group.friction))
         for group in masses.groups
     )
     return Masses(groups, masses.weightless, masses.assumed, masses.doubtful)

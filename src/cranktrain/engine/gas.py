@@ -2,13 +2,13 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
-from cranktrain.engine.dead_centres import DeadCentres, around_zero, slider_motion
+from cranktrain.engine.dead_centres import ANGLE_ROUNDING, DeadCentres, around_zero, slider_motion
 from cranktrain.engine.firing import Cycle, Firing
 from cranktrain.engine.layout import CrankAngle, Pistons
 from cranktrain.engine.motion import PistonMotion
@@ -29,8 +29,6 @@ _THEORY = "docs/theory/gas"
 AMBIENT = 101325.0
 """Pressure under the pistons. [Pa]"""
 _TELLING = np.array([0.0, 0.6, 1.7, 3.9])
-_ROUNDING = 1e-12
-"""Sums of a few angles differ by less. [rad]"""
 
 Unroll = Callable[[Array, float], Array]
 """From the travelled part of the stroke and λ to the crank angle of the outward stroke. [rad]"""
@@ -210,7 +208,13 @@ def gas_in_chambers(
         doubts=(),
     )
     is_central = _central_ratios(pistons, cylinders)[:, of]
-    models = tuple(_models(spec, empty, design, gas.brix, is_central[design]) for design, spec in enumerate(gas.specs))
+    # What the volume is at some angles after firing tells a chamber from those that are not like it.
+    every = range(len(chambers.names))
+    volumes_then = empty.at_own(empty.firing + _TELLING, every, lambda angle: empty.volume(angle).value)
+    models = tuple(
+        _models(spec, empty, design, gas.brix, _Told(volumes_then[design], is_central[design]))
+        for design, spec in enumerate(gas.specs)
+    )
     told = [
         (kind_of(spec), spec, model) for spec, of_design in zip(gas.specs, models, strict=True) for model in of_design
     ]
@@ -244,27 +248,31 @@ def _central_ratios(pistons: Pistons, cylinders: CylinderPistons) -> Array:
     return np.where(cylinders.is_opposed, np.nan, ratio[:, cylinders.leading])
 
 
-def _models(spec: GasSpec, chambers: GasInChambers, design: int, unroll: Unroll, ratios: Array) -> tuple[Any, ...]:
+class _Told(NamedTuple):
+    """What tells chambers apart: volumes at some angles, (chamber, n) [m³], and λ of central ones, (chamber,)."""
+
+    volumes: Array
+    ratios: Array
+
+
+def _models(spec: GasSpec, chambers: GasInChambers, design: int, unroll: Unroll, told: _Told) -> tuple[Any, ...]:
     """Models of one design's chambers; chambers that are alike but for their phase share one."""
     kind = kind_of(spec)
     made: dict[tuple[float, ...], Any] = {}
     found: list[Any] = []
-    # What the volume is at some angles after firing tells a chamber from those that are not like it.
-    every = range(len(chambers.chambers.names))
-    told = chambers.at_own(chambers.firing + _TELLING, every, lambda angle: chambers.volume(angle).value)[design]
-    for place in every:
+    for place in range(len(chambers.chambers.names)):
         limits = VolumeLimits(*(single(float(part[design, place, 0])) for part in chambers.limits))
         start = float(chambers.firing[design, place, 0])
 
         def volume(angle: Array, start: float = start, place: int = place) -> Array:
             return chambers.volume_of(design, place, angle + start).value
 
-        ratio = float(ratios[place])
+        ratio = float(told.ratios[place])
 
         def outward(travelled: Array, ratio: float = ratio) -> Array:
             return unroll(travelled, ratio)
 
-        key = tuple(float(f"{float(value):.9g}") for value in (*limits, *told[place]))
+        key = tuple(float(f"{float(value):.9g}") for value in (*limits, *told.volumes[place]))
         if key not in made:
             chamber = Chamber(chambers.cycle, limits, volume, None if np.isnan(ratio) else outward)
             made[key] = _model(kind, spec, chamber)
@@ -353,6 +361,6 @@ def _peaks(gas: GasInChambers, firing: Array, crank_angle: CrankAngle, pressure:
     start = firing[:, places, np.newaxis]
     found = largest(own, grid=crank_angle.shown, samples=pressure[:, places], kinks=start - zero)
     after = around_zero(found.angle + zero - start)
-    after = np.where(np.abs(after) <= _ROUNDING, 0.0, after)
+    after = np.where(np.abs(after) <= ANGLE_ROUNDING, 0.0, after)
     design = np.arange(len(gas.models))[:, np.newaxis]
     return after[design, gas.origin, 0], found.value[design, gas.origin, 0]

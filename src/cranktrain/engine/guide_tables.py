@@ -9,7 +9,7 @@ from cranktrain.engine.places import Place
 from cranktrain.errors import Problem
 from cranktrain.language import _
 from cranktrain.mechanisms.kind import Dynamics
-from cranktrain.motion import Array, single
+from cranktrain.motion import ZERO, Array, single
 
 _TABLE = "guide"
 
@@ -22,7 +22,7 @@ class Edges(NamedTuple):
     stays: Array
 
 
-NO_EDGES = Edges(single(0.0), single(0.0), single(0.0))
+NO_EDGES = Edges(ZERO, ZERO, ZERO)
 """A guide whose length is not given."""
 
 Guides = Mapping[str, Mapping[str, GuideSpec]]
@@ -42,7 +42,7 @@ def edges_of(place: Place, sliding: str, guides: Guides) -> Edges:
     )
 
 
-def guided(dynamics: Dynamics) -> tuple[str, ...]:
+def bearing_moments(dynamics: Dynamics) -> tuple[str, ...]:
     """What slides in a guide that bears moments; a block does not turn against its slot."""
     return tuple(
         name for name, contact in zip(dynamics.sliding, dynamics.contacts, strict=True) if contact.bears_moment
@@ -54,7 +54,7 @@ def guide_problems(places: Sequence[Place], guides: Guides) -> list[Problem]:
     found: list[Problem] = []
     for path, specs in guides.items():
         own = [place for place in places if path in table_paths(place, _TABLE)]
-        known = list(dict.fromkeys(part_name(name) for place in own for name in guided(place.kind.dynamics)))
+        known = list(dict.fromkeys(part_name(name) for place in own for name in bearing_moments(place.kind.dynamics)))
         allowed = _("must be what slides in a guide, which can bear a moment: {parts}").format(
             parts=", ".join(known) or _("nothing does")
         )

@@ -8,7 +8,7 @@ import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.forces import LoadedMachine, SolvedCycle, SolvedGroup
-from cranktrain.engine.guide_tables import guided
+from cranktrain.engine.guide_tables import bearing_moments
 from cranktrain.engine.layout import Group
 from cranktrain.engine.masses import Masses
 from cranktrain.engine.part_tables import part_name
@@ -23,15 +23,15 @@ _THEORY = "docs/theory/forces"
 
 
 @record
-class Guided:
+class MomentGuides:
     """That something slides in a guide that can bear a moment: only then a length is worth asking for."""
 
     needs: ClassVar[str] = ""
 
 
-def guided_of(places: Sequence[Place]) -> Guided | None:
+def moment_guides_of(places: Sequence[Place]) -> MomentGuides | None:
     """Say whether anything does."""
-    return Guided() if any(guided(place.kind.dynamics) for place in places) else None
+    return MomentGuides() if any(bearing_moments(place.kind.dynamics) for place in places) else None
 
 
 @record
@@ -89,7 +89,9 @@ class _Guide(NamedTuple):
     edges: EdgeForces
 
 
-def guide_edges(_guided: Guided, _given: GuidesWithLength, loaded: LoadedMachine, solved: SolvedCycle) -> GuideEdges:
+def guide_edges(
+    _guides: MomentGuides, _given: GuidesWithLength, loaded: LoadedMachine, solved: SolvedCycle
+) -> GuideEdges:
     """Forces of the edges, from the reaction in each guide. docs/theory/forces, eq. (13.43)."""
     groups = zip(loaded.mechanisms.groups, solved.groups, loaded.masses.groups, strict=True)
     guides = sorted(

@@ -10,17 +10,16 @@ from cranktrain.engine.forces import LoadedMachine, SolvedCycle
 from cranktrain.engine.layout import CrankAngle
 from cranktrain.engine.piston_forces import DirectPistons, direct_groups
 from cranktrain.language import N_, _
-from cranktrain.linkage.forces import Gravity, Wrench, work
+from cranktrain.linkage.forces import WEIGHTLESS, Wrench, work
 from cranktrain.loads.harmonics import TURN
 from cranktrain.loads.periodic import cycle_grid
 from cranktrain.loads.rod_masses import ROD_METHODS
-from cranktrain.motion import Array, single
+from cranktrain.motion import Array
 from cranktrain.record import record
 from cranktrain.wording import Names, number
 
 _FACT = ("rod_method", "piston")
 _THEORY = "docs/theory/forces"
-_WEIGHTLESS = Gravity(single(0.0), single(0.0))
 
 
 _TOLD = 1e-9
@@ -76,7 +75,7 @@ def rod_methods(
         body = loaded.masses.groups[place].bodies.rod
         forces = solved.groups[place].forces
         piston = loaded.carriers.piston[group.index]
-        found = {name: method(rod, body, size.rod_length, drive, _WEIGHTLESS) for name, method in ROD_METHODS.items()}
+        found = {name: method(rod, body, size.rod_length, drive, WEIGHTLESS) for name, method in ROD_METHODS.items()}
         for row, wrench in enumerate(found.values()):
             off = Wrench(*(np.subtract(one, true) for one, true in zip(wrench, found["exact"], strict=True)))
             side[:, row, piston] = _relative(off.moment / (size.rod_length * rod.cos), forces.joints.guide.y)

@@ -1,6 +1,5 @@
 """Table of the forces on groups: number in the polygon, symbol, joint, length on paper, size."""
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -8,7 +7,7 @@ from cranktrain.language import _
 from cranktrain.study.force_polygons import ForcePolygon
 from cranktrain.study.force_sides import INITIAL, PolygonForce
 from cranktrain.study.vectors import spoken_name
-from cranktrain.viz.page import Page, mathematics
+from cranktrain.viz.page import Page, in_words, mathematics
 from cranktrain.viz.plan_sheet import figure
 from cranktrain.viz.style import SYMBOL
 
@@ -116,8 +115,7 @@ def _said(force: PolygonForce, letters: Mapping[str, str]) -> str:
         return causes[force.cause]
     if force.about:
         pin = letters.get(force.about) or spoken_name(force.about).replace("_", " ")
-        numbered = re.sub(r"(?<=^[A-Z])[0-9]$", lambda found: chr(ord("₀") + int(found[0])), pin)
-        return _shortened(_("about {pin}").format(pin=numbered))
+        return _shortened(_("about {pin}").format(pin=in_words(pin)))
     if force.symbol.endswith("^n"):
         return _("along the link")
     if force.symbol.startswith("f_"):

@@ -32,6 +32,9 @@ _LETTERS = 2
 _NUMBERED = re.compile(r"([^\W\d_])(\d+)('*)")
 """A pin of several alike: its number is an index."""
 
+INDICES = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+"""Figures as indices, in plain text."""
+
 _SCALES = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.5, 10.0)
 
 
@@ -230,6 +233,11 @@ def _letters_or_word(name: str) -> str:
     if len(bare.replace("'", "")) <= _LETTERS and "_" not in bare:
         return bare.replace("'", "′") + primes
     return rf"\mathrm{{{bare.replace('_', chr(92) + '_')}}}{primes}"
+
+
+def in_words(pin: str) -> str:
+    """Give a pin's name in plain text, its number as an index: B₂."""
+    return pin.translate(INDICES) if _NUMBERED.fullmatch(pin) else pin
 
 
 def muted(**manner: Any) -> dict[str, Any]:

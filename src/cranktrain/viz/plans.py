@@ -28,7 +28,7 @@ from cranktrain.study.polygons import Polygon, acceleration_polygons, velocity_p
 from cranktrain.study.together import places_called
 from cranktrain.study.turning import turning
 from cranktrain.study.vectors import Vector
-from cranktrain.viz.page import Figure, Page, drawing_settings, mathematics, muted
+from cranktrain.viz.page import INDICES, Figure, Page, drawing_settings, mathematics, muted
 from cranktrain.viz.plan_sheet import (
     LEAST_ROW,
     ROW,
@@ -235,7 +235,7 @@ def _positions_table(machine: Machine, plan: PositionPlan, curve: SpeedCurve | N
 def _indexed(head: str, i: int) -> str:
     """Head of a column of one of several mechanisms: x₂, mm."""
     symbol, comma, unit = head.partition(",")
-    return f"{symbol}{'₁₂'[i]}{comma}{unit}"
+    return f"{symbol}{str(i + 1).translate(INDICES)}{comma}{unit}"
 
 
 def _output_columns(

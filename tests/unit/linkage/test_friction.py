@@ -23,6 +23,7 @@ from cranktrain.linkage import (
     slide,
 )
 from cranktrain.linkage.forces import (
+    NOTHING,
     CrossingFriction,
     Friction,
     SlideLoads,
@@ -39,7 +40,6 @@ from cranktrain.linkage.forces import (
 )
 from cranktrain.linkage.forces.guide import Guided, dragged, pressing
 
-NOTHING = Wrench(0.0, 0.0, 0.0)
 GUIDE_ALONE = CrossingFriction(Friction(0.3, 1.0), Friction(0.0, 1.0))
 
 

@@ -25,6 +25,7 @@ from cranktrain.linkage import (
     slide,
 )
 from cranktrain.linkage.forces import (
+    NOTHING,
     CrossingFriction,
     Friction,
     SlideLoads,
@@ -41,8 +42,6 @@ from cranktrain.linkage.forces import (
     triad_reactions_with_friction,
     yoke_reactions,
 )
-
-NOTHING = Wrench(0.0, 0.0, 0.0)
 
 
 def guide_friction(random, most=0.4):

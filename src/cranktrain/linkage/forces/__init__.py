@@ -5,6 +5,7 @@ triad. A chain is solved from its last group backward, each handing its reaction
 """
 
 from cranktrain.linkage.forces.body import (
+    WEIGHTLESS,
     Body,
     Drive,
     Gravity,
@@ -36,6 +37,7 @@ from cranktrain.linkage.forces.yoke import YokeLoads, YokeReactions, block_link,
 __all__ = [
     "NOTHING",
     "NO_FRICTION",
+    "WEIGHTLESS",
     "Body",
     "Conditions",
     "CrankReactions",

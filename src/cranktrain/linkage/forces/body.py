@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from cranktrain.linkage.forces.wrench import Wrench, work
-from cranktrain.motion import Array, Link
+from cranktrain.motion import ZERO, Array, Link
 
 
 class Body(NamedTuple):
@@ -30,6 +30,9 @@ class Gravity(NamedTuple):
 
     x: Array
     y: Array
+
+
+WEIGHTLESS = Gravity(ZERO, ZERO)
 
 
 class ReducedInertia(NamedTuple):

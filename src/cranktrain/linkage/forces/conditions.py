@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from cranktrain.linkage.forces.body import Body, Drive, Gravity, applied
 from cranktrain.linkage.forces.wrench import Wrench, added
-from cranktrain.motion import Array, Link, single
+from cranktrain.motion import ONE, ZERO, Array, Link
 
 
 class Friction(NamedTuple):
@@ -17,8 +17,8 @@ class Friction(NamedTuple):
 
     coefficient: Array
     sense: Array
-    per_length: Array = single(0.0)
-    middle: Array = single(0.0)
+    per_length: Array = ZERO
+    middle: Array = ZERO
 
 
 class Conditions(NamedTuple):
@@ -29,7 +29,7 @@ class Conditions(NamedTuple):
     friction: tuple[Friction, ...]
 
 
-NO_FRICTION = Friction(single(0.0), single(1.0))
+NO_FRICTION = Friction(ZERO, ONE)
 """A slider without friction."""
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from cranktrain.linkage import OnLine, Pin, PinMotion, Slide, Swivel, Yoke, turned_link
 from cranktrain.linkage.forces import (
     NO_FRICTION,
+    NOTHING,
     CrossingFriction,
     Friction,
     PinLoads,
@@ -52,9 +53,7 @@ from cranktrain.mechanisms.chain.steps import (
 )
 from cranktrain.mechanisms.chain.triads import triad_ends, triad_legs
 from cranktrain.mechanisms.kind import FRAME
-from cranktrain.motion import Array, Link, Point, single
-
-_NOTHING = Wrench(single(0.0), single(0.0), single(0.0))
+from cranktrain.motion import Array, Link, Point
 
 
 class BackwardWalk(NamedTuple):
@@ -116,7 +115,7 @@ def _solve_swivel(step: SwivelStep, own: SwivelSize, walk: BackwardWalk) -> None
 
 def _solve_yoke(step: YokeStep, own: YokeSize, walk: BackwardWalk) -> None:
     block = walk.made[slot_of(step.slider)].value
-    loads = YokeLoads(_NOTHING, turned_wrench(walk.loads[step.slider], own.direction))
+    loads = YokeLoads(NOTHING, turned_wrench(walk.loads[step.slider], own.direction))
     found = yoke_reactions(block, Yoke(own.offset, own.slot_angle), loads, _crossing(walk, step.slider))
     _hang(walk, step.pin, step.slider, turned_wrench(found.pin, -own.direction))
     _note_guide(walk, step.slider, found.guide, own.direction)
@@ -132,7 +131,7 @@ def _along(wrench: Wrench, cos: Array, sin: Array) -> Array:
 
 
 def _solve_trammel(step: TrammelStep, own: TrammelSize, walk: BackwardWalk) -> None:
-    loads = TrammelLoads(_NOTHING, turned_wrench(walk.loads[step.slider], own.direction))
+    loads = TrammelLoads(NOTHING, turned_wrench(walk.loads[step.slider], own.direction))
     link = turned_link(walk.made[step.link], own.direction)
     found = trammel_reactions(link, loads, _crossing(walk, step.slider))
     slot = turned_wrench(found.slot, -own.direction)
