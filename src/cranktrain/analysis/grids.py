@@ -5,7 +5,6 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cranktrain.analysis.parts import Parts
 from cranktrain.catalogue import entries
@@ -78,8 +77,8 @@ def coarse_curves(facts: Mapping[type, object], curves: Mapping[type, object], s
 def _missed(coarse: Array, fine: Array) -> float:
     """Largest difference of a curve from straight lines between its points, in parts of its range over the cycle."""
     n_coarse, n_fine = coarse.shape[-1], fine.shape[-1]
-    way = np.arange(n_fine) * (n_coarse / n_fine)
-    place: NDArray[np.intp] = np.floor(way).astype(np.intp)
+    way: Array = np.arange(n_fine, dtype=np.float64) * (n_coarse / n_fine)
+    place = np.floor(way).astype(np.intp)
     share: Array = way - place
     lines: Array = (1 - share) * coarse[..., place % n_coarse] + share * coarse[..., (place + 1) % n_coarse]
     with np.errstate(all="ignore"):

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
 from cranktrain.engine.forces import LoadedMachine, SolvedCycle
-from cranktrain.engine.gas import GasPressures
+from cranktrain.engine.gas_pressures import GasPressures
 from cranktrain.engine.layout import CrankAngle, Group, Pistons
 from cranktrain.language import N_, _
 from cranktrain.linkage.forces import Drive
