@@ -123,3 +123,18 @@ def lost_jump_doubts(samples: Samples, cycle: float) -> Iterator[str]:
         before, after = (f"{shown(float(pressure[largest]), 'bar'):.4g}" for pressure in (starts, ends))
         start, end = (f"{shown(float(angle), 'deg') + 0.0:.6g}°" for angle in (start, end))
         yield told.format(start=start, end=end, before=before, after=after, more=more)
+
+
+def rounded_jump_doubts(samples: Samples) -> Iterator[str]:
+    """Doubt a spline, or smoothing, of samples that jump.
+
+    Parameters
+    ----------
+    samples : Samples
+
+    Yields
+    ------
+    str
+    """
+    if np.any(np.diff(samples.angles) == 0.0):
+        yield _("The file's pressures jump; a spline rounds that off, and so does smoothing: leave these out.")

@@ -10,14 +10,16 @@ from cranktrain.language import _
 from cranktrain.quantities import shown
 
 
-def curve_findings(curve: Curve, samples: Samples, dead_centre: float) -> Iterator[str]:
+def curve_findings(curve: Curve, samples: Samples, highest: int, dead_centre: float) -> Iterator[str]:
     """Say what the samples show and what the curve makes of them.
 
     Parameters
     ----------
     curve : Curve
     samples : Samples
-        Those that the curve was laid through, before they were smoothed.
+        What the curve was laid through, before it was smoothed.
+    highest : int
+        Which of them is the file's largest pressure.
     dead_centre : float
         Where the true dead centre at firing is, in the samples' count. [rad]
 
@@ -25,7 +27,6 @@ def curve_findings(curve: Curve, samples: Samples, dead_centre: float) -> Iterat
     ------
     str
     """
-    highest = int(np.argmax(samples.pressures))
     crest_at, crest_pressure = crest(curve)
     told = _("The largest sample is {sample} bar, at {sample_at}; the curve's crest is {crest} bar, at {crest_at}.")
     yield told.format(

@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.errors import InputError, Problem
 from cranktrain.gas.indicator.cycle import Samples, one_cycle
 from cranktrain.gas.indicator.diagram import CURVES, Diagram, diagram_through, pressure_at, smoothed
-from cranktrain.gas.indicator.doubts import compression_doubts, lost_jump_doubts, noise_doubts
+from cranktrain.gas.indicator.doubts import compression_doubts, lost_jump_doubts, noise_doubts, rounded_jump_doubts
 from cranktrain.gas.indicator.findings import curve_findings
 from cranktrain.gas.indicator.pegging import polytropic_offset
 from cranktrain.gas.indicator.placing import placed
@@ -50,18 +50,19 @@ def indicator_diagram(spec: IndicatorSpec, chamber: Chamber) -> Diagram:
         _refuse_angles(spec, trace.axis)
         samples = unrolled(trace, chamber, CURVES[spec.interpolation], _outward(spec, chamber))
     samples = samples._replace(findings=(*trace.findings, *samples.findings), doubts=(*trace.doubts, *samples.doubts))
-    if spec.interpolation == "spline":
-        _refuse_jumps(samples)
+    highest = int(np.argmin(np.abs(samples.pressures - np.max(trace.pressures))))
     if spec.peg is not None:
         diagram = diagram_through(samples, chamber.cycle, spec.interpolation)
         samples = _pegged(samples, diagram, spec.peg, chamber)
     doubts = (*samples.doubts, *compression_doubts(samples, chamber))
     if spec.smoothing is None:
         doubts = (*doubts, *noise_doubts(samples))
+    if spec.interpolation == "spline" or spec.smoothing is not None:
+        doubts = (*doubts, *rounded_jump_doubts(samples))
     diagram = diagram_through(samples._replace(doubts=doubts), chamber.cycle, spec.interpolation)
     if spec.smoothing is not None:
         diagram = smoothed(diagram, spec.smoothing.si, spec.interpolation)
-    told = curve_findings(diagram.curve, samples, dead_centres_of(chamber.volume).top)
+    told = curve_findings(diagram.curve, samples, highest, dead_centres_of(chamber.volume).top)
     return replace(diagram, findings=(*diagram.findings, *told))
 
 
@@ -94,13 +95,6 @@ def _refuse_strokes(spec: IndicatorSpec) -> None:
     """Refuse a way of unrolling for a file that is over the crank angle as it is."""
     if spec.unrolling != "exact":
         raise InputError([Problem("unrolling", spec.unrolling, _("is for a file over volume or displacement"))])
-
-
-def _refuse_jumps(samples: Samples) -> None:
-    """Refuse a spline through samples that jump."""
-    if np.any(np.diff(samples.angles) == 0.0):
-        allowed = _("takes no jumps, and the file has an angle with two pressures")
-        raise InputError([Problem("interpolation", "spline", allowed, _("leave interpolation out"))])
 
 
 def _from_nominal(samples: Samples, chamber: Chamber) -> Samples:

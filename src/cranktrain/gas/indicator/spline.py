@@ -7,9 +7,11 @@ from cranktrain.motion import Array
 
 
 def spline_curve(places: Array, values: Array, period: float) -> Curve:
-    """Periodic cubic spline through points of one period, each place once; at least three."""
-    slopes = periodic_slopes(places, values, period)
-    return Curve(period, places, values, np.roll(values, -1), slopes, np.roll(slopes, -1))
+    """Periodic cubic spline through points of one period; of a place given twice the second counts, as if no jump."""
+    kept = np.diff(places, append=places[0] + period) > 0
+    own, starts = places[kept], values[kept]
+    slopes = periodic_slopes(own, starts, period)
+    return Curve(period, own, starts, np.roll(starts, -1), slopes, np.roll(slopes, -1))
 
 
 def periodic_slopes(places: Array, values: Array, period: float) -> Array:

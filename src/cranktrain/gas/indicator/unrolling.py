@@ -218,20 +218,27 @@ def _joined(strokes: Sequence[Array], branches: Sequence[_Branch], cycle: float)
 
 
 def _filled(angles: Array, pressures: Array, chamber: Chamber, curve_through: CurveThrough) -> tuple[Array, Array]:
-    """Put points where the stroke's own are far apart in angle, as they are at dead centres, by a curve of p Vⁿ.
+    """Put points where the stroke's own are far apart in angle, as they are at dead centres.
 
-    Along compression and expansion p Vⁿ hardly changes where p does most, so that it bridges twice as well.
+    Along compression and expansion p Vⁿ hardly changes where p does most, and its curve bridges twice as well; where p
+    changes less, as on a plateau, its own curve does.
     """
     steps = np.diff(angles, append=angles[0] + chamber.cycle)
     parts: NDArray[np.intp] = np.maximum(np.ceil(steps / _WIDEST_STEP), 1).astype(np.intp)
     own: NDArray[np.intp] = np.cumsum(parts) - parts
     step: NDArray[np.intp] = np.repeat(np.arange(len(parts)), parts)
     filled: Array = angles[step] + steps[step] * (np.arange(len(step)) - own[step]) / parts[step]
-    nearly_constant = pressures * chamber.volume(angles) ** _EXPONENT
-    curve = curve_through(angles, nearly_constant, chamber.cycle)
-    between = curve_at(curve, filled) / chamber.volume(filled) ** _EXPONENT
+    bent = pressures * chamber.volume(angles) ** _EXPONENT
+    by_pressure = curve_at(curve_through(angles, pressures, chamber.cycle), filled)
+    by_bent = curve_at(curve_through(angles, bent, chamber.cycle), filled) / chamber.volume(filled) ** _EXPONENT
+    between = np.where((_change(bent) < _change(pressures))[step], by_bent, by_pressure)
     between[own] = pressures
     return filled, between
+
+
+def _change(values: Array) -> Array:
+    """How much positive values change from each to the next, round the cycle."""
+    return np.abs(np.log(np.roll(values, -1) / values))
 
 
 def _refusal(trace: Trace, allowed: str) -> InputError:
