@@ -28,7 +28,7 @@ def curve_findings(curve: Curve, samples: Samples, highest: int, dead_centre: fl
     str
     """
     crest_at, crest_pressure = crest(curve)
-    told = _("The largest sample is {sample} bar, at {sample_at}; the curve's crest is {crest} bar, at {crest_at}.")
+    told = _("The largest sample is {sample} bar at {sample_at} from firing, the curve's crest {crest} bar at {crest_at}.")
     yield told.format(
         sample=_bar(float(samples.pressures[highest])),
         sample_at=_from_firing(float(samples.angles[highest]) - dead_centre, curve.period),
@@ -44,7 +44,7 @@ def curve_findings(curve: Curve, samples: Samples, highest: int, dead_centre: fl
         if before != after
     ]
     if jumps:
-        yield _("The pressure jumps as the file gives it: {jumps}; angles from firing.").format(jumps=", ".join(jumps))
+        yield _("The pressure jumps where the file gives two, from firing: {jumps}.").format(jumps=", ".join(jumps))
 
 
 def _bar(pressure: float) -> str:

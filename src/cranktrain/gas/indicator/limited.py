@@ -86,13 +86,33 @@ def _slopes(lengths: Array, chords: Array) -> Array:
     shared = _lesser(three[:-1], three[1:])
     flatter = _lesser(left + before * shared[:-1], right - after * shared[1:])
     limits = np.stack(
-        [_akima(lengths, chords), np.zeros_like(left), _MONOTONE * _lesser(left, right), _CURVED * flatter]
+        [akima_slopes(lengths, chords), np.zeros_like(left), _MONOTONE * _lesser(left, right), _CURVED * flatter]
     )
-    return np.clip(quartic, np.min(limits, axis=0), np.max(limits, axis=0))
+    slopes = np.clip(quartic, np.min(limits, axis=0), np.max(limits, axis=0))
+    # A step between two others of one sign has no crest in it.
+    most = np.where(chords[:-2] * chords[2:] > 0, _MONOTONE * np.abs(chords[1:-1]), np.inf)
+    most = np.minimum(most[:-1], most[1:])
+    return np.clip(slopes, -most, most)
 
 
-def _akima(lengths: Array, chords: Array) -> Array:
-    """Modified Akima slopes there: between the chords beside, each as far as those on the *other* side are alike."""
+def akima_slopes(lengths: Array, chords: Array) -> Array:
+    """Modified Akima slopes where steps meet.
+
+    Parameters
+    ----------
+    lengths, chords : Array, shape (k,)
+        Of steps one after the other, and the slopes of their chords.
+
+    Returns
+    -------
+    Array, shape (k − 3,)
+        Where steps meet, but for the outer end on each side.
+
+    Notes
+    -----
+    Between the chords beside, each as far as those on the *other* side are alike; with even steps as SciPy has it.
+    docs/theory/gas, eq. (14.14).
+    """
     change = np.abs(np.diff(chords)) / _spans(lengths, 2)
     size = np.abs(chords[1:] + chords[:-1]) / 2
     before, after = lengths[1:-2], lengths[2:-1]
