@@ -116,11 +116,15 @@ def crest(curve: Curve) -> tuple[float, float]:
     chord = curve.ends - curve.starts
     one, last = curve.start_slopes * step, curve.end_slopes * step
     two, three = 3 * chord - 2 * one - last, one + last - 2 * chord
-    # Where one + 2 two u + 3 three u² = 0 and the curve turns down; in the form that a parabola has, too.
-    away = np.sqrt(np.maximum(two**2 - 3 * one * three, 0.0)) - two
-    share = np.clip(one / np.where(away == 0.0, np.inf, away), 0.0, 1.0)
-    every = np.arange(len(step))
-    values = np.stack([curve.starts, along(curve, every, share), curve.ends])
+    # Where one + 2 two u + 3 three u² = 0, in the form that loses no digits.
+    both = -two - np.copysign(np.sqrt(np.maximum(two**2 - 3 * one * three, 0.0)), two)
+    found = [_share(both, 3 * three), _share(one, both)]
+    shares = np.stack([np.zeros_like(step), *found, np.ones_like(step)])
+    values = along(curve, np.arange(len(step)), shares)
     which, piece = np.unravel_index(np.argmax(values), values.shape)
-    shares = (0.0, float(share[piece]), 1.0)
-    return float(curve.places[piece] + shares[which] * step[piece]), float(values[which, piece])
+    return float(curve.places[piece] + shares[which, piece] * step[piece]), float(values[which, piece])
+
+
+def _share(above: Array, below: Array) -> Array:
+    """A quotient within 0 to 1; 0 where there is none."""
+    return np.clip(above / np.where(below == 0.0, np.inf, below), 0.0, 1.0)

@@ -28,7 +28,9 @@ def curve_findings(curve: Curve, samples: Samples, highest: int, dead_centre: fl
     str
     """
     crest_at, crest_pressure = crest(curve)
-    told = _("The largest sample is {sample} bar at {sample_at} from firing, the curve's crest {crest} bar at {crest_at}.")
+    told = _(
+        "The largest sample is {sample} bar at {sample_at} from firing, the curve's crest {crest} bar at {crest_at}."
+    )
     yield told.format(
         sample=_bar(float(samples.pressures[highest])),
         sample_at=_from_firing(float(samples.angles[highest]) - dead_centre, curve.period),

@@ -11,8 +11,10 @@ _BESIDE = 2
 """Steps on each side of a sample that give its slope."""
 _MONOTONE = 3.0
 """Slope, in parts of the lesser chord beside it, up to which a cubic does not turn back."""
-_CURVED = 1.5
+_CURVED = 1.2
 """Slope, in parts of that of the flatter parabola beside it, that smooth samples stay within."""
+_CORNER = 2.0
+"""A bend more than so many times as sharp as those beside it is a corner rather than a crest."""
 
 
 def limited_curve(places: Array, values: Array, period: float) -> Curve:
@@ -34,7 +36,7 @@ def limited_curve(places: Array, values: Array, period: float) -> Curve:
     Notes
     -----
     The slope at a sample is that of the quartic through it and two on each side, as far as it lies within the modified
-    Akima slope, 0, and Huynh's limits. docs/theory/gas, eqs. (14.13) to (14.15).
+    Akima slope, 0, and Huynh's limits. docs/theory/gas, eqs. (14.12) to (14.14).
 
     Examples
     --------
@@ -85,12 +87,12 @@ def _slopes(lengths: Array, chords: Array) -> Array:
     quartic = left + before * (three[1:-1] - after * (four[:-1] + (before + lengths[:-3]) * five))
     shared = _lesser(three[:-1], three[1:])
     flatter = _lesser(left + before * shared[:-1], right - after * shared[1:])
-    limits = np.stack(
-        [akima_slopes(lengths, chords), np.zeros_like(left), _MONOTONE * _lesser(left, right), _CURVED * flatter]
-    )
+    akima = akima_slopes(lengths, chords) * _roundness(three)
+    limits = np.stack([akima, np.zeros_like(left), _MONOTONE * _lesser(left, right), _CURVED * flatter])
     slopes = np.clip(quartic, np.min(limits, axis=0), np.max(limits, axis=0))
-    # A step between two others of one sign has no crest in it.
-    most = np.where(chords[:-2] * chords[2:] > 0, _MONOTONE * np.abs(chords[1:-1]), np.inf)
+    # A step between two others of one sign has no crest in it, and one between equal samples is a plateau.
+    has_crest = (chords[:-2] * chords[2:] <= 0) & (chords[1:-1] != 0)
+    most = np.where(has_crest, np.inf, _MONOTONE * np.abs(chords[1:-1]))
     most = np.minimum(most[:-1], most[1:])
     return np.clip(slopes, -most, most)
 
@@ -111,7 +113,7 @@ def akima_slopes(lengths: Array, chords: Array) -> Array:
     Notes
     -----
     Between the chords beside, each as far as those on the *other* side are alike; with even steps as SciPy has it.
-    docs/theory/gas, eq. (14.14).
+    docs/theory/gas, eq. (14.13).
     """
     change = np.abs(np.diff(chords)) / _spans(lengths, 2)
     size = np.abs(chords[1:] + chords[:-1]) / 2
@@ -122,6 +124,13 @@ def akima_slopes(lengths: Array, chords: Array) -> Array:
     total = of_left + of_right
     weighted = of_left * chords[1:-2] + of_right * chords[2:-1]
     return np.where(total > 0, weighted / np.where(total > 0, total, 1.0), 0.0)
+
+
+def _roundness(bends: Array) -> Array:
+    """From 1 where samples bend as much as those beside them, in the same sense, to 0 in a corner."""
+    own = bends[1:-1]
+    beside = np.maximum(bends[:-2] * np.sign(own), bends[2:] * np.sign(own))
+    return np.clip(_CORNER * beside / np.where(own == 0.0, np.inf, np.abs(own)), 0.0, 1.0)
 
 
 def _spans(lengths: Array, n_steps: int) -> Array:
