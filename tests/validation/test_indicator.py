@@ -248,7 +248,7 @@ def otto_text(jumps, shift=0.0):
 
 @pytest.mark.parametrize("jumps", [[0, 1, 2], [0, 1], [0]], ids=["all", "firing and exhaust", "firing"])
 def test_otto_with_its_jumps_as_two_rows(jumps):
-    """Mean pressure in closed form; beside the given jumps nothing is passed. Inlet goes into compression without one."""
+    """Mean pressure in closed form; beside the given jumps nothing is passed. Between inlet and compression is none."""
     diagram = diagram_of(otto_text(jumps), ENGINE)
     assert np.degrees(diagram.curve.jumps) == pytest.approx(TURNS[jumps], abs=1e-9)
     assert diagram_work(diagram, ENGINE.slope) / ENGINE.swept == pytest.approx(OTTO["imep_net"], rel=1e-3)

@@ -111,7 +111,7 @@ def _refuse_many(text: str, name: str) -> None:
     n_lines = max(text.count("\n"), text.count("\r"))
     if n_lines > _MOST_LINES:
         allowed = _("has {n} lines; {most} at most are read, and a cycle of 720° in steps of 0.01° has 72 000")
-        repair = _("keep every {n}th row, or the means of so many").format(n=-(-n_lines // _MOST_LINES))
+        repair = _("keep one row of {n}, or the mean of so many").format(n=-(-n_lines // _MOST_LINES))
         raise InputError([Problem("file", name, allowed.format(n=n_lines, most=_MOST_LINES), repair)])
 
 
