@@ -163,7 +163,7 @@ def test_a_given_dead_centre_that_the_peak_denies_is_doubted():
             "trace.csv:101  has no samples between 99° and 140°, a gap of 41°",
         ),
         (
-            csv(np.repeat(DEGREES, 2), np.repeat(PRESSURES, 2) + np.tile([0.0, 1.0], 720)),
+            csv(np.repeat(DEGREES, 2), np.repeat(PRESSURES, 2) + np.tile([0.0, 1e4], 720)),
             FOUR_STROKE,
             "trace.csv:3  has two pressures for the angle 0°, the first in line 2 (720 angles are given twice)",
         ),
@@ -200,6 +200,13 @@ def test_a_cycle_that_does_not_close_is_doubted():
     assert any("the cycle does not close" in doubt for doubt in diagram.doubts)
     assert diagram.curve.jumps.tolist() == [0.0]
     assert pressure_at(diagram, np.array([-1e-12, 0.0])) == pytest.approx([1.5 * PRESSURES[0], PRESSURES[0]], rel=1e-9)
+
+
+def test_an_endpoint_that_was_rounded_is_no_jump():
+    """1e-5 of the peak apart: as the last digits of a computed cycle are."""
+    diagram = diagram_of(csv(np.arange(721.0), np.append(PRESSURES, PRESSURES[0] + 1e-5 * np.max(PRESSURES))))
+    assert diagram.curve.jumps.size == 0
+    assert any("the last is left out" in finding for finding in diagram.findings)
 
 
 STEP = np.where((DEGREES >= 0) & (DEGREES < 400), 20e5, 2e5)

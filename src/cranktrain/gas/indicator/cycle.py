@@ -27,6 +27,8 @@ _IN_ORDER = 0.9
 """Share of the rows that go on in one sense, turns apart, in a file whose rows are in order."""
 _CLOSED = 0.01
 """First and last sample of a closed cycle differ by less, in parts of the peak."""
+_ALIKE = 1e-4
+"""Pressures of one angle that differ by less, in parts of the peak, are one that was rounded."""
 _MOST_JUMPS = 8
 """Of a cycle; an ideal four-stroke has four. More are angles that were rounded."""
 
@@ -77,7 +79,9 @@ def one_cycle(trace: Trace, cycle: float) -> Samples:
     return samples._replace(doubts=(*samples.doubts, *_gap_doubts(trace, samples.angles, lines, cycle, step)))
 
 
-def once_or_jump(angles: Array, pressures: Array, width: float, alike: float = 0.0) -> tuple[Array, NDArray[np.intp]]:
+def once_or_jump(
+    angles: Array, pressures: Array, width: float, alike: float = _ALIKE
+) -> tuple[Array, NDArray[np.intp]]:
     """Take the last of samples that stand at one angle, and the first of them too where the pressure jumps there.
 
     Parameters
@@ -150,11 +154,11 @@ def _open_ended(
     after, before = int(starts[-1]), int(ends[0])
     inner = np.arange(after, before)
     first, last = _degrees(angles[0]), _degrees(angles[-1])
-    if pressures[before] == pressures[after]:
+    apart = abs(pressures[before] - pressures[after]) / np.max(pressures)
+    if apart <= _ALIKE:
         told = _("First and last sample are the same angle, {first} and {last}: the last is left out.")
         findings = (*findings, told.format(first=first, last=last))
         return Samples(angles[inner], pressures[inner], findings, doubts), lines[inner]
-    apart = abs(pressures[before] - pressures[after]) / np.max(pressures)
     if apart > _CLOSED:
         differ = _(
             "The pressures at {first} and {last} differ by {percent:.2g} % of the peak: if they do not jump there, the"

@@ -115,8 +115,8 @@ def lost_jump_doubts(samples: Samples, cycle: float) -> Iterator[str]:
         largest = int(found[np.argmax(np.abs(ends - starts)[found])])
         told = _(
             "Between {start} and {end} the pressure goes from {before} to {after} bar in one step, far steeper than"
-            " beside it{more}: if it jumps, give the jump as two rows of one angle (or place), before and after; lost"
-            " between rows it costs up to 2 % of the mean pressure in steps of 10°."
+            " beside it{more}: if it jumps, give the jump as two rows of one angle (or place), before and after; else"
+            " give more rows there. A jump lost between rows takes from the mean pressure, 2 % in steps of 10°."
         )
         more = _(", and so in {n} other steps").format(n=found.size - 1) if found.size > 1 else ""
         start, end = places[largest], places[largest] + lengths[largest]
