@@ -42,7 +42,7 @@ def limited_curve(places: Array, values: Array, period: float) -> Curve:
     --------
     >>> curve = limited_curve(np.arange(8.0), np.array([0.0, 0.0, 0.0, 4.0, 4.0, 4.0, 2.0, 1.0]), 8.0)
     >>> [round(float(slope), 3) + 0.0 for slope in curve.start_slopes]
-    [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.583, -1.0]
+    [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.667, -1.0]
     """
     steps = steps_between(places, values, period)
     chords = (steps.ends - steps.starts) / steps.lengths
