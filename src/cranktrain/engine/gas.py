@@ -165,7 +165,7 @@ class GasInChambers:
     def force(self, pressure: Array) -> Array:
         """Force of the gas less the ambient pressure on every piston, toward its shaft, (design, piston, n). [N]"""
         areas = self.chambers.areas
-        return np.matmul(areas, pressure) - AMBIENT * np.sum(areas, axis=-1, keepdims=True)
+        return self.chambers.pushed(pressure) - AMBIENT * np.sum(areas, axis=-1, keepdims=True)
 
 
 def _sharing(models: tuple[Any, ...]) -> list[tuple[Any, list[int]]]:
