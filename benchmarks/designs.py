@@ -10,8 +10,8 @@ from cranktrain import Machine, run
 from cranktrain.io.examples import EXAMPLES_FOLDER
 
 FEW, TIMES, N_REPETITIONS = 50, 4, 3
-STEP = 10.0
-N_ANGLES = FEW * TIMES * 72
+STEP = 30.0
+N_ANGLES = FEW * TIMES * 24
 """Of all designs together, of a four-stroke cycle."""
 LIMIT = 1.3
 EXAMPLES = ("vaz_21213", "3d12")
