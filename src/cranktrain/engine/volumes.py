@@ -52,13 +52,13 @@ class Chambers:
         return np.max(np.abs(self.areas), axis=1)
 
     @cached_property
-    def _pistons(self) -> "_Partners":
-        """Of each chamber."""
+    def _own(self) -> "_Partners":
+        """Pistons of each chamber."""
         return _partners(self.areas)
 
     @cached_property
-    def _chambers(self) -> "_Partners":
-        """Of each piston."""
+    def _pushing(self) -> "_Partners":
+        """Chambers of each piston."""
         return _partners(np.swapaxes(self.areas, 1, 2))
 
     def summed(self, lengths: Array) -> Array:
@@ -66,11 +66,11 @@ class Chambers:
 
         A piston that cannot move all round, NaN, leaves the chambers of others alone.
         """
-        return _weighed(self._pistons, lengths)
+        return _weighed(self._own, lengths)
 
     def pushed(self, pressure: Array) -> Array:
         """Force toward its shaft by pressures in its own chambers, (design, chamber, n) to (design, piston, n). [N]"""
-        return _weighed(self._chambers, pressure)
+        return _weighed(self._pushing, pressure)
 
 
 _Partners = tuple[tuple[NDArray[np.intp], Array], ...]
