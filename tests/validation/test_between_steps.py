@@ -4,6 +4,7 @@ Nothing here goes through the package: motion by the closed form of a central sl
 mpmath between the events, extremes by roots of the derivative or at the events, from the side on which they are larger.
 """
 
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import mpmath
@@ -90,7 +91,7 @@ def otto() -> Case:
 
 
 def rubbing() -> Case:
-    """Without gas, with friction of 0.12 between piston and wall, which jumps at the dead centres and bends at N = 0."""
+    """Without gas, with friction of 0.12 between piston and wall, which bends where N = 0."""
     friction = mpf("0.12")
 
     def parts(phi: mpf) -> tuple[mpf, mpf]:
@@ -154,9 +155,7 @@ def both(request: pytest.FixtureRequest) -> tuple[Case, Any]:
 
 def pieces(case: Case) -> list[mpf]:
     """Ends of the intervals of the quadrature."""
-    edges = [
-        edge for one, other in zip(case.events, case.events[1:], strict=False) for edge in (one, (one + other) / 2)
-    ]
+    edges = [edge for one, other in pairwise(case.events) for edge in (one, (one + other) / 2)]
     return [*edges, case.events[-1]]
 
 
@@ -164,7 +163,7 @@ def extreme(case: Case, curve: Any, sign: int) -> tuple[float, float]:
     """Largest value of sign times a curve, and the curve's own value and angle [deg] there."""
     found: list[tuple[mpf, mpf]] = []
     aside = mpf(10) ** -25
-    for start, end in zip(case.events, case.events[1:], strict=False):
+    for start, end in pairwise(case.events):
         # Closer near the ends, beside which friction may let a force rise.
         grid = [start + (end - start) * (1 - mpmath.cos(mpmath.pi * k / 90)) / 2 for k in range(1, 90)]
         values = [sign * curve(phi) for phi in grid]
@@ -204,9 +203,7 @@ def cut(case: Case, order: int) -> list[mpf]:
     """Intervals that are narrow enough for an order."""
     edges = pieces(case)
     n_parts = 1 + order // 6
-    return [
-        one + (other - one) * k / n_parts for one, other in zip(edges, edges[1:], strict=False) for k in range(n_parts)
-    ] + [edges[-1]]
+    return [one + (other - one) * k / n_parts for one, other in pairwise(edges) for k in range(n_parts)] + [edges[-1]]
 
 
 @pytest.mark.parametrize("name", ["largest_torque", "smallest_torque"])
@@ -226,8 +223,11 @@ def test_the_largest_force_of_a_joint(both):
 
 
 def test_excess_work(both):
-    """Of the torque without inertia, whose work is ½Jω² with J = m x′²."""
-    case, result = both
+    """Of the torque without inertia, whose work is ½Jω² with J = m x′².
+
+    Between two points of the grid the work is a cubic: a jump ΔT in a step h is rounded off by up to ΔT h/8.
+    """
+    case, _result = both
     if "gas" not in case.tables:
         pytest.skip("friction that inertia makes stays in the torque")
     ends = pieces(case)
@@ -239,13 +239,7 @@ def test_excess_work(both):
 
     # The work turns back where the torque is its mean, at a root or at a jump.
     found, total = [mpf(0)], mpf(0)
-    marks = sorted(
-        {
-            mark
-            for one, other in zip(case.events, case.events[1:], strict=False)
-            for mark in mpmath.linspace(one, other, 25)
-        }
-    )
+    marks = sorted({mark for one, other in pairwise(case.events) for mark in mpmath.linspace(one, other, 25)})
     inside = [mark + mpf(10) ** -25 for mark in marks[:-1]], [mark - mpf(10) ** -25 for mark in marks[1:]]
     for one, other in zip(*inside, strict=True):
         if gas(one) * gas(other) < 0:
@@ -254,5 +248,8 @@ def test_excess_work(both):
         total += mpmath.quad(gas, [one, other])
         found.append(total)
     assert float(total) == pytest.approx(0, abs=1e-12 * float(max(found)))
+    aside = mpf(10) ** -25
+    leaps = [abs(gas(event + aside) - gas(event - aside)) for event in case.events[1:-1]]
+    rounded = float(max(leaps)) * np.radians(1) / 8
     run = ct.run(ct.Machine(**case.tables, evenness={"flywheel": "3 kg·m²"}))
-    assert run.largest_excess_work == pytest.approx(float(max(found) - min(found)), rel=1e-6)
+    assert run.largest_excess_work == pytest.approx(float(max(found) - min(found)), rel=1e-6, abs=rounded)

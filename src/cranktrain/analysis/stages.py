@@ -44,7 +44,7 @@ from cranktrain.engine.rod_orders import rod_orders
 from cranktrain.engine.rods import rod_motion, rod_speeds
 from cranktrain.engine.running_frame import running_frame
 from cranktrain.engine.shaft_torque import applied_torque
-from cranktrain.engine.torque import gear_torques, journal_torques, shaft_torques
+from cranktrain.engine.torque import gear_torques, journal_torques, shaft_torques, torque_peaks
 from cranktrain.engine.torque_orders import phase_star_sums, torque_orders
 from cranktrain.engine.torque_sources import torque_sources
 from cranktrain.engine.travel import cylinder_travel
@@ -167,6 +167,7 @@ STAGES: tuple[Stage, ...] = tuple(
         rod_methods,
         crank_pin_loads,
         torque_sources,
+        torque_peaks,
         shaft_torques,
         gear_torques,
         work_balance,

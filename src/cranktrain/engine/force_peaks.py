@@ -10,7 +10,7 @@ from cranktrain.engine.forces import LoadedMachine, SolvedGroup
 from cranktrain.engine.layout import CrankAngle
 from cranktrain.language import _
 from cranktrain.motion import Array
-from cranktrain.numerics import Curve, Peak, Peaks, extremes_between, largest_between
+from cranktrain.numerics import Curve, Peak, largest_between
 from cranktrain.wording import number
 
 _TOLD = 4
@@ -52,8 +52,8 @@ def largest_of_each(
     return counted(largest_between(curve, crank_angle.shown, samples, breaks), crank_angle)
 
 
-def extremes_of_machine(curve: Curve, samples: Array, events: ForceEvents, crank_angle: CrankAngle) -> Peaks:
-    """Smallest and largest value of curves of the whole machine, over the cycle.
+def largest_of_machine(curve: Curve, samples: Array, events: ForceEvents, crank_angle: CrankAngle) -> Peak:
+    """Largest value of curves of the whole machine, over the cycle.
 
     Parameters
     ----------
@@ -66,29 +66,17 @@ def extremes_of_machine(curve: Curve, samples: Array, events: ForceEvents, crank
 
     Returns
     -------
-    Peaks, shapes (design, curve)
+    Peak, shapes (design, curve)
         Angles as shown, in [0, cycle). [rad]
     """
-    found = extremes_between(*_of_machine(curve, samples, events, crank_angle))
-    return Peaks(*(counted(one, crank_angle) for one in found))
-
-
-def largest_of_machine(curve: Curve, samples: Array, events: ForceEvents, crank_angle: CrankAngle) -> Peak:
-    """Largest value of curves of the whole machine; as `extremes_of_machine`."""
-    return counted(largest_between(*_of_machine(curve, samples, events, crank_angle)), crank_angle)
-
-
-def _of_machine(
-    curve: Curve, samples: Array, events: ForceEvents, crank_angle: CrankAngle
-) -> tuple[Curve, Array, Array, Array]:
-    """Curve at each curve's own angles, grid, samples and breaks."""
     n_curves = samples.shape[1]
 
     def own(shown: Array) -> Array:
         found = curve(shown.reshape(len(shown), 1, -1) + crank_angle.zero)
         return found.reshape(*found.shape[:2], n_curves, -1)[:, range(n_curves), range(n_curves)]
 
-    return own, crank_angle.shown, samples, events.whole[:, np.newaxis] - crank_angle.zero
+    breaks = events.whole[:, np.newaxis] - crank_angle.zero
+    return counted(largest_between(own, crank_angle.shown, samples, breaks), crank_angle)
 
 
 def counted(peak: Peak, crank_angle: CrankAngle) -> Peak:

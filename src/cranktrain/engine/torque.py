@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.force_events import ForceEvents
-from cranktrain.engine.force_peaks import extremes_of_machine, largest_of_machine, one_sided
+from cranktrain.engine.force_peaks import largest_of_machine, one_sided
 from cranktrain.engine.forces import LoadedMachine, SolvedCycle, driving_torques
 from cranktrain.engine.layout import CrankAngle
 from cranktrain.engine.shafts import GearedShafts, Shafts
@@ -16,6 +16,7 @@ from cranktrain.engine.torque_sources import TorqueSources
 from cranktrain.language import N_, _
 from cranktrain.loads import torque as along_shaft
 from cranktrain.motion import Array
+from cranktrain.numerics import Peak
 from cranktrain.record import record
 from cranktrain.wording import Names, number
 
@@ -25,6 +26,42 @@ _ROUNDING = 1e-12
 """Torques smaller than this part of the peak may be of either sign."""
 _NOTHING = 1e-9
 """A mean torque below this part of the peak is none: a machine without gas gives no work."""
+
+
+@record
+class TorquePeaks:
+    """Extremes of torques, refined together; nothing that people read as it is.
+
+    Attributes
+    ----------
+    largest, smallest : Peak, shapes (design,)
+        Of all mechanisms together. [N·m]
+    in_journals : Peak, shapes (design, journal)
+        Of the torque's size in every journal. [N·m]
+    """
+
+    largest: Peak
+    smallest: Peak
+    in_journals: Peak
+
+
+def torque_peaks(
+    loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, events: ForceEvents, crank_angle: CrankAngle
+) -> TorquePeaks:
+    """Find the extremes of the torques along the shafts, all on one evaluation of the mechanisms."""
+
+    def curves(driving: Array) -> Array:
+        whole = np.sum(driving, axis=1, keepdims=True)
+        return np.concatenate([-whole, whole, np.abs(_passed(driving, shafts))], axis=1)
+
+    found = largest_of_machine(
+        lambda angle: curves(driving_torques(loaded, loaded.solved(angle))),
+        curves(driving_torques(loaded, solved.groups)),
+        events,
+        crank_angle,
+    )
+    largest, smallest, in_journals = (Peak(*(part[:, rows] for part in found)) for rows in (0, 1, slice(2, None)))
+    return TorquePeaks(largest, smallest._replace(value=-smallest.value), in_journals)
 
 
 @record
@@ -62,8 +99,8 @@ def shaft_torques(
     solved: SolvedCycle,
     shafts: Shafts,
     crank_angle: CrankAngle,
-    events: ForceEvents,
     sources: TorqueSources,
+    peaks: TorquePeaks,
 ) -> ShaftTorques:
     """Torque on every shaft over the cycle, its mean by quadrature, and extremes refined on the mechanisms.
 
@@ -75,20 +112,16 @@ def shaft_torques(
     by_mechanism = -driving_torques(loaded, solved.groups)
     by_shaft = along_shaft.throw_torque(by_mechanism, shafts.shaft, len(shafts.names))
     whole = np.sum(by_shaft, axis=1)
-
-    def torque(angle: Array) -> Array:
-        return -np.sum(driving_torques(loaded, loaded.solved(angle)), axis=1, keepdims=True)
-
     mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
-    least, most = extremes_of_machine(torque, whole[:, np.newaxis], events, crank_angle)
+    most, least = peaks.largest, peaks.smallest
     return ShaftTorques(
         shaft_torque=by_shaft,
         machine_torque=whole,
         mean_torque=np.where(np.abs(mean) <= _ROUNDING * np.max(np.abs(whole), axis=-1), 0.0, mean),
-        largest_torque=most.value[:, 0],
-        largest_torque_at=most.angle[:, 0],
-        smallest_torque=least.value[:, 0],
-        smallest_torque_at=least.angle[:, 0],
+        largest_torque=most.value,
+        largest_torque_at=most.angle,
+        smallest_torque=least.value,
+        smallest_torque_at=least.angle,
         labels={"shaft": shafts.names},
         flags=tuple(one_sided([(_("largest torque"), most), (_("smallest torque"), least)])),
     )
@@ -110,19 +143,13 @@ class JournalTorques:
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"journal": ()})
 
 
-def journal_torques(
-    loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, events: ForceEvents, crank_angle: CrankAngle
-) -> JournalTorques:
+def journal_torques(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, peaks: TorquePeaks) -> JournalTorques:
     """Torque along every shaft: journal 1 stands before throw 1 and passes nothing, the last one passes all.
 
     What a gear takes or brings is reckoned at the flywheel's end. docs/theory/harmonics-and-orders, eq. (15.13).
     """
     passed = _passed(driving_torques(loaded, solved.groups), shafts)
-
-    def size(angle: Array) -> Array:
-        return np.abs(_passed(driving_torques(loaded, loaded.solved(angle)), shafts))
-
-    largest = largest_of_machine(size, np.abs(passed), events, crank_angle)
+    largest = peaks.in_journals
     return JournalTorques(passed, largest.value, largest.angle, {"journal": shafts.journals})
 
 

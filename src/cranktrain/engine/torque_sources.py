@@ -91,7 +91,7 @@ class TorqueSources:
         Parameters
         ----------
         order : Array, shape (order,)
-            The first ones of the cycle, from 0.
+            The first ones of the cycle, from 0 on in equal steps.
         cycle : float
             [rad]
         """
@@ -101,8 +101,12 @@ class TorqueSources:
         share = np.where(order > 0, 2.0, 1.0) / cycle
         for design, sources in enumerate(self.sources):
             for one in sources:
-                waves = phasor(-order[:, np.newaxis] * one.panels.angle)
-                own = share * (waves @ (np.sum(one.values, axis=0) * one.panels.weight))
+                # Orders are multiples of the first.
+                waves = np.empty((order.size, one.panels.angle.size), dtype=np.complex128)
+                waves[0], waves[1:] = 1.0, phasor(-order[1] * one.panels.angle)
+                waves = np.multiply.accumulate(waves, axis=0)
+                # A sum and no matrix product, for which threads would be woken.
+                own = share * np.sum(waves * (np.sum(one.values, axis=0) * one.panels.weight), axis=-1)
                 found[design] += own * np.sum(phasor(-order * one.starts[:, np.newaxis]), axis=0)
         return found
 

@@ -2,7 +2,7 @@
 
 from cranktrain.numerics.extremes import Extremes, extremes, largest, smallest, turning_points
 from cranktrain.numerics.panels import Panels, integral_to, panels
-from cranktrain.numerics.pieces import Peak, Peaks, extremes_between, largest_between
+from cranktrain.numerics.pieces import Peak, largest_between
 from cranktrain.numerics.roots import Curve, bracketed_roots, near_roots
 from cranktrain.numerics.series import (
     DERIVATIVES_LIMIT,
@@ -20,11 +20,9 @@ __all__ = [
     "Extremes",
     "Panels",
     "Peak",
-    "Peaks",
     "bracketed_roots",
     "derivatives_residual",
     "extremes",
-    "extremes_between",
     "integral_to",
     "largest",
     "largest_between",

@@ -92,7 +92,7 @@ def integral_to(of: Panels, values: Array, angle: Array) -> Array:
     turns = np.floor((angle - of.start[0]) / period)
     inside = angle - turns * period
     # The first panel begins where the period does.
-    panel: NDArray[np.intp] = np.searchsorted(of.start[1:], inside, side="right")
+    panel = np.asarray(np.searchsorted(of.start[1:], inside, side="right"), dtype=np.intp)
     whole = np.add.reduceat(values * of.weight, of.first, axis=-1)
     before = np.cumsum(whole, axis=-1) - whole
     total = before[..., panel] + turns * np.sum(whole, axis=-1, keepdims=True)

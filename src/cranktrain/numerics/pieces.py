@@ -1,10 +1,9 @@
-"""Extremes of curves that are smooth between known breaks only: kinks and jumps, of gas and of friction.
+"""Largest values of curves that are smooth between known breaks only: kinks and jumps, of gas and of friction.
 
 A grid shows near which of its points a peak stands; about each of these the curve is laid through Chebyshev's points of
 every piece between breaks, so that nothing is smoothed across one, and an end of a piece is the limit from its side.
 """
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -33,7 +32,7 @@ _MOST = 48
 
 
 class Peak(NamedTuple):
-    """An extreme of each curve, shapes (..., 1): where [rad], how much, and on which side of a jump.
+    """Largest value of each curve, shapes (..., 1): where [rad], how much, and on which side of a jump.
 
     side is 1 where the value is the limit from just after the angle, −1 from just before it, 0 where both are one.
     """
@@ -43,15 +42,8 @@ class Peak(NamedTuple):
     side: Array
 
 
-class Peaks(NamedTuple):
-    """Smallest and largest value of each curve."""
-
-    smallest: Peak
-    largest: Peak
-
-
-def extremes_between(curve: Curve, grid: Array, samples: Array, breaks: Array | None) -> Peaks:
-    """Smallest and largest value of each curve over its period.
+def largest_between(curve: Curve, grid: Array, samples: Array, breaks: Array | None) -> Peak:
+    """Largest value of each curve over its period.
 
     Parameters
     ----------
@@ -66,37 +58,21 @@ def extremes_between(curve: Curve, grid: Array, samples: Array, breaks: Array | 
 
     Returns
     -------
-    Peaks, shapes (..., 1)
+    Peak, shapes (..., 1)
         An angle may lie a step beside the grid's period. Of alike peaks the first one in the period. NaN where the
         curve is NaN all over, or about its highest points.
     """
-    found = _found(curve, grid, samples, breaks, (-1.0, 1.0))
-    return Peaks(*(Peak(*(part[place] for part in found)) for place in range(2)))
-
-
-def largest_between(curve: Curve, grid: Array, samples: Array, breaks: Array | None) -> Peak:
-    """Largest value of each curve; as `extremes_between`."""
-    return Peak(*(part[0] for part in _found(curve, grid, samples, breaks, (1.0,))))
-
-
-def _found(curve: Curve, grid: Array, samples: Array, breaks: Array | None, signs: Sequence[float]) -> Peak:
-    """Largest value of each curve times each of some signs, given as the curve's own, shape (sign, ..., 1)."""
     shape, n_points = samples.shape[:-1], samples.shape[-1]
     step = float(grid[1] - grid[0])
-    scale = np.tile(np.fmax.reduce(np.abs(samples), axis=-1, initial=0.0).reshape(-1, 1), (len(signs), 1))
-    sign = np.repeat(signs, len(scale) // len(signs))[:, np.newaxis]
-    known = np.fmax(sign * np.tile(samples.reshape(-1, n_points), (len(signs), 1)), -np.inf)
+    known = np.fmax(samples.reshape(-1, n_points), -np.inf)
+    scale = np.fmax.reduce(np.abs(samples), axis=-1, initial=0.0).reshape(-1, 1)
     own_breaks = _own_breaks(breaks, shape)
-    near = np.tile(_near_breaks(own_breaks, grid, n_points), (len(signs), 1))
-    centre = grid[_places(known, scale, near)]
-    edges = _edges(np.tile(own_breaks, (len(signs), 1)), centre, step, n_points)
+    centre = grid[_places(known, scale, _near_breaks(own_breaks, grid, n_points))]
+    edges = _edges(own_breaks, centre, step, n_points)
     half, middle = np.diff(edges, axis=-1) / 2, (edges[..., 1:] + edges[..., :-1]) / 2
     asked = (centre[..., np.newaxis] + middle)[..., np.newaxis] + half[..., np.newaxis] * _NODES
     with np.errstate(all="ignore"):
-        # All that is asked of one curve stands side by side.
-        together = np.moveaxis(asked.reshape(len(signs), *shape, -1), 0, -2)
-        given = curve(together.reshape(*shape, -1)).reshape(together.shape)
-        found = sign[..., np.newaxis, np.newaxis] * np.moveaxis(given, -2, 0).reshape(asked.shape)
+        found = curve(asked.reshape(*shape, -1)).reshape(asked.shape)
         is_known = np.max(known, axis=-1)[:, np.newaxis, np.newaxis] > -np.inf
         is_piece = is_known & (half > 0.0) & ~np.any(np.isnan(found), axis=-1)
         base = found[..., _N_NODES // 2]
@@ -108,7 +84,7 @@ def _found(curve: Curve, grid: Array, samples: Array, breaks: Array | None, sign
         angle = centre[..., np.newaxis] + middle + half * way
         side = _sides(way, base, powers, is_piece, scale[..., np.newaxis])
     best = _first_of_the_best(angle, top, side, scale, step * n_points)
-    return Peak(*(part.reshape(len(signs), *shape, 1) for part in (best.angle, sign * best.value, best.side)))
+    return Peak(*(part.reshape(*shape, 1) for part in best))
 
 
 def _own_breaks(breaks: Array | None, shape: tuple[int, ...]) -> Array:
