@@ -27,6 +27,7 @@ from cranktrain.engine.frame_forces import frame_forces
 from cranktrain.engine.gas import gas_in_chambers, gas_pressures
 from cranktrain.engine.gas_events import gas_events
 from cranktrain.engine.guides import guide_edges
+from cranktrain.engine.largest_forces import largest_forces
 from cranktrain.engine.load_curve import load_torque
 from cranktrain.engine.motion import piston_motion, piston_speeds
 from cranktrain.engine.opposed import combined_motion, combined_speeds, volumetric_dead_centres
@@ -159,6 +160,7 @@ STAGES: tuple[Stage, ...] = tuple(
         loaded_machine,
         solved_cycle,
         piston_force_set,
+        largest_forces,
         rod_methods,
         crank_pin_loads,
         shaft_torques,
