@@ -12,7 +12,7 @@ from cranktrain.language import N_, _
 from cranktrain.linkage import Crank, crank
 from cranktrain.linkage.forces import crank_link
 from cranktrain.loads.crank_pin import PinLoad, pin_load, with_rotating_mass
-from cranktrain.loads.rod_masses import two_masses
+from cranktrain.loads.rod_masses import weighed_ends
 from cranktrain.motion import ONE, Array
 from cranktrain.record import record
 from cranktrain.wording import Names, number
@@ -129,7 +129,7 @@ def crank_pin_loads(
         _fill(whole, group, load)
         if pin.has_rod:
             size = group.members.geometry
-            rotating = two_masses(loaded.masses.groups[pin.group].bodies.rod, size.rod_length).first
+            rotating = weighed_ends(loaded.masses.groups[pin.group].bodies.rod, size.rod_length).first
             _fill(without, group, with_rotating_mass(load, -rotating, radius, loaded.speed.drive(phi)))
     shares = _shares(whole, loaded, solved, phi)
     largest, at = largest_on_grid(np.hypot(*whole), crank_angle)

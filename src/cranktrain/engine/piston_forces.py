@@ -24,7 +24,7 @@ from cranktrain.loads.piston import (
     rod_forces,
     two_harmonic_inertia_force,
 )
-from cranktrain.loads.rod_masses import TwoMasses, two_masses
+from cranktrain.loads.rod_masses import TwoMasses, weighed_ends
 from cranktrain.mechanisms.kind import Role
 from cranktrain.motion import Array
 from cranktrain.record import record
@@ -57,9 +57,9 @@ def direct_groups(loaded: LoadedMachine) -> Iterator[tuple[int, Group]]:
 
 
 class _Rods(NamedTuple):
-    """Rods of one kind of mechanism, each in a piston: motion, joints, masses at both ends, and which pistons.
+    """Rods of one kind of mechanism, each in a piston: motion, joints, shares at both ends, and which pistons.
 
-    reciprocating is the piston's mass with the rod's share.
+    weight is the rod's; aside its first moment across its line; reciprocating the piston's mass with the rod's share.
     """
 
     group: Group
@@ -67,8 +67,14 @@ class _Rods(NamedTuple):
     joints: Sequence[Wrench]
     masses: TwoMasses
     weight: Wrench
+    aside: Array
     reciprocating: Array
     piston: NDArray[np.intp]
+
+    @property
+    def pins(self) -> tuple[Wrench, Wrench]:
+        """Reactions in the rod's pins: on it at the crank or a master's rod, by it on the piston."""
+        return self.joint("crank_pin", "knuckle_pin"), self.joint("piston_pin")
 
     def joint(self, *roles: Role) -> Wrench:
         """Reaction in the mechanism's own joint with the first of some roles that any has."""
@@ -81,13 +87,14 @@ def _rods(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[_Rods]:
     for group, one, made in zip(loaded.mechanisms.groups, solved.groups, loaded.masses.groups, strict=True):
         if group.kind.has_rod and group.kind.output == "slider":
             rod = made.bodies.rod
-            masses = two_masses(rod, group.members.geometry.rod_length)
+            masses = weighed_ends(rod, group.members.geometry.rod_length)
             yield _Rods(
                 group,
                 one.motion,
                 one.forces.joints,
                 masses,
                 Wrench(rod.mass * made.gravity.x, rod.mass * made.gravity.y, 0.0 * rod.mass),
+                rod.mass * rod.across,
                 made.bodies.slider.mass + masses.second,
                 loaded.carriers.piston[group.index],
             )
@@ -152,8 +159,7 @@ def piston_force_set(
     for one in _rods(loaded, solved):
         pressed: Array | float = 0.0 if gas is None else gas.gas_force[:, one.piston]
         pulled = inertia_force(one.motion.slider, one.reciprocating, drive)
-        pins = (one.joint("crank_pin", "knuckle_pin"), one.joint("piston_pin"))
-        found = rod_forces(one.motion.rod, one.motion.slider, pins, one.masses, drive)
+        found = rod_forces(one.motion.rod, one.motion.slider, one.pins, one.masses, drive)
         along.append((one, found))
         exact = (pulled, pressed + pulled, one.joint("guide").y, found.at_piston, *_at_pin(one.group, found, crank_pins))
         _fill(curves[:, :, 0], one.piston, exact)
@@ -164,7 +170,7 @@ def piston_force_set(
                 piston, side, rod, *pin = taken
                 _fill(curves[:, :, method], one.piston, (pulled, piston, side, rod, rod, *pin))
                 residuals.append(_formula_residual(taken, one))
-    return PistonForceSet(*curves, checks=tuple(_checks(residuals, _rod_residual(loaded, along))))
+    return PistonForceSet(*curves, checks=tuple(_checks(residuals, _rod_residual(loaded, along, drive))))
 
 
 def _fill(curves: Array, piston: NDArray[np.intp], values: Sequence[Array]) -> None:
@@ -207,7 +213,7 @@ def _checks(formula: Sequence[Array], rods: Array) -> Iterator[Check]:
         )
     yield Check(
         "rod_forces",
-        _("Force along a rod at one pin against that at the other and what slaves do between, relative to its peak"),
+        _("Force along a rod at one pin against that at the other and what acts between, relative to what its pins bear"),
         rods,
         _LIMIT,
     )
@@ -227,10 +233,10 @@ def _formula_residual(forces: PistonForces, one: _Rods) -> Array:
     return np.max(np.where(np.isnan(parts), 0.0, parts), axis=(0, 2))
 
 
-def _rod_residual(loaded: LoadedMachine, along: Sequence[tuple[_Rods, RodForces]]) -> Array:
-    """Largest difference of the forces at both ends of a rod, less what acts between, over their peak, shape (design,).
+def _rod_residual(loaded: LoadedMachine, along: Sequence[tuple[_Rods, RodForces]], drive: Drive) -> Array:
+    """Largest difference of the forces at both ends of a rod, less what acts between, over what its pins bear.
 
-    What slaves hand over is taken from their own knuckle pins.
+    What slaves hand over is taken from their own knuckle pins. Shape (design,).
     """
     top, master = loaded.mechanisms.nominal_top, loaded.carriers.master
     shape = (*top.shape[:2], along[0][1].at_piston.shape[-1])
@@ -247,8 +253,9 @@ def _rod_residual(loaded: LoadedMachine, along: Sequence[tuple[_Rods, RodForces]
     worst = [np.zeros(len(top))]
     for one, found in along:
         rod, index = one.motion.rod, one.group.index
+        turning = rod.angle.second * (drive.speed * drive.speed) + rod.angle.first * drive.acceleration
         between = (one.weight.x - x[:, index]) * rod.cos + (one.weight.y - y[:, index]) * rod.sin
-        peak = np.max(np.maximum(np.abs(found.at_piston), np.abs(found.at_crank)), axis=-1)
-        off = np.max(np.abs(found.at_crank - found.at_piston + between), axis=-1) / np.where(peak > 0, peak, 1.0)
+        peak = np.max([np.max(np.hypot(pin.x, pin.y), axis=-1) for pin in one.pins], axis=0)
+        off = np.max(np.abs(found.at_crank - found.at_piston + between + one.aside * turning), axis=-1) / np.where(peak > 0, peak, 1.0)
         worst.append(np.max(np.where(np.isnan(off), 0.0, off), axis=-1))
     return np.max(worst, axis=0)
