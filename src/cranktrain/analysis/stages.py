@@ -22,11 +22,13 @@ from cranktrain.engine.evenness import flywheel_moment, running_speed, shaft_wor
 from cranktrain.engine.firing import firing
 from cranktrain.engine.flywheel import flywheel_size, rim_size
 from cranktrain.engine.followed import link_motion, slider_motions
-from cranktrain.engine.forces import joint_forces, loaded_machine, mechanism_torques, solved_cycle
+from cranktrain.engine.force_events import force_events
+from cranktrain.engine.forces import loaded_machine, mechanism_torques, solved_cycle
 from cranktrain.engine.frame_forces import frame_forces
 from cranktrain.engine.gas import gas_in_chambers, gas_pressures
 from cranktrain.engine.gas_events import gas_events
 from cranktrain.engine.guides import guide_edges
+from cranktrain.engine.joint_forces import joint_forces
 from cranktrain.engine.largest_forces import largest_forces
 from cranktrain.engine.load_curve import load_torque
 from cranktrain.engine.motion import piston_motion, piston_speeds
@@ -159,6 +161,7 @@ STAGES: tuple[Stage, ...] = tuple(
         brake_powers,
         loaded_machine,
         solved_cycle,
+        force_events,
         piston_force_set,
         largest_forces,
         rod_methods,

@@ -1,7 +1,7 @@
 """Forces in every joint of a machine, and the torque that its mechanisms give to the shaft."""
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import field
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -13,20 +13,15 @@ from cranktrain.engine.gas import GasInChambers, GasPressures
 from cranktrain.engine.guide_tables import Edges
 from cranktrain.engine.layout import CrankAngle, Mechanisms, Speed
 from cranktrain.engine.masses import Masses
-from cranktrain.engine.part_tables import part_name
 from cranktrain.engine.places import Place
 from cranktrain.language import N_, _
-from cranktrain.linkage.forces import Conditions, Friction, Wrench, added, torque_by_work
+from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench, added, torque_by_work
 from cranktrain.motion import Array, Coefficient, single
 from cranktrain.record import record
-from cranktrain.wording import ranged
 
-_JOINT = ("joint", "crank_angle")
 _MECHANISM = ("mechanism", "crank_angle")
 _THEORY = "docs/theory/forces"
 _TORQUES_LIMIT = 1e-12
-_NO_ARM = 1e-9
-"""Moment over force of which a guide is said to bear none. [m]"""
 _MASTER = "slider_crank"
 """Kind of what slaves hang on."""
 
@@ -47,6 +42,12 @@ class Carriers:
 
     master: NDArray[np.intp]
     piston: NDArray[np.intp]
+
+    @property
+    def driven(self) -> NDArray[np.intp]:
+        """Which mechanism drives each piston, shape (piston,)."""
+        found = np.flatnonzero(self.piston >= 0)
+        return found[np.argsort(self.piston[found])]
 
 
 def carriers_of(places: Sequence[Place]) -> Carriers:
@@ -111,7 +112,8 @@ class LoadedMachine:
     def motions(self, angle: Array) -> tuple[Any, ...]:
         """Motion of every mechanism at crank angles φ [rad], in the order of `mechanisms.groups`."""
         return tuple(
-            group.kind.motion(angle + group.members.phase, group.members.geometry) for group in self.mechanisms.groups
+            group.kind.motion(_own(angle, group.index) + group.members.phase, group.members.geometry)
+            for group in self.mechanisms.groups
         )
 
     def solved(
@@ -126,8 +128,9 @@ class LoadedMachine:
 
         Parameters
         ----------
-        angle : Array, shape (n,) or (design, 1, n)
-            φ. [rad]
+        angle : Array, shape (n,), (design, 1, n) or (design, mechanism, n)
+            φ, the same for all mechanisms or one for each; those that hang on one rod or share a chamber have the same.
+            [rad]
         friction_sense : float, optional
             +1 or −1 for the value on either side of a standstill; of each slider's own velocity unless given.
         gas_force : Array, shape (design, piston, n), optional
@@ -142,7 +145,7 @@ class LoadedMachine:
         """
         moving = self.motions(angle) if motions is None else motions
         toward = self._gas_force(angle, moving) if gas_force is None else gas_force
-        drive = self.speed.drive(angle)
+        drives = self.speed.drive(angle)
         on_rods: dict[int, Wrench] = {}
         found: dict[int, SolvedGroup] = {}
         groups = list(enumerate(self.mechanisms.groups))
@@ -159,6 +162,7 @@ class LoadedMachine:
                 _friction(group.kind.part(motion, name), coefficient, edges, friction_sense)
                 for name, coefficient, edges in zip(dynamics.sliding, made.friction, made.edges, strict=True)
             )
+            drive = Drive(*(_own(part, group.index) for part in drives))
             conditions = Conditions(drive, made.gravity, friction)
             forces = dynamics.forces(motion, size, made.bodies, borne, conditions)
             found[place] = SolvedGroup(motion, loads, conditions, forces)
@@ -170,23 +174,70 @@ class LoadedMachine:
                     on_rods[master] = Wrench(*map(np.add, on_rods[master], own)) if master in on_rods else own
         return tuple(found[place] for place, _group in groups)
 
+    @cached_property
+    def sharing(self) -> NDArray[np.intp]:
+        """One number for all mechanisms that hang on one rod or share a chamber, shape (mechanism,)."""
+        label = np.arange(len(self.mechanisms.names), dtype=np.intp)
+        pairs = [(slave, master) for slave, master in enumerate(self.carriers.master.tolist()) if master >= 0]
+        if self.gas is not None:
+            driven, works = self.carriers.driven, np.any(self.gas.chambers.areas != 0.0, axis=0)
+            pairs += [(driven[np.argmax(own)], other) for own in works.T for other in driven[own].tolist()]
+        for one, other in pairs:
+            label[label == label[one]] = label[other]
+        return label
+
+    def of_each(self, rows: NDArray[np.intp], angle: Array, pick: Callable[[tuple[SolvedGroup, ...]], Array]) -> Array:
+        """Solve the machine where each of some curves is asked for, at angles of its own.
+
+        Parameters
+        ----------
+        rows : array of int, shape (curve,)
+            Of which mechanism each curve is.
+        angle : Array, shape (design, curve, n)
+            φ. [rad]
+        pick : callable
+            From what `solved` gives to all curves, shape (design, curve, …).
+
+        Returns
+        -------
+        Array, shape (design, curve, n)
+
+        Notes
+        -----
+        Mechanisms that have nothing to do with each other are asked at different angles at once.
+        """
+        label = self.sharing[rows]
+        place = np.array([np.count_nonzero(label[:row] == own) for row, own in enumerate(label)], dtype=np.intp)
+        n_places, n_angles = int(np.max(place)) + 1, angle.shape[-1]
+        asked = np.zeros((len(angle), len(self.sharing), n_places, n_angles))
+        for row, own in enumerate(label.tolist()):
+            asked[:, self.sharing == own, place[row]] = angle[:, [row]]
+        found = pick(self.solved(asked.reshape(*asked.shape[:2], -1)))
+        return found.reshape(*found.shape[:2], n_places, n_angles)[:, np.arange(len(rows)), place]
+
     def _gas_force(self, angle: Array, motions: Sequence[Any]) -> Array | None:
         """Force of the gas on every piston toward its shaft, shape (design, piston, n); None without gas."""
         if self.gas is None:
             return None
-        n_pistons = np.count_nonzero(self.carriers.piston >= 0)
-        slider = np.empty((3, len(self.speed.value), n_pistons, angle.shape[-1]))
+        driven = self.carriers.driven
+        slider = np.empty((3, len(self.speed.value), len(driven), angle.shape[-1]))
         for group, motion in zip(self.mechanisms.groups, motions, strict=True):
             piston = self.carriers.piston[group.index]
             if piston[0] >= 0:
                 for part, values in zip(slider, motion.slider, strict=True):
                     part[:, piston] = values
-        return self.gas.force(self.gas.pressure(angle, self.gas.volume_by(Coefficient(*slider))))
+        by_chamber = _own(angle, driven[self.gas.chambers.leading])
+        return self.gas.force(self.gas.pressure(by_chamber, self.gas.volume_by(Coefficient(*slider))))
 
     def _pressing(self, index: NDArray[np.intp], toward: Array | None) -> Array:
         """Force along the output of each of some mechanisms, away from the shaft, shape (design, member, n)."""
         piston = self.carriers.piston[index]
         return np.zeros((1, 1, 1)) if toward is None or piston[0] < 0 else -toward[:, piston]
+
+
+def _own(values: Array, index: NDArray[np.intp]) -> Array:
+    """What some mechanisms have of values (n,), (design, 1, n) for all, or (design, mechanism, n) for each."""
+    return values[:, index] if values.ndim == 3 and values.shape[1] > 1 else values
 
 
 def _friction(slider: Coefficient, coefficient: Array, edges: Edges, sense: float | None) -> Friction:
@@ -247,107 +298,6 @@ class SolvedCycle:
 def solved_cycle(loaded: LoadedMachine, crank_angle: CrankAngle, gas: GasPressures | None) -> SolvedCycle:
     """Solve the machine on its grid."""
     return SolvedCycle(loaded.solved(crank_angle.angle, gas_force=None if gas is None else gas.gas_force))
-
-
-@record
-class JointForces:
-    """Reaction in every joint, in the axes of its mechanism."""
-
-    joint_force_x: Array = quantity("F_x", "N", _JOINT, N_("Force in the joint along its mechanism's x"), _THEORY)
-    joint_force_y: Array = quantity("F_y", "N", _JOINT, N_("Force in the joint along its mechanism's y"), _THEORY)
-    joint_moment: Array = quantity(
-        "M_J", "N*m", _JOINT, N_("Moment in the joint: of a guide on what slides in it, about its pin"), _THEORY
-    )
-    largest_joint_force: Array = quantity(
-        "F_max", "N", ("joint",), N_("Largest force in the joint on the grid of crank angles"), _THEORY
-    )
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"joint": ()})
-    flags: tuple[str, ...] = ()
-
-
-def joint_forces(loaded: LoadedMachine, solved: SolvedCycle) -> JointForces:
-    """Reactions of all joints; a master's hold what its slaves do to it."""
-    names: list[str] = []
-    order: list[int] = []
-    given: list[tuple[Wrench, range]] = []
-    for group, one in zip(loaded.mechanisms.groups, solved.groups, strict=True):
-        dynamics = group.kind.dynamics
-        for reaction, joint in zip(dynamics.reactions, one.forces.joints, strict=True):
-            if reaction.on not in dynamics.moving:
-                continue  # a slave's share of its master's, which has it already
-            given.append((joint, range(len(names), len(names) + len(group.index))))
-            names += [f"{loaded.mechanisms.names[mechanism]}.{reaction.name}" for mechanism in group.index.tolist()]
-            order += group.index.tolist()
-    sequence: list[int] = np.argsort(order, kind="stable").tolist()
-    row = np.argsort(sequence)
-    n_designs, _n_members, n_angles = solved.groups[0].forces.driving_torque.shape
-    x, y, moment = parts = np.empty((3, n_designs, len(names), n_angles))
-    largest = np.empty(x.shape[:-1])
-    for joint, joints in given:
-        for part, values in zip(parts, joint, strict=True):
-            part[:, row[joints]] = values
-        largest[:, row[joints]] = np.sqrt(np.max(joint.x * joint.x + joint.y * joint.y, axis=-1))
-    return JointForces(
-        joint_force_x=x,
-        joint_force_y=y,
-        joint_moment=moment,
-        largest_joint_force=largest,
-        labels={"joint": tuple(names[i] for i in sequence)},
-        flags=(*_flags(loaded.masses), *(_friction_flags(loaded, solved) if loaded.masses.has_friction else ())),
-    )
-
-
-def _flags(masses: Masses) -> Iterator[str]:
-    """Mind what has no mass, and rods whose inertia is assumed."""
-    if masses.weightless:
-        yield _("Without mass: {parts}.").format(parts=", ".join(masses.weightless))
-    if masses.doubtful:
-        yield _(
-            "The inertia of {parts} is hardly that of a link of such mass and length:"
-            " is it in kg·m², about the centroid?"
-        ).format(parts=", ".join(masses.doubtful))
-    if masses.assumed:
-        yield _(
-            "Inertia of two masses at its ends is taken for {parts}; of measured rods it is from 3 % less to 22 % more."
-        ).format(parts=", ".join(masses.assumed))
-
-
-def _friction_flags(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
-    """Mind on what friction is counted, and whether it lets the machine turn."""
-    yield from _moments_without_length(loaded, solved)
-    yield from _wedged(loaded, solved)
-
-
-def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
-    """Mind what rubs in a guide that carries a moment, where no length says on which edges."""
-    parts: list[str] = []
-    for group, one, made in zip(loaded.mechanisms.groups, solved.groups, loaded.masses.groups, strict=True):
-        dynamics = group.kind.dynamics
-        joints = dict(zip((reaction.name for reaction in dynamics.reactions), one.forces.joints, strict=True))
-        for place, (name, contact) in enumerate(zip(dynamics.sliding, dynamics.contacts, strict=True)):
-            wrench, rubs = joints[contact.joint], (made.friction[place] > 0) & (made.edges[place].per_length == 0)
-            turned = np.abs(wrench.moment) > _NO_ARM * np.max(np.hypot(wrench.x, wrench.y), axis=-1, keepdims=True)
-            found = np.any(turned & rubs, axis=(0, 2))
-            parts += [f"{loaded.mechanisms.names[i]}.{part_name(name)}" for i in group.index[found].tolist()]
-    if parts:
-        yield _(
-            "A moment acts where {parts} slides, and the guide's length is not given:"
-            " friction is counted on the normal force alone."
-        ).format(parts=", ".join(parts))
-
-
-def _wedged(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
-    """Mind mechanisms that move freely without friction and have no forces with it."""
-    stuck: list[int] = []
-    for group, one, made in zip(loaded.mechanisms.groups, solved.groups, loaded.masses.groups, strict=True):
-        for name, coefficient in zip(group.kind.dynamics.sliding, made.friction, strict=True):
-            moves = ~np.isnan(group.kind.part(one.motion, name).first)
-            found = (coefficient > 0) & moves & np.isnan(one.forces.driving_torque)
-            stuck += group.index[np.any(found, axis=(0, 2))].tolist()
-    if stuck:
-        yield _(
-            "Friction wedges {mechanisms}: at some crank angles nothing can turn the shaft, and there are no forces."
-        ).format(mechanisms=ranged(loaded.mechanisms.names, sorted(set(stuck))))
 
 
 @record

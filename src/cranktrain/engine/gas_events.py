@@ -20,8 +20,8 @@ class GasEvents:
 
     Attributes
     ----------
-    angle : Array, shape (design, event)
-        φ of all dead centres and kinks in a cycle; NaN for none. [rad]
+    angle : Array, shape (design, chamber, event)
+        φ of each chamber's dead centres, kinks and ends of pieces of a measured card in a cycle; NaN for none. [rad]
     least : Coefficient, shape (design, distinct, 1)
         Volume of the gas's distinct chambers at their firing. [m³, m³/rad, m³/rad²]
     """
@@ -34,10 +34,19 @@ def gas_events(gas: GasInChambers, travel: CylinderTravel) -> GasEvents:
     """Find dead centres and kinks of all chambers."""
     firing, opposite = gas.dead_centres(travel)
     turns = 2 * np.pi * np.arange(round(gas.cycle / (2 * np.pi)))
-    centres = np.concatenate([firing, opposite], axis=-1)[..., np.newaxis] + turns
     least = _volume_at(gas, firing[:, gas.distinct, np.newaxis], gas.distinct)
-    angle = np.concatenate([centres.reshape(len(centres), -1), _kinks(gas, firing, least)], axis=-1)
-    return GasEvents(angle, least)
+    return GasEvents(
+        np.concatenate(
+            [
+                firing[..., np.newaxis] + turns,
+                opposite[..., np.newaxis] + turns,
+                _kinks(gas, firing, least),
+                gas.firing + _breaks(gas),
+            ],
+            axis=-1,
+        ),
+        least,
+    )
 
 
 def _volume_at(gas: GasInChambers, angle: Array, places: Sequence[int]) -> Coefficient:
@@ -46,12 +55,12 @@ def _volume_at(gas: GasInChambers, angle: Array, places: Sequence[int]) -> Coeff
 
 
 def _kinks(gas: GasInChambers, firing: Array, least: Coefficient) -> Array:
-    """φ of the kinks of all chambers, by Halley's method from the dead centre, shape (design, chamber · kink). [rad]"""
+    """φ of the kinks of all chambers, by Halley's method from the dead centre, shape (design, chamber, kink). [rad]"""
     told = _told_kinks(gas)
     places = [place for place in gas.distinct for _kink in range(told.shape[-1])]
     volume, sense, turn = told.reshape(3, len(firing), -1)[..., np.newaxis]
     if volume.size == 0:
-        return volume[..., 0]
+        return np.empty((*firing.shape, 0))
     centre = firing[:, places, np.newaxis]
     # Near the dead centre the volume is a parabola.
     smallest, curvature = (np.repeat(part, told.shape[-1], axis=1) for part in (least.value, least.second))
@@ -66,7 +75,20 @@ def _kinks(gas: GasInChambers, firing: Array, least: Coefficient) -> Array:
     after = np.where(turn > 0, 0.0, 2 * np.pi) + sense * away
     each = after.reshape(len(firing), len(gas.distinct), -1)
     design = np.arange(len(firing))[:, np.newaxis]
-    return (firing[..., np.newaxis] + each[design, gas.origin]).reshape(len(firing), -1)
+    return firing[..., np.newaxis] + each[design, gas.origin]
+
+
+def _breaks(gas: GasInChambers) -> Array:
+    """Where the pieces of measured cards meet, from nominal firing, shape (design, chamber, break): NaN fills up."""
+    told = [
+        [np.empty(0) if kind.breaks is None else kind.breaks(model) for model in models]
+        for kind, models in ((kind_of(spec), models) for spec, models in zip(gas.specs, gas.models, strict=True))
+    ]
+    filled = np.full((*gas.firing.shape[:2], max(own.size for of_design in told for own in of_design)), np.nan)
+    for design, of_design in enumerate(told):
+        for place, own in enumerate(of_design):
+            filled[design, place, : own.size] = own
+    return filled
 
 
 def _told_kinks(gas: GasInChambers) -> Array:

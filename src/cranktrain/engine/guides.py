@@ -1,20 +1,23 @@
 """Edges of guides: what each of them presses, of what slides in a guide whose length is given."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import field
 from typing import ClassVar, NamedTuple
 
 import numpy as np
 
 from cranktrain.catalogue import quantity
+from cranktrain.engine.edges import edges_of
+from cranktrain.engine.force_events import ForceEvents
+from cranktrain.engine.force_peaks import largest_of_each, one_sided
 from cranktrain.engine.forces import LoadedMachine, SolvedCycle, SolvedGroup
 from cranktrain.engine.guide_tables import bearing_moments
-from cranktrain.engine.layout import Group
+from cranktrain.engine.layout import CrankAngle
 from cranktrain.engine.masses import Masses
 from cranktrain.engine.part_tables import part_name
 from cranktrain.engine.places import Place
-from cranktrain.language import N_
-from cranktrain.linkage.forces import EdgeForces, edge_forces
+from cranktrain.language import N_, _
+from cranktrain.linkage.forces import EdgeForces
 from cranktrain.motion import Array
 from cranktrain.record import record
 
@@ -75,58 +78,85 @@ class GuideEdges:
         "N_max",
         "N",
         ("guide",),
-        N_("Largest normal force of an edge of the guide on the grid of crank angles"),
+        N_("Largest normal force of an edge of the guide"),
         _THEORY,
     )
+    largest_guide_edge_force_at: Array = quantity(
+        "φ(N_max)", "deg", ("guide",), N_("Crank angle of the largest normal force of an edge of the guide"), _THEORY
+    )
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"guide": ()})
+    flags: tuple[str, ...] = ()
 
 
 class _Guide(NamedTuple):
-    """One mechanism's guide: its name, and what its edges press, shape (design, n)."""
+    """One mechanism's guide: its name; the mechanism; its group, member and place among what slides in the kind."""
 
-    mechanism: int
     name: str
-    edges: EdgeForces
+    mechanism: int
+    group: int
+    member: int
+    place: int
 
 
 def guide_edges(
-    _guides: MomentGuides, _given: GuidesWithLength, loaded: LoadedMachine, solved: SolvedCycle
+    _guides: MomentGuides,
+    _given: GuidesWithLength,
+    loaded: LoadedMachine,
+    solved: SolvedCycle,
+    events: ForceEvents,
+    crank_angle: CrankAngle,
 ) -> GuideEdges:
     """Forces of the edges, from the reaction in each guide. docs/theory/forces, eq. (13.43)."""
-    groups = zip(loaded.mechanisms.groups, solved.groups, loaded.masses.groups, strict=True)
-    guides = sorted(
-        (
-            guide._replace(name=f"{loaded.mechanisms.names[guide.mechanism]}.{guide.name}")
-            for group, one, made in groups
-            for guide in _of_group(group, one, [np.asarray(edges.per_length) for edges in made.edges])
-        ),
-        key=lambda guide: guide.mechanism,
+    guides = _with_length(loaded)
+    ahead, behind = found = _pressing(loaded, guides, solved.groups)
+    largest = largest_of_each(
+        loaded,
+        events,
+        crank_angle,
+        np.array([guide.mechanism for guide in guides], dtype=np.intp),
+        _larger(found),
+        lambda groups: _larger(_pressing(loaded, guides, groups)),
     )
-    ahead, behind = (np.stack([guide.edges[edge] for guide in guides], axis=1) for edge in range(2))
-    sizes = np.abs(ahead), np.abs(behind)
+    names = tuple(guide.name for guide in guides)
     return GuideEdges(
         guide_edge_force_ahead=ahead,
         guide_edge_force_behind=behind,
-        guide_pressing=sizes[0] + sizes[1],
-        largest_guide_edge_force=np.max(np.maximum(*sizes), axis=-1),
-        labels={"guide": tuple(guide.name for guide in guides)},
+        guide_pressing=np.abs(ahead) + np.abs(behind),
+        largest_guide_edge_force=largest.value,
+        largest_guide_edge_force_at=largest.angle,
+        labels={"guide": names},
+        flags=tuple(one_sided([(_("largest force of an edge of"), largest)], names)),
     )
 
 
-def _of_group(group: Group, one: SolvedGroup, per_length: list[Array]) -> Iterator[_Guide]:
-    """Guides with a length of the mechanisms of one kind."""
-    dynamics = group.kind.dynamics
-    links = dict(zip(dynamics.moving, dynamics.links(one.motion, group.members.geometry), strict=True))
-    names = [reaction.name for reaction in dynamics.reactions]
-    shape = one.forces.driving_torque.shape
-    for place, (name, contact) in enumerate(zip(dynamics.sliding, dynamics.contacts, strict=True)):
-        if not np.any(per_length[place]):
-            continue
-        link, wrench = links[name], one.forces.joints[names.index(contact.joint)]
-        friction = one.conditions.friction[place]
-        normal = contact.way * (link.cos * wrench.y - link.sin * wrench.x)
-        found = edge_forces(normal, wrench.moment, friction.per_length, friction.middle)
-        ahead, behind = (np.broadcast_to(edge, shape) for edge in found)
-        for member, mechanism in enumerate(group.index.tolist()):
-            if per_length[place][0, member, 0]:
-                yield _Guide(mechanism, part_name(name), EdgeForces(ahead[:, member], behind[:, member]))
+def _with_length(loaded: LoadedMachine) -> list[_Guide]:
+    """Guides with a length, mechanism by mechanism."""
+    groups = enumerate(zip(loaded.mechanisms.groups, loaded.masses.groups, strict=True))
+    found = [
+        _Guide(f"{loaded.mechanisms.names[mechanism]}.{part_name(name)}", mechanism, number, member, place)
+        for number, (group, made) in groups
+        for place, (name, edges) in enumerate(zip(group.kind.dynamics.sliding, made.edges, strict=True))
+        if np.any(edges.per_length)
+        for member, mechanism in enumerate(group.index.tolist())
+        if np.asarray(edges.per_length)[0, member, 0]
+    ]
+    return sorted(found, key=lambda guide: guide.mechanism)
+
+
+def _pressing(loaded: LoadedMachine, guides: Sequence[_Guide], solved: Sequence[SolvedGroup]) -> EdgeForces:
+    """What both edges of every guide press, shape (design, guide, n)."""
+    made = {
+        (guide.group, guide.place): edges_of(loaded.mechanisms.groups[guide.group], solved[guide.group], guide.place)
+        for guide in guides
+    }
+    return EdgeForces(
+        *(
+            np.stack([made[guide.group, guide.place][edge][:, guide.member] for guide in guides], axis=1)
+            for edge in range(2)
+        )
+    )
+
+
+def _larger(edges: EdgeForces) -> Array:
+    """What the edge presses that presses more."""
+    return np.maximum(np.abs(edges.ahead), np.abs(edges.behind))

@@ -7,14 +7,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
+from cranktrain.engine.force_events import ForceEvents
+from cranktrain.engine.force_peaks import extremes_of_machine, largest_of_machine, one_sided
 from cranktrain.engine.forces import LoadedMachine, SolvedCycle, driving_torques
-from cranktrain.engine.gas_events import GasEvents
 from cranktrain.engine.layout import CrankAngle
 from cranktrain.engine.shafts import GearedShafts, Shafts
 from cranktrain.language import N_, _
 from cranktrain.loads import torque as along_shaft
 from cranktrain.motion import Array
-from cranktrain.numerics import Extreme, extremes
 from cranktrain.record import record
 from cranktrain.wording import Names, number
 
@@ -42,6 +42,7 @@ class ShaftTorques:
     smallest_torque: Array = quantity("T_min", "N*m", (), N_("Smallest torque of the machine"), _THEORY)
     smallest_torque_at: Array = quantity("φ(T_min)", "deg", (), N_("Crank angle of the smallest torque"), _THEORY)
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"shaft": ()})
+    flags: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str:
         """Say mean, largest and smallest torque."""
@@ -56,7 +57,7 @@ class ShaftTorques:
 
 
 def shaft_torques(
-    loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, crank_angle: CrankAngle, events: GasEvents | None
+    loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, crank_angle: CrankAngle, events: ForceEvents
 ) -> ShaftTorques:
     """Torque on every shaft over the cycle, and the extremes of all together, refined on the mechanisms.
 
@@ -70,25 +71,20 @@ def shaft_torques(
     whole = np.sum(by_shaft, axis=1)
 
     def torque(angle: Array) -> Array:
-        phi = angle[:, np.newaxis] + crank_angle.zero
-        return -np.sum(driving_torques(loaded, loaded.solved(phi)), axis=1)
+        return -np.sum(driving_torques(loaded, loaded.solved(angle)), axis=1, keepdims=True)
 
     mean = np.mean(whole, axis=-1)
-    kinks = None if events is None else events.angle - crank_angle.zero[:, 0]
-    least, most = extremes(torque, grid=crank_angle.shown, samples=whole, kinks=kinks)
-
-    def at(found: Extreme) -> Array:
-        return crank_angle.counted(found.angle[:, np.newaxis] + crank_angle.zero, crank_angle.cycle)[:, 0, 0]
-
+    least, most = extremes_of_machine(torque, whole[:, np.newaxis], events, crank_angle)
     return ShaftTorques(
         shaft_torque=by_shaft,
         machine_torque=whole,
         mean_torque=np.where(np.abs(mean) <= _ROUNDING * np.max(np.abs(whole), axis=-1), 0.0, mean),
         largest_torque=most.value[:, 0],
-        largest_torque_at=at(most),
+        largest_torque_at=most.angle[:, 0],
         smallest_torque=least.value[:, 0],
-        smallest_torque_at=at(least),
+        smallest_torque_at=least.angle[:, 0],
         labels={"shaft": shafts.names},
+        flags=tuple(one_sided([(_("largest torque"), most), (_("smallest torque"), least)])),
     )
 
 
@@ -100,24 +96,38 @@ class JournalTorques:
         "T_J", "N*m", ("journal", "crank_angle"), N_("Torque that the main journal passes on to the flywheel"), _THEORY
     )
     largest_journal_torque: Array = quantity(
-        "T_J,max", "N*m", ("journal",), N_("Largest torque in the journal, of either sense, on the grid"), _THEORY
+        "T_J,max", "N*m", ("journal",), N_("Largest torque in the journal, of either sense"), _THEORY
+    )
+    largest_journal_torque_at: Array = quantity(
+        "φ(T_J,max)", "deg", ("journal",), N_("Crank angle of the largest torque in the journal"), _THEORY
     )
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"journal": ()})
 
 
-def journal_torques(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts) -> JournalTorques:
+def journal_torques(
+    loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, events: ForceEvents, crank_angle: CrankAngle
+) -> JournalTorques:
     """Torque along every shaft: journal 1 stands before throw 1 and passes nothing, the last one passes all.
 
     What a gear takes or brings is reckoned at the flywheel's end. docs/theory/harmonics-and-orders, eq. (15.13).
     """
-    by_mechanism = -driving_torques(loaded, solved.groups)
+    passed = _passed(driving_torques(loaded, solved.groups), shafts)
+
+    def size(angle: Array) -> Array:
+        return np.abs(_passed(driving_torques(loaded, loaded.solved(angle)), shafts))
+
+    largest = largest_of_machine(size, np.abs(passed), events, crank_angle)
+    return JournalTorques(passed, largest.value, largest.angle, {"journal": shafts.journals})
+
+
+def _passed(driving: Array, shafts: Shafts) -> Array:
+    """Torque that every journal passes on, from what must drive each mechanism, shape (design, journal, n)."""
     rows: list[Array] = []
     for shaft, n_throws in enumerate(shafts.n_throws):
         own = shafts.shaft == shaft
-        by_throw = along_shaft.throw_torque(by_mechanism[:, own], shafts.throw[own], n_throws)
+        by_throw = along_shaft.throw_torque(-driving[:, own], shafts.throw[own], n_throws)
         rows.append(along_shaft.journal_torque(by_throw))
-    passed = np.concatenate(rows, axis=1)
-    return JournalTorques(passed, np.max(np.abs(passed), axis=-1), {"journal": shafts.journals})
+    return np.concatenate(rows, axis=1)
 
 
 @record

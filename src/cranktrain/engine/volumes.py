@@ -51,6 +51,11 @@ class Chambers:
         """Area of each chamber, shape (design, chamber). [m²]"""
         return np.max(np.abs(self.areas), axis=1)
 
+    @property
+    def leading(self) -> NDArray[np.intp]:
+        """A piston of each chamber, shape (chamber,)."""
+        return self._own[0][0]
+
     @cached_property
     def _own(self) -> tuple[tuple[NDArray[np.intp], Array], ...]:
         """Each chamber's first piston and its area, shape (design, chamber, 1), then its second …; a few are enough."""

@@ -106,7 +106,7 @@ def _slope_of(gas: GasInChambers, design: int, place: int) -> Callable[[Array], 
 
 def _work_of_torque(loaded: LoadedMachine, gas: GasInChambers, events: GasEvents) -> Array:
     """Work that the machine's torque by the reactions does over a cycle, shape (design,). [J]"""
-    quadrature = _quadrature(events.angle, _widest(events.least), gas.cycle)
+    quadrature = _quadrature(events.angle.reshape(len(events.angle), -1), _widest(events.least), gas.cycle)
     # Inertia gives no work over a cycle at any speed; at a constant one nothing is interpolated.
     even = replace(loaded, speed=Speed(loaded.speed.value))
     torque = np.sum(driving_torques(even, even.solved(quadrature.angle[:, np.newaxis])), axis=1)

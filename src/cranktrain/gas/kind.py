@@ -92,6 +92,11 @@ class GasKind:
         Where the pressure is not smooth, beside the dead centres: quadrature stops there.
     work : callable (model, volume slope) → float, optional
         ∮ p dV of a model that goes through samples, exactly; takes dV/dφ at angles since nominal firing. [J]
+    breaks : callable (model) → Array, shape (n,), optional
+        Of a model that goes through samples: crank angles since nominal firing, rising in [0, cycle), between which the
+        pressure is smooth; a jump stands there once. [rad]
+    jumps : callable (model) → Array, shape (k,), optional
+        Those of them at which the pressure itself jumps: there `pressure` is the one just after. [rad]
     """
 
     name: str
@@ -105,3 +110,5 @@ class GasKind:
     mean_pressures: Callable[[Any, Array], MeanPressures] | None = None
     kinks: Callable[[Any, VolumeLimits], tuple[Kink, ...]] = _no_kinks
     work: Callable[[Any, Callable[[Array], Array]], float] | None = None
+    breaks: Callable[[Any], Array] | None = None
+    jumps: Callable[[Any], Array] | None = None

@@ -1,6 +1,7 @@
 """Roots and extremes of many curves at once, to rounding: curves are kernels, so nothing is read off a grid."""
 
 from cranktrain.numerics.extremes import Extremes, extremes, largest, smallest, turning_points
+from cranktrain.numerics.pieces import Peak, Peaks, extremes_between, largest_between
 from cranktrain.numerics.roots import Curve, bracketed_roots, near_roots
 from cranktrain.numerics.series import (
     DERIVATIVES_LIMIT,
@@ -16,10 +17,14 @@ __all__ = [
     "Curve",
     "Extreme",
     "Extremes",
+    "Peak",
+    "Peaks",
     "bracketed_roots",
     "derivatives_residual",
     "extremes",
+    "extremes_between",
     "largest",
+    "largest_between",
     "near_roots",
     "smallest",
     "spectral_derivative",

@@ -59,12 +59,14 @@ def test_journals_gather_from_the_free_end():
     result = inertia(0, 90, 200)
     assert result.labels["journal"] == ("1", "2", "3", "4")
     phi = np.radians(result.crank_angle)
-    expected = np.zeros_like(phi)
+    fine = np.linspace(0, 2 * np.pi, 1_000_001)
+    expected, between = np.zeros_like(phi), np.zeros_like(fine)
     peak = np.max(np.abs(result.machine_torque))
     for journal, throw in enumerate((0, 90, 200), start=1):
         expected = expected + piston_torque(phi + np.radians(throw))
+        between = between + piston_torque(fine + np.radians(throw))
         np.testing.assert_allclose(result.journal_torque[journal], expected, rtol=0, atol=1e-12 * peak)
-        assert result.largest_journal_torque[journal] == pytest.approx(np.max(np.abs(expected)), rel=1e-12)
+        assert result.largest_journal_torque[journal] == pytest.approx(np.max(np.abs(between)), rel=1e-10)
     assert np.all(result.journal_torque[0] == 0.0)
     np.testing.assert_array_equal(result.shaft_torque[0], result.machine_torque)
 

@@ -102,6 +102,16 @@ def diagram_work(diagram: Diagram, volume_slope: Callable[[Array], Array]) -> fl
     return float(np.sum(power @ weights * steps / 2))
 
 
+def breaks(diagram: Diagram) -> Array:
+    """Crank angles between which the interpolant is one polynomial, rising in [0, cycle); a jump stands there once."""
+    return diagram.angles
+
+
+def jumps(diagram: Diagram) -> Array:
+    """Crank angles at which the pressure jumps, rising in [0, cycle)."""
+    return diagram.angles[:0]
+
+
 def smoothed(diagram: Diagram, width: float) -> Diagram:
     """Take noise out of a diagram, round the cycle.
 

@@ -1,0 +1,120 @@
+"""Largest forces: the one way to find them, on the mechanisms between the points of the grid, split at events."""
+
+from collections.abc import Callable, Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.engine.force_events import ForceEvents
+from cranktrain.engine.forces import LoadedMachine, SolvedGroup
+from cranktrain.engine.layout import CrankAngle
+from cranktrain.language import _
+from cranktrain.motion import Array
+from cranktrain.numerics import Curve, Peak, Peaks, extremes_between, largest_between
+from cranktrain.wording import number
+
+_TOLD = 4
+"""How many one-sided extremes a sentence names."""
+
+
+def largest_of_each(
+    loaded: LoadedMachine,
+    events: ForceEvents,
+    crank_angle: CrankAngle,
+    rows: NDArray[np.intp],
+    samples: Array,
+    pick: Callable[[tuple[SolvedGroup, ...]], Array],
+) -> Peak:
+    """Largest value of curves of which each is of one mechanism, over the cycle.
+
+    Parameters
+    ----------
+    loaded : LoadedMachine
+    events : ForceEvents
+    crank_angle : CrankAngle
+    rows : array of int, shape (curve,)
+        Of which mechanism each curve is.
+    samples : Array, shape (design, curve, n)
+        The curves on the grid.
+    pick : callable
+        From what `LoadedMachine.solved` gives to all curves, shape (design, curve, …).
+
+    Returns
+    -------
+    Peak, shapes (design, curve)
+        Angles as shown, in [0, cycle). [rad]
+    """
+
+    def curve(shown: Array) -> Array:
+        return loaded.of_each(rows, shown + crank_angle.zero, pick)
+
+    breaks = events.angle[:, rows] - crank_angle.zero
+    return counted(largest_between(curve, crank_angle.shown, samples, breaks), crank_angle)
+
+
+def extremes_of_machine(curve: Curve, samples: Array, events: ForceEvents, crank_angle: CrankAngle) -> Peaks:
+    """Smallest and largest value of curves of the whole machine, over the cycle.
+
+    Parameters
+    ----------
+    curve : Curve
+        Gives (design, curve, k) for φ of shape (design, 1, k). [rad]
+    samples : Array, shape (design, curve, n)
+        On the grid.
+    events : ForceEvents
+    crank_angle : CrankAngle
+
+    Returns
+    -------
+    Peaks, shapes (design, curve)
+        Angles as shown, in [0, cycle). [rad]
+    """
+    found = extremes_between(*_of_machine(curve, samples, events, crank_angle))
+    return Peaks(*(counted(one, crank_angle) for one in found))
+
+
+def largest_of_machine(curve: Curve, samples: Array, events: ForceEvents, crank_angle: CrankAngle) -> Peak:
+    """Largest value of curves of the whole machine; as `extremes_of_machine`."""
+    return counted(largest_between(*_of_machine(curve, samples, events, crank_angle)), crank_angle)
+
+
+def _of_machine(
+    curve: Curve, samples: Array, events: ForceEvents, crank_angle: CrankAngle
+) -> tuple[Curve, Array, Array, Array]:
+    """Curve at each curve's own angles, grid, samples and breaks."""
+    n_curves = samples.shape[1]
+
+    def own(shown: Array) -> Array:
+        found = curve(shown.reshape(len(shown), 1, -1) + crank_angle.zero)
+        return found.reshape(*found.shape[:2], n_curves, -1)[:, range(n_curves), range(n_curves)]
+
+    return own, crank_angle.shown, samples, events.whole[:, np.newaxis] - crank_angle.zero
+
+
+def counted(peak: Peak, crank_angle: CrankAngle) -> Peak:
+    """Peaks of shape (design, ..., 1), which lose that 1, with angles from the grid's zero in [0, cycle). [rad]"""
+    at = crank_angle.counted(peak.angle + crank_angle.zero, crank_angle.cycle)
+    return Peak(at[..., 0], peak.value[..., 0], peak.side[..., 0])
+
+
+def one_sided(peaks: Sequence[tuple[str, Peak]], labels: Sequence[str] = ("",)) -> Iterator[str]:
+    """Say which extremes stand at a jump, where a value just beside is another.
+
+    Parameters
+    ----------
+    peaks : sequence of (str, Peak)
+        What it is, in the user's language, and its peaks, shape (design, …) along `labels`.
+    labels : sequence of str
+    """
+    told: dict[str, None] = {}
+    for words, peak in peaks:
+        side = peak.side.reshape(len(peak.side), -1)
+        for design, place in zip(*np.nonzero(side), strict=True):
+            at = number(float(peak.angle.reshape(side.shape)[design, place]), "deg")
+            where = _("just after {at}") if side[design, place] > 0 else _("just before {at}")
+            told.setdefault(" ".join(filter(None, (words, str(labels[place]), where.format(at=at)))))
+    if told:
+        named = list(told)[:_TOLD]
+        more = len(told) - len(named)
+        said = "; ".join([*named, *([_("and {n} more").format(n=more)] if more else [])])
+        yield _("Values at a jump are those of the side on which they are largest: {peaks}.").format(peaks=said)
