@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.machines import curve
+from tests.machines import curve as of_piston
 from tests.reference_case import ReferenceCase
 from tests.validation.test_machine_forces import articulated_pair, at_rows
 
@@ -77,7 +77,7 @@ def test_massless_rods_by_statics(bank_angles):
     zeta = 7.4
     result = massless(zeta, *bank_angles)
     phi, beta, _ = rod_at(result)
-    pressed = curve(result, "1L", "gas_force")
+    pressed = of_piston(result, "1L", "gas_force")
     wall = pressed * np.tan(beta)
     alone = -pressed + 1j * wall
     others = np.zeros_like(alone)
@@ -85,7 +85,7 @@ def test_massless_rods_by_statics(bank_angles):
     for number, angle in enumerate(bank_angles, start=1):
         name = f"{number}S"
         _, _, chi = rod_at(result, angle, zeta)
-        force = curve(result, name, "gas_force")
+        force = of_piston(result, name, "gas_force")
         wall = wall - force * KNUCKLE * np.sin(np.deg2rad(zeta) + chi - beta) / (L * np.cos(beta) * np.cos(chi))
         others += (-force + 1j * force * np.tan(chi)) * np.exp(1j * np.deg2rad(angle))
         np.testing.assert_allclose(exact(result, name, "piston_force"), force, rtol=0, atol=scale)
@@ -122,7 +122,7 @@ def test_the_formula_stands_beside_with_its_error():
     """P tan β and P sin(φ + β)/cos β of the master's own gas."""
     result = massless(7.4, 60.0)
     phi, beta, _ = rod_at(result)
-    pressed = curve(result, "1L", "gas_force")
+    pressed = of_piston(result, "1L", "gas_force")
     row = result.labels["piston"].index("1L")
     side, tangential = pressed * np.tan(beta), pressed * np.sin(phi + beta) / np.cos(beta)
     np.testing.assert_allclose(result.side_force[TEXTBOOK, row], side, rtol=0, atol=1e-9)
@@ -199,7 +199,12 @@ def test_a_master_alone_has_its_own_share():
 
 def test_the_headline_takes_all_rods():
     result = ct.run(ct.load("3d12"))
-    assert "71.27 kN (1R–6R) in the rod" in result.summary()
+    assert "71.31 kN (1R–6R) in the rod" in result.summary()
     slaves = [place for place, name in enumerate(result.labels["piston"]) if name.endswith("R")]
-    assert np.all(result.largest_rod_force[slaves] > 71.2e3)
+    # A kink, where burning ends: on a fine grid it stands higher by less than a step.
+    fine = ct.run(ct.load("3d12"), step_degrees=0.02, quantities="rod_force_at_piston_pin")
+    curve = fine.rod_force_at_piston_pin[EXACT, slaves[0]]
+    assert np.all(result.largest_rod_force[slaves] >= np.max(curve))
+    at = int(np.argmax(curve))
+    assert np.all(result.largest_rod_force[slaves] <= np.max(curve) + np.max(np.abs(np.diff(curve[at - 1 : at + 2]))))
     assert np.all(np.isnan(result.radial_force[:, slaves]))

@@ -1,4 +1,4 @@
-"""`textbook --forces`: a piston's forces at round crank angles, exact beside the textbook's formula, with its errors."""
+"""`textbook --forces`: a piston's forces at round crank angles, exact and by the textbook's formula, with errors."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -110,7 +110,7 @@ def _explained(table: ForceTable) -> Iterator[str]:
     """Say what the letters stand for."""
     if table.sort == "slave":
         yield _(
-            "P along the cylinder toward the shaft, N of the wall toward +y, S along the rod (+ compression); K_i (or Z) "
+            "P along the cylinder toward the shaft, N of the wall toward +y, S along the rod (+ compression); K_i (Z) "
             "toward the shaft, T_i with the rotation and M_i = T_i R: its share of what its master's crank pin bears."
         )
         yield _("Of the rod one share goes with the piston, the other with the knuckle pin; P·f(β) is for no slave.")

@@ -1,4 +1,4 @@
-"""Loads of the crank pins: what every rod does to its pin, with its rotating mass and without, and whose share it is."""
+"""Loads of the crank pins: what every rod does to its pin, with its rotating mass and without, and whose it is."""
 
 from collections.abc import Iterator
 from typing import ClassVar, NamedTuple
@@ -7,6 +7,7 @@ import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.forces import LoadedMachine, SolvedCycle
+from cranktrain.engine.joint_forces import JointForces, joint_label
 from cranktrain.engine.layout import CrankAngle, Group, Mechanisms
 from cranktrain.language import N_, _
 from cranktrain.linkage import Crank, crank
@@ -89,9 +90,7 @@ class CrankPinLoads:
     crankpin_share_tangential: Array = quantity(
         "T_i", "N", _CURVE, N_("Share of this piston and rod in the crank pin's load in the sense of rotation"), _THEORY
     )
-    largest_crankpin_load: Array = quantity(
-        "R_max", "N", _MECHANISM, N_("Largest load of the crank pin on the grid of crank angles"), _THEORY
-    )
+    largest_crankpin_load: Array = quantity("R_max", "N", _MECHANISM, N_("Largest load of the crank pin"), _THEORY)
     largest_crankpin_load_at: Array = quantity(
         "φ(R_max)", "deg", _MECHANISM, N_("Crank angle of the largest load of the crank pin"), _THEORY
     )
@@ -110,7 +109,7 @@ class CrankPinLoads:
 
 
 def crank_pin_loads(
-    pins: CrankPins, loaded: LoadedMachine, solved: SolvedCycle, crank_angle: CrankAngle
+    pins: CrankPins, loaded: LoadedMachine, solved: SolvedCycle, crank_angle: CrankAngle, joints: JointForces
 ) -> CrankPinLoads:
     """Loads of all crank pins from the joints' reactions, exact for rigid bodies.
 
@@ -121,18 +120,23 @@ def crank_pin_loads(
     """
     phi = crank_angle.angle
     shape = (len(phi), len(loaded.mechanisms.names), phi.shape[-1])
-    whole, without = (PinLoad(*np.full((2, *shape), np.nan)) for _ in range(2))
+    whole, without = (PinLoad(*np.full((2, *shape), np.nan)) for _i in range(2))
+    largest, at = np.full((2, *shape[:-1]), np.nan)
     for pin in pins.pins:
         group, one = loaded.mechanisms.groups[pin.group], solved.groups[pin.group]
         radius: Array = np.hypot(one.motion.pin.x.value, one.motion.pin.y.value)[..., :1]
         load = pin_load(one.forces.joints[pin.joint], crank_link(one.motion.pin, Crank(radius)))
         _fill(whole, group, load)
         if pin.has_rod:
-            size = group.members.geometry
-            rotating = weighed_ends(loaded.masses.groups[pin.group].bodies.rod, size.rod_length).first
+            rod = loaded.masses.groups[pin.group].bodies.rod
+            rotating = weighed_ends(rod, group.members.geometry.rod_length).first
             _fill(without, group, with_rotating_mass(load, -rotating, radius, loaded.speed.drive(phi)))
+        reaction = group.kind.dynamics.reactions[pin.joint]
+        names = (joint_label(loaded.mechanisms.names[i], reaction) for i in map(int, group.index))
+        rows = [joints.labels["joint"].index(name) for name in names]
+        largest[:, group.index] = joints.largest_joint_force[:, rows]
+        at[:, group.index] = joints.largest_joint_force_at[:, rows]
     shares = _shares(whole, loaded, solved, phi)
-    largest, at = largest_on_grid(np.hypot(*whole), crank_angle)
     return CrankPinLoads(
         crankpin_load_radial=whole.radial,
         crankpin_load_tangential=whole.tangential,
@@ -164,10 +168,3 @@ def _shares(whole: PinLoad, loaded: LoadedMachine, solved: SolvedCycle, phi: Arr
             for part, values in zip(shares, load, strict=True):
                 part[:, master] -= values[:, member]
     return shares
-
-
-def largest_on_grid(size: Array, crank_angle: CrankAngle) -> tuple[Array, Array]:
-    """Largest of curves on the grid, and the shown angle there; NaN for what is NaN all over. [rad]"""
-    place = np.argmax(np.where(np.isnan(size), -np.inf, size), axis=-1)[..., np.newaxis]
-    value = np.take_along_axis(size, place, axis=-1)[..., 0]
-    return value, np.where(np.isnan(value), np.nan, crank_angle.shown[place[..., 0]])

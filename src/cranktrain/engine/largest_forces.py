@@ -7,10 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
-from cranktrain.engine.crank_pins import largest_on_grid
-from cranktrain.engine.forces import Carriers
+from cranktrain.engine.force_events import ForceEvents
+from cranktrain.engine.force_peaks import largest_of_each, one_sided
+from cranktrain.engine.forces import LoadedMachine, SolvedGroup
 from cranktrain.engine.layout import CrankAngle
 from cranktrain.engine.piston_forces import FORCE_METHODS, PistonForceSet
+from cranktrain.engine.rods_in_pistons import rods_in_pistons
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.record import record
@@ -20,13 +22,14 @@ _FACT = ("piston",)
 _ERROR = ("force_method", "piston")
 _THEORY = "docs/theory/forces"
 _EXACT, _FORMULA = FORCE_METHODS.index("exact"), FORCE_METHODS.index("textbook")
+_SAID = ("P", "N", "S", "S")
 _ALIKE = 1e-9
 """Forces that differ by less, relative, are the same."""
 
 
 @record
 class LargestForces:
-    """Largest forces of every piston with a rod, by the reactions; errors of the formula, in parts of the exact peak."""
+    """Largest forces of every piston with a rod, by the reactions; errors of the formula, in parts of exact peaks."""
 
     largest_piston_force: Array = quantity(
         "P_max", "N", _FACT, N_("Largest force along the cylinder, either way"), _THEORY
@@ -50,6 +53,7 @@ class LargestForces:
     tangential_force_formula_error: Array = quantity(
         "ΔT_f", "1", _ERROR, N_("Largest error of the method's tangential force, in parts of the exact peak"), _THEORY
     )
+    flags: tuple[str, ...] = ()
     is_master: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, dtype=np.bool_))
 
     def answer(self, names: Names, design: int) -> str | None:
@@ -68,7 +72,9 @@ class LargestForces:
         ]
         if not all(np.any(error > 0) for error in errors):
             return said
-        off = _("P·f(β), which knows no slaves, is off by up to {side} in N and {tangential} in T of {masters}.").format(
+        off = _(
+            "P·f(β), which knows no slaves, is off by up to {side} in N and {tangential} in T of {masters}."
+        ).format(
             side=number(float(np.nanmax(errors[0])), "%"),
             tangential=number(float(np.nanmax(errors[1])), "%"),
             masters=ranged(names["piston"], masters.tolist()),
@@ -76,26 +82,63 @@ class LargestForces:
         return f"{said} {off}"
 
 
-def largest_forces(forces: PistonForceSet, carriers: Carriers, crank_angle: CrankAngle) -> LargestForces:
-    """Find the largest of the forces of all pistons."""
-    piston, side, small_end, big_end = (
-        np.abs(curve[:, _EXACT])
-        for curve in (
-            forces.piston_force,
-            forces.side_force,
-            forces.rod_force_at_piston_pin,
-            forces.rod_force_at_crank_pin,
+def largest_forces(
+    forces: PistonForceSet, loaded: LoadedMachine, events: ForceEvents, crank_angle: CrankAngle
+) -> LargestForces:
+    """Find the largest of the forces of all pistons, refined on the mechanisms."""
+    samples = np.abs(
+        np.stack(
+            [
+                curve[:, _EXACT]
+                for curve in (
+                    forces.piston_force,
+                    forces.side_force,
+                    forces.rod_force_at_piston_pin,
+                    forces.rod_force_at_crank_pin,
+                )
+            ]
         )
     )
-    found = (largest_on_grid(size, crank_angle) for size in (piston, side, np.fmax(small_end, big_end)))
-    is_master = np.zeros(piston.shape[1], dtype=np.bool_)
-    is_master[carriers.piston[carriers.master[carriers.master >= 0]]] = True
+    which, asked = _asked(samples)
+
+    def sizes(found: tuple[SolvedGroup, ...]) -> Array:
+        curves = np.full((*samples.shape[:3], found[0].forces.driving_torque.shape[-1]), np.nan)
+        for one in rods_in_pistons(loaded, found):
+            for curve, values in zip(curves, one.forces[1:], strict=True):
+                curve[:, one.piston] = values
+        return np.moveaxis(np.abs(curves[which, :, asked]), 0, 1)
+
+    driven = loaded.carriers.driven[asked]
+    peak = largest_of_each(loaded, events, crank_angle, driven, np.moveaxis(samples[which, :, asked], 0, 1), sizes)
+    value, at = np.full((2, *samples.shape[:3]), np.nan)
+    value[which, :, asked], at[which, :, asked] = peak.value.T, peak.angle.T
+    # Along the rod the larger of both ends counts.
+    is_at_crank = value[3] > value[2]
+    value[2], at[2] = (np.where(is_at_crank, part[3], part[2]) for part in (value, at))
+    master = loaded.carriers.master
+    is_master = np.zeros(samples.shape[2], dtype=np.bool_)
+    is_master[loaded.carriers.piston[master[master >= 0]]] = True
+    names = [f"{_SAID[i]} {loaded.mechanisms.names[j]}" for i, j in zip(which.tolist(), driven.tolist(), strict=True)]
+    piston, side, rod = zip(value[:3], at[:3], strict=True)
     return LargestForces(
-        *(fact for value_and_angle in found for fact in value_and_angle),
-        _errors(forces.side_force),
-        _errors(forces.tangential_force),
+        *piston,
+        *side,
+        *rod,
+        side_force_formula_error=_errors(forces.side_force),
+        tangential_force_formula_error=_errors(forces.tangential_force),
         is_master=is_master,
+        flags=tuple(one_sided([(_("largest"), peak)], names)),
     )
+
+
+def _asked(samples: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Which curves of which pistons are asked for: S at the crank pin only where it is another."""
+    known = ~np.all(np.isnan(samples), axis=(1, 3))
+    at_piston, at_crank = samples[2:]
+    peak = np.fmax.reduce(at_piston, axis=-1, keepdims=True)
+    known[3] &= np.any(np.abs(at_crank - at_piston) > _ALIKE * peak, axis=(0, 2))
+    which, piston = np.nonzero(known)
+    return which, piston
 
 
 def _errors(curves: Array) -> Array:

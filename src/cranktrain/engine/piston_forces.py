@@ -1,8 +1,8 @@
 """Forces of pistons as engine dynamics takes them apart, P, N, S, K, T: by reactions, and by the textbook's formula."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
-from typing import Any, ClassVar, NamedTuple
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,27 +11,18 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
 from cranktrain.engine.crank_pins import CrankPinLoads
 from cranktrain.engine.forces import LoadedMachine, SolvedCycle
-from cranktrain.engine.gas import GasPressures
 from cranktrain.engine.layout import CrankAngle, Group, PistonRods, Pistons
+from cranktrain.engine.rods_in_pistons import ForcesOfRods, RodsInPistons, end_residual, rods_in_pistons
 from cranktrain.language import N_, _
-from cranktrain.linkage.forces import Drive, Wrench, turned_wrench
-from cranktrain.loads.piston import (
-    PistonForces,
-    RodForces,
-    inertia_force,
-    piston_forces,
-    piston_identities,
-    rod_forces,
-    two_harmonic_inertia_force,
-)
-from cranktrain.loads.rod_masses import TwoMasses, weighed_ends
-from cranktrain.mechanisms.kind import Role
+from cranktrain.loads.piston import PistonForces, piston_forces, piston_identities, two_harmonic_inertia_force
 from cranktrain.motion import Array
 from cranktrain.record import record
 
 _CURVE = ("force_method", "piston", "crank_angle")
 _THEORY = "docs/theory/forces"
 _LIMIT = 1e-12
+FORCE_METHODS = ("exact", "textbook", "two_harmonics")
+"""By the reactions; by P·f(β); by that with two harmonics of the inertia."""
 DIRECT = "slider_crank"
 """Kind whose rod joins piston and crank pin, and nothing else does."""
 
@@ -54,50 +45,6 @@ def direct_pistons_of(pistons: Pistons) -> DirectPistons | None:
 def direct_groups(loaded: LoadedMachine) -> Iterator[tuple[int, Group]]:
     """Those groups of the mechanisms whose rods join piston and crank pin, with their places."""
     return ((place, group) for place, group in enumerate(loaded.mechanisms.groups) if group.kind.name == DIRECT)
-
-
-class _Rods(NamedTuple):
-    """Rods of one kind of mechanism, each in a piston: motion, joints, shares at both ends, and which pistons.
-
-    weight is the rod's; aside its first moment across its line; reciprocating the piston's mass with the rod's share.
-    """
-
-    group: Group
-    motion: Any
-    joints: Sequence[Wrench]
-    masses: TwoMasses
-    weight: Wrench
-    aside: Array
-    reciprocating: Array
-    piston: NDArray[np.intp]
-
-    @property
-    def pins(self) -> tuple[Wrench, Wrench]:
-        """Reactions in the rod's pins: on it at the crank or a master's rod, by it on the piston."""
-        return self.joint("crank_pin", "knuckle_pin"), self.joint("piston_pin")
-
-    def joint(self, *roles: Role) -> Wrench:
-        """Reaction in the mechanism's own joint with the first of some roles that any has."""
-        places = (self.group.kind.dynamics.joint(role) for role in roles)
-        return self.joints[next(place for place in places if place is not None)]
-
-
-def _rods(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[_Rods]:
-    """Find the rods of pistons."""
-    for group, one, made in zip(loaded.mechanisms.groups, solved.groups, loaded.masses.groups, strict=True):
-        if group.kind.has_rod and group.kind.output == "slider":
-            rod = made.bodies.rod
-            masses = weighed_ends(rod, group.members.geometry.rod_length)
-            yield _Rods(
-                group,
-                one.motion,
-                one.forces.joints,
-                masses,
-                Wrench(rod.mass * made.gravity.x, rod.mass * made.gravity.y, 0.0 * rod.mass),
-                rod.mass * rod.across,
-                made.bodies.slider.mass + masses.second,
-                loaded.carriers.piston[group.index],
-            )
 
 
 @record
@@ -142,7 +89,6 @@ def piston_force_set(
     solved: SolvedCycle,
     crank_pins: CrankPinLoads,
     crank_angle: CrankAngle,
-    gas: GasPressures | None,
 ) -> PistonForceSet:
     """Forces of every piston with a rod: exact, by the formula, and by it with two harmonics of inertia.
 
@@ -152,25 +98,21 @@ def piston_force_set(
     (13.35), (13.36) and (13.50). The formula, eqs. (13.31) to (13.34), is for rods between a piston and a crank pin.
     """
     phi = crank_angle.angle
-    drive = loaded.speed.drive(phi)
     curves = np.full((7, len(phi), len(FORCE_METHODS), rods.value.size, phi.shape[-1]), np.nan)
-    along: list[tuple[_Rods, RodForces]] = []
+    found = [(one, one.forces) for one in rods_in_pistons(loaded, solved.groups)]
     residuals: list[Array] = []
-    for one in _rods(loaded, solved):
-        pressed: Array | float = 0.0 if gas is None else gas.gas_force[:, one.piston]
-        pulled = inertia_force(one.motion.slider, one.reciprocating, drive)
-        found = rod_forces(one.motion.rod, one.motion.slider, one.pins, one.masses, drive)
-        along.append((one, found))
-        exact = (pulled, pressed + pulled, one.joint("guide").y, found.at_piston, *_at_pin(one.group, found, crank_pins))
-        _fill(curves[:, :, 0], one.piston, exact)
+    for one, exact in found:
+        _fill(curves[:, :, 0], one.piston, (*exact[:-1], *_at_pin(one, exact, crank_pins)))
         if one.group.kind.name == DIRECT:
-            for method, inertia in enumerate(_FORMULAS.values(), start=1):
-                pulled = inertia(one, phi + one.group.members.phase, drive)
-                taken = piston_forces(pressed + pulled, one.motion, one.group.members.geometry)
+            two_harmonics = two_harmonic_inertia_force(
+                phi + one.group.members.phase, one.group.members.geometry, one.reciprocating, one.drive
+            )
+            for method, inertia in enumerate((exact.inertia, two_harmonics), start=1):
+                taken = piston_forces(one.pressed + inertia, one.motion, one.group.members.geometry)
                 piston, side, rod, *pin = taken
-                _fill(curves[:, :, method], one.piston, (pulled, piston, side, rod, rod, *pin))
+                _fill(curves[:, :, method], one.piston, (inertia, piston, side, rod, rod, *pin))
                 residuals.append(_formula_residual(taken, one))
-    return PistonForceSet(*curves, checks=tuple(_checks(residuals, _rod_residual(loaded, along, drive))))
+    return PistonForceSet(*curves, checks=tuple(_checks(residuals, end_residual(loaded, found))))
 
 
 def _fill(curves: Array, piston: NDArray[np.intp], values: Sequence[Array]) -> None:
@@ -178,28 +120,11 @@ def _fill(curves: Array, piston: NDArray[np.intp], values: Sequence[Array]) -> N
         curve[:, piston] = value
 
 
-def _at_pin(group: Group, along: RodForces, crank_pins: CrankPinLoads) -> tuple[Array, Array, Array]:
+def _at_pin(one: RodsInPistons, forces: ForcesOfRods, crank_pins: CrankPinLoads) -> tuple[Array, Array, Array]:
     """S, K and T at the crank pin; NaN for rods that are on none."""
     loads = (crank_pins.crankpin_load_radial_without_rod, crank_pins.crankpin_load_tangential_without_rod)
-    radial, tangential = (load[:, group.index] for load in loads)
-    return np.where(np.isnan(radial), np.nan, along.at_crank), radial, tangential
-
-
-def _exact_motion(one: _Rods, _angle: Array, drive: Drive) -> Array:
-    return inertia_force(one.motion.slider, one.reciprocating, drive)
-
-
-def _two_harmonics(one: _Rods, angle: Array, drive: Drive) -> Array:
-    return two_harmonic_inertia_force(angle, one.group.members.geometry, one.reciprocating, drive)
-
-
-_FORMULAS: Mapping[str, Callable[[_Rods, Array, Drive], Array]] = {
-    "textbook": _exact_motion,
-    "two_harmonics": _two_harmonics,
-}
-"""P·f(β), by what its P takes for the inertia."""
-
-FORCE_METHODS = ("exact", *_FORMULAS)
+    radial, tangential = (load[:, one.group.index] for load in loads)
+    return np.where(np.isnan(radial), np.nan, forces.at_crank), radial, tangential
 
 
 def _checks(formula: Sequence[Array], rods: Array) -> Iterator[Check]:
@@ -213,13 +138,13 @@ def _checks(formula: Sequence[Array], rods: Array) -> Iterator[Check]:
         )
     yield Check(
         "rod_forces",
-        _("Force along a rod at one pin against that at the other and what acts between, relative to what its pins bear"),
+        _("Force along a rod at one pin against that at the other and what acts between, relative to its pins' loads"),
         rods,
         _LIMIT,
     )
 
 
-def _formula_residual(forces: PistonForces, one: _Rods) -> Array:
+def _formula_residual(forces: PistonForces, one: RodsInPistons) -> Array:
     """Largest residual of the identities, each relative to its peak, shape (design,); NaN where all are."""
     geometry = one.group.members.geometry
     found = piston_identities(forces, one.motion, geometry)
@@ -231,31 +156,3 @@ def _formula_residual(forces: PistonForces, one: _Rods) -> Array:
         for part, scale in zip(found, scales, strict=True)
     ]
     return np.max(np.where(np.isnan(parts), 0.0, parts), axis=(0, 2))
-
-
-def _rod_residual(loaded: LoadedMachine, along: Sequence[tuple[_Rods, RodForces]], drive: Drive) -> Array:
-    """Largest difference of the forces at both ends of a rod, less what acts between, over what its pins bear.
-
-    What slaves hand over is taken from their own knuckle pins. Shape (design,).
-    """
-    top, master = loaded.mechanisms.nominal_top, loaded.carriers.master
-    shape = (*top.shape[:2], along[0][1].at_piston.shape[-1])
-    # Of the master's rod on its slaves' together, in the master's axes.
-    x, y = np.zeros((2, *shape))
-    for one, _found in along:
-        place = one.group.kind.dynamics.joint("knuckle_pin")
-        if place is not None:
-            on = master[one.group.index]
-            turned = turned_wrench(one.joints[place], top[:, on] - top[:, one.group.index])
-            for member, mechanism in enumerate(on.tolist()):
-                x[:, mechanism] += turned.x[:, member]
-                y[:, mechanism] += turned.y[:, member]
-    worst = [np.zeros(len(top))]
-    for one, found in along:
-        rod, index = one.motion.rod, one.group.index
-        turning = rod.angle.second * (drive.speed * drive.speed) + rod.angle.first * drive.acceleration
-        between = (one.weight.x - x[:, index]) * rod.cos + (one.weight.y - y[:, index]) * rod.sin
-        peak = np.max([np.max(np.hypot(pin.x, pin.y), axis=-1) for pin in one.pins], axis=0)
-        off = np.max(np.abs(found.at_crank - found.at_piston + between + one.aside * turning), axis=-1) / np.where(peak > 0, peak, 1.0)
-        worst.append(np.max(np.where(np.isnan(off), 0.0, off), axis=-1))
-    return np.max(worst, axis=0)

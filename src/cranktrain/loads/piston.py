@@ -111,7 +111,9 @@ def piston_identities(forces: PistonForces, motion: SliderCrankMotion, geometry:
     )
 
 
-def rod_forces(rod: Link, slider: Coefficient, pins: tuple[Wrench, Wrench], masses: TwoMasses, drive: Drive) -> RodForces:
+def rod_forces(
+    rod: Link, slider: Coefficient, pins: tuple[Wrench, Wrench], masses: TwoMasses, drive: Drive
+) -> RodForces:
     """Force along a rod by the reactions in both its pins.
 
     Parameters

@@ -26,10 +26,10 @@ class ThreeMasses(NamedTuple):
 
 
 def weighed_ends(body: Body, rod_length: Array) -> TwoMasses:
-    """Rotating and reciprocating share of a rod: m b/L and m a/L, a = `along`, b = L − a; docs/theory/forces, eq. (13.27).
+    """Rotating and reciprocating share of a rod: m b/L and m a/L, a = `along`, b = L − a.
 
-    What its ends weigh where it lies on two scales. Of a rod whose centroid is beside its line, as a master's often is,
-    they are no more than that.
+    What its ends weigh where it lies on two scales; docs/theory/forces, eq. (13.27). Of a rod whose centroid is beside
+    its line, as a master's often is, they are no more than that.
     """
     return TwoMasses(body.mass * ((rod_length - body.along) / rod_length), body.mass * (body.along / rod_length))
 

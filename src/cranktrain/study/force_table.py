@@ -1,10 +1,10 @@
 """Tables of a piston's forces at round crank angles: exact, by the textbook's formula, and how far this is off."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.analysis import Result, run
 from cranktrain.engine.forces import carriers_of
@@ -20,15 +20,15 @@ from cranktrain.study.acting import refuse_idle
 STEPS = (10.0, 15.0, 30.0)
 """Steps of the crank angle in which tables of forces are made. [deg]"""
 
-_AT_PISTON: Mapping[str, str] = {"P": "piston_force", "N": "side_force", "S": "rod_force_at_piston_pin"}
-_KNUCKLED: Mapping[str, str] = {"S_A": "rod_force_at_crank_pin"}
-_AT_PIN: Mapping[str, str] = {"K": "radial_force", "T": "tangential_force"}
-_SHARES: Mapping[str, str] = {"K_i": "crankpin_share_radial", "T_i": "crankpin_share_tangential"}
+_AT_PISTON = {"P": "piston_force", "N": "side_force", "S": "rod_force_at_piston_pin"}
+_KNUCKLED = {"S_A": "rod_force_at_crank_pin"}
+_AT_PIN = {"K": "radial_force", "T": "tangential_force"}
+_SHARES = {"K_i": "crankpin_share_radial", "T_i": "crankpin_share_tangential"}
 _QUANTITIES = (*_AT_PISTON.values(), *_KNUCKLED.values(), *_AT_PIN.values(), *_SHARES.values())
 
 
 class ForceColumn(NamedTuple):
-    """A force, or the torque M, at the angles of a table, in the column's unit: by the joints' reactions, and otherwise.
+    """A force, or the torque M, at the angles of a table, in the column's unit, by the joints' reactions and otherwise.
 
     By the textbook's formula and by that with two harmonics of inertia; NaN of a slave, for which there is none. Their
     errors are in parts of the exact curve's peak over the cycle.
@@ -129,7 +129,7 @@ def _by_method(result: Result, quantity: str, piston: str) -> Array:
     return of_all[methods, result.labels["piston"].index(piston)]
 
 
-def _column(symbol: str, unit: str, curves: Array, kept: Array) -> ForceColumn:
+def _column(symbol: str, unit: str, curves: Array, kept: NDArray[np.bool_]) -> ForceColumn:
     """Take a column's angles out of its curves, with their errors."""
     exact, textbook, two_harmonics = curves
     peak = float(np.max(np.abs(exact))) or 1.0

@@ -49,8 +49,10 @@ def test_mean_and_largest():
     size = np.hypot(*loads.on_pin)
     assert loads.cycle == 720.0
     assert loads.mean == pytest.approx(size.sum() / 720)
-    assert loads.largest == pytest.approx(size.max())
-    assert size[round(loads.largest_at)] == size.max()
+    fine = ct.run(ct.load("vaz_21213"), step_degrees=0.02)
+    finer = np.hypot(fine.crankpin_load_radial[0], fine.crankpin_load_tangential[0])
+    assert size.max() < loads.largest == pytest.approx(finer.max(), rel=1e-6)
+    assert loads.largest_at == pytest.approx(fine.crank_angle[np.argmax(finer)], abs=0.02)
 
 
 def test_what_has_no_rod_on_a_crank_pin():
