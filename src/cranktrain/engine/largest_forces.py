@@ -23,6 +23,8 @@ _ERROR = ("force_method", "piston")
 _THEORY = "docs/theory/forces"
 _EXACT, _FORMULA = FORCE_METHODS.index("exact"), FORCE_METHODS.index("textbook")
 _SAID = ("P", "N", "S", "S")
+_NAMED = 3
+"""How many pistons a sentence names one by one."""
 _ALIKE = 1e-9
 """Forces that differ by less, relative, are the same."""
 
@@ -149,8 +151,13 @@ def _errors(curves: Array) -> Array:
 
 
 def _largest_of(names: Sequence[str], size: Array) -> str:
-    """Say the largest of some forces, and whose it is unless all are alike."""
+    """Say the largest of some forces, and whose it is unless all are alike; of many banks the first."""
     largest = float(np.nanmax(size))
     alike = np.flatnonzero(size >= (1 - _ALIKE) * largest).tolist()
     said = number(largest, "kN")
-    return said if len(alike) == np.count_nonzero(~np.isnan(size)) else f"{said} ({ranged(names, alike)})"
+    if len(alike) == np.count_nonzero(~np.isnan(size)):
+        return said
+    whose = ranged(names, alike)
+    if ", " in whose and len(alike) > _NAMED:
+        whose = _("{name} and {n} more").format(name=names[alike[0]], n=len(alike) - 1)
+    return f"{said} ({whose})"
