@@ -44,6 +44,8 @@ class Result:
         One from each stage, in SI and radians, always with the design axis; before them the speed where it varies over
         the cycle.
     missing : tuple of Missing
+    coarse : tuple of str
+        What is to be said of curves for which the steps asked for are too wide.
     """
 
     machines: tuple[Machine, ...]
@@ -52,6 +54,7 @@ class Result:
     labels: Mapping[str, tuple[str, ...]]
     gifts: tuple[object, ...]
     missing: tuple[Missing, ...]
+    coarse: tuple[str, ...] = ()
 
     @cached_property
     def _homes(self) -> dict[str, tuple[Entry, object]]:
@@ -105,7 +108,7 @@ class Result:
     @property
     def flags(self) -> tuple[str, ...]:
         """Warnings of the stages: a textbook form outside its source's range, and the like."""
-        return tuple(flag for gift in self.gifts for flag in getattr(gift, "flags", ()))
+        return (*self.coarse, *(flag for gift in self.gifts for flag in getattr(gift, "flags", ())))
 
     def answers(self, design: int = 0) -> Iterator[str]:
         """Give the stages' answer sentences for one design."""

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from cranktrain.analysis.grids import FACTS_STEP, coarse_curves, has_curves, on_grid, with_curves
 from cranktrain.analysis.parts import Parts, parts_of
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.second_run import SpeedWanted, with_speed
@@ -22,6 +23,8 @@ from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS
 
 _FINEST, _COARSEST = 0.01, 90.0
+_ONE_STEP = 1e-12
+"""Steps that differ by less are one. [rad]"""
 
 
 def run(
@@ -43,7 +46,8 @@ def run(
         At which everything is computed: the declared one all round; that of steady running, which a first run finds and
         a second is at; one's own at the crank angles of the grid; or what `speed_over_cycle` gave. [rad/s]
     step_degrees : float
-        Of the crank-angle grid; the cycle must be a whole number of steps. [deg]
+        Of the crank angles at which curves stand; the cycle must be a whole number of steps. Facts do not depend on it.
+        [deg]
     partial : bool
         Compute where the links close and give NaN where they do not, instead of refusing the machine.
     quantities : str or iterable of str, optional
@@ -69,14 +73,26 @@ def run(
     machines = (machine,) if isinstance(machine, Machine) else tuple(machine)
     if not machines:
         raise InputError([Problem("", None, _("there must be at least one machine"))])
-    parts = with_speed(parts_of(machines, step=_step(step_degrees), partial=partial), speed, stages)
+    step = _step(step_degrees)
+    declared = parts_of(machines, step=FACTS_STEP, partial=partial)
+    parts = with_speed(declared, speed, stages, step)
     names = (quantities,) if isinstance(quantities, str) else quantities
     chosen = stages if names is None else _needed(stages, tuple(names))
     gifts, missing = run_stages(chosen, parts)
+    grid: CrankAngle = _part(parts, CrankAngle)
+    coarse: tuple[str, ...] = ()
+    if abs(step - FACTS_STEP) > _ONE_STEP:
+        parts = on_grid(parts, step)
+        grid = _part(parts, CrankAngle)
+        drawn = leading_to(chosen, [one.gives for one in chosen if has_curves(one.gives)])
+        curves, _missing = run_stages(drawn, parts)
+        coarse = coarse_curves(gifts, curves, grid.shown)
+        gifts = with_curves(gifts, curves)
     return Result(
         machines=machines,
         has_designs=not isinstance(machine, Machine),
-        grid=_part(parts, CrankAngle),
+        grid=grid,
+        coarse=coarse,
         labels=_labels(parts, machines, gifts),
         gifts=(*(parts[part] for part in (SpeedCurve,) if part in parts), *gifts.values()),
         missing=missing,
@@ -104,7 +120,7 @@ def speed_over_cycle(machine: Machine, speed: SpeedWanted) -> SpeedCurve | None:
     """
     if isinstance(speed, SpeedCurve) or (isinstance(speed, str) and speed == "constant"):
         return speed if isinstance(speed, SpeedCurve) else None
-    parts = with_speed(parts_of((machine,), step=_step(1.0)), speed, STAGES)
+    parts = with_speed(parts_of((machine,), step=FACTS_STEP), speed, STAGES, FACTS_STEP)
     return _part(parts, SpeedCurve)
 
 

@@ -6,6 +6,7 @@ from typing import Any, Literal, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cranktrain.analysis.grids import on_grid
 from cranktrain.analysis.parts import Parts
 from cranktrain.analysis.stages import Stage, leading_to, run_stages
 from cranktrain.catalogue import entries
@@ -21,7 +22,7 @@ SpeedWanted: TypeAlias = Literal["constant", "running"] | ArrayLike | SpeedCurve
 """Constant; that of the steady running which the machine's file makes; one's own on the grid; or a curve there is."""
 
 
-def with_speed(parts: Parts, speed: SpeedWanted, stages: Sequence[Stage]) -> Parts:
+def with_speed(parts: Parts, speed: SpeedWanted, stages: Sequence[Stage], step: float) -> Parts:
     """Put the speed that is wanted into the parts.
 
     Parameters
@@ -32,6 +33,8 @@ def with_speed(parts: Parts, speed: SpeedWanted, stages: Sequence[Stage]) -> Par
         [rad/s]
     stages : sequence of Stage
         Which of them find the running speed.
+    step : float
+        Of the grid at whose crank angles speeds of one's own are given. [rad]
 
     Returns
     -------
@@ -45,14 +48,14 @@ def with_speed(parts: Parts, speed: SpeedWanted, stages: Sequence[Stage]) -> Par
     """
     if isinstance(speed, str) and speed == "constant":
         return parts
-    curve = speed if isinstance(speed, SpeedCurve) else _curve(parts, speed, stages)
+    curve = speed if isinstance(speed, SpeedCurve) else _curve(parts, speed, stages, step)
     declared: Any = parts.get(Speed, Speed(curve.mean))
     return {**parts, Speed: Speed(declared.value, curve), SpeedCurve: curve}
 
 
-def _curve(parts: Parts, speed: str | ArrayLike, stages: Sequence[Stage]) -> SpeedCurve:
+def _curve(parts: Parts, speed: str | ArrayLike, stages: Sequence[Stage], step: float) -> SpeedCurve:
     """Lay a curve through the running speed, or through one's own."""
-    grid: Any = parts[CrankAngle]
+    grid: Any = (parts if isinstance(speed, str) else on_grid(parts, step))[CrankAngle]
     if isinstance(speed, str):
         if speed != "running":
             allowed = _('must be "constant", "running" or speeds in rad/s at the crank angles of the grid')

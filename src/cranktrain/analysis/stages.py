@@ -25,8 +25,9 @@ from cranktrain.engine.followed import link_motion, slider_motions
 from cranktrain.engine.force_events import force_events
 from cranktrain.engine.forces import loaded_machine, mechanism_torques, solved_cycle
 from cranktrain.engine.frame_forces import frame_forces
-from cranktrain.engine.gas import gas_in_chambers, gas_pressures
+from cranktrain.engine.gas import gas_in_chambers
 from cranktrain.engine.gas_events import gas_events
+from cranktrain.engine.gas_pressures import gas_pressures
 from cranktrain.engine.guides import guide_edges
 from cranktrain.engine.joint_forces import joint_forces
 from cranktrain.engine.largest_forces import largest_forces
@@ -46,6 +47,7 @@ from cranktrain.engine.running_frame import running_frame
 from cranktrain.engine.shaft_torque import applied_torque
 from cranktrain.engine.torque import gear_torques, journal_torques, shaft_torques
 from cranktrain.engine.torque_orders import phase_star_sums, torque_orders
+from cranktrain.engine.torque_sources import torque_sources
 from cranktrain.engine.travel import cylinder_travel
 from cranktrain.engine.volumes import chamber_volumes, swept_volumes
 from cranktrain.engine.work_check import work_balance
@@ -166,6 +168,7 @@ STAGES: tuple[Stage, ...] = tuple(
         largest_forces,
         rod_methods,
         crank_pin_loads,
+        torque_sources,
         shaft_torques,
         gear_torques,
         work_balance,

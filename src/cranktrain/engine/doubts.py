@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from cranktrain.engine.dead_centres import DeadCentres
 from cranktrain.engine.forces import LoadedMachine
-from cranktrain.engine.gas import GasPressures
+from cranktrain.engine.gas_pressures import GasPressures
 from cranktrain.engine.masses import Masses
 from cranktrain.engine.motion import PistonSpeeds
 from cranktrain.engine.part_tables import SLIDER

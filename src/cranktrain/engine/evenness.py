@@ -12,8 +12,9 @@ from cranktrain.engine.forces import MechanismTorques
 from cranktrain.engine.layout import CrankAngle, Speed
 from cranktrain.engine.load_curve import LoadTorque
 from cranktrain.engine.shaft_torque import AppliedTorque
+from cranktrain.engine.torque_sources import TorqueSources
 from cranktrain.language import N_, _
-from cranktrain.loads.excess_work import ExcessWork, excess_against, excess_work
+from cranktrain.loads.excess_work import ExcessWork, excess_against, excess_of
 from cranktrain.loads.harmonics import TURN
 from cranktrain.loads.mean_speed import quadratic_coefficient
 from cranktrain.loads.periodic import PeriodicCurve, combined, fourier_integral, plus
@@ -77,15 +78,25 @@ class ShaftWork:
 
 
 def shaft_work(
-    applied: AppliedTorque, given: LoadTorque | None, torques: MechanismTorques, crank_angle: CrankAngle
+    applied: AppliedTorque,
+    sources: TorqueSources,
+    given: LoadTorque | None,
+    torques: MechanismTorques,
+    speed: Speed,
+    crank_angle: CrankAngle,
 ) -> ShaftWork:
     """Work of what drives the shaft less what the load curve takes, over the cycle.
 
     Notes
     -----
+    At the grid's points it is that of all torques, by quadrature between events, less what inertia keeps of it.
     docs/theory/evenness, eqs. (17.2) and (17.17).
     """
-    excess = excess_work(applied.applied_torque, crank_angle.cycle, applied.by.integral)
+    kept = torques.reduced_inertia * speed.drive(crank_angle.angle).speed[:, 0] ** 2 / 2
+    work = sources.work(crank_angle.shown, crank_angle.cycle) + kept - kept[..., :1]
+    mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
+    slope = applied.applied_torque - mean[..., np.newaxis]
+    excess = excess_of(applied.by.work(work, slope, crank_angle.cycle), mean)
     if given is not None:
         excess = excess_against(excess, given.work, given.load_factor, given.mean)
     return ShaftWork(

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
-from cranktrain.engine.gas import GasInChambers, GasPressures
+from cranktrain.engine.gas import GasInChambers
+from cranktrain.engine.gas_pressures import GasPressures
 from cranktrain.engine.guide_tables import Edges
 from cranktrain.engine.layout import CrankAngle, Mechanisms, Speed
 from cranktrain.engine.masses import Masses

@@ -7,21 +7,17 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import quantity
-from cranktrain.engine.dead_centres import ANGLE_ROUNDING, DeadCentres, around_zero, slider_motion
+from cranktrain.engine.dead_centres import DeadCentres, slider_motion
 from cranktrain.engine.firing import Cycle, Firing
 from cranktrain.engine.layout import CrankAngle, Pistons
-from cranktrain.engine.motion import PistonMotion
 from cranktrain.engine.travel import CylinderPistons, CylinderTravel
 from cranktrain.engine.volumes import Chambers, ChamberVolumes, SweptVolumes
 from cranktrain.errors import InputError, Problem
 from cranktrain.gas import Chamber, GasKind, GasSpec, VolumeLimits, chamber_state, kind_of
-from cranktrain.gas.work import indicated_work
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient, single
-from cranktrain.numerics import largest
 from cranktrain.record import record
-from cranktrain.wording import Names, ranged, shared
+from cranktrain.wording import ranged
 
 _CHAMBER = ("chamber",)
 _CURVE = ("chamber", "crank_angle")
@@ -288,79 +284,3 @@ def _model(kind: GasKind, spec: GasSpec, chamber: Chamber) -> Any:
         raise InputError(
             replace(problem, path=f"gas.{problem.path}".removesuffix(".")) for problem in error.problems
         ) from None
-
-
-@record
-class GasPressures:
-    """Pressure of the gas, and what it does."""
-
-    gas_pressure: Array = quantity("p", "Pa", _CURVE, N_("Absolute pressure in the chamber"), _THEORY)
-    gas_force: Array = quantity(
-        "P_g", "N", ("piston", "crank_angle"), N_("Force of the gas less ambient pressure, toward the shaft"), _THEORY
-    )
-    indicated_work: Array = quantity("W_i", "J", _CHAMBER, N_("Work of the gas over a cycle, ∮p dV"), _THEORY)
-    indicated_mean_pressure: Array = quantity(
-        "p_i", "Pa", _CHAMBER, N_("Indicated mean effective pressure: work over swept volume"), _THEORY
-    )
-    peak_pressure: Array = quantity("p_max", "Pa", _CHAMBER, N_("Largest pressure"), _THEORY)
-    peak_pressure_at: Array = quantity("φ(p_max)", "deg", _CHAMBER, N_("Crank angle of the largest pressure"), _THEORY)
-    peak_pressure_after: Array = quantity(
-        "α(p_max)", "deg", _CHAMBER, N_("Largest pressure after the least volume"), _THEORY
-    )
-    flags: tuple[str, ...] = ()
-
-    def answer(self, names: Names, design: int) -> str:
-        """Say mean and largest pressures."""
-        chambers = names["chamber"]
-        return _("Indicated mean pressure {mean}; largest {peak}, {after} after the dead centre.").format(
-            mean=shared(chambers, self.indicated_mean_pressure[design], "bar"),
-            peak=shared(chambers, self.peak_pressure[design], "bar"),
-            after=shared(chambers, self.peak_pressure_after[design], "deg"),
-        )
-
-
-def gas_pressures(
-    gas: GasInChambers, travel: CylinderTravel, swept: SweptVolumes, crank_angle: CrankAngle, motion: PistonMotion
-) -> GasPressures:
-    """Pressure over the cycle, its force, work and peak."""
-    phi = crank_angle.angle
-    volume = gas.volume_by(
-        Coefficient(
-            gas.tops - motion.piston_displacement,
-            -motion.piston_velocity_coefficient,
-            -motion.piston_acceleration_coefficient,
-        )
-    )
-    pressure = gas.pressure(phi, volume)
-    work = indicated_work(pressure, volume.first, gas.cycle)
-    firing, _opposite = gas.dead_centres(travel)
-    after, peak = _peaks(gas, firing, crank_angle, pressure)
-    return GasPressures(
-        gas_pressure=pressure,
-        gas_force=gas.force(pressure),
-        indicated_work=work,
-        indicated_mean_pressure=work / swept.swept_volume,
-        peak_pressure=peak,
-        peak_pressure_at=crank_angle.counted((firing + after)[..., np.newaxis], gas.cycle)[..., 0],
-        peak_pressure_after=after,
-        flags=(*gas.doubts, *gas.findings),
-    )
-
-
-def _peaks(gas: GasInChambers, firing: Array, crank_angle: CrankAngle, pressure: Array) -> tuple[Array, Array]:
-    """Angle of the largest pressure after the dead centre at firing, and the pressure, shape (design, chamber)."""
-    places = gas.distinct
-    zero = crank_angle.zero
-
-    def own(shown_angle: Array) -> Array:
-        """Pressure in each distinct chamber at its own angles, shape (design, distinct, k)."""
-        phi = shown_angle + zero
-        return gas.at_own(phi, places, lambda angle: gas.pressure(angle, gas.volume(angle)))
-
-    # A rise at constant volume stands at the dead centre itself, between the grid's points.
-    start = firing[:, places, np.newaxis]
-    found = largest(own, grid=crank_angle.shown, samples=pressure[:, places], kinks=start - zero)
-    after = around_zero(found.angle + zero - start)
-    after = np.where(np.abs(after) <= ANGLE_ROUNDING, 0.0, after)
-    design = np.arange(len(gas.models))[:, np.newaxis]
-    return after[design, gas.origin, 0], found.value[design, gas.origin, 0]

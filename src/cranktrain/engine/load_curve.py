@@ -8,6 +8,7 @@ from cranktrain.catalogue import quantity
 from cranktrain.engine.evenness_table import LoadCurve, ShaftLoad
 from cranktrain.engine.layout import CrankAngle
 from cranktrain.engine.shaft_torque import AppliedTorque
+from cranktrain.engine.torque_sources import TorqueSources
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
 from cranktrain.loads.periodic import PeriodicCurve, side_by_side
@@ -80,7 +81,9 @@ class LoadTorque:
         return f"{said} {left.format(rest=number(abs(rest), 'N*m'))}"
 
 
-def load_torque(curve: LoadCurve, load: ShaftLoad, applied: AppliedTorque, crank_angle: CrankAngle) -> LoadTorque:
+def load_torque(
+    curve: LoadCurve, load: ShaftLoad, applied: AppliedTorque, sources: TorqueSources, crank_angle: CrankAngle
+) -> LoadTorque:
     """Load torque on the grid and its exact work, as given or scaled to the machine's mean.
 
     Notes
@@ -91,7 +94,7 @@ def load_torque(curve: LoadCurve, load: ShaftLoad, applied: AppliedTorque, crank
         allowed = _("goes on over two turns, and the cycle of this machine is one")
         raise InputError([Problem("evenness.load_curve.file", None, allowed)])
     own = np.array([polyline_mean(polyline) for polyline in curve.polylines])
-    mean = np.mean(applied.applied_torque, axis=-1)
+    mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
     factor = np.ones_like(mean)
     if curve.is_scaled:
         gives_work = mean > _NOTHING * np.max(np.abs(applied.applied_torque), axis=-1)

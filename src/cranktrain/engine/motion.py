@@ -16,6 +16,8 @@ from cranktrain.wording import Names, by_sort, shared
 _PISTON = ("piston",)
 _CURVE = ("piston", "crank_angle")
 _THEORY = "docs/theory/slider-crank"
+_ALIKE = 1e-9
+"""Speeds of both strokes that differ by less, relative, are one; the one toward the shaft is named."""
 
 
 @record
@@ -68,9 +70,15 @@ class PistonSpeeds:
     piston_acceleration: Array = quantity("j", "m/s^2", _CURVE, N_("Piston acceleration toward the shaft"), _THEORY)
     mean_piston_speed: Array = quantity("c_m", "m/s", _PISTON, N_("Mean piston speed, 2 S n"), _THEORY)
     largest_piston_speed: Array = quantity(
-        "v_max", "m/s", _PISTON, N_("Largest piston velocity toward the shaft"), _THEORY
+        "|v|_max", "m/s", _PISTON, N_("Largest piston speed, toward the shaft or away from it"), _THEORY
     )
     largest_piston_speed_at: Array = quantity(
+        "φ(|v|_max)", "deg", _PISTON, N_("Crank angle of the largest piston speed"), _THEORY
+    )
+    largest_piston_velocity: Array = quantity(
+        "v_max", "m/s", _PISTON, N_("Largest piston velocity toward the shaft"), _THEORY
+    )
+    largest_piston_velocity_at: Array = quantity(
         "φ(v_max)",
         "deg",
         _PISTON,
@@ -118,7 +126,8 @@ class PistonSpeeds:
             _("Mean piston speed {mean}, largest {largest}; largest acceleration {acceleration}."),
             _("Mean valve speed {mean}, largest {largest}; largest acceleration {acceleration}."),
         )
-        curves = (self.mean_piston_speed, self.largest_piston_speed, self.largest_piston_acceleration)
+        of_either_sense = np.fmax(self.largest_piston_acceleration, -self.smallest_piston_acceleration)
+        curves = (self.mean_piston_speed, self.largest_piston_speed, of_either_sense)
         return " ".join(
             said.format(
                 mean=shared(own, mean, "m/s"),
@@ -152,14 +161,18 @@ def piston_speeds(
     def at(extreme: Extreme) -> Array:
         return crank_angle.counted(extreme.angle, 2 * np.pi if speed.curve is None else crank_angle.cycle)[..., 0]
 
+    # Without an offset both are alike but for rounding, which must not choose.
+    is_away = (-slowest.value > fastest.value * (1 + _ALIKE))[..., 0]
     mean_speed = dead_centres.stroke * (speed.mean / np.pi)[..., 0]
     return PistonSpeeds(
         is_valve=pistons.is_valve,
         piston_velocity=velocity,
         piston_acceleration=acceleration,
         mean_piston_speed=mean_speed,
-        largest_piston_speed=fastest.value[..., 0],
-        largest_piston_speed_at=at(fastest),
+        largest_piston_speed=np.where(is_away, -slowest.value[..., 0], fastest.value[..., 0]),
+        largest_piston_speed_at=np.where(is_away, at(slowest), at(fastest)),
+        largest_piston_velocity=fastest.value[..., 0],
+        largest_piston_velocity_at=at(fastest),
         smallest_piston_velocity=slowest.value[..., 0],
         smallest_piston_velocity_at=at(slowest),
         largest_piston_acceleration=most.value[..., 0],

@@ -7,7 +7,7 @@ import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.firing import Cycle
-from cranktrain.engine.gas import GasPressures
+from cranktrain.engine.gas_pressures import GasPressures
 from cranktrain.engine.layout import Speed
 from cranktrain.engine.specs import CylindersSpec
 from cranktrain.engine.volumes import Chambers, SweptVolumes

@@ -1,5 +1,6 @@
 """The torque of gas, weight and friction on the shaft: what is left of a machine's torque without its inertia."""
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 from cranktrain.catalogue import quantity
@@ -8,7 +9,15 @@ from cranktrain.engine.forces import LoadedMachine, MechanismTorques
 from cranktrain.engine.layout import CrankAngle
 from cranktrain.language import N_
 from cranktrain.linkage.forces import Drive, Reduced, ReducedInertia, torque_by_work
-from cranktrain.loads.periodic import Interpolation, fourier_curve, fourier_integral, spline_curve, spline_integral
+from cranktrain.loads.periodic import (
+    Interpolation,
+    PeriodicCurve,
+    fourier_curve,
+    fourier_integral,
+    hermite_curve,
+    spline_curve,
+    spline_integral,
+)
 from cranktrain.motion import Array
 from cranktrain.record import record
 
@@ -16,10 +25,11 @@ _THEORY = "docs/theory/evenness"
 
 
 class Interpolations(NamedTuple):
-    """How curves run between the points of the grid: a curve, and the integral of a torque."""
+    """How curves run between the points of the grid: a curve, the integral of a torque, a work whose slope is known."""
 
     curve: Interpolation
     integral: Interpolation
+    work: Callable[[Array, Array, float], PeriodicCurve]
 
 
 @record
@@ -42,6 +52,11 @@ class AppliedTorque:
     )
 
 
+def _smooth_work(work: Array, _slope: Array, cycle: float) -> PeriodicCurve:
+    """Curve of a work that is smooth, for which its values are enough."""
+    return fourier_curve(work, cycle)
+
+
 def applied_torque(
     _load: ShaftLoad, torques: MechanismTorques, loaded: LoadedMachine, crank_angle: CrankAngle
 ) -> AppliedTorque:
@@ -56,8 +71,8 @@ def applied_torque(
     equation = Reduced(ReducedInertia(torques.reduced_inertia, torques.reduced_inertia_slope), torques.driving_torque)
     applied = torque_by_work(equation, Drive(drive.speed[:, 0], drive.acceleration[:, 0]))
     by = (
-        Interpolations(fourier_curve, fourier_integral)
+        Interpolations(fourier_curve, fourier_integral, _smooth_work)
         if loaded.gas is None and not loaded.masses.has_friction
-        else Interpolations(spline_curve, spline_integral)
+        else Interpolations(spline_curve, spline_integral, hermite_curve)
     )
     return AppliedTorque(by, applied)

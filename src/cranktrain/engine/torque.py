@@ -12,6 +12,7 @@ from cranktrain.engine.force_peaks import extremes_of_machine, largest_of_machin
 from cranktrain.engine.forces import LoadedMachine, SolvedCycle, driving_torques
 from cranktrain.engine.layout import CrankAngle
 from cranktrain.engine.shafts import GearedShafts, Shafts
+from cranktrain.engine.torque_sources import TorqueSources
 from cranktrain.language import N_, _
 from cranktrain.loads import torque as along_shaft
 from cranktrain.motion import Array
@@ -57,9 +58,14 @@ class ShaftTorques:
 
 
 def shaft_torques(
-    loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, crank_angle: CrankAngle, events: ForceEvents
+    loaded: LoadedMachine,
+    solved: SolvedCycle,
+    shafts: Shafts,
+    crank_angle: CrankAngle,
+    events: ForceEvents,
+    sources: TorqueSources,
 ) -> ShaftTorques:
-    """Torque on every shaft over the cycle, and the extremes of all together, refined on the mechanisms.
+    """Torque on every shaft over the cycle, its mean by quadrature, and extremes refined on the mechanisms.
 
     Notes
     -----
@@ -73,7 +79,7 @@ def shaft_torques(
     def torque(angle: Array) -> Array:
         return -np.sum(driving_torques(loaded, loaded.solved(angle)), axis=1, keepdims=True)
 
-    mean = np.mean(whole, axis=-1)
+    mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
     least, most = extremes_of_machine(torque, whole[:, np.newaxis], events, crank_angle)
     return ShaftTorques(
         shaft_torque=by_shaft,
@@ -169,7 +175,9 @@ class GearTorques:
         )
 
 
-def gear_torques(geared: GearedShafts, torques: ShaftTorques) -> GearTorques:
+def gear_torques(
+    geared: GearedShafts, torques: ShaftTorques, sources: TorqueSources, crank_angle: CrankAngle
+) -> GearTorques:
     """What an ideal gear passes from each shaft to the main one; NaN for that one itself.
 
     At constant speed a balanced shaft takes nothing for itself: the gear passes all. Work shares are NaN where the
@@ -177,7 +185,7 @@ def gear_torques(geared: GearedShafts, torques: ShaftTorques) -> GearTorques:
     """
     other = np.arange(len(geared.shafts.names)) != geared.shafts.main
     passed = np.where(other[:, np.newaxis], torques.shaft_torque, np.nan)
-    mean = np.mean(torques.shaft_torque, axis=-1)
+    mean = sources.mean(crank_angle.cycle)
     total = np.sum(mean, axis=-1, keepdims=True)
     peak = np.max(np.abs(torques.shaft_torque), axis=(1, 2))[:, np.newaxis]
     return GearTorques(

@@ -11,8 +11,9 @@ from cranktrain.engine.balance_specs import HIGHEST_ORDER
 from cranktrain.engine.firing import Cycle, Firing
 from cranktrain.engine.layout import CrankAngle
 from cranktrain.engine.torque import ShaftTorques
+from cranktrain.engine.torque_sources import TorqueSources
 from cranktrain.language import N_, _
-from cranktrain.loads.harmonics import TURN, harmonics
+from cranktrain.loads.harmonics import TURN, from_vectors
 from cranktrain.loads.stars import phase_stars
 from cranktrain.motion import Array
 from cranktrain.record import record
@@ -69,20 +70,14 @@ class TorqueOrders:
         )
 
 
-def torque_orders(torques: ShaftTorques, crank_angle: CrankAngle) -> TorqueOrders:
-    """Harmonics of the torque of all mechanisms together.
-
-    NaN where the grid is too coarse to show an order; rounding has no phase.
-    """
-    found = harmonics(torques.machine_torque, crank_angle.cycle)
-    wanted = len(orders(crank_angle.cycle))
-    shown = (torques.machine_torque.shape[-1] - 1) // 2
-    amplitude, phase = np.full((2, len(torques.machine_torque), wanted), np.nan)
-    taken = min(wanted, shown)
-    amplitude[:, :taken] = found.amplitude[:, 1 : taken + 1]
-    phase[:, :taken] = found.phase[:, 1 : taken + 1]
-    phase[amplitude <= _NOTHING * np.max(np.abs(torques.machine_torque), axis=-1, keepdims=True)] = np.nan
-    return TorqueOrders(amplitude, phase, order_labels(crank_angle.cycle))
+def torque_orders(sources: TorqueSources, torques: ShaftTorques, crank_angle: CrankAngle) -> TorqueOrders:
+    """Harmonics of the torque of all mechanisms together, by quadrature between events; rounding has no phase."""
+    order = orders(crank_angle.cycle)
+    vectors = sources.orders(np.concatenate([[0.0], order]), crank_angle.cycle)[:, 1:]
+    found = from_vectors(order, vectors)
+    largest = np.max(np.abs(torques.machine_torque), axis=-1, keepdims=True)
+    phase = np.where(found.amplitude > _NOTHING * largest, found.phase, np.nan)
+    return TorqueOrders(found.amplitude, phase, order_labels(crank_angle.cycle))
 
 
 @record

@@ -62,8 +62,12 @@ def excess_work(excess: Array, cycle: float = TURN, by: Interpolation = fourier_
     >>> round(float(excess_work(100 + 50 * np.sin(phi)).difference), 9)
     100.0
     """
-    work = by(excess, cycle)
-    return ExcessWork(work, np.mean(excess, axis=-1), *curve_extremes(work))
+    return excess_of(by(excess, cycle), np.mean(excess, axis=-1))
+
+
+def excess_of(work: PeriodicCurve, mean: Array) -> ExcessWork:
+    """Excess work whose curve, 0 at φ = 0, is known [J], and the mean of the excess torque, shape (...) [N·m]."""
+    return ExcessWork(work, mean, *curve_extremes(work))
 
 
 def excess_against(driving: ExcessWork, load_work: PeriodicCurve, factor: Array, mean: Array) -> ExcessWork:
@@ -88,5 +92,4 @@ def excess_against(driving: ExcessWork, load_work: PeriodicCurve, factor: Array,
     -----
     docs/theory/evenness, eq. (17.17).
     """
-    work = combined(driving.work, -factor, load_work)
-    return ExcessWork(work, driving.mean_excess - mean, *curve_extremes(work))
+    return excess_of(combined(driving.work, -factor, load_work), driving.mean_excess - mean)

@@ -1,6 +1,7 @@
 """Roots and extremes of many curves at once, to rounding: curves are kernels, so nothing is read off a grid."""
 
 from cranktrain.numerics.extremes import Extremes, extremes, largest, smallest, turning_points
+from cranktrain.numerics.panels import Panels, integral_to, panels
 from cranktrain.numerics.pieces import Peak, Peaks, extremes_between, largest_between
 from cranktrain.numerics.roots import Curve, bracketed_roots, near_roots
 from cranktrain.numerics.series import (
@@ -17,15 +18,18 @@ __all__ = [
     "Curve",
     "Extreme",
     "Extremes",
+    "Panels",
     "Peak",
     "Peaks",
     "bracketed_roots",
     "derivatives_residual",
     "extremes",
     "extremes_between",
+    "integral_to",
     "largest",
     "largest_between",
     "near_roots",
+    "panels",
     "smallest",
     "spectral_derivative",
     "turn_grid",

@@ -7,7 +7,7 @@ import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.engine.forces import LoadedMachine, carriers_of
-from cranktrain.engine.gas import GasPressures
+from cranktrain.engine.gas_pressures import GasPressures
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.motion import Array

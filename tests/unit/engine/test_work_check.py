@@ -10,7 +10,7 @@ from tests.machines import V12, slave, slider, throws
 import cranktrain as ct
 from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.stages import STAGES, run_stages
-from cranktrain.engine.gas import GasInChambers
+from cranktrain.engine.gas_pressures import GasPressures
 from cranktrain.engine.work_check import WorkBalance, work_balance
 
 DUAL = {
@@ -122,12 +122,13 @@ def indicator(step: float) -> dict[str, Any]:
     return {"kind": "indicator", "file": "trace.csv", "text": text, "firing_angle": "0 deg"}
 
 
-@pytest.mark.parametrize(("step", "limit"), [(0.5, 1e-4), (1.0, 5e-4), (2.0, 2e-3)])
-def test_indicator_diagrams(step, limit):
+@pytest.mark.parametrize("step", [0.5, 1.0, 10.0])
+def test_indicator_diagrams(step):
+    """By quadrature from node to node: to rounding, whatever the steps of the curves."""
     bank = {"A": {"mechanism": slider(crank_radius="45 mm", rod_length="150 mm")}}
     result = ct.run(machine(indicator(1.0), {"compression_ratio": 10}, bank=bank), step_degrees=step)
     check = next(check for check in result.checks if check.name == "work")
-    assert check.limit == pytest.approx(limit)
+    assert check.limit == 1e-12
     assert check.passed
 
 
@@ -140,6 +141,6 @@ def test_it_can_fail():
     assert other[WorkBalance].checks[0].passed
     needs = next(stage for stage in STAGES if stage.gives is WorkBalance).needs
     given = {name: known[need] for name, need in needs.items()}
-    (check,) = work_balance(**(given | {"gas": other[GasInChambers]})).checks
+    (check,) = work_balance(**(given | {"pressures": other[GasPressures]})).checks
     assert not check.passed
     assert check.residual == pytest.approx(0.01, rel=0.2)

@@ -1,0 +1,89 @@
+"""Two grids: facts are found from one of their own, whatever steps a user asks for; curves stand on the user's."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from cranktrain.analysis.parts import Parts
+from cranktrain.catalogue import entries
+from cranktrain.engine.layout import CrankAngle
+from cranktrain.language import _
+from cranktrain.motion import Array
+
+FACTS_STEP = np.pi / 180
+"""Of the grid from which facts are found. [rad]"""
+_COARSE = 0.02
+"""Of a curve's range; what straight lines between its points may miss."""
+_ROUGH = 0.05
+"""Of its range, by which a curve bends on the average from point to point where it is but rounding."""
+_TOLD = 3
+"""How many curves a sentence names."""
+
+
+def on_grid(parts: Parts, step: float) -> Parts:
+    """Put another grid of crank angles, with steps in radians, into the parts."""
+    grid: Any = parts[CrankAngle]
+    n_angles = round(grid.cycle / step)
+    return {**parts, CrankAngle: replace(grid, shown=np.arange(n_angles) * grid.cycle / n_angles)}
+
+
+def has_curves(gift: type) -> bool:
+    """Whether a stage's result holds any curve."""
+    return any(not entry.is_fact for entry in entries(gift))
+
+
+def with_curves(facts: Mapping[type, object], curves: Mapping[type, object]) -> dict[type, object]:
+    """Results whose facts, checks and flags are those of one run, and whose curves are those of another."""
+    merged: dict[type, Any] = dict(facts)
+    for kind, gift in curves.items():
+        moved = {entry.name: getattr(gift, entry.name) for entry in entries(kind) if not entry.is_fact}
+        if moved and kind in merged:
+            merged[kind] = replace(merged[kind], **moved)
+    return merged
+
+
+def coarse_curves(facts: Mapping[type, object], curves: Mapping[type, object], shown: Array) -> tuple[str, ...]:
+    """Say which curves lose more than a little between their points, beside those of the facts' grid.
+
+    Parameters
+    ----------
+    facts, curves : mapping of type to result object
+        Of both runs.
+    shown : Array, shape (n,)
+        The curves' grid. [rad]
+    """
+    step = float(shown[1] - shown[0])
+    if step <= FACTS_STEP:
+        return ()
+    missed: dict[str, float] = {}
+    for kind, gift in curves.items():
+        for entry in entries(kind) if kind in facts else ():
+            if not entry.is_fact:
+                missed[entry.name] = _missed(getattr(gift, entry.name), getattr(facts[kind], entry.name))
+    worst = sorted((name for name in missed if missed[name] > _COARSE), key=lambda name: -missed[name])
+    if not worst:
+        return ()
+    named = ", ".join(f"{name} ({100 * missed[name]:.0f} %)" for name in worst[:_TOLD])
+    more = _(" and {n} more").format(n=len(worst) - _TOLD) if len(worst) > _TOLD else ""
+    said = _(
+        "A step of {step:g} deg is coarse for curves, though not for facts: straight lines between points miss up to"
+        " this much of the range of {curves}{more}."
+    )
+    return (said.format(step=round(float(np.degrees(step)), 6), curves=named, more=more),)
+
+
+def _missed(coarse: Array, fine: Array) -> float:
+    """Largest difference of a curve from straight lines between its points, in parts of its range over the cycle."""
+    n_coarse, n_fine = coarse.shape[-1], fine.shape[-1]
+    way: Array = np.arange(n_fine, dtype=np.float64) * (n_coarse / n_fine)
+    place = np.floor(way).astype(np.intp)
+    share: Array = way - place
+    lines: Array = (1 - share) * coarse[..., place % n_coarse] + share * coarse[..., (place + 1) % n_coarse]
+    with np.errstate(all="ignore"):
+        span: Array = np.fmax.reduce(fine, axis=-1) - np.fmin.reduce(fine, axis=-1)
+        off: Array = np.fmax.reduce(np.abs(lines - fine), axis=-1)
+        # What bends at every point is rounding about a constant.
+        bend = np.mean(np.abs(np.diff(np.nan_to_num(fine), 2, axis=-1)), axis=-1)
+        return float(np.fmax.reduce(np.where(bend < _ROUGH * span, off / span, 0.0), axis=None, initial=0.0))

@@ -1,0 +1,176 @@
+"""Torque of a machine taken apart for integrals: what is smooth only between events, at Gauss's points, and the rest.
+
+Where nothing rubs, the gas of each chamber does its work by itself, alike for all chambers that differ in their phase;
+what is left of the torque is smooth. Where something rubs, the whole machine is solved at the points of one quadrature.
+"""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.engine.force_events import ForceEvents
+from cranktrain.engine.forces import LoadedMachine, SolvedCycle, driving_torques
+from cranktrain.engine.gas import AMBIENT, GasInChambers
+from cranktrain.engine.gas_events import GasEvents
+from cranktrain.engine.gas_pressures import GasPressures
+from cranktrain.engine.layout import CrankAngle
+from cranktrain.engine.motion import PistonMotion
+from cranktrain.engine.shafts import Shafts
+from cranktrain.gas import VolumeLimits, chamber_state, kind_of
+from cranktrain.loads.harmonics import ComplexArray, harmonics, phasor
+from cranktrain.loads.periodic import fourier_integral
+from cranktrain.loads.torque import throw_torque
+from cranktrain.motion import Array, single
+from cranktrain.numerics import Panels, integral_to, panels
+from cranktrain.record import record
+
+_WIDEST = np.pi / 9
+"""Of a panel, for the highest order too. [rad]"""
+_REACH = 1.3
+"""How wide they may be for the distance of the volume's zeros in the complex plane, where p ~ V⁻ⁿ has its poles."""
+
+
+class Source(NamedTuple):
+    """A torque over angles of its own, which several places of a machine have, each from another crank angle on.
+
+    Attributes
+    ----------
+    panels : Panels
+    values : Array, shape (part, point)
+        At the panels' points; the parts act on different shafts. [N·m]
+    starts : Array, shape (place,)
+        Crank angle, as shown, of the source's own 0. [rad]
+    shafts : array of int, shape (place, part)
+        On which shaft each part acts.
+    """
+
+    panels: Panels
+    values: Array
+    starts: Array
+    shafts: NDArray[np.intp]
+
+
+@record
+class TorqueSources:
+    """The machine's torque on all shafts.
+
+    Attributes
+    ----------
+    sources : tuple of tuples of Source
+        Of each design.
+    rest : Array, shape (design, shaft, n)
+        What they leave of the torque on the grid: smooth. [N·m]
+    """
+
+    sources: tuple[tuple[Source, ...], ...]
+    rest: Array
+
+    def mean(self, cycle: float) -> Array:
+        """Mean torque on every shaft, shape (design, shaft). [N·m]"""
+        found = np.mean(self.rest, axis=-1)
+        for design, sources in enumerate(self.sources):
+            for one in sources:
+                own = np.broadcast_to(np.sum(one.values * one.panels.weight, axis=-1) / cycle, one.shafts.shape)
+                np.add.at(found[design], one.shafts, own)
+        return found
+
+    def orders(self, order: Array, cycle: float) -> ComplexArray:
+        """Amplitudes c_k of the torque of all shafts, Re Σ c_k e^{ikφ}, φ as shown, shape (design, order). [N·m]
+
+        Parameters
+        ----------
+        order : Array, shape (order,)
+            The first ones of the cycle, from 0.
+        cycle : float
+            [rad]
+        """
+        smooth = harmonics(np.sum(self.rest, axis=1), cycle).vectors[..., : order.size]
+        found = np.zeros((len(smooth), order.size), dtype=np.complex128)
+        found[:, : smooth.shape[-1]] = smooth
+        share = np.where(order > 0, 2.0, 1.0) / cycle
+        for design, sources in enumerate(self.sources):
+            for one in sources:
+                waves = phasor(-order[:, np.newaxis] * one.panels.angle)
+                own = share * (waves @ (np.sum(one.values, axis=0) * one.panels.weight))
+                found[design] += own * np.sum(phasor(-order * one.starts[:, np.newaxis]), axis=0)
+        return found
+
+    def work(self, shown: Array, cycle: float) -> Array:
+        """Work of the torque of all shafts less its mean, from the grid's first angle to each, (design, n). [J]"""
+        found = fourier_integral(np.sum(self.rest, axis=1), cycle).samples.copy()
+        step = float(shown[1] - shown[0])
+        for design, sources in enumerate(self.sources):
+            for one in sources:
+                values = np.sum(one.values, axis=0)
+                values = values - np.sum(values * one.panels.weight) / cycle
+                # Starts that are whole steps apart see the same points in turn.
+                steps = one.starts / step
+                beside: Array = np.round(np.mod(steps + 0.5, 1.0) - 0.5, 9)
+                for aside in np.unique(beside).tolist():
+                    whole = integral_to(one.panels, values, shown - aside * step)
+                    for late in np.rint(steps[beside == aside] - aside).astype(np.intp).tolist():
+                        laid = np.roll(whole, late)
+                        found[design] += laid - laid[0]
+        return found
+
+
+def torque_sources(
+    loaded: LoadedMachine,
+    solved: SolvedCycle,
+    shafts: Shafts,
+    crank_angle: CrankAngle,
+    events: ForceEvents,
+    gas_events: GasEvents | None,
+    gas: GasPressures | None,
+    motion: PistonMotion | None,
+) -> TorqueSources:
+    """Take the torque apart; docs/theory/harmonics-and-orders, eq. (15.17)."""
+    by_shaft = throw_torque(-driving_torques(loaded, solved.groups), shafts.shaft, len(shafts.names))
+    designs = range(len(by_shaft))
+    if loaded.masses.has_friction:
+        whole = tuple((_of_machine(loaded, shafts, crank_angle, events, design),) for design in designs)
+        return TorqueSources(whole, np.zeros_like(by_shaft))
+    if loaded.gas is None or gas_events is None or gas is None or motion is None:
+        return TorqueSources(((),) * len(designs), by_shaft)
+    own = shafts.shaft[loaded.carriers.driven]
+    smooth = by_shaft - throw_torque(gas.gas_force * motion.piston_velocity_coefficient, own, len(shafts.names))
+    sources = tuple(tuple(_of_chambers(loaded.gas, gas_events, crank_angle, own, design)) for design in designs)
+    return TorqueSources(sources, smooth)
+
+
+def _of_machine(
+    loaded: LoadedMachine, shafts: Shafts, crank_angle: CrankAngle, events: ForceEvents, design: int
+) -> Source:
+    """Torque on every shaft of one design, by the reactions."""
+    zero = float(crank_angle.zero[design, 0, 0])
+    cut = panels(events.whole[design] - zero, _WIDEST, crank_angle.cycle)
+    angle = np.broadcast_to(cut.angle, (len(events.whole), 1, cut.angle.size)) + crank_angle.zero
+    torque = throw_torque(-driving_torques(loaded, loaded.solved(angle)), shafts.shaft, len(shafts.names))
+    return Source(cut, torque[design], np.zeros(1), np.arange(len(shafts.names))[np.newaxis])
+
+
+def _of_chambers(
+    gas: GasInChambers, events: GasEvents, crank_angle: CrankAngle, shafts: NDArray[np.intp], design: int
+) -> Iterator[Source]:
+    """Torque of the gas in each chamber of one design on its pistons' shafts, by virtual work."""
+    kind, zero = kind_of(gas.specs[design]), float(crank_angle.zero[design, 0, 0])
+    for model, places in gas.alike(design):
+        first = places[0]
+        start = float(gas.firing[design, first, 0])
+        least = gas.volume_of(design, first, np.array([events.angle[design, first, 0]]))
+        # Near its least value V = V_c + ½V″φ², which is 0 at an imaginary φ.
+        away = np.sqrt(2 * least.value[0] / least.second[0])
+        cut = panels(events.angle[design, first] - start, float(np.fmin(_WIDEST, _REACH * away)), gas.cycle)
+        volume = gas.volume_of(design, first, cut.angle + start)
+        limits = VolumeLimits(*(single(float(part[design, first, 0])) for part in gas.limits))
+        pressure = kind.pressure(chamber_state(volume, limits, cut.angle, single(gas.cycle)), model)
+        by_chamber = [np.flatnonzero(gas.chambers.areas[design, :, place]) for place in places]
+        values = [
+            gas.chambers.areas[design, piston, first]
+            * (pressure - AMBIENT)
+            * -gas.pistons.alone(design, piston, cut.angle + start).slider.first[0]
+            for piston in by_chamber[0].tolist()
+        ]
+        yield Source(cut, np.stack(values), gas.firing[design, places, 0] - zero, shafts[np.stack(by_chamber)])

@@ -1,0 +1,127 @@
+"""Integrals of curves that are smooth between known breaks: Gauss's points panel by panel, so that few are exact."""
+
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.motion import Array
+
+_NODES = ((0.04, 3), (0.2, 5), (0.6, 8), (np.inf, 12))
+"""Panels up to a part of the widest, and how many points are enough there for 13 digits."""
+_NARROWEST = 1e-13
+"""Breaks that are closer are one. [rad]"""
+
+
+class Panels(NamedTuple):
+    """One period cut at breaks, and further where that leaves wide pieces.
+
+    Attributes
+    ----------
+    start, width : Array, shape (panel,)
+        Rising from the first edge. [rad]
+    first, size : array of int, shape (panel,)
+        Which of the points are in each panel.
+    angle, weight : Array, shape (point,)
+        Gauss's points and their weights. [rad]
+    """
+
+    start: Array
+    width: Array
+    first: NDArray[np.intp]
+    size: NDArray[np.intp]
+    angle: Array
+    weight: Array
+
+
+def panels(breaks: Array, widest: float, period: float) -> Panels:
+    """Cut one period into panels.
+
+    Parameters
+    ----------
+    breaks : Array, shape (n,)
+        Any angles; NaN for none. [rad]
+    widest : float
+        How wide a panel may be for the curve to be smooth in it as far as Gauss's points see. [rad]
+    period : float
+        [rad]
+
+    Returns
+    -------
+    Panels
+    """
+    known = np.mod(breaks[~np.isnan(breaks)], period)
+    n_parts = int(np.ceil(period / widest - _NARROWEST))
+    marks = np.arange(n_parts) * (period / n_parts) + (known[0] if known.size else 0.0)
+    edges = np.sort(np.concatenate([known, np.mod(marks, period)]))
+    edges = np.append(edges, edges[0] + period)
+    is_one: NDArray[np.bool_] = np.diff(edges) > _NARROWEST
+    start, width = edges[:-1][is_one], np.diff(edges)[is_one]
+    bounds, sizes = zip(*_NODES, strict=True)
+    size: NDArray[np.intp] = np.array(sizes, dtype=np.intp)[np.searchsorted(np.array(bounds) * widest, width)]
+    first: NDArray[np.intp] = np.cumsum(size, dtype=np.intp) - size
+    angle, weight = np.empty((2, int(np.sum(size))))
+    for n_nodes in sizes:
+        chosen = size == n_nodes
+        node, share = leggauss(n_nodes)
+        place: NDArray[np.intp] = first[chosen, np.newaxis] + np.arange(n_nodes, dtype=np.intp)
+        half = width[chosen, np.newaxis] / 2
+        angle[place] = start[chosen, np.newaxis] + half * (1 + node)
+        weight[place] = half * share
+    return Panels(start, width, first, size, angle, weight)
+
+
+def integral_to(of: Panels, values: Array, angle: Array) -> Array:
+    """Integral of a periodic curve from the first edge of the panels to some angles.
+
+    Parameters
+    ----------
+    of : Panels
+    values : Array, shape (..., point)
+        At the panels' points.
+    angle : Array, shape (k,)
+        Within one period of each other or not. [rad]
+
+    Returns
+    -------
+    Array, shape (..., k)
+        Of the polynomial through the points of each panel.
+    """
+    period = float(np.sum(of.width))
+    turns = np.floor((angle - of.start[0]) / period)
+    inside = angle - turns * period
+    # The first panel begins where the period does.
+    panel: NDArray[np.intp] = np.searchsorted(of.start[1:], inside, side="right")
+    whole = np.add.reduceat(values * of.weight, of.first, axis=-1)
+    before = np.cumsum(whole, axis=-1) - whole
+    total = before[..., panel] + turns * np.sum(whole, axis=-1, keepdims=True)
+    way = np.clip(2 * (inside - of.start[panel]) / of.width[panel] - 1, -1.0, 1.0)
+    for n_nodes in np.unique(of.size[panel]).tolist():
+        chosen = np.flatnonzero(of.size[panel] == n_nodes)
+        place: NDArray[np.intp] = of.first[panel[chosen], np.newaxis] + np.arange(n_nodes, dtype=np.intp)
+        part = np.sum(values[..., place] * (_legendre_integrals(way[chosen], n_nodes) @ _to_series(n_nodes)), axis=-1)
+        total[..., chosen] += of.width[panel[chosen]] / 2 * part
+    return total
+
+
+@cache
+def leggauss(n_nodes: int) -> tuple[Array, Array]:
+    """Gauss's points in (−1, 1) and their weights."""
+    return np.polynomial.legendre.leggauss(n_nodes)
+
+
+@cache
+def _to_series(n_nodes: int) -> Array:
+    """From values at Gauss's points to the coefficients of Legendre's polynomials, shape (n, n)."""
+    node, weight = leggauss(n_nodes)
+    order = np.arange(n_nodes)[:, np.newaxis]
+    return (order + 0.5) * np.polynomial.legendre.legvander(node, n_nodes - 1).T * weight
+
+
+def _legendre_integrals(way: Array, n_nodes: int) -> Array:
+    """Integrals of Legendre's polynomials from −1 to some ways, shape (k, n)."""
+    values = np.polynomial.legendre.legvander(way, n_nodes)
+    order = np.arange(1, n_nodes)
+    rest = (values[:, 2:] - values[:, :-2]) / (2 * order + 1)
+    return np.concatenate([(1 + way)[:, np.newaxis], rest], axis=1)
