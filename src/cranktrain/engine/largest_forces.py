@@ -121,6 +121,8 @@ def largest_forces(
     is_master = np.zeros(samples.shape[2], dtype=np.bool_)
     is_master[loaded.carriers.piston[master[master >= 0]]] = True
     names = [f"{_SAID[i]} {loaded.mechanisms.names[j]}" for i, j in zip(which.tolist(), driven.tolist(), strict=True)]
+    # What rests on no mass and no gas is no answer.
+    value, at = (np.where(value > 0, part, np.nan) for part in (value, at))
     piston, side, rod = zip(value[:3], at[:3], strict=True)
     return LargestForces(
         *piston,

@@ -87,18 +87,20 @@ def force_panels(result: Result, piston: str | None, design: int = 0) -> Iterato
     torque = shown("machine_torque")
     factor, unit = (1e3, "kN·m") if np.nanmax(np.abs(torque)) >= _MANY else (1.0, "N·m")
     whole = Drawn(r"T_\Sigma", torque / factor, "T", 1.9)
-    mean = Drawn("T_m", np.full_like(torque, np.mean(torque) / factor), "F", 0.9, (6.0, 3.0))
+    average = float(shown("mean_torque")) / factor
+    mean = Drawn("T_m", np.full_like(torque, average), "F", 0.9, (6.0, 3.0))
     each = tuple(Drawn("", values / factor, "T", 0.45) for values in shown("mechanism_torque") if np.any(values))
-    title = _("Torque on the shaft, mean {mean}").format(mean=figure(float(np.mean(torque)) / factor))
+    title = _("Torque on the shaft, mean {mean}").format(mean=figure(average))
     yield ForcePanel(title, unit, (whole, mean), each if len(each) > 1 else ())
 
 
 def has_forces(result: Result, piston: str) -> bool:
-    """Whether a piston has a rod, so that it has forces of its own; a valve of a gear has none."""
+    """Whether a piston has a rod, so that it has forces of its own, and anything acts on it."""
     if "piston_force" not in result.catalogue:
         return False
-    values = result.side_force[0] if result.has_designs else result.side_force
-    return bool(np.all(np.isfinite(values[_method(result, _EXACT), result.labels["piston"].index(piston)])))
+    at = _method(result, _EXACT), result.labels["piston"].index(piston)
+    side, along = (OneDesign(result, 0)(name)[at] for name in ("side_force", "rod_force_at_piston_pin"))
+    return bool(np.all(np.isfinite(side)) and np.any(along))
 
 
 def is_off(shown: OneDesign, piston: str, error: str) -> bool:
@@ -127,7 +129,9 @@ def _piston_panels(shown: OneDesign, piston: str) -> Iterator[ForcePanel]:
     ]
     if is_off(shown, piston, "side_force_formula_error"):
         at_piston.append(Drawn("N_f", curve("side_force", _FORMULA), "N", 0.5, (3.0, 2.0)))
-    yield ForcePanel(_("Forces at piston {piston}").format(piston=piston), "kN", tuple(at_piston))
+    is_valve = not next(one.kind.has_chambers for one in result.machines[0].places if one.name == piston)
+    title = _("Forces at valve {piston}") if is_valve else _("Forces at piston {piston}")
+    yield ForcePanel(title.format(piston=piston), "kN", tuple(at_piston))
     tangential = curve("tangential_force")
     if np.all(np.isnan(tangential)):
         shares = (shown(f"crankpin_share_{part}")[place] / 1e3 for part in ("tangential", "radial"))
