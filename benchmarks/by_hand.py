@@ -151,6 +151,47 @@ def slider_crank_forces_numba(angles, geometry, crank, rod, piston_mass, pressin
         table[i, 7] = row[7]
 
 
+def ideal_gas_numpy(angle, crank_radius, rod_length, area, clearance, cycle):
+    """Volume over a central slider-crank and the ideal four-stroke cycle's pressure in it, from firing to 4π.
+
+    cycle: pressures at the start, at the inlet, at the exhaust, both exponents, both ratios of heat.
+    """
+    start, inlet, exhaust, compression_exponent, expansion_exponent, pressure_ratio, cut_off_ratio = cycle
+    y = crank_radius * np.sin(angle)
+    x = crank_radius * np.cos(angle) + np.sqrt((rod_length - y) * (rod_length + y))
+    volume = clearance + area * (crank_radius + rod_length - x)
+    largest = clearance + 2.0 * area * crank_radius
+    cut_off = cut_off_ratio * clearance
+    peak = pressure_ratio * start * (largest / clearance) ** compression_exponent
+    compression = start * (largest / volume) ** compression_exponent
+    expansion = peak * (cut_off / np.maximum(volume, cut_off)) ** expansion_exponent
+    grows = y > 0.0
+    exchange = np.where(grows, inlet, exhaust)
+    return volume, np.where(np.cos(0.5 * angle) > 0.0, np.where(grows, expansion, compression), exchange)
+
+
+@njit(error_model="numpy")
+def ideal_gas_numba(angles, crank_radius, rod_length, area, clearance, cycle, table):
+    """Fill `table`, a row per angle, with the columns of `ideal_gas_numpy`; one power for each at most."""
+    start, inlet, exhaust, compression_exponent, expansion_exponent, pressure_ratio, cut_off_ratio = cycle
+    largest = clearance + 2.0 * area * crank_radius
+    cut_off = cut_off_ratio * clearance
+    peak = pressure_ratio * start * (largest / clearance) ** compression_exponent
+    for i in range(angles.size):
+        y = crank_radius * np.sin(angles[i])
+        x = crank_radius * np.cos(angles[i]) + np.sqrt((rod_length - y) * (rod_length + y))
+        volume = clearance + area * (crank_radius + rod_length - x)
+        table[i, 0] = volume
+        if np.cos(0.5 * angles[i]) <= 0.0:
+            table[i, 1] = inlet if y > 0.0 else exhaust
+        elif y <= 0.0:
+            table[i, 1] = start * (largest / volume) ** compression_exponent
+        elif volume <= cut_off:
+            table[i, 1] = peak
+        else:
+            table[i, 1] = peak * (cut_off / volume) ** expansion_exponent
+
+
 @njit(error_model="numpy")
 def slider_crank_numba(angles, crank_radius, rod_length, offset, table):
     """Fill `table`, a row per angle, with the columns of `slider_crank_numpy`."""

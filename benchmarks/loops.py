@@ -4,17 +4,23 @@ Those for points alone fill only what a program gives that knows no directions o
 nobody reads, the compiler leaves out what it can.
 """
 
+import numpy as np
 from numba import njit
 
+from cranktrain.gas import VolumeLimits, chamber_state
+from cranktrain.gas.dual import ideal_pressure
 from cranktrain.linkage import compiled
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
 from cranktrain.mechanisms.slider_crank.forces import slider_crank_forces, slider_crank_load
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
+from cranktrain.motion import Coefficient
 
 slider_crank_at = compiled(slider_crank)
 crank_rocker_at = compiled(crank_rocker)
 slider_crank_forces_at = compiled(slider_crank_forces)
 slider_crank_load_at = compiled(slider_crank_load)
+chamber_state_at = compiled(chamber_state)
+ideal_pressure_at = compiled(ideal_pressure)
 
 
 @njit(error_model="numpy")
@@ -126,3 +132,16 @@ def slider_crank_forces_loop(angles, geometry, bodies, pressing, conditions, tab
         table[i, 5] = joints.wrist_pin.y
         table[i, 6] = joints.guide.y
         table[i, 7] = forces.driving_torque
+
+
+@njit(error_model="numpy")
+def ideal_gas_loop(angles, crank_radius, rod_length, area, clearance, cycle, table):
+    """Fill `table`, a row per angle, with the columns of `by_hand.ideal_gas_numpy`."""
+    geometry = SliderCrank(crank_radius, rod_length, 0.0)
+    limits = VolumeLimits(clearance, clearance + 2.0 * area * crank_radius)
+    for i in range(angles.size):
+        slider = slider_crank_at(angles[i], geometry).slider
+        below = crank_radius + rod_length - slider.value
+        volume = Coefficient(clearance + area * below, -area * slider.first, -area * slider.second)
+        table[i, 0] = volume.value
+        table[i, 1] = ideal_pressure_at(chamber_state_at(volume, limits, angles[i], 4 * np.pi), cycle)

@@ -1,4 +1,4 @@
-"""How fast the kernels are, as ratios of wall times to other ways of the same, measured in turn in one process.
+"""How fast the kernels are, as ratios of processor times to other ways of the same, measured in turn in one process.
 
     python benchmarks/run.py [--quick]
 
@@ -10,11 +10,14 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import by_hand
+import designs
 import force_peers
+import gas
 import loops
 import numpy as np
 import peers
-from timing import interleaved_ratio
+import steps
+from comparison import SAME, Comparison, filled, is_kept
 
 from cranktrain.analysis import run
 from cranktrain.io.machine_file import load
@@ -35,9 +38,6 @@ from cranktrain.mechanisms.chain.steps import (
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
 from cranktrain.mechanisms.slider_crank.forces import SliderCrankBodies, slider_crank_forces, slider_crank_load
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
-
-SAME = 1e-12
-"""Largest difference of two ways, of the quantity's peak."""
 
 SLIDER_CRANK = SliderCrank(0.04, 0.14, 0.01)
 CRANK_ROCKER = CrankRocker(0.3, 1.0, 0.8, 1.1, 1.0)
@@ -94,20 +94,6 @@ class Mechanism(NamedTuple):
     columns: Callable[[Any], list[Any]]
     n_columns: int
     n_points: int
-
-
-class Comparison(NamedTuple):
-    """Two ways of one thing, each called without arguments, and how to get columns that should be the same."""
-
-    what: str
-    against: str
-    ours: Callable[[], Any]
-    theirs: Callable[[], Any]
-    our_columns: Callable[[Any], list[Any]]
-    their_columns: Callable[[Any], list[Any]]
-    limit: float
-    most_apart: float = SAME
-    note: str = ""
 
 
 def coefficients(point):
@@ -281,17 +267,6 @@ def run_comparison(example):
     )
 
 
-def filled(loop, angles, geometry, n_columns):
-    """A loop as a function without arguments, with its table made beforehand; a column of the table a row."""
-    table = np.empty((angles.size, n_columns))
-
-    def fill():
-        loop(angles, *geometry, table)
-        return table.T
-
-    return fill
-
-
 def stepped(mechanism, n):
     """A new linkage of the peer's, as a function without arguments that goes through one turn."""
     linkage = mechanism.peer(n, *mechanism.geometry)
@@ -329,29 +304,6 @@ def comparisons(mechanism, n):
     yield Comparison("compiled", "pylinkage", points_loop, stepped(mechanism, n), list, points_of_peer, 1 / 8, apart)
 
 
-def difference(comparison):
-    """Largest difference of the two ways, of the quantity's peak."""
-    ours, theirs = comparison.our_columns(comparison.ours()), comparison.their_columns(comparison.theirs())
-    return max(np.max(np.abs(our - their)) / np.max(np.abs(our)) for our, their in zip(ours, theirs, strict=True))
-
-
-def is_kept(name, n, comparison, n_repetitions):
-    """Measure, print the line of the table, say whether the limit is kept."""
-    apart = difference(comparison)
-    if not apart <= comparison.most_apart:
-        raise ArithmeticError(f"{name}, {comparison.against}: {apart:.1e} of the peak apart")
-    ratio = interleaved_ratio(comparison.ours, comparison.theirs, n_repetitions=n_repetitions)
-    good = ratio.median <= comparison.limit
-    print(
-        f"{name:<13}{n:>7}  {comparison.what:<9}{comparison.against:<14}"
-        f"{1e9 * ratio.ours / n:>8.1f}{1e9 * ratio.theirs / n:>8.1f}"
-        f"{ratio.median:>9.4f}{f'{ratio.least:.4f}–{ratio.most:.4f}':>16}{comparison.limit:>8.4f}"
-        f"  {'ok' if good else 'MISSED'}  {comparison.note}".rstrip(),
-        flush=True,
-    )
-    return good
-
-
 def main(arguments):
     n_repetitions = 15 if "--quick" in arguments else 101
     print(" " * 43 + "ns an angle")
@@ -365,6 +317,9 @@ def main(arguments):
     kept += [is_kept("forces", n, each, n_repetitions) for n in (720, 100_000) for each in force_comparisons(n)]
     kept += [is_kept("forces", 720, each, n_repetitions) for each in force_peer_comparisons(720)]
     kept += [is_kept(example, 720, run_comparison(example), n_repetitions) for example in RUNS]
+    kept += [is_kept("gas", n, each, n_repetitions) for n in (720, 100_000) for each in gas.comparisons(n)]
+    kept += [is_kept(name, 720, each, n_repetitions) for name, each in steps.comparisons()]
+    kept += [is_kept(name, designs.N_ANGLES, each, designs.N_REPETITIONS) for name, each in designs.comparisons()]
     kept += [is_kept("chain", n, chain_comparison(n), n_repetitions) for n in (720, 100_000)]
     sys.exit(not all(kept))
 

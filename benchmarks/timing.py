@@ -1,9 +1,12 @@
-"""Ratio of two things' wall times, taken in turn so that the machine's moods fall on both alike."""
+"""Ratio of two things' processor times, taken in turn so that the machine's moods fall on both alike.
+
+Processor time, not the wall's: threads that spin beside the work are paid for too, and others' processes are not.
+"""
 
 import gc
 import statistics
 from collections.abc import Callable
-from time import perf_counter_ns
+from time import process_time_ns, thread_time_ns
 from typing import NamedTuple
 
 Work = Callable[[], object]
@@ -24,6 +27,7 @@ def interleaved_ratio(ours: Work, theirs: Work, *, n_repetitions: int, least_tim
 
     Each is first run for a while (compilation, caches, the processor's clock). One repetition calls each as often as
     fills `least_time` [s], half of it on either side of the other (A B B A), so that a drift of the clock cancels.
+    What other threads take meanwhile counts as ours: they spin on after the call, and the other ways start none.
     """
     calls = {work: _calls_that_fill(work, 0.5 * least_time) for work in (ours, theirs)}
     times: dict[Work, list[float]] = {ours: [], theirs: []}
@@ -31,9 +35,12 @@ def interleaved_ratio(ours: Work, theirs: Work, *, n_repetitions: int, least_tim
     gc.disable()
     try:
         for _ in range(n_repetitions):
-            first = _time(ours, calls[ours])
+            start = process_time_ns()
+            _repeat(ours, calls[ours])
             between = _time(theirs, 2 * calls[theirs])
-            times[ours].append(0.5 * (first + _time(ours, calls[ours])))
+            _repeat(ours, calls[ours])
+            whole = 1e-9 * (process_time_ns() - start)
+            times[ours].append(0.5 * whole / calls[ours] - between * calls[theirs] / calls[ours])
             times[theirs].append(between)
     finally:
         gc.enable()
@@ -56,8 +63,12 @@ def _calls_that_fill(work: Work, time: float) -> int:
 
 
 def _time(work: Work, n_calls: int) -> float:
-    """Mean wall time of a call. [s]"""
-    start = perf_counter_ns()
+    """Mean time of a call on the thread that calls. [s]"""
+    start = thread_time_ns()
+    _repeat(work, n_calls)
+    return 1e-9 * (thread_time_ns() - start) / n_calls
+
+
+def _repeat(work: Work, n_calls: int) -> None:
     for _ in range(n_calls):
         work()
-    return 1e-9 * (perf_counter_ns() - start) / n_calls

@@ -41,5 +41,13 @@ def single(value: float) -> Array:
     return cast(Array, value)
 
 
+def chosen(condition: NDArray[np.bool_], one: Array | float, other: Array | float) -> Array:
+    """Take `one` where the condition holds and `other` elsewhere, of any shapes that broadcast.
+
+    Kernels choose with this alone: compiled, a choice between numbers is a number, where `np.where` makes an array.
+    """
+    return np.where(condition, one, other)
+
+
 ZERO, ONE = single(0.0), single(1.0)
 """For what is the same at every angle: an array would be computed with in vain."""

@@ -84,8 +84,10 @@ NO_KERNELS = {
     "walschaerts.walschaerts",
     "walschaerts.walschaerts_gap",
     "walschaerts.walschaerts_size",
+    "work.indicated_work",
+    "work.split_mean_pressures",
 }
-"""What supplies kernels, or takes them: `cranktrain.linkage` names it."""
+"""What supplies kernels, or takes them: `cranktrain.linkage` names it; or sums over a cycle."""
 
 ONLY_DESIGNS = {"triad.triad"} | force_kernels.EXAMPLES.keys()
 """What takes long to compile for arrays: with designs there are crank angles too."""
@@ -117,7 +119,13 @@ def kernels() -> dict[str, Callable[..., Any]]:
     ]
     found: dict[str, Callable[..., Any]] = {}
     loads = [f"cranktrain.loads.{name}" for name in ("crank_pin", "piston", "rod_masses")]
-    for path in groups + mechanisms + loads + gases + ["cranktrain.gas.state", "cranktrain.gas.polytrope"]:
+    for path in (
+        groups
+        + mechanisms
+        + loads
+        + gases
+        + ["cranktrain.gas.state", "cranktrain.gas.polytrope", "cranktrain.gas.work"]
+    ):
         module = importlib.import_module(path)
         for name, function in inspect.getmembers(module, inspect.isfunction):
             short = f"{path.split('.')[2]}.{name}"
@@ -258,6 +266,9 @@ EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "trammel.trammel_transmission": lambda angle, size, side: (rod(angle, size),),
     "trammel.turned_link": lambda angle, size, side: (rod(angle, size), size(0.7)),
     "triad.triad": lambda angle, size, side: (floating_link(angle, size), legs(size)),
+    "work.friction_power": lambda angle, size, side: (size(1.5), size(2.0), size(6.3), size(157.0)),
+    "work.friction_power_by_efficiency": lambda angle, size, side: (size(2.0) * np.cos(angle), size(0.8)),
+    "work.indicated_power": lambda angle, size, side: (size(1.5), size(6.3), size(157.0)),
     "yoke.yoke": lambda angle, size, side: (turned(crank_pin(angle, size), size(0.1)), Yoke(size(0.1), size(1.2))),
 }
 
@@ -344,7 +355,10 @@ def test_every_kernel_has_an_example():
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_numbers(name):
     for angle in ANGLES:
-        expected = assert_same(name, one_machine(name, float(angle)))
+        arguments = one_machine(name, float(angle))
+        expected = assert_same(name, arguments)
+        # An array would be right too, and forty times as slow: loops with one in them are not fused.
+        assert {type(x) for x in leaves(compiled(KERNELS[name])(*arguments))} == {float}
         # Forces ask a crank as a link for its angle's derivatives alone: the angle itself is NaN.
         unknown = [value for value in expected if not np.all(np.isfinite(value))]
         assert len(unknown) <= name.endswith(("_links", ".crank_link"))

@@ -1,6 +1,7 @@
 """Several designs at once give what each gives alone, for every kind of mechanism and for an engine of several."""
 
 import re
+import sys
 import tomllib
 
 import numpy as np
@@ -102,3 +103,32 @@ def test_every_check_holds(runs):
     for check in several.checks:
         assert check.residual.shape == (3,)
         assert np.all(check.passed), (check.name, check.residual)
+
+
+def calls_of(machines):
+    """How many functions a run calls."""
+    n_calls = 0
+
+    def count(_frame, event, _argument):
+        nonlocal n_calls
+        n_calls += event in ("call", "c_call")
+
+    sys.setprofile(count)
+    try:
+        ct.run(machines, step_degrees=10.0)
+    finally:
+        sys.setprofile(None)
+    return n_calls
+
+
+def test_no_step_is_quadratic_in_designs():
+    """Twice as many more designs take twice as many more calls: a clock would say so too, on a quiet machine."""
+    gas = {"kind": "otto", "start_pressure": "93 kPa", "compression_exponent": 1.3, "expansion_exponent": 1.25}
+    data = V12 | {"gas": gas | {"pressure_ratio": 3.0}, "masses": {"piston": {"mass": "5 kg"}}}
+
+    def designs(n):
+        return [ct.Machine(**varied(data, 0.01 * k)) for k in range(n)]
+
+    ct.run(designs(2), step_degrees=10.0)
+    few, more, many = (calls_of(designs(n)) for n in (10, 20, 40))
+    assert many - more == pytest.approx(2 * (more - few), rel=0.01)

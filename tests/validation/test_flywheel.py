@@ -119,8 +119,9 @@ def whole_machine(torque, speed, **evenness: Any) -> dict[type, Any]:
     torques = replace(torques, driving_torque=torques.reduced_inertia_slope * square / 2 - torque)
     load, angle = known[ShaftLoad], known[CrankAngle]
     applied = applied_torque(load, torques, known[LoadedMachine], angle)
-    sources = TorqueSources(((),), -torques.driving_torque[:, np.newaxis])
-    work = shaft_work(applied, sources, None, torques, known[Speed], angle)
+    rest = applied.applied_torque[:, np.newaxis]
+    sources = TorqueSources(((),), rest, np.zeros_like(rest[:, 0]), np.zeros_like(rest[:, 0]))
+    work = shaft_work(applied, sources, None, torques, angle)
     if WantedCoefficient in known:
         known[FlywheelSize] = flywheel_size(load, known[WantedCoefficient], work, known[Speed])
     if GivenFlywheel in known:

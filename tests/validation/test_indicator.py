@@ -1,18 +1,20 @@
-"""Indicator diagrams: the measured and the computed Diesel, a table with gauge pressures, and the Wiebe trace.
+"""Indicator diagrams: the measured and the computed Diesel, a table with gauge pressures, Wiebe, Otto and steam cards.
 
 Torque of the first two by a 40-digit multibody solver; the Wiebe trace is a closed form with one integral, and how a
-misplaced or badly summed trace errs was computed from it independently (`gas_pressure`).
+misplaced or badly summed trace errs was computed from it independently (`gas_pressure`), and so was the Otto cycle's
+mean pressure. Steam cards are drawn here, with the plateau and the corners that they have.
 """
 
 import json
 
 import numpy as np
 import pytest
-from tests.gas_engines import FOUR_STROKE, Engine, csv, wiebe, wiebe_cycle
+from tests.gas_engines import FOUR_STROKE, TWO_STROKE, Engine, csv, wiebe, wiebe_cycle
 from tests.reference_case import GOLDEN, ReferenceCase
 
 import cranktrain.gas as gas
 from cranktrain.gas.indicator import IndicatorSpec, diagram_work, pressure_at
+from cranktrain.gas.indicator.curve import crest
 from cranktrain.gas.indicator.pegging import polytropic_offset
 from cranktrain.gas.work import indicated_power, indicated_work, split_mean_pressures
 from cranktrain.spec import validated
@@ -23,9 +25,9 @@ ENGINE = Engine(0.045, 0.15, 0.08, WIEBE["eps"])
 DEGREE = np.radians(1.0)
 
 
-def diagram_of(text, engine, **more):
+def diagram_of(text, engine, cycle=FOUR_STROKE, **more):
     spec = validated(IndicatorSpec, {"kind": "indicator", "file": "trace.csv", "text": text, **more})
-    return gas.kind_of(spec).model(spec, engine.chamber())
+    return gas.kind_of(spec).model(spec, engine.chamber(cycle))
 
 
 def golden_text(path):
@@ -119,8 +121,8 @@ def test_sum_over_equal_steps(step, error):
 def test_misplaced_dead_centre(shift, change):
     """A dead centre that the user gives wrongly by so much puts the trace late by so much.
 
-    The reference shifts the closed form. A shift by whole steps is exact; between steps the spline stands for the
-    trace, and rings a little where the exhaust opens.
+    The reference shifts the closed form. A shift by whole steps is exact; between steps the curve stands for the
+    trace, and errs a little where the exhaust opens.
     """
     angle = np.arange(720) * DEGREE
     true = indicated_work(wiebe_cycle(ENGINE, WIEBE, angle), ENGINE.slope(angle), FOUR_STROKE)
@@ -186,6 +188,7 @@ def test_pressure_over_volume_is_unrolled():
     angle = np.radians(np.arange(-120, 120, 0.1))
     error = np.abs(pressure_at(diagram, angle) - wiebe(ENGINE, WIEBE, angle)) / WIEBE["p_max"]
     assert np.max(error) < 7e-4
+    assert not any("in one step" in doubt for doubt in diagram.doubts)
     outward = slice(0, 200)
     at = angle[angle > 0]
     linear = np.interp(ENGINE.volume(at).value, volume[outward], pressure[outward])
@@ -208,3 +211,126 @@ def test_torque_orders():
     for order, expected in case["orders"].items():
         found = series[round(2 * float(order))] * (2 if float(order) else 1)
         assert abs(found - (expected["a_cos"] - 1j * expected["b_sin"])) < 1e-5 * largest, order
+
+
+@pytest.mark.parametrize("shift", np.arange(0, 10, 0.25))
+def test_coarse_rows_of_a_burning_cycle(shift):
+    """Rows each 10°, wherever they fall: the true peak stands up to 5 % above the largest sample."""
+    degrees = np.arange(0, 720, 10) + shift
+    diagram = diagram_of(csv(degrees, wiebe_cycle(ENGINE, WIEBE, np.radians(degrees))), ENGINE)
+    assert crest(diagram.curve)[1] == pytest.approx(WIEBE["p_max"], rel=0.015)
+    assert diagram_work(diagram, ENGINE.slope) / ENGINE.swept == pytest.approx(IMPORT["imep_net"], rel=0.002)
+    assert not any("in one step" in doubt for doubt in diagram.doubts)
+
+
+OTTO = PRESSURE["ideal"]["cycles"]["otto"]
+TURNS = np.arange(4) * 180
+
+
+def otto(degrees, stroke):
+    """Pressure of the ideal cycle on its strokes from firing on: expansion, exhaust, inlet, compression."""
+    _eps, start, compression, expansion, _psi, _rho, inlet, exhaust = OTTO["input"]
+    low, high = ENGINE.limits
+    volume = ENGINE.volume(np.radians(degrees)).value
+    of_strokes = [OTTO["p3"] * (low / volume) ** expansion, 0 * volume + exhaust, 0 * volume + inlet]
+    return np.choose(stroke, [*of_strokes, start * (high / volume) ** compression])
+
+
+def otto_text(jumps, shift=0.0):
+    """Rows each 10°; at the dead centres of `jumps`, which are on such rows, the pressure before stands there too."""
+    degrees = np.arange(0.0, 720, 10) + shift
+    rows = [(angle, after) for angle, after in zip(degrees, otto(degrees, degrees.astype(int) // 180 % 4), strict=True)]
+    before = otto(np.array(TURNS), (TURNS // 180 - 1) % 4)
+    for angle, pressure in zip(TURNS[jumps], before[jumps], strict=True):
+        rows.insert(next(place for place, row in enumerate(rows) if row[0] == angle), (float(angle), pressure))
+    return csv(*np.array(rows).T)
+
+
+@pytest.mark.parametrize("jumps", [[0, 1, 2], [0, 1], [0]], ids=["all", "firing and exhaust", "firing"])
+def test_otto_with_its_jumps_as_two_rows(jumps):
+    """Mean pressure in closed form; beside the given jumps nothing is passed. Between inlet and compression is none."""
+    diagram = diagram_of(otto_text(jumps), ENGINE)
+    assert np.degrees(diagram.curve.jumps) == pytest.approx(TURNS[jumps], abs=1e-9)
+    assert diagram_work(diagram, ENGINE.slope) / ENGINE.swept == pytest.approx(OTTO["imep_net"], rel=1e-3)
+    assert crest(diagram.curve) == pytest.approx((0.0, OTTO["p3"]), rel=1e-12)
+    assert pressure_at(diagram, np.array([-1e-12, 0.0])) == pytest.approx([OTTO["p2"], OTTO["p3"]], rel=1e-9)
+    assert not any("in one step" in doubt for doubt in diagram.doubts)
+    assert any("The pressure jumps where the file gives two" in finding for finding in diagram.findings)
+
+
+@pytest.mark.parametrize("shift", range(10))
+def test_otto_with_its_jumps_lost_between_rows(shift):
+    """2 % of the mean pressure, and a sentence that says where to look."""
+    diagram = diagram_of(otto_text([], shift), ENGINE)
+    assert diagram_work(diagram, ENGINE.slope) / ENGINE.swept == pytest.approx(OTTO["imep_net"], rel=0.02)
+    (told,) = (doubt for doubt in diagram.doubts if "in one step" in doubt)
+    assert f"Between {710 + shift}° and {720 + shift}°" in told
+    assert crest(diagram.curve)[1] < 1.01 * np.max(diagram.pressures)
+
+
+STEAM = Engine(0.3, 1.9, 0.5, 13.5)
+
+
+def steam(degrees, cut_off=60.0, lead=3.0, release=150.0, compression=290.0):
+    """A locomotive's card: admission at 12 bar to a sharp cut-off, pV = const, release, exhaust at 1.2 bar."""
+    clearance = 1 / 12.5
+
+    def volume(at):
+        return (1 - np.cos(np.radians(at))) / 2 + clearance
+
+    def expanded(at):
+        return 12 * volume(cut_off) / volume(at)
+
+    def compressed(at):
+        return 1.2 * volume(compression) / volume(at)
+
+    ends = [cut_off, release, 185.0, compression, 360 - lead]
+    before_lead = compressed(360 - lead)
+    pieces = [
+        0 * degrees + 12,
+        expanded(degrees),
+        expanded(release) + (1.2 - expanded(release)) * (degrees - release) / (185 - release),
+        0 * degrees + 1.2,
+        compressed(degrees),
+        before_lead + (12 - before_lead) * (degrees - 360 + lead) / lead,
+    ]
+    return 1e5 * np.choose(np.searchsorted(ends, degrees, side="left"), pieces)
+
+
+@pytest.mark.parametrize("step", [10, 5, 1])
+@pytest.mark.parametrize("cut_off", [40.0, 60.0, 95.0])
+def test_plateau_and_corners_of_a_steam_card(cut_off, step):
+    """Its true peak is its plateau: not passed by 0.5 % of the range anywhere, nor its exhaust line undercut."""
+    for shift in np.arange(0, step, step / 10):
+        degrees = np.arange(0, 360, step) + shift
+        curve = diagram_of(csv(degrees, steam(degrees, cut_off)), STEAM, TWO_STROKE).curve
+        assert crest(curve)[1] < 12e5 + 0.005 * 10.8e5
+        lowest = np.min(pressure_at(gas.indicator.Diagram(curve), np.radians(np.arange(0, 360, 0.1))))
+        assert lowest > 1.2e5 - 1e-6
+
+
+def test_the_spline_rings_for_those_who_want_it():
+    degrees = np.arange(0.0, 360, 10)
+    text = csv(degrees, steam(degrees))
+    by_spline = diagram_of(text, STEAM, TWO_STROKE, interpolation="spline")
+    assert crest(by_spline.curve)[1] > 12.5e5
+    by_limits = diagram_of(text, STEAM, TWO_STROKE)
+    assert any("largest sample is 12.00 bar" in told and "crest 12.00 bar" in told for told in by_limits.findings)
+
+
+@pytest.mark.parametrize("n_points", [20, 50, 200])
+def test_a_steam_card_over_the_stroke_keeps_plateau_and_admission(n_points):
+    """Admission at the dead centre itself, where the strokes meet with two pressures; cut-off at 35 % of the stroke."""
+    part = np.linspace(0, 1, n_points)
+    clearance = 1 / 12.5
+    outward = np.where(part <= 0.35, 12.0, 12 * (0.35 + clearance) / (part + clearance))
+    back = np.where(part[::-1] >= 0.2, 1.2, 1.2 * (0.2 + clearance) / (part[::-1] + clearance))
+    places, pressures = np.append(part, part[::-1]), 1e5 * np.append(outward, back)
+    diagram = diagram_of(csv(120 * places, pressures, header="s [mm],p abs [Pa]"), STEAM, TWO_STROKE)
+    at = np.radians(np.arange(0, 360, 0.05))
+    assert np.max(pressure_at(diagram, at)) == pytest.approx(12e5, rel=1e-12)
+    assert np.min(pressure_at(diagram, at)) == pytest.approx(1.2e5, rel=1e-12)
+    assert np.degrees(diagram.curve.jumps) == pytest.approx([0.0, 180.0], abs=1e-9)
+    before, after = pressure_at(diagram, np.array([-1e-11, 0.0]))
+    assert before == pytest.approx(pressures[-1], rel=1e-6)
+    assert after == 12e5

@@ -82,18 +82,16 @@ def shaft_work(
     sources: TorqueSources,
     given: LoadTorque | None,
     torques: MechanismTorques,
-    speed: Speed,
     crank_angle: CrankAngle,
 ) -> ShaftWork:
     """Work of what drives the shaft less what the load curve takes, over the cycle.
 
     Notes
     -----
-    At the grid's points it is that of all torques, by quadrature between events, less what inertia keeps of it.
+    At the grid's points it is by quadrature between events.
     docs/theory/evenness, eqs. (17.2) and (17.17).
     """
-    kept = torques.reduced_inertia * speed.drive(crank_angle.angle).speed[:, 0] ** 2 / 2
-    work = sources.work(crank_angle.shown, crank_angle.cycle) + kept - kept[..., :1]
+    work = sources.applied_work(crank_angle.shown, crank_angle.cycle)
     mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
     slope = applied.applied_torque - mean[..., np.newaxis]
     excess = excess_of(applied.by.work(work, slope, crank_angle.cycle), mean)

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import cached_property
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -114,19 +115,27 @@ class GasInChambers:
         turns = 2 * np.pi * np.rint((self.firing[..., 0] - least) / (2 * np.pi))
         return least + turns, np.where(is_head, travel.outer[:, of], travel.inner[:, of])
 
-    @property
+    @cached_property
+    def _shared(self) -> tuple[list[tuple[Any, list[int]]], ...]:
+        """What `alike` gives for each design."""
+        return tuple(_sharing(of_design) for of_design in self.models)
+
+    def alike(self, design: int) -> list[tuple[Any, list[int]]]:
+        """Models of one design's chambers, each with the chambers that share it."""
+        return self._shared[design]
+
+    @cached_property
     def distinct(self) -> list[int]:
         """Chambers that stand for all others of their design which share their model."""
-        return sorted({places[0] for design in range(len(self.models)) for _model, places in self.alike(design)})
+        return sorted({places[0] for of_design in self._shared for _model, places in of_design})
 
-    @property
+    @cached_property
     def origin(self) -> NDArray[np.intp]:
         """Which of the distinct chambers stands for each, shape (design, chamber)."""
         found = np.empty((len(self.models), len(self.chambers.names)), dtype=np.intp)
-        chosen = self.distinct
-        for design in range(len(self.models)):
-            for _model, places in self.alike(design):
-                found[design, places] = chosen.index(places[0])
+        for design, of_design in enumerate(self._shared):
+            for _model, places in of_design:
+                found[design, places] = self.distinct.index(places[0])
         return found
 
     def at_own(self, angle: Array, places: Sequence[int], values: Callable[[Array], Array]) -> Array:
@@ -149,17 +158,18 @@ class GasInChambers:
         apart = found.reshape(*found.shape[:-1], n_places, n_angles)
         return apart[..., list(places), np.arange(n_places), :]
 
-    def alike(self, design: int) -> list[tuple[Any, list[int]]]:
-        """Models of one design's chambers, each with the chambers that share it."""
-        sharing: dict[int, tuple[Any, list[int]]] = {}
-        for place, model in enumerate(self.models[design]):
-            sharing.setdefault(id(model), (model, []))[1].append(place)
-        return list(sharing.values())
-
     def force(self, pressure: Array) -> Array:
         """Force of the gas less the ambient pressure on every piston, toward its shaft, (design, piston, n). [N]"""
         areas = self.chambers.areas
-        return np.matmul(areas, pressure) - AMBIENT * np.sum(areas, axis=-1, keepdims=True)
+        return self.chambers.pushed(pressure) - AMBIENT * np.sum(areas, axis=-1, keepdims=True)
+
+
+def _sharing(models: tuple[Any, ...]) -> list[tuple[Any, list[int]]]:
+    """Pair each model of one design with the chambers that have it."""
+    sharing: dict[int, tuple[Any, list[int]]] = {}
+    for place, model in enumerate(models):
+        sharing.setdefault(id(model), (model, []))[1].append(place)
+    return list(sharing.values())
 
 
 def _rows(part: Array, design: int, places: list[int]) -> Array:

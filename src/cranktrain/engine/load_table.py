@@ -93,11 +93,11 @@ def load_polyline(spec: LoadCurveSpec) -> Polyline:
         raise InputError([Problem("file", spec.file, allowed)])
     table = read_table(spec.text, spec.file)
     where, level = _columns(spec, table)
-    numbers = np.array(table.rows, dtype=float)
+    numbers = table.rows
     labels = table.labels or ("",) * numbers.shape[1]
     angle_unit = unit_in(labels[where], Dimension.ANGLE) or "deg"
     angles = numbers[:, where] * read(f"1 {angle_unit}", Dimension.ANGLE)
-    problems = [*_order_problems(spec, table, where)]
+    problems = [*_order_problems(table, where)]
     if not problems:
         problems = [*_span_problems(spec, table, angles, numbers[:, level], where)]
     torque_unit = spec.torque_unit or unit_in(labels[level], Dimension.TORQUE)
@@ -115,10 +115,10 @@ def load_polyline(spec: LoadCurveSpec) -> Polyline:
 
 def _columns(spec: LoadCurveSpec, table: Table) -> tuple[int, int]:
     """Places of angle and torque in a row, from 0."""
-    n_columns = len(table.rows[0])
+    n_columns = table.rows.shape[1]
     if n_columns < 2:
         allowed = _("has one column; a load curve needs two, crank angle and torque")
-        raise InputError([Problem("", None, allowed, None, Position(spec.file, table.lines[0]))])
+        raise InputError([Problem("", None, allowed, None, Position(spec.file, int(table.lines[0])))])
     if spec.columns is None:
         if n_columns > 2:
             allowed = _("must say which of the {n} columns are crank angle and torque").format(n=n_columns)
@@ -129,28 +129,24 @@ def _columns(spec: LoadCurveSpec, table: Table) -> tuple[int, int]:
     return spec.columns[0] - 1, spec.columns[1] - 1
 
 
-def _order_problems(spec: LoadCurveSpec, table: Table, where: int) -> Iterator[Problem]:
+def _order_problems(table: Table, where: int) -> Iterator[Problem]:
     """Find angles that are given twice or go back, each at its place."""
-    told = 0
-    for row in range(1, len(table.rows)):
-        before, own = table.rows[row - 1][where], table.rows[row][where]
-        if own > before:
-            continue
-        told += 1
-        if told <= _MOST_PROBLEMS:
-            allowed = _("must be more than the angle in line {line}, {before:g}").format(
-                line=table.lines[row - 1], before=before
-            )
-            repair = _("for a jump, give two angles a little apart") if own == before else None
-            position = Position(spec.file, table.lines[row], table.columns[row][where])
-            yield Problem("", f"{own:g}", allowed, repair, position)
-    if told > _MOST_PROBLEMS:
-        yield Problem("file", spec.file, _("{n} more angles like these").format(n=told - _MOST_PROBLEMS))
+    angles = table.rows[:, where]
+    wrong = np.flatnonzero(np.diff(angles) <= 0) + 1
+    for row in wrong[:_MOST_PROBLEMS].tolist():
+        before, own = float(angles[row - 1]), float(angles[row])
+        allowed = _("must be more than the angle in line {line}, {before:g}").format(
+            line=int(table.lines[row - 1]), before=before
+        )
+        repair = _("for a jump, give two angles a little apart") if own == before else None
+        yield Problem("", f"{own:g}", allowed, repair, table.position(row, where))
+    if wrong.size > _MOST_PROBLEMS:
+        yield Problem("file", table.name, _("{n} more angles like these").format(n=wrong.size - _MOST_PROBLEMS))
 
 
 def _span_problems(spec: LoadCurveSpec, table: Table, angles: Array, torques: Array, where: int) -> Iterator[Problem]:
     """Find a curve that is not one turn or two, and one that does not close."""
-    position = Position(spec.file, table.lines[-1], table.columns[-1][where])
+    position = table.position(len(table.lines) - 1, where)
     period = _period(angles)
     if period is None:
         first, last = (f"{np.degrees(float(end)):.7g}°" for end in (angles[0], angles[-1]))

@@ -118,7 +118,7 @@ class BrakePowers:
 def brake_powers(
     losses: Losses, indicated: IndicatedPowers, swept: SweptVolumes, cycle: Cycle, speed: Speed
 ) -> BrakePowers:
-    """Friction by the mechanical efficiency, or by a constant mean pressure; docs/theory/gas, eq. (14.12)."""
+    """Friction by the mechanical efficiency, or by a constant mean pressure; docs/theory/gas, eq. (14.15)."""
     omega = speed.mean[:, 0, 0]
     length = np.array(cycle.length)
     gas = indicated.indicated_power

@@ -10,6 +10,7 @@ from cranktrain.engine.places import Place
 from cranktrain.engine.specs import MAIN, ShaftSpec
 from cranktrain.engine.standing import shaft_centres
 from cranktrain.language import N_
+from cranktrain.loads.gathering import gathered
 from cranktrain.loads.harmonics import ComplexArray
 from cranktrain.motion import Array
 from cranktrain.record import record
@@ -40,8 +41,7 @@ class Throws:
 
     def gathered(self, values: ComplexArray) -> ComplexArray:
         """Sum what the mechanisms on each throw have, shape (design, mechanism, n) → (design, throw, n)."""
-        belongs = (self.carrying == np.arange(len(self.names))[:, np.newaxis]).astype(np.float64)
-        return belongs @ values
+        return gathered(values, self.carrying, len(self.names))
 
 
 def throws_of(places: Sequence[Place]) -> Throws:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.engine.force_events import ForceEvents
-from cranktrain.engine.forces import LoadedMachine, SolvedCycle, driving_torques
+from cranktrain.engine.forces import LoadedMachine, MechanismTorques, SolvedCycle, driving_torques
 from cranktrain.engine.gas import AMBIENT, GasInChambers
 from cranktrain.engine.gas_events import GasEvents
 from cranktrain.engine.gas_pressures import GasPressures
@@ -19,10 +19,11 @@ from cranktrain.engine.layout import CrankAngle
 from cranktrain.engine.motion import PistonMotion
 from cranktrain.engine.shafts import Shafts
 from cranktrain.gas import VolumeLimits, chamber_state, kind_of
+from cranktrain.linkage.forces import Drive, Reduced, ReducedInertia, torque_by_work
 from cranktrain.loads.harmonics import ComplexArray, harmonics, phasor
 from cranktrain.loads.periodic import fourier_integral
 from cranktrain.loads.torque import throw_torque
-from cranktrain.motion import Array, single
+from cranktrain.motion import ZERO, Array, single
 from cranktrain.numerics import Panels, integral_to, panels
 from cranktrain.record import record
 
@@ -61,15 +62,23 @@ class TorqueSources:
     sources : tuple of tuples of Source
         Of each design.
     rest : Array, shape (design, shaft, n)
-        What they leave of the torque on the grid: smooth. [N·m]
+        What they leave of the torque on the grid; nothing where something rubs. [N·m]
+    inertia : Array, shape (design, n)
+        What inertia takes of the rest, Jε + ½J′ω², which does no work over a cycle; nothing where something rubs.
+        What is left is smooth at any speed. [N·m]
+    kept : Array, shape (design, n)
+        What inertia takes in the sources from the first point on, ½Jω²; nothing where it is in the rest. [J]
     """
 
     sources: tuple[tuple[Source, ...], ...]
     rest: Array
+    inertia: Array
+    kept: Array
 
     def mean(self, cycle: float) -> Array:
         """Mean torque on every shaft, shape (design, shaft). [N·m]"""
-        found = np.mean(self.rest, axis=-1)
+        # At a speed that varies equal steps see work in the inertia.
+        found = np.mean(self.rest, axis=-1) + np.mean(self.inertia, axis=-1, keepdims=True) / self.rest.shape[1]
         for design, sources in enumerate(self.sources):
             for one in sources:
                 own = np.broadcast_to(np.sum(one.values * one.panels.weight, axis=-1) / cycle, one.shafts.shape)
@@ -97,9 +106,21 @@ class TorqueSources:
                 found[design] += own * np.sum(phasor(-order * one.starts[:, np.newaxis]), axis=0)
         return found
 
-    def work(self, shown: Array, cycle: float) -> Array:
-        """Work of the torque of all shafts less its mean, from the grid's first angle to each, (design, n). [J]"""
-        found = fourier_integral(np.sum(self.rest, axis=1), cycle).samples.copy()
+    def applied_work(self, shown: Array, cycle: float) -> Array:
+        """Work of the torque of all shafts without inertia, less its mean, from the grid's first angle to each.
+
+        Parameters
+        ----------
+        shown : Array, shape (n,)
+            The grid. [rad]
+        cycle : float
+            [rad]
+
+        Returns
+        -------
+        Array, shape (design, n). [J]
+        """
+        found = fourier_integral(np.sum(self.rest, axis=1) + self.inertia, cycle).samples + self.kept
         step = float(shown[1] - shown[0])
         for design, sources in enumerate(self.sources):
             for one in sources:
@@ -125,19 +146,25 @@ def torque_sources(
     gas_events: GasEvents | None,
     gas: GasPressures | None,
     motion: PistonMotion | None,
+    torques: MechanismTorques,
 ) -> TorqueSources:
     """Take the torque apart; docs/theory/harmonics-and-orders, eq. (15.17)."""
     by_shaft = throw_torque(-driving_torques(loaded, solved.groups), shafts.shaft, len(shafts.names))
+    drive = Drive(*(part[:, 0] for part in loaded.speed.drive(crank_angle.angle)))
+    nothing = np.zeros_like(by_shaft[:, 0])
     designs = range(len(by_shaft))
     if loaded.masses.has_friction:
+        energy = torques.reduced_inertia * drive.speed**2 / 2
         whole = tuple((_of_machine(loaded, shafts, crank_angle, events, design),) for design in designs)
-        return TorqueSources(whole, np.zeros_like(by_shaft))
+        return TorqueSources(whole, np.zeros_like(by_shaft), nothing, energy - energy[..., :1])
+    equation = Reduced(ReducedInertia(torques.reduced_inertia, torques.reduced_inertia_slope), ZERO)
+    inertia = torque_by_work(equation, drive)
     if loaded.gas is None or gas_events is None or gas is None or motion is None:
-        return TorqueSources(((),) * len(designs), by_shaft)
+        return TorqueSources(((),) * len(designs), by_shaft, inertia, nothing)
     own = shafts.shaft[loaded.carriers.driven]
-    smooth = by_shaft - throw_torque(gas.gas_force * motion.piston_velocity_coefficient, own, len(shafts.names))
+    rest = by_shaft - throw_torque(gas.gas_force * motion.piston_velocity_coefficient, own, len(shafts.names))
     sources = tuple(tuple(_of_chambers(loaded.gas, gas_events, crank_angle, own, design)) for design in designs)
-    return TorqueSources(sources, smooth)
+    return TorqueSources(sources, rest, inertia, nothing)
 
 
 def _of_machine(
@@ -145,7 +172,10 @@ def _of_machine(
 ) -> Source:
     """Torque on every shaft of one design, by the reactions."""
     zero = float(crank_angle.zero[design, 0, 0])
-    cut = panels(events.whole[design] - zero, _WIDEST, crank_angle.cycle)
+    breaks = [events.whole[design] - zero]
+    if loaded.speed.curve is not None:
+        breaks.append(loaded.speed.curve.square.angle + loaded.speed.curve.zero[design, 0] - zero)
+    cut = panels(np.concatenate(breaks), _WIDEST, crank_angle.cycle)
     angle = np.broadcast_to(cut.angle, (len(events.whole), 1, cut.angle.size)) + crank_angle.zero
     torque = throw_torque(-driving_torques(loaded, loaded.solved(angle)), shafts.shaft, len(shafts.names))
     return Source(cut, torque[design], np.zeros(1), np.arange(len(shafts.names))[np.newaxis])

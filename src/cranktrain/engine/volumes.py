@@ -57,28 +57,51 @@ class Chambers:
         return self._own[0][0]
 
     @cached_property
-    def _own(self) -> tuple[tuple[NDArray[np.intp], Array], ...]:
-        """Each chamber's first piston and its area, shape (design, chamber, 1), then its second …; a few are enough."""
-        works: NDArray[np.bool_] = np.any(self.areas != 0.0, axis=0)
-        order: NDArray[np.intp] = np.argsort(~works, axis=0, kind="stable")
-        chamber = np.arange(len(self.names))
-        found: list[tuple[NDArray[np.intp], Array]] = []
-        for place in range(int(np.max(np.sum(works, axis=0), initial=0))):
-            # One that has fewer counts its first again, by no area: another chamber's piston may be NaN.
-            piston = order[place].copy()
-            idle: NDArray[np.bool_] = ~works[piston, chamber]
-            piston[idle] = order[0, idle]
-            area = np.where(idle, 0.0, self.areas[:, piston, chamber])
-            found.append((piston, area[..., np.newaxis]))
-        return tuple(found)
+    def _own(self) -> "_Partners":
+        """Pistons of each chamber."""
+        return _partners(self.areas)
+
+    @cached_property
+    def _pushing(self) -> "_Partners":
+        """Chambers of each piston."""
+        return _partners(np.swapaxes(self.areas, 1, 2))
 
     def summed(self, lengths: Array) -> Array:
         """Volume that lengths of travel of its own pistons make, (design, piston, n) to (design, chamber, n). [m³]
 
         A piston that cannot move all round, NaN, leaves the chambers of others alone.
         """
-        parts = [area * lengths[:, piston] for piston, area in self._own]
-        return sum(parts[1:], start=parts[0])
+        return _weighed(self._own, lengths)
+
+    def pushed(self, pressure: Array) -> Array:
+        """Force toward its shaft by pressures in its own chambers, (design, chamber, n) to (design, piston, n). [N]"""
+        return _weighed(self._pushing, pressure)
+
+
+_Partners = tuple[tuple[NDArray[np.intp], Array], ...]
+"""The first partner of each and its area, shape (design, one, 1), then the second …."""
+
+
+def _partners(areas: Array) -> _Partners:
+    """List what works on each, from areas of shape (design, partner, one); a few of all partners are enough."""
+    works: NDArray[np.bool_] = np.any(areas != 0.0, axis=0)
+    order: NDArray[np.intp] = np.argsort(~works, axis=0, kind="stable")
+    one = np.arange(len(works.T))
+    found: list[tuple[NDArray[np.intp], Array]] = []
+    for place in range(int(np.max(np.sum(works, axis=0), initial=0))):
+        # One that has fewer counts its first again, by no area: what is another's may be NaN.
+        partner = order[place].copy()
+        idle: NDArray[np.bool_] = ~works[partner, one]
+        partner[idle] = order[0, idle]
+        area = np.where(idle, 0.0, areas[:, partner, one])
+        found.append((partner, area[..., np.newaxis]))
+    return tuple(found)
+
+
+def _weighed(partners: _Partners, values: Array) -> Array:
+    """Sum what each's partners have, times their areas."""
+    parts = [area * values[:, partner] for partner, area in partners]
+    return sum(parts[1:], start=parts[0])
 
 
 @record

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cranktrain.motion import Array
+from cranktrain.motion import Array, chosen
 
 
 def polytropic_work(pressure_volume: Array, ratio: Array, exponent: Array) -> Array:
@@ -34,5 +34,5 @@ def polytropic_work(pressure_volume: Array, ratio: Array, exponent: Array) -> Ar
     """
     log = np.log(ratio)
     x = (exponent - 1) * log
-    growth = np.where(x == 0.0, 1.0, np.expm1(x) / np.where(x == 0.0, 1.0, x))
+    growth = chosen(x == 0.0, 1.0, np.expm1(x) / chosen(x == 0.0, 1.0, x))
     return -pressure_volume * log * growth

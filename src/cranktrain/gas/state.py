@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.motion import Array, Coefficient
+from cranktrain.motion import Array, Coefficient, chosen
 
 _STANDSTILL = 1e-11
 """|V′| of a volume at rest, in parts of its swing: rounding moves a dead centre by some 1e-15 rad."""
@@ -68,15 +68,15 @@ def chamber_state(volume: Coefficient, limits: VolumeLimits, angle_from_firing: 
     """
     swing = limits.largest - limits.smallest
     is_at_rest = np.abs(volume.first) <= _STANDSTILL * swing
-    sense = np.where(np.where(is_at_rest, volume.second, volume.first) > 0, 1.0, -1.0)
-    near_top = np.where(np.cos(angle_from_firing / 2) > 0, 1.0, -1.0)
-    near_bottom = np.where(np.sin(angle_from_firing / 2) > 0, sense, -sense)
-    turn = np.where(np.cos(angle_from_firing) >= 0, near_top, near_bottom)
+    sense = chosen(chosen(is_at_rest, volume.second, volume.first) > 0, 1.0, -1.0)
+    near_top = chosen(np.cos(angle_from_firing / 2) > 0, 1.0, -1.0)
+    near_bottom = chosen(np.sin(angle_from_firing / 2) > 0, sense, -sense)
+    turn = chosen(np.cos(angle_from_firing) >= 0, near_top, near_bottom)
     return ChamberState(
         volume.value,
         limits.smallest,
         limits.largest,
         sense,
-        np.where(cycle > _BETWEEN_CYCLES, turn, 1.0),
+        chosen(cycle > _BETWEEN_CYCLES, turn, 1.0),
         angle_from_firing,
     )

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.motion import Array
+from cranktrain.motion import Array, chosen
 
 
 class MeanPressures(NamedTuple):
@@ -136,4 +136,4 @@ def friction_power_by_efficiency(indicated: Array, mechanical_efficiency: Array)
     >>> [round(float(friction_power_by_efficiency(power, 0.8)), 6) for power in (100.0, -100.0)]
     [20.0, 25.0]
     """
-    return np.where(indicated > 0, 1 - mechanical_efficiency, 1 - 1 / mechanical_efficiency) * indicated
+    return chosen(indicated > 0, 1 - mechanical_efficiency, 1 - 1 / mechanical_efficiency) * indicated

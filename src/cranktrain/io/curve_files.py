@@ -51,6 +51,8 @@ def curve_text(path: Path, name: str, noun: str) -> str:
     InputError
         If there is no such file, it cannot be read, or is no text.
     """
+    if path.exists() and not (path.is_file() or path.is_dir()):  # one would wait for what nobody writes
+        raise refusal(name, _("is a pipe or a device, not {noun}").format(noun=_(noun)), _("save it as a file"))
     too_large = _("is larger than {limit} MiB, too large for {noun}").format(limit=LARGEST_FILE // 2**20, noun=_(noun))
     wanted = Wanted(LARGEST_FILE, too_large, _("is a folder, not {noun}").format(noun=_(noun)))
     content = content_of(path, name, wanted, suffix=".csv")

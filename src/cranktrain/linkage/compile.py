@@ -5,6 +5,8 @@ from functools import cache
 from types import FunctionType
 from typing import ParamSpec, TypeVar, cast
 
+from cranktrain.motion import chosen
+
 Parameters = ParamSpec("Parameters")
 Outcome = TypeVar("Outcome")
 
@@ -15,8 +17,9 @@ def compiled(kernel: Callable[Parameters, Outcome]) -> Callable[Parameters, Outc
     Parameters
     ----------
     kernel : function
-        Any kernel of `linkage` or `mechanisms`. Elementwise: compiled, it takes numbers or arrays, and can be called
-        from other compiled code, a loop over designs or the right-hand side of a differential equation.
+        Any kernel of `linkage`, `mechanisms` or `gas`. Elementwise: compiled, it takes numbers or arrays, gives numbers
+        for numbers, and can be called from other compiled code, a loop over designs or the right-hand side of a
+        differential equation.
 
     Returns
     -------
@@ -36,12 +39,29 @@ def _compiled(kernel: FunctionType) -> object:
     """Compile a copy of the kernel whose globals hold compiled callees."""
     import numba
 
+    _teach_choices()
     callees = {
         name: _compiled(called)
         for name in kernel.__code__.co_names
-        if isinstance(called := kernel.__globals__.get(name), FunctionType)
+        if isinstance(called := kernel.__globals__.get(name), FunctionType) and called is not chosen
     }
     copy = FunctionType(kernel.__code__, {**kernel.__globals__, **callees}, kernel.__name__)
     # As NumPy: what cannot close is NaN, not an exception. LLVM would not inline a large kernel into a loop by itself,
     # which costs a sixth of its time; a kernel's private parts it may weigh, or long kernels would take minutes.
     return numba.njit(error_model="numpy", forceinline=not kernel.__name__.startswith("_"))(copy)
+
+
+@cache
+def _teach_choices() -> None:
+    """Tell Numba what `chosen` is: between numbers a plain choice, which is a number and lets loops be vectorised."""
+    from numba import types
+    from numba.extending import overload
+
+    def compiled_choice(*given: object) -> object:
+        return chosen if any(isinstance(each, types.Array) for each in given) else _chosen_number
+
+    overload(chosen, strict=False)(compiled_choice)
+
+
+def _chosen_number(condition: bool, one: float, other: float) -> float:
+    return one if condition else other

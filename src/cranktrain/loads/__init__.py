@@ -10,6 +10,8 @@ angle or the order.
     exact harmonics of a slider-crank; the texts' series and their errors
 `harmonics`
     orders of any periodic curve, and back
+`gathering`
+    what several have, summed where it acts: cylinders on a throw, throws on a shaft
 `torque`, `stars`
     one piston's torque laid over all, along the shaft; how the cylinders' orders add up
 `vectors`, `balance`

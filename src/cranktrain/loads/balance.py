@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.loads.gathering import gathered
 from cranktrain.loads.harmonics import Harmonics, from_vectors, phasor
 from cranktrain.loads.rod_harmonics import acceleration_harmonics, torque_harmonics
 from cranktrain.loads.vectors import PlaneVectors
@@ -93,8 +94,8 @@ def throw_vectors(vectors: PlaneVectors, throw: NDArray[np.intp], n_throws: int)
     -------
     PlaneVectors, shape (..., throw, n)
     """
-    belongs = (throw == np.arange(n_throws)[:, np.newaxis]).astype(np.float64)
-    return PlaneVectors(vectors.order, belongs @ vectors.forward, belongs @ vectors.backward)
+    forward, backward = (gathered(part, throw, n_throws) for part in (vectors.forward, vectors.backward))
+    return PlaneVectors(vectors.order, forward, backward)
 
 
 def shaking(vectors: PlaneVectors, position: Array, mid_plane: Array | float = 0.0) -> Shaking:

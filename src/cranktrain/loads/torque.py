@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.loads.gathering import gathered
 from cranktrain.loads.harmonics import TURN, curve, delayed, harmonics
 from cranktrain.motion import Array
 
@@ -87,8 +88,7 @@ def throw_torque(torque: Array, throw: NDArray[np.intp], n_throws: int) -> Array
     Array, shape (..., throw, n)
         [N·m]
     """
-    belongs = throw == np.arange(n_throws)[:, np.newaxis]
-    return belongs.astype(np.float64) @ torque
+    return gathered(torque, throw, n_throws)
 
 
 def journal_torque(throw_torque: Array, free_end_torque: Array | None = None) -> Array:

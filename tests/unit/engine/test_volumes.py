@@ -7,6 +7,7 @@ import pytest
 from tests.machines import RADIUS, ROD, V12, banks, curve, of, slider, throws
 
 import cranktrain as ct
+from cranktrain.engine.volumes import Chambers
 
 AREA = np.pi / 4 * 0.08**2
 STROKE = 2 * RADIUS
@@ -154,3 +155,13 @@ def test_ratio_of_one_piston_only():
     result = run(given, shaft=throws(0, 180))
     np.testing.assert_allclose(result.compression_ratio, [6, 6, 6, np.nan])
     assert of(result, "1", result.stroke) == pytest.approx(STROKE)
+
+
+def test_pressures_push_their_own_pistons():
+    """A double-acting piston and one of two opposed ones, in whole numbers: forces by hand, and NaN stays at home."""
+    areas = np.array([[[3.0, -2.0, 0.0], [0.0, 0.0, 5.0], [0.0, 0.0, 5.0]]])
+    chambers = Chambers(
+        ("1.head", "1.crank", "2"), ("", "", ""), np.array([0, 0, 1]), np.array([True, False, True]), areas
+    )
+    pressure = np.array([[[7.0, 4.0], [1.0, 6.0], [np.nan, 2.0]]])
+    np.testing.assert_array_equal(chambers.pushed(pressure), [[[19.0, 0.0], [np.nan, 10.0], [np.nan, 10.0]]])

@@ -163,9 +163,9 @@ def test_a_given_dead_centre_that_the_peak_denies_is_doubted():
             "trace.csv:101  has no samples between 99° and 140°, a gap of 41°",
         ),
         (
-            csv(np.insert(DEGREES, 5, 4.0), np.insert(PRESSURES, 5, 1.0)),
+            csv(np.repeat(DEGREES, 2), np.repeat(PRESSURES, 2) + np.tile([0.0, 1e4], 720)),
             FOUR_STROKE,
-            "trace.csv:7  has two pressures for the angle 4°, the first in line 6 (1 angles are given twice)",
+            "trace.csv:3  has two pressures for the angle 0°, the first in line 2 (720 angles are given twice)",
         ),
         (csv(DEGREES[::180], PRESSURES[::180]), FOUR_STROKE, "file = trace.csv: has 4 samples"),
         (csv(DEGREES + 100.0, PRESSURES), FOUR_STROKE, "firing_angle: the pressure peaks at the file's 116°"),
@@ -180,15 +180,128 @@ def test_refused(text, cycle, message):
 
 def test_small_gap_and_repeated_rows_are_told():
     few = csv(np.delete(DEGREES, slice(200, 206)), np.delete(PRESSURES, slice(200, 206)))
-    assert any("the spline bridges them" in doubt for doubt in diagram_of(few).doubts)
+    assert any("between 199° and 206°: the curve bridges them" in doubt for doubt in diagram_of(few).doubts)
     again = diagram_of(csv(np.insert(DEGREES, 5, 4.0), np.insert(PRESSURES, 5, PRESSURES[4])))
     assert any("1 samples that were given twice" in finding for finding in again.findings)
     np.testing.assert_array_equal(again.pressures, PLAIN.pressures)
 
 
+def test_many_gaps_are_told_in_one_sentence():
+    """Seventy of three rows, and one of five."""
+    left_out = np.concatenate([np.add.outer(np.arange(10, 710, 10), np.arange(3)).ravel(), [713, 714, 715, 716, 717]])
+    diagram = diagram_of(csv(np.delete(DEGREES, left_out), np.delete(PRESSURES, left_out)))
+    (told,) = (doubt for doubt in diagram.doubts if "the curve bridges them" in doubt)
+    assert told == "Samples are missing at 71 places, most of all between 712° and 718°: the curve bridges them."
+
+
 def test_a_cycle_that_does_not_close_is_doubted():
-    text = csv(np.arange(721.0), np.append(PRESSURES, PRESSURES[0] * 1.5))
-    assert any("the cycle does not close" in doubt for doubt in diagram_of(text).doubts)
+    """And jumps there, as the file says: from the last row's pressure to the first one's."""
+    diagram = diagram_of(csv(np.arange(721.0), np.append(PRESSURES, PRESSURES[0] * 1.5)))
+    assert any("the cycle does not close" in doubt for doubt in diagram.doubts)
+    assert diagram.curve.jumps.tolist() == [0.0]
+    assert pressure_at(diagram, np.array([-1e-12, 0.0])) == pytest.approx([1.5 * PRESSURES[0], PRESSURES[0]], rel=1e-9)
+
+
+def test_an_endpoint_that_was_rounded_is_no_jump():
+    """1e-5 of the peak apart: as the last digits of a computed cycle are."""
+    diagram = diagram_of(csv(np.arange(721.0), np.append(PRESSURES, PRESSURES[0] + 1e-5 * np.max(PRESSURES))))
+    assert diagram.curve.jumps.size == 0
+    assert any("the last is left out" in finding for finding in diagram.findings)
+
+
+STEP = np.where((DEGREES >= 0) & (DEGREES < 400), 20e5, 2e5)
+"""Two levels: with 0 and 400° given twice, of both pressures."""
+JUMPING = np.sort(np.append(DEGREES, [0.0, 400.0])), np.concatenate([[2e5], STEP[:400], [20e5], STEP[400:]])
+
+
+@pytest.mark.parametrize("turned", [0, 100, 400, 401, 600], ids=lambda turned: f"from {turned}")
+@pytest.mark.parametrize("count", [0.0, 360.0])
+@pytest.mark.parametrize("order", [1, -1], ids=["rising", "falling"])
+def test_an_angle_with_two_pressures_is_a_jump(turned, count, order):
+    """Wherever rows begin, whatever the count, and whether rows rise or fall: the one of lesser angle is before it."""
+    degrees, pressures = (np.roll(part, -turned) for part in JUMPING)
+    # A file that begins in the middle of a jump has the other half at its end, where a full cycle closes.
+    degrees = np.mod(degrees + count, 720)
+    diagram = diagram_of(csv(degrees[::order], pressures[::order]), firing_angle=f"{count} deg")
+    assert np.degrees(diagram.curve.jumps) == pytest.approx([0.0, 400.0], abs=1e-9)
+    found = pressure_at(diagram, np.array([0, 10, 399.9, 400, 500, 719.9]) * (np.pi / 180))
+    assert found == pytest.approx([20e5, 20e5, 20e5, 2e5, 2e5, 2e5], rel=1e-12)
+    (told,) = (finding for finding in diagram.findings if "jumps where the file gives two" in finding)
+    assert "0.00° from 2 to 20.00 bar, at -320.00° from 20.00 to 2 bar" in told
+
+
+def test_a_jump_of_a_file_against_the_rotation_is_turned_round():
+    degrees, pressures = JUMPING
+    diagram = diagram_of(csv(degrees, pressures), firing_angle="400 deg", sense="backward")
+    assert np.degrees(diagram.curve.jumps) == pytest.approx([0.0, 400.0], abs=1e-9)
+    assert pressure_at(diagram, np.radians([-1.0, 0.0, 399.0, 400.0])) == pytest.approx([2e5, 20e5, 20e5, 2e5])
+
+
+def test_rows_in_no_order_have_no_jumps():
+    """Which of two pressures would be before the jump cannot be told."""
+    order = np.random.default_rng(5).permutation(len(JUMPING[0]))
+    with pytest.raises(InputError, match="has two pressures for the angle 0°"):
+        diagram_of(csv(*(part[order] for part in JUMPING)))
+
+
+def test_work_over_jumps_is_exact():
+    """Two levels: the work is that of their volumes, Σ p (V₂ − V₁)."""
+    diagram = diagram_of(csv(*JUMPING), firing_angle="0 deg")
+    start, cut = ENGINE.volume(np.radians([0.0, 400.0])).value
+    assert diagram_work(diagram, ENGINE.slope) == pytest.approx((20e5 - 2e5) * (cut - start), rel=1e-12)
+
+
+def test_a_step_that_may_hide_a_jump_is_told_with_its_rows():
+    (told,) = (doubt for doubt in diagram_of(csv(DEGREES, STEP)).doubts if "in one step" in doubt)
+    assert told.startswith("Between 399° and 400° the pressure goes from 20 to 2 bar in one step, far steeper than")
+    assert "and so in 1 other steps" in told
+
+
+def test_noise_and_a_coarse_table_hide_no_jump():
+    spike = PRESSURES.copy()
+    spike[300] += 0.5 * np.max(PRESSURES)
+    for degrees, pressures in (
+        (DEGREES, spike),
+        (DEGREES, PRESSURES + 0.05 * np.max(PRESSURES) * np.random.default_rng(2).uniform(0, 1, 720)),
+        (DEGREES[::30], PRESSURES[::30]),
+        (DEGREES[3::10], PRESSURES[3::10]),
+    ):
+        assert not any("in one step" in doubt for doubt in diagram_of(csv(degrees, pressures)).doubts)
+
+
+def test_smoothing_and_spline_say_that_they_round_jumps_off():
+    for more in ({"smoothing": "2 deg"}, {"interpolation": "spline"}):
+        diagram = diagram_of(csv(*JUMPING), firing_angle="0 deg", **more)
+        assert diagram.curve.jumps.size == 0
+        assert any("a spline rounds that off, and so does smoothing" in doubt for doubt in diagram.doubts)
+
+
+def test_largest_sample_and_crest_are_told():
+    """A parabola's crest midway between two rows, 1/8 of a second difference above the line through them."""
+    degrees = np.arange(0.0, 720, 10)
+    bars = 20 + 18 * np.cos(np.radians(degrees - 13) / 2)
+    diagram = diagram_of(csv(degrees, 1e5 * bars))
+    (told,) = (finding for finding in diagram.findings if "largest sample" in finding)
+    assert told == "The largest sample is 37.99 bar at 10.00° from firing, the curve's crest 38.00 bar at 13.00°."
+
+
+STUDENT = """Расчёт индикаторной диаграммы;
+Двигатель 4Ч 8/9, вариант 7;
+Угол п.к.в., град;Давление газов, МПа
+"""
+
+
+@pytest.mark.parametrize("last", [710, 720])
+def test_a_students_table(last):
+    """Titles, a header, decimal commas; steps of 10° from 0, at the top of the exchange, to 710 or 720."""
+    degrees = np.arange(0, last + 1, 10)
+    bars = wiebe_cycle(ENGINE, CASE, np.radians(degrees - 360.0)) / 1e5
+    rows = (f"{angle};{bar / 10:.4f}".replace(".", ",") for angle, bar in zip(degrees, bars, strict=True))
+    diagram = diagram_of(STUDENT + "\n".join(rows), pressure="absolute")
+    assert len(diagram.angles) == 72
+    assert any("at the file's 360°" in finding for finding in diagram.findings)
+    assert diagram.doubts == ()
+    assert pressure_at(diagram, np.radians(20.0)) == pytest.approx(bars[38] * 1e5, rel=1e-4)
 
 
 def test_a_textbooks_table_in_steps_of_30_degrees():
@@ -245,7 +358,7 @@ def test_spline_is_scipys(spread):
     values = np.exp(np.sin(places)) + np.random.default_rng(3).standard_normal(50)
     theirs = CubicSpline(np.append(places, places[0] + 2 * np.pi), np.append(values, values[0]), bc_type="periodic")
     assert periodic_slopes(places, values, 2 * np.pi) == pytest.approx(theirs(places, 1), abs=1e-12)
-    diagram = diagram_through(Samples(places, values, (), ()), 2 * np.pi)
+    diagram = diagram_through(Samples(places, values, (), ()), 2 * np.pi, "spline")
     at = np.linspace(0, 2 * np.pi, 777)
     assert pressure_at(diagram, at + 2 * np.pi * 7) == pytest.approx(theirs(at, extrapolate="periodic"), abs=1e-12)
 
@@ -254,7 +367,7 @@ def test_work_of_the_interpolant_is_exact():
     """Against ∫ p sin φ = [−p cos + p′ sin + p″ cos − p‴ sin], piece by piece."""
     places = np.arange(24) * (2 * np.pi / 24)
     values = 3 + np.sin(places) + 0.2 * np.cos(3 * places)
-    diagram = diagram_through(Samples(places, values, (), ()), 2 * np.pi)
+    diagram = diagram_through(Samples(places, values, (), ()), 2 * np.pi, "spline")
     spline = CubicSpline(np.append(places, 2 * np.pi), np.append(values, values[0]), bc_type="periodic")
     total = 0.0
     for a, b in itertools.pairwise(spline.x):
@@ -297,5 +410,6 @@ def test_a_spoilt_file_is_read_or_refused(spoilt, more):
         assert refusal.problems
     else:
         assert np.all(np.isfinite(diagram.pressures))
-        assert np.all(np.isfinite(diagram.slopes))
+        assert np.all(np.isfinite(diagram.curve.start_slopes))
+        assert np.all(np.isfinite(diagram.curve.end_slopes))
         assert np.all(np.diff(diagram.angles) > 0)

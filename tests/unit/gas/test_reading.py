@@ -134,3 +134,20 @@ def test_more_columns_than_needed_are_told():
 def test_one_column_for_both_is_refused():
     with pytest.raises(InputError, match="columns: must be two columns, of the axis and of the pressure"):
         read_trace("angle [deg];p [bar]\n0;1\n1;1", "trace.csv", Columns(columns=(2, 2)))
+
+
+def test_a_file_of_more_lines_than_any_cycle_is_refused_at_once():
+    with pytest.raises(InputError) as refusal:
+        read_trace("angle;p [bar]\n" + "0;1\n" * 250_000, "trace.csv")
+    message = str(refusal.value)
+    assert message.startswith("file = trace.csv: has 250001 lines; 100000 at most are read")
+    assert message.endswith("keep one row of 3, or the mean of so many")
+
+
+def test_a_file_with_one_wrong_number_among_thousands():
+    """Its line and column are found although numbers are kept as arrays."""
+    rows = [f"{place / 10};  12,5" for place in range(7200)]
+    rows[6999] = "699,9; -2,5 "
+    with pytest.raises(InputError) as refusal:
+        read_trace("angle [deg];p abs [bar]\n" + "\n".join(rows), "trace.csv")
+    assert str(refusal.value).startswith("trace.csv:7001:8  -2.5: an absolute pressure must be more than 0 (1 values")

@@ -101,6 +101,36 @@ def test_where_strokes_meet_the_one_that_begins_counts():
     assert pressure_at(diagram, np.radians([0.0, 180.0])) == pytest.approx([20e5, 2e5])
 
 
+def test_a_line_at_one_place_is_a_jump_within_the_stroke():
+    """A card that falls from 9 to 4 bar at 80 % of the outward stroke, and rises at 30 % of the way back."""
+    part = np.concatenate([np.linspace(0, 0.8, 81), np.linspace(0.8, 1, 21)])
+    back = np.concatenate([np.linspace(1, 0.3, 71), np.linspace(0.3, 0, 31)])
+    levels = 1e5 * np.repeat([9.0, 4.0, 2.0, 6.0], [81, 21, 71, 31])
+    places = np.concatenate([part, back])
+    levels[0] += 1.0  # the peak tells which end is the top
+    for order in (1, -1):
+        text = csv(100 * places[::order], levels[::order], header="s [mm],p abs [Pa]")
+        diagram = diagram_of(text, cycle=TWO_STROKE)
+        volumes = ENGINE.limits.smallest + np.array([0.8, 0.3]) * ENGINE.swept
+        jumps = diagram.curve.jumps
+        assert len(jumps) == 4
+        assert ENGINE.volume(jumps[[1, 3]]).value == pytest.approx(volumes, rel=1e-9)
+        after = pressure_at(diagram, jumps)
+        before = pressure_at(diagram, jumps - 1e-12)
+        assert after == pytest.approx([9e5, 4e5, 2e5, 6e5], rel=1e-5)
+        assert before == pytest.approx([6e5, 9e5, 4e5, 2e5], rel=1e-9)
+
+
+def test_rounded_volumes_are_no_jumps():
+    """Steps of 0.5° and volumes to 1 cm³: many rows have one volume, near the dead centres above all."""
+    angle = np.radians(np.arange(0.25, 360, 0.5))
+    volume = np.rint(ENGINE.volume(angle).value * 1e6)
+    text = csv(volume, two_stroke_pressure(angle), header="V [cm³],p abs [Pa]")
+    diagram = diagram_of(text, cycle=TWO_STROKE)
+    assert np.all(np.abs(np.sin(diagram.curve.jumps)) < 1e-9)
+    assert not any("in one step" in doubt for doubt in diagram.doubts)
+
+
 @pytest.mark.parametrize(
     ("text", "more", "message"),
     [

@@ -1,6 +1,7 @@
 """The file of a curve is found beside the machine file, whatever it is encoded in."""
 
 import codecs
+import os
 
 import pytest
 
@@ -90,3 +91,18 @@ def test_a_folder_is_no_diagram(tmp_path):
 def test_all_files_that_are_missing_are_told(tmp_path):
     data = {"gas": GAS, "evenness": {"load_curve": {"file": "b.csv"}}}
     assert [problem.path for problem in with_curves(data, tmp_path)[1]] == ["gas.file", "evenness.load_curve.file"]
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with names on this system")
+@pytest.mark.parametrize(
+    ("data", "noun"),
+    [
+        ({"gas": {"kind": "indicator", "file": "pipe"}}, "an indicator diagram"),
+        ({"evenness": {"load_curve": {"file": "pipe"}}}, "a load curve"),
+    ],
+)
+def test_a_pipe_into_which_nobody_writes_is_refused_at_once(data, noun, tmp_path):
+    os.mkfifo(tmp_path / "pipe")
+    _filled, (problem,) = with_curves(data, tmp_path)
+    assert problem.given == "pipe"
+    assert problem.allowed == f"is a pipe or a device, not {noun}"

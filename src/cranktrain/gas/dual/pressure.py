@@ -8,7 +8,7 @@ from cranktrain.gas.kind import Kink
 from cranktrain.gas.polytrope import polytropic_work
 from cranktrain.gas.state import ChamberState, VolumeLimits
 from cranktrain.gas.work import MeanPressures
-from cranktrain.motion import Array
+from cranktrain.motion import Array, chosen
 
 
 class IdealCycle(NamedTuple):
@@ -81,9 +81,9 @@ def ideal_pressure(state: ChamberState, cycle: IdealCycle) -> Array:
     cut_off = cycle.cut_off_ratio * state.smallest
     heated = corners.peak * (cut_off / np.maximum(state.volume, cut_off)) ** cycle.expansion_exponent
     compression = cycle.start_pressure * (state.largest / state.volume) ** cycle.compression_exponent
-    expansion = np.where(cut_off > state.largest, np.nan, heated)
-    exchange = np.where(state.sense > 0, cycle.inlet_pressure, cycle.exhaust_pressure)
-    return np.where(state.turn > 0, np.where(state.sense > 0, expansion, compression), exchange)
+    expansion = chosen(cut_off > state.largest, np.nan, heated)
+    exchange = chosen(state.sense > 0, cycle.inlet_pressure, cycle.exhaust_pressure)
+    return chosen(state.turn > 0, chosen(state.sense > 0, expansion, compression), exchange)
 
 
 def ideal_kinks(cycle: IdealCycle, limits: VolumeLimits) -> tuple[Kink, ...]:
@@ -120,6 +120,6 @@ def ideal_mean_pressures(cycle: IdealCycle, compression_ratio: Array) -> MeanPre
     expansion = polytropic_work(corners.peak * cut_off, cut_off / compression_ratio, cycle.expansion_exponent)
     compression = polytropic_work(corners.compressed, 1 / compression_ratio, cycle.compression_exponent)
     sum_of_works = corners.peak * (cut_off - 1) + expansion - compression
-    gross = np.where(cut_off > compression_ratio, np.nan, sum_of_works / (compression_ratio - 1))
+    gross = chosen(cut_off > compression_ratio, np.nan, sum_of_works / (compression_ratio - 1))
     pumping = cycle.inlet_pressure - cycle.exhaust_pressure
     return MeanPressures(gross, pumping, gross + pumping)

@@ -1,16 +1,26 @@
-"""The indicator diagram: pressure over the crank angle from firing, as a periodic cubic spline."""
+"""The indicator diagram: pressure over the crank angle from firing, as a periodic curve of cubics."""
 
 from collections.abc import Callable
+from typing import Literal, TypeAlias
 
 import numpy as np
 
+from cranktrain.gas.indicator.curve import Curve, along, curve_at
 from cranktrain.gas.indicator.cycle import Samples
-from cranktrain.gas.indicator.spline import periodic_slopes, spline_at
+from cranktrain.gas.indicator.limited import limited_curve
+from cranktrain.gas.indicator.spline import spline_curve
 from cranktrain.motion import Array
 from cranktrain.record import record
 
+Interpolation: TypeAlias = Literal["limited", "spline"]
+
+CURVES: dict[Interpolation, Callable[[Array, Array, float], Curve]] = {"limited": limited_curve, "spline": spline_curve}
+"""The curve through places and values of one period."""
+
 _GAUSS_POINTS = 6
 """Exact to degree 11: a cubic times V′ over a step of some degrees is less to all digits."""
+_AT_ONCE = 4096
+"""Steps whose Gauss points are asked for together: a file of many rows would ask for too much memory."""
 
 
 @record
@@ -19,44 +29,46 @@ class Diagram:
 
     Attributes
     ----------
-    cycle : float
-        2π or 4π. [rad]
-    angles : Array, shape (n,)
-        From firing, rising in [0, cycle). [rad]
-    pressures : Array, shape (n,)
-        Absolute. [Pa]
-    slopes : Array, shape (n,)
-        dp/dφ of the periodic cubic spline. [Pa/rad]
+    curve : Curve
+        Absolute pressure over the crank angle from firing, its places in [0, cycle). [rad, Pa]
     findings, doubts : tuple of str
         What was found in the file and changed, and what may be meant otherwise, as sentences.
     """
 
-    cycle: float
-    angles: Array
-    pressures: Array
-    slopes: Array
+    curve: Curve
     findings: tuple[str, ...] = ()
     doubts: tuple[str, ...] = ()
 
+    @property
+    def angles(self) -> Array:
+        """Angles of the samples, each once, shape (n,). [rad]"""
+        return self.curve.places
 
-def diagram_through(samples: Samples, cycle: float) -> Diagram:
-    """Lay a periodic cubic spline through the samples of one cycle.
+    @property
+    def pressures(self) -> Array:
+        """Pressures there, at a jump the one after it, shape (n,). [Pa]"""
+        return self.curve.starts
+
+
+def diagram_through(samples: Samples, cycle: float, interpolation: Interpolation = "limited") -> Diagram:
+    """Lay a curve through the samples of one cycle.
 
     Parameters
     ----------
     samples : Samples
-        Angles from firing, rising in [0, cycle).
+        Angles from firing, never falling, in [0, cycle); an angle given twice, before and after, is a jump.
     cycle : float
         2π or 4π. [rad]
+    interpolation : "limited" or "spline"
+        Cubics with limited slopes, or the periodic cubic spline, which takes no jumps.
 
     Returns
     -------
     Diagram
-        It goes through every sample. A jump, as of an ideal cycle at the dead centre, makes it ring: take the ideal
-        cycle itself for that.
+        It goes through every sample. A spline rings beside plateaus and corners.
     """
-    slopes = periodic_slopes(samples.angles, samples.pressures, cycle)
-    return Diagram(cycle, samples.angles, samples.pressures, slopes, samples.findings, samples.doubts)
+    curve = CURVES[interpolation](samples.angles, samples.pressures, cycle)
+    return Diagram(curve, samples.findings, samples.doubts)
 
 
 def pressure_at(diagram: Diagram, angle_from_firing: Array) -> Array:
@@ -71,9 +83,9 @@ def pressure_at(diagram: Diagram, angle_from_firing: Array) -> Array:
     Returns
     -------
     Array, of that shape
-        Absolute pressure; at a sample's angle the sample itself. [Pa]
+        Absolute pressure; at a sample's angle the sample itself, at a jump the one just after it. [Pa]
     """
-    return spline_at(diagram.angles, diagram.pressures, diagram.slopes, diagram.cycle, angle_from_firing)
+    return curve_at(diagram.curve, angle_from_firing)
 
 
 def diagram_work(diagram: Diagram, volume_slope: Callable[[Array], Array]) -> float:
@@ -92,27 +104,31 @@ def diagram_work(diagram: Diagram, volume_slope: Callable[[Array], Array]) -> fl
 
     Notes
     -----
-    Gauss's quadrature from sample to sample: on a step of the spline p is a cubic, and V′ smooth.
+    Gauss's quadrature from sample to sample: on a step of the curve p is a cubic, and V′ smooth.
     `indicated_work` is the sum over equal steps.
     """
     nodes, weights = np.polynomial.legendre.leggauss(_GAUSS_POINTS)
-    steps = np.diff(diagram.angles, append=diagram.angles[0] + diagram.cycle)
-    angles = diagram.angles[:, np.newaxis] + steps[:, np.newaxis] * (1 + nodes) / 2
-    power = pressure_at(diagram, angles) * volume_slope(angles)
-    return float(np.sum(power @ weights * steps / 2))
+    curve = diagram.curve
+    work = 0.0
+    for first in range(0, len(curve.places), _AT_ONCE):
+        chosen = np.arange(first, min(first + _AT_ONCE, len(curve.places)))[:, np.newaxis]
+        share = (1 + nodes) / 2
+        power = along(curve, chosen, share) * volume_slope(curve.places[chosen] + share * curve.steps[chosen])
+        work += float(np.sum(power @ weights * curve.steps[chosen[:, 0]] / 2))
+    return work
 
 
 def breaks(diagram: Diagram) -> Array:
     """Crank angles between which the interpolant is one polynomial, rising in [0, cycle); a jump stands there once."""
-    return diagram.angles
+    return diagram.curve.places
 
 
 def jumps(diagram: Diagram) -> Array:
     """Crank angles at which the pressure jumps, rising in [0, cycle)."""
-    return diagram.angles[:0]
+    return diagram.curve.jumps
 
 
-def smoothed(diagram: Diagram, width: float) -> Diagram:
+def smoothed(diagram: Diagram, width: float, interpolation: Interpolation = "limited") -> Diagram:
     """Take noise out of a diagram, round the cycle.
 
     Parameters
@@ -120,21 +136,23 @@ def smoothed(diagram: Diagram, width: float) -> Diagram:
     diagram : Diagram
     width : float
         σ of the Gaussian. [rad]
+    interpolation : "limited" or "spline"
+        Of the smoothed samples.
 
     Returns
     -------
     Diagram
-        At as many equal steps; its mean pressure is the same.
+        At as many equal steps; its mean pressure is the same. Jumps are rounded off.
 
     Notes
     -----
     The cycle's Fourier series times (1 + ½k²σ²) exp(−½k²σ²), a Gaussian that leaves every parabola, and so the peak, as
     it is. docs/theory/gas, eq. (14.11).
     """
-    n_points = len(diagram.angles)
-    angles = np.arange(n_points, dtype=np.float64) * (diagram.cycle / n_points)
-    order = np.arange(n_points // 2 + 1) * (2 * np.pi / diagram.cycle)
+    n_points, cycle = len(diagram.curve.places), diagram.curve.period
+    angles = np.arange(n_points, dtype=np.float64) * (cycle / n_points)
+    order = np.arange(n_points // 2 + 1) * (2 * np.pi / cycle)
     half_square = (order * width) ** 2 / 2
     series = np.fft.rfft(pressure_at(diagram, angles)) * (1 + half_square) * np.exp(-half_square)
     pressures: Array = np.fft.irfft(series, n_points)
-    return diagram_through(Samples(angles, pressures, diagram.findings, diagram.doubts), diagram.cycle)
+    return diagram_through(Samples(angles, pressures, diagram.findings, diagram.doubts), cycle, interpolation)

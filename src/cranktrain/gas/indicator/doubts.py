@@ -1,13 +1,15 @@
-"""What an engineer would ask about a diagram: does its compression look like one, and is it smooth."""
+"""What an engineer would ask about a diagram: is its compression one, is it smooth, does it miss a jump."""
 
 from collections.abc import Iterator
 
 import numpy as np
 
+from cranktrain.gas.indicator.curve import steps_between
 from cranktrain.gas.indicator.cycle import Samples
 from cranktrain.gas.indicator.pegging import polytropic_exponent
 from cranktrain.gas.kind import Chamber
 from cranktrain.language import _
+from cranktrain.quantities import shown
 
 _START, _END = np.radians(-80.0), np.radians(-40.0)
 """A piece of the compression with closed ports and valves and before the fire, from firing. [rad]"""
@@ -22,6 +24,11 @@ _NOISY = 0.005
 """Noise that is doubted, in parts of the peak."""
 _OF_NOISE = 0.6745 * np.sqrt(70.0)
 """Median size of the fourth differences of white noise of standard deviation 1."""
+
+_LARGE_STEP = 0.1
+"""Steps of less cannot hide a jump that is worth a word, in parts of the range."""
+_STEEP, _STEEPER = 5.0, 2.0
+"""How much steeper a step is that may hide a jump: than steps beside it in its own sense; than any beside it."""
 
 
 def compression_doubts(samples: Samples, chamber: Chamber) -> Iterator[str]:
@@ -77,3 +84,57 @@ def noise_doubts(samples: Samples) -> Iterator[str]:
             "The pressures scatter by {percent:.2g} % of the peak from sample to sample: write smoothing, such as"
             ' smoothing = "1 deg", or forces and torque will have that noise.'
         ).format(percent=100 * noise / peak)
+
+
+def lost_jump_doubts(samples: Samples, cycle: float) -> Iterator[str]:
+    """Doubt steps so much steeper than those beside them that a jump may be lost in them.
+
+    Parameters
+    ----------
+    samples : Samples
+        In any count.
+    cycle : float
+        [rad]
+
+    Yields
+    ------
+    str
+
+    Notes
+    -----
+    A burning cycle in steps of 10° has no step more than three times as steep as the next one in its sense, an ideal
+    cycle whose jump is lost one of twelve. Up and down again is noise, and no jump.
+    """
+    places, lengths, starts, ends, _jumps = steps_between(samples.angles, samples.pressures, cycle)
+    slopes = (ends - starts) / lengths
+    beside = np.stack([np.roll(slopes, 1), np.roll(slopes, -1)])
+    onward = np.max(beside * np.sign(slopes), axis=0)
+    steep = (np.abs(slopes) > _STEEP * onward) & (np.abs(slopes) > _STEEPER * np.max(np.abs(beside), axis=0))
+    found = np.flatnonzero(steep & (np.abs(ends - starts) > _LARGE_STEP * np.ptp(samples.pressures)))
+    if found.size:
+        largest = int(found[np.argmax(np.abs(ends - starts)[found])])
+        told = _(
+            "Between {start} and {end} the pressure goes from {before} to {after} bar in one step, far steeper than"
+            " beside it{more}: if it jumps, give the jump as two rows of one angle (or place), before and after; else"
+            " give more rows there. A jump lost between rows takes from the mean pressure, 2 % in steps of 10°."
+        )
+        more = _(", and so in {n} other steps").format(n=found.size - 1) if found.size > 1 else ""
+        start, end = places[largest], places[largest] + lengths[largest]
+        before, after = (f"{shown(float(pressure[largest]), 'bar'):.4g}" for pressure in (starts, ends))
+        start, end = (f"{shown(float(angle), 'deg') + 0.0:.6g}°" for angle in (start, end))
+        yield told.format(start=start, end=end, before=before, after=after, more=more)
+
+
+def rounded_jump_doubts(samples: Samples) -> Iterator[str]:
+    """Doubt a spline, or smoothing, of samples that jump.
+
+    Parameters
+    ----------
+    samples : Samples
+
+    Yields
+    ------
+    str
+    """
+    if np.any(np.diff(samples.angles) == 0.0):
+        yield _("The file's pressures jump; a spline rounds that off, and so does smoothing: leave these out.")

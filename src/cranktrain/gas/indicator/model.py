@@ -1,11 +1,14 @@
 """From the table of a machine file to the diagram of one chamber: read, put in order, placed, pegged, smoothed."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.gas.indicator.cycle import Samples, one_cycle
-from cranktrain.gas.indicator.diagram import Diagram, diagram_through, pressure_at, smoothed
-from cranktrain.gas.indicator.doubts import compression_doubts, noise_doubts
+from cranktrain.gas.indicator.diagram import CURVES, Diagram, diagram_through, pressure_at, smoothed
+from cranktrain.gas.indicator.doubts import compression_doubts, lost_jump_doubts, noise_doubts, rounded_jump_doubts
+from cranktrain.gas.indicator.findings import curve_findings
 from cranktrain.gas.indicator.pegging import polytropic_offset
 from cranktrain.gas.indicator.placing import placed
 from cranktrain.gas.indicator.spec import IndicatorSpec, PegSpec, trace_of
@@ -39,20 +42,28 @@ def indicator_diagram(spec: IndicatorSpec, chamber: Chamber) -> Diagram:
     if trace.axis == "angle":
         _refuse_strokes(spec)
         samples = one_cycle(trace, chamber.cycle)
+        samples = samples._replace(doubts=(*samples.doubts, *lost_jump_doubts(samples, chamber.cycle)))
         firing = None if spec.firing_angle is None else spec.firing_angle.si
         samples = placed(samples, chamber.cycle, firing, spec.sense)
         samples = _from_nominal(samples, chamber)
     else:
         _refuse_angles(spec, trace.axis)
-        samples = unrolled(trace, chamber, _outward(spec, chamber))
+        samples = unrolled(trace, chamber, CURVES[spec.interpolation], _outward(spec, chamber))
     samples = samples._replace(findings=(*trace.findings, *samples.findings), doubts=(*trace.doubts, *samples.doubts))
+    highest = int(np.argmin(np.abs(samples.pressures - np.max(trace.pressures))))
     if spec.peg is not None:
-        samples = _pegged(samples, diagram_through(samples, chamber.cycle), spec.peg, chamber)
+        diagram = diagram_through(samples, chamber.cycle, spec.interpolation)
+        samples = _pegged(samples, diagram, spec.peg, chamber)
     doubts = (*samples.doubts, *compression_doubts(samples, chamber))
     if spec.smoothing is None:
         doubts = (*doubts, *noise_doubts(samples))
-    diagram = diagram_through(samples._replace(doubts=doubts), chamber.cycle)
-    return diagram if spec.smoothing is None else smoothed(diagram, spec.smoothing.si)
+    if spec.interpolation == "spline" or spec.smoothing is not None:
+        doubts = (*doubts, *rounded_jump_doubts(samples))
+    diagram = diagram_through(samples._replace(doubts=doubts), chamber.cycle, spec.interpolation)
+    if spec.smoothing is not None:
+        diagram = smoothed(diagram, spec.smoothing.si, spec.interpolation)
+    told = curve_findings(diagram.curve, samples, highest, dead_centres_of(chamber.volume).top)
+    return replace(diagram, findings=(*diagram.findings, *told))
 
 
 def indicator_pressure(state: ChamberState, diagram: Diagram) -> Array:
@@ -92,7 +103,7 @@ def _from_nominal(samples: Samples, chamber: Chamber) -> Samples:
     if top == 0.0:
         return samples
     angles = np.mod(samples.angles + top, chamber.cycle)
-    order = np.argsort(angles)
+    order = np.argsort(angles, kind="stable")
     told = _(
         "The file's dead centre is put on the machine's true one, {angle} from where the crank lies along the cylinder."
     )

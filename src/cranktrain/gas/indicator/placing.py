@@ -73,7 +73,7 @@ def placed(samples: Samples, cycle: float, firing_angle: float | None, sense: Se
         firing_angle = None if firing_angle is None else -firing_angle
         own = _found(samples, cycle, firing_angle)
     angles = _within_cycle(samples.angles - own.dead_centre, cycle)
-    order = np.argsort(angles)
+    order = np.argsort(angles, kind="stable")  # of a jump the value before comes first
     count = -own.dead_centre if is_backward else own.dead_centre
     return Samples(
         angles=angles[order],

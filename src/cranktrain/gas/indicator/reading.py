@@ -111,24 +111,23 @@ def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
     said = Columns() if said is None else said
     table = read_table(text, name)
     axis, where, level = _columns(table, said, name)
-    labels = table.labels or ("",) * len(table.rows[0])
+    labels = table.labels or ("",) * table.rows.shape[1]
     place_scale, findings = _place_scale(axis, labels[where], said, table, where)
     unit = said.pressure_unit or unit_in(labels[level], Dimension.PRESSURE)
     if unit is None:
         allowed = _("the file names no unit of pressure")
         repair = _('write pressure_unit = "bar" (or {units})').format(units=", ".join(unit_names(Dimension.PRESSURE)))
         raise InputError([Problem("pressure_unit", None, allowed, repair)])
-    numbers = np.array(table.rows, dtype=float)
-    pressures, told = _absolute(numbers[:, level], unit, labels[level], said)
-    problems = _negative(pressures, table, level, name)
+    pressures, told = _absolute(table.rows[:, level], unit, labels[level], said)
+    problems = _negative(pressures, table, level)
     if problems:
         raise InputError(problems)
     return Trace(
         name=name,
         axis=axis,
-        places=numbers[:, where] * place_scale,
+        places=table.rows[:, where] * place_scale,
         pressures=pressures,
-        lines=np.array(table.lines, dtype=np.intp),
+        lines=table.lines,
         findings=(*_columns_taken(table, said, level), *findings, *told),
         doubts=_level_doubts(pressures),
     )
@@ -136,10 +135,10 @@ def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
 
 def _columns(table: Table, said: Columns, name: str) -> tuple[Axis, int, int]:
     """Tell what the axis is, and which columns hold axis and pressure, counted from 0."""
-    n_columns = len(table.rows[0])
+    n_columns = table.rows.shape[1]
     if n_columns < _PAIR:
         allowed = _("has one column; an indicator diagram needs two, crank angle (or volume) and pressure")
-        raise InputError([Problem("", None, allowed, None, Position(name, table.lines[0]))])
+        raise InputError([Problem("", None, allowed, None, Position(name, int(table.lines[0])))])
     if said.columns is not None:
         if max(said.columns) > n_columns or min(said.columns) < 1:
             allowed = _("must be columns of the file, 1 to {n}").format(n=n_columns)
@@ -161,10 +160,10 @@ def _columns(table: Table, said: Columns, name: str) -> tuple[Axis, int, int]:
 
 def _columns_taken(table: Table, said: Columns, level: int) -> Iterator[str]:
     """Say which column is taken where there are more than the two that are needed."""
-    if said.columns is None and len(table.rows[0]) > _PAIR:
+    if said.columns is None and table.rows.shape[1] > _PAIR:
         label = table.labels[level] if table.labels else ""
         told = _("The file has {n} columns; pressures are taken from column {column}{label}: `columns` says otherwise.")
-        yield told.format(n=len(table.rows[0]), column=level + 1, label=f", {label}" if label else "")
+        yield told.format(n=table.rows.shape[1], column=level + 1, label=f", {label}" if label else "")
 
 
 def _axis_of(label: str) -> Axis | None:
@@ -221,7 +220,7 @@ def _place_scale(axis: Axis, label: str, said: Columns, table: Table, column: in
         return 1.0, ()
     if axis == "volume":
         raise InputError([_missing_volume_unit()])
-    farthest = max(row[column] for row in table.rows) - min(row[column] for row in table.rows)
+    farthest = float(np.ptp(table.rows[:, column]))
     unit = "deg" if farthest > _DEGREES_BEYOND else "rad"
     said_so = _("The file does not say the unit of its angles; they reach over {span:.6g}, so {unit} is taken.")
     return read(f"1 {unit}", Dimension.ANGLE), (said_so.format(span=farthest, unit=unit),)
@@ -255,7 +254,7 @@ def _absolute(numbers: Array, unit: str, label: str, said: Columns) -> tuple[Arr
     return numbers * scale, ()
 
 
-def _negative(pressures: Array, table: Table, level: int, name: str) -> list[Problem]:
+def _negative(pressures: Array, table: Table, level: int) -> list[Problem]:
     """Refuse absolute pressures that cannot be, at the first of them."""
     wrong = np.flatnonzero(pressures <= 0)
     if not wrong.size:
@@ -263,8 +262,7 @@ def _negative(pressures: Array, table: Table, level: int, name: str) -> list[Pro
     first = int(wrong[0])
     allowed = _("an absolute pressure must be more than 0 ({n} values are not)").format(n=wrong.size)
     repair = _('if these are gauge pressures, write pressure = "gauge"')
-    position = Position(name, table.lines[first], table.columns[first][level])
-    return [Problem("", f"{table.rows[first][level]:g}", allowed, repair, position)]
+    return [Problem("", f"{table.rows[first, level]:g}", allowed, repair, table.position(first, level))]
 
 
 def _level_doubts(pressures: Array) -> tuple[str, ...]:

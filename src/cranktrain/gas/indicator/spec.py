@@ -7,6 +7,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from cranktrain.errors import InputError, Problem
+from cranktrain.gas.indicator.diagram import Interpolation
 from cranktrain.gas.indicator.placing import Sense
 from cranktrain.gas.indicator.reading import STANDARD_ATMOSPHERE, Axis, Columns, Trace, read_trace
 from cranktrain.gas.kind import GasSpec
@@ -96,6 +97,13 @@ class IndicatorSpec(GasSpec, frozen=True):
     peg: PegSpec | None = Field(default=None, description=N_("How the level is found that the sensor does not know."))
     smoothing: Width | None = Field(
         default=None, description=N_("Width σ over which noise is smoothed; none unless given.")
+    )
+    interpolation: Interpolation = Field(
+        default="limited",
+        description=N_(
+            "Curve through the samples: cubics whose slopes are limited at corners and plateaus, or the cubic spline,"
+            " which rings there."
+        ),
     )
     unrolling: Literal["exact", "brix"] = Field(
         default="exact", description=N_("How displacements become crank angles: exactly, or by Brix's construction.")

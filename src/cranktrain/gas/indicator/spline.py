@@ -1,11 +1,17 @@
 """The periodic cubic spline: smooth through all points of a cycle, wherever they stand."""
 
-from typing import cast
-
 import numpy as np
-from numpy.typing import NDArray
 
+from cranktrain.gas.indicator.curve import Curve
 from cranktrain.motion import Array
+
+
+def spline_curve(places: Array, values: Array, period: float) -> Curve:
+    """Periodic cubic spline through points of one period; of a place given twice the second counts, as if no jump."""
+    kept = np.diff(places, append=places[0] + period) > 0
+    own, starts = places[kept], values[kept]
+    slopes = periodic_slopes(own, starts, period)
+    return Curve(period, own, starts, np.roll(starts, -1), slopes, np.roll(slopes, -1))
 
 
 def periodic_slopes(places: Array, values: Array, period: float) -> Array:
@@ -57,30 +63,3 @@ def _tridiagonal(beside: Array, middle: Array, right: Array) -> Array:
     for row in range(len(pivots) - 2, -1, -1):
         sides[row] = (sides[row] - beside[row] * sides[row + 1]) / pivots[row]
     return sides
-
-
-def spline_at(places: Array, values: Array, slopes: Array, period: float, at: Array) -> Array:
-    """Value of a periodic cubic spline.
-
-    Parameters
-    ----------
-    places, values, slopes : Array, shape (n,)
-    period : float
-        [rad]
-    at : Array, any shape
-        Any multiple of the period may be added. [rad]
-
-    Returns
-    -------
-    Array, of the shape of `at`
-    """
-    inside = np.mod(at - places[0], period) + places[0]
-    found = cast("NDArray[np.intp]", np.searchsorted(places, inside, side="right")) - 1
-    index: NDArray[np.intp] = np.clip(found, 0, len(places) - 1)
-    following = np.mod(index + 1, len(places))
-    step = np.diff(places, append=places[0] + period)[index]
-    share = (inside - places[index]) / step
-    rest = 1 - share
-    chord = values[following] - values[index]
-    bend = rest * (slopes[index] * step - chord) - share * (slopes[following] * step - chord)
-    return rest * values[index] + share * values[following] + share * rest * bend

@@ -2,16 +2,22 @@
 
 import re
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from itertools import islice, pairwise
+
+import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.language import _
+from cranktrain.motion import Array
 from cranktrain.record import record
 
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _STARTS_AS_NUMBER = re.compile(r"\s*[\"']?[+\-−]?[.,]?[0-9]")
 _COMMENT = re.compile(r"\s*(?:#|%|//)\s*")
 _LARGEST = 1e30
+_MOST_LINES = 100_000
+"""A cycle of 720° in steps of 0.01° has 72 000."""
 _MOST_PROBLEMS = 10
 """Problems told of one file; a file of another kind has one in every line."""
 
@@ -22,19 +28,29 @@ class Table:
 
     Attributes
     ----------
+    name : str
+        Of the file, for messages.
     labels : tuple of str
         Header of each column, its lines joined by blanks; empty without a header.
-    lines : tuple of int
+    rows : Array, shape (row, column)
+    lines : array of int, shape (row,)
         Line of the file of each row, from 1.
-    rows : tuple of tuple of float
-    columns : tuple of tuple of int
-        Where each number begins in its line, from 1.
+    texts : tuple of str
+        Those lines.
+    separator : str
+        What divides their columns.
     """
 
+    name: str
     labels: tuple[str, ...]
-    lines: tuple[int, ...]
-    rows: tuple[tuple[float, ...], ...]
-    columns: tuple[tuple[int, ...], ...]
+    rows: Array
+    lines: NDArray[np.intp]
+    texts: tuple[str, ...]
+    separator: str
+
+    def position(self, row: int, column: int) -> Position:
+        """Where a number stands in the file."""
+        return Position(self.name, int(self.lines[row]), _fields(self.texts[row], self.separator)[column].column)
 
 
 @record
@@ -64,33 +80,39 @@ def read_table(text: str, name: str) -> Table:
     Raises
     ------
     InputError
-        With what is wrong, at line and column.
+        With what is wrong, at line and column; or if it has more lines than any curve needs.
 
     Examples
     --------
-    >>> read_table("angle;p\n0;1,5\n1;2", "a.csv").rows
-    ((0.0, 1.5), (1.0, 2.0))
+    >>> read_table("angle;p\n0;1,5\n1;2", "a.csv").rows.tolist()
+    [[0.0, 1.5], [1.0, 2.0]]
     """
+    _refuse_many(text, name)
     lines = list(enumerate(re.split(r"\r\n|\r|\n", text.removeprefix("\ufeff")), start=1))
     start = _first_row(lines)
     if start is None:
         raise InputError([Problem("file", name, _("has no numbers in it"))])
     head = [line for number, line in lines if number < start and line.strip()]
     body = [(number, line) for number, line in lines if number >= start and line.strip() and not _COMMENT.match(line)]
-    separator = _separator([line for _number, line in body])
-    fields = [(number, _fields(line, separator)) for number, line in body]
-    labels = _labels(head, separator, len(fields[0][1]))
-    problems = [*_comma_problems(fields, labels, separator, name)]
-    if not problems:
-        problems = [*_problems(fields, separator, name)]
-    if problems:
-        raise InputError(_first_of(problems, name))
-    return Table(
-        labels=labels,
-        lines=tuple(number for number, _row in fields),
-        rows=tuple(tuple(float(_plain(field.text, separator)) for field in row) for _number, row in fields),
-        columns=tuple(tuple(field.column for field in row) for _number, row in fields),
-    )
+    texts = tuple(line for _number, line in body)
+    numbers = np.array([number for number, _line in body], dtype=np.intp)
+    separator = _separator(texts)
+    n_columns = len(_cells(texts[0], separator))
+    labels = _labels(head, separator, n_columns)
+    _refuse_two_commas(texts, labels, separator, Position(name, int(numbers[0])))
+    rows = _numbers(texts, separator, n_columns)
+    if rows is None:
+        raise InputError(_first_of(_problems(body, separator, name), name))
+    return Table(name, labels, rows, numbers, texts, separator)
+
+
+def _refuse_many(text: str, name: str) -> None:
+    """Refuse a file of more lines than a curve needs."""
+    n_lines = max(text.count("\n"), text.count("\r"))
+    if n_lines > _MOST_LINES:
+        allowed = _("has {n} lines; {most} at most are read, and a cycle of 720° in steps of 0.01° has 72 000")
+        repair = _("keep one row of {n}, or the mean of so many").format(n=-(-n_lines // _MOST_LINES))
+        raise InputError([Problem("file", name, allowed.format(n=n_lines, most=_MOST_LINES), repair)])
 
 
 def _first_row(lines: Sequence[tuple[int, str]]) -> int | None:
@@ -109,22 +131,44 @@ def _separator(lines: Sequence[str]) -> str:
     return " " if re.search(r"[0-9.]\s+[+\-−]?[.,]?[0-9]", lines[0]) else ","
 
 
-def _fields(line: str, separator: str) -> tuple[_Field, ...]:
+def _parts(line: str, separator: str) -> list[str]:
     """Divide a line; a separator at its end divides nothing."""
+    return line.rstrip().removesuffix(separator).split(separator)
+
+
+def _cells(line: str, separator: str) -> list[str]:
+    """Texts of a line's fields."""
+    if separator == " ":
+        return line.split()
+    return [part.strip().strip("\"'") for part in _parts(line, separator)]
+
+
+def _fields(line: str, separator: str) -> tuple[_Field, ...]:
+    """Texts of a line's fields, and where each begins."""
     if separator == " ":
         return tuple(_Field(found[0], found.start() + 1) for found in re.finditer(r"\S+", line))
     found: list[_Field] = []
     place = 0
-    for part in line.rstrip().removesuffix(separator).split(separator):
-        blanks = len(part) - len(part.lstrip())
-        found.append(_Field(part.strip().strip("\"'"), place + blanks + 1))
+    for part, text in zip(_parts(line, separator), _cells(line, separator), strict=True):
+        found.append(_Field(text, place + len(part) - len(part.lstrip()) + 1))
         place += len(part) + 1
     return tuple(found)
 
 
+def _numbers(texts: Sequence[str], separator: str, n_columns: int) -> Array | None:
+    """Numbers of all lines, shape (row, column); None if some are none, or not as many as in the first line."""
+    rows = np.empty((len(texts), n_columns))
+    for row, text in enumerate(texts):
+        cells = _cells(_plain(text, separator), separator)
+        if len(cells) != n_columns or not all(map(_NUMBER.fullmatch, cells)):
+            return None
+        rows[row] = [float(cell) for cell in cells]
+    return rows if np.max(np.abs(rows)) <= _LARGEST else None
+
+
 def _labels(head: Sequence[str], separator: str, n_columns: int) -> tuple[str, ...]:
     """Join the header's lines column by column; lines with another number of columns are titles."""
-    split = [[field.text for field in _fields(_COMMENT.sub("", line, count=1), separator)] for line in head]
+    split = [_cells(_COMMENT.sub("", line, count=1), separator) for line in head]
     of_columns = [cells for cells in split if len(cells) == n_columns]
     return tuple(" ".join(cells).strip() for cells in zip(*of_columns, strict=True))
 
@@ -135,22 +179,20 @@ def _plain(text: str, separator: str) -> str:
     return ours if separator == "," else ours.replace(",", ".")
 
 
-def _comma_problems(
-    fields: Sequence[tuple[int, tuple[_Field, ...]]], labels: Sequence[str], separator: str, name: str
-) -> Iterator[Problem]:
+def _refuse_two_commas(texts: Sequence[str], labels: Sequence[str], separator: str, first: Position) -> None:
     """Refuse a file whose commas may divide columns as well as numbers."""
-    number, first = fields[0]
-    has_point = any("." in field.text for _number, row in fields for field in row)
-    if separator == "," and len(first) > 2 and not has_point and not labels:
+    cells = _cells(texts[0], separator)
+    if separator == "," and len(cells) > 2 and not labels and not any("." in text for text in texts):
         allowed = _("commas may stand here for decimal points or between columns, which cannot be told apart")
         repair = _("divide the columns by semicolons or tabs, or write decimal points")
-        yield Problem("", ",".join(field.text for field in first), allowed, repair, Position(name, number))
+        raise InputError([Problem("", ",".join(cells), allowed, repair, first)])
 
 
-def _problems(fields: Sequence[tuple[int, tuple[_Field, ...]]], separator: str, name: str) -> Iterator[Problem]:
+def _problems(body: Sequence[tuple[int, str]], separator: str, name: str) -> Iterator[Problem]:
     """Find lines of another length and what is no number."""
-    expected = len(fields[0][1])
-    for number, row in fields:
+    expected = len(_cells(body[0][1], separator))
+    for number, line in body:
+        row = _fields(line, separator)
         if len(row) != expected:
             allowed = _("must have {expected} values, as the first line of numbers has").format(expected=expected)
             yield Problem("", _("{n} values").format(n=len(row)), allowed, None, Position(name, number))
@@ -163,9 +205,9 @@ def _problems(fields: Sequence[tuple[int, tuple[_Field, ...]]], separator: str, 
                     yield Problem("", field.text or '""', allowed, None, Position(name, number, field.column))
 
 
-def _first_of(problems: Sequence[Problem], name: str) -> Sequence[Problem]:
+def _first_of(problems: Iterator[Problem], name: str) -> Iterator[Problem]:
     """Keep the first problems, and count the others."""
-    if len(problems) <= _MOST_PROBLEMS:
-        return problems
-    rest = _("{n} more lines or values like these").format(n=len(problems) - _MOST_PROBLEMS)
-    return (*problems[:_MOST_PROBLEMS], Problem("file", name, rest))
+    yield from islice(problems, _MOST_PROBLEMS)
+    n_more = sum(1 for _problem in problems)
+    if n_more:
+        yield Problem("file", name, _("{n} more lines or values like these").format(n=n_more))

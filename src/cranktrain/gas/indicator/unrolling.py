@@ -7,9 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.gas.indicator.cycle import Samples
+from cranktrain.gas.indicator.curve import Curve, curve_at
+from cranktrain.gas.indicator.cycle import Samples, once_or_jump
+from cranktrain.gas.indicator.doubts import lost_jump_doubts
 from cranktrain.gas.indicator.reading import Trace
-from cranktrain.gas.indicator.spline import periodic_slopes, spline_at
 from cranktrain.gas.kind import Chamber
 from cranktrain.language import _
 from cranktrain.motion import Array
@@ -21,6 +22,10 @@ _JUMP = 0.5
 _BEYOND = 0.02
 """By how much volumes of the file may lie beyond those of the machine, in parts of the swept volume."""
 _SAME_PLACE = 1e-9
+_STEEP = 0.05
+"""Pressures at one place within a stroke that differ by more jump, in parts of the peak; less is rounding."""
+_ALIKE = 1e-3
+"""The same where two strokes meet, each of which has its own pressure there."""
 _AT_NOMINAL = 1e-8
 """Angles closer than this are one. [rad]"""
 _WIDEST_STEP = np.radians(1.0)
@@ -30,8 +35,12 @@ OutwardAngle = Callable[[Array], Array]
 """From the travelled part of the stroke, 0 to 1 from the top, to the crank angle of the outward stroke. [rad]"""
 
 
+CurveThrough = Callable[[Array, Array, float], Curve]
+"""From places, values and period to the curve through them."""
+
+
 class _Branch(NamedTuple):
-    """One stroke of the file: travelled part of the stroke, rising, and the pressures. [1, Pa]"""
+    """One stroke of the file: travelled part of the stroke, never falling, and the pressures. [1, Pa]"""
 
     travelled: Array
     pressures: Array
@@ -63,7 +72,9 @@ def dead_centres_of(volume: Callable[[Array], Array]) -> DeadCentres:
     return DeadCentres(0.0 if abs(top) < _AT_NOMINAL else top, np.pi if abs(bottom - np.pi) < _AT_NOMINAL else bottom)
 
 
-def unrolled(trace: Trace, chamber: Chamber, outward: OutwardAngle | None = None) -> Samples:
+def unrolled(
+    trace: Trace, chamber: Chamber, curve_through: CurveThrough, outward: OutwardAngle | None = None
+) -> Samples:
     """Unroll pressures over volume or displacement into pressures over the crank angle from nominal firing.
 
     Parameters
@@ -71,6 +82,8 @@ def unrolled(trace: Trace, chamber: Chamber, outward: OutwardAngle | None = None
     trace : Trace
         With `axis` "volume" or "displacement"; its branches one after the other, or round the loop.
     chamber : Chamber
+    curve_through : callable
+        What bridges the wide steps beside dead centres.
     outward : callable, optional
         How to find the crank angle of the outward stroke; the way back is then its mirror image. Brix's construction
         is one; exactly, by the mechanism's own volume, unless given.
@@ -78,7 +91,7 @@ def unrolled(trace: Trace, chamber: Chamber, outward: OutwardAngle | None = None
     Returns
     -------
     Samples
-        Angles in [0, cycle), rising.
+        Angles in [0, cycle), rising; one twice, before and after, where the file's pressures jump.
 
     Raises
     ------
@@ -104,7 +117,8 @@ def unrolled(trace: Trace, chamber: Chamber, outward: OutwardAngle | None = None
     ]
     told = _("Pressures over the stroke are unrolled over the crank angle: {n} strokes.").format(n=n_strokes)
     angles, pressures = _joined(strokes, in_order, chamber.cycle)
-    return Samples(*_filled(angles, pressures, chamber), (*findings, told), ())
+    doubts = tuple(lost_jump_doubts(Samples(angles, pressures, (), ()), chamber.cycle))
+    return Samples(*_filled(angles, pressures, chamber, curve_through), (*findings, told), doubts)
 
 
 def _travelled(trace: Trace, chamber: Chamber) -> tuple[Array, tuple[str, ...]]:
@@ -151,11 +165,12 @@ def _branches(travelled: Array, pressures: Array) -> list[_Branch]:
 
 
 def _rising(travelled: Array, pressures: Array) -> _Branch:
-    """Sort a branch by the stroke, each place once."""
-    order = np.argsort(travelled, kind="stable")
-    part, level = travelled[order], pressures[order]
-    kept = np.concatenate([[True], np.diff(part) > _SAME_PLACE])
-    return _Branch(part[kept], level[kept])
+    """Sort a branch by the stroke, each place once, or twice where the pressure jumps."""
+    falls = travelled[-1] < travelled[0]
+    own, level = (travelled[::-1], pressures[::-1]) if falls else (travelled, pressures)
+    order = np.argsort(own, kind="stable")
+    part, kept = once_or_jump(own[order], level[order], _SAME_PLACE, _STEEP)
+    return _Branch(part, level[order][kept])
 
 
 def _in_order(branches: Sequence[_Branch], trace: Trace) -> Sequence[_Branch]:
@@ -191,32 +206,39 @@ def _angles(
 
 
 def _joined(strokes: Sequence[Array], branches: Sequence[_Branch], cycle: float) -> tuple[Array, Array]:
-    """Put all strokes into one cycle; where two meet, the one that begins there counts, as just after it."""
-    angles = np.mod(np.concatenate(strokes), cycle)
+    """Put all strokes into one cycle; where two meet, both count if their pressures differ: a jump."""
+    in_time = [slice(None, None, 1 if stroke % 2 == 0 else -1) for stroke in range(len(strokes))]
+    angles = np.mod(np.concatenate([own[sense] for own, sense in zip(strokes, in_time, strict=True)]), cycle)
     angles = np.where(angles > cycle - _AT_NOMINAL, 0.0, angles)
-    pressures = np.concatenate([branch.pressures for branch in branches])
-    is_end = np.concatenate([angle == np.max(angle) for angle in strokes])
-    order = np.lexsort((is_end, np.rint(angles / _AT_NOMINAL)))
-    places, levels = angles[order], pressures[order]
-    kept = np.concatenate([[True], np.diff(places) > _AT_NOMINAL])
-    return places[kept], levels[kept]
+    pressures = np.concatenate([own.pressures[sense] for own, sense in zip(branches, in_time, strict=True)])
+    begins = np.concatenate([own[sense] < np.max(own) for own, sense in zip(strokes, in_time, strict=True)])
+    order = np.lexsort((begins, np.rint(angles / _AT_NOMINAL)))
+    places, kept = once_or_jump(angles[order], pressures[order], _AT_NOMINAL, _ALIKE)
+    return places, pressures[order][kept]
 
 
-def _filled(angles: Array, pressures: Array, chamber: Chamber) -> tuple[Array, Array]:
-    """Put points where the stroke's own are far apart in angle, as they are at dead centres, by a spline of p Vⁿ.
+def _filled(angles: Array, pressures: Array, chamber: Chamber, curve_through: CurveThrough) -> tuple[Array, Array]:
+    """Put points where the stroke's own are far apart in angle, as they are at dead centres.
 
-    Along compression and expansion p Vⁿ hardly changes where p does most, so that it bridges twice as well.
+    Along compression and expansion p Vⁿ hardly changes where p does most, and its curve bridges twice as well; where p
+    changes less, as on a plateau, its own curve does.
     """
     steps = np.diff(angles, append=angles[0] + chamber.cycle)
-    parts: NDArray[np.intp] = np.ceil(steps / _WIDEST_STEP).astype(np.intp)
+    parts: NDArray[np.intp] = np.maximum(np.ceil(steps / _WIDEST_STEP), 1).astype(np.intp)
     own: NDArray[np.intp] = np.cumsum(parts) - parts
     step: NDArray[np.intp] = np.repeat(np.arange(len(parts)), parts)
     filled: Array = angles[step] + steps[step] * (np.arange(len(step)) - own[step]) / parts[step]
-    nearly_constant = pressures * chamber.volume(angles) ** _EXPONENT
-    slopes = periodic_slopes(angles, nearly_constant, chamber.cycle)
-    between = spline_at(angles, nearly_constant, slopes, chamber.cycle, filled) / chamber.volume(filled) ** _EXPONENT
+    bent = pressures * chamber.volume(angles) ** _EXPONENT
+    by_pressure = curve_at(curve_through(angles, pressures, chamber.cycle), filled)
+    by_bent = curve_at(curve_through(angles, bent, chamber.cycle), filled) / chamber.volume(filled) ** _EXPONENT
+    between = np.where((_change(bent) < _change(pressures))[step], by_bent, by_pressure)
     between[own] = pressures
     return filled, between
+
+
+def _change(values: Array) -> Array:
+    """How much positive values change from each to the next, round the cycle."""
+    return np.abs(np.log(np.roll(values, -1) / values))
 
 
 def _refusal(trace: Trace, allowed: str) -> InputError:
