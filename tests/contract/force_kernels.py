@@ -46,6 +46,7 @@ from cranktrain.linkage.forces.triad import Screw
 from cranktrain.linkage.triad import GUIDE, ROD, Leg, Triad
 from cranktrain.loads.crank_pin import PinLoad
 from cranktrain.loads.piston import PistonForces
+from cranktrain.loads.rod_masses import TwoMasses
 from cranktrain.mechanisms.articulated_rod.forces import ArticulatedRodBodies, ArticulatedRodLoads
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.crank_rocker.forces import CrankRockerBodies, CrankRockerLoads
@@ -352,6 +353,13 @@ EXAMPLES = {
     ),
     "piston.piston_forces": of_piston,
     "piston.piston_identities": piston_parts,
+    "piston.rod_forces": lambda angle, size, side: (
+        group(angle, size, side).rod,
+        slider_crank_at(angle, size, side)[0].slider,
+        (wrench(size), wrench(size)),
+        TwoMasses(size(0.7), size(0.4)),
+        drive(size),
+    ),
     "piston.two_harmonic_inertia_force": lambda angle, size, side: (
         angle,
         SliderCrank(size(0.3), size(1.0), 0.0),
@@ -365,4 +373,5 @@ EXAMPLES = {
     "rod_masses.excess_inertia": lambda angle, size, side: (rigid_rod(size), size(1.0)),
     "rod_masses.three_masses": lambda angle, size, side: (rigid_rod(size), size(1.0)),
     "rod_masses.two_masses": lambda angle, size, side: (rigid_rod(size), size(1.0)),
+    "rod_masses.weighed_ends": lambda angle, size, side: (rigid_rod(size), size(1.0)),
 }

@@ -133,7 +133,7 @@ def test_piston_and_pin_bear_what_moves():
     speed = varying(phi)
     mass = PISTON + ROD_MASS * CENTROID / ROD
     two = RADIUS * (np.cos(phi) + RADIUS / ROD * np.cos(2 * phi) / 4)
-    for row, outward in enumerate((moved(phi)[1], two)):
+    for row, outward in enumerate((moved(phi)[1], moved(phi)[1], two)):
         pulled = mass * in_time(in_time(outward, speed), speed).real
         np.testing.assert_allclose(found.inertia_force[row, 0], pulled, atol=SPLINE * np.max(np.abs(pulled)))
     turning = found.crankpin_load_radial_without_rod[0] - found.crankpin_load_radial[0]

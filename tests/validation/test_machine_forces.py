@@ -86,12 +86,10 @@ def test_slider_crank(name):
     assert all(np.all(check.passed) for check in result.checks)
 
 
-def test_articulated_pair():
-    case = ReferenceCase.load("articulated_v_inertia")
-    given = case.machine
+def articulated_pair(given: dict[str, Any]) -> ct.Result:
+    """The case articulated_v_inertia: master in bank L, slave in bank R."""
     along, across = given["master_rod_com_m"]
-    gamma = np.deg2rad(given["vee_angle_deg"])
-    result = ct.run(
+    return ct.run(
         ct.Machine(
             rotation="anticlockwise",
             shaft={"main": {"speed": f"{given['crank_speed_rad_s']!r} rad/s"}},
@@ -133,6 +131,13 @@ def test_articulated_pair():
             },
         )
     )
+
+
+def test_articulated_pair():
+    case = ReferenceCase.load("articulated_v_inertia")
+    given = case.machine
+    gamma = np.deg2rad(given["vee_angle_deg"])
+    result = articulated_pair(given)
     at = at_rows(case)
 
     def in_case(name: str) -> tuple[np.ndarray, np.ndarray]:

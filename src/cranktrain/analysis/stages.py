@@ -30,6 +30,7 @@ from cranktrain.engine.gas_events import gas_events
 from cranktrain.engine.gas_pressures import gas_pressures
 from cranktrain.engine.guides import guide_edges
 from cranktrain.engine.joint_forces import joint_forces
+from cranktrain.engine.largest_forces import largest_forces
 from cranktrain.engine.load_curve import load_torque
 from cranktrain.engine.motion import piston_motion, piston_speeds
 from cranktrain.engine.opposed import combined_motion, combined_speeds, volumetric_dead_centres
@@ -164,6 +165,7 @@ STAGES: tuple[Stage, ...] = tuple(
         solved_cycle,
         force_events,
         piston_force_set,
+        largest_forces,
         rod_methods,
         crank_pin_loads,
         torque_sources,

@@ -1,4 +1,4 @@
-"""Loads of the crank pins: what every rod does to its pin, with its rotating mass and without."""
+"""Loads of the crank pins: what every rod does to its pin, with its rotating mass and without, and whose it is."""
 
 from collections.abc import Iterator
 from typing import ClassVar, NamedTuple
@@ -7,20 +7,21 @@ import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.forces import LoadedMachine, SolvedCycle
-from cranktrain.engine.layout import CrankAngle, Mechanisms
+from cranktrain.engine.joint_forces import JointForces, joint_label
+from cranktrain.engine.layout import CrankAngle, Group, Mechanisms
 from cranktrain.language import N_, _
-from cranktrain.linkage import Crank
+from cranktrain.linkage import Crank, crank
 from cranktrain.linkage.forces import crank_link
-from cranktrain.loads.crank_pin import pin_load, with_rotating_mass
-from cranktrain.loads.rod_masses import two_masses
-from cranktrain.motion import Array
+from cranktrain.loads.crank_pin import PinLoad, pin_load, with_rotating_mass
+from cranktrain.loads.rod_masses import weighed_ends
+from cranktrain.motion import ONE, Array
 from cranktrain.record import record
 from cranktrain.wording import Names, number
 
 _MECHANISM = ("mechanism",)
 _CURVE = ("mechanism", "crank_angle")
 _THEORY = "docs/theory/forces"
-_PIN, _ROD = "crank_pin", "rod"
+_ROD = "rod"
 _ALIKE = 1e-9
 """Loads that differ by less, relative, are the same; the first is named."""
 
@@ -51,14 +52,17 @@ def crank_pins_of(mechanisms: Mechanisms) -> CrankPins | None:
 def _pins(mechanisms: Mechanisms) -> Iterator[CrankPin]:
     for place, group in enumerate(mechanisms.groups):
         dynamics = group.kind.dynamics
-        for joint, reaction in enumerate(dynamics.reactions):
-            if reaction.name == _PIN and reaction.on in dynamics.moving:
-                yield CrankPin(place, joint, reaction.on == _ROD)
+        joint = dynamics.joint("crank_pin")
+        if joint is not None:
+            yield CrankPin(place, joint, dynamics.reactions[joint].on == _ROD)
 
 
 @record
 class CrankPinLoads:
-    """Load of every rod on its crank pin, with what hangs on the rod; NaN for what has no rod there."""
+    """Load of every rod on its crank pin, with what hangs on the rod; NaN for what has no rod there.
+
+    Of the shares, which add up to a pin's load, a slave has its own: that comes through its master's rod.
+    """
 
     crankpin_load_radial: Array = quantity(
         "K_R", "N", _CURVE, N_("Load of the crank pin toward the shaft, the whole rod's"), _THEORY
@@ -73,9 +77,20 @@ class CrankPinLoads:
         N_("Load of the crank pin toward the shaft without the rod's rotating mass, which then goes with the crank"),
         _THEORY,
     )
-    largest_crankpin_load: Array = quantity(
-        "R_max", "N", _MECHANISM, N_("Largest load of the crank pin on the grid of crank angles"), _THEORY
+    crankpin_load_tangential_without_rod: Array = quantity(
+        "T", "N", _CURVE, N_("Load of the crank pin in the sense of rotation without the rod's rotating mass"), _THEORY
     )
+    crankpin_share_radial: Array = quantity(
+        "K_i",
+        "N",
+        _CURVE,
+        N_("Share of this piston and rod in the crank pin's load toward the shaft, a slave's through its master"),
+        _THEORY,
+    )
+    crankpin_share_tangential: Array = quantity(
+        "T_i", "N", _CURVE, N_("Share of this piston and rod in the crank pin's load in the sense of rotation"), _THEORY
+    )
+    largest_crankpin_load: Array = quantity("R_max", "N", _MECHANISM, N_("Largest load of the crank pin"), _THEORY)
     largest_crankpin_load_at: Array = quantity(
         "φ(R_max)", "deg", _MECHANISM, N_("Crank angle of the largest load of the crank pin"), _THEORY
     )
@@ -94,7 +109,7 @@ class CrankPinLoads:
 
 
 def crank_pin_loads(
-    pins: CrankPins, loaded: LoadedMachine, solved: SolvedCycle, crank_angle: CrankAngle
+    pins: CrankPins, loaded: LoadedMachine, solved: SolvedCycle, crank_angle: CrankAngle, joints: JointForces
 ) -> CrankPinLoads:
     """Loads of all crank pins from the joints' reactions, exact for rigid bodies.
 
@@ -105,23 +120,51 @@ def crank_pin_loads(
     """
     phi = crank_angle.angle
     shape = (len(phi), len(loaded.mechanisms.names), phi.shape[-1])
-    radial, tangential, without = np.full((3, *shape), np.nan)
+    whole, without = (PinLoad(*np.full((2, *shape), np.nan)) for _i in range(2))
+    largest, at = np.full((2, *shape[:-1]), np.nan)
     for pin in pins.pins:
         group, one = loaded.mechanisms.groups[pin.group], solved.groups[pin.group]
-        size = group.members.geometry
         radius: Array = np.hypot(one.motion.pin.x.value, one.motion.pin.y.value)[..., :1]
         load = pin_load(one.forces.joints[pin.joint], crank_link(one.motion.pin, Crank(radius)))
-        radial[:, group.index], tangential[:, group.index] = load
+        _fill(whole, group, load)
         if pin.has_rod:
-            rotating = two_masses(loaded.masses.groups[pin.group].bodies.rod, size.rod_length).first
-            without[:, group.index] = with_rotating_mass(load, -rotating, radius, loaded.speed.drive(phi)).radial
-    load = np.hypot(radial, tangential)
-    largest = np.argmax(np.where(np.isnan(load), -np.inf, load), axis=-1)[..., np.newaxis]
-    value = np.take_along_axis(load, largest, axis=-1)[..., 0]
+            rod = loaded.masses.groups[pin.group].bodies.rod
+            rotating = weighed_ends(rod, group.members.geometry.rod_length).first
+            _fill(without, group, with_rotating_mass(load, -rotating, radius, loaded.speed.drive(phi)))
+        reaction = group.kind.dynamics.reactions[pin.joint]
+        names = (joint_label(loaded.mechanisms.names[i], reaction) for i in map(int, group.index))
+        rows = [joints.labels["joint"].index(name) for name in names]
+        largest[:, group.index] = joints.largest_joint_force[:, rows]
+        at[:, group.index] = joints.largest_joint_force_at[:, rows]
+    shares = _shares(whole, loaded, solved, phi)
     return CrankPinLoads(
-        crankpin_load_radial=radial,
-        crankpin_load_tangential=tangential,
-        crankpin_load_radial_without_rod=without,
-        largest_crankpin_load=value,
-        largest_crankpin_load_at=np.where(np.isnan(value), np.nan, crank_angle.shown[largest[..., 0]]),
+        crankpin_load_radial=whole.radial,
+        crankpin_load_tangential=whole.tangential,
+        crankpin_load_radial_without_rod=without.radial,
+        crankpin_load_tangential_without_rod=without.tangential,
+        crankpin_share_radial=shares.radial,
+        crankpin_share_tangential=shares.tangential,
+        largest_crankpin_load=largest,
+        largest_crankpin_load_at=at,
     )
+
+
+def _fill(loads: PinLoad, group: Group, load: PinLoad) -> None:
+    for part, values in zip(loads, load, strict=True):
+        part[:, group.index] = values
+
+
+def _shares(whole: PinLoad, loaded: LoadedMachine, solved: SolvedCycle, phi: Array) -> PinLoad:
+    """What of the pins' loads is each mechanism's own; a master has what its slaves leave, its guide's friction too."""
+    shares = PinLoad(*(part.copy() for part in whole))
+    for group, one in zip(loaded.mechanisms.groups, solved.groups, strict=True):
+        joint = group.kind.dynamics.share_of_masters("crank_pin")
+        if joint is None:
+            continue
+        direction = crank(phi - loaded.mechanisms.nominal_top[:, group.index], Crank(ONE))
+        load = pin_load(one.forces.joints[joint], crank_link(direction, Crank(ONE)))
+        _fill(shares, group, load)
+        for member, master in enumerate(loaded.carriers.master[group.index].tolist()):
+            for part, values in zip(shares, load, strict=True):
+                part[:, master] -= values[:, member]
+    return shares

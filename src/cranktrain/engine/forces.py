@@ -151,7 +151,7 @@ class LoadedMachine:
         found: dict[int, SolvedGroup] = {}
         groups = list(enumerate(self.mechanisms.groups))
         # Slaves first: what they do to their masters' rods is a load there.
-        for place, group in sorted(groups, key=lambda one: one[1].kind.name != "articulated_rod"):
+        for place, group in sorted(groups, key=lambda one: one[1].kind.dynamics.on_master is None):
             dynamics, size = group.kind.dynamics, group.members.geometry
             motion = moving[place]
             made = self.masses.groups[place]
@@ -167,8 +167,8 @@ class LoadedMachine:
             conditions = Conditions(drive, made.gravity, friction)
             forces = dynamics.forces(motion, size, made.bodies, borne, conditions)
             found[place] = SolvedGroup(motion, loads, conditions, forces)
-            if dynamics.on_master is not None:
-                wrench = dynamics.on_master(motion, size, forces.joints[0])
+            if dynamics.on_master is not None and (knuckle := dynamics.joint("knuckle_pin")) is not None:
+                wrench = dynamics.on_master(motion, size, forces.joints[knuckle])
                 for member, mechanism in enumerate(group.index.tolist()):
                     master = int(self.carriers.master[mechanism])
                     own = Wrench(*(part[:, member : member + 1] for part in wrench))

@@ -14,6 +14,7 @@ from cranktrain.engine.layout import CrankAngle
 from cranktrain.engine.masses import Masses
 from cranktrain.engine.part_tables import part_name
 from cranktrain.language import N_, _
+from cranktrain.mechanisms.kind import Reaction
 from cranktrain.motion import Array
 from cranktrain.record import record
 from cranktrain.wording import ranged
@@ -78,14 +79,19 @@ class _Joint(NamedTuple):
     place: int
 
 
+def joint_label(mechanism: str, reaction: Reaction) -> str:
+    """Give a joint of a mechanism its name among all."""
+    return f"{mechanism}.{reaction.name}"
+
+
 def _joints(loaded: LoadedMachine) -> list[_Joint]:
     """All joints, mechanism by mechanism; a slave's share of its master's is left out, as that has it already."""
     found = [
-        _Joint(f"{loaded.mechanisms.names[mechanism]}.{reaction.name}", mechanism, place, member, number)
+        _Joint(joint_label(loaded.mechanisms.names[mechanism], reaction), mechanism, place, member, number)
         for place, group in enumerate(loaded.mechanisms.groups)
         for number, reaction in enumerate(group.kind.dynamics.reactions)
         if reaction.on in group.kind.dynamics.moving
-        for member, mechanism in enumerate(group.index.tolist())
+        for member, mechanism in enumerate(map(int, group.index))
     ]
     return sorted(found, key=lambda joint: joint.mechanism)
 

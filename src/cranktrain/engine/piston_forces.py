@@ -1,34 +1,28 @@
-"""Forces of pistons as engine dynamics takes them apart: P, N, S, K and T."""
+"""Forces of pistons as engine dynamics takes them apart, P, N, S, K, T: by reactions, and by the textbook's formula."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
-from typing import Any, ClassVar, NamedTuple
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
+from cranktrain.engine.crank_pins import CrankPinLoads
 from cranktrain.engine.forces import LoadedMachine, SolvedCycle
-from cranktrain.engine.gas_pressures import GasPressures
-from cranktrain.engine.layout import CrankAngle, Group, Pistons
+from cranktrain.engine.layout import CrankAngle, Group, PistonRods, Pistons
+from cranktrain.engine.rods_in_pistons import ForcesOfRods, RodsInPistons, end_residual, rods_in_pistons
 from cranktrain.language import N_, _
-from cranktrain.linkage.forces import Drive
-from cranktrain.loads.piston import (
-    PistonForces,
-    inertia_force,
-    piston_forces,
-    piston_identities,
-    two_harmonic_inertia_force,
-)
-from cranktrain.loads.rod_masses import two_masses
+from cranktrain.loads.piston import PistonForces, piston_forces, piston_identities, two_harmonic_inertia_force
 from cranktrain.motion import Array
 from cranktrain.record import record
-from cranktrain.wording import Names, number
 
 _CURVE = ("force_method", "piston", "crank_angle")
 _THEORY = "docs/theory/forces"
 _LIMIT = 1e-12
+FORCE_METHODS = ("exact", "textbook", "two_harmonics")
+"""By the reactions; by P·f(β); by that with two harmonics of the inertia."""
 DIRECT = "slider_crank"
 """Kind whose rod joins piston and crank pin, and nothing else does."""
 
@@ -48,35 +42,18 @@ def direct_pistons_of(pistons: Pistons) -> DirectPistons | None:
     return DirectPistons(len(pistons.names)) if has_some else None
 
 
-class _Direct(NamedTuple):
-    """Slider-cranks: their group and its motion, masses that go with the piston, and which pistons they are."""
-
-    group: Group
-    motion: Any
-    mass: Array
-    piston: NDArray[np.intp]
-
-
 def direct_groups(loaded: LoadedMachine) -> Iterator[tuple[int, Group]]:
     """Those groups of the mechanisms whose rods join piston and crank pin, with their places."""
     return ((place, group) for place, group in enumerate(loaded.mechanisms.groups) if group.kind.name == DIRECT)
 
 
-def _direct(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[_Direct]:
-    """Find the slider-cranks, with the piston's mass and the rod's share in it."""
-    for place, group in direct_groups(loaded):
-        bodies = loaded.masses.groups[place].bodies
-        share = two_masses(bodies.rod, group.members.geometry.rod_length).second
-        piston = loaded.carriers.piston[group.index]
-        yield _Direct(group, solved.groups[place].motion, bodies.slider.mass + share, piston)
-
-
 @record
 class PistonForceSet:
-    """P, N, S, K and T of pistons on crank pins of their own, the rod as two masses; NaN for other pistons.
+    """P, N, S, K and T of pistons with rods, by the reactions in the joints and by the textbook's formula.
 
-    The reciprocating share of the rod goes with the piston, the rotating one is in none of them. What the wall bears of
-    the rod as a body, friction and slaves is the reaction in the joint `guide`.
+    In both the rod's shares at its ends go with what is there, one with the piston and one with the crank; what the rod
+    does beyond that as a body, its slaves and friction are in the reactions alone. NaN for pistons without a rod. A
+    slave has no crank pin: its S there, K and T are NaN, and so is the formula.
     """
 
     inertia_force: Array = quantity(
@@ -85,81 +62,89 @@ class PistonForceSet:
     piston_force: Array = quantity(
         "P", "N", _CURVE, N_("Force of gas and inertia along the cylinder, toward the shaft"), _THEORY
     )
-    side_force: Array = quantity(
-        "N", "N", _CURVE, N_("Force of the wall on the piston toward +y, the rod as two masses"), _THEORY
+    side_force: Array = quantity("N", "N", _CURVE, N_("Force of the wall on the piston toward +y"), _THEORY)
+    rod_force_at_piston_pin: Array = quantity(
+        "S", "N", _CURVE, N_("Force along the rod at the piston pin, positive in compression"), _THEORY
     )
-    rod_force: Array = quantity("S", "N", _CURVE, N_("Force along the rod, positive in compression"), _THEORY)
+    rod_force_at_crank_pin: Array = quantity(
+        "S_A",
+        "N",
+        _CURVE,
+        N_("Force along the rod at the crank pin, positive in compression; of a master another than at the piston pin"),
+        _THEORY,
+    )
     radial_force: Array = quantity(
         "K", "N", _CURVE, N_("Force at the crank pin toward the shaft, without the rod's rotating mass"), _THEORY
     )
-    tangential_force: Array = quantity("T", "N", _CURVE, N_("Force at the crank pin in the sense of rotation"), _THEORY)
+    tangential_force: Array = quantity(
+        "T", "N", _CURVE, N_("Force at the crank pin in the sense of rotation, without that mass"), _THEORY
+    )
     checks: tuple[Check, ...] = ()
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"force_method": tuple(_INERTIA)})
-
-    def answer(self, names: Names, design: int) -> str | None:
-        """Say the largest forces on piston, wall and rod."""
-        del names
-        if np.all(np.isnan(self.piston_force[design, 0])):
-            return None
-
-        def peak(curve: Array) -> str:
-            return number(float(np.nanmax(np.abs(curve[design, 0]))), "kN")
-
-        return _("Largest forces: {piston} along the cylinder, {side} on its wall, {rod} in the rod.").format(
-            piston=peak(self.piston_force), side=peak(self.side_force), rod=peak(self.rod_force)
-        )
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"force_method": FORCE_METHODS})
 
 
 def piston_force_set(
-    direct: DirectPistons, loaded: LoadedMachine, solved: SolvedCycle, crank_angle: CrankAngle, gas: GasPressures | None
+    rods: PistonRods,
+    loaded: LoadedMachine,
+    solved: SolvedCycle,
+    crank_pins: CrankPinLoads,
+    crank_angle: CrankAngle,
 ) -> PistonForceSet:
-    """Forces of every piston, exact and by the textbook's two harmonics of inertia.
+    """Forces of every piston with a rod: exact, by the formula, and by it with two harmonics of inertia.
 
     Notes
     -----
-    Exact means the motion: the rod is two masses in both. docs/theory/forces, eqs. (13.30) to (13.34).
+    Exact means the joints' reactions, with rods as the bodies that they are; docs/theory/forces, eqs. (13.30),
+    (13.35), (13.36) and (13.50). The formula, eqs. (13.31) to (13.34), is for rods between a piston and a crank pin.
     """
     phi = crank_angle.angle
-    drive = loaded.speed.drive(phi)
-    sets = np.full((6, len(phi), len(_INERTIA), direct.n_pistons, phi.shape[-1]), np.nan)
-    identities = [np.zeros(len(phi))]
-    for one in _direct(loaded, solved):
-        pressed = 0.0 if gas is None else gas.gas_force[:, one.piston]
-        angle = phi + one.group.members.phase
-        for method, inertia in enumerate(_INERTIA.values()):
-            pulled = inertia(one, angle, drive)
-            found = piston_forces(pressed + pulled, one.motion, one.group.members.geometry)
-            for part, values in zip(sets, (pulled, *found), strict=True):
-                part[:, method, one.piston] = values
-            identities.append(_residual(found, one))
-    return PistonForceSet(
-        *sets,
-        checks=(
-            Check(
-                "piston_forces",
-                _("K² + T² = S², TR = Px′ and TR = Ns + Pe, relative to their peaks"),
-                np.nanmax(identities, axis=0),
-                _LIMIT,
-            ),
-        ),
+    curves = np.full((7, len(phi), len(FORCE_METHODS), rods.value.size, phi.shape[-1]), np.nan)
+    found = [(one, one.forces) for one in rods_in_pistons(loaded, solved.groups)]
+    residuals: list[Array] = []
+    for one, exact in found:
+        _fill(curves[:, :, 0], one.piston, (*exact[:-1], *_at_pin(one, exact, crank_pins)))
+        if one.group.kind.name == DIRECT:
+            two_harmonics = two_harmonic_inertia_force(
+                phi + one.group.members.phase, one.group.members.geometry, one.reciprocating, one.drive
+            )
+            for method, inertia in enumerate((exact.inertia, two_harmonics), start=1):
+                taken = piston_forces(one.pressed + inertia, one.motion, one.group.members.geometry)
+                piston, side, rod, *pin = taken
+                _fill(curves[:, :, method], one.piston, (inertia, piston, side, rod, rod, *pin))
+                residuals.append(_formula_residual(taken, one))
+    return PistonForceSet(*curves, checks=tuple(_checks(residuals, end_residual(loaded, found))))
+
+
+def _fill(curves: Array, piston: NDArray[np.intp], values: Sequence[Array]) -> None:
+    for curve, value in zip(curves, values, strict=True):
+        curve[:, piston] = value
+
+
+def _at_pin(one: RodsInPistons, forces: ForcesOfRods, crank_pins: CrankPinLoads) -> tuple[Array, Array, Array]:
+    """S, K and T at the crank pin; NaN for rods that are on none."""
+    loads = (crank_pins.crankpin_load_radial_without_rod, crank_pins.crankpin_load_tangential_without_rod)
+    radial, tangential = (load[:, one.group.index] for load in loads)
+    return np.where(np.isnan(radial), np.nan, forces.at_crank), radial, tangential
+
+
+def _checks(formula: Sequence[Array], rods: Array) -> Iterator[Check]:
+    """Give the identities of the formula, and those of the reactions."""
+    if formula:
+        yield Check(
+            "piston_forces",
+            _("P·f(β): K² + T² = S², TR = Px′ and TR = Ns + Pe, relative to their peaks"),
+            np.nanmax(formula, axis=0),
+            _LIMIT,
+        )
+    yield Check(
+        "rod_forces",
+        _("Force along a rod at one pin against that at the other and what acts between, relative to its pins' loads"),
+        rods,
+        _LIMIT,
     )
 
 
-def _exact_inertia(one: _Direct, _angle: Array, drive: Drive) -> Array:
-    return inertia_force(one.motion.slider, one.mass, drive)
-
-
-def _two_harmonics(one: _Direct, angle: Array, drive: Drive) -> Array:
-    return two_harmonic_inertia_force(angle, one.group.members.geometry, one.mass, drive)
-
-
-_INERTIA: Mapping[str, Callable[[_Direct, Array, Drive], Array]] = {
-    "exact": _exact_inertia,
-    "two_harmonics": _two_harmonics,
-}
-
-
-def _residual(forces: PistonForces, one: _Direct) -> Array:
+def _formula_residual(forces: PistonForces, one: RodsInPistons) -> Array:
     """Largest residual of the identities, each relative to its peak, shape (design,); NaN where all are."""
     geometry = one.group.members.geometry
     found = piston_identities(forces, one.motion, geometry)

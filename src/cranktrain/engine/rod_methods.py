@@ -74,11 +74,12 @@ def rod_methods(
         rod = group.kind.motion(angle + group.members.phase, size).rod
         body = loaded.masses.groups[place].bodies.rod
         forces = solved.groups[place].forces
+        guide = forces.joints[group.kind.dynamics.joint("guide")]
         piston = loaded.carriers.piston[group.index]
         found = {name: method(rod, body, size.rod_length, drive, WEIGHTLESS) for name, method in ROD_METHODS.items()}
         for row, wrench in enumerate(found.values()):
             off = Wrench(*(np.subtract(one, true) for one, true in zip(wrench, found["exact"], strict=True)))
-            side[:, row, piston] = _relative(off.moment / (size.rod_length * rod.cos), forces.joints.guide.y)
+            side[:, row, piston] = _relative(off.moment / (size.rod_length * rod.cos), guide.y)
             torque[:, row, piston] = _relative(work(rod, off), forces.driving_torque)
     return RodMethods(side, torque)
 

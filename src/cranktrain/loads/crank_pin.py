@@ -29,7 +29,7 @@ def with_rotating_mass(load: PinLoad, mass: Array, crank_radius: Array, drive: D
     load : PinLoad, shape (..., n)
         K and T of a piston, its reciprocating mass taken with the rod's share.
     mass : Array, broadcastable to (..., 1)
-        The rod's rotating share, `two_masses(...).first`. [kg]
+        The rod's rotating share, `weighed_ends(...).first`. [kg]
     crank_radius : Array, broadcastable to (..., 1). [m]
     drive : Drive
 

@@ -1,12 +1,13 @@
-"""Forces of a piston as engine dynamics takes them apart: P, N, S, K (Z) and T, exact and of two harmonics."""
+"""Forces of a piston as engine dynamics takes them apart: the textbook's P, N, S, K (Z) and T, and S by reactions."""
 
 from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.linkage.forces import Drive
+from cranktrain.linkage.forces import Drive, Wrench
+from cranktrain.loads.rod_masses import TwoMasses
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, SliderCrankMotion
-from cranktrain.motion import Array, Coefficient
+from cranktrain.motion import Array, Coefficient, Link
 
 
 class PistonForces(NamedTuple):
@@ -21,6 +22,13 @@ class PistonForces(NamedTuple):
     rod: Array
     radial: Array
     tangential: Array
+
+
+class RodForces(NamedTuple):
+    """Force along a rod, + in compression, at its piston pin and at its other pin. [N]"""
+
+    at_piston: Array
+    at_crank: Array
 
 
 class PistonIdentities(NamedTuple):
@@ -101,3 +109,34 @@ def piston_identities(forces: PistonForces, motion: SliderCrankMotion, geometry:
         torque + forces.piston * motion.slider.first,
         torque - (forces.side * motion.slider.value + forces.piston * geometry.offset),
     )
+
+
+def rod_forces(
+    rod: Link, slider: Coefficient, pins: tuple[Wrench, Wrench], masses: TwoMasses, drive: Drive
+) -> RodForces:
+    """Force along a rod by the reactions in both its pins.
+
+    Parameters
+    ----------
+    rod : Link, coefficients of shape (..., n)
+        From its first pin, at the crank or a knuckle, to the piston's.
+    slider : Coefficient, shape (..., n)
+        The piston pin along x. [m, m/rad, m/rad²]
+    pins : (Wrench, Wrench), shape (..., n)
+        At the first pin on the rod, at the second by the rod.
+    masses : TwoMasses, broadcastable to (..., 1)
+        The rod's shares at its pins, whose inertia goes with what is there, as in `piston_forces`. [kg]
+    drive : Drive
+
+    Returns
+    -------
+    RodForces, shape (..., n)
+        Where nothing hangs on the rod and it has no weight, both are the same. docs/theory/forces, eq. (13.50).
+    """
+    first, second = pins
+    square = drive.speed * drive.speed
+    origin = rod.origin
+    first_x = first.x - masses.first * (origin.x.second * square + origin.x.first * drive.acceleration)
+    first_y = first.y - masses.first * (origin.y.second * square + origin.y.first * drive.acceleration)
+    second_x = second.x + masses.second * (slider.second * square + slider.first * drive.acceleration)
+    return RodForces(second_x * rod.cos + second.y * rod.sin, first_x * rod.cos + first_y * rod.sin)

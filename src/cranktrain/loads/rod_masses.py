@@ -25,14 +25,21 @@ class ThreeMasses(NamedTuple):
     second: Array
 
 
-def two_masses(body: Body, rod_length: Array) -> TwoMasses:
+def weighed_ends(body: Body, rod_length: Array) -> TwoMasses:
     """Rotating and reciprocating share of a rod: m b/L and m a/L, a = `along`, b = L − a.
 
-    NaN for a centroid beside the rod's line, which no masses on it can have. docs/theory/forces, eq. (13.27).
+    What its ends weigh where it lies on two scales; docs/theory/forces, eq. (13.27). Of a rod whose centroid is beside
+    its line, as a master's often is, they are no more than that.
     """
-    mass = _mass_on_line(body)
-    second = mass * (body.along / rod_length)
-    return TwoMasses(mass * ((rod_length - body.along) / rod_length), second)
+    return TwoMasses(body.mass * ((rod_length - body.along) / rod_length), body.mass * (body.along / rod_length))
+
+
+def two_masses(body: Body, rod_length: Array) -> TwoMasses:
+    """Masses at both pins with the rod's mass and centroid: the rod's shares, as `weighed_ends` has them.
+
+    NaN for a centroid beside the rod's line, which no masses on it can have.
+    """
+    return weighed_ends(Body(_mass_on_line(body), body.along, body.across, body.inertia), rod_length)
 
 
 def three_masses(body: Body, rod_length: Array) -> ThreeMasses:

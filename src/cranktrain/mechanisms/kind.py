@@ -124,12 +124,22 @@ def _times(part: Coefficient, factor: float) -> Coefficient:
     return Coefficient(*(factor * value for value in part))
 
 
+Role = Literal["main_bearing", "crank_pin", "knuckle_pin", "piston_pin", "guide", "slot", "pivot", "pin"]
+"""What a joint is to its mechanism, whatever it is called.
+
+The bearing of the crank; what has its bearing on the crank pin; a slave's rod on its master's; the rod in the piston,
+crosshead or slider; a slider in its guide; a block in a slot; a link's bearing in the frame; any other pin. A chain has
+neither crank pin nor piston pin: of its several each is as good.
+"""
+
+
 class Reaction(NamedTuple):
-    """A joint's reaction: its name, and the two bodies: the wrench is `by` one `on` the other."""
+    """A joint's reaction: its name, the two bodies, of which the wrench is `by` one `on` the other, and its role."""
 
     name: str
     on: str
     by: str
+    role: Role
 
 
 class Contact(NamedTuple):
@@ -197,7 +207,7 @@ class Dynamics:
     reduced : kernel (motion, geometry, bodies, loads, gravity) → Reduced
         What an equation of motion needs: reduced inertia, its derivative, and the loads' torque on the crank.
     on_master : kernel (motion, geometry, wrench) → Wrench, optional
-        Of a mechanism that hangs on another's rod: what it does to that rod, from the reaction in its first joint.
+        Of a mechanism that hangs on another's rod: what it does to that rod, from the reaction in its knuckle pin.
     """
 
     bodies: Callable[..., Any]
@@ -211,6 +221,22 @@ class Dynamics:
     forces: Callable[[Any, Any, Any, Any, Any], Any]
     reduced: Callable[[Any, Any, Any, Any, Any], Any]
     on_master: Callable[[Any, Any, Any], Any] | None = None
+
+    def joint(self, role: Role) -> int | None:
+        """Place among `reactions` of the first of the mechanism's own joints that has a role; None without one."""
+        return self._place(role, is_own=True)
+
+    def share_of_masters(self, role: Role) -> int | None:
+        """Place among `reactions` of a slave's share of that joint of its master's; None without one."""
+        return self._place(role, is_own=False)
+
+    def _place(self, role: Role, *, is_own: bool) -> int | None:
+        places = (
+            place
+            for place, reaction in enumerate(self.reactions)
+            if reaction.role == role and (reaction.on in self.moving) is is_own
+        )
+        return next(places, None)
 
 
 @record

@@ -1,12 +1,14 @@
-"""Tables of a piston's forces at round crank angles: exact, by two harmonics of inertia, and how far these are off."""
+"""Tables of a piston's forces at round crank angles: exact, by the textbook's formula, and how far this is off."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from cranktrain.analysis import run
+from cranktrain.analysis import Result, run
+from cranktrain.engine.forces import carriers_of
+from cranktrain.engine.places import Place
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
@@ -18,27 +20,27 @@ from cranktrain.study.acting import refuse_idle
 STEPS = (10.0, 15.0, 30.0)
 """Steps of the crank angle in which tables of forces are made. [deg]"""
 
-_FORCES: Mapping[str, str] = {
-    "P": "piston_force",
-    "N": "side_force",
-    "S": "rod_force",
-    "K": "radial_force",
-    "T": "tangential_force",
-}
-_TORQUE = "M"
+_AT_PISTON = {"P": "piston_force", "N": "side_force", "S": "rod_force_at_piston_pin"}
+_KNUCKLED = {"S_A": "rod_force_at_crank_pin"}
+_AT_PIN = {"K": "radial_force", "T": "tangential_force"}
+_SHARES = {"K_i": "crankpin_share_radial", "T_i": "crankpin_share_tangential"}
+_QUANTITIES = (*_AT_PISTON.values(), *_KNUCKLED.values(), *_AT_PIN.values(), *_SHARES.values())
 
 
 class ForceColumn(NamedTuple):
-    """A force, or the torque M, at the angles of a table: exact, by two harmonics, in the column's unit; error.
+    """A force, or the torque M, at the angles of a table, in the column's unit, by the joints' reactions and otherwise.
 
-    The error is in parts of the exact curve's peak over the cycle. Two harmonics are NaN for an offset mechanism.
+    By the textbook's formula and by that with two harmonics of inertia; NaN of a slave, for which there is none. Their
+    errors are in parts of the exact curve's peak over the cycle.
     """
 
     symbol: str
     unit: str
     exact: Array
+    textbook: Array
+    textbook_error: Array
     two_harmonics: Array
-    error: Array
+    two_harmonics_error: Array
 
 
 @dataclass(frozen=True)
@@ -55,7 +57,10 @@ class ForceTable:
     area : float or None
         The piston's, over which forces are; None where they are forces. [m²]
     columns : tuple of ForceColumn
-        P, N, S, K (Z in some books), T, and the torque M = TR.
+        P, N, S, K (Z in some books), T, and the torque M = TR; S of a master at the piston pin, S_A at the crank pin,
+        where slaves are in it; of a slave its share of what the pin bears, K_i, T_i and M_i.
+    sort : "plain", "master" or "slave"
+        What the piston's rod is.
     """
 
     piston: str
@@ -63,6 +68,7 @@ class ForceTable:
     unit: str
     area: float | None
     columns: tuple[ForceColumn, ...]
+    sort: Literal["plain", "master", "slave"]
 
 
 def force_table(machine: Machine, *, step: float = 30.0, unit: str = "N", piston: str | None = None) -> ForceTable:
@@ -77,7 +83,7 @@ def force_table(machine: Machine, *, step: float = 30.0, unit: str = "N", piston
     unit : str
         Of force; or of pressure, for forces over the piston's area.
     piston : str, optional
-        With a rod on a crank pin; the first one unless given.
+        With a rod; the first one whose rod is on a crank pin unless given.
 
     Returns
     -------
@@ -90,32 +96,52 @@ def force_table(machine: Machine, *, step: float = 30.0, unit: str = "N", piston
 
     Notes
     -----
-    The rod is two masses in both; only the inertia differs. docs/theory/forces, eqs. (13.30) to (13.34).
+    docs/theory/forces, eqs. (13.30) to (13.36) and (13.50).
     """
     name, is_pressure = _unit(unit)
     if step not in STEPS:
         raise InputError([unlisted("--step", f"{step:g}", [f"{one:g}" for one in STEPS])])
     refuse_idle(machine)
-    result = run(machine, quantities=_FORCES.values())
-    found = _piston(machine, piston)
-    area = _area(machine, found) if is_pressure else None
-    row = result.labels["piston"].index(found)
+    place = _piston(machine, piston)
+    result = run(machine, quantities=_QUANTITIES)
+    area = _area(machine, place.name) if is_pressure else None
     kept = np.isclose(result.crank_angle % step, 0.0)
-    radius = next(place.geometry.crank_radius for place in machine.places if place.name == found)
-    per_unit = shown(1.0, name)
-
-    def column(symbol: str, quantity: str, factor: float, column_unit: str) -> ForceColumn:
-        exact, textbook = (
-            factor * getattr(result, quantity)[result.labels["force_method"].index(method), row]
-            for method in ("exact", "two_harmonics")
-        )
-        peak = float(np.max(np.abs(exact))) or 1.0
-        return ForceColumn(symbol, column_unit, exact[kept], textbook[kept], ((textbook - exact) / peak)[kept])
-
+    per_unit = shown(1.0, name) / (area or 1.0)
     torque = "kgf·m" if name.startswith("kgf") else "N·m"
-    columns = [column(symbol, quantity, per_unit / (area or 1.0), name) for symbol, quantity in _FORCES.items()]
-    columns.append(column(_TORQUE, _FORCES["T"], radius * shown(1.0, torque), torque))
-    return ForceTable(found, result.crank_angle[kept], name, area, tuple(columns))
+    pin = place.kind.motion(np.zeros(1), place.geometry).pin
+    arm = float(np.hypot(pin.x.value[0], pin.y.value[0])) * shown(1.0, torque)
+    sort = _sort(machine, place)
+    at_pin = _SHARES if sort == "slave" else _KNUCKLED | _AT_PIN if sort == "master" else _AT_PIN
+    curves = {symbol: _by_method(result, quantity, place.name) for symbol, quantity in (_AT_PISTON | at_pin).items()}
+    columns = [_column(symbol, name, per_unit * curve, kept) for symbol, curve in curves.items()]
+    turning = "T_i" if sort == "slave" else "T"
+    columns.append(_column(turning.replace("T", "M"), torque, arm * curves[turning], kept))
+    return ForceTable(place.name, result.crank_angle[kept], name, area, tuple(columns), sort)
+
+
+def _by_method(result: Result, quantity: str, piston: str) -> Array:
+    """Curves of a piston by the reactions, the formula and two harmonics, shape (3, n); NaN where there is none."""
+    of_all = getattr(result, quantity)
+    if "force_method" not in result.catalogue[quantity].dimensions:
+        exact = of_all[result.labels["mechanism"].index(piston)]
+        return np.stack([exact, *2 * [np.full_like(exact, np.nan)]])
+    methods = [result.labels["force_method"].index(method) for method in ("exact", "textbook", "two_harmonics")]
+    return of_all[methods, result.labels["piston"].index(piston)]
+
+
+def _column(symbol: str, unit: str, curves: Array, kept: NDArray[np.bool_]) -> ForceColumn:
+    """Take a column's angles out of its curves, with their errors."""
+    exact, textbook, two_harmonics = curves
+    peak = float(np.max(np.abs(exact))) or 1.0
+    taken = ((curve[kept], (curve - exact)[kept] / peak) for curve in (textbook, two_harmonics))
+    return ForceColumn(symbol, unit, exact[kept], *(values for pair in taken for values in pair))
+
+
+def _sort(machine: Machine, place: Place) -> Literal["plain", "master", "slave"]:
+    """What a piston's rod is: on another's, with others on it, or neither."""
+    if place.kind.dynamics.on_master is not None:
+        return "slave"
+    return "master" if machine.places.index(place) in carriers_of(machine.places).master else "plain"
 
 
 def _unit(text: str) -> tuple[str, bool]:
@@ -134,23 +160,23 @@ def _is_gauge(unit: str) -> bool:
     return shown(0.0, unit) != 0.0
 
 
-def _piston(machine: Machine, wanted: str | None) -> str:
-    """Find a piston whose rod is on a crank pin."""
-    direct = [place.name for place in machine.places if place.kind.name == "slider_crank"]
-    if not direct:
-        allowed = _("this machine has no piston whose rod is on a crank pin")
-        raise InputError([Problem("--piston", wanted, allowed)])
+def _piston(machine: Machine, wanted: str | None) -> Place:
+    """Find a piston with a rod; unless named, the first whose rod is on a crank pin."""
+    rods = {place.name: place for place in machine.pistons if place.kind.has_rod}
+    if not rods:
+        raise InputError([Problem("--piston", wanted, _("this machine has no piston with a rod"))])
     if wanted is None:
-        return direct[0]
-    if wanted not in direct:
-        raise InputError([unlisted("--piston", wanted, direct)])
-    return wanted
+        on_pins = (place for place in rods.values() if place.kind.dynamics.joint("crank_pin") is not None)
+        return next(on_pins)
+    if wanted not in rods:
+        raise InputError([unlisted("--piston", wanted, list(rods))])
+    return rods[wanted]
 
 
 def _area(machine: Machine, piston: str) -> float:
     """Area of a piston, π/4 of its bore squared. [m²]"""
     at = next(i for i, place in enumerate(machine.pistons) if place.name == piston)
-    bore = next(one.spec.bore for one in machine.cylinders if at in one.pistons)
+    bore = next((one.spec.bore for one in machine.cylinders if at in one.pistons), None)
     if bore is None:
         raise InputError([Problem("cylinder.bore", None, _("is missing: forces over the piston's area need it"))])
     return np.pi / 4 * bore.si**2

@@ -17,10 +17,11 @@ _QUANTITIES = (
     "crankpin_load_radial",
     "crankpin_load_tangential",
     "crankpin_load_radial_without_rod",
+    "crankpin_load_tangential_without_rod",
     "largest_crankpin_load",
     "largest_crankpin_load_at",
 )
-_ROD, _CRANK_PIN = "rod", "crank_pin"
+_ROD = "rod"
 
 
 @dataclass(frozen=True)
@@ -95,11 +96,11 @@ def pin_loads(machine: Machine, *, mechanism: str | None = None, speed: SpeedWan
         raise InputError([Problem("--mechanism", place.name, _("has no rod of its own on a crank pin"))])
     result = run(machine, speed=speed, quantities=_QUANTITIES)
     at = result.labels["mechanism"].index(place.name)
-    radial, tangential, without = (getattr(result, name)[at] for name in _QUANTITIES[:3])
+    radial, tangential, *without = (getattr(result, name)[at] for name in _QUANTITIES[:4])
     phi = np.deg2rad(result.crank_angle) + machine.zero + place.phase
     motion = place.kind.motion(phi, place.geometry)
     lean = np.broadcast_to(motion.rod.angle.value, phi.shape) - phi
-    loads = [np.stack([tangential, -part]) for part in (radial, without)]
+    loads = [np.stack([across, -inward]) for inward, across in ((radial, tangential), without)]
     return PinLoads(
         place.name,
         result.crank_angle,
@@ -112,10 +113,8 @@ def pin_loads(machine: Machine, *, mechanism: str | None = None, speed: SpeedWan
 
 def _has_rod_on_pin(dynamics: Dynamics) -> bool:
     """Whether a rod that is the mechanism's own has its bearing on the crank pin."""
-    return any(
-        reaction.name == _CRANK_PIN and reaction.on == _ROD and _ROD in dynamics.moving
-        for reaction in dynamics.reactions
-    )
+    joint = dynamics.joint("crank_pin")
+    return joint is not None and dynamics.reactions[joint].on == _ROD
 
 
 def _in_rod(load: Array, lean: Array) -> Array:

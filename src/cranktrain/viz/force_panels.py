@@ -12,7 +12,9 @@ from cranktrain.viz.page import Axes, Page
 from cranktrain.viz.plan_sheet import figure
 from cranktrain.viz.style import COLOURS, GRID, MUTED, SYMBOL, TEXT
 
-_EXACT = "exact"
+_EXACT, _FORMULA = "exact", "textbook"
+_SEEN = 0.02
+"""A difference of two curves that can be seen, in parts of the peak."""
 _HEAD, _GAP, _FOOT = 5.2, 9.0, 9.0
 """Above panels for the first one's head, between them, and below them for the crank angle. [mm]"""
 
@@ -71,7 +73,8 @@ def force_panels(result: Result, piston: str | None, design: int = 0) -> Iterato
     Yields
     ------
     ForcePanel
-        Pressure in MPa; P, S and N; K and T; torque of every mechanism, of all together and its mean.
+        Pressure in MPa; P, S and N; K and T, of a master with S at the crank pin, of a slave its share; beside them the
+        formula's N and T where it is seen to be off; torque of every mechanism, of all together and its mean.
     """
     shown = OneDesign(result, design)
     if piston is not None and shown.has("gas_pressure"):
@@ -79,35 +82,69 @@ def force_panels(result: Result, piston: str | None, design: int = 0) -> Iterato
         named = [Drawn("p", shown("gas_pressure")[at[0]] / 1e6, "p", 1.6)]
         named += [Drawn("p", shown("gas_pressure")[i] / 1e6, "p", 0.9, (5.0, 2.0)) for i in at[1:]]
         yield ForcePanel(_("Gas pressure at piston {piston}, absolute").format(piston=piston), "MPa", tuple(named))
-    if piston is not None and shown.has("piston_force"):
-        place, method = result.labels["piston"].index(piston), result.labels["force_method"].index(_EXACT)
-        curves = {
-            name: shown(name)[method, place]
-            for name in ("piston_force", "rod_force", "side_force", "radial_force", "tangential_force")
-        }
-        if all(np.all(np.isfinite(values)) for values in curves.values()):
-            yield from _piston_panels(piston, curves)
+    if piston is not None and has_forces(result, piston):
+        yield from _piston_panels(shown, piston)
     torque = shown("machine_torque")
     factor, unit = (1e3, "kN·m") if np.nanmax(np.abs(torque)) >= _MANY else (1.0, "N·m")
     whole = Drawn(r"T_\Sigma", torque / factor, "T", 1.9)
-    mean = Drawn("T_m", np.full_like(torque, np.mean(torque) / factor), "F", 0.9, (6.0, 3.0))
+    average = float(shown("mean_torque")) / factor
+    mean = Drawn("T_m", np.full_like(torque, average), "F", 0.9, (6.0, 3.0))
     each = tuple(Drawn("", values / factor, "T", 0.45) for values in shown("mechanism_torque") if np.any(values))
-    title = _("Torque on the shaft, mean {mean}").format(mean=figure(float(np.mean(torque)) / factor))
+    title = _("Torque on the shaft, mean {mean}").format(mean=figure(average))
     yield ForcePanel(title, unit, (whole, mean), each if len(each) > 1 else ())
 
 
-def _piston_panels(piston: str, curves: dict[str, Array]) -> Iterator[ForcePanel]:
+def has_forces(result: Result, piston: str) -> bool:
+    """Whether a piston has a rod, so that it has forces of its own, and anything acts on it."""
+    if "piston_force" not in result.catalogue:
+        return False
+    at = _method(result, _EXACT), result.labels["piston"].index(piston)
+    side, along = (OneDesign(result, 0)(name)[at] for name in ("side_force", "rod_force_at_piston_pin"))
+    return bool(np.all(np.isfinite(side)) and np.any(along))
+
+
+def is_off(shown: OneDesign, piston: str, error: str) -> bool:
+    """Whether the formula's error can be seen; no formula has none."""
+    result = shown.result
+    found = shown(error)[_method(result, _FORMULA), result.labels["piston"].index(piston)]
+    return bool(found > _SEEN)
+
+
+def _method(result: Result, name: str) -> int:
+    return result.labels["force_method"].index(name)
+
+
+def _piston_panels(shown: OneDesign, piston: str) -> Iterator[ForcePanel]:
     """Forces at the piston, and at the crank pin."""
-    along, rod, side = (curves[name] / 1e3 for name in ("piston_force", "rod_force", "side_force"))
-    at_piston = (
-        Drawn("P", along, "p", 1.6),
-        Drawn("S", rod, "F", 0.8, (2.0, 2.0)),
-        Drawn("N", side, "N", 1.1, (8.0, 2.0)),
-    )
-    yield ForcePanel(_("Forces at piston {piston}").format(piston=piston), "kN", at_piston)
-    radial, tangential = (curves[name] / 1e3 for name in ("radial_force", "tangential_force"))
-    at_pin = (Drawn("T", tangential, "T", 1.6), Drawn("K", radial, "K", 0.9, (6.0, 2.0)))
-    yield ForcePanel(_("Forces at its crank pin"), "kN", at_pin)
+    result = shown.result
+    row, place = result.labels["piston"].index(piston), result.labels["mechanism"].index(piston)
+
+    def curve(name: str, method: str = _EXACT) -> Array:
+        return shown(name)[_method(result, method), row] / 1e3
+
+    at_piston = [
+        Drawn("P", curve("piston_force"), "p", 1.6),
+        Drawn("S", curve("rod_force_at_piston_pin"), "F", 0.8, (2.0, 2.0)),
+        Drawn("N", curve("side_force"), "N", 1.1, (8.0, 2.0)),
+    ]
+    if is_off(shown, piston, "side_force_formula_error"):
+        at_piston.append(Drawn("N_f", curve("side_force", _FORMULA), "N", 0.5, (3.0, 2.0)))
+    is_valve = not next(one.kind.has_chambers for one in result.machines[0].places if one.name == piston)
+    title = _("Forces at valve {piston}") if is_valve else _("Forces at piston {piston}")
+    yield ForcePanel(title.format(piston=piston), "kN", tuple(at_piston))
+    tangential = curve("tangential_force")
+    if np.all(np.isnan(tangential)):
+        shares = (shown(f"crankpin_share_{part}")[place] / 1e3 for part in ("tangential", "radial"))
+        named = [Drawn("T_i", next(shares), "T", 1.6), Drawn("K_i", next(shares), "K", 0.9, (6.0, 2.0))]
+        yield ForcePanel(_("Its share of the crank pin's load"), "kN", tuple(named))
+        return
+    at_pin = [Drawn("T", tangential, "T", 1.6), Drawn("K", curve("radial_force"), "K", 0.9, (6.0, 2.0))]
+    at_crank = curve("rod_force_at_crank_pin")
+    if np.max(np.abs(at_crank - at_piston[1].values)) > _SEEN * np.max(np.abs(at_crank)):
+        at_pin.append(Drawn("S_A", at_crank, "F", 0.8, (2.0, 2.0)))
+    if is_off(shown, piston, "tangential_force_formula_error"):
+        at_pin.append(Drawn("T_f", curve("tangential_force", _FORMULA), "T", 0.5, (3.0, 2.0)))
+    yield ForcePanel(_("Forces at its crank pin"), "kN", tuple(at_pin))
 
 
 def chambers_of(result: Result, piston: str) -> list[int]:

@@ -6,17 +6,26 @@ from textwrap import wrap
 import numpy as np
 
 from cranktrain.analysis import Result
-from cranktrain.engine.forces import LoadedMachine
+from cranktrain.engine.forces import LoadedMachine, carriers_of
 from cranktrain.engine.gas_pressures import GasPressures
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.viz.force_orders import draw_orders, draw_stars
-from cranktrain.viz.force_panels import OneDesign, chambers_of, draw_panels, force_panels, prepare
+from cranktrain.viz.force_panels import (
+    OneDesign,
+    chambers_of,
+    draw_panels,
+    force_panels,
+    has_forces,
+    is_off,
+    prepare,
+)
 from cranktrain.viz.machine_sheet import title_block
-from cranktrain.viz.page import MARGIN, Figure, Page, drawing_settings, muted, paper
+from cranktrain.viz.page import MARGIN, Figure, Page, drawing_settings, mathematics, muted, paper
 from cranktrain.viz.style import COLOURS, TEXT
 from cranktrain.viz.words import running_words, speed_of, speed_words, zero_words
+from cranktrain.wording import number
 
 _LEFT = 0.55
 """Share of the curves over the crank angle in the width."""
@@ -35,7 +44,7 @@ def sheet_forces(result: Result, *, size: str = "A4", piston: str | None = None,
     size : "A4" or "A3"
         Lying.
     piston : str, optional
-        Whose forces; the first with a rod on a crank pin unless given.
+        Whose forces; the first with a rod unless given.
     design : int
         Which of the result's machines.
 
@@ -71,7 +80,7 @@ def sheet_forces(result: Result, *, size: str = "A4", piston: str | None = None,
         below = _draw_indicator(page, shown, name, room)
         below = draw_orders(page, shown, (room[0], room[1], below))
         below = draw_stars(page, shown, (room[0], room[1], below))
-        _write_notes(page, result, name, (room[0] - 8.0, room[1], below))
+        _write_notes(page, shown, name, (room[0] - 8.0, room[1], below))
         return page.figure
 
 
@@ -83,21 +92,15 @@ def _piston(result: Result, wanted: str | None) -> str | None:
         raise InputError([Problem("--mechanism", wanted, allowed)])
     if wanted is not None or "piston_force" not in result.catalogue:
         return wanted or next(iter(names), None)
-    return next(name for name in names if _has_forces(result, name))
+    return next(name for name in names if has_forces(result, name))
 
 
-def _has_forces(result: Result, piston: str) -> bool:
-    """Whether a piston's rod is on a crank pin, so that it has forces of its own; a valve's is not."""
-    if "piston_force" not in result.catalogue:
-        return False
-    first = result.piston_force[0] if result.has_designs else result.piston_force
-    return bool(np.all(np.isfinite(first[0, result.labels["piston"].index(piston)])))
-
-
-def _hangs(result: Result, piston: str) -> bool:
-    """Whether a piston's rod hangs on another rod."""
-    places = {place.name: place for place in result.machines[0].places}
-    return places[piston].kind.dynamics.on_master is not None
+def _master_of(result: Result, piston: str) -> str | None:
+    """Whose rod a piston's hangs on; None for one that hangs on none."""
+    carriers = carriers_of(result.machines[0].places)
+    names = [place.name for place in result.machines[0].places]
+    master = int(carriers.master[names.index(piston)])
+    return names[master] if master >= 0 else None
 
 
 def _draw_indicator(page: Page, shown: OneDesign, piston: str | None, place: tuple[float, float, float]) -> float:
@@ -109,9 +112,9 @@ def _draw_indicator(page: Page, shown: OneDesign, piston: str | None, place: tup
     axes = page.axes(left, top - 5.0 - height, right - left, height)
     prepare(axes)
     at = chambers_of(shown.result, piston)
-    for number, chamber in enumerate(at):
+    for later, chamber in enumerate(at):
         volume, pressure = (_closed(shown(name)[chamber]) for name in ("chamber_volume", "gas_pressure"))
-        axes.plot(volume * 1e3, pressure / 1e6, color=COLOURS["p"], lw=0.9 if number else 1.4)
+        axes.plot(volume * 1e3, pressure / 1e6, color=COLOURS["p"], lw=0.9 if later else 1.4)
     page.heading(left, top - 3.0, _("Indicator diagram, pressure in MPa over volume in litres"))
     if shown.has("indicated_mean_pressure"):
         words = _("mean {mean:.3f} MPa").format(mean=float(shown("indicated_mean_pressure")[at[0]]) / 1e6)
@@ -123,27 +126,47 @@ def _closed(values: Array) -> Array:
     return np.append(values, values[0])
 
 
-def _write_notes(page: Page, result: Result, piston: str | None, place: tuple[float, float, float]) -> None:
+def _write_notes(page: Page, shown: OneDesign, piston: str | None, place: tuple[float, float, float]) -> None:
     """Say what the curves rest on, as far as there is room."""
+    result, design = shown
     left, right, top = place
-    notes = list(_notes(result, piston))
+    notes = list(_notes(result, piston, design))
     letters = int((right - left) * _LETTERS / 100.0)
     room = int((top - MARGIN) / 4.2)
     written = 0
     for note in notes:
         lines = wrap(note, letters)
         if written + len(lines) <= room:
-            for number, line in enumerate(lines):
-                page.text(left, top - 3.0 - 4.2 * (written + number), line, **muted())
+            for below, line in enumerate(lines):
+                page.text(left, top - 3.0 - 4.2 * (written + below), line, **muted())
             written += len(lines)
 
 
-def _notes(result: Result, piston: str | None) -> Iterator[str]:
+def _on_forces(shown: OneDesign, piston: str) -> Iterator[str]:
+    """Sentences on a piston's forces: whose rod they are of, and by how much the formula is off."""
+    master = _master_of(shown.result, piston)
+    if master is not None:
+        yield _(
+            "{piston} hangs on the rod of {master}: {radial}, {tangential} are what the crank pin bears of it."
+        ).format(piston=piston, master=master, radial=mathematics("K_i"), tangential=mathematics("T_i"))
+        return
+    yield _("P, S, N, K, T: by the reactions in the joints, K without the rod's rotating mass.")
+    errors = {"N": "side_force_formula_error", "T": "tangential_force_formula_error"}
+    row = shown.result.labels["piston"].index(piston)
+    method = shown.result.labels["force_method"].index("textbook")
+    said = [
+        _("{error} in {symbol}").format(error=number(float(shown(name)[method, row]), "%"), symbol=symbol)
+        for symbol, name in errors.items()
+        if is_off(shown, piston, name)
+    ]
+    if said:
+        yield _("f: the textbook's P·f(β), off by up to {errors}.").format(errors=", ".join(said))
+
+
+def _notes(result: Result, piston: str | None, design: int) -> Iterator[str]:
     """Sentences on what is shown."""
-    if piston is not None and _hangs(result, piston):
-        yield _("{piston} hangs on another rod: P, S, N, K, T are of rods on crank pins.").format(piston=piston)
-    elif piston is not None and _has_forces(result, piston):
-        yield _("P, S, N, K, T: exact motion, the rod as two masses, K without its rotating one.")
+    if piston is not None and has_forces(result, piston):
+        yield from _on_forces(OneDesign(result, design), piston)
     yield _("Torque: reactions of rigid links, each mechanism's thin.")
     if result.labels.get("cylinder"):
         yield _("Filled bars: orders in which all cylinders add up.")

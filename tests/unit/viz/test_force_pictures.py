@@ -86,10 +86,23 @@ def test_sheet_is_readable(results, name, size):
     assert_words_are_readable(sheet_forces(results[name], size=size))
 
 
-def test_sheet_of_a_slave_says_why_it_has_no_piston_forces(results):
-    words = " | ".join(text for text, _box in words_of(sheet_forces(results["3d12"], piston="1R")))
-    assert "1R hangs on another rod" in words
+def test_sheet_of_a_slave_has_its_forces_and_its_share_of_the_pin(results):
+    drawn = sheet_forces(results["3d12"], piston="1R")
+    assert_words_are_readable(drawn)
+    words = " | ".join(text for text, _box in words_of(drawn))
+    assert "1R hangs on the rod of 1L" in words
+    assert "Forces at piston 1R, kN" in words
+    assert "Its share of the crank pin's load, kN" in words
     assert "Forces at its crank pin" not in words
+
+
+def test_sheet_of_a_master_has_the_formula_beside(results):
+    for name, piston in (("3d12", "1L"), ("r_1340", "1M")):
+        drawn = sheet_forces(results[name], piston=piston)
+        assert_words_are_readable(drawn)
+        words = [text for text, _box in words_of(drawn)]
+        assert {"$N_f$", "$T_f$", "$S_A$"} <= set(words)
+        assert any(text.startswith("f: the textbook's P·f(β), off by up to") for text in words)
 
 
 def test_sheet_says_what_it_shows(results):
@@ -123,11 +136,17 @@ def test_orders_reach_as_far_as_eighteen_cylinders_need(results):
 def test_curves_are_the_results(results):
     result = results["3d12"]
     pressure, at_piston, at_pin, torque = force_panels(result, "2L")
-    row = result.labels["piston"].index("2L")
+    row, place = (result.labels[name].index("2L") for name in ("piston", "mechanism"))
     assert pressure.named[0].values * 1e6 == pytest.approx(result.gas_pressure[row])
-    assert [curve.symbol for curve in at_piston.named] == ["P", "S", "N"]
+    assert [curve.symbol for curve in at_piston.named] == ["P", "S", "N", "N_f"]
     assert at_piston.named[2].values * 1e3 == pytest.approx(result.side_force[0, row])
-    assert [curve.symbol for curve in at_pin.named] == ["T", "K"]
+    assert at_piston.named[3].values * 1e3 == pytest.approx(result.side_force[1, row])
+    assert [curve.symbol for curve in at_pin.named] == ["T", "K", "S_A", "T_f"]
+    assert at_pin.named[0].values * 1e3 == pytest.approx(result.crankpin_load_tangential[place])
+    _, _, share, _ = force_panels(result, "2R")
+    place = result.labels["mechanism"].index("2R")
+    assert [curve.symbol for curve in share.named] == ["T_i", "K_i"]
+    assert share.named[0].values * 1e3 == pytest.approx(result.crankpin_share_tangential[place])
     assert len(torque.others) == 12
     assert sum(curve.values for curve in torque.others) == pytest.approx(torque.named[0].values, abs=1e-6)
 
@@ -257,9 +276,10 @@ def test_same_bytes(tmp_path, results):
     assert (tmp_path / "one.svg").read_bytes() == (tmp_path / "other.svg").read_bytes()
 
 
-def test_sheet_of_a_valve_speaks_of_no_piston_s_forces():
+def test_sheet_of_a_valve():
+    """One on an eccentric has a rod, as a piston has, unless nothing acts on it; one of a gear has none."""
     engine = read_machine("great_northern", ["masses.piston.mass=300 kg"]).machine
-    result = ct.run(engine)
-    said = " ".join(text for text, _box in words_of(sheet_forces(result, piston="1valve")))
-    assert "P, S, N, K, T" not in said
-    assert "P, S, N, K, T" in " ".join(text for text, _box in words_of(sheet_forces(result, piston="1cylinder")))
+    for machine, has_rod in ((engine, True), (WEIGHED["walschaerts"], False)):
+        said = " ".join(text for text, _box in words_of(sheet_forces(ct.run(machine), piston="1valve")))
+        assert ("Forces at valve 1valve" in said) is has_rod
+        assert ("P, S, N, K, T: by the reactions" in said) is has_rod

@@ -83,7 +83,7 @@ def chain_reactions(structure: Structure) -> tuple[Reaction, ...]:
     """Joints of a chain: the bearing of its cranks, then each part's, named `point/link` by where and on what."""
     carriers = carriers_of(structure)
     parts = (joint for step in structure.steps for joint in _joints(step, carriers))
-    return (Reaction("main_bearing", structure.cranks[0], FRAME), *parts)
+    return (Reaction("main_bearing", structure.cranks[0], FRAME, "main_bearing"), *parts)
 
 
 def chain_groups(structure: Structure) -> tuple[Group, ...]:
@@ -150,31 +150,31 @@ def _joints(step: Step, carriers: Mapping[str, str]) -> Iterator[Reaction]:
     """Joints that a part adds."""
     match step:
         case PinStep():
-            yield Reaction(joint_name(step.rod_from, step.rod), step.rod, carriers[step.rod_from])
-            yield Reaction(joint_name(step.rocker_from, step.rocker), step.rocker, carriers[step.rocker_from])
-            yield Reaction(joint_name(step.joint, step.rocker), step.rocker, step.rod)
+            yield Reaction(joint_name(step.rod_from, step.rod), step.rod, carriers[step.rod_from], "pin")
+            yield Reaction(joint_name(step.rocker_from, step.rocker), step.rocker, carriers[step.rocker_from], "pin")
+            yield Reaction(joint_name(step.joint, step.rocker), step.rocker, step.rod, "pin")
         case SlideStep():
-            yield Reaction(joint_name(step.rod_from, step.rod), step.rod, carriers[step.rod_from])
-            yield Reaction(joint_name(pin_of(step.slider), step.slider), step.slider, step.rod)
-            yield Reaction(joint_name(GUIDE, step.slider), step.slider, FRAME)
+            yield Reaction(joint_name(step.rod_from, step.rod), step.rod, carriers[step.rod_from], "pin")
+            yield Reaction(joint_name(pin_of(step.slider), step.slider), step.slider, step.rod, "pin")
+            yield Reaction(joint_name(GUIDE, step.slider), step.slider, FRAME, "guide")
         case SwivelStep():
-            yield Reaction(joint_name(step.pin, step.slider), step.slider, carriers[step.pin])
-            yield Reaction(joint_name(step.slider, step.guide), step.guide, step.slider)
-            yield Reaction(joint_name(step.pivot, step.guide), step.guide, carriers[step.pivot])
+            yield Reaction(joint_name(step.pin, step.slider), step.slider, carriers[step.pin], "pin")
+            yield Reaction(joint_name(step.slider, step.guide), step.guide, step.slider, "slot")
+            yield Reaction(joint_name(step.pivot, step.guide), step.guide, carriers[step.pivot], "pin")
         case YokeStep():
-            yield Reaction(joint_name(step.pin, step.slider), step.slider, carriers[step.pin])
-            yield Reaction(joint_name(GUIDE, step.slider), step.slider, FRAME)
+            yield Reaction(joint_name(step.pin, step.slider), step.slider, carriers[step.pin], "pin")
+            yield Reaction(joint_name(GUIDE, step.slider), step.slider, FRAME, "guide")
         case TrammelStep():
-            yield Reaction(joint_name(pin_of(step.slider), step.slider), step.slider, step.link)
-            yield Reaction(joint_name(GUIDE, step.slider), step.slider, FRAME)
+            yield Reaction(joint_name(pin_of(step.slider), step.slider), step.slider, step.link, "slot")
+            yield Reaction(joint_name(GUIDE, step.slider), step.slider, FRAME, "guide")
         case TriadStep():
             for leg in step.legs:
                 match leg:
                     case RodLegStep():
-                        yield Reaction(joint_name(leg.rod_from, leg.rod), leg.rod, carriers[leg.rod_from])
-                        yield Reaction(joint_name(leg.joint, step.link), step.link, leg.rod)
+                        yield Reaction(joint_name(leg.rod_from, leg.rod), leg.rod, carriers[leg.rod_from], "pin")
+                        yield Reaction(joint_name(leg.joint, step.link), step.link, leg.rod, "pin")
                     case GuideLegStep():
-                        yield Reaction(joint_name(pin_of(leg.slider), step.link), step.link, leg.slider)
-                        yield Reaction(joint_name(GUIDE, leg.slider), leg.slider, FRAME)
+                        yield Reaction(joint_name(pin_of(leg.slider), step.link), step.link, leg.slider, "pin")
+                        yield Reaction(joint_name(GUIDE, leg.slider), leg.slider, FRAME, "guide")
         case PointStep() | MountStep():
             pass
