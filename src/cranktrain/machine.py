@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Any, Literal, Self, cast
+from typing import Any, Literal, Self
 
 import numpy as np
 from pydantic import Field, ValidationError, model_validator
@@ -29,6 +29,7 @@ from cranktrain.language import _
 from cranktrain.mechanisms import AnyMechanism
 from cranktrain.mechanisms.closing import OpenRange, open_ranges
 from cranktrain.mechanisms.kind import LISTS
+from cranktrain.paths import path_text, value_at
 from cranktrain.quantities import Angle, Given
 from cranktrain.spec import Spec, problems
 from cranktrain.wording import around_turn, number
@@ -97,7 +98,7 @@ class Machine(Spec, frozen=True):
         for name in self.bank:
             if not re.fullmatch(r"[^\W\d]\w*", name) or name in CylindersSpec.model_fields:
                 allowed = _("must have a name of letters, digits and _, a letter first, that is no key of [cylinder]")
-                found.append(Problem(f"bank.{name}", None, allowed))
+                found.append(Problem(path_text(("bank", name)), None, allowed))
         found += self._shaft_problems()
         if found:
             raise InputError(found)
@@ -114,8 +115,12 @@ class Machine(Spec, frozen=True):
                 allowed = _("must stand in [shaft.main]; this shaft turns with it, by its ratio")
                 if name not in used:
                     nothing = _("carries no bank: name it in [bank.NAME] shaft, or take it out")
-                    found.append(Problem(f"shaft.{name}", None, nothing))
-            found += [Problem(f"shaft.{name}.{key}", None, allowed) for key in foreign if key in shaft.model_fields_set]
+                    found.append(Problem(path_text(("shaft", name)), None, nothing))
+            found += [
+                Problem(path_text(("shaft", name, key)), None, allowed)
+                for key in foreign
+                if key in shaft.model_fields_set
+            ]
         return found
 
     @property
@@ -231,25 +236,14 @@ def _as_in_file(problem: Problem, data: Mapping[str, Any]) -> Problem:
     found = re.fullmatch(r"(bank\.[^.]+\.mechanism)\[(\d+)\](?:\.([^.\[]+)(.*))?", path)
     if found is not None:
         table, index, field, rest = found.groups(default="")
-        value = _at(data, f"{table}.{field}") if field else None
+        value = value_at(data, f"{table}.{field}") if field else None
         item = f"[{index}]" if isinstance(value, list | tuple) and field not in LISTS else ""
         path = f"{table}.{field}{item}{rest}" if field else table
     elif (single := re.fullmatch(r"(.*)\[0\](.*)", path)) is not None and not isinstance(
-        _at(data, single[1]), list | tuple
+        value_at(data, single[1]), list | tuple
     ):
         path = f"{single[1]}{single[2]}"
     return replace(problem, path=path)
-
-
-def _at(data: object, path: str) -> object:
-    """What stands at a path of names and places in lists; None where nothing does."""
-    for name in re.findall(r"[^.\[\]]+", path):
-        if isinstance(data, list | tuple):
-            items = cast(Sequence[object], data)
-            data = items[int(name)] if name.isdigit() and int(name) < len(items) else None
-        else:
-            data = cast(Mapping[str, object], data).get(name) if isinstance(data, Mapping) else None
-    return data
 
 
 def machine_problems(machine: Machine, *, partial: bool = False) -> tuple[Problem, ...]:

@@ -6,10 +6,10 @@ from pathlib import PurePath
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from cranktrain.cli.running_speed import OPTION, told_at_option
-from cranktrain.cli.screen import plain
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.machine_file import MachineFile, computed, read_machine
 from cranktrain.language import _
+from cranktrain.one_line import one_line
 from cranktrain.quantities import Dimension, QuantityError, read, shown, unlisted
 
 if TYPE_CHECKING:
@@ -109,7 +109,7 @@ def write_picture(request: Request) -> None:
             _drawn(file, picture, request)
     except InputError as error:
         raise InputError(_placed(error.problems, file, request)) from None
-    print(_("written: {name}").format(name=plain(picture.output)))
+    print(_("written: {name}").format(name=one_line(picture.output)))
 
 
 def understood(request: Request) -> Picture:
@@ -131,8 +131,8 @@ def understood(request: Request) -> Picture:
     problems: list[Problem] = []
     suffix = PurePath(request.output or "").suffix.lower()
     if request.output is None:
-        name = plain(PurePath(request.file).stem) or "3d12"
-        example = f"cranktrain plot {plain(request.file) or name} -o {name}.png"
+        name = one_line(PurePath(request.file).stem) or "3d12"
+        example = f"cranktrain plot {one_line(request.file) or name} -o {name}.png"
         allowed = _("is missing: the name of the picture, which ends in one of: {suffixes}")
         repair = _("such as: {example}").format(example=example)
         problems.append(Problem("-o", None, allowed.format(suffixes=", ".join(SUFFIXES)), repair))
