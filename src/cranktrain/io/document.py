@@ -21,6 +21,9 @@ from cranktrain.paths import DEEPEST_NESTING, PathParts, path_text, quantity_pat
 LARGEST_FILE = 2**20
 """Bytes; a machine file has some thousands."""
 
+MOST_KEYS = 20_000
+"""In all tables of a file together; a machine file has some tens."""
+
 _KEY_PART = re.compile(r"""[A-Za-z0-9_-]+|"(?:[^"\\\n]|\\.)*"?|'[^'\n]*'?""")
 _TEXTS_AND_KEYS = re.compile(
     rf"""
@@ -305,8 +308,13 @@ def _parsed(text: str, name: str) -> dict[str, object]:
     except RecursionError:
         raise refusal(name, _nested_too_deep()) from None
     level: list[object] = [data]
+    n_keys = 0
     for _depth in range(DEEPEST_NESTING):
+        n_keys += sum(len(cast("dict[str, object]", table)) for table in level if isinstance(table, dict))
         level = [inner for outer in level for inner in _contents(outer)]
+    if n_keys > MOST_KEYS:
+        too_many = _("has {n} keys, and no machine needs more than {limit}")
+        raise refusal(name, too_many.format(n=n_keys, limit=MOST_KEYS))
     if level:
         raise refusal(name, _nested_too_deep())
     return data
