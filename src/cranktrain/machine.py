@@ -21,7 +21,15 @@ from cranktrain.engine.guide_tables import guide_problems
 from cranktrain.engine.masses import Weighed, mass_problems
 from cranktrain.engine.places import Place, places_of
 from cranktrain.engine.points import point_problems
-from cranktrain.engine.specs import MAIN, OVERRIDES, BankSpec, CylindersSpec, OpposedPistonSpec, ShaftSpec
+from cranktrain.engine.specs import (
+    MAIN,
+    MOST_MECHANISMS,
+    OVERRIDES,
+    BankSpec,
+    CylindersSpec,
+    OpposedPistonSpec,
+    ShaftSpec,
+)
 from cranktrain.engine.standing import standing_problems
 from cranktrain.errors import InputError, Problem
 from cranktrain.gas import AnyGas
@@ -99,6 +107,10 @@ class Machine(Spec, frozen=True):
             if not re.fullmatch(r"[^\W\d]\w*", name) or name in CylindersSpec.model_fields:
                 allowed = _("must have a name of letters, digits and _, a letter first, that is no key of [cylinder]")
                 found.append(Problem(path_text(("bank", name)), None, allowed))
+        n_mechanisms = sum(bank.n_mechanisms(self.shafts) for bank in self.bank.values())
+        if n_mechanisms > MOST_MECHANISMS:
+            allowed = _("gives {n} mechanisms; a machine may have at most {limit}")
+            found.append(Problem("bank", None, allowed.format(n=n_mechanisms, limit=MOST_MECHANISMS)))
         found += self._shaft_problems()
         if found:
             raise InputError(found)
