@@ -1,5 +1,7 @@
 """Text from outside, written so that it can stand in one line of a terminal or a drawing."""
 
+from unicodedata import category
+
 LONGEST_SHOWN = 60
 """Characters of a value in a message."""
 
@@ -12,9 +14,16 @@ def one_line(text: str) -> str:
     >>> print(one_line("two lines\nand a \x1b[31mred one"))
     two lines and a \x1b[31mred one
     """
+    return visible(" ".join(text.split()))
+
+
+def visible(text: str, kept: str = "") -> str:
+    """Write controls and halves of characters by their numbers, but those that are kept; blanks stay."""
     return "".join(
-        character if character.isprintable() else character.encode("unicode_escape").decode()
-        for character in " ".join(text.split())
+        character
+        if character.isprintable() or character in kept or category(character) == "Zs"
+        else character.encode("unicode_escape").decode()
+        for character in text
     )
 
 
