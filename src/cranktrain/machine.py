@@ -37,9 +37,9 @@ from cranktrain.language import _
 from cranktrain.mechanisms import AnyMechanism
 from cranktrain.mechanisms.closing import OpenRange, open_ranges
 from cranktrain.mechanisms.kind import LISTS
-from cranktrain.paths import path_text, value_at
+from cranktrain.paths import PathParts, path_text, quantity_path, replaced, value_at
 from cranktrain.quantities import Angle, Given
-from cranktrain.spec import Spec, problems
+from cranktrain.spec import Spec, problems, with_tuples
 from cranktrain.wording import around_turn, number
 
 
@@ -86,6 +86,65 @@ class Machine(Spec, frozen=True):
             # A list is also called too short where one of its items is wrong.
             wrong = {problem.path.rpartition("[")[0] for problem in found if "[" in problem.path}
             raise InputError(problem for problem in found if problem.path not in wrong) from None
+        vars(self)["declared"] = with_tuples(data)  # what a caller does with its own later is no matter
+
+    @cached_property
+    def declared(self) -> Mapping[str, Any]:
+        """Its tables as they were given; of a machine that was never checked there are none."""
+        return {}
+
+    def with_(self, values: Mapping[str, object]) -> Self:
+        """Give a machine like this one with other values at some paths, checked as a new one is.
+
+        Parameters
+        ----------
+        values : mapping of str
+            By path, as `--set` takes it: `mechanism.rod_length`, `shaft.main.throws[2]`, `balance`; quantities as texts
+            with their units, tables as mappings, lists as lists. What was said of where an old value is from does not
+            hold of the new one, and goes with it.
+
+        Returns
+        -------
+        Machine
+
+        Raises
+        ------
+        InputError
+            With everything that is wrong, each with its path.
+
+        Examples
+        --------
+        >>> machine = Machine(mechanism={"kind": "slider_crank", "stroke": "80 mm", "rod_length": "136 mm"})
+        >>> longer = machine.with_({"mechanism.rod_length": "140 mm", "shaft.main.speed": "5200 rpm"})
+        >>> longer.mechanism.rod_length.text, machine.mechanism.rod_length.text
+        ('140 mm', '136 mm')
+        """
+        data: Any = self.declared
+        found: list[Problem] = []
+        done: list[PathParts] = []
+        for path, value in values.items():
+            try:
+                parts = quantity_path(path)
+                if any(parts[: len(other)] == other[: len(parts)] for other in done):
+                    found.append(Problem(path, None, _("is set twice; keep one of the two")))
+                done.append(parts)
+                data = replaced(data, parts, value)
+                if parts[-1] == "file":  # what was read from the old one
+                    data = replaced(data, (*parts[:-1], "text"), None)
+            except InputError as error:
+                found += error.problems
+        if found:
+            raise InputError(found)
+        return type(self)(**data)
+
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """Copy it; refuse other values, which nothing would check."""
+        if update:
+            given = ", ".join(update)
+            allowed = _("cannot be changed in a copy, where nothing checks it")
+            repair = _("write machine.with_({example})").format(example='{"mechanism.rod_length": "140 mm"}')
+            raise InputError([Problem("model_copy", given, allowed, repair)])
+        return super().model_copy(deep=deep)
 
     @model_validator(mode="after")
     def _arranged_one_way(self) -> Self:

@@ -116,3 +116,50 @@ def value_at(data: object, path: str) -> object:
         else:
             data = getattr(data, part, None) if isinstance(part, str) else None
     return data
+
+
+def replaced(data: object, parts: PathParts, value: object, *, above: PathParts = ()) -> object:
+    """Give data with another value at a path; a table that is not there is made, all that is elsewhere is shared.
+
+    Parameters
+    ----------
+    data : mapping, list or tuple
+    parts : tuple of str and int
+        As `quantity_path` gives them; not empty.
+    value : object
+    above : tuple of str and int
+        Path of the data themselves, for what is said of them.
+
+    Returns
+    -------
+    dict or tuple
+
+    Raises
+    ------
+    InputError
+        If the path leads through what is no table or list, or to an item that a list does not have.
+    """
+    part, *rest = parts
+
+    def inner(old: object) -> object:
+        return replaced(old, tuple(rest), value, above=(*above, part)) if rest else value
+
+    if isinstance(data, Mapping) and isinstance(part, str):
+        table = cast("Mapping[str, object]", data)
+        return {**table, part: inner(table.get(part, {}))}
+    if isinstance(data, list | tuple) and isinstance(part, int):
+        items = cast("Sequence[object]", data)
+        if part < len(items):
+            return (*items[:part], inner(items[part]), *items[part + 1 :])
+    said = _no_way(cast("object", data), path_text(above))
+    raise InputError([Problem(path_text((*above, *parts)), None, said)])
+
+
+def _no_way(data: object, here: str) -> str:
+    """Say why a path does not go on."""
+    if isinstance(data, Mapping):
+        return _("{path} is a table, whose keys are names").format(path=here)
+    if isinstance(data, list | tuple):
+        n_items = len(cast("Sequence[object]", data))
+        return _("{path} is a list of {n}, whose items are [0], [1], …").format(path=here, n=n_items)
+    return _("{path} is no table or list; set it whole").format(path=here)

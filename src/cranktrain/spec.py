@@ -28,7 +28,7 @@ class Spec(BaseModel, frozen=True):
     @classmethod
     def _lists_as_tuples(cls, data: object) -> object:
         """Take TOML's lists for the tuples of a frozen spec, which a strict one would refuse."""
-        return _frozen(data)
+        return with_tuples(data)
 
 
 SpecType = TypeVar("SpecType", bound=Spec)
@@ -308,12 +308,12 @@ def _as_written(data: object) -> str | None:
     return written(data)
 
 
-def _frozen(data: object) -> object:
+def with_tuples(data: object) -> object:
     """Turn lists into tuples, through and through."""
     if isinstance(data, list):
-        return tuple(map(_frozen, cast("list[object]", data)))
+        return tuple(map(with_tuples, cast("list[object]", data)))
     if isinstance(data, dict):
-        return {key: _frozen(value) for key, value in cast("dict[str, object]", data).items()}
+        return {key: with_tuples(value) for key, value in cast("dict[str, object]", data).items()}
     return data
 
 
