@@ -263,12 +263,14 @@ class Machine(Spec, frozen=True):
     def arranged(self) -> tuple[tuple[Place, ...], tuple[Problem, ...]]:
         """Its mechanisms in their places, and what is wrong with these; with problems there are no places."""
         if self.mechanism is None:
-            return places_of(self.shafts, self.bank, astern=self.is_astern)
+            with np.errstate(all="ignore"):  # sizes that cannot be are found where their links do not close
+                return places_of(self.shafts, self.bank, astern=self.is_astern)
         # A bare `[mechanism]` is a bank of one.
         bank = BankSpec.model_construct(
             angle=(self.angle,), mechanism=(self.mechanism,), throws=(1,), stagger=Given(0.0, "0 mm"), shaft=MAIN
         )
-        return places_of(self.shafts, {"": bank}, astern=self.is_astern, prefix="")
+        with np.errstate(all="ignore"):
+            return places_of(self.shafts, {"": bank}, astern=self.is_astern, prefix="")
 
     @cached_property
     def cylinders(self) -> tuple[Cylinder, ...]:

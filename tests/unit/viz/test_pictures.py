@@ -495,7 +495,7 @@ def test_sheet_and_terminal_count_the_same_numbers(name):
 def test_symbols_are_set_as_mathematics():
     assert mathematics("v_B,main") == formula(r"v_{B,\mathrm{main}}")
     assert mathematics("a_long_rod'^n") == formula(r"a_{\mathrm{long\_rod}′}^{n}")
-    assert mathematics("v_AA'") == "$v_{AA′}$"
+    assert mathematics("v_AA'") == formula("v_{AA′}")
     assert mathematics("a_BA^n") == "$a_{BA}^{n}$"
     assert mathematics("p") == "$p$"
 
