@@ -1,5 +1,6 @@
 """`plot`: a machine as a sheet, a plan, a moving picture or a DXF; the file's name says which."""
 
+import logging
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import PurePath
@@ -102,6 +103,8 @@ def write_picture(request: Request) -> None:
         With everything that is wrong with the options, else with the machine, else with what cannot be drawn.
     """
     picture = understood(request)
+    # What the plotting library says of its fonts and its folder is nothing that a user asked for.
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)
     file = read_machine(request.file, request.settings, partial=request.is_partial)
     try:
         _mechanism_found(file, picture)

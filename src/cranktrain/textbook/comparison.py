@@ -125,7 +125,8 @@ class TextbookMotion:
 
 def _in_percent(errors: Array) -> str:
     """Write the largest of the errors that there are."""
-    return number(float(np.max(errors, where=np.isfinite(errors), initial=0.0)), "%")
+    known = errors[np.isfinite(errors)]
+    return number(float(np.max(known)) if known.size else np.nan, "%")
 
 
 def textbook_motion(

@@ -496,8 +496,8 @@ def test_symbols_are_set_as_mathematics():
     assert mathematics("v_B,main") == formula(r"v_{B,\mathrm{main}}")
     assert mathematics("a_long_rod'^n") == formula(r"a_{\mathrm{long\_rod}′}^{n}")
     assert mathematics("v_AA'") == formula("v_{AA′}")
-    assert mathematics("a_BA^n") == "$a_{BA}^{n}$"
-    assert mathematics("p") == "$p$"
+    assert mathematics("a_BA^n") == formula("a_{BA}^{n}")
+    assert mathematics("p") == formula("p")
 
 
 def test_plotting_library_is_loaded_only_to_draw():
