@@ -187,11 +187,18 @@ def _folder_of(source: "str | os.PathLike[str]") -> Path:
 
 _SETTING = Position("--set")
 
+MOST_SETTINGS = 100
+"""Of one run: the file is read anew for each."""
+
 
 def _with_settings(document: Document, settings: Sequence[str]) -> tuple[Document, tuple[PathParts, ...]]:
     """Set values one after the other, and give their paths; every setting that cannot be made is told."""
     paths: list[PathParts] = []
     problems: list[Problem] = []
+    if len(settings) > MOST_SETTINGS:
+        allowed = _("is given {n} times, and may be {limit} times; write a file")
+        allowed = allowed.format(n=len(settings), limit=MOST_SETTINGS)
+        raise InputError([Problem("", None, allowed, position=_SETTING)])
     for setting in settings:
         path, equals, value = setting.partition("=")
         if not equals:
