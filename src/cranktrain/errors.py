@@ -56,11 +56,17 @@ class Problem:
 
     def __str__(self) -> str:
         """Say it in one line, what is long cut: `file:line:column  path = given: allowed; repair`."""
-        path, given = short(self.path, _LONGEST_PATH), None if self.given is None else short(self.given)
+        path, given = _short_path(one_line(self.path)), None if self.given is None else short(self.given)
         subject = path if given is None else f"{path} = {given}" if path else given
         said = ": ".join(part for part in (subject, one_line(self.allowed)) if part)
         place = f"{one_line(str(self.position))}  " if self.position else ""
         return place + said + (f"; {one_line(self.repair)}" if self.repair else "")
+
+
+def _short_path(path: str) -> str:
+    """Cut a long path in its middle: its end says most."""
+    half = _LONGEST_PATH // 2
+    return path if len(path) <= _LONGEST_PATH else f"{path[:half]}…{path[1 - half :]}"
 
 
 class InputError(ValueError):

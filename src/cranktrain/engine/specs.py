@@ -216,7 +216,7 @@ class CylinderSpec(Spec, frozen=True):
     """One cylinder's own dimensions; what it does not give, the cylinder above it gives."""
 
     bore: PositiveLength | None = None
-    compression_ratio: Annotated[Given, Quantity(Dimension.RATIO, above=1.0)] | None = None
+    compression_ratio: Annotated[Given, Quantity(Dimension.RATIO, above=1.0, at_most=1e5)] | None = None
     exhaust_port: PositiveLength | None = None
     scavenge_port: PositiveLength | None = None
     chambers: tuple[Literal["head", "crank"], ...] | None = Field(default=None, min_length=1, max_length=2)
