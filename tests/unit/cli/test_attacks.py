@@ -81,9 +81,8 @@ def test_attacks_are_refused(typed, written, text, said):
 
 def test_a_text_of_many_dots_is_no_key(typed, written):
     dots = ".".join(["a"] * 50)
-    path = written(
-        f'name = """\n{dots} = 1"""\n# {dots}\n{HEAD}points."{dots}" = {{ link = "rod", along = "9 mm", across = "0 mm" }}\n'
-    )
+    point = f'points."{dots}" = {{ link = "rod", along = "9 mm", across = "0 mm" }}'
+    path = written(f'name = """\n{dots} = 1"""\n# {dots}\n{HEAD}{point}\n')
     assert typed("check", str(path)).status == 0
 
 
