@@ -14,6 +14,7 @@ from typing import cast
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io import editing
 from cranktrain.io.files import Wanted, content_of, refusal
+from cranktrain.io.long_keys import long_key
 from cranktrain.language import N_, _
 from cranktrain.one_line import short
 from cranktrain.paths import DEEPEST_NESTING, PathParts, path_text, quantity_path, too_many_parts
@@ -23,18 +24,6 @@ LARGEST_FILE = 2**20
 
 MOST_KEYS = 20_000
 """In all tables of a file together; a machine file has some tens."""
-
-_KEY_PART = re.compile(r"""[A-Za-z0-9_-]+|"(?:[^"\\\n]|\\.)*"?|'[^'\n]*'?""")
-_TEXTS_AND_KEYS = re.compile(
-    rf"""
-    "{{3}} (?: [^"\\] | \\[\s\S] | "(?!"") )* (?:"{{3}})?
-    | '{{3}} (?: [^'] | '(?!'') )* (?:'{{3}})?
-    | \#[^\n]*
-    | (?P<key> (?:{_KEY_PART.pattern}) (?: [ \t]* \. [ \t]* (?:{_KEY_PART.pattern}) )* )
-    """,
-    re.VERBOSE,
-)
-"""Texts of several lines, comments, keys with dots; a text of one line, or a number, looks like a key of few parts."""
 
 # What tomllib's messages begin with, what is allowed there, and what to do.
 _SYNTAX = (
@@ -296,7 +285,9 @@ def _wide_encoding(content: bytes) -> str | None:
 
 def _parsed(text: str, name: str) -> dict[str, object]:
     """Read TOML, or say in our words what is wrong with it."""
-    _refuse_long_keys(text, name)
+    long = long_key(text)
+    if long is not None:
+        raise InputError([Problem("", long.key, too_many_parts(), None, _position(name, text, long.place))])
     try:
         data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -318,15 +309,6 @@ def _parsed(text: str, name: str) -> dict[str, object]:
     if level:
         raise refusal(name, _nested_too_deep())
     return data
-
-
-def _refuse_long_keys(text: str, name: str) -> None:
-    """Refuse keys of thousands of parts, for which what reads TOML takes minutes and gigabytes."""
-    for found in _TEXTS_AND_KEYS.finditer(text):
-        key = found["key"] or ""
-        if key.count(".") >= DEEPEST_NESTING and len(_KEY_PART.findall(key)) > DEEPEST_NESTING:
-            position = _position(name, text, found.start())
-            raise InputError([Problem("", key, too_many_parts(), None, position)])
 
 
 def _nested_too_deep() -> str:
