@@ -3,6 +3,15 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
+from cranktrain.language import _
+from cranktrain.one_line import one_line, short
+
+MOST_TOLD = 50
+"""So many problems of one input are told; nobody mends more at once."""
+
+_LONGEST_PATH = 120
+"""Characters of a path in a message."""
+
 
 @dataclass(frozen=True)
 class Position:
@@ -46,15 +55,26 @@ class Problem:
         return self if position is None else replace(self, position=position)
 
     def __str__(self) -> str:
-        """Say it in one line: `file:line:column  path = given: allowed; repair`."""
-        subject = self.path if self.given is None else f"{self.path} = {self.given}" if self.path else self.given
-        said = ": ".join(part for part in (subject, self.allowed) if part)
-        return (f"{self.position}  " if self.position else "") + said + (f"; {self.repair}" if self.repair else "")
+        """Say it in one line, what is long cut: `file:line:column  path = given: allowed; repair`."""
+        path, given = _short_path(one_line(self.path)), None if self.given is None else short(self.given)
+        subject = path if given is None else f"{path} = {given}" if path else given
+        said = ": ".join(part for part in (subject, one_line(self.allowed)) if part)
+        place = f"{one_line(str(self.position))}  " if self.position else ""
+        return place + said + (f"; {one_line(self.repair)}" if self.repair else "")
+
+
+def _short_path(path: str) -> str:
+    """Cut a long path in its middle: its end says most."""
+    half = _LONGEST_PATH // 2
+    return path if len(path) <= _LONGEST_PATH else f"{path[:half]}…{path[1 - half :]}"
 
 
 class InputError(ValueError):
-    """All that is wrong with one input, at once."""
+    """All that is wrong with one input, at once; what it says of itself names the first of many."""
 
     def __init__(self, problems: Iterable[Problem]) -> None:
         self.problems: Sequence[Problem] = tuple(problems)
-        super().__init__("\n".join(str(problem) for problem in self.problems))
+        lines = [str(problem) for problem in self.problems[:MOST_TOLD]]
+        if len(self.problems) > MOST_TOLD:
+            lines.append(_("and {n} more").format(n=len(self.problems) - MOST_TOLD))
+        super().__init__("\n".join(lines))

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Any, Literal, Self, cast
+from typing import Any, Literal, Self
 
 import numpy as np
 from pydantic import Field, ValidationError, model_validator
@@ -21,7 +21,15 @@ from cranktrain.engine.guide_tables import guide_problems
 from cranktrain.engine.masses import Weighed, mass_problems
 from cranktrain.engine.places import Place, places_of
 from cranktrain.engine.points import point_problems
-from cranktrain.engine.specs import MAIN, OVERRIDES, BankSpec, CylindersSpec, OpposedPistonSpec, ShaftSpec
+from cranktrain.engine.specs import (
+    MAIN,
+    MOST_MECHANISMS,
+    OVERRIDES,
+    BankSpec,
+    CylindersSpec,
+    OpposedPistonSpec,
+    ShaftSpec,
+)
 from cranktrain.engine.standing import standing_problems
 from cranktrain.errors import InputError, Problem
 from cranktrain.gas import AnyGas
@@ -29,8 +37,9 @@ from cranktrain.language import _
 from cranktrain.mechanisms import AnyMechanism
 from cranktrain.mechanisms.closing import OpenRange, open_ranges
 from cranktrain.mechanisms.kind import LISTS
+from cranktrain.paths import PathParts, path_text, quantity_path, replaced, value_at
 from cranktrain.quantities import Angle, Given
-from cranktrain.spec import Spec, problems
+from cranktrain.spec import Spec, problems, with_tuples
 from cranktrain.wording import around_turn, number
 
 
@@ -77,6 +86,65 @@ class Machine(Spec, frozen=True):
             # A list is also called too short where one of its items is wrong.
             wrong = {problem.path.rpartition("[")[0] for problem in found if "[" in problem.path}
             raise InputError(problem for problem in found if problem.path not in wrong) from None
+        vars(self)["declared"] = with_tuples(data)  # what a caller does with its own later is no matter
+
+    @cached_property
+    def declared(self) -> Mapping[str, Any]:
+        """Its tables as they were given; of a machine that was never checked there are none."""
+        return {}
+
+    def with_(self, values: Mapping[str, object]) -> Self:
+        """Give a machine like this one with other values at some paths, checked as a new one is.
+
+        Parameters
+        ----------
+        values : mapping of str
+            By path, as `--set` takes it: `mechanism.rod_length`, `shaft.main.throws[2]`, `balance`; quantities as texts
+            with their units, tables as mappings, lists as lists. What was said of where an old value is from does not
+            hold of the new one, and goes with it.
+
+        Returns
+        -------
+        Machine
+
+        Raises
+        ------
+        InputError
+            With everything that is wrong, each with its path.
+
+        Examples
+        --------
+        >>> machine = Machine(mechanism={"kind": "slider_crank", "stroke": "80 mm", "rod_length": "136 mm"})
+        >>> longer = machine.with_({"mechanism.rod_length": "140 mm", "shaft.main.speed": "5200 rpm"})
+        >>> longer.mechanism.rod_length.text, machine.mechanism.rod_length.text
+        ('140 mm', '136 mm')
+        """
+        data: Any = self.declared
+        found: list[Problem] = []
+        done: list[PathParts] = []
+        for path, value in values.items():
+            try:
+                parts = quantity_path(path)
+                if any(parts[: len(other)] == other[: len(parts)] for other in done):
+                    found.append(Problem(path, None, _("is set twice; keep one of the two")))
+                done.append(parts)
+                data = replaced(data, parts, value)
+                if parts[-1] == "file":  # what was read from the old one
+                    data = replaced(data, (*parts[:-1], "text"), None)
+            except InputError as error:
+                found += error.problems
+        if found:
+            raise InputError(found)
+        return type(self)(**data)
+
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """Copy it; refuse other values, which nothing would check."""
+        if update:
+            given = ", ".join(update)
+            allowed = _("cannot be changed in a copy, where nothing checks it")
+            repair = _("write machine.with_({example})").format(example='{"mechanism.rod_length": "140 mm"}')
+            raise InputError([Problem("model_copy", given, allowed, repair)])
+        return super().model_copy(deep=deep)
 
     @model_validator(mode="after")
     def _arranged_one_way(self) -> Self:
@@ -97,7 +165,11 @@ class Machine(Spec, frozen=True):
         for name in self.bank:
             if not re.fullmatch(r"[^\W\d]\w*", name) or name in CylindersSpec.model_fields:
                 allowed = _("must have a name of letters, digits and _, a letter first, that is no key of [cylinder]")
-                found.append(Problem(f"bank.{name}", None, allowed))
+                found.append(Problem(path_text(("bank", name)), None, allowed))
+        n_mechanisms = sum(bank.n_mechanisms(self.shafts) for bank in self.bank.values())
+        if n_mechanisms > MOST_MECHANISMS:
+            allowed = _("gives {n} mechanisms; a machine may have at most {limit}")
+            found.append(Problem("bank", None, allowed.format(n=n_mechanisms, limit=MOST_MECHANISMS)))
         found += self._shaft_problems()
         if found:
             raise InputError(found)
@@ -114,8 +186,12 @@ class Machine(Spec, frozen=True):
                 allowed = _("must stand in [shaft.main]; this shaft turns with it, by its ratio")
                 if name not in used:
                     nothing = _("carries no bank: name it in [bank.NAME] shaft, or take it out")
-                    found.append(Problem(f"shaft.{name}", None, nothing))
-            found += [Problem(f"shaft.{name}.{key}", None, allowed) for key in foreign if key in shaft.model_fields_set]
+                    found.append(Problem(path_text(("shaft", name)), None, nothing))
+            found += [
+                Problem(path_text(("shaft", name, key)), None, allowed)
+                for key in foreign
+                if key in shaft.model_fields_set
+            ]
         return found
 
     @property
@@ -187,12 +263,14 @@ class Machine(Spec, frozen=True):
     def arranged(self) -> tuple[tuple[Place, ...], tuple[Problem, ...]]:
         """Its mechanisms in their places, and what is wrong with these; with problems there are no places."""
         if self.mechanism is None:
-            return places_of(self.shafts, self.bank, astern=self.is_astern)
+            with np.errstate(all="ignore"):  # sizes that cannot be are found where their links do not close
+                return places_of(self.shafts, self.bank, astern=self.is_astern)
         # A bare `[mechanism]` is a bank of one.
         bank = BankSpec.model_construct(
             angle=(self.angle,), mechanism=(self.mechanism,), throws=(1,), stagger=Given(0.0, "0 mm"), shaft=MAIN
         )
-        return places_of(self.shafts, {"": bank}, astern=self.is_astern, prefix="")
+        with np.errstate(all="ignore"):
+            return places_of(self.shafts, {"": bank}, astern=self.is_astern, prefix="")
 
     @cached_property
     def cylinders(self) -> tuple[Cylinder, ...]:
@@ -231,25 +309,14 @@ def _as_in_file(problem: Problem, data: Mapping[str, Any]) -> Problem:
     found = re.fullmatch(r"(bank\.[^.]+\.mechanism)\[(\d+)\](?:\.([^.\[]+)(.*))?", path)
     if found is not None:
         table, index, field, rest = found.groups(default="")
-        value = _at(data, f"{table}.{field}") if field else None
+        value = value_at(data, f"{table}.{field}") if field else None
         item = f"[{index}]" if isinstance(value, list | tuple) and field not in LISTS else ""
         path = f"{table}.{field}{item}{rest}" if field else table
     elif (single := re.fullmatch(r"(.*)\[0\](.*)", path)) is not None and not isinstance(
-        _at(data, single[1]), list | tuple
+        value_at(data, single[1]), list | tuple
     ):
         path = f"{single[1]}{single[2]}"
     return replace(problem, path=path)
-
-
-def _at(data: object, path: str) -> object:
-    """What stands at a path of names and places in lists; None where nothing does."""
-    for name in re.findall(r"[^.\[\]]+", path):
-        if isinstance(data, list | tuple):
-            items = cast(Sequence[object], data)
-            data = items[int(name)] if name.isdigit() and int(name) < len(items) else None
-        else:
-            data = cast(Mapping[str, object], data).get(name) if isinstance(data, Mapping) else None
-    return data
 
 
 def machine_problems(machine: Machine, *, partial: bool = False) -> tuple[Problem, ...]:

@@ -12,6 +12,7 @@ from pydantic_core import ErrorDetails, core_schema
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
+from cranktrain.paths import path_text, value_at
 from cranktrain.quantities import Given, Quantity, expected, nearest, one_of, unknown_key, unlisted, written
 
 
@@ -27,7 +28,7 @@ class Spec(BaseModel, frozen=True):
     @classmethod
     def _lists_as_tuples(cls, data: object) -> object:
         """Take TOML's lists for the tuples of a frozen spec, which a strict one would refuse."""
-        return _frozen(data)
+        return with_tuples(data)
 
 
 SpecType = TypeVar("SpecType", bound=Spec)
@@ -134,7 +135,7 @@ def _place(model: type[Spec], loc: tuple[str | int, ...]) -> _Place:
             tried = () if bare.tag else ((loc[:index], item),)
             place = place._replace(annotation=_alternative(bare, str(item)), alternatives=(*place.alternatives, *tried))
         elif item != "[key]":  # after a key: not its value is wrong, but itself
-            path = _joined(place.path, f"[{item}]" if isinstance(item, int) else item)
+            path = _joined(place.path, path_text((item,)))
             is_key = loc[index + 1 :] == ("[key]",)
             inner = get_args(bare.annotation)[0] if is_key else _inner(bare.annotation, item)
             place = _Place(path, inner, _table(bare.annotation), place.alternatives)
@@ -240,7 +241,7 @@ def _told(detail: ErrorDetails, place: _Place) -> Iterator[Problem]:
     cause = context.get("error")
     if isinstance(cause, InputError):
         for problem in cause.problems:
-            stood = _as_written(_item(detail["input"], problem.path)) if problem.given is None else problem.given
+            stood = _as_written(value_at(detail["input"], problem.path)) if problem.given is None else problem.given
             yield replace(problem, path=_joined(place.path, problem.path), given=stood)
     elif kind == "extra_forbidden" and place.table is not None:
         known = [_key(name, field) for name, field in place.table.model_fields.items()]
@@ -269,7 +270,7 @@ def _wrong_kind(detail: ErrorDetails, place: _Place) -> Problem:
     kinds = [kind for table in tables for kind in _literals(table.model_fields[tag].annotation)]
     path = _joined(place.path, tag)
     if detail["type"] == "union_tag_invalid":
-        return unlisted(path, _item(detail["input"], tag), kinds)
+        return unlisted(path, value_at(detail["input"], tag), kinds)
     meant = nearest(tag, map(str, cast("Mapping[object, object]", detail["input"])))
     repair = _("write {key} instead of {given}").format(key=tag, given=meant) if meant else None
     return Problem(path, None, _("is missing; {expected}").format(expected=one_of(kinds)), repair)
@@ -298,19 +299,6 @@ def _joined(path: str, part: str) -> str:
     return path + part if not path or not part or part.startswith("[") else f"{path}.{part}"
 
 
-def _item(data: object, path: str) -> object:
-    """Find what was given at a path below some data; None where nothing was."""
-    for key in re.findall(r"[^.\[\]]+", path):
-        if isinstance(data, Mapping):
-            data = cast("Mapping[str, object]", data).get(key)
-        elif isinstance(data, list | tuple):
-            items = enumerate(cast("Sequence[object]", data))
-            data = next((item for index, item in items if str(index) == key), None)
-        else:
-            data = getattr(data, key, None)
-    return data
-
-
 def _as_written(data: object) -> str | None:
     """A value nearly as the user wrote it; of a quantity with its status, the quantity."""
     if isinstance(data, Given):
@@ -320,12 +308,12 @@ def _as_written(data: object) -> str | None:
     return written(data)
 
 
-def _frozen(data: object) -> object:
+def with_tuples(data: object) -> object:
     """Turn lists into tuples, through and through."""
     if isinstance(data, list):
-        return tuple(map(_frozen, cast("list[object]", data)))
+        return tuple(map(with_tuples, cast("list[object]", data)))
     if isinstance(data, dict):
-        return {key: _frozen(value) for key, value in cast("dict[str, object]", data).items()}
+        return {key: with_tuples(value) for key, value in cast("dict[str, object]", data).items()}
     return data
 
 

@@ -38,8 +38,8 @@ _PLAIN = {"1": 1.0, "%": 100.0, "m/s^2": 1.0, "J": 1.0}
 
 
 def number(value: float, unit: str) -> str:
-    """Write an SI value in a unit, with decimals that suit it; NaN is absent."""
-    if np.isnan(value):
+    """Write an SI value in a unit, with decimals that suit it; one that is not finite is absent."""
+    if not np.isfinite(value):
         return ABSENT
     size = value * _PLAIN[unit] if unit in _PLAIN else shown(value, unit)
     decimals = _DECIMALS.get(unit, 3)

@@ -8,6 +8,7 @@ import time
 from pathlib import Path
 
 import pytest
+from tests.e2e.conftest import environment
 
 HEAVY = ("xarray", "matplotlib", "numba", "tree_sitter", "tree_sitter_toml", "pandas", "cranktrain.viz")
 
@@ -91,14 +92,44 @@ def test_closed_pipe_is_quiet(starting):
     program.stderr.close()
 
 
-def test_interrupt_stops_without_a_trace(starting, tmp_path):
+@pytest.mark.parametrize(
+    ("number", "status"),
+    [(signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGHUP, 129)],
+    ids=["INT", "TERM", "HUP"],
+)
+def test_a_signal_stops_without_a_trace(starting, tmp_path, number, status):
     """Every hundredth of a degree of a radial takes seconds."""
     program = starting("run", "r_1340", "--step", "0.01", "-o", "out.csv")
     deadline = time.monotonic() + 20
     while not any(path.suffix == ".tmp" for path in tmp_path.iterdir()):  # the output is begun before the computation
         assert program.poll() is None and time.monotonic() < deadline
         time.sleep(0.02)
-    program.send_signal(signal.SIGINT)
+    program.send_signal(number)
     output, errors = program.communicate(timeout=20)
-    assert (program.returncode, output, errors) == (130, "", "stopped\n")
+    assert (program.returncode, output, errors) == (status, "", "stopped\n")
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("closed", "arguments", "status"),
+    [("1", "run 3d12 -o out.csv", 2), ("1", "--help", 2), ("2", "run nothing", 2), ("2", "list", 0)],
+)
+def test_closed_streams(tmp_path, closed, arguments, status):
+    command = f"exec {sys.executable} -m cranktrain {arguments} {closed}>&-"
+    done = subprocess.run(
+        ["/bin/sh", "-c", command], cwd=tmp_path, env=environment(), capture_output=True, encoding="utf-8", check=False
+    )
+    assert done.returncode == status
+    assert done.stderr == ("standard output  is closed\n" if closed == "1" else "")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_full_standard_error(cranktrain, tmp_path):
+    command = f"exec {sys.executable} -m cranktrain run nothing 2>/dev/full"
+    assert subprocess.run(["/bin/sh", "-c", command], cwd=tmp_path, env=environment(), check=False).returncode == 2
+
+
+def test_the_plotting_library_keeps_its_words_to_itself(cranktrain, tmp_path):
+    homeless = {"HOME": "/nonexistent", "MPLCONFIGDIR": "/proc/nowhere", "TMPDIR": str(tmp_path)}
+    done = cranktrain("plot", "pumping_unit_c57", "-o", "unit.svg", env=environment(**homeless))
+    assert (done.returncode, done.stdout, done.stderr) == (0, "written: unit.svg\n", "")

@@ -200,3 +200,76 @@ def test_places_of_a_machine_that_cannot_be_arranged():
     machine = ct.Machine(bank={"L": {"mechanism": slave("X")}})
     assert machine.places == ()
     assert [problem.path for problem in machine_problems(machine)] == ["bank.L.mechanism.master"]
+
+
+class TestWith:
+    def test_values_at_paths_are_replaced_and_checked(self):
+        rod = {"value": "136 mm", "status": "published"}
+        machine = ct.Machine(mechanism=slider(rod_length=rod), shaft={"main": {"throws": ["0 deg"]}})
+        other = machine.with_({"mechanism.rod_length": "140 mm", "shaft.main.throws[0]": "10 deg", "name": "other"})
+        assert other.mechanism.rod_length.si == 0.14
+        assert other.mechanism.rod_length.status is None
+        assert (other.name, other.main_shaft.throws[0].text) == ("other", "10 deg")
+        assert (machine.mechanism.rod_length.status, machine.name) == ("published", "")
+        assert other == ct.Machine(
+            name="other", mechanism=slider(rod_length="140 mm"), shaft={"main": {"throws": ["10 deg"]}}
+        )
+
+    def test_tables_are_made_and_taken_whole(self):
+        machine = ct.Machine(**V12).with_({"evenness": {}, "cylinder.1L.bore": "100 mm"})
+        assert machine.evenness is not None
+        assert machine.cylinder.overrides["1L"].bore.si == 0.1
+
+    def test_all_errors_are_told_at_once_each_with_its_path(self):
+        values = {"mechanism.rod_length": "140 kg", "mechanism.strok": "1 mm", "shaft.main.speed": "fast"}
+        with pytest.raises(ct.InputError) as caught:
+            ct.Machine(mechanism=slider()).with_(values)
+        assert {problem.path for problem in caught.value.problems} == set(values)
+
+    @pytest.mark.parametrize(
+        ("values", "said"),
+        [
+            ({"shaft.main.throws[9]": "0 deg"}, "shaft.main.throws is a list of 6"),
+            ({"name.first": "x"}, "name is no table or list; set it whole"),
+            ({"bank[0]": 1}, "bank is a table, whose keys are names"),
+            ({"bank..x": 1}, "is no path of a machine file"),
+            ({"bank.L": {}, "bank.L.angle": "0 deg"}, "is set twice; keep one of the two"),
+            ({".".join(["a"] * 40): 1}, "has more than 32 parts"),
+        ],
+    )
+    def test_a_path_that_leads_nowhere_is_refused(self, values, said):
+        with pytest.raises(ct.InputError, match=said.replace("[", r"\[")):
+            ct.Machine(**V12, name="x").with_(values)
+
+    def test_what_a_caller_does_with_its_data_is_no_matter(self):
+        mechanism = slider()
+        machine = ct.Machine(mechanism=mechanism)
+        mechanism["rod_length"] = "1 m"
+        assert machine.with_({"name": "x"}).mechanism == machine.mechanism
+
+    def test_another_file_of_a_curve_is_not_the_old_ones_text(self):
+        gas = {"kind": "indicator", "file": "old.csv", "text": "".join(f"{angle},1\n" for angle in range(0, 720, 10))}
+        gas |= {"pressure_unit": "bar"}
+        other = ct.Machine(mechanism=slider(), gas=gas).with_({"gas.file": "new.csv"})
+        assert other.gas.text is None
+
+    def test_a_copy_with_other_values_is_refused(self):
+        with pytest.raises(ct.InputError, match=r"model_copy = name: cannot be changed .* machine.with_"):
+            ct.Machine(mechanism=slider()).model_copy(update={"name": "x"})
+        assert ct.Machine(mechanism=slider()).model_copy() == ct.Machine(mechanism=slider())
+
+
+def test_a_machine_has_at_most_a_thousand_mechanisms():
+    found = problems(shaft={"main": {"throws": ["0 deg"] * 1001}}, **bank())
+    assert found["shaft.main.throws"].allowed == "must have at most 1000 items"
+    found = problems(shaft={"main": {"throws": ["0 deg"] * 40}}, **bank(angle=["0 deg"] * 30))
+    assert found["bank"].allowed == "gives 1200 mechanisms; a machine may have at most 1000"
+
+
+def test_an_empty_balance_is_refused():
+    found = problems(mechanism=slider(), balance={})
+    assert found["balance"].allowed == "must hold weight, counterweights or shafts, or be left out"
+
+
+def test_an_empty_key_has_a_path():
+    assert problems(mechanism={**slider(), "": 1})['mechanism.""'].given == "1"

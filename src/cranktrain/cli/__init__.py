@@ -2,16 +2,25 @@
 
 import gc
 import os
+import signal
 import sys
 import traceback
 from collections.abc import Sequence
+from contextlib import suppress
+from types import FrameType
 
-from cranktrain.errors import InputError
+from cranktrain.errors import InputError, Position, Problem
 from cranktrain.language import _
 
 __all__ = ["main"]
 
 _BAD_INPUT, _BUG, _STOPPED, _NOBODY_READS = 2, 70, 130, 141
+_SIGNALLED = 128
+"""And the number of the signal that ended the program."""
+
+
+class _Ended(BaseException):
+    """What a signal other than Ctrl-C raises, so that files half written are taken away as then."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -25,13 +34,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Returns
     -------
     int
-        Exit status: 0 good, 2 bad input, 70 a bug of cranktrain, 130 stopped by Ctrl-C, 141 if nobody reads the output.
+        Exit status: 0 good, 2 bad input, 70 a bug of cranktrain, 129 the terminal is gone, 130 stopped by Ctrl-C, 141
+        nobody reads the output, 143 asked to end.
     """
     if arguments is None:
+        _end_by_exception()
         gc.disable()  # a program so short leaves no garbage, and looking for it takes a sixth of its time
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # for systems of a few unknowns more threads only wait
     try:
-        _tolerate_narrow_encodings()
+        _look_at_streams()
         from cranktrain.cli.app import task  # inside, so that Ctrl-C is answered from the start
 
         task(sys.argv[1:] if arguments is None else arguments)()
@@ -40,6 +51,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _said(str(error), _BAD_INPUT)
     except KeyboardInterrupt:
         return _said(_("stopped"), _STOPPED)
+    except _Ended as ended:
+        _discard_output()
+        return _said(_("stopped"), _SIGNALLED + ended.args[0])
     except BrokenPipeError:
         _discard_output()
         return _NOBODY_READS
@@ -61,9 +75,24 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _said(message: str, status: int) -> int:
-    """Say on stderr what ended the program."""
-    print(message, file=sys.stderr)
+    """Say on stderr what ended the program; where that is closed or full, the status has to do."""
+    with suppress(OSError):
+        if sys.stderr is not None:
+            print(message, file=sys.stderr, flush=True)
     return status
+
+
+def _end_by_exception() -> None:
+    """Let what asks the program to end, or takes its terminal away, end it as Ctrl-C does; unless it is not to mind."""
+
+    def end(number: int, _frame: FrameType | None) -> None:
+        signal.signal(number, signal.SIG_IGN)  # once is enough: what is cleaned up meanwhile is not to be disturbed
+        raise _Ended(number)
+
+    for name in ("SIGTERM", "SIGHUP"):
+        number = getattr(signal, name, None)  # not every system has both
+        if number is not None and signal.getsignal(number) is signal.SIG_DFL:
+            signal.signal(number, end)
 
 
 def _bug_report(arguments: Sequence[str]) -> str:
@@ -76,8 +105,15 @@ def _bug_report(arguments: Sequence[str]) -> str:
     ).format(command=shlex.join(["cranktrain", *arguments]))
 
 
-def _tolerate_narrow_encodings() -> None:
-    """Let a terminal whose encoding lacks φ show something else instead of failing."""
+def _look_at_streams() -> None:
+    """Refuse a standard output that is closed, and let an encoding that lacks φ show something else instead of failing.
+
+    Where standard error is closed, a file opened next would take its place, and with it what libraries say there.
+    """
+    if sys.stderr is None:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
+    if sys.stdout is None:
+        raise InputError([Problem("", None, _("is closed"), None, Position(_("standard output")))])
     for stream in (sys.stdout, sys.stderr):
         reconfigure = getattr(stream, "reconfigure", None)
         if reconfigure is not None:
@@ -86,5 +122,5 @@ def _tolerate_narrow_encodings() -> None:
 
 def _discard_output() -> None:
     """Send what is still buffered nowhere, so that Python does not complain about it at its end."""
-    if sys.stdout is sys.__stdout__:
+    if sys.stdout is not None and sys.stdout is sys.__stdout__:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -42,7 +42,7 @@ def figures(values: Array, unit: str) -> Figures:
     Figures
         A part of less than one is given in percent.
     """
-    whole = values[~np.isnan(values)]
+    whole = values[np.isfinite(values)]
     if whole.size:
         values = np.where(np.abs(values) < _ROUNDING * np.max(np.abs(whole)), 0.0, values)
     shown = _SHOWN.get(unit)
@@ -58,6 +58,6 @@ def figures(values: Array, unit: str) -> Figures:
     else:
         si = np.deg2rad(values) if unit == "deg" else values
         texts = [number(float(value), shown).removesuffix(f" {shown}") for value in si]
-    absent = np.isnan(values).tolist()
+    absent = (~np.isfinite(values)).tolist()
     kept = tuple(ABSENT if is_absent else text for text, is_absent in zip(texts, absent, strict=True))
     return Figures(kept, (shown or unit).removeprefix("1"))

@@ -4,10 +4,11 @@ from collections.abc import Iterator, Sequence
 
 from rich.text import Text
 
-from cranktrain.cli.screen import plain, table
+from cranktrain.cli.screen import table
 from cranktrain.io.description import counted_by_status
 from cranktrain.io.machine_file import Input, MachineFile, inputs_of
 from cranktrain.language import _
+from cranktrain.one_line import one_line
 
 _TOLD = ("assumed", "fitted")
 """Status of numbers that nobody measured: each of them is named."""
@@ -32,6 +33,6 @@ def _rows(inputs: Sequence[Input]) -> list[tuple[str, str, str, str]]:
     """Give path, value, status and note of inputs."""
     rows: list[tuple[str, str, str, str]] = []
     for path, given in inputs:
-        about = "; ".join(plain(word) for word in (given.note, given.source) if word)
-        rows.append((path, plain(given.text), given.status or "", about))
+        about = "; ".join(one_line(word) for word in (given.note, given.source) if word)
+        rows.append((path, one_line(given.text), given.status or "", about))
     return rows

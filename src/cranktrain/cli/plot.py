@@ -1,15 +1,16 @@
 """`plot`: a machine as a sheet, a plan, a moving picture or a DXF; the file's name says which."""
 
+import logging
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from cranktrain.cli.running_speed import OPTION, told_at_option
-from cranktrain.cli.screen import plain
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.machine_file import MachineFile, computed, read_machine
 from cranktrain.language import _
+from cranktrain.one_line import one_line
 from cranktrain.quantities import Dimension, QuantityError, read, shown, unlisted
 
 if TYPE_CHECKING:
@@ -102,6 +103,8 @@ def write_picture(request: Request) -> None:
         With everything that is wrong with the options, else with the machine, else with what cannot be drawn.
     """
     picture = understood(request)
+    # What the plotting library says of its fonts and its folder is nothing that a user asked for.
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)
     file = read_machine(request.file, request.settings, partial=request.is_partial)
     try:
         _mechanism_found(file, picture)
@@ -109,7 +112,7 @@ def write_picture(request: Request) -> None:
             _drawn(file, picture, request)
     except InputError as error:
         raise InputError(_placed(error.problems, file, request)) from None
-    print(_("written: {name}").format(name=plain(picture.output)))
+    print(_("written: {name}").format(name=one_line(picture.output)))
 
 
 def understood(request: Request) -> Picture:
@@ -131,8 +134,8 @@ def understood(request: Request) -> Picture:
     problems: list[Problem] = []
     suffix = PurePath(request.output or "").suffix.lower()
     if request.output is None:
-        name = plain(PurePath(request.file).stem) or "3d12"
-        example = f"cranktrain plot {plain(request.file) or name} -o {name}.png"
+        name = one_line(PurePath(request.file).stem) or "3d12"
+        example = f"cranktrain plot {one_line(request.file) or name} -o {name}.png"
         allowed = _("is missing: the name of the picture, which ends in one of: {suffixes}")
         repair = _("such as: {example}").format(example=example)
         problems.append(Problem("-o", None, allowed.format(suffixes=", ".join(SUFFIXES)), repair))

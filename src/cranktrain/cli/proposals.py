@@ -9,10 +9,11 @@ from rich.text import Text
 
 from cranktrain.cli.columns import Column, column_tables, worded_tables
 from cranktrain.cli.errata import SOURCE_EXAMPLE, show_source_example
-from cranktrain.cli.screen import INDENT, page, plain, section, table
+from cranktrain.cli.screen import INDENT, page, section, table
 from cranktrain.cli.wants import Typed, proposed
 from cranktrain.io.output import STANDARD_OUTPUT, write_whole
 from cranktrain.language import _
+from cranktrain.one_line import one_line
 from cranktrain.study.proposal import Alternative, Number, Proposal
 from cranktrain.wording import number
 
@@ -48,15 +49,15 @@ def give_proposal(problem: str, typed: Typed, output: str | None, *, force: bool
         if output is None:
             said = _("-o FILE.toml writes it as a machine file, for: cranktrain run FILE.toml")
         else:
-            command = shlex.join(["cranktrain", "run", plain(output)])
-            said = _("written: {name}; go on with: {command}").format(name=plain(output), command=command)
+            command = shlex.join(["cranktrain", "run", one_line(output)])
+            said = _("written: {name}; go on with: {command}").format(name=one_line(output), command=command)
         console.print(said, soft_wrap=True)
 
 
 def show_proposal(console: Console, proposal: Proposal) -> None:
     """Show numbers, alternatives and remarks."""
     width = console.width - INDENT
-    console.print(Text(plain(proposal.title), style="bold"))
+    console.print(Text(one_line(proposal.title), style="bold"))
     section(console, _("Proposed"), list(_numbers(proposal.numbers, width)))
     if proposal.alternatives:
         section(console, _("Also considered"), list(_alternatives(proposal, width)))

@@ -11,11 +11,12 @@ from cranktrain.analysis import Missing, Result
 from cranktrain.cli.facts import fact_tables
 from cranktrain.cli.figures import ABSENT, figures
 from cranktrain.cli.inputs import input_table, provenance
-from cranktrain.cli.screen import INDENT, paragraph, plain, section, table
+from cranktrain.cli.screen import INDENT, paragraph, section, table
 from cranktrain.io.description import layout_words
 from cranktrain.io.machine_file import MachineFile
 from cranktrain.language import _
 from cranktrain.machine import Machine
+from cranktrain.one_line import one_line
 from cranktrain.wording import ranged
 
 _NAMED = 4
@@ -73,7 +74,7 @@ def show_result(
 
 def title(machine: Machine) -> str:
     """Say in one line which machine this is."""
-    parts = [plain(layout_words(machine))]
+    parts = [one_line(layout_words(machine))]
     if len(machine.shafts) > 1:
         parts.append(_shafts(machine))
     if machine.main_shaft.speed is not None:
@@ -85,7 +86,7 @@ def title(machine: Machine) -> str:
         "astern": _("astern"),
     }
     parts.append(f"{senses[machine.rotation]}, {senses[machine.running]}")
-    name = plain(machine.name)
+    name = one_line(machine.name)
     return f"{name}: {'; '.join(parts)}" if name else "; ".join(parts)
 
 

@@ -5,11 +5,12 @@ from pathlib import PurePath
 
 from cranktrain.analysis import Result
 from cranktrain.cli.running_speed import told_at_option
-from cranktrain.cli.screen import page, plain
+from cranktrain.cli.screen import page
 from cranktrain.errors import InputError, Problem
 from cranktrain.io.machine_file import MachineFile, computed, read_machine
 from cranktrain.io.output import write_whole
 from cranktrain.language import _
+from cranktrain.one_line import one_line
 from cranktrain.record import record
 
 
@@ -45,7 +46,7 @@ def show_run(request: Request, *, with_inputs: bool = False) -> None:
         show_result(console, file, result, names, is_all=request.quantities is None, with_inputs=with_inputs)
         if request.output is not None:
             console.print()
-            console.print(_("written: {name}").format(name=plain(request.output)), soft_wrap=True)
+            console.print(_("written: {name}").format(name=one_line(request.output)), soft_wrap=True)
 
 
 def _suffix(output: str | None) -> str | None:

@@ -39,11 +39,6 @@ def _screen() -> Console:
     )
 
 
-def plain(text: str) -> str:
-    """Write a text of the user's in one line, without what would upset a terminal."""
-    return "".join(character for character in " ".join(text.split()) if character.isprintable())
-
-
 def section(console: Console, heading: str, lines: Sequence[str | Text]) -> None:
     """Show lines under a heading; one that is no `Text` is a paragraph, folded to the width of the screen."""
     parts = [part for line in lines for part in ([line] if isinstance(line, Text) else paragraph(console, line))]
@@ -86,7 +81,7 @@ def table(
     gap = _GAP
     if fold is not None:
         gap = _GAP if fold - _width(widths[:-1], _GAP) >= min(widths[-1], _LEAST_FOLDED) else 1
-        widths[-1] = min(widths[-1], max(_LEAST_FOLDED, fold - _width(widths[:-1], gap)))
+        widths[-1] = max(1, min(widths[-1], max(_LEAST_FOLDED, fold - _width(widths[:-1], gap))))
     lines: list[Text] = []
     for row in every:
         *cells, last = row

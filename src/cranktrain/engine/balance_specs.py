@@ -97,8 +97,10 @@ class BalanceSpec(Spec, frozen=True):
 
     @model_validator(mode="after")
     def _solved_for(self) -> Self:
-        """Refuse what belongs to counterweights that are not there, or to others, and two planes that are one."""
+        """Refuse a table that balances nothing, what belongs to other counterweights, and two planes that are one."""
         found: list[Problem] = []
+        if not self.weight and not self.shafts and self.counterweights is None:
+            found.append(Problem("", None, _("must hold weight, counterweights or shafts, or be left out")))
         if self.share is not None and self.counterweights != "rotating":
             allowed = _('is for counterweights = "rotating": the share of what reciprocates that they take as well')
             found.append(Problem("share", self.share.text, allowed))

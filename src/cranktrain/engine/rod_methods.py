@@ -16,7 +16,7 @@ from cranktrain.loads.periodic import cycle_grid
 from cranktrain.loads.rod_masses import ROD_METHODS
 from cranktrain.motion import Array
 from cranktrain.record import record
-from cranktrain.wording import Names, number
+from cranktrain.wording import Names, number, ranged
 
 _FACT = ("rod_method", "piston")
 _THEORY = "docs/theory/forces"
@@ -42,11 +42,25 @@ class RodMethods:
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"rod_method": tuple(ROD_METHODS)})
 
     def answer(self, names: Names, design: int) -> str | None:
-        """Say what two masses lose."""
-        row = names["rod_method"].index("two_masses")
+        """Say what two masses lose, and of which rods they cannot have the centroid."""
+        rows = names["rod_method"]
+        row = rows.index("two_masses")
         side, torque = self.side_force_error[design, row], self.driving_torque_error[design, row]
+        beside = np.flatnonzero(np.isnan(side) & np.isfinite(self.side_force_error[design, rows.index("exact")]))
+        said = [self._lost(side, torque)]
+        if beside.size:
+            no_masses = _(
+                "The centroid of the rod of {pistons} lies beside its line, where no masses on the line can have it: "
+                "what takes the rod for two masses is left out, and the joints bear the rod as the body it is."
+            )
+            said.append(no_masses.format(pistons=ranged(names["piston"], beside.tolist())))
+        return " ".join(filter(None, said)) or None
+
+    @staticmethod
+    def _lost(side: Array, torque: Array) -> str:
+        """Say what two masses lose; nothing where that is rounding."""
         if np.all(np.isnan(side)) or not np.nanmax(side) > _TOLD:
-            return None
+            return ""
         return _("A rod of two masses is off by up to {side} in the side force, {torque} in the torque.").format(
             side=number(float(np.nanmax(side)), "%"), torque=number(float(np.nanmax(torque)), "%")
         )

@@ -36,6 +36,10 @@ OneOrMany = Annotated[tuple[Item, ...], BeforeValidator(_listed), Field(min_leng
 """One value, or a list of them."""
 
 
+MOST_MECHANISMS = 1000
+"""Throws of a shaft, and mechanisms of a machine: more than anybody has built, and as many as memory holds."""
+
+
 class ShaftSpec(Spec, frozen=True):
     """A crankshaft: throw angles ahead of throw 1, gaps between throws along it; of `main` the speed.
 
@@ -44,7 +48,7 @@ class ShaftSpec(Spec, frozen=True):
     from that of `main`, to the right and up.
     """
 
-    throws: tuple[Angle, ...] = Field(default=(Given(0.0, "0 deg"),), min_length=1)
+    throws: tuple[Angle, ...] = Field(default=(Given(0.0, "0 deg"),), min_length=1, max_length=MOST_MECHANISMS)
     spacing: OneOrMany[NonNegativeLength] | None = None
     speed: PositiveSpeed | None = None
     ratio: Literal[1, -1] = 1
@@ -107,6 +111,15 @@ class BankSpec(Spec, frozen=True):
     def opposed(self) -> "Mapping[str, OpposedPistonSpec]":
         """The exhaust and the scavenge piston by these names; none of a bank with one piston in a cylinder."""
         return {name: piston for name in ENDS if (piston := getattr(self, name)) is not None}
+
+    def n_mechanisms(self, shafts: Mapping[str, ShaftSpec]) -> int:
+        """Count its mechanisms: one for each throw that it works on, angle and piston; none on an unknown shaft."""
+        throws = tuple((piston.shaft, piston.throws) for piston in self.opposed.values()) or (
+            (self.shaft, self.throws),
+        )
+        return len(self.angle) * sum(
+            len(shafts[shaft].throws if chosen is None else chosen) for shaft, chosen in throws if shaft in shafts
+        )
 
     @property
     def shafts(self) -> tuple[str, ...]:
@@ -203,7 +216,7 @@ class CylinderSpec(Spec, frozen=True):
     """One cylinder's own dimensions; what it does not give, the cylinder above it gives."""
 
     bore: PositiveLength | None = None
-    compression_ratio: Annotated[Given, Quantity(Dimension.RATIO, above=1.0)] | None = None
+    compression_ratio: Annotated[Given, Quantity(Dimension.RATIO, above=1.0, at_most=1e5)] | None = None
     exhaust_port: PositiveLength | None = None
     scavenge_port: PositiveLength | None = None
     chambers: tuple[Literal["head", "crank"], ...] | None = Field(default=None, min_length=1, max_length=2)

@@ -4,6 +4,7 @@ import codecs
 import os
 import re
 import tomllib
+from bisect import bisect_right
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -13,12 +14,16 @@ from typing import cast
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io import editing
 from cranktrain.io.files import Wanted, content_of, refusal
+from cranktrain.io.long_keys import long_key
 from cranktrain.language import N_, _
+from cranktrain.one_line import short
+from cranktrain.paths import DEEPEST_NESTING, PathParts, path_text, quantity_path, too_many_parts
 
 LARGEST_FILE = 2**20
 """Bytes; a machine file has some thousands."""
 
-_LONGEST_SHOWN = 60
+MOST_KEYS = 20_000
+"""In all tables of a file together; a machine file has some tens."""
 
 # What tomllib's messages begin with, what is allowed there, and what to do.
 _SYNTAX = (
@@ -160,7 +165,7 @@ class Document:
         if not path:
             return Position(self.name)
         try:
-            parts = editing.quantity_path(path)
+            parts = quantity_path(path)
         except InputError:
             parts = ()
         place = self._places.root.deepest(parts)
@@ -188,7 +193,7 @@ class Document:
     def _given(self, path: str) -> str | None:
         """Give the value at a path as it was typed, without its quotes; None where there is no value."""
         try:
-            parts = editing.quantity_path(path)
+            parts = quantity_path(path)
         except InputError:
             return None
         place = self._places.root.deepest(parts)
@@ -196,7 +201,7 @@ class Document:
             return None
         typed = self._source[place.start : place.end].decode()
         plain = re.fullmatch(r"""(["'])([^"'\\\n]*[^"'\\\s])\1""", typed)
-        return _shown(plain[2] if plain else typed)
+        return short(plain[2] if plain else typed)
 
     def with_value(self, path: str, given: str) -> "Document":
         """Give the document with another value at a path; comments and layout stay.
@@ -224,21 +229,22 @@ class Document:
             Document.from_text(text, f"{path}={given}".encode(errors="backslashreplace").decode())
         return Document(editing.with_value(self._source, path, given).decode(), self.name)
 
+    @cached_property
+    def _line_starts(self) -> tuple[int, ...]:
+        """Where each line begins, in bytes."""
+        return (0, *(found.end() for found in re.finditer(b"\n", self._source)))
+
     def _position(self, place: int) -> Position:
         """Turn a place in the bytes into line and column."""
-        return _position(self.name, self._source[:place].decode())
+        line = bisect_right(self._line_starts, place)
+        start = self._line_starts[line - 1]
+        return Position(self.name, line, len(self._source[start:place].decode()) + 1)
 
 
 def _position(name: str, text: str, place: int | None = None) -> Position:
     """Give the line and column of a place in a text, of its end unless said."""
     above = text[:place]
     return Position(name, above.count("\n") + 1, len(above) - above.rfind("\n"))
-
-
-def _shown(text: str) -> str:
-    """Write a piece of the file in one short line, without what would upset a terminal."""
-    line = "".join(character for character in " ".join(text.split()) if character.isprintable())
-    return line if len(line) <= _LONGEST_SHOWN else line[: _LONGEST_SHOWN - 1] + "…"
 
 
 def _text(content: bytes, name: str) -> str:
@@ -279,6 +285,9 @@ def _wide_encoding(content: bytes) -> str | None:
 
 def _parsed(text: str, name: str) -> dict[str, object]:
     """Read TOML, or say in our words what is wrong with it."""
+    long = long_key(text)
+    if long is not None:
+        raise InputError([Problem("", long.key, too_many_parts(), None, _position(name, text, long.place))])
     try:
         data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -290,15 +299,20 @@ def _parsed(text: str, name: str) -> dict[str, object]:
     except RecursionError:
         raise refusal(name, _nested_too_deep()) from None
     level: list[object] = [data]
-    for _depth in range(editing.DEEPEST_NESTING):
+    n_keys = 0
+    for _depth in range(DEEPEST_NESTING):
+        n_keys += sum(len(cast("dict[str, object]", table)) for table in level if isinstance(table, dict))
         level = [inner for outer in level for inner in _contents(outer)]
+    if n_keys > MOST_KEYS:
+        too_many = _("has {n} keys, and no machine needs more than {limit}")
+        raise refusal(name, too_many.format(n=n_keys, limit=MOST_KEYS))
     if level:
         raise refusal(name, _nested_too_deep())
     return data
 
 
 def _nested_too_deep() -> str:
-    return _("lists and tables stand more than {limit} deep in one another").format(limit=editing.DEEPEST_NESTING)
+    return _("lists and tables stand more than {limit} deep in one another").format(limit=DEEPEST_NESTING)
 
 
 def _contents(value: object) -> Iterable[object]:
@@ -313,7 +327,7 @@ def _syntax_problem(text: str, name: str, message: str) -> Problem:
     said, line, column = _tomllib_message(message)
     lines = text.split("\n")
     position = Position(name, line, column) if line else _position(name, text)
-    given = _shown(lines[position.line - 1] if position.line else "") or None
+    given = short(lines[position.line - 1] if position.line else "") or None
     if re.match("Cannot|Duplicate", said):
         repeated = editing.places(text.encode()).repeated
         if repeated:
@@ -341,13 +355,13 @@ def _tomllib_message(message: str) -> tuple[str, int | None, int | None]:
     return (found[1], int(found[2]), int(found[3])) if found[2] else (found[1], None, None)
 
 
-def _repeated_problem(text: str, name: str, path: editing.PathParts, first: int, again: int) -> Problem:
+def _repeated_problem(text: str, name: str, path: PathParts, first: int, again: int) -> Problem:
     """Say where a key or table stands for the first time and where again."""
     source = text.encode()
     line = _position(name, source[:first].decode()).line
     allowed = _("is given twice, first in line {line}").format(line=line)
     position = _position(name, source[:again].decode())
-    return Problem(editing.path_text(path), None, allowed, _("keep one of the two"), position)
+    return Problem(path_text(path), None, allowed, _("keep one of the two"), position)
 
 
 def _unclosed_problem(text: str, name: str) -> Problem:
@@ -355,7 +369,7 @@ def _unclosed_problem(text: str, name: str) -> Problem:
     three = next((quotes for quotes in ('"""', "'''") if text.count(quotes) % 2), None)
     start = text.rfind(three) if three else max(text.rfind('"'), text.rfind("'"))
     position = _position(name, text[:start])
-    given = _shown(text[start:].partition("\n")[0])
+    given = short(text[start:].partition("\n")[0])
     return Problem("", given, _("this text is not closed"), _("close it with the same quotes"), position)
 
 

@@ -3,101 +3,19 @@
 Places are counted in bytes of the UTF-8 text, as tree-sitter counts them.
 """
 
-import json
-import re
 import tomllib
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal, NoReturn, TypeAlias
+from typing import TYPE_CHECKING, Literal, NoReturn
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
+from cranktrain.paths import DEEPEST_NESTING, PathParts, path_text, quantity_path, quoted, unquoted
 
 if TYPE_CHECKING:
     from tree_sitter import Node
 
-PathParts: TypeAlias = tuple[str | int, ...]
-
-DEEPEST_NESTING = 32
-"""Tables and lists in one another; a machine needs six. Bounds the recursion of all that walks the data."""
-
-_PATH_PART = re.compile(
-    r"""\s* (?: (?P<quoted> "(?:[^"\\]|\\.)*" | '[^']*' ) | (?P<bare> [^.\[\]"'=\x00-\x1f]*? ) )
-        \s* (?P<indices> (?: \[ \s* [0-9]{1,9} \s* \] \s* )* ) (?P<end> \. | $ )""",
-    re.VERBOSE,
-)
-_BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 _VALUES = ("scalar", "list", "inline")
-
-
-def quantity_path(path: str) -> PathParts:
-    """Split a dotted path into names and list places.
-
-    Parameters
-    ----------
-    path : str
-        E.g. `bank.R.mechanism.rod_length`, `shaft.main.throws[2]` (places count from 0), `cylinder."1.exhaust".bore`.
-
-    Returns
-    -------
-    tuple of str and int
-
-    Raises
-    ------
-    InputError
-        If it is no such path.
-
-    Examples
-    --------
-    >>> quantity_path('mechanism.part[1]."rod 2".length')
-    ('mechanism', 'part', 1, 'rod 2', 'length')
-    """
-    parts: list[str | int] = []
-    start, more = 0, True
-    while more:
-        found = _PATH_PART.match(path, start)
-        name = found and _name(found)
-        if not found or name is None:
-            allowed = _("is no path of a machine file: names with dots between, [0], [1], … for the items of a list")
-            repair = _('write like bank.R.mechanism.rod_length or shaft.main.throws[2]; other names in quotes: "1.a"')
-            raise InputError([Problem("", path, allowed, repair)])
-        parts += [name, *(int(place) for place in re.findall("[0-9]+", found["indices"]))]
-        start, more = found.end(), found["end"] == "."
-    return tuple(parts)
-
-
-def _name(found: re.Match[str]) -> str | None:
-    """Give the name that a part of a path writes, or None where it writes none."""
-    if found["quoted"] is None:
-        return found["bare"] or None
-    return _unquoted(found["quoted"])
-
-
-def _unquoted(key: str) -> str | None:
-    """Read a quoted key as TOML does, or None if it cannot be read."""
-    try:
-        return tomllib.loads(f"key = {key}")["key"]
-    except tomllib.TOMLDecodeError:
-        return None
-
-
-def path_text(parts: Iterable[str | int]) -> str:
-    """Write names and list places as a dotted path, quoting where TOML needs it; undoes `quantity_path`.
-
-    Examples
-    --------
-    >>> path_text(("mechanism", "part", 1, "rod 2", "length"))
-    'mechanism.part[1]."rod 2".length'
-    """
-    return "".join(
-        f"[{part}]" if isinstance(part, int) else f".{part if _BARE_KEY.fullmatch(part) else _quoted(part)}"
-        for part in parts
-    ).removeprefix(".")
-
-
-def _quoted(text: str) -> str:
-    """Write text as a TOML basic string; JSON's escapes are TOML's, but for DEL."""
-    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
 @dataclass
@@ -193,7 +111,7 @@ def _keys(node: "Node") -> list[tuple[str, int]]:
             rest += part.named_children
         elif part.text is not None:
             written = part.text.decode()
-            name = _unquoted(written) if part.type == "quoted_key" else None
+            name = unquoted(written) if part.type == "quoted_key" else None
             keys.append((written if name is None else name, part.start_byte))
     return keys[::-1]
 
@@ -287,7 +205,7 @@ def toml_value(given: str) -> str:
     if text[0] in "[{\"'":
         allowed = _('is no value: a "text", a ["list"] or a { key = "table" } of TOML, closed, with text in quotes')
         raise InputError([Problem("", text, allowed)])
-    return _quoted(text)
+    return quoted(text)
 
 
 def _is_value(text: str) -> bool:

@@ -2,6 +2,7 @@
 
 import difflib
 import errno
+import os
 import stat
 from pathlib import Path
 from typing import NamedTuple
@@ -45,8 +46,11 @@ def content_of(path: Path, name: str, wanted: Wanted, *, suffix: str) -> bytes:
             raise refusal(name, wanted.folder, _first_file(path, suffix))
         if about.st_size > wanted.largest:
             raise refusal(name, wanted.too_large)
-        with path.open("rb") as file:
-            content = file.read(wanted.largest + 1)  # a pipe or device does not tell its size
+        if stat.S_ISFIFO(about.st_mode):
+            content = _piped(path, name, wanted.largest + 1)
+        else:
+            with path.open("rb") as file:
+                content = file.read(wanted.largest + 1)  # a device does not tell its size
     except OSError as error:
         raise _unreadable(path, name, error) from None
     except InputError:
@@ -55,6 +59,19 @@ def content_of(path: Path, name: str, wanted: Wanted, *, suffix: str) -> bytes:
         raise refusal(name, _("is no name that a file can have")) from None
     if len(content) > wanted.largest:
         raise refusal(name, wanted.too_large)
+    return content
+
+
+def _piped(path: Path, name: str, most: int) -> bytes:
+    """Read from a pipe; refuse one into which nobody writes, for which one would wait without end."""
+    with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb", buffering=0) as pipe:
+        content = pipe.read(most)  # None where somebody has it open and has not written yet
+        if content == b"":
+            raise refusal(name, _("is a pipe into which nobody writes"))
+        os.set_blocking(pipe.fileno(), True)
+        content = content or b""
+        while len(content) < most and (more := pipe.read(most - len(content))):
+            content += more
     return content
 
 

@@ -7,13 +7,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from cranktrain.errors import InputError, Position, Problem
-from cranktrain.io import editing
 from cranktrain.io.curve_files import with_curves
 from cranktrain.io.document import Document
 from cranktrain.io.examples import EXAMPLES_FOLDER, example_called, example_document, example_near
 from cranktrain.language import _
 from cranktrain.machine import Machine, machine_problems
 from cranktrain.mechanisms.kind import LISTS
+from cranktrain.paths import PathParts, path_text, quantity_path
 from cranktrain.quantities import Given
 from cranktrain.record import record
 from cranktrain.spec import Spec
@@ -170,7 +170,7 @@ def inputs_of(file: MachineFile) -> tuple[Input, ...]:
     -------
     tuple of Input
     """
-    return tuple(Input(editing.path_text(parts), given) for parts, given in _inputs(file.document.data, file.machine))
+    return tuple(Input(path_text(parts), given) for parts, given in _inputs(file.document.data, file.machine))
 
 
 def _example_meant(name: str) -> str | None:
@@ -187,11 +187,18 @@ def _folder_of(source: "str | os.PathLike[str]") -> Path:
 
 _SETTING = Position("--set")
 
+MOST_SETTINGS = 100
+"""Of one run: the file is read anew for each."""
 
-def _with_settings(document: Document, settings: Sequence[str]) -> tuple[Document, tuple[editing.PathParts, ...]]:
+
+def _with_settings(document: Document, settings: Sequence[str]) -> tuple[Document, tuple[PathParts, ...]]:
     """Set values one after the other, and give their paths; every setting that cannot be made is told."""
-    paths: list[editing.PathParts] = []
+    paths: list[PathParts] = []
     problems: list[Problem] = []
+    if len(settings) > MOST_SETTINGS:
+        allowed = _("is given {n} times, and may be {limit} times; write a file")
+        allowed = allowed.format(n=len(settings), limit=MOST_SETTINGS)
+        raise InputError([Problem("", None, allowed, position=_SETTING)])
     for setting in settings:
         path, equals, value = setting.partition("=")
         if not equals:
@@ -200,7 +207,7 @@ def _with_settings(document: Document, settings: Sequence[str]) -> tuple[Documen
             continue
         try:
             document = document.with_value(path, value)
-            parts = editing.quantity_path(path)
+            parts = quantity_path(path)
             if parts in paths:
                 problems.append(Problem(path, value, _("is set twice; keep one of the two"), position=_SETTING))
             paths.append(parts)
@@ -211,10 +218,10 @@ def _with_settings(document: Document, settings: Sequence[str]) -> tuple[Documen
     return document, tuple(paths)
 
 
-def _deeper(table: Mapping[str, Any], path: editing.PathParts, above: editing.PathParts = ()) -> str | None:
+def _deeper(table: Mapping[str, Any], path: PathParts, above: PathParts = ()) -> str | None:
     """Find a path that ends as one does whose first table is not there: bank.L.mechanism.rod_length by its end."""
     if path[0] in table:
-        return editing.path_text((*above, *path)) if above else None
+        return path_text((*above, *path)) if above else None
     for name, value in table.items():
         if isinstance(value, Mapping):
             deeper = _deeper(cast("Mapping[str, Any]", value), path, (*above, name))
@@ -228,10 +235,10 @@ def _has_line(problem: Problem) -> bool:
     return problem.position is not None and problem.position.line is not None
 
 
-def _placed(problem: Problem, document: Document, settings: Sequence[editing.PathParts]) -> Problem:
+def _placed(problem: Problem, document: Document, settings: Sequence[PathParts]) -> Problem:
     """Place a problem at the setting that it comes from, or in the file."""
     try:
-        parts = editing.quantity_path(problem.path) if problem.path else ()
+        parts = quantity_path(problem.path) if problem.path else ()
     except InputError:  # a key that no path can name
         parts = ()
     if any(parts[: len(setting)] == setting for setting in settings):
@@ -239,7 +246,7 @@ def _placed(problem: Problem, document: Document, settings: Sequence[editing.Pat
     return document.located([problem])[0]
 
 
-def _inputs(data: object, declared: object) -> Iterator[tuple[editing.PathParts, Given]]:
+def _inputs(data: object, declared: object) -> Iterator[tuple[PathParts, Given]]:
     """Walk the file's data and what the specs made of it side by side."""
     several = _items(declared)
     if isinstance(declared, Given):

@@ -5,6 +5,9 @@ from collections.abc import Iterable, Sequence
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 
+_LONGEST_WORD = 100
+"""Characters; what is longer was meant to be no word of ours."""
+
 
 class QuantityError(InputError):
     """A text that is not the quantity asked for: what was given, what is allowed, what to write instead."""
@@ -33,6 +36,8 @@ def nearest(word: str, known: Iterable[str]) -> str | None:
     """Find the known word that differs in letter case only, or else is most like it; None where none is like it."""
     import difflib  # only needed after a mistake
 
+    if len(word) > _LONGEST_WORD:
+        return None
     words = list(known)
     same = [candidate for candidate in words if candidate.casefold() == word.casefold()]
     return next(iter(same or difflib.get_close_matches(word, words, n=1)), None)

@@ -110,9 +110,9 @@ class TextbookMotion:
         said = [
             _("{form} is off by up to {x} of the stroke, {v} in velocity, {j} in acceleration").format(
                 form=form,
-                x=number(float(np.nanmax(self.displacement_error[design, index])), "%"),
-                v=number(float(np.nanmax(self.velocity_error[design, index])), "%"),
-                j=number(float(np.nanmax(self.acceleration_error[design, index])), "%"),
+                x=_in_percent(self.displacement_error[design, index]),
+                v=_in_percent(self.velocity_error[design, index]),
+                j=_in_percent(self.acceleration_error[design, index]),
             )
             for method, form in (
                 ("two_harmonics", _("two harmonics (333)–(337)")),
@@ -121,6 +121,12 @@ class TextbookMotion:
             if not np.all(np.isnan(self.displacement_error[design, (index := names["method"].index(method))]))
         ]
         return _("Textbook: {forms}.").format(forms="; ".join(said)) if said else None
+
+
+def _in_percent(errors: Array) -> str:
+    """Write the largest of the errors that there are."""
+    known = errors[np.isfinite(errors)]
+    return number(float(np.max(known)) if known.size else np.nan, "%")
 
 
 def textbook_motion(
@@ -198,7 +204,7 @@ def _largest_errors(forms: Sequence[Form], group: Group, samples: Coefficient, p
         return np.stack(rows)
 
     worst = largest(lambda alpha: errors(alpha, slider(alpha)), samples=errors(turn_grid(), samples))
-    return Extreme(worst.angle, worst.value / peak)
+    return Extreme(worst.angle, worst.value / np.where(peak > 0.0, peak, np.nan))
 
 
 def _own_rows(motion: Coefficient) -> Array:

@@ -15,6 +15,7 @@ from cranktrain.io.output import write_whole
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
+from cranktrain.one_line import visible
 from cranktrain.study.plans import PositionPlan, position_plan, rescaled, track
 from cranktrain.study.polygons import Polygon, acceleration_polygons, velocity_polygons
 from cranktrain.viz.plan_sketches import polygon_sketch, positions_sketch
@@ -189,7 +190,8 @@ def _parts(points: Array) -> Iterator[Array]:
 
 
 def _write(space: Modelspace, words: str, place: Array, height: float) -> None:
-    plain = words.replace("^2", "²").replace("^", " ")  # in DXF a caret begins a control code
+    # In DXF a caret begins a control code, and so do two signs of percent.
+    plain = visible(words.replace("^2", "²").replace("^", " ").replace("%%", "% %"))
     space.add_text(plain, height=height, dxfattribs={"layer": "TEXT"}).set_placement(_point(place))
 
 

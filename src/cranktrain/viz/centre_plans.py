@@ -13,7 +13,7 @@ from cranktrain.study.plans import PositionPlan, fitting
 from cranktrain.study.vectors import spoken_name
 from cranktrain.textbook.crank_rocker import pin_velocity_ratio
 from cranktrain.viz.labels import Wish, placed_labels
-from cranktrain.viz.page import Figure, drawing_settings, mathematics, muted
+from cranktrain.viz.page import Figure, drawing_settings, formula, mathematics, muted
 from cranktrain.viz.plan_sheet import (
     Box,
     cells_of,
@@ -207,5 +207,5 @@ def _by_directions(found: InstantCentres) -> Iterator[str]:
         return
     crank, rod, rocker = (np.arctan2(*(pins[end] - pins[start])[::-1]) for _name, (start, end) in links)
     ratio = abs(float(pin_velocity_ratio(crank, rod, rocker)))
-    lines = "$P_{13}B : P_{13}A$ = sin(α − β) : sin(α₁ − β)"
+    lines = formula("P_{13}B : P_{13}A") + " = sin(α − β) : sin(α₁ − β)"
     yield _("{lines} = {ratio}, (7), (10) [gandzha]").format(lines=lines, ratio=figure(ratio))

@@ -16,7 +16,7 @@ from cranktrain.motion import Array
 from cranktrain.quantities import shown
 from cranktrain.study.placement import first_throw
 from cranktrain.study.turning import turning
-from cranktrain.viz.page import Axes, Page
+from cranktrain.viz.page import Axes, Page, formula
 from cranktrain.viz.style import COLOURS, GRID, HEADING, INK, MUTED, SYMBOL, TEXT
 from cranktrain.viz.words import speed_of
 
@@ -383,11 +383,11 @@ def _head(page: Page, panel: Panel, place: tuple[float, float, float]) -> None:
     end = page.end(page.heading(left, y, panel.title))
     if panel.symbol:
         colour = COLOURS[panel.curves[0].letter]
-        end = page.end(page.text(end + 1.5, y, f"${panel.symbol}$".replace("'", "′"), color=colour, fontsize=SYMBOL))
+        end = page.end(page.text(end + 1.5, y, formula(panel.symbol.replace("'", "′")), color=colour, fontsize=SYMBOL))
     page.text(end, y, f", {panel.unit}", fontsize=HEADING)
     for number, curve in enumerate(reversed([curve for curve in panel.curves if curve.habit == "error"])):
         end, colour = right - 15.0 * number, COLOURS[curve.letter]
-        page.text(end, y, f"${curve.letter}$", ha="right", color=colour, fontsize=SYMBOL)
+        page.text(end, y, formula(curve.letter), ha="right", color=colour, fontsize=SYMBOL)
         page.sample(end - 10.5, end - 3.5, y + 0.9, color=colour, lw=1.1, dashes=DASHES[curve.letter])
 
 

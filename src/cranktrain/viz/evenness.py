@@ -14,7 +14,7 @@ from cranktrain.quantities import shown
 from cranktrain.study.evenness_diagrams import mertsalov_diagram, wittenbauer_diagram
 from cranktrain.viz.labels import Wish, placed_labels
 from cranktrain.viz.machine_sheet import title_block
-from cranktrain.viz.page import MARGIN, Axes, Figure, Page, drawing_settings, muted, paper
+from cranktrain.viz.page import MARGIN, Axes, Figure, Page, drawing_settings, formula, muted, paper, set_words
 from cranktrain.viz.plan_sheet import Box, figure, write_table
 from cranktrain.viz.style import COLOURS, GRID, INK, SYMBOL, TEXT
 from cranktrain.viz.words import running_words, speed_of, speed_words, zero_words
@@ -73,7 +73,12 @@ def plan_wittenbauer(result: Result, *, size: str = "A4", design: int = 0) -> Fi
         heights = np.append(work, np.mean(work) + rise * np.array([-0.2, 0.2]))
         widths = np.append(inertia, np.mean(inertia) + run * np.array([-0.05, 0.05]))
         close = _Frame(box, _wide(widths, 0.25), _wide(heights, 0.12))
-        axes = _axes(page, close, _("Inertia of the moving parts $J_v$, kg·m²"), _("Excess work $A$, J"))
+        axes = _axes(
+            page,
+            close,
+            _("Inertia of the moving parts {symbol}, kg·m²").format(symbol=formula("J_v")),
+            _("Excess work {symbol}, J").format(symbol=formula("A")),
+        )
         axes.plot(np.append(inertia, inertia[0]), np.append(work, work[0]), color=COLOURS["v"], linewidth=1.6)
         for tangent, dashes in ((upper, _UPPER), (lower, _LOWER)):
             _draw_tangent(axes, tangent, close.x, dashes)
@@ -104,7 +109,11 @@ def plan_mertsalov(result: Result, *, size: str = "A4", design: int = 0) -> Figu
         axes = _axes(page, top, "", _("Energy, J"), every=cycle / 12)
         axes.plot(angle, work, color=COLOURS["v"], linewidth=1.6)
         axes.plot(angle, carried, color=COLOURS["j"], linewidth=1.1, dashes=_CARRIED)
-        _legend(page, high, ((r"$A$", COLOURS["v"], ()), (r"$\frac{1}{2}\omega_a^2 J_v$", COLOURS["j"], _CARRIED)))
+        _legend(
+            page,
+            high,
+            ((formula("A"), COLOURS["v"], ()), (formula(r"\frac{1}{2}\omega_a^2 J_v"), COLOURS["j"], _CARRIED)),
+        )
         low = Box(box.left, box.bottom, box.width, half)
         bottom = _Frame(low, (0.0, cycle), _wide(left, 0.12))
         axes = _axes(page, bottom, _("Crank angle φ, °"), _("Energy, J"), every=cycle / 12)
@@ -115,7 +124,7 @@ def plan_mertsalov(result: Result, *, size: str = "A4", design: int = 0) -> Figu
             place = [shown(at, "deg") % cycle], [value]
             axes.plot(*place, "o", ms=4.5, mfc="white", mec=INK, mew=0.9, zorder=6, clip_on=False)
         _dimension(page, bottom, (float(found.smallest.value[design, 0]), float(found.largest.value[design, 0])))
-        _legend(page, low, ((r"$A-\frac{1}{2}\omega_a^2 J_v$", COLOURS["T"], ()),))
+        _legend(page, low, ((formula(r"A-\frac{1}{2}\omega_a^2 J_v"), COLOURS["T"], ()),))
         _write_numbers(page, result, design, (box.left + box.width + 10.0, box.bottom + box.height), ())
         return page.figure
 
@@ -215,18 +224,25 @@ def _draw_whole(
     origin: tuple[float, float],
 ) -> None:
     """Draw the diagram small and whole, with the origin where the tangents meet."""
-    axes = _axes(page, frame, "$J_v$, kg·m²", "$A$, J")
+    axes = _axes(page, frame, f"{formula('J_v')}, kg·m²", f"{formula('A')}, J")
     axes.plot(inertia, work, color=COLOURS["v"], linewidth=1.2)
     for tangent, dashes in zip(tangents, (_UPPER, _LOWER), strict=True):
         _draw_tangent(axes, tangent, (origin[0], float(np.max(inertia))), dashes)
     axes.plot([origin[0]], [origin[1]], "o", ms=4.0, color=INK, zorder=6)
     at = frame.on_paper(np.array([origin[0]]), np.array([origin[1]]))[:, 0]
-    _write(page, axes, at + np.array([3.0, 0.0]), _("origin $-J_f$, $-E_0$"), ha="left")
+    _write(
+        page,
+        axes,
+        at + np.array([3.0, 0.0]),
+        _("origin {symbols}").format(symbols=f"{formula('-J_f')}, {formula('-E_0')}"),
+        ha="left",
+    )
 
 
 def _write(page: Page, axes: Axes, at: Array, words: str, *, ha: str) -> None:
     """Write words at a place on the sheet over what axes hold. [mm]"""
-    axes.text(float(at[0]), float(at[1]), words, ha=ha, va="center_baseline", transform=page.paper.transData, zorder=20)
+    manner = {"ha": ha, "va": "center_baseline", "transform": page.paper.transData, "zorder": 20}
+    axes.text(float(at[0]), float(at[1]), **set_words(words), **manner)
 
 
 def _dimension(page: Page, frame: _Frame, ends: tuple[float, float]) -> None:
@@ -236,7 +252,7 @@ def _dimension(page: Page, frame: _Frame, ends: tuple[float, float]) -> None:
     for y in (low, high):
         page.paper.plot((right, x + 1.5), (y, y), color=INK, lw=0.6)
     page.paper.annotate("", (x, high), (x, low), arrowprops={"arrowstyle": "<->", "lw": 0.7, "color": INK})
-    page.text(x + 2.0, (low + high) / 2, r"$\delta\,\omega_a^2 J_f$", va="center", fontsize=SYMBOL)
+    page.text(x + 2.0, (low + high) / 2, formula(r"\delta\,\omega_a^2 J_f"), va="center", fontsize=SYMBOL)
 
 
 def _legend(page: Page, box: Box, entries: Sequence[tuple[str, str, tuple[float, ...]]]) -> None:

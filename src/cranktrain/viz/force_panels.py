@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.analysis import Result
 from cranktrain.language import _
 from cranktrain.motion import Array
-from cranktrain.viz.page import Axes, Page
+from cranktrain.viz.page import Axes, Page, formula
 from cranktrain.viz.plan_sheet import figure
 from cranktrain.viz.style import COLOURS, GRID, MUTED, SYMBOL, TEXT
 
@@ -204,6 +204,6 @@ def _head(page: Page, panel: ForcePanel, place: tuple[float, float, float]) -> N
     for number, curve in enumerate(reversed(panel.named)):
         x = right - 18.0 * number
         colour = COLOURS[curve.letter]
-        page.text(x, y, f"${curve.symbol}$", ha="right", color=colour, fontsize=SYMBOL)
+        page.text(x, y, formula(curve.symbol), ha="right", color=colour, fontsize=SYMBOL)
         manner = {"dashes": curve.dashes} if curve.dashes else {}
         page.sample(x - 14.0, x - 6.5, y + 0.9, color=colour, lw=curve.width, **manner)

@@ -7,7 +7,7 @@ from cranktrain.language import _
 from cranktrain.study.force_polygons import ForcePolygon
 from cranktrain.study.force_sides import INITIAL, PolygonForce
 from cranktrain.study.vectors import spoken_name
-from cranktrain.viz.page import Page, in_words, mathematics
+from cranktrain.viz.page import Page, in_words, is_formula, mathematics
 from cranktrain.viz.plan_sheet import figure
 from cranktrain.viz.style import SYMBOL
 
@@ -60,7 +60,7 @@ def write_forces(page: Page, rows: Sequence[Row], place: tuple[float, float, flo
     y -= _HEAD
     for row in rows:
         for words, share, where in zip(row.columns, _ENDS, _SIDES, strict=False):
-            size = SYMBOL if words.startswith("$") else 8.0
+            size = SYMBOL if is_formula(words) else 8.0
             weight = "bold" if row.is_heading else "normal"
             page.text(left + share * width, y, words, ha=where, fontsize=size, fontweight=weight)
         y -= _LINE

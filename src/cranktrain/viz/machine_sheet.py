@@ -9,6 +9,7 @@ from cranktrain.analysis import Result
 from cranktrain.io.description import layout_words
 from cranktrain.language import _
 from cranktrain.machine import Machine
+from cranktrain.one_line import short
 from cranktrain.viz.curves import TEXTBOOK_DASHES, Mark, draw_panels, marks, opposed_names, panels, textbook_words
 from cranktrain.viz.detail import draw_detail, wants_detail
 from cranktrain.viz.labels import label_outline
@@ -27,6 +28,9 @@ _SHORT = 3
 
 _NOTE = 4.0
 """Height of a line of notes at the foot. [mm]"""
+
+_LONGEST_NAME = 100
+"""Characters of a title."""
 
 _ROUGH, _PASSES = 20.0, 3
 """Crank radius on paper to begin with, and how often the scale is corrected: hatches keep their size on paper."""
@@ -72,7 +76,13 @@ def sheet(result: Result, *, size: str = "A4", at: float = _ANGLE, design: int =
 def title_block(page: Page, machine: Machine, about: Sequence[str], below: Sequence[str], at_speed: str = "") -> float:
     """Head a sheet, and say where not at a constant speed at which one; give where it ends. [mm]"""
     top = page.height - MARGIN
-    page.text(MARGIN, top - 4.5, machine.name or _("Machine without a name"), fontsize=TITLE, fontweight="bold")
+    page.text(
+        MARGIN,
+        top - 4.5,
+        short(machine.name, _LONGEST_NAME) or _("Machine without a name"),
+        fontsize=TITLE,
+        fontweight="bold",
+    )
     layout = layout_words(machine)
     page.text(MARGIN, top - 10.0, ". ".join([layout[:1].upper() + layout[1:], *about]))
     page.text(MARGIN, top - 14.5, ". ".join(below), **muted())

@@ -11,6 +11,7 @@ import numpy as np
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.one_line import visible
 from cranktrain.viz.sketch import Label, Line, Sketch
 from cranktrain.viz.style import FILLS, HEADING, INK, MUTED, RULE, SETTINGS, SYMBOL, TEXT, pen_of
 
@@ -31,6 +32,12 @@ _LETTERS = 2
 
 _NUMBERED = re.compile(r"([^\W\d_])(\d+)('*)")
 """A pin of several alike: its number is an index."""
+
+_FORMULA = "\ue000"
+"""Stands on both sides of a formula; what comes from a file has no such sign, see `visible`."""
+
+_SETTABLE = re.compile(r"[A-Za-z0-9\u0370-\u03ff][A-Za-z0-9\u0370-\u03ff,.'′_-]*(?:\^[A-Za-z0-9\u0370-\u03ff]+)?")
+"""What can be set as a symbol."""
 
 INDICES = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 """Figures as indices, in plain text."""
@@ -70,7 +77,9 @@ class Page:
 
     def text(self, x: float, y: float, words: str, **manner: Any) -> Text:
         """Write words at a place; left and on the line unless said otherwise."""
-        return self.paper.text(x, y, words, **({"ha": "left", "va": "baseline", "fontsize": TEXT} | manner))
+        return self.paper.text(
+            x, y, **set_words(words), **({"ha": "left", "va": "baseline", "fontsize": TEXT} | manner)
+        )
 
     def rule(self, y: float, left: float | None = None, right: float | None = None) -> None:
         """Draw a hairline across."""
@@ -215,15 +224,39 @@ def rounded_down(size: float) -> float:
     return next(step * power for step in (5.0, 2.0, 1.0) if step * power <= size * (1 + 1e-9))
 
 
+def formula(tex: str) -> str:
+    """Mark a formula, which stands among words that are drawn as they are: a $ in a name begins none."""
+    return f"{_FORMULA}{tex}{_FORMULA}"
+
+
+def is_formula(words: str) -> bool:
+    """Whether words are a formula and nothing else."""
+    return len(words) > 1 and words[0] == words[-1] == _FORMULA
+
+
+def set_words(words: str) -> dict[str, Any]:
+    """Give words to the plotting library: formulas as such, all else plain, and nothing that no font has."""
+    written = visible(words, kept=f"\n{_FORMULA}")
+    if _FORMULA not in written:
+        return {"s": written, "parse_math": False}
+    return {"s": written.replace("$", r"\$").replace(_FORMULA, "$"), "parse_math": True}
+
+
 def mathematics(symbol: str) -> str:
-    """Set a symbol as mathematics: a_BA^n with index and exponent, letters slanted and whole words upright."""
+    """Set a symbol as mathematics: a_BA^n with index and exponent, letters slanted and whole words upright.
+
+    A name with signs that mean something in a formula, or that its fonts lack, stays as it is.
+    """
+    if not _SETTABLE.fullmatch(symbol):
+        return symbol
     head, _mark, rest = symbol.partition("_")
     index, _mark, exponent = rest.partition("^")
     set_index = ",".join(map(_letters_or_word, index.split(",")))
     numbered = _NUMBERED.fullmatch(head)
     if numbered and not index:
-        return f"${numbered[1]}_{{{numbered[2]}}}{'′' * len(numbered[3])}$"
-    return f"${_letters_or_word(head)}{f'_{{{set_index}}}' if index else ''}{f'^{{{exponent}}}' if exponent else ''}$"
+        return formula(f"{numbered[1]}_{{{numbered[2]}}}{'′' * len(numbered[3])}")
+    ending = f"{f'_{{{set_index}}}' if index else ''}{f'^{{{exponent}}}' if exponent else ''}"
+    return formula(f"{_letters_or_word(head)}{ending}")
 
 
 def _letters_or_word(name: str) -> str:

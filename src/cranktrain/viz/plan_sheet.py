@@ -15,7 +15,7 @@ from cranktrain.study.plans import plan_angles
 from cranktrain.study.together import placed_together, places_called, together_name
 from cranktrain.study.vectors import spoken_name
 from cranktrain.viz.machine_sheet import title_block
-from cranktrain.viz.page import MARGIN, Page, muted, paper, scale_words
+from cranktrain.viz.page import MARGIN, Page, formula, is_formula, muted, paper, scale_words
 from cranktrain.viz.sketch import Sketch
 from cranktrain.viz.style import SYMBOL
 from cranktrain.viz.words import running_words, speed_words, zero_words
@@ -107,7 +107,8 @@ def centre(page: Page, sketch: Sketch, box: Box) -> None:
 
 def scale_of(letter: str, scale: float, unit: str) -> str:
     """Write a scale factor."""
-    return f"$\\mu_{letter}$ = {scale:.6g} {unit}/mm"
+    symbol = formula(rf"\mu_{letter}")
+    return f"{symbol} = {scale:.6g} {unit}/mm"
 
 
 def write_scales(page: Page, box: Box, scales: Sequence[str], metal: float | None) -> None:
@@ -141,7 +142,7 @@ def write_table(
     for number, row in enumerate(rows):
         for column, words in enumerate(row):
             share = shares[column - 1] if shares else 0.1 + 0.9 * column / (columns - 1)
-            is_symbol = words.startswith("$") and words.endswith("$")
+            is_symbol = is_formula(words)
             page.text(
                 left if column == 0 else left + width * share,
                 y,

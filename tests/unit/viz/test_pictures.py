@@ -3,6 +3,7 @@
 import subprocess
 import sys
 import tomllib
+from importlib.resources import files
 from io import BytesIO
 from itertools import combinations, pairwise
 
@@ -38,7 +39,7 @@ from cranktrain.viz import (
 )
 from cranktrain.viz.curves import marks, panels
 from cranktrain.viz.mechanism import mechanism_sketch
-from cranktrain.viz.page import fitting_scale, mathematics, scale_words
+from cranktrain.viz.page import fitting_scale, formula, mathematics, scale_words
 from cranktrain.viz.scene import scene_of
 from cranktrain.viz.words import provenance_words
 
@@ -492,11 +493,11 @@ def test_sheet_and_terminal_count_the_same_numbers(name):
 
 
 def test_symbols_are_set_as_mathematics():
-    assert mathematics("v_B,main") == r"$v_{B,\mathrm{main}}$"
-    assert mathematics("a_long_rod'^n") == r"$a_{\mathrm{long\_rod}′}^{n}$"
-    assert mathematics("v_AA'") == "$v_{AA′}$"
-    assert mathematics("a_BA^n") == "$a_{BA}^{n}$"
-    assert mathematics("p") == "$p$"
+    assert mathematics("v_B,main") == formula(r"v_{B,\mathrm{main}}")
+    assert mathematics("a_long_rod'^n") == formula(r"a_{\mathrm{long\_rod}′}^{n}")
+    assert mathematics("v_AA'") == formula("v_{AA′}")
+    assert mathematics("a_BA^n") == formula("a_{BA}^{n}")
+    assert mathematics("p") == formula("p")
 
 
 def test_plotting_library_is_loaded_only_to_draw():
@@ -687,3 +688,47 @@ def test_plan_of_a_valve_gear_is_readable(name, plan, angles):
             plan_centres(ct.load(name), angles, mechanism="1valve")
         return
     assert_words_are_readable(PLANS[plan](ct.load(name), angles, mechanism="1valve"))
+
+
+NAMED = """\
+name = "pump, $5 and $6 {x_^ \\u001b[31m"
+[mechanism]
+kind = "slider_crank"
+stroke = "80 mm"
+rod_length = "136 mm"
+points."a$b$_{" = { link = "rod", along = "30 mm", across = "10 mm" }
+points."a^^b %%d" = { link = "rod", along = "50 mm", across = "10 mm" }
+[shaft.main]
+speed = "1500 rpm"
+"""
+
+
+def test_a_dollar_in_a_name_begins_no_formula(tmp_path):
+    (tmp_path / "pump.toml").write_text(NAMED, encoding="utf-8")
+    machine = ct.load(tmp_path / "pump.toml")
+    for drawn in (sheet(ct.run(machine)), plan_positions(machine, 4), plan_velocities(machine, [30.0])):
+        title = next(one for one in drawn.findobj(Text) if "pump" in one.get_text())
+        assert title.get_text() == r"pump, $5 and $6 {x_^ \x1b[31m"
+        assert not title.get_parse_math()
+        save(drawn, tmp_path / "pump.svg", force=True)
+
+
+@pytest.mark.parametrize("name", ["a$b", "a^^b", "x_{", "two words", "%", "\\", "_", "^"])
+def test_a_name_that_is_no_symbol_stays_as_it_is(name):
+    assert mathematics(name) == name
+
+
+def test_only_marked_formulas_are_set_as_such():
+    from cranktrain.viz.page import set_words
+
+    assert set_words("5 $ of A_1") == {"s": "5 $ of A_1", "parse_math": False}
+    assert set_words(f"$ of {formula('A_1')}") == {"s": r"\$ of $A_1$", "parse_math": True}
+    for path in files("cranktrain.viz").iterdir():
+        if path.name.endswith(".py") and path.name not in ("page.py", "cad.py"):
+            assert "$" not in path.read_text(encoding="utf-8"), path.name
+
+
+def test_signs_of_a_dxf_that_mean_something_are_no_part_of_a_name(tmp_path):
+    (tmp_path / "pump.toml").write_text(NAMED, encoding="utf-8")
+    dxf(ct.load(tmp_path / "pump.toml"), 4, tmp_path / "pump.dxf")
+    assert "%%" not in (tmp_path / "pump.dxf").read_text(encoding="utf-8")

@@ -1,0 +1,165 @@
+"""Dotted paths of a machine file, as `bank.R.mechanism.rod_length`, and what stands at them in its data."""
+
+import json
+import re
+import tomllib
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TypeAlias, cast
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+
+PathParts: TypeAlias = tuple[str | int, ...]
+
+DEEPEST_NESTING = 32
+"""Tables and lists in one another; a machine needs six. Bounds the recursion of all that walks the data."""
+
+_PATH_PART = re.compile(
+    r"""\s* (?: (?P<quoted> "(?:[^"\\]|\\.)*" | '[^']*' ) | (?P<bare> (?: WORD (?: [^\S\x00-\x1f]+ WORD )* )? ) )
+        \s* (?P<indices> (?: \[ \s* [0-9]{1,9} \s* \] \s* )* ) (?P<end> \. | $ )""".replace(
+        "WORD", r"""[^\s.\[\]"'=\x00-\x1f]+"""
+    ),
+    re.VERBOSE,
+)
+_BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+
+
+def quantity_path(path: str) -> PathParts:
+    """Split a dotted path into names and list places.
+
+    Parameters
+    ----------
+    path : str
+        E.g. `bank.R.mechanism.rod_length`, `shaft.main.throws[2]` (places count from 0), `cylinder."1.exhaust".bore`.
+
+    Returns
+    -------
+    tuple of str and int
+
+    Raises
+    ------
+    InputError
+        If it is no such path.
+
+    Examples
+    --------
+    >>> quantity_path('mechanism.part[1]."rod 2".length')
+    ('mechanism', 'part', 1, 'rod 2', 'length')
+    """
+    parts: list[str | int] = []
+    start, more = 0, True
+    while more and len(parts) <= DEEPEST_NESTING:
+        found = _PATH_PART.match(path, start)
+        name = found and _name(found)
+        if not found or name is None:
+            allowed = _("is no path of a machine file: names with dots between, [0], [1], … for the items of a list")
+            repair = _('write like bank.R.mechanism.rod_length or shaft.main.throws[2]; other names in quotes: "1.a"')
+            raise InputError([Problem("", path, allowed, repair)])
+        parts += [name, *(int(place) for place in re.findall("[0-9]+", found["indices"]))]
+        start, more = found.end(), found["end"] == "."
+    if len(parts) > DEEPEST_NESTING:
+        raise InputError([Problem("", path, too_many_parts())])
+    return tuple(parts)
+
+
+def too_many_parts() -> str:
+    """Say that a path leads deeper than any machine's."""
+    return _("has more than {limit} parts with dots between").format(limit=DEEPEST_NESTING)
+
+
+def _name(found: re.Match[str]) -> str | None:
+    """Give the name that a part of a path writes, or None where it writes none."""
+    if found["quoted"] is None:
+        return found["bare"] or None
+    return unquoted(found["quoted"])
+
+
+def unquoted(key: str) -> str | None:
+    """Read a quoted key as TOML does, or None if it cannot be read."""
+    try:
+        return tomllib.loads(f"key = {key}")["key"]
+    except tomllib.TOMLDecodeError:
+        return None
+
+
+def path_text(parts: Iterable[str | int]) -> str:
+    """Write names and list places as a dotted path, quoting where TOML needs it; undoes `quantity_path`.
+
+    Examples
+    --------
+    >>> path_text(("mechanism", "part", 1, "rod 2", "length"))
+    'mechanism.part[1]."rod 2".length'
+    """
+    return "".join(
+        f"[{part}]" if isinstance(part, int) else f".{part if _BARE_KEY.fullmatch(part) else quoted(part)}"
+        for part in parts
+    ).removeprefix(".")
+
+
+def quoted(text: str) -> str:
+    """Write text as a TOML basic string; JSON's escapes are TOML's, but for DEL."""
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def value_at(data: object, path: str) -> object:
+    """What stands at a path of some data; None where nothing does, or where it is no path."""
+    try:
+        parts = quantity_path(path) if path else ()
+    except InputError:
+        return None
+    for part in parts:
+        if isinstance(data, Mapping):
+            data = cast("Mapping[object, object]", data).get(part)
+        elif isinstance(data, list | tuple):
+            items = cast("Sequence[object]", data)
+            data = items[part] if isinstance(part, int) and part < len(items) else None
+        else:
+            data = getattr(data, part, None) if isinstance(part, str) else None
+    return data
+
+
+def replaced(data: object, parts: PathParts, value: object, *, above: PathParts = ()) -> object:
+    """Give data with another value at a path; a table that is not there is made, all that is elsewhere is shared.
+
+    Parameters
+    ----------
+    data : mapping, list or tuple
+    parts : tuple of str and int
+        As `quantity_path` gives them; not empty.
+    value : object
+    above : tuple of str and int
+        Path of the data themselves, for what is said of them.
+
+    Returns
+    -------
+    dict or tuple
+
+    Raises
+    ------
+    InputError
+        If the path leads through what is no table or list, or to an item that a list does not have.
+    """
+    part, *rest = parts
+
+    def inner(old: object) -> object:
+        return replaced(old, tuple(rest), value, above=(*above, part)) if rest else value
+
+    if isinstance(data, Mapping) and isinstance(part, str):
+        table = cast("Mapping[str, object]", data)
+        return {**table, part: inner(table.get(part, {}))}
+    if isinstance(data, list | tuple) and isinstance(part, int):
+        items = cast("Sequence[object]", data)
+        if part < len(items):
+            return (*items[:part], inner(items[part]), *items[part + 1 :])
+    said = _no_way(cast("object", data), path_text(above))
+    raise InputError([Problem(path_text((*above, *parts)), None, said)])
+
+
+def _no_way(data: object, here: str) -> str:
+    """Say why a path does not go on."""
+    if isinstance(data, Mapping):
+        return _("{path} is a table, whose keys are names").format(path=here)
+    if isinstance(data, list | tuple):
+        n_items = len(cast("Sequence[object]", data))
+        return _("{path} is a list of {n}, whose items are [0], [1], …").format(path=here, n=n_items)
+    return _("{path} is no table or list; set it whole").format(path=here)

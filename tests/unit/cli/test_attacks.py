@@ -1,0 +1,115 @@
+"""Files and options made to break the program: each is answered soon, shortly, and in words."""
+
+import os
+import threading
+
+import pytest
+
+from cranktrain.mechanisms import KINDS
+
+HEAD = '[mechanism]\nkind = "slider_crank"\nstroke = "80 mm"\nrod_length = "136 mm"\n'
+BANK = '[bank.A.mechanism]\nkind = "slider_crank"\nstroke = "80 mm"\nrod_length = "136 mm"\n'
+THROWS = '"0 deg",' * 20_000
+DEEP = ".".join(["a"] * 40_000)
+
+COMMANDS = {
+    "check": ("check",),
+    "run": ("run",),
+    "run -o": ("run", "-o", "out.csv"),
+    "plot": ("plot", "-o", "out.png"),
+    "textbook": ("textbook",),
+    "textbook --forces": ("textbook", "--forces", "N"),
+    "textbook --harmonics": ("textbook", "--harmonics"),
+}
+
+
+@pytest.mark.parametrize("kind", [kind.name for kind in KINDS])
+def test_inputs_of_every_file_to_start_from(typed, kind):
+    assert typed("new", kind, "-o", "new.toml").status == 0
+    answer = typed("run", "new.toml", "--inputs", "--step", "30")
+    assert (answer.status, answer.errors) == (0, "")
+    assert "What this rests on" in answer.output
+
+
+@pytest.mark.parametrize("command", COMMANDS.values(), ids=list(COMMANDS))
+def test_fifty_problems_are_told_and_the_rest_counted(typed, written, command):
+    path = written(HEAD + "".join(f"k{i} = {i}\n" for i in range(2000)))
+    answer = typed(*command, str(path))
+    assert (answer.status, answer.output) == (2, "")
+    lines = answer.errors.splitlines()
+    assert len(lines) == 51
+    assert lines[0].startswith(f"{path}:5:6  mechanism.k0 = 0: is not a key of this table")
+    assert lines[49].startswith(f"{path}:54:7  mechanism.k49 = 49: ")
+    assert lines[50] == "and 1950 more"
+
+
+def test_settings_are_at_most_a_hundred(typed):
+    many = [part for i in range(101) for part in ("--set", f"mechanism.k{i}=1")]
+    answer = typed("run", "3d12", *many)
+    assert (answer.status, answer.errors) == (2, "--set  is given 101 times, and may be 100 times; write a file\n")
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (
+            f"{HEAD}{DEEP} = 1\n",
+            f":5:1  {DEEP[:59]}…: has more than 32 parts",
+        ),
+        (f"{HEAD}[{DEEP}]\n", ":5:2  a.a.a.a"),
+        (f'{HEAD}x = {{ "a" . {DEEP} = 1 }}\n', ':5:7  "a" . a.a.a.a'),
+        (HEAD + "".join(f"[t{i}]\n" for i in range(30_000)), "  has 30004 keys, and no machine needs more than 20000"),
+        (f"{BANK}[shaft.main]\nthrows = [{THROWS}]\n", ':6:10  shaft.main.throws = ["0 deg",'),
+        (f"{HEAD}[balance]\n", ":5:1  balance: must hold weight, counterweights or shafts, or be left out"),
+        (f'"" = 1\n{HEAD}', ':1:6  "" = 1: is not a key of this table'),
+        (f'"a\\nb\\u001b[31m" = 1\n{HEAD}', ':1:20  "a\\nb\\u001b[31m" = 1: is not a key of this table'),
+        (f'{HEAD}offset = "\\u001b[31m{"x" * 999}"\n', r":5:10  mechanism.offset = \x1b[31mxxxxxxxx"),
+        (
+            f"{HEAD}[cylinder]\ncompression_ratio = 1e29\n",
+            ":6:21  cylinder.compression_ratio = 1e+29: must be at most",
+        ),
+    ],
+)
+def test_attacks_are_refused(typed, written, text, said):
+    path = written(text)
+    answer = typed("run", str(path))
+    assert (answer.status, answer.output) == (2, "")
+    assert answer.errors.startswith(f"{path}{said}")
+    assert answer.errors[:-1].replace("\n", "").isprintable()
+    assert all(len(line) < 600 for line in answer.errors.splitlines())
+
+
+def test_a_text_of_many_dots_is_no_key(typed, written):
+    dots = ".".join(["a"] * 50)
+    point = f'points."{dots}" = {{ link = "rod", along = "9 mm", across = "0 mm" }}'
+    path = written(f'name = """\n{dots} = 1"""\n# {dots}\n{HEAD}{point}\n')
+    assert typed("check", str(path)).status == 0
+
+
+class TestPipes:
+    def test_one_into_which_nobody_writes_is_refused_at_once(self, typed, tmp_path):
+        os.mkfifo(tmp_path / "pipe")
+        assert typed("run", "pipe").errors == "pipe  is a pipe into which nobody writes\n"
+
+    def test_one_into_which_somebody_writes_is_read(self, typed, tmp_path):
+        os.mkfifo(tmp_path / "pipe")
+        reading = os.open(tmp_path / "pipe", os.O_RDONLY | os.O_NONBLOCK)  # so that the writer need not wait
+        writer = (tmp_path / "pipe").open("w", encoding="utf-8")
+
+        def write():
+            writer.write(HEAD)
+            writer.close()
+
+        late = threading.Timer(0.3, write)
+        late.start()
+        try:
+            assert typed("check", "pipe").status == 0
+        finally:
+            late.join()
+            os.close(reading)
+
+
+@pytest.mark.parametrize("device", ["/dev/zero", "/dev/null", "/dev"])
+def test_devices_are_refused(typed, device):
+    answer = typed("run", device)
+    assert (answer.status, len(answer.errors.splitlines())) == (2, 1)
