@@ -11,7 +11,7 @@ from cranktrain.engine.forces import LoadedMachine, SolvedCycle, SolvedGroup
 from cranktrain.engine.gas_events import GasEvents
 from cranktrain.engine.layout import CrankAngle
 from cranktrain.motion import Array
-from cranktrain.numerics import bracketed_roots
+from cranktrain.numerics import bracketed_roots, in_slots
 from cranktrain.record import record
 
 _ROUNDING = 1e-12
@@ -97,19 +97,20 @@ def _turns(loaded: LoadedMachine, solved: SolvedCycle, rubbing: _Rubbing, crank_
     felt = np.abs(samples) > _ROUNDING * np.max(np.abs(samples), axis=-1, keepdims=True)
     sign = np.where(felt, np.sign(samples), 0.0)
     changes = sign != np.roll(sign, -1, axis=-1)
-    most = int(np.max(np.sum(changes, axis=-1)))
-    place = np.argsort(~changes, axis=-1, kind="stable")[..., :most]
-    is_one = np.take_along_axis(changes, place, axis=-1)
-    step = crank_angle.cycle / crank_angle.shown.size
-    low = crank_angle.shown[place] + crank_angle.zero
-    rows = np.repeat(rubbing.mechanisms, 3)
+    which, place = np.nonzero(changes.reshape(-1, changes.shape[-1]))
+    n_designs, rows = len(samples), np.repeat(rubbing.mechanisms, 3)
+    if which.size == 0:
+        return np.empty((n_designs, len(rubbing.mechanisms), 0))
 
     def signal(angle: Array) -> Array:
-        return loaded.of_each(rows, angle, lambda found: _signals(loaded, found, rubbing))
+        return loaded.of_each(rows, which, angle, lambda found: _signals(loaded, found, rubbing))
 
-    if most == 0:
-        return np.empty((len(samples), len(rubbing.mechanisms), 0))
+    step = crank_angle.cycle / crank_angle.shown.size
+    low = (crank_angle.shown[place] + crank_angle.zero[which // rows.size, 0, 0])[:, np.newaxis]
     # What is 0 at a point of the grid has changed its sign within the steps before and after.
     aside = _ASIDE * step
-    found = np.where(is_one, bracketed_roots(signal, low - aside, low + step + aside), np.nan)
-    return found.reshape(len(found), len(rubbing.mechanisms), -1)
+    found = bracketed_roots(signal, low - aside, low + step + aside)
+    laid, slot = in_slots(which // 3, found, n_designs * len(rubbing.mechanisms))
+    is_one = np.zeros(laid.shape, dtype=np.bool_)
+    is_one[which // 3, slot] = True
+    return np.where(is_one, laid, np.nan).reshape(n_designs, len(rubbing.mechanisms), -1)

@@ -10,7 +10,7 @@ from cranktrain.engine.forces import LoadedMachine, SolvedGroup
 from cranktrain.engine.layout import CrankAngle
 from cranktrain.language import _
 from cranktrain.motion import Array
-from cranktrain.numerics import Curve, Peak, largest_between
+from cranktrain.numerics import Curve, Peak, in_slots, largest_between
 from cranktrain.wording import number
 
 _TOLD = 4
@@ -45,11 +45,11 @@ def largest_of_each(
         Angles as shown, in [0, cycle). [rad]
     """
 
-    def curve(shown: Array) -> Array:
-        return loaded.of_each(rows, shown + crank_angle.zero, pick)
+    def curves(which: NDArray[np.intp], shown: Array) -> Array:
+        return loaded.of_each(rows, which, shown + crank_angle.zero[which // rows.size, 0], pick)
 
     breaks = events.angle[:, rows] - crank_angle.zero
-    return counted(largest_between(curve, crank_angle.shown, samples, breaks), crank_angle)
+    return counted(largest_between(curves, crank_angle.shown, samples, breaks), crank_angle)
 
 
 def largest_of_machine(curve: Curve, samples: Array, events: ForceEvents, crank_angle: CrankAngle) -> Peak:
@@ -69,20 +69,21 @@ def largest_of_machine(curve: Curve, samples: Array, events: ForceEvents, crank_
     Peak, shapes (design, curve)
         Angles as shown, in [0, cycle). [rad]
     """
-    n_curves = samples.shape[1]
+    n_designs, n_curves = samples.shape[:2]
 
-    def own(shown: Array) -> Array:
-        found = curve(shown.reshape(len(shown), 1, -1) + crank_angle.zero)
-        return found.reshape(*found.shape[:2], n_curves, -1)[:, range(n_curves), range(n_curves)]
+    def curves(which: NDArray[np.intp], shown: Array) -> Array:
+        design, place = np.divmod(which, n_curves)
+        asked, slot = in_slots(design, shown, n_designs)
+        found = curve(asked.reshape(n_designs, 1, -1) + crank_angle.zero)
+        return found.reshape(n_designs, n_curves, *asked.shape[1:])[design, place, slot]
 
     breaks = events.whole[:, np.newaxis] - crank_angle.zero
-    return counted(largest_between(own, crank_angle.shown, samples, breaks), crank_angle)
+    return counted(largest_between(curves, crank_angle.shown, samples, breaks), crank_angle)
 
 
 def counted(peak: Peak, crank_angle: CrankAngle) -> Peak:
-    """Peaks of shape (design, ..., 1), which lose that 1, with angles from the grid's zero in [0, cycle). [rad]"""
-    at = crank_angle.counted(peak.angle + crank_angle.zero, crank_angle.cycle)
-    return Peak(at[..., 0], peak.value[..., 0], peak.side[..., 0])
+    """Peaks of shape (design, ...), with angles from the grid's zero in [0, cycle). [rad]"""
+    return peak._replace(angle=crank_angle.counted_shown(peak.angle))
 
 
 def one_sided(peaks: Sequence[tuple[str, Peak]], labels: Sequence[str] = ("",)) -> Iterator[str]:

@@ -18,6 +18,7 @@ from cranktrain.engine.places import Place
 from cranktrain.language import N_, _
 from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench, added, torque_by_work
 from cranktrain.motion import Array, Coefficient, single
+from cranktrain.numerics import in_slots
 from cranktrain.record import record
 
 _MECHANISM = ("mechanism", "crank_angle")
@@ -187,34 +188,41 @@ class LoadedMachine:
             label[label == label[one]] = label[other]
         return label
 
-    def of_each(self, rows: NDArray[np.intp], angle: Array, pick: Callable[[tuple[SolvedGroup, ...]], Array]) -> Array:
-        """Solve the machine where each of some curves is asked for, at angles of its own.
+    def of_each(
+        self,
+        rows: NDArray[np.intp],
+        which: NDArray[np.intp],
+        angle: Array,
+        pick: Callable[[tuple[SolvedGroup, ...]], Array],
+    ) -> Array:
+        """Solve the machine where some of its curves are asked for, each at angles of its own.
 
         Parameters
         ----------
         rows : array of int, shape (curve,)
             Of which mechanism each curve is.
-        angle : Array, shape (design, curve, n)
+        which : array of int, shape (p,)
+            Which curves are asked for, counted design by design.
+        angle : Array, shape (p, k)
             φ. [rad]
         pick : callable
             From what `solved` gives to all curves, shape (design, curve, …).
 
         Returns
         -------
-        Array, shape (design, curve, n)
+        Array, shape (p, k)
 
         Notes
         -----
         Mechanisms that have nothing to do with each other are asked at different angles at once.
         """
+        n_designs, n_mechanisms = len(self.speed.value), self.sharing.size
+        design, row = np.divmod(which, rows.size)
         label = self.sharing[rows]
-        place = np.array([np.count_nonzero(label[:row] == own) for row, own in enumerate(label)], dtype=np.intp)
-        n_places, n_angles = int(np.max(place)) + 1, angle.shape[-1]
-        asked = np.zeros((len(angle), len(self.sharing), n_places, n_angles))
-        for row, own in enumerate(label.tolist()):
-            asked[:, self.sharing == own, place[row]] = angle[:, [row]]
-        found = pick(self.solved(asked.reshape(*asked.shape[:2], -1)))
-        return found.reshape(*found.shape[:2], n_places, n_angles)[:, np.arange(len(rows)), place]
+        asked, slot = in_slots(design * n_mechanisms + label[row], angle, n_designs * n_mechanisms)
+        each = asked.reshape(n_designs, n_mechanisms, -1)[:, self.sharing]
+        found = pick(self.solved(each))
+        return found.reshape(n_designs, rows.size, *asked.shape[1:])[design, row, slot]
 
     def _gas_force(self, angle: Array, motions: Sequence[Any]) -> Array | None:
         """Force of the gas on every piston toward its shaft, shape (design, piston, n); None without gas."""

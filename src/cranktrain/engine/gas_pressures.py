@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.dead_centres import ANGLE_ROUNDING, around_zero
@@ -15,7 +16,7 @@ from cranktrain.engine.volumes import SweptVolumes
 from cranktrain.gas import kind_of
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient
-from cranktrain.numerics import largest_between
+from cranktrain.numerics import in_slots, largest_between
 from cranktrain.record import record
 from cranktrain.wording import Names, shared
 
@@ -117,14 +118,17 @@ def _peaks(
 ) -> tuple[Array, Array]:
     """Angle of the largest pressure after the dead centre at firing, and the pressure, shape (design, chamber)."""
     places = gas.distinct
-    zero = crank_angle.zero
+    n_rows, zero = len(gas.models) * len(places), crank_angle.zero
 
-    def own(shown_angle: Array) -> Array:
-        """Pressure in each distinct chamber at its own angles, shape (design, distinct, k)."""
-        return gas.at_own(shown_angle + zero, places, lambda angle: gas.pressure(angle, gas.volume(angle)))
+    def own(which: NDArray[np.intp], shown: Array) -> Array:
+        """Pressure in the distinct chambers at their own angles, shape (p, k)."""
+        asked, slot = in_slots(which, shown, n_rows)
+        phi = asked.reshape(len(gas.models), len(places), -1) + zero
+        found = gas.at_own(phi, places, lambda angle: gas.pressure(angle, gas.volume(angle)))
+        return found.reshape(asked.shape)[which, slot]
 
     found = largest_between(own, crank_angle.shown, pressure[:, places], events.angle[:, places] - zero)
-    after = around_zero(found.angle + zero - firing[:, places, np.newaxis])
+    after = around_zero(found.angle + zero[..., 0] - firing[:, places])
     after = np.where(np.abs(after) <= ANGLE_ROUNDING, 0.0, after)
     design = np.arange(len(gas.models))[:, np.newaxis]
-    return after[design, gas.origin, 0], found.value[design, gas.origin, 0]
+    return after[design, gas.origin], found.value[design, gas.origin]

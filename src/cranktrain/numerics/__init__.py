@@ -2,7 +2,7 @@
 
 from cranktrain.numerics.extremes import Extremes, extremes, largest, smallest, turning_points
 from cranktrain.numerics.panels import Panels, integral_to, panels
-from cranktrain.numerics.pieces import Peak, largest_between
+from cranktrain.numerics.pieces import Curves, Peak, in_slots, largest_between
 from cranktrain.numerics.roots import Curve, bracketed_roots, near_roots
 from cranktrain.numerics.series import (
     DERIVATIVES_LIMIT,
@@ -16,6 +16,7 @@ from cranktrain.numerics.tops import Extreme
 __all__ = [
     "DERIVATIVES_LIMIT",
     "Curve",
+    "Curves",
     "Extreme",
     "Extremes",
     "Panels",
@@ -23,6 +24,7 @@ __all__ = [
     "bracketed_roots",
     "derivatives_residual",
     "extremes",
+    "in_slots",
     "integral_to",
     "largest",
     "largest_between",

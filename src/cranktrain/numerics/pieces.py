@@ -4,13 +4,13 @@ A grid shows near which of its points a peak stands; about each of these the cur
 every piece between breaks, so that nothing is smoothed across one, and an end of a piece is the limit from its side.
 """
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
-from cranktrain.numerics.roots import Curve
 
 _ABOUT = 1.2
 """How far from a grid point that is a peak the curve's own may be, in steps: a break on the next point lies within."""
@@ -20,6 +20,8 @@ _TO_POWERS: Array = np.linalg.inv(np.vander(_NODES, increasing=True))
 """From values at the nodes of (−1, 1) to the polynomial's coefficients, by rising powers."""
 _TRIED = np.linspace(-1.0, 1.0, 65)
 _TRIED_POWERS: Array = np.vander(_TRIED, _N_NODES, increasing=True)
+_FROM_ENDS = np.array([(-1.0) ** np.arange(_N_NODES), np.ones(_N_NODES)])
+"""From coefficients to a polynomial's values at both ends."""
 _NEWTON_STEPS = 4
 _ALIKE = 1e-9
 """Values that differ by less, in parts of the curve's largest, are one: rounding must not choose between them."""
@@ -32,7 +34,7 @@ _MOST = 48
 
 
 class Peak(NamedTuple):
-    """Largest value of each curve, shapes (..., 1): where [rad], how much, and on which side of a jump.
+    """Largest value of each curve, shapes (...): where [rad], how much, and on which side of a jump.
 
     side is 1 where the value is the limit from just after the angle, −1 from just before it, 0 where both are one.
     """
@@ -42,23 +44,27 @@ class Peak(NamedTuple):
     side: Array
 
 
-def largest_between(curve: Curve, grid: Array, samples: Array, breaks: Array | None) -> Peak:
+Curves = Callable[[NDArray[np.intp], Array], Array]
+"""Many curves: takes which ones (p,) and angles of each (p, k), gives values (p, k)."""
+
+
+def largest_between(curves: Curves, grid: Array, samples: Array, breaks: Array) -> Peak:
     """Largest value of each curve over its period.
 
     Parameters
     ----------
-    curve : Curve
-        Gives (..., k) for angles (..., k), each curve at its own.
+    curves : Curves
+        Counted as the rows of `samples` are, through all leading axes.
     grid : Array, shape (n,)
         Equal steps over the period. [rad]
     samples : Array, shape (..., n)
-        The curve on the grid.
-    breaks : Array, shape broadcastable to (..., m), or None
-        Where the curve may jump or have kinks; NaN for none. [rad]
+        The curves on the grid.
+    breaks : Array, shape broadcastable to (..., m)
+        Where each may jump or have kinks; NaN for none. [rad]
 
     Returns
     -------
-    Peak, shapes (..., 1)
+    Peak, shapes (...)
         An angle may lie a step beside the grid's period. Of alike peaks the first one in the period. NaN where the
         curve is NaN all over, or about its highest points.
     """
@@ -66,31 +72,59 @@ def largest_between(curve: Curve, grid: Array, samples: Array, breaks: Array | N
     step = float(grid[1] - grid[0])
     known = np.fmax(samples.reshape(-1, n_points), -np.inf)
     scale = np.fmax.reduce(np.abs(samples), axis=-1, initial=0.0).reshape(-1, 1)
-    own_breaks = _own_breaks(breaks, shape)
-    centre = grid[_places(known, scale, _near_breaks(own_breaks, grid, n_points))]
-    edges = _edges(own_breaks, centre, step, n_points)
-    half, middle = np.diff(edges, axis=-1) / 2, (edges[..., 1:] + edges[..., :-1]) / 2
-    asked = (centre[..., np.newaxis] + middle)[..., np.newaxis] + half[..., np.newaxis] * _NODES
+    own_breaks = np.broadcast_to(breaks, (*shape, breaks.shape[-1])).reshape(len(known), breaks.shape[-1])
+    places = _places(known, scale, _near_breaks(own_breaks, grid, n_points))
+    edges = _edges(own_breaks, grid[places], step, n_points)
+    is_piece = (np.diff(edges, axis=-1) > 0.0) & (places >= 0)[..., np.newaxis]
+    found = _tops(curves, grid[places], edges, is_piece, scale[:, 0])
+    best = _first_of_the_best(*found, scale, step * n_points)
+    return Peak(*(part.reshape(shape) for part in best))
+
+
+def _tops(curves: Curves, centre: Array, edges: Array, is_piece: NDArray[np.bool_], scale: Array) -> Peak:
+    """Top of every piece, shape (curve, peak, piece): −∞ for none."""
+    row, peak, piece = np.nonzero(is_piece)
+    start, end = edges[row, peak, piece], edges[row, peak, piece + 1]
+    half, middle = (end - start) / 2, centre[row, peak] + (end + start) / 2
     with np.errstate(all="ignore"):
-        found = curve(asked.reshape(*shape, -1)).reshape(asked.shape)
-        is_known = np.max(known, axis=-1)[:, np.newaxis, np.newaxis] > -np.inf
-        is_piece = is_known & (half > 0.0) & ~np.any(np.isnan(found), axis=-1)
-        base = found[..., _N_NODES // 2]
-        powers = (found - base[..., np.newaxis]) @ _TO_POWERS.T
+        values = curves(row, middle[:, np.newaxis] + half[:, np.newaxis] * _NODES)
+        base = values[:, _N_NODES // 2]
+        powers = (values - base[:, np.newaxis]) @ _TO_POWERS.T
         # What is level from before its grid point on begins, for us, there.
-        at_point = np.where(np.abs(middle) < half, -middle / half, -1.0)
-        way = _top(powers, scale[..., np.newaxis], np.where(edges[..., :-1] <= edges[..., :1], at_point, -1.0))
-        top = np.where(is_piece, base + _value(powers, way), -np.inf)
-        angle = centre[..., np.newaxis] + middle + half * way
-        side = _sides(way, base, powers, is_piece, scale[..., np.newaxis])
-    best = _first_of_the_best(angle, top, side, scale, step * n_points)
-    return Peak(*(part.reshape(*shape, 1) for part in best))
+        level = np.where((piece == 0) & (start * end < 0), -(end + start) / (end - start), -1.0)
+        way = _top(powers, scale[row], level)
+        value = base + _value(powers, way)
+    top, angle, at = np.full((3, *is_piece.shape), np.nan)
+    top[is_piece], angle[is_piece], at[is_piece] = value, middle + half * way, way
+    ends = np.full((2, *is_piece.shape), np.nan)
+    ends[0, is_piece], ends[1, is_piece] = base + powers @ _FROM_ENDS[0], base + powers @ _FROM_ENDS[1]
+    return Peak(angle, np.where(np.isnan(top), -np.inf, top), _sides(at, ends, scale[:, np.newaxis, np.newaxis]))
 
 
-def _own_breaks(breaks: Array | None, shape: tuple[int, ...]) -> Array:
-    """Breaks of each curve, shape (curve, m)."""
-    given = np.empty((1, 0)) if breaks is None else breaks
-    return np.broadcast_to(given, (*shape, given.shape[-1])).reshape(int(np.prod(shape)), given.shape[-1])
+def in_slots(which: NDArray[np.intp], angle: Array, n_rows: int) -> tuple[Array, NDArray[np.intp]]:
+    """Lay angles of some rows side by side, to be asked for together.
+
+    Parameters
+    ----------
+    which : array of int, shape (p,)
+        Which row each is of.
+    angle : Array, shape (p, k)
+    n_rows : int
+
+    Returns
+    -------
+    Array, shape (n_rows, slots, k)
+        0 where a row has fewer.
+    array of int, shape (p,)
+        In which slot each stands.
+    """
+    order = np.argsort(which, kind="stable")
+    ranked = which[order]
+    slot = np.empty_like(which)
+    slot[order] = np.arange(which.size) - np.searchsorted(ranked, ranked)
+    laid = np.zeros((n_rows, int(np.max(slot, initial=0)) + 1, angle.shape[-1]))
+    laid[which, slot] = angle
+    return laid, slot
 
 
 def _near_breaks(breaks: Array, grid: Array, n_points: int) -> NDArray[np.bool_]:
@@ -104,7 +138,7 @@ def _near_breaks(breaks: Array, grid: Array, n_points: int) -> NDArray[np.bool_]
 
 
 def _places(known: Array, scale: Array, has_break: NDArray[np.bool_]) -> NDArray[np.intp]:
-    """Places of those peaks of the grid about which the largest value may stand, shape (curve, peak)."""
+    """Places of those peaks of the grid about which the largest value may stand, shape (curve, peak): −1 for none."""
     same = np.where(scale > 0, _ALIKE * scale, 1.0)
     ring = np.concatenate([known[:, -1:], known, known[:, :1]], axis=-1)
     is_top = (known >= ring[:, :-2] - same) & (known >= ring[:, 2:] - same) & (known > -np.inf)
@@ -126,9 +160,7 @@ def _places(known: Array, scale: Array, has_break: NDArray[np.bool_]) -> NDArray
     row, place = row[order][is_first], place[order][is_first]
     rank = np.arange(row.size) - np.searchsorted(row, row)
     kept = rank < _MOST
-    places = np.zeros((len(known), int(np.max(rank[kept], initial=0)) + 1), dtype=np.intp)
-    # Curves with fewer peaks have their highest again.
-    places[row[rank == 0]] = place[rank == 0, np.newaxis]
+    places = np.full((len(known), int(np.max(rank[kept], initial=0)) + 1), -1, dtype=np.intp)
     places[row[kept], rank[kept]] = place[kept]
     return places
 
@@ -147,54 +179,50 @@ def _edges(breaks: Array, centre: Array, step: float, n_points: int) -> Array:
 
 
 def _top(powers: Array, scale: Array, level: Array) -> Array:
-    """Where in [−1, 1] the polynomial is largest; where it is so from −1 on, at `level`; shape (...)."""
+    """Where in [−1, 1] each polynomial is largest, shape (p,); where it is so from −1 on, at `level`."""
     tried = powers @ _TRIED_POWERS.T
     # The first of what is level: rounding must not move an extreme along a level stretch.
-    is_top = tried >= np.max(tried, axis=-1, keepdims=True) - _LEVEL * scale[..., np.newaxis]
+    is_top = tried >= np.max(tried, axis=-1, keepdims=True) - _LEVEL * scale[:, np.newaxis]
     place = np.argmax(is_top, axis=-1)
     start, apart = _TRIED[place], float(_TRIED[1] - _TRIED[0])
-    is_level = np.sum(is_top, axis=-1) > 1
     way = start
     for _step in range(_NEWTON_STEPS):
         first, second = _derivatives(powers, way)
         move = np.where(second < 0, -first / second, np.sign(first) * apart)
         way = np.clip(way + np.nan_to_num(move), np.maximum(start - apart, -1.0), np.minimum(start + apart, 1.0))
-    return np.where(is_level, np.where(place == 0, level, start), way)
+    return np.where(np.sum(is_top, axis=-1) > 1, np.where(place == 0, level, start), way)
 
 
 def _value(powers: Array, way: Array) -> Array:
-    """Polynomial by rising powers."""
+    """Polynomials by rising powers."""
     total = np.zeros_like(way)
     for part in reversed(range(_N_NODES)):
-        total = total * way + powers[..., part]
+        total = total * way + powers[:, part]
     return total
 
 
 def _derivatives(powers: Array, way: Array) -> tuple[Array, Array]:
-    """First and second derivative of the polynomial."""
+    """First and second derivatives of the polynomials."""
     first = second = np.zeros_like(way)
     for part in reversed(range(1, _N_NODES)):
         second = second * way + first
-        first = first * way + part * powers[..., part]
+        first = first * way + part * powers[:, part]
     return first, second
 
 
-def _sides(way: Array, base: Array, powers: Array, is_piece: NDArray[np.bool_], scale: Array) -> Array:
+def _sides(way: Array, ends: Array, scale: Array) -> Array:
     """On which side of a jump a piece's top stands: 0 where its neighbour goes on from the same value."""
-    ends = base + np.stack([powers @ (-1.0) ** np.arange(_N_NODES), np.sum(powers, axis=-1)])
-    leap = np.abs(ends[0, ..., 1:] - ends[1, ..., :-1]) > _ALIKE * scale
-    jump = np.where(is_piece[..., 1:] & is_piece[..., :-1], leap, False)
-    none = np.zeros_like(is_piece[..., :1])
+    jump = np.abs(ends[0, ..., 1:] - ends[1, ..., :-1]) > _ALIKE * scale
+    none = np.zeros_like(jump[..., :1])
     after, before = np.concatenate([none, jump], axis=-1), np.concatenate([jump, none], axis=-1)
     return np.where((way <= -1.0) & after, 1.0, np.where((way >= 1.0) & before, -1.0, 0.0))
 
 
 def _first_of_the_best(angle: Array, top: Array, side: Array, scale: Array, period: float) -> Peak:
-    """Choose the highest of each curve's pieces, of alike ones the first in the period; shapes (curve, 1)."""
+    """Choose the highest of each curve's pieces, of alike ones the first in the period; shapes (curve,)."""
     angle, top, side = (part.reshape(len(scale), -1) for part in (angle, top, side))
-    best = np.max(top, axis=-1, keepdims=True)
+    best = np.max(top, axis=-1)
     turn = np.mod(angle + _ONE_BREAK, period)
-    first = np.argmin(np.where(top >= best - _ALIKE * scale, turn, np.inf), axis=-1)[:, np.newaxis]
-    is_known = best > -np.inf
-    at, which = (np.where(is_known, np.take_along_axis(part, first, axis=-1), np.nan) for part in (angle, side))
-    return Peak(at, np.where(is_known, best, np.nan), which)
+    first = np.argmin(np.where(top >= best[:, np.newaxis] - _ALIKE * scale, turn, np.inf), axis=-1)
+    row, is_known = np.arange(len(scale)), best > -np.inf
+    return Peak(*(np.where(is_known, part, np.nan) for part in (angle[row, first], best, side[row, first])))
