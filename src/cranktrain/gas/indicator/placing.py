@@ -102,7 +102,7 @@ def _found(samples: Samples, cycle: float, firing_angle: float | None) -> _Found
     width = _widths(samples.angles, cycle)
     about = np.where(np.abs(from_it) < np.pi, width * samples.pressures, 0.0)
     asymmetry = np.sum(about * np.sin(from_it)) / np.sum(about * np.abs(np.sin(from_it)))
-    is_jump = np.count_nonzero(samples.angles == at) > 1
+    is_jump = bool(np.count_nonzero(samples.angles == at) > 1)
     return _Found(dead_centre, peak, float(asymmetry), is_jump)
 
 
