@@ -23,11 +23,15 @@ _MOTORED = 0.04
 
 
 class _Found(NamedTuple):
-    """Dead centre, how far after it the peak stands [rad], and how much more the gas gives than it takes [1]."""
+    """Dead centre, how far after it the peak stands [rad], and how much more the gas gives than it takes [1].
+
+    And whether the pressure jumps to its peak, as where heat comes at constant volume.
+    """
 
     dead_centre: float
     peak: float
     asymmetry: float
+    is_jump: bool
 
     @property
     def is_motored(self) -> bool:
@@ -98,7 +102,8 @@ def _found(samples: Samples, cycle: float, firing_angle: float | None) -> _Found
     width = _widths(samples.angles, cycle)
     about = np.where(np.abs(from_it) < np.pi, width * samples.pressures, 0.0)
     asymmetry = np.sum(about * np.sin(from_it)) / np.sum(about * np.abs(np.sin(from_it)))
-    return _Found(dead_centre, peak, float(asymmetry))
+    is_jump = bool(np.count_nonzero(samples.angles == at) > 1)
+    return _Found(dead_centre, peak, float(asymmetry), is_jump)
 
 
 def _dead_centre_by(peak: float) -> float:
@@ -157,7 +162,8 @@ def _doubts(own: _Found, *, is_backward: bool) -> tuple[str, ...]:
         )
         return () if own.peak <= 0 else (misplaced.format(peak=peak),)
     late = _("The peak stands {peak} after the firing dead centre; 5° to 20° are usual: is the zero right?")
-    return () if _EARLIEST <= own.peak <= _LATEST else (late.format(peak=peak),)
+    is_usual = own.is_jump or _EARLIEST <= own.peak <= _LATEST
+    return () if is_usual else (late.format(peak=peak),)
 
 
 def _degrees(angle: float) -> str:

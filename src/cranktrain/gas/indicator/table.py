@@ -16,8 +16,8 @@ _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _STARTS_AS_NUMBER = re.compile(r"\s*[\"']?[+\-−]?[.,]?[0-9]")
 _COMMENT = re.compile(r"\s*(?:#|%|//)\s*")
 _LARGEST = 1e30
-_MOST_LINES = 100_000
-"""A cycle of 720° in steps of 0.01° has 72 000."""
+_MOST_LINES = 40_000
+"""A cycle of 720° in steps of 0.02° has 36 000."""
 _MOST_PROBLEMS = 10
 """Problems told of one file; a file of another kind has one in every line."""
 
@@ -110,7 +110,7 @@ def _refuse_many(text: str, name: str) -> None:
     """Refuse a file of more lines than a curve needs."""
     n_lines = max(text.count("\n"), text.count("\r"))
     if n_lines > _MOST_LINES:
-        allowed = _("has {n} lines; {most} at most are read, and a cycle of 720° in steps of 0.01° has 72 000")
+        allowed = _("has {n} lines; {most} at most are read, and a cycle of 720° in steps of 0.02° has 36 000")
         repair = _("keep one row of {n}, or the mean of so many").format(n=-(-n_lines // _MOST_LINES))
         raise InputError([Problem("file", name, allowed.format(n=n_lines, most=_MOST_LINES), repair)])
 
