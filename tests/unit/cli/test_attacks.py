@@ -113,3 +113,22 @@ class TestPipes:
 def test_devices_are_refused(typed, device):
     answer = typed("run", device)
     assert (answer.status, len(answer.errors.splitlines())) == (2, 1)
+
+
+def test_names_and_notes_of_a_file_reach_no_terminal_raw(typed, written):
+    text = HEAD.replace("136 mm", "@").replace(
+        '"@"', '{ value = "136 mm", status = "assumed", note = "a\\u001b[31m\\nb" }'
+    )
+    text += 'points."p\\u001b[31m\\nq" = { link = "rod", along = "9 mm", across = "0 mm" }\n'
+    path = written('name = "n\\u001b]0;title\\u0007"\n' + text)
+    for options in ((), ("--inputs",), ("--quantities", "point_x,stroke")):
+        answer = typed("run", str(path), *options)
+        assert answer.status == 0
+        assert answer.output.replace("\n", "").isprintable()
+
+
+def test_what_is_typed_comes_back_without_controls(typed):
+    for arguments in (("\x1b[31m",), ("run", "\x1b[31m"), ("list", "\x1b"), ("run", "3d12", "--\x1b"), ("new", "\x1b")):
+        answer = typed(*arguments)
+        assert answer.status == 2
+        assert answer.errors.replace("\n", "").isprintable()
