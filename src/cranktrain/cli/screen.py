@@ -52,9 +52,8 @@ def section(console: Console, heading: str, lines: Sequence[str | Text]) -> None
 
 def paragraph(console: Console, text: str, style: str = "") -> list[Text]:
     """Fold a text to the width of the screen less the indent; an empty one is an empty line."""
-    return [
-        Text(line, style) for line in textwrap.wrap(visible(text), console.width - INDENT, break_on_hyphens=False)
-    ] or [Text()]
+    lines = textwrap.wrap(visible(text), console.width - INDENT, break_on_hyphens=False)
+    return [Text(line, style) for line in lines] or [Text()]
 
 
 def table(

@@ -116,9 +116,8 @@ def test_devices_are_refused(typed, device):
 
 
 def test_names_and_notes_of_a_file_reach_no_terminal_raw(typed, written):
-    text = HEAD.replace("136 mm", "@").replace(
-        '"@"', '{ value = "136 mm", status = "assumed", note = "a\\u001b[31m\\nb" }'
-    )
+    rod = '{ value = "136 mm", status = "assumed", note = "a\\u001b[31m\\nb" }'
+    text = HEAD.replace('"136 mm"', rod)
     text += 'points."p\\u001b[31m\\nq" = { link = "rod", along = "9 mm", across = "0 mm" }\n'
     path = written('name = "n\\u001b]0;title\\u0007"\n' + text)
     for options in ((), ("--inputs",), ("--quantities", "point_x,stroke")):
