@@ -131,3 +131,25 @@ def test_what_is_typed_comes_back_without_controls(typed):
         answer = typed(*arguments)
         assert answer.status == 2
         assert answer.errors.replace("\n", "").isprintable()
+
+
+def test_sizes_that_cannot_be_are_refused_without_a_warning(typed):
+    typed("new", "walschaerts", "-o", "gear.toml")
+    answer = typed("run", "gear.toml", "--set", "bank.valve.mechanism.full_gear_die=1e20 mm")
+    assert answer.status == 2
+    assert "must" in answer.errors or "cannot" in answer.errors
+
+
+def test_errors_of_curves_that_are_zero_are_not_infinite(typed):
+    answer = typed("run", "traction_engine", "--set", "bank.cylinder.mechanism.stroke=1e-20 in", "--step", "10")
+    assert (answer.status, answer.errors) == (0, "")
+    assert "inf" not in answer.output.replace("infinite", "").split()
+    assert "off by up to inf" not in answer.output
+
+
+def test_a_rod_beside_its_line_is_said_to_be_no_two_masses(typed, written):
+    rod = '[masses.rod]\nmass = "0.7 kg"\nalong = "36 mm"\nacross = "5 mm"\ninertia = "0.002 kg·m²"\n'
+    path = written(f'{HEAD}{rod}[shaft.main]\nspeed = "1500 rpm"\n')
+    answer = typed("run", str(path), "--step", "10")
+    assert answer.status == 0
+    assert "The centroid of the rod of 1 lies beside its line" in answer.output
