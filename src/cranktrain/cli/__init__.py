@@ -11,6 +11,7 @@ from types import FrameType
 
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.language import _
+from cranktrain.one_line import visible
 
 __all__ = ["main"]
 
@@ -78,7 +79,7 @@ def _said(message: str, status: int) -> int:
     """Say on stderr what ended the program; where that is closed or full, the status has to do."""
     with suppress(OSError):
         if sys.stderr is not None:
-            print(message, file=sys.stderr, flush=True)
+            print(visible(message, kept="\n"), file=sys.stderr, flush=True)
     return status
 
 

@@ -4,13 +4,14 @@ import re
 
 from cranktrain.io.machine_file import computed, read_machine
 from cranktrain.language import _
+from cranktrain.one_line import one_line
 
 
 def show_check(source: str) -> None:
     """Say that nothing is wrong, what can be computed and what is missing; raise `InputError` otherwise."""
     file = read_machine(source)
     result = computed(file)
-    print(_("{file}: nothing wrong").format(file=file.document.name))
+    print(_("{file}: nothing wrong").format(file=one_line(file.document.name)))
     groups = ", ".join(_words(type(gift).__name__) for gift in result.gifts)
     print(_("can compute {n} results: {groups}").format(n=len(result.catalogue), groups=groups))
     for missing in result.missing:

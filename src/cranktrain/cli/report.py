@@ -16,7 +16,7 @@ from cranktrain.io.description import layout_words
 from cranktrain.io.machine_file import MachineFile
 from cranktrain.language import _
 from cranktrain.machine import Machine
-from cranktrain.one_line import one_line
+from cranktrain.one_line import one_line, visible
 from cranktrain.wording import ranged
 
 _NAMED = 4
@@ -47,7 +47,7 @@ def show_result(
     console.print(Text(title(file.machine), style="bold"))
     console.print()
     for sentence in result.answers():
-        console.print(sentence)
+        console.print(visible(sentence))
     width = console.width - INDENT
     deep = [name for name in names if is_all and len(result.labels_of(result.catalogue[name])) > 1]
     names = [name for name in names if name not in deep]
@@ -74,7 +74,7 @@ def show_result(
 
 def title(machine: Machine) -> str:
     """Say in one line which machine this is."""
-    parts = [one_line(layout_words(machine))]
+    parts = [layout_words(machine)]
     if len(machine.shafts) > 1:
         parts.append(_shafts(machine))
     if machine.main_shaft.speed is not None:
@@ -86,8 +86,7 @@ def title(machine: Machine) -> str:
         "astern": _("astern"),
     }
     parts.append(f"{senses[machine.rotation]}, {senses[machine.running]}")
-    name = one_line(machine.name)
-    return f"{name}: {'; '.join(parts)}" if name else "; ".join(parts)
+    return one_line(": ".join(filter(None, (machine.name.strip(), "; ".join(parts)))))
 
 
 def _shafts(machine: Machine) -> str:

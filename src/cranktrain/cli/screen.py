@@ -10,6 +10,8 @@ from rich.cells import cell_len
 from rich.console import Console
 from rich.text import Text
 
+from cranktrain.one_line import visible
+
 INDENT = 2
 """Of what stands under a heading."""
 
@@ -43,16 +45,15 @@ def section(console: Console, heading: str, lines: Sequence[str | Text]) -> None
     """Show lines under a heading; one that is no `Text` is a paragraph, folded to the width of the screen."""
     parts = [part for line in lines for part in ([line] if isinstance(line, Text) else paragraph(console, line))]
     console.print()
-    console.print(Text(heading, style="bold"))
+    console.print(Text(visible(heading), style="bold"))
     if parts:
         console.print(Text("\n").join(Text(" " * INDENT) + part for part in parts), soft_wrap=True)
 
 
 def paragraph(console: Console, text: str, style: str = "") -> list[Text]:
     """Fold a text to the width of the screen less the indent; an empty one is an empty line."""
-    return [Text(line, style) for line in textwrap.wrap(text, console.width - INDENT, break_on_hyphens=False)] or [
-        Text()
-    ]
+    lines = textwrap.wrap(visible(text), console.width - INDENT, break_on_hyphens=False)
+    return [Text(line, style) for line in lines] or [Text()]
 
 
 def table(
@@ -76,17 +77,18 @@ def table(
     list of Text
         Its lines.
     """
-    every = [heads, *rows] if any(heads) else list(rows)
+    has_heads = any(heads)
+    every = [[visible(cell) for cell in row] for row in ([heads, *rows] if has_heads else rows)]
     widths = [max(cell_len(row[i]) for row in every) for i in range(len(heads))]
     gap = _GAP
     if fold is not None:
         gap = _GAP if fold - _width(widths[:-1], _GAP) >= min(widths[-1], _LEAST_FOLDED) else 1
         widths[-1] = max(1, min(widths[-1], max(_LEAST_FOLDED, fold - _width(widths[:-1], gap))))
     lines: list[Text] = []
-    for row in every:
+    for number, row in enumerate(every):
         *cells, last = row
         folded = list(_folded(last, widths[-1])) if fold is not None else [last]
-        style = "dim" if row is heads else ""
+        style = "dim" if has_heads and number == 0 else ""
         for i, part in enumerate(folded or [""]):
             texts = [*(cells if i == 0 else [""] * len(cells)), part]
             lines.append(

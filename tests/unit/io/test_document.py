@@ -230,7 +230,6 @@ class TestSyntax:
             "a = " + "[" * 5000 + "]" * 5000,
             "a = " + "{ a = " * 5000,
             "a = " + "[" * 40 + "]" * 40,
-            ".".join("a" * 40) + " = 1",
         ],
     )
     def test_nested_too_deep(self, text):
