@@ -50,10 +50,18 @@ class LargestForces:
         "φ(S_max)", "deg", _FACT, N_("Crank angle of the largest force along the rod"), _THEORY
     )
     side_force_formula_error: Array = quantity(
-        "ΔN_f", "1", _ERROR, N_("Largest error of the method's side force, in parts of the exact peak"), _THEORY
+        "ΔN_f",
+        "1",
+        _ERROR,
+        N_("Largest error of the method's side force, at whole degrees, in parts of the exact peak"),
+        _THEORY,
     )
     tangential_force_formula_error: Array = quantity(
-        "ΔT_f", "1", _ERROR, N_("Largest error of the method's tangential force, in parts of the exact peak"), _THEORY
+        "ΔT_f",
+        "1",
+        _ERROR,
+        N_("Largest error of the method's tangential force, at whole degrees, in parts of the exact peak"),
+        _THEORY,
     )
     flags: tuple[str, ...] = ()
     is_master: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, dtype=np.bool_))

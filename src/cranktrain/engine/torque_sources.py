@@ -193,18 +193,23 @@ def _of_chambers(
     for model, places in gas.alike(design):
         first = places[0]
         start = float(gas.firing[design, first, 0])
-        least = gas.volume_of(design, first, np.array([events.angle[design, first, 0]]))
         # Near its least value V = V_c + ½V″φ², which is 0 at an imaginary φ.
-        away = np.sqrt(2 * least.value[0] / least.second[0])
-        cut = panels(events.angle[design, first] - start, float(np.fmin(_WIDEST, _REACH * away)), gas.cycle)
-        volume = gas.volume_of(design, first, cut.angle + start)
+        volume, _slope, curvature = (float(part[design, gas.distinct.index(first), 0]) for part in events.least)
+        away = float(np.sqrt(2 * volume / curvature))
+        cut = panels(
+            events.angle[design, first] - start, min(_WIDEST, _REACH * away) if away > 0 else _WIDEST, gas.cycle
+        )
+        motion = gas.volume_of(design, first, cut.angle + start)
         limits = VolumeLimits(*(single(float(part[design, first, 0])) for part in gas.limits))
-        pressure = kind.pressure(chamber_state(volume, limits, cut.angle, single(gas.cycle)), model)
+        pressure = kind.pressure(chamber_state(motion, limits, cut.angle, single(gas.cycle)), model)
         by_chamber = [np.flatnonzero(gas.chambers.areas[design, :, place]) for place in places]
-        values = [
-            gas.chambers.areas[design, piston, first]
-            * (pressure - AMBIENT)
-            * -gas.pistons.alone(design, piston, cut.angle + start).slider.first[0]
-            for piston in by_chamber[0].tolist()
-        ]
-        yield Source(cut, np.stack(values), gas.firing[design, places, 0] - zero, shafts[np.stack(by_chamber)])
+        if len(by_chamber[0]) == 1:
+            slopes = [motion.first]
+        else:
+            slopes = [
+                gas.chambers.areas[design, piston, first]
+                * -gas.pistons.alone(design, piston, cut.angle + start).slider.first[0]
+                for piston in by_chamber[0].tolist()
+            ]
+        torque = np.stack([(pressure - AMBIENT) * slope for slope in slopes])
+        yield Source(cut, torque, gas.firing[design, places, 0] - zero, shafts[np.stack(by_chamber)])

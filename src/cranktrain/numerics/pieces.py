@@ -213,7 +213,7 @@ def _derivatives(powers: Array, way: Array) -> tuple[Array, Array]:
 def _sides(way: Array, ends: Array, scale: Array) -> Array:
     """On which side of a jump a piece's top stands: 0 where its neighbour goes on from the same value."""
     jump = np.abs(ends[0, ..., 1:] - ends[1, ..., :-1]) > _ALIKE * scale
-    none = np.zeros_like(jump[..., :1])
+    none = np.zeros((*jump.shape[:-1], 1), dtype=np.bool_)
     after, before = np.concatenate([none, jump], axis=-1), np.concatenate([jump, none], axis=-1)
     return np.where((way <= -1.0) & after, 1.0, np.where((way >= 1.0) & before, -1.0, 0.0))
 
