@@ -64,12 +64,10 @@ def _repair(shafts: Mapping[str, ShaftSpec], bank: BankSpec) -> str:
     end, other = ("exhaust", "scavenge") if bank.opposed["scavenge"].shaft == MAIN else ("scavenge", "exhaust")
     name = bank.opposed[end].shaft
     shaft, wanted = shafts[name], _turned(shafts, bank, other)
-    angles = [throw.si for throw in shaft.throws]
+    angles = np.array([throw.si for throw in shaft.throws])
     own = _throws(shafts, bank, end)
-    first = angles[own[0]]
-    for throw, turned in zip(own, shaft.ratio * wanted, strict=True):
-        angles[throw] = float(np.mod(np.round(first + turned, 12), 2 * np.pi))
-    listed = ", ".join(f'"{precise(angle, "deg")}"' for angle in angles)
+    angles[own] = np.mod(np.round(angles[own[0]] + shaft.ratio * wanted, 12), 2 * np.pi)
+    listed = ", ".join(f'"{precise(angle, "deg")}"' for angle in angles.tolist())
     repair = _("all have it with shaft.{name}.throws = [{angles}]").format(name=name, angles=listed)
     if np.all(np.abs(_around_zero(wanted + _turned(shafts, bank, end))) <= _ALIKE):
         repair = _("{repair}, or with shaft.{name}.ratio = {ratio}").format(
