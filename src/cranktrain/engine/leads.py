@@ -64,7 +64,7 @@ def _repair(shafts: Mapping[str, ShaftSpec], bank: BankSpec) -> str:
     end, other = ("exhaust", "scavenge") if bank.opposed["scavenge"].shaft == MAIN else ("scavenge", "exhaust")
     name = bank.opposed[end].shaft
     shaft, wanted = shafts[name], _turned(shafts, bank, other)
-    angles = np.array([throw.si for throw in shaft.throws])
+    angles: Array = np.array([throw.si for throw in shaft.throws])
     own = _throws(shafts, bank, end)
     angles[own] = np.mod(np.round(angles[own[0]] + shaft.ratio * wanted, 12), 2 * np.pi)
     listed = ", ".join(f'"{precise(angle, "deg")}"' for angle in angles.tolist())
