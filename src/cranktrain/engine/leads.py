@@ -66,7 +66,7 @@ def _repair(shafts: Mapping[str, ShaftSpec], bank: BankSpec) -> str:
     shaft, wanted = shafts[name], _turned(shafts, bank, other)
     angles: Array = np.array([throw.si for throw in shaft.throws])
     own = _throws(shafts, bank, end)
-    angles[own] = np.mod(np.round(angles[own[0]] + shaft.ratio * wanted, 12), 2 * np.pi)
+    angles[own] = np.mod(np.round(angles[own[:1]] + shaft.ratio * wanted, 12), 2 * np.pi)
     listed = ", ".join(f'"{precise(angle, "deg")}"' for angle in angles.tolist())
     repair = _("all have it with shaft.{name}.throws = [{angles}]").format(name=name, angles=listed)
     if np.all(np.abs(_around_zero(wanted + _turned(shafts, bank, end))) <= _ALIKE):
