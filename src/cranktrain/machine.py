@@ -204,7 +204,7 @@ class Machine(Spec, frozen=True):
         """In which order the cylinders fire, and what is wrong with that."""
         pistons = self.pistons
         leading = [pistons[cylinder.pistons[0]] for cylinder in self.cylinders]
-        return firing_order_of(self.cylinder, leading, astern=self.is_astern)
+        return firing_order_of(self.cylinder, leading, zero=self.zero, astern=self.is_astern)
 
     @cached_property
     def table_problems(self) -> tuple[Problem, ...]:

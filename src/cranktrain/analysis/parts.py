@@ -17,7 +17,7 @@ from cranktrain.engine.cylinders import (
     ports_of,
 )
 from cranktrain.engine.evenness_table import evenness_parts
-from cranktrain.engine.firing import Cycle
+from cranktrain.engine.firing import Cycle, common_order
 from cranktrain.engine.followed import FollowedLinks, FollowedSliders, followed_of
 from cranktrain.engine.forces import carriers_of
 from cranktrain.engine.frames import frames_of
@@ -127,7 +127,7 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
             Cycle(cycle) if cycle else None,
             _declared_gas(machines),
             losses_of([machine.cylinder for machine in machines]),
-            first.firing[0],
+            common_order([machine.firing[0] for machine in machines]),
         ]
     if rockers[0]:
         swinging = mechanisms_of(Rockers, rockers)

@@ -222,14 +222,30 @@ OVERRIDES = "NAME (a bank or cylinder)"
 
 
 class CylindersSpec(CylinderSpec, frozen=True):
-    """All cylinders: their common dimensions, cycle, firing order and friction, and `overrides` by bank or cylinder."""
+    """All cylinders: their common dimensions, cycle, firing and friction, and `overrides` by bank or cylinder.
+
+    Firing is an order, or the crank angles at which the cylinders fire, as they are shown: one for each cylinder in the
+    order of the file, or by name.
+    """
 
     cycle: Literal["two-stroke", "four-stroke"] | None = None
     firing_order: str | None = None
+    firing_angles: tuple[Angle, ...] | Mapping[str, Angle] | None = None
     numbers: Mapping[str, str] = {}
     mechanical_efficiency: Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=1.0)] | None = None
     friction_pressure: Pressure | None = None
     overrides: Mapping[str, CylinderSpec] = Field(default={}, alias=OVERRIDES)
+
+    @model_validator(mode="after")
+    def _firing_one_way(self) -> Self:
+        """Refuse firing that is said twice, and angles of an unknown cycle."""
+        if self.firing_angles is None:
+            return self
+        if self.firing_order is not None:
+            raise Refused(_("must not stand beside firing_angles, which say it"), path="firing_order")
+        if self.cycle is None:
+            raise Refused(_("is missing; firing_angles count over a cycle"), path="cycle")
+        return self
 
     @model_validator(mode="after")
     def _friction_one_way(self) -> Self:

@@ -124,6 +124,10 @@ _SENTENCES = {
         "firing_order": N_(
             'Cylinders in the order in which they fire, such as "1-3-4-2"; with the cycle: firing angles.'
         ),
+        "firing_angles": N_(
+            "Crank angles at which the cylinders fire, as shown, instead of an order: a list, one for each cylinder in "
+            'the order of the file, or by name, { 1L = "0 deg", 1R = "60 deg" }.'
+        ),
         "numbers": N_('A maker\'s own numbers of the cylinders, for use in the firing order: { 5 = "1L" }.'),
         "mechanical_efficiency": N_(
             "Brake power over indicated power; of a driven machine the other way round. Or give friction_pressure."
