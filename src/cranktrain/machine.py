@@ -11,7 +11,7 @@ from pydantic import Field, ValidationError, model_validator
 
 from cranktrain.engine.balance_specs import BalanceSpec
 from cranktrain.engine.balance_weights import balance_problems
-from cranktrain.engine.bodies import BodySpec, Friction, GuideSpec
+from cranktrain.engine.bodies import BodySpec, Friction, GravitySpec, GuideSpec
 from cranktrain.engine.cylinders import Cylinder, cylinder_problems, cylinders_of, firing_order_of
 from cranktrain.engine.evenness_table import EvennessSpec
 from cranktrain.engine.firing import FiringOrder
@@ -64,7 +64,7 @@ class Machine(Spec, frozen=True):
     masses: Mapping[str, BodySpec] = Field(default={})
     friction: Mapping[str, Friction] = Field(default={})
     guide: Mapping[str, GuideSpec] = Field(default={})
-    gravity: bool = False
+    gravity: bool | GravitySpec = False
     gas: AnyGas | None = None
     balance: BalanceSpec | None = None
     evenness: EvennessSpec | None = None
@@ -161,7 +161,7 @@ class Machine(Spec, frozen=True):
             {f"{home}masses": table.masses for home, table in homes.items() if table.masses},
             self.friction,
             {f"{home}guide": table.guide for home, table in homes.items() if table.guide},
-            self.gravity,
+            GravitySpec() if self.gravity is True else self.gravity or None,
             self.first_axis,
             self.rotation == "clockwise",
         )

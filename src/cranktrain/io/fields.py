@@ -24,11 +24,15 @@ _SENTENCES = {
             'Coefficients of friction by what slides: piston, block, or a chain\'s slider S and its slot, "S.slot".'
         ),
         "guide": N_("Guides of what slides, by the names of [friction]: how long they are; a bank may have its own."),
-        "gravity": N_("Whether weights count, downward."),
+        "gravity": N_("Whether weights count, downward; or a table, for another strength or direction."),
         "gas": N_("What the chambers hold: the kind of gas model and its numbers."),
         "cylinder": N_("Cylinders: what is common to all, and tables for one bank or one cylinder."),
         "evenness": N_("What balances the machine, its flywheel, and how evenly it is to run."),
         "balance": N_("Counterweights and balance shafts, given or solved for."),
+    },
+    "GravitySpec": {
+        "acceleration": N_("Of free fall in the mechanism's plane; 9.80665 m/s² unless given."),
+        "direction": N_("How far it is turned from straight down, −Y, in the normal sense of rotation."),
     },
     "BalanceSpec": {
         "weight": N_("Weights that turn: on the crankshaft, or on shafts of their own."),
