@@ -95,17 +95,18 @@ def speed_over_cycle(machine: Machine, speed: SpeedWanted) -> SpeedCurve | None:
     Returns
     -------
     SpeedCurve or None
-        None for a constant speed.
+        None for a constant speed, unless the file itself says how the shaft turns.
 
     Raises
     ------
     InputError
         Where the file does not say what the running speed needs, there is none, or the speeds given are none.
     """
-    if isinstance(speed, SpeedCurve) or (isinstance(speed, str) and speed == "constant"):
-        return speed if isinstance(speed, SpeedCurve) else None
-    parts = with_speed(parts_of((machine,), step=_step(1.0)), speed, STAGES)
-    return _part(parts, SpeedCurve)
+    if isinstance(speed, SpeedCurve):
+        return speed
+    if isinstance(speed, str) and speed == "constant" and not machine.main_shaft.turns_unevenly:
+        return None
+    return _part(with_speed(parts_of((machine,), step=_step(1.0)), speed, STAGES), SpeedCurve)
 
 
 def _step(degrees: float) -> float:

@@ -11,7 +11,7 @@ from cranktrain.analysis.stages import Stage, leading_to, run_stages
 from cranktrain.catalogue import entries
 from cranktrain.engine.evenness import RunningSpeed
 from cranktrain.engine.layout import CrankAngle, Speed
-from cranktrain.engine.speed_curve import SpeedCurve, speed_curve
+from cranktrain.engine.speed_curve import SpeedCurve, SteadyRunning, speed_curve
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.loads.periodic import spline_curve
@@ -45,6 +45,9 @@ def with_speed(parts: Parts, speed: SpeedWanted, stages: Sequence[Stage]) -> Par
     """
     if isinstance(speed, str) and speed == "constant":
         return parts
+    if not isinstance(speed, SpeedCurve) and SteadyRunning not in parts:
+        allowed = _("must be left out: [shaft.main] acceleration says how the shaft turns, at one moment")
+        raise InputError([Problem("speed", str(speed) if isinstance(speed, str) else None, allowed)])
     curve = speed if isinstance(speed, SpeedCurve) else _curve(parts, speed, stages)
     declared: Any = parts.get(Speed, Speed(curve.mean))
     return {**parts, Speed: Speed(declared.value, curve), SpeedCurve: curve}

@@ -13,6 +13,7 @@ from cranktrain.mechanisms import AnyMechanism, MechanismSpec
 from cranktrain.mechanisms.kind import LISTS
 from cranktrain.quantities import (
     Angle,
+    AngularAcceleration,
     Dimension,
     Given,
     Length,
@@ -37,7 +38,9 @@ OneOrMany = Annotated[tuple[Item, ...], BeforeValidator(_listed), Field(min_leng
 
 
 class ShaftSpec(Spec, frozen=True):
-    """A crankshaft: throw angles ahead of throw 1, gaps between throws along it; of `main` the speed.
+    """A crankshaft: throw angles ahead of throw 1, gaps between throws along it; of `main` how it turns.
+
+    An acceleration beside the speed makes all results those of one moment, at whatever crank angle it is.
 
     Another shaft turns by ratio·φ + phase: its throw 1 stands that far ahead of where throw 1 of `main` stood at φ = 0;
     unless given, the lead of opposed pistons that work on it says so, or it is 0. Its place is where its centre lies
@@ -47,9 +50,15 @@ class ShaftSpec(Spec, frozen=True):
     throws: tuple[Angle, ...] = Field(default=(Given(0.0, "0 deg"),), min_length=1)
     spacing: OneOrMany[NonNegativeLength] | None = None
     speed: PositiveSpeed | None = None
+    acceleration: AngularAcceleration | None = None
     ratio: Literal[1, -1] = 1
     phase: Angle | None = None
     place: tuple[Length, Length] | None = None
+
+    @property
+    def turns_unevenly(self) -> bool:
+        """Whether there is more to say of how it turns than one speed."""
+        return self.acceleration is not None
 
     @model_validator(mode="after")
     def _spaced(self) -> Self:
@@ -58,6 +67,13 @@ class ShaftSpec(Spec, frozen=True):
         if self.spacing is not None and len(self.spacing) not in (1, gaps):
             allowed = _("must be one length, or a list of them, one for each gap between throws: {gaps}")
             raise Refused(allowed.format(gaps=gaps), path="spacing")
+        return self
+
+    @model_validator(mode="after")
+    def _turning(self) -> Self:
+        """Refuse an acceleration of nothing."""
+        if self.acceleration is not None and self.speed is None:
+            raise Refused(_("is missing; a moment has a speed and an acceleration"), path="speed")
         return self
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
-from cranktrain.engine.forces import LoadedMachine, driving_torques
+from cranktrain.engine.forces import LoadedMachine, MechanismTorques, driving_torques
 from cranktrain.engine.gas import GasInChambers
 from cranktrain.engine.gas_events import GasEvents
 from cranktrain.engine.layout import CrankAngle, Speed
@@ -52,8 +52,11 @@ def work_balance(
     swept: SweptVolumes,
     torques: ShaftTorques,
     crank_angle: CrankAngle,
+    inertia: MechanismTorques,
 ) -> WorkBalance:
     """Work of gas and torque; with friction in the guides, which takes some, there is no check.
+
+    At one moment's angular acceleration ε the torque also gives the inertia ∮Jε dφ.
 
     Notes
     -----
@@ -69,7 +72,10 @@ def work_balance(
         residual = np.abs(_work_of_torque(loaded, gas, events) - total) / scale
         sentence = _("Work of the torque by the reactions, by quadrature, against that of the gas in closed form")
         return WorkBalance(total, (Check("work", sentence, residual, _EXACT_LIMIT),))
-    residual = np.abs(np.mean(torques.machine_torque, axis=-1) * gas.cycle - total) / scale
+    given = torques.machine_torque
+    if loaded.speed.curve is not None and loaded.speed.curve.moment is not None:
+        given = given + inertia.reduced_inertia * loaded.speed.curve.moment[:, 0]
+    residual = np.abs(np.mean(given, axis=-1) * gas.cycle - total) / scale
     sentence = _("Work of the torque, summed over the grid, against the exact integral of the indicator diagrams")
     return WorkBalance(total, (Check("work", sentence, residual, _sum_limit(crank_angle)),))
 

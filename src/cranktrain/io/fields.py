@@ -65,6 +65,9 @@ _SENTENCES = {
         "throws": N_("How far each throw stands ahead of throw 1; one that is to fire later stands behind."),
         "spacing": N_("Distance between neighbouring throws along the shaft, or a list of all; 0 for a split pin."),
         "speed": N_("Mean speed of the shaft; with it, velocities and accelerations."),
+        "acceleration": N_(
+            "Angular acceleration beside the speed, in the sense of running: all results are then of one moment."
+        ),
         "ratio": N_("Of a shaft geared to `main`: 1 where it turns with it, -1 where it turns against it."),
         "phase": N_(
             "Of a shaft geared to `main`: where its throw 1 stands at crank angle 0, ahead of throw 1 of `main`;"
