@@ -108,7 +108,7 @@ class Machine(Spec, frozen=True):
         found: list[Problem] = []
         used = {shaft for bank in self.bank.values() for shaft in bank.shafts} if self.bank else {MAIN}
         for name, shaft in self.shaft.items():
-            foreign = ("ratio", "phase", "place") if name == MAIN else ("speed", "acceleration")
+            foreign = ("ratio", "phase", "place") if name == MAIN else ("speed", "acceleration", "speed_curve")
             allowed = _("is for another shaft; angles and places count from [shaft.main]")
             if name != MAIN:
                 allowed = _("must stand in [shaft.main]; this shaft turns with it, by its ratio")

@@ -44,6 +44,7 @@ from cranktrain.engine.powers import losses_of
 from cranktrain.engine.rocker_load import load_radius_of
 from cranktrain.engine.shafts import GearedShafts, shafts_of
 from cranktrain.engine.speed_curve import SteadyRunning, speed_at_moment
+from cranktrain.engine.speed_table import tabled_speed
 from cranktrain.engine.throws import shaft_centres_of, throws_of
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
@@ -149,13 +150,18 @@ def _speed_parts(machines: Sequence[Machine], grid: CrankAngle) -> Iterator[obje
     shafts = [machine.main_shaft for machine in machines]
     speeds = np.array([shaft.speed.si for shaft in shafts if shaft.speed is not None])
     accelerations = np.array([shaft.acceleration.si for shaft in shafts if shaft.acceleration is not None])
+    curves = [shaft.speed_curve for shaft in shafts if shaft.speed_curve is not None]
     curve = None
     if accelerations.size:
         curve = speed_at_moment(speeds, accelerations, grid.cycle, zero=grid.zero)
     else:
         yield SteadyRunning()
+        if curves:
+            curve = tabled_speed(curves, grid.shown.size, grid.cycle, zero=grid.zero)
     if speeds.size:
         yield Speed(speeds[:, np.newaxis, np.newaxis], curve)
+    elif curve is not None:
+        yield Speed(curve.mean, curve)
     if curve is not None:
         yield curve
 

@@ -48,6 +48,9 @@ def with_speed(parts: Parts, speed: SpeedWanted, stages: Sequence[Stage]) -> Par
     if not isinstance(speed, SpeedCurve) and SteadyRunning not in parts:
         allowed = _("must be left out: [shaft.main] acceleration says how the shaft turns, at one moment")
         raise InputError([Problem("speed", str(speed) if isinstance(speed, str) else None, allowed)])
+    if isinstance(speed, str) and speed == "running" and SpeedCurve in parts:
+        allowed = _("must be left out: [shaft.main.speed_curve] says how the shaft turns")
+        raise InputError([Problem("speed", speed, allowed)])
     curve = speed if isinstance(speed, SpeedCurve) else _curve(parts, speed, stages)
     declared: Any = parts.get(Speed, Speed(curve.mean))
     return {**parts, Speed: Speed(declared.value, curve), SpeedCurve: curve}

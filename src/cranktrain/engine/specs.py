@@ -7,6 +7,7 @@ from pydantic import BeforeValidator, Field, model_validator
 
 from cranktrain.engine.bodies import BodySpec, GuideSpec
 from cranktrain.engine.ends import ENDS
+from cranktrain.engine.speed_table import SpeedCurveSpec
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.mechanisms import AnyMechanism, MechanismSpec
@@ -40,7 +41,8 @@ OneOrMany = Annotated[tuple[Item, ...], BeforeValidator(_listed), Field(min_leng
 class ShaftSpec(Spec, frozen=True):
     """A crankshaft: throw angles ahead of throw 1, gaps between throws along it; of `main` how it turns.
 
-    An acceleration beside the speed makes all results those of one moment, at whatever crank angle it is.
+    An acceleration beside the speed makes all results those of one moment, at whatever crank angle it is; a speed curve
+    says how the shaft turns over the cycle.
 
     Another shaft turns by ratio·φ + phase: its throw 1 stands that far ahead of where throw 1 of `main` stood at φ = 0;
     unless given, the lead of opposed pistons that work on it says so, or it is 0. Its place is where its centre lies
@@ -51,6 +53,7 @@ class ShaftSpec(Spec, frozen=True):
     spacing: OneOrMany[NonNegativeLength] | None = None
     speed: PositiveSpeed | None = None
     acceleration: AngularAcceleration | None = None
+    speed_curve: SpeedCurveSpec | None = None
     ratio: Literal[1, -1] = 1
     phase: Angle | None = None
     place: tuple[Length, Length] | None = None
@@ -58,7 +61,7 @@ class ShaftSpec(Spec, frozen=True):
     @property
     def turns_unevenly(self) -> bool:
         """Whether there is more to say of how it turns than one speed."""
-        return self.acceleration is not None
+        return self.acceleration is not None or self.speed_curve is not None
 
     @model_validator(mode="after")
     def _spaced(self) -> Self:
@@ -71,7 +74,9 @@ class ShaftSpec(Spec, frozen=True):
 
     @model_validator(mode="after")
     def _turning(self) -> Self:
-        """Refuse an acceleration of nothing."""
+        """Refuse an acceleration of nothing, or beside a curve that has its own."""
+        if self.acceleration is not None and self.speed_curve is not None:
+            raise Refused(_("must not stand beside speed_curve, which has its own at every angle"), path="acceleration")
         if self.acceleration is not None and self.speed is None:
             raise Refused(_("is missing; a moment has a speed and an acceleration"), path="speed")
         return self

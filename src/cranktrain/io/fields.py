@@ -65,6 +65,7 @@ _SENTENCES = {
         "throws": N_("How far each throw stands ahead of throw 1; one that is to fire later stands behind."),
         "spacing": N_("Distance between neighbouring throws along the shaft, or a list of all; 0 for a split pin."),
         "speed": N_("Mean speed of the shaft; with it, velocities and accelerations."),
+        "speed_curve": N_("Speed over the crank angle in a file: at it everything is computed."),
         "acceleration": N_(
             "Angular acceleration beside the speed, in the sense of running: all results are then of one moment."
         ),
