@@ -20,6 +20,7 @@ from cranktrain.engine.flywheel import FlywheelSize, flywheel_size
 from cranktrain.engine.forces import LoadedMachine, MechanismTorques
 from cranktrain.engine.layout import CrankAngle, Speed
 from cranktrain.engine.shaft_torque import applied_torque
+from cranktrain.engine.speed_curve import SteadyRunning
 from cranktrain.loads.excess_work import excess_work
 from cranktrain.loads.flywheel import exact_flywheel, flywheels_by_method, textbook_inertia
 from cranktrain.loads.periodic import cycle_grid, fourier_curve, plus
@@ -117,7 +118,7 @@ def whole_machine(torque, speed, **evenness: Any) -> dict[type, Any]:
     square = known[Speed].value[0] ** 2
     torques = replace(torques, driving_torque=torques.reduced_inertia_slope * square / 2 - torque)
     load, angle = known[ShaftLoad], known[CrankAngle]
-    applied = applied_torque(load, torques, known[LoadedMachine], angle)
+    applied = applied_torque(load, SteadyRunning(), torques, known[LoadedMachine], angle)
     work = shaft_work(applied, None, torques, angle)
     if WantedCoefficient in known:
         known[FlywheelSize] = flywheel_size(load, known[WantedCoefficient], work, known[Speed])
