@@ -11,7 +11,7 @@ from pydantic import Field, ValidationError, model_validator
 
 from cranktrain.engine.balance_specs import BalanceSpec
 from cranktrain.engine.balance_weights import balance_problems
-from cranktrain.engine.bodies import BodySpec, Friction, GuideSpec
+from cranktrain.engine.bodies import BodySpec, Friction, GravitySpec, GuideSpec
 from cranktrain.engine.cylinders import Cylinder, cylinder_problems, cylinders_of, firing_order_of
 from cranktrain.engine.evenness_table import EvennessSpec
 from cranktrain.engine.firing import FiringOrder
@@ -73,7 +73,7 @@ class Machine(Spec, frozen=True):
     masses: Mapping[str, BodySpec] = Field(default={})
     friction: Mapping[str, Friction] = Field(default={})
     guide: Mapping[str, GuideSpec] = Field(default={})
-    gravity: bool = False
+    gravity: bool | GravitySpec = False
     gas: AnyGas | None = None
     balance: BalanceSpec | None = None
     evenness: EvennessSpec | None = None
@@ -180,7 +180,7 @@ class Machine(Spec, frozen=True):
         found: list[Problem] = []
         used = {shaft for bank in self.bank.values() for shaft in bank.shafts} if self.bank else {MAIN}
         for name, shaft in self.shaft.items():
-            foreign = ("ratio", "phase", "place") if name == MAIN else ("speed",)
+            foreign = ("ratio", "phase", "place") if name == MAIN else ("speed", "acceleration", "speed_curve")
             allowed = _("is for another shaft; angles and places count from [shaft.main]")
             if name != MAIN:
                 allowed = _("must stand in [shaft.main]; this shaft turns with it, by its ratio")
@@ -237,7 +237,7 @@ class Machine(Spec, frozen=True):
             {f"{home}masses": table.masses for home, table in homes.items() if table.masses},
             self.friction,
             {f"{home}guide": table.guide for home, table in homes.items() if table.guide},
-            self.gravity,
+            GravitySpec() if self.gravity is True else self.gravity or None,
             self.first_axis,
             self.rotation == "clockwise",
         )
@@ -282,7 +282,7 @@ class Machine(Spec, frozen=True):
         """In which order the cylinders fire, and what is wrong with that."""
         pistons = self.pistons
         leading = [pistons[cylinder.pistons[0]] for cylinder in self.cylinders]
-        return firing_order_of(self.cylinder, leading, astern=self.is_astern)
+        return firing_order_of(self.cylinder, leading, zero=self.zero, astern=self.is_astern)
 
     @cached_property
     def table_problems(self) -> tuple[Problem, ...]:

@@ -237,7 +237,12 @@ class TestMissing:
     def test_firing_order(self):
         found = self.missing(cylinder__firing_order=None)
         assert found == {
-            ("[cylinder] firing_order",): {"firing_angle", "firing_dead_centre", "firing_interval", "phase_star_sum"}
+            ("[cylinder] firing_order or firing_angles",): {
+                "firing_angle",
+                "firing_dead_centre",
+                "firing_interval",
+                "phase_star_sum",
+            }
         }
 
     def test_cycle(self):

@@ -20,6 +20,7 @@ from cranktrain.engine.flywheel import FlywheelSize, flywheel_size
 from cranktrain.engine.forces import LoadedMachine, MechanismTorques
 from cranktrain.engine.layout import CrankAngle, Speed
 from cranktrain.engine.shaft_torque import applied_torque
+from cranktrain.engine.speed_curve import SteadyRunning
 from cranktrain.engine.torque_sources import TorqueSources
 from cranktrain.loads.excess_work import excess_work
 from cranktrain.loads.flywheel import exact_flywheel, flywheels_by_method, textbook_inertia
@@ -118,9 +119,9 @@ def whole_machine(torque, speed, **evenness: Any) -> dict[type, Any]:
     square = known[Speed].value[0] ** 2
     torques = replace(torques, driving_torque=torques.reduced_inertia_slope * square / 2 - torque)
     load, angle = known[ShaftLoad], known[CrankAngle]
-    applied = applied_torque(load, torques, known[LoadedMachine], angle)
+    applied = applied_torque(load, SteadyRunning(), torques, known[LoadedMachine], angle)
     rest = applied.applied_torque[:, np.newaxis]
-    sources = TorqueSources(((),), rest, np.zeros_like(rest[:, 0]), np.zeros_like(rest[:, 0]))
+    sources = TorqueSources(((),), rest, *np.zeros((2, *rest[:, 0].shape)), np.zeros(1))
     work = shaft_work(applied, sources, None, torques, angle)
     if WantedCoefficient in known:
         known[FlywheelSize] = flywheel_size(load, known[WantedCoefficient], work, known[Speed])

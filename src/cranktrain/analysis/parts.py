@@ -17,7 +17,7 @@ from cranktrain.engine.cylinders import (
     ports_of,
 )
 from cranktrain.engine.evenness_table import evenness_parts
-from cranktrain.engine.firing import Cycle
+from cranktrain.engine.firing import Cycle, common_order
 from cranktrain.engine.followed import FollowedLinks, FollowedSliders, followed_of
 from cranktrain.engine.forces import carriers_of
 from cranktrain.engine.frames import frames_of
@@ -43,6 +43,8 @@ from cranktrain.engine.ports import TwoStroke
 from cranktrain.engine.powers import losses_of
 from cranktrain.engine.rocker_load import load_radius_of
 from cranktrain.engine.shafts import GearedShafts, shafts_of
+from cranktrain.engine.speed_curve import SteadyRunning, speed_at_moment
+from cranktrain.engine.speed_table import tabled_speed
 from cranktrain.engine.throws import shaft_centres_of, throws_of
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
@@ -84,12 +86,13 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
     turn = cycle or 2 * np.pi
     n_angles = round(turn / step)
     mechanisms = mechanisms_of(Mechanisms, designs)
+    grid = CrankAngle(
+        shown=np.arange(n_angles, dtype=np.float64) * turn / n_angles,
+        zero=np.array([[[machine.zero]] for machine in machines]),
+        cycle=turn,
+    )
     parts: list[object | None] = [
-        CrankAngle(
-            shown=np.arange(n_angles, dtype=np.float64) * turn / n_angles,
-            zero=np.array([[[machine.zero]] for machine in machines]),
-            cycle=turn,
-        ),
+        grid,
         mechanisms,
         *(group.members for group in mechanisms.groups),
         axial_places_of([machine.shafts for machine in machines], designs),
@@ -127,7 +130,7 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
             Cycle(cycle) if cycle else None,
             _declared_gas(machines),
             losses_of([machine.cylinder for machine in machines]),
-            first.firing[0],
+            common_order([machine.firing[0] for machine in machines]),
         ]
     if rockers[0]:
         swinging = mechanisms_of(Rockers, rockers)
@@ -138,10 +141,29 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
         ]
     if first.evenness is not None:
         parts += evenness_parts([machine.evenness for machine in machines if machine.evenness is not None])
-    speeds = [machine.main_shaft.speed for machine in machines]
-    if first.main_shaft.speed is not None:
-        parts.append(Speed(np.array([[[speed.si]] for speed in speeds if speed is not None])))
+    parts += _speed_parts(machines, grid)
     return {type(part): part for part in parts if part is not None}
+
+
+def _speed_parts(machines: Sequence[Machine], grid: CrankAngle) -> Iterator[object]:
+    """Give what the file says of how the main shaft turns."""
+    shafts = [machine.main_shaft for machine in machines]
+    speeds = np.array([shaft.speed.si for shaft in shafts if shaft.speed is not None])
+    accelerations = np.array([shaft.acceleration.si for shaft in shafts if shaft.acceleration is not None])
+    curves = [shaft.speed_curve for shaft in shafts if shaft.speed_curve is not None]
+    curve = None
+    if accelerations.size:
+        curve = speed_at_moment(speeds, accelerations, grid.cycle, zero=grid.zero)
+    else:
+        yield SteadyRunning()
+        if curves:
+            curve = tabled_speed(curves, grid.shown.size, grid.cycle, zero=grid.zero)
+    if speeds.size:
+        yield Speed(speeds[:, np.newaxis, np.newaxis], curve)
+    elif curve is not None:
+        yield Speed(curve.mean, curve)
+    if curve is not None:
+        yield curve
 
 
 def _designs(machines: Sequence[Machine], *, partial: bool) -> list[tuple[Place, ...]]:

@@ -111,15 +111,17 @@ def speed_over_cycle(machine: Machine, speed: SpeedWanted) -> SpeedCurve | None:
     Returns
     -------
     SpeedCurve or None
-        None for a constant speed.
+        None for a constant speed, unless the file itself says how the shaft turns.
 
     Raises
     ------
     InputError
         Where the file does not say what the running speed needs, there is none, or the speeds given are none.
     """
-    if isinstance(speed, SpeedCurve) or (isinstance(speed, str) and speed == "constant"):
-        return speed if isinstance(speed, SpeedCurve) else None
+    if isinstance(speed, SpeedCurve):
+        return speed
+    if isinstance(speed, str) and speed == "constant" and not machine.main_shaft.turns_unevenly:
+        return None
     parts = with_speed(parts_of((machine,), step=FACTS_STEP), speed, STAGES, FACTS_STEP)
     return _part(parts, SpeedCurve)
 

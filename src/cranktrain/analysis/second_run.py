@@ -12,7 +12,7 @@ from cranktrain.analysis.stages import Stage, leading_to, run_stages
 from cranktrain.catalogue import entries
 from cranktrain.engine.evenness import RunningSpeed
 from cranktrain.engine.layout import CrankAngle, Speed
-from cranktrain.engine.speed_curve import SpeedCurve, speed_curve
+from cranktrain.engine.speed_curve import SpeedCurve, SteadyRunning, speed_curve
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.loads.periodic import spline_curve
@@ -48,6 +48,12 @@ def with_speed(parts: Parts, speed: SpeedWanted, stages: Sequence[Stage], step: 
     """
     if isinstance(speed, str) and speed == "constant":
         return parts
+    if not isinstance(speed, SpeedCurve) and SteadyRunning not in parts:
+        allowed = _("must be left out: [shaft.main] acceleration says how the shaft turns, at one moment")
+        raise InputError([Problem("speed", str(speed) if isinstance(speed, str) else None, allowed)])
+    if isinstance(speed, str) and speed == "running" and SpeedCurve in parts:
+        allowed = _("must be left out: [shaft.main.speed_curve] says how the shaft turns")
+        raise InputError([Problem("speed", speed, allowed)])
     curve = speed if isinstance(speed, SpeedCurve) else _curve(parts, speed, stages, step)
     declared: Any = parts.get(Speed, Speed(curve.mean))
     return {**parts, Speed: Speed(declared.value, curve), SpeedCurve: curve}

@@ -119,6 +119,16 @@ _RunningSpeed = Annotated[
 ]
 
 
+_SpeedCurve = Annotated[
+    str | None,
+    typer.Option(
+        "--speed-curve",
+        metavar="FILE",
+        help=_("All at the speed over the crank angle that this file of two columns has."),
+    ),
+]
+
+
 @_app.callback(
     help=_(
         "Exact mechanics of any machine with a crank in it.\n\n"
@@ -226,6 +236,7 @@ def _run(
         float, typer.Option(metavar="DEGREES", parser=_degrees, help=_("Of the crank angle, in curves."))
     ] = 1.0,
     running_speed: _RunningSpeed = False,
+    speed_curve: _SpeedCurve = None,
     partial_turn: _Partial = False,
     inputs: Annotated[
         bool, typer.Option("--inputs", help=_("Show every number of the file and where it is from."))
@@ -242,6 +253,7 @@ def _run(
         step_degrees=step,
         is_partial=partial_turn,
         is_at_running_speed=running_speed,
+        speed_curve=speed_curve,
         output=output,
         force=force,
     )
@@ -305,6 +317,7 @@ def _plot(
     ] = None,
     size: Annotated[str | None, typer.Option(metavar="A4|A3", help=_("Of the paper; A4 unless given."))] = None,
     running_speed: _RunningSpeed = False,
+    speed_curve: _SpeedCurve = None,
     settings: _Settings = None,
     partial_turn: _Partial = False,
     force: _Force = False,
@@ -323,6 +336,7 @@ def _plot(
         size=size,
         sheet=sheet,
         is_at_running_speed=running_speed,
+        speed_curve=speed_curve,
     )
     write_picture(request)
 

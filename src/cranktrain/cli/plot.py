@@ -7,6 +7,8 @@ from pathlib import PurePath
 from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from cranktrain.cli.running_speed import OPTION, told_at_option
+from cranktrain.cli.speed_curve import OPTION as SPEED_CURVE
+from cranktrain.cli.speed_curve import speed_settings, told_as_typed
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.machine_file import MachineFile, computed, read_machine
 from cranktrain.language import _
@@ -77,6 +79,7 @@ class Request:
     size: str | None = None
     sheet: str | None = None
     is_at_running_speed: bool = False
+    speed_curve: str | None = None
 
 
 @dataclass(frozen=True)
@@ -105,7 +108,9 @@ def write_picture(request: Request) -> None:
     picture = understood(request)
     # What the plotting library says of its fonts and its folder is nothing that a user asked for.
     logging.getLogger("matplotlib").setLevel(logging.ERROR)
-    file = read_machine(request.file, request.settings, partial=request.is_partial)
+    with told_as_typed(request.speed_curve):
+        settings = (*request.settings, *speed_settings(request.speed_curve))
+        file = read_machine(request.file, settings, partial=request.is_partial)
     try:
         _mechanism_found(file, picture)
         with told_at_option():
@@ -147,8 +152,11 @@ def understood(request: Request) -> Picture:
     plan = request.plan and request.plan.strip().casefold()
     if plan is not None and plan not in PLANS:
         problems.append(unlisted("--plan", request.plan, tuple(PLANS)))
-    elif request.is_at_running_speed:
-        problems += _speed_misplaced(plan, suffix)
+    else:
+        options = {OPTION: request.is_at_running_speed, SPEED_CURVE: request.speed_curve is not None}
+        problems += [
+            problem for name, is_so in options.items() if is_so for problem in _speed_misplaced(name, plan, suffix)
+        ]
     sheet = (request.sheet or "machine").strip().casefold()
     if sheet not in SHEETS_OF:
         problems.append(unlisted("--sheet", request.sheet or "", tuple(SHEETS_OF)))
@@ -202,8 +210,8 @@ def _misplaced(request: Request, suffix: str) -> Iterator[Problem]:
     yield from (Problem(name, options[name], allowed) for name in unused if options[name] is not None)
 
 
-def _speed_misplaced(plan: str | None, suffix: str) -> Iterator[Problem]:
-    """Refuse the running speed for what is alike at every speed, or for what that speed is found from."""
+def _speed_misplaced(option: str, plan: str | None, suffix: str) -> Iterator[Problem]:
+    """Refuse a speed over the cycle for what is alike at every speed, or for what that speed is found from."""
     if suffix == ANIMATION:
         allowed = _("must be left out: a .gif shows positions in even steps of the crank angle")
     elif plan in _WHOLE_CYCLE:
@@ -214,7 +222,7 @@ def _speed_misplaced(plan: str | None, suffix: str) -> Iterator[Problem]:
         allowed = _("must be left out: this plan is the same at every speed")
     else:
         return
-    yield Problem(OPTION, None, allowed)
+    yield Problem(option, None, allowed)
 
 
 def _angles(text: str | None, *, is_count_meant: bool) -> Angles | None:

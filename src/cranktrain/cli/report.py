@@ -79,6 +79,8 @@ def title(machine: Machine) -> str:
         parts.append(_shafts(machine))
     if machine.main_shaft.speed is not None:
         parts.append(machine.main_shaft.speed.text)
+    if machine.main_shaft.acceleration is not None:
+        parts.append(machine.main_shaft.acceleration.text)
     senses = {
         "clockwise": _("clockwise"),
         "anticlockwise": _("anticlockwise"),

@@ -6,6 +6,7 @@ from pathlib import PurePath
 from cranktrain.analysis import Result
 from cranktrain.cli.running_speed import told_at_option
 from cranktrain.cli.screen import page
+from cranktrain.cli.speed_curve import speed_settings, told_as_typed
 from cranktrain.errors import InputError, Problem
 from cranktrain.io.machine_file import MachineFile, computed, read_machine
 from cranktrain.io.output import write_whole
@@ -24,6 +25,7 @@ class Request:
     step_degrees: float = 1.0
     is_partial: bool = False
     is_at_running_speed: bool = False
+    speed_curve: str | None = None
     output: str | None = None
     force: bool = False
 
@@ -36,7 +38,9 @@ def show_run(request: Request, *, with_inputs: bool = False) -> None:
     if request.quantities == ():
         allowed = _("must be names of results, with commas between; `cranktrain list results` names them")
         raise InputError([Problem("--quantities", '""', allowed)])
-    file = read_machine(request.file, request.settings, partial=request.is_partial)
+    with told_as_typed(request.speed_curve):
+        settings = (*request.settings, *speed_settings(request.speed_curve))
+        file = read_machine(request.file, settings, partial=request.is_partial)
     if request.output is None or suffix is None:
         result = _computed(file, request)
     else:

@@ -6,11 +6,12 @@ from pydantic import model_validator
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.quantities import Dimension, Given, Length, PositiveLength, PositiveMass, Quantity
+from cranktrain.quantities import Angle, Dimension, Given, Length, PositiveLength, PositiveMass, Quantity
 from cranktrain.spec import Refused, Spec
 
 Friction = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]
 NonNegativeInertia = Annotated[Given, Quantity(Dimension.INERTIA, at_least=0.0)]
+PositiveAcceleration = Annotated[Given, Quantity(Dimension.ACCELERATION, above=0.0)]
 
 
 class BodySpec(Spec, frozen=True):
@@ -44,6 +45,17 @@ class BodySpec(Spec, frozen=True):
         if found:
             raise InputError(found)
         return self
+
+
+class GravitySpec(Spec, frozen=True):
+    """Gravity in the plane of the mechanism: how strong, and how far its direction is turned from straight down.
+
+    direction counts from −Y in the normal sense of rotation, as all angles of the file; a machine that stands upright
+    has 0.
+    """
+
+    acceleration: PositiveAcceleration = Given(9.80665, "9.80665 m/s²")
+    direction: Angle = Given(0.0, "0 deg")
 
 
 class GuideSpec(Spec, frozen=True):

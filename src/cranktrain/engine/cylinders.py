@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from cranktrain.engine.firing import FiringOrder, firing_angles, within_turn
+from cranktrain.engine.given_firing import given_firing
 from cranktrain.engine.places import Place
 from cranktrain.engine.ports import Ports
 from cranktrain.engine.specs import CylinderSpec, CylindersSpec
@@ -213,15 +214,17 @@ def ports_of(designs: Sequence[Sequence[Cylinder]]) -> Ports | None:
 
 
 def firing_order_of(
-    common: CylindersSpec, leading: Sequence[Place], *, astern: bool
+    common: CylindersSpec, leading: Sequence[Place], *, zero: float, astern: bool
 ) -> tuple[FiringOrder | None, tuple[Problem, ...]]:
-    """Read the firing order of cylinders, each by its leading piston; None where the file has none.
+    """Read the firing order of cylinders, each by its leading piston, or their firing angles; None without either.
 
-    Running astern it is read backwards from the same cylinder. Whether the crank pins allow it can be told where the
-    cycle is known, too.
+    zero is φ where the shown crank angle is 0 [rad]. Running astern the order is read backwards from the same cylinder.
+    Whether the crank pins allow it can be told where the cycle is known, too.
     """
     names = [place.cylinder for place in leading]
     problems = _number_problems(common, names)
+    if common.firing_angles is not None and common.cycle is not None and not problems:
+        return given_firing(common, leading, CYCLES[common.cycle], zero=zero, astern=astern)
     if common.firing_order is None or problems:
         own = _own_order(common, leading) if not problems else None
         return own, problems

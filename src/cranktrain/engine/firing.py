@@ -1,5 +1,7 @@
 """Firing: when each cylinder fires, at what intervals, and whether its true dead centre is there."""
 
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import ClassVar
 
 import numpy as np
@@ -9,6 +11,7 @@ from cranktrain.catalogue import quantity
 from cranktrain.engine.dead_centres import ANGLE_ROUNDING, around_zero
 from cranktrain.engine.layout import CrankAngle, Pistons
 from cranktrain.engine.travel import CylinderPistons, CylinderTravel
+from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.record import record
@@ -31,12 +34,40 @@ class Cycle:
 
 @record
 class FiringOrder:
-    """Cylinders in the order in which they fire, as indices, shape (cylinder,); by the maker's numbers too, if any."""
+    """In which order cylinders fire.
 
-    needs: ClassVar[str] = N_("[cylinder] firing_order")
+    Attributes
+    ----------
+    order : array of int, shape (cylinder,)
+        Indices of the cylinders as they come.
+    numbers : tuple of str
+        The maker's numbers of these, if any.
+    angles : Array, shape (design, cylinder), or None
+        φ at which each fires, in [0, cycle), where the file says it. [rad]
+    """
+
+    needs: ClassVar[str] = N_("[cylinder] firing_order or firing_angles")
 
     order: NDArray[np.intp]
     numbers: tuple[str, ...] = ()
+    angles: Array | None = None
+
+
+def common_order(orders: Sequence[FiringOrder | None]) -> FiringOrder | None:
+    """Put together the order that several designs of one machine have, and the angles of each.
+
+    Raises
+    ------
+    InputError
+        Where the angles of one design make another order than those of the first.
+    """
+    found = [order for order in orders if order is not None]
+    angles = [order.angles for order in found if order.angles is not None]
+    if not angles:
+        return found[0] if found else None
+    if any(not np.array_equal(order.order, found[0].order) for order in found):
+        raise InputError([Problem("cylinder.firing_angles", None, _("must make the same order in all designs"))])
+    return replace(found[0], angles=np.concatenate(angles))
 
 
 @record
@@ -58,6 +89,7 @@ class Firing:
     )
     order: tuple[int, ...] = ()
     numbers: tuple[str, ...] = ()
+    n_choices: tuple[int, ...] = ()
 
     def answer(self, names: Names, design: int) -> str:
         """Say the order and the intervals."""
@@ -68,9 +100,17 @@ class Firing:
         intervals = self.firing_interval[design]
         if np.ptp(intervals) < _SAME:
             even = shared(("",), intervals[:1], "deg")
-            return _("Firing order {order}, evenly every {interval}.").format(order=order, interval=even)
-        written = shared([cylinders[i] for i in self.order], intervals[list(self.order)], "deg")
-        return _("Firing order {order}, unevenly: {intervals} to the next.").format(order=order, intervals=written)
+            said = _("Firing order {order}, evenly every {interval}.").format(order=order, interval=even)
+        else:
+            written = shared([cylinders[i] for i in self.order], intervals[list(self.order)], "deg")
+            said = _("Firing order {order}, unevenly: {intervals} to the next.").format(order=order, intervals=written)
+        if self.n_choices[design] == 1:
+            return said
+        chosen = _(
+            "{said} Of {n} choices of turns that give this order no other is more even;"
+            " [cylinder] firing_angles says another."
+        )
+        return chosen.format(said=said, n=self.n_choices[design])
 
 
 def firing(
@@ -81,15 +121,18 @@ def firing(
     crank_angle: CrankAngle,
     travel: CylinderTravel,
 ) -> Firing:
-    """Firing angles in the turn that makes the order true."""
+    """Firing angles as they are given, or in the turns that make the order true and the intervals most even."""
     top = pistons.nominal_top[:, cylinders.leading, 0]
     nominal = within_turn(top)
     shift = travel.inner - top
     angles = np.empty_like(nominal)
     interval = np.empty_like(nominal)
     for design, tops in enumerate(nominal):
-        found = firing_angles(tops[order.order], cycle.length)
-        in_order = np.full(tops.shape, np.nan) if found is None else found
+        if order.angles is not None:
+            in_order = order.angles[design, order.order]
+        else:
+            found = firing_angles(tops[order.order], cycle.length)
+            in_order = np.full(tops.shape, np.nan) if found is None else found
         angles[design, order.order] = in_order
         interval[design, order.order] = np.diff(in_order, append=in_order[0] + cycle.length)
     return Firing(
@@ -98,13 +141,16 @@ def firing(
         firing_interval=interval,
         order=tuple(order.order.tolist()),
         numbers=order.numbers,
+        n_choices=tuple(
+            firing_choices(tops[order.order], cycle.length) if order.angles is None else 1 for tops in nominal
+        ),
     )
 
 
-def within_turn(tops: Array) -> Array:
-    """Bring crank angles into [0, 2π); what rounding put just before 2π stands at 0. [rad]"""
-    turned = np.mod(tops, 2 * np.pi)
-    return np.where(turned > 2 * np.pi - ANGLE_ROUNDING, 0.0, turned)
+def within_turn(tops: Array, period: float = 2 * np.pi) -> Array:
+    """Bring crank angles into [0, 2π), or another period; what rounding put just before its end stands at 0. [rad]"""
+    turned = np.mod(tops, period)
+    return np.where(turned > period - ANGLE_ROUNDING, 0.0, turned)
 
 
 def firing_angles(tops: Array, cycle: float) -> Array | None:
@@ -130,15 +176,35 @@ def firing_angles(tops: Array, cycle: float) -> Array | None:
     return _chosen(tops, cycle, least=-_SAME) if apart is None and together > round(cycle / (2 * np.pi)) else apart
 
 
-def _chosen(tops: Array, cycle: float, least: float) -> Array | None:
-    """Choose among the turns by the smallest sum of squared intervals; None where the order cannot rise."""
+def firing_choices(tops: Array, cycle: float) -> int:
+    """Count the choices of turns that give an order; parameters as of `firing_angles`."""
+    return _n_choices(tops, cycle, least=_SAME) or _n_choices(tops, cycle, least=-_SAME)
+
+
+def _n_choices(tops: Array, cycle: float, least: float) -> int:
+    """Count the choices by which the order rises."""
+    # For each possible angle of the piston reached so far: by how many choices it is reached.
+    ways: list[tuple[float, int]] = [(float(tops[0]), 1)]
+    for options in _options(tops, cycle):
+        ways = [(angle, sum(n for before, n in ways if angle - before > least)) for angle in options]
+    return sum(n for _angle, n in ways)
+
+
+def _options(tops: Array, cycle: float) -> Iterator[list[float]]:
+    """Give the angles at which each piston but the first can fire within a cycle from the first one's angle."""
     start, *others = tops.tolist()
-    # For each possible angle of the piston reached so far: the sum of squares and the angles that led there.
-    ways: list[tuple[float, list[float]]] = [(0.0, [start])]
     for top in others:
         first = start + (top - start) % (2 * np.pi)
         first = start if first > start + 2 * np.pi - _SAME else first
-        options = [first + 2 * np.pi * turn for turn in range(round(cycle / (2 * np.pi)))]
+        yield [first + 2 * np.pi * turn for turn in range(round(cycle / (2 * np.pi)))]
+
+
+def _chosen(tops: Array, cycle: float, least: float) -> Array | None:
+    """Choose among the turns by the smallest sum of squared intervals; None where the order cannot rise."""
+    start = float(tops[0])
+    # For each possible angle of the piston reached so far: the sum of squares and the angles that led there.
+    ways: list[tuple[float, list[float]]] = [(0.0, [start])]
+    for options in _options(tops, cycle):
         ways = [
             min((cost + (angle - path[-1]) ** 2, [*path, angle]) for cost, path in reachable)
             for angle in options

@@ -6,7 +6,7 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from cranktrain.engine.bodies import BodySpec, GuideSpec
+from cranktrain.engine.bodies import BodySpec, GravitySpec, GuideSpec
 from cranktrain.engine.frames import frame_of
 from cranktrain.engine.guide_tables import Edges, edges_of
 from cranktrain.engine.part_tables import PISTON, SLIDER, nearest_item, part_name, table_paths
@@ -20,8 +20,6 @@ from cranktrain.quantities import Given
 from cranktrain.record import record
 from cranktrain.wording import precise
 
-STANDARD_GRAVITY = 9.80665
-"""[m/s²]"""
 _CRANK = "crank"
 _TABLE = "masses"
 _LEAST_GYRATION, _MOST_GYRATION = 0.1, 1.0
@@ -71,16 +69,16 @@ class Masses:
 
 
 class Weighed(NamedTuple):
-    """What a machine file says of masses: bodies by path of their table, friction by slider, and whether they weigh.
+    """What a machine file says of masses: bodies by path of their table, friction by slider, and what weighs on them.
 
-    guides has the guides of what slides, by path of their table; first_angle [rad] and is_clockwise say how the
-    machine's axes lie.
+    guides has the guides of what slides, by path of their table; gravity is None where weights do not count;
+    first_angle [rad] and is_clockwise say how the machine's axes lie.
     """
 
     bodies: Mapping[str, Mapping[str, BodySpec]]
     friction: Mapping[str, Given]
     guides: Mapping[str, Mapping[str, GuideSpec]]
-    has_gravity: bool
+    gravity: GravitySpec | None
     first_angle: float
     is_clockwise: bool
 
@@ -209,17 +207,25 @@ def _place_masses(place: Place, given: Weighed, *, has_crank: bool) -> PlaceMass
         else _body(place, part, spec)
         for part in dynamics.moving
     ]
-    direction, sense = frame_of(place, first_angle=given.first_angle, clockwise=given.is_clockwise)
-    pull = STANDARD_GRAVITY if given.has_gravity else 0.0
     return PlaceMasses(
         dynamics.bodies(*bodies),
-        Gravity(single(-pull * cos(direction)), single(pull * sense * sin(direction))),
+        _gravity(place, given),
         tuple(
             single(given.friction[part_name(name)].si if part_name(name) in given.friction else 0.0)
             for name in dynamics.sliding
         ),
         tuple(edges_of(place, name, given.guides) for name in dynamics.sliding),
     )
+
+
+def _gravity(place: Place, given: Weighed) -> Gravity:
+    """Gravity in the mechanism's axes. [m/s²]"""
+    if given.gravity is None:
+        return Gravity(single(0.0), single(0.0))
+    direction, sense = frame_of(place, first_angle=given.first_angle, clockwise=given.is_clockwise)
+    tilt = given.gravity.direction.si if given.is_clockwise else -given.gravity.direction.si
+    up, pull = direction - tilt, given.gravity.acceleration.si
+    return Gravity(single(-pull * cos(up)), single(pull * sense * sin(up)))
 
 
 def _body(place: Place, part: str, spec: BodySpec) -> Body:

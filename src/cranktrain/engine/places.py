@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from cranktrain.engine.gearing import first_axis, opposed_angle, shaft_phases
+from cranktrain.engine.leads import lead_problems
 from cranktrain.engine.specs import BankSpec, ShaftSpec
 from cranktrain.errors import Problem
 from cranktrain.language import _
@@ -115,6 +116,7 @@ def places_of(
     if problems:
         return (), problems
     phases, problems = shaft_phases(shafts, banks)
+    problems = problems or tuple(lead_problems(shafts, banks))
     first = first_axis(banks)
     places: list[Place] = []
     for slot in slots:

@@ -7,6 +7,7 @@ from cranktrain.catalogue import quantity
 from cranktrain.engine.evenness_table import ShaftLoad
 from cranktrain.engine.forces import LoadedMachine, MechanismTorques
 from cranktrain.engine.layout import CrankAngle
+from cranktrain.engine.speed_curve import SteadyRunning
 from cranktrain.language import N_
 from cranktrain.linkage.forces import Drive, Reduced, ReducedInertia, torque_by_work
 from cranktrain.loads.periodic import (
@@ -58,9 +59,9 @@ def _smooth_work(work: Array, _slope: Array, cycle: float) -> PeriodicCurve:
 
 
 def applied_torque(
-    _load: ShaftLoad, torques: MechanismTorques, loaded: LoadedMachine, crank_angle: CrankAngle
+    _load: ShaftLoad, _steady: SteadyRunning, torques: MechanismTorques, loaded: LoadedMachine, crank_angle: CrankAngle
 ) -> AppliedTorque:
-    """Torque that is left without inertia; a file that says nothing of a load has none.
+    """Torque that is left without inertia; a file that says nothing of a load has none, nor has one moment.
 
     Notes
     -----

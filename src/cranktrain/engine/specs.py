@@ -7,12 +7,14 @@ from pydantic import BeforeValidator, Field, model_validator
 
 from cranktrain.engine.bodies import BodySpec, GuideSpec
 from cranktrain.engine.ends import ENDS
+from cranktrain.engine.speed_table import SpeedCurveSpec
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.mechanisms import AnyMechanism, MechanismSpec
 from cranktrain.mechanisms.kind import LISTS
 from cranktrain.quantities import (
     Angle,
+    AngularAcceleration,
     Dimension,
     Given,
     Length,
@@ -41,7 +43,10 @@ MOST_MECHANISMS = 1000
 
 
 class ShaftSpec(Spec, frozen=True):
-    """A crankshaft: throw angles ahead of throw 1, gaps between throws along it; of `main` the speed.
+    """A crankshaft: throw angles ahead of throw 1, gaps between throws along it; of `main` how it turns.
+
+    An acceleration beside the speed makes all results those of one moment, at whatever crank angle it is; a speed curve
+    says how the shaft turns over the cycle.
 
     Another shaft turns by ratio·φ + phase: its throw 1 stands that far ahead of where throw 1 of `main` stood at φ = 0;
     unless given, the lead of opposed pistons that work on it says so, or it is 0. Its place is where its centre lies
@@ -51,9 +56,16 @@ class ShaftSpec(Spec, frozen=True):
     throws: tuple[Angle, ...] = Field(default=(Given(0.0, "0 deg"),), min_length=1, max_length=MOST_MECHANISMS)
     spacing: OneOrMany[NonNegativeLength] | None = None
     speed: PositiveSpeed | None = None
+    acceleration: AngularAcceleration | None = None
+    speed_curve: SpeedCurveSpec | None = None
     ratio: Literal[1, -1] = 1
     phase: Angle | None = None
     place: tuple[Length, Length] | None = None
+
+    @property
+    def turns_unevenly(self) -> bool:
+        """Whether there is more to say of how it turns than one speed."""
+        return self.acceleration is not None or self.speed_curve is not None
 
     @model_validator(mode="after")
     def _spaced(self) -> Self:
@@ -62,6 +74,15 @@ class ShaftSpec(Spec, frozen=True):
         if self.spacing is not None and len(self.spacing) not in (1, gaps):
             allowed = _("must be one length, or a list of them, one for each gap between throws: {gaps}")
             raise Refused(allowed.format(gaps=gaps), path="spacing")
+        return self
+
+    @model_validator(mode="after")
+    def _turning(self) -> Self:
+        """Refuse an acceleration of nothing, or beside a curve that has its own."""
+        if self.acceleration is not None and self.speed_curve is not None:
+            raise Refused(_("must not stand beside speed_curve, which has its own at every angle"), path="acceleration")
+        if self.acceleration is not None and self.speed is None:
+            raise Refused(_("is missing; a moment has a speed and an acceleration"), path="speed")
         return self
 
 
@@ -235,14 +256,30 @@ OVERRIDES = "NAME (a bank or cylinder)"
 
 
 class CylindersSpec(CylinderSpec, frozen=True):
-    """All cylinders: their common dimensions, cycle, firing order and friction, and `overrides` by bank or cylinder."""
+    """All cylinders: their common dimensions, cycle, firing and friction, and `overrides` by bank or cylinder.
+
+    Firing is an order, or the crank angles at which the cylinders fire, as they are shown: one for each cylinder in the
+    order of the file, or by name.
+    """
 
     cycle: Literal["two-stroke", "four-stroke"] | None = None
     firing_order: str | None = None
+    firing_angles: tuple[Angle, ...] | Mapping[str, Angle] | None = None
     numbers: Mapping[str, str] = {}
     mechanical_efficiency: Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=1.0)] | None = None
     friction_pressure: Pressure | None = None
     overrides: Mapping[str, CylinderSpec] = Field(default={}, alias=OVERRIDES)
+
+    @model_validator(mode="after")
+    def _firing_one_way(self) -> Self:
+        """Refuse firing that is said twice, and angles of an unknown cycle."""
+        if self.firing_angles is None:
+            return self
+        if self.firing_order is not None:
+            raise Refused(_("must not stand beside firing_angles, which say it"), path="firing_order")
+        if self.cycle is None:
+            raise Refused(_("is missing; firing_angles count over a cycle"), path="cycle")
+        return self
 
     @model_validator(mode="after")
     def _friction_one_way(self) -> Self:

@@ -1,15 +1,22 @@
-"""Speed of the main shaft that varies over the cycle: found by the machine's own evenness, or given."""
+"""Speed of the main shaft that varies: over the cycle, found by the machine's own evenness or given, or at a moment."""
 
 from typing import ClassVar
 
 import numpy as np
 
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.linkage.forces import Drive
 from cranktrain.loads.periodic import PeriodicCurve, hermite_curve
 from cranktrain.motion import Array
 from cranktrain.record import record
 from cranktrain.wording import Names, number
+
+
+@record
+class SteadyRunning:
+    """That what is asked for is not one moment: the machine runs on as it does."""
+
+    needs: ClassVar[str] = N_("a speed without [shaft.main] acceleration, as of steady running")
 
 
 @record
@@ -26,6 +33,8 @@ class SpeedCurve:
         Mean of ω over time. [rad/s]
     is_steady_running : bool
         Whether it is what the machine's torques, load and flywheel make of it, and not given.
+    moment : Array, shape (design, 1, 1), or None
+        Of one moment, which may be at any crank angle, the angular acceleration; the speed is then one. [rad/s²]
     """
 
     needs: ClassVar[str] = ""
@@ -34,6 +43,7 @@ class SpeedCurve:
     zero: Array
     mean: Array
     is_steady_running: bool
+    moment: Array | None = None
 
     def drive(self, angle: Array) -> Drive:
         """How the crank turns at φ [rad], shape (n,) or (design, m, n): arrays of shape (design, m or 1, n).
@@ -45,11 +55,21 @@ class SpeedCurve:
         shown = angle - self.zero
         flat = shown.reshape(len(shown), -1)
         square = self.square.motion(flat)
-        return Drive(np.sqrt(square.value).reshape(shown.shape), square.first.reshape(shown.shape) / 2)
+        acceleration = square.first.reshape(shown.shape) / 2
+        if self.moment is not None:
+            acceleration = acceleration + self.moment
+        return Drive(np.sqrt(square.value).reshape(shown.shape), acceleration)
 
     def answer(self, _names: Names, design: int) -> str:
         """Say at which speed everything is."""
         speeds = np.sqrt(self.square.samples[design])
+        if self.moment is not None:
+            said = _(
+                "All of this is of one moment, whatever the crank angle then, at {speed} and an angular acceleration of"
+                " {acceleration}. What only steady running has is left out."
+            )
+            acceleration = number(float(self.moment[design, 0, 0]), "rad/s^2")
+            return said.format(speed=number(float(speeds[0]), "rpm"), acceleration=acceleration)
         said = _("All of this is at the speed that was given, {least} to {most} over the cycle, {mean} over time.")
         if self.is_steady_running:
             said = _(
@@ -85,3 +105,10 @@ def speed_curve(
     """
     square = hermite_curve(speed**2, 2 * acceleration, cycle)
     return SpeedCurve(square, zero, mean[:, np.newaxis, np.newaxis], is_steady_running)
+
+
+def speed_at_moment(speed: Array, acceleration: Array, cycle: float, *, zero: Array) -> SpeedCurve:
+    """Give one moment's speed and angular acceleration, shape (design,), at all crank angles. [rad/s, rad/s²]"""
+    square = hermite_curve(speed[:, np.newaxis] ** 2, np.zeros((len(speed), 1)), cycle)
+    mean, moment = (part[:, np.newaxis, np.newaxis] for part in (speed, acceleration))
+    return SpeedCurve(square, zero, mean, is_steady_running=False, moment=moment)

@@ -68,17 +68,21 @@ class TorqueSources:
         What is left is smooth at any speed. [N·m]
     kept : Array, shape (design, n)
         What inertia takes in the sources from the first point on, ½Jω²; nothing where it is in the rest. [J]
+    spent : Array, shape (design,)
+        Work that inertia takes over a cycle: none, but for one moment of acceleration ∮Jε dφ. [J]
     """
 
     sources: tuple[tuple[Source, ...], ...]
     rest: Array
     inertia: Array
     kept: Array
+    spent: Array
 
     def mean(self, cycle: float) -> Array:
         """Mean torque on every shaft, shape (design, shaft). [N·m]"""
-        # At a speed that varies equal steps see work in the inertia.
-        found = np.mean(self.rest, axis=-1) + np.mean(self.inertia, axis=-1, keepdims=True) / self.rest.shape[1]
+        # At a speed that varies equal steps see work in the inertia that it does not do.
+        wrong = np.mean(self.inertia, axis=-1) - np.where(np.any(self.inertia, axis=-1), self.spent / cycle, 0.0)
+        found = np.mean(self.rest, axis=-1) + wrong[:, np.newaxis] / self.rest.shape[1]
         for design, sources in enumerate(self.sources):
             for one in sources:
                 own = np.broadcast_to(np.sum(one.values * one.panels.weight, axis=-1) / cycle, one.shafts.shape)
@@ -156,19 +160,23 @@ def torque_sources(
     by_shaft = throw_torque(-driving_torques(loaded, solved.groups), shafts.shaft, len(shafts.names))
     drive = Drive(*(part[:, 0] for part in loaded.speed.drive(crank_angle.angle)))
     nothing = np.zeros_like(by_shaft[:, 0])
+    spent = np.zeros(len(by_shaft))
+    if loaded.speed.curve is not None and loaded.speed.curve.moment is not None:
+        each = torques.reduced_inertia * loaded.speed.curve.moment[:, 0]
+        spent = np.mean(each, axis=-1) * crank_angle.cycle
     designs = range(len(by_shaft))
     if loaded.masses.has_friction:
         energy = torques.reduced_inertia * drive.speed**2 / 2
         whole = tuple((_of_machine(loaded, shafts, crank_angle, events, design),) for design in designs)
-        return TorqueSources(whole, np.zeros_like(by_shaft), nothing, energy - energy[..., :1])
+        return TorqueSources(whole, np.zeros_like(by_shaft), nothing, energy - energy[..., :1], spent)
     equation = Reduced(ReducedInertia(torques.reduced_inertia, torques.reduced_inertia_slope), ZERO)
     inertia = torque_by_work(equation, drive)
     if loaded.gas is None or gas_events is None or gas is None or motion is None:
-        return TorqueSources(((),) * len(designs), by_shaft, inertia, nothing)
+        return TorqueSources(((),) * len(designs), by_shaft, inertia, nothing, spent)
     own = shafts.shaft[loaded.carriers.driven]
     rest = by_shaft - throw_torque(gas.gas_force * motion.piston_velocity_coefficient, own, len(shafts.names))
     sources = tuple(tuple(_of_chambers(loaded.gas, gas_events, crank_angle, own, design)) for design in designs)
-    return TorqueSources(sources, rest, inertia, nothing)
+    return TorqueSources(sources, rest, inertia, nothing, spent)
 
 
 def _of_machine(

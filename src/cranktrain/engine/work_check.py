@@ -31,6 +31,8 @@ def work_balance(
 ) -> WorkBalance:
     """Work of gas and torque; with friction in the guides, which takes some, there is no check.
 
+    At one moment's angular acceleration ε the torque also gives the inertia ∮Jε dφ.
+
     Notes
     -----
     docs/theory/forces, eq. (13.40).
@@ -39,7 +41,8 @@ def work_balance(
     total = np.sum(works, axis=-1)
     if loaded.masses.has_friction:
         return WorkBalance(total)
-    done = np.sum(sources.mean(crank_angle.cycle), axis=-1) * crank_angle.cycle
+    # What inertia takes at a moment of acceleration, the shaft does not get.
+    done = np.sum(sources.mean(crank_angle.cycle), axis=-1) * crank_angle.cycle + sources.spent
     residual = np.abs(done - total) / np.sum(np.abs(works), axis=-1)
     sentence = _("Work of the torque by the reactions, by quadrature, against that of the gas")
     return WorkBalance(total, (Check("work", sentence, residual, _EXACT_LIMIT),))

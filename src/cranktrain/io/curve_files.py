@@ -27,6 +27,7 @@ class CurveFile(NamedTuple):
 CURVE_FILES = (
     CurveFile(("gas",), "indicator", N_("an indicator diagram")),
     CurveFile(("evenness", "load_curve"), None, N_("a load curve")),
+    CurveFile(("shaft", "main", "speed_curve"), None, N_("a speed curve")),
 )
 
 

@@ -24,11 +24,15 @@ _SENTENCES = {
             'Coefficients of friction by what slides: piston, block, or a chain\'s slider S and its slot, "S.slot".'
         ),
         "guide": N_("Guides of what slides, by the names of [friction]: how long they are; a bank may have its own."),
-        "gravity": N_("Whether weights count, downward."),
+        "gravity": N_("Whether weights count, downward; or a table, for another strength or direction."),
         "gas": N_("What the chambers hold: the kind of gas model and its numbers."),
         "cylinder": N_("Cylinders: what is common to all, and tables for one bank or one cylinder."),
         "evenness": N_("What balances the machine, its flywheel, and how evenly it is to run."),
         "balance": N_("Counterweights and balance shafts, given or solved for."),
+    },
+    "GravitySpec": {
+        "acceleration": N_("Of free fall in the mechanism's plane; 9.80665 m/s² unless given."),
+        "direction": N_("How far it is turned from straight down, −Y, in the normal sense of rotation."),
     },
     "BalanceSpec": {
         "weight": N_("Weights that turn: on the crankshaft, or on shafts of their own."),
@@ -61,6 +65,10 @@ _SENTENCES = {
         "throws": N_("How far each throw stands ahead of throw 1; one that is to fire later stands behind."),
         "spacing": N_("Distance between neighbouring throws along the shaft, or a list of all; 0 for a split pin."),
         "speed": N_("Mean speed of the shaft; with it, velocities and accelerations."),
+        "speed_curve": N_("Speed over the crank angle in a file: at it everything is computed."),
+        "acceleration": N_(
+            "Angular acceleration beside the speed, in the sense of running: all results are then of one moment."
+        ),
         "ratio": N_("Of a shaft geared to `main`: 1 where it turns with it, -1 where it turns against it."),
         "phase": N_(
             "Of a shaft geared to `main`: where its throw 1 stands at crank angle 0, ahead of throw 1 of `main`;"
@@ -123,6 +131,10 @@ _SENTENCES = {
         "cycle": N_("Strokes of one working cycle; the crank angle runs through one or two turns."),
         "firing_order": N_(
             'Cylinders in the order in which they fire, such as "1-3-4-2"; with the cycle: firing angles.'
+        ),
+        "firing_angles": N_(
+            "Crank angles at which the cylinders fire, as shown, instead of an order: a list, one for each cylinder in "
+            'the order of the file, or by name, { 1L = "0 deg", 1R = "60 deg" }.'
         ),
         "numbers": N_('A maker\'s own numbers of the cylinders, for use in the firing order: { 5 = "1L" }.'),
         "mechanical_efficiency": N_(

@@ -4,6 +4,7 @@ from cranktrain.quantities.conversion import shown
 from cranktrain.quantities.dimensions import Dimension, expected, unit_names
 from cranktrain.quantities.fields import (
     Angle,
+    AngularAcceleration,
     Area,
     FlywheelMoment,
     Force,
@@ -35,6 +36,7 @@ from cranktrain.quantities.refusal import QuantityError, nearest, one_of, unknow
 
 __all__ = [
     "Angle",
+    "AngularAcceleration",
     "Area",
     "Dimension",
     "FlywheelMoment",

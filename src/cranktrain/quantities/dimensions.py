@@ -89,6 +89,20 @@ class Dimension(Enum):
         "9 m/s",
         (_unit("m/s", "м/с"), _unit("mm/s", "мм/с", si="0.001"), _unit("ft/s", "фут/с", si=_FOOT)),
     )
+    ACCELERATION = (
+        N_("an acceleration"),
+        "9.81 m/s²",
+        (_unit("m/s²", "м/с²"), _unit("cm/s²", "см/с²", si="0.01"), _unit("ft/s²", "фут/с²", si=_FOOT)),
+    )
+    ANGULAR_ACCELERATION = (
+        N_("an angular acceleration"),
+        "50 rad/s²",
+        (
+            _unit("rad/s²", "рад/с²"),
+            _unit("deg/s²", "град/с²", si=_TURN / 360),
+            _unit("rpm/s", "об/мин/с", si=_TURN / 60),
+        ),
+    )
     FORCE = (
         N_("a force"),
         "500 N",

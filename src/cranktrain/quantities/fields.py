@@ -19,6 +19,7 @@ PositiveVolume: TypeAlias = Annotated[Given, Quantity(Dimension.VOLUME, above=0.
 Angle: TypeAlias = Annotated[Given, Quantity(Dimension.ANGLE)]
 Speed: TypeAlias = Annotated[Given, Quantity(Dimension.SPEED)]
 PositiveSpeed: TypeAlias = Annotated[Given, Quantity(Dimension.SPEED, above=0.0)]
+AngularAcceleration: TypeAlias = Annotated[Given, Quantity(Dimension.ANGULAR_ACCELERATION)]
 Velocity: TypeAlias = Annotated[Given, Quantity(Dimension.VELOCITY)]
 PositiveVelocity: TypeAlias = Annotated[Given, Quantity(Dimension.VELOCITY, above=0.0)]
 Force: TypeAlias = Annotated[Given, Quantity(Dimension.FORCE)]

@@ -81,7 +81,7 @@ def made_ready(machine: Machine, speed: SpeedWanted) -> LoadedMachine:
 def refuse_idle(machine: Machine) -> None:
     """Refuse a machine on whose links nothing acts, or of which no speed is known."""
     problems: list[Problem] = []
-    if machine.main_shaft.speed is None:
+    if machine.main_shaft.speed is None and machine.main_shaft.speed_curve is None:
         problems.append(Problem("shaft.main.speed", None, _("is missing: forces of inertia need it")))
     if machine.gas is None and not machine.masses and not machine.weighed.bodies:
         problems.append(Problem("masses", None, _("is missing, and [gas] too: nothing acts on the links")))

@@ -4,6 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.study.placement import frame, placed, slider_crank_called
@@ -54,7 +56,7 @@ def klein(machine: Machine, angle: float, *, mechanism: str | None = None) -> Kl
     Raises
     ------
     InputError
-        If the mechanism is no slider-crank.
+        If the mechanism is no slider-crank, or the file has its crank turn unevenly.
 
     Notes
     -----
@@ -62,6 +64,9 @@ def klein(machine: Machine, angle: float, *, mechanism: str | None = None) -> Kl
     the chord crosses the rod. Exact for an offset line of stroke too.
     """
     place = slider_crank_called(machine, mechanism)
+    if machine.main_shaft.turns_unevenly:
+        allowed = _("must turn evenly for Klein's construction; ask for accelerations")
+        raise InputError([Problem("shaft.main", None, allowed)])
     closed_angles(machine, [place], [angle])
     axes = frame(machine, place)
     pins = placed(machine, place, np.array([np.deg2rad(angle) + machine.zero])).positions

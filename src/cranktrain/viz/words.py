@@ -13,7 +13,7 @@ from cranktrain.spec import Spec
 
 
 def running_words(machine: Machine) -> str:
-    """Say speed and sense of rotation."""
+    """Say speed and sense of rotation, and at one moment the angular acceleration."""
     senses = {
         ("clockwise", "ahead"): _("clockwise"),
         ("anticlockwise", "ahead"): _("anticlockwise"),
@@ -22,7 +22,10 @@ def running_words(machine: Machine) -> str:
     }
     sense = senses[machine.rotation, machine.running]
     speed = machine.main_shaft.speed
-    return f"n = {speed.text}, {sense}" if speed is not None else sense
+    moment = machine.main_shaft.acceleration
+    said = [] if speed is None else [f"n = {speed.text}"]
+    said += [] if moment is None else [f"ε = {moment.text}"]
+    return ", ".join([*said, sense])
 
 
 def speed_of(result: Result) -> SpeedCurve | None:

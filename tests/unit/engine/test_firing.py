@@ -7,7 +7,7 @@ import pytest
 from tests.machines import V12, banks, slave, slider, throws
 
 import cranktrain as ct
-from cranktrain.engine.firing import firing_angles, within_turn
+from cranktrain.engine.firing import firing_angles, firing_choices, within_turn
 
 RATIOS = np.radians(15.0)
 
@@ -180,3 +180,123 @@ def test_numbers_of_no_piston_or_of_one_piston_twice(numbers, path, said):
     problem = refusal(throws(0, 180), banks(A=0), cycle="four-stroke", firing_order="1-2", numbers=numbers)
     assert problem.path == path
     assert said in problem.allowed
+
+
+PAIR = banks(L=0, R=60)
+"""Two cylinders 60° apart on one pin: their tops are at 0 and 60° of every turn."""
+
+
+def of_pair(firing_angles, **fields):
+    cylinder = {"cycle": "four-stroke", "firing_angles": firing_angles}
+    return ct.run(ct.Machine(shaft=throws(0), bank=PAIR, cylinder=cylinder, **fields))
+
+
+@pytest.mark.parametrize(
+    ("given", "angles", "intervals"),
+    [
+        (["0 deg", "60 deg"], [0, 60], [60, 660]),
+        (["0 deg", "420 deg"], [0, 420], [420, 300]),
+        (["360 deg", "60 deg"], [360, 60], [420, 300]),
+        ({"1R": "60 deg", "1L": "0 deg"}, [0, 60], [60, 660]),
+        (["-720 deg", "59.99 deg"], [0, 60], [60, 660]),
+    ],
+)
+def test_firing_angles_of_the_file(given, angles, intervals):
+    result = of_pair(given)
+    np.testing.assert_allclose(result.firing_angle, angles, atol=1e-9)
+    np.testing.assert_allclose(result.firing_interval, intervals, atol=1e-9)
+    assert "choices" not in result.summary()
+
+
+def test_firing_angles_count_as_crank_angles_are_shown():
+    """With 20° as zero the tops are shown at 340° and 40°; astern the same metal is seen at −φ."""
+    result = of_pair(["340 deg", "400 deg"], crank_zero="20 deg")
+    np.testing.assert_allclose(result.firing_angle, [340, 400], atol=1e-9)
+    result = of_pair(["340 deg", "400 deg"], crank_zero="20 deg", running="astern")
+    np.testing.assert_allclose(result.firing_angle, [380, 320], atol=1e-9)
+    np.testing.assert_allclose(np.sort(result.firing_interval), [60, 660], atol=1e-9)
+
+
+def test_firing_angles_by_the_makers_numbers():
+    cylinder = {
+        "cycle": "four-stroke",
+        "numbers": {"1": "1R", "2": "1L"},
+        "firing_angles": {"1": "60 deg", "2": "0 deg"},
+    }
+    result = ct.run(ct.Machine(shaft=throws(0), bank=PAIR, cylinder=cylinder))
+    np.testing.assert_allclose(result.firing_angle, [0, 60], atol=1e-9)
+    assert "Firing order 2-1 (1L-1R)" in result.summary()
+
+
+OTTO = {
+    "kind": "otto",
+    "start_pressure": "95 kPa",
+    "compression_exponent": 1.35,
+    "expansion_exponent": 1.28,
+    "pressure_ratio": 3.5,
+}
+
+
+def test_gas_and_orders_are_at_the_angles_that_are_given():
+    """Each cylinder peaks after its own firing; the torque of the pair is that of one, twice 60° apart."""
+    fuel = {"gas": OTTO, "cylinder": {"bore": "80 mm", "compression_ratio": 9, "cycle": "four-stroke"}}
+    alone = ct.run(ct.Machine(shaft={"main": {"speed": "1500 rpm"}}, mechanism=slider(), **fuel))
+    fuel["cylinder"] |= {"firing_angles": ["0 deg", "60 deg"]}
+    pair = ct.run(ct.Machine(shaft=throws(0, speed="1500 rpm"), bank=PAIR, **fuel))
+    np.testing.assert_allclose(pair.gas_pressure[1], np.roll(alone.gas_pressure[0], 60), rtol=1e-9)
+    both = alone.machine_torque + np.roll(alone.machine_torque, 60)
+    np.testing.assert_allclose(pair.machine_torque, both, atol=1e-9 * np.max(np.abs(both)))
+
+
+def test_several_designs_each_have_their_angles():
+    def design(angle, first=0):
+        cylinder = {"cycle": "four-stroke", "firing_angles": [f"{first} deg", f"{angle} deg"]}
+        return ct.Machine(shaft=throws(0), bank=banks(L=0, R=angle), cylinder=cylinder)
+
+    result = ct.run([design(60), design(72)])
+    np.testing.assert_allclose(result.firing_angle, [[0, 60], [0, 72]], atol=1e-9)
+    with pytest.raises(ct.InputError, match="must make the same order in all designs"):
+        ct.run([design(60), design(60, first=360)])
+
+
+@pytest.mark.parametrize(
+    ("cylinder", "path", "said"),
+    [
+        ({"firing_angles": ["0 deg", "50 deg"]}, "cylinder.firing_angles[1]", "60.00 deg or 420.00 deg"),
+        ({"firing_angles": {"1L": "10 deg", "1R": "60 deg"}}, "cylinder.firing_angles.1L", "0.00 deg or 360.00 deg"),
+        ({"firing_angles": ["0 deg"]}, "cylinder.firing_angles", "one angle for each cylinder: 1L, 1R"),
+        ({"firing_angles": {"1L": "0 deg"}}, "cylinder.firing_angles", "left out: 1R"),
+        ({"firing_angles": {"2L": "0 deg"}}, "cylinder.firing_angles.2L", "each once: 1L, 1R"),
+        ({"firing_angles": ["0 deg", "5 mm"]}, "cylinder.firing_angles[1]", "mm measures a length"),
+        ({"firing_angles": ["0 deg", "60 deg"], "firing_order": "1L 1R"}, "cylinder.firing_order", "must not stand"),
+        ({"firing_angles": ["0 deg", "60 deg"], "cycle": None}, "cylinder.cycle", "is missing"),
+    ],
+)
+def test_firing_angles_that_cannot_be(cylinder, path, said):
+    problem = refusal(throws(0), PAIR, **({"cycle": "four-stroke"} | cylinder))
+    assert problem.path == path
+    assert said in problem.allowed
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_choices_of_turns_are_counted(seed):
+    """Against every choice of turns, tried one by one."""
+    random = np.random.default_rng(seed)
+    tops = np.sort(random.choice(24, 5, replace=False)) * RATIOS
+    tops = np.roll(tops, seed)
+    rest = np.mod(tops[1:] - tops[0], 2 * np.pi)
+    rises = [
+        np.all(np.diff([0, *(rest + 2 * np.pi * np.array(turns))]) > 1e-9)
+        for turns in itertools.product((0, 1), repeat=4)
+    ]
+    assert firing_choices(tops, 4 * np.pi) == sum(rises) > 1
+
+
+def test_that_the_most_even_turns_are_taken_is_said():
+    result = ct.run(ct.Machine(shaft=throws(0), bank=PAIR, cylinder={"cycle": "four-stroke", "firing_order": "1L 1R"}))
+    np.testing.assert_allclose(result.firing_angle, [0, 420], atol=1e-9)
+    assert "Of 2 choices of turns that give this order no other is more even" in " ".join(result.summary().split())
+    four = ct.Machine(
+        shaft=throws(0, 180, 180, 0), bank=banks(A=0), cylinder={"cycle": "four-stroke", "firing_order": "1-3-4-2"}
+    )
+    assert "choices of turns" not in " ".join(ct.run(four).summary().split())

@@ -255,3 +255,75 @@ def test_offset_pistons_lie_in_one_line_where_the_shaft_is_moved(rotation, side)
 def test_a_chamber_between_two_pistons_is_one():
     with pytest.raises(ct.InputError, match=r"cylinder.chambers.*opposed pistons"):
         ct.run(machine(cylinder={"bore": "100 mm", "chambers": ["head", "crank"]}))
+
+
+def two_rows(upper, own=None, **bank):
+    """Three cylinders between two shafts, the lower one with throws at 0, 240 and 120°."""
+    lower = ["0 deg", "240 deg", "120 deg"]
+    return ct.Machine(
+        shaft={"main": {"throws": lower}, "upper": upper},
+        bank={
+            "A": {
+                "lead": "12 deg",
+                "exhaust": {"mechanism": CRANK},
+                "scavenge": {"mechanism": CRANK, "shaft": "upper", **(own or {})},
+                **bank,
+            }
+        },
+    )
+
+
+def refusal(machine):
+    with pytest.raises(ct.InputError) as caught:
+        ct.run(machine)
+    (problem,) = caught.value.problems
+    assert problem.path == "bank.A.lead"
+    return problem
+
+
+def proposed_throws(problem):
+    return re.findall(r'"([^"]+ deg)"', re.search(r"shaft\.upper\.throws = \[(.*?)\]", problem.repair)[1])
+
+
+def test_a_lead_that_only_one_cylinder_has_is_refused():
+    """An upper shaft that turns back brings its throws in the other order: leads 12 + 2·θ_i."""
+    problem = refusal(two_rows({"ratio": -1, "throws": ["0 deg", "240 deg", "120 deg"]}))
+    assert "12.00 deg (1), 132.00 deg (2), -108.00 deg (3)" in problem.allowed
+    assert problem.repair.endswith("or with shaft.upper.ratio = 1")
+    assert proposed_throws(problem) == ["0 deg", "120 deg", "240 deg"]
+    result = ct.run(two_rows({"ratio": -1, "throws": proposed_throws(problem)}))
+    np.testing.assert_allclose(result.lead, 12, atol=1e-9)
+
+
+def test_throws_that_give_one_lead_are_told_among_those_of_the_shaft():
+    """The bank works on throws 4, 2 and 1 of an upper shaft of four; throw 3 stays. No ratio would help."""
+    throws = ["10 deg", "20 deg", "30 deg", "40 deg"]
+    problem = refusal(two_rows({"throws": throws}, {"throws": [4, 2, 1]}))
+    assert "12.00 deg (1), -88.00 deg (2), 162.00 deg (3)" in problem.allowed
+    assert "ratio" not in problem.repair
+    assert proposed_throws(problem) == ["160 deg", "280 deg", "30 deg", "40 deg"]
+    result = ct.run(two_rows({"throws": proposed_throws(problem)}, {"throws": [4, 2, 1]}))
+    np.testing.assert_allclose(result.lead, 12, atol=1e-9)
+
+
+def test_leads_that_differ_by_rounded_throws_are_one():
+    ct.run(two_rows({"throws": ["0 deg", "240.01 deg", "119.99 deg"]}))
+
+
+def test_leads_that_differ_are_told_where_none_is_declared():
+    """A phase places the shafts, and every cylinder has the lead that comes out."""
+    throws = ["0 deg", "240 deg", "120 deg"]
+    result = ct.run(two_rows({"ratio": -1, "throws": throws, "phase": "0 deg"}, lead=None))
+    leads = result.lead - result.lead[0]
+    assert turned(leads[1] - 120) == pytest.approx(0, abs=1e-9)
+    assert turned(leads[2] + 120) == pytest.approx(0, abs=1e-9)
+
+
+def test_a_10d100_whose_upper_shaft_turns_back_needs_other_throws():
+    file = ct.load("10d100")
+    shafts = {
+        name: spec.model_copy(update={"ratio": -1 if name == "upper" else 1}) for name, spec in file.shaft.items()
+    }
+    problem = refusal(file.model_copy(update={"shaft": shafts}))
+    for lead, cylinders in ((12, "1, 6"), (-60, "2, 7"), (-132, "3, 8"), (156, "4, 9"), (84, "5, 10")):
+        assert f"{lead:.2f} deg ({cylinders})" in problem.allowed

@@ -21,8 +21,8 @@ def test_a_firing_order_names_the_cylinders_alone():
     settings = ("cylinder.cycle=four-stroke", "cylinder.firing_order=1cylinder 2cylinder")
     result = ct.run(read_machine("lms_class5", settings).machine, quantities="firing_interval")
     assert result.labels["cylinder"] == ("1cylinder", "2cylinder")
-    # The second crank is a quarter turn ahead: its cylinder fires that much sooner in the other turn.
-    assert result.firing_interval.tolist() == pytest.approx([270, 450], abs=1e-9)
+    # The second crank is a quarter turn behind: its cylinder fires that much later, evenly in the other turn.
+    assert result.firing_interval.tolist() == pytest.approx([450, 270], abs=1e-9)
 
 
 def test_answers_part_valves_from_pistons():

@@ -19,6 +19,8 @@ DIMENSIONALITY = {
     Dimension.ANGLE: {},
     Dimension.SPEED: {T: -1},
     Dimension.VELOCITY: {L: 1, T: -1},
+    Dimension.ACCELERATION: {L: 1, T: -2},
+    Dimension.ANGULAR_ACCELERATION: {T: -2},
     Dimension.FORCE: {M: 1, L: 1, T: -2},
     Dimension.TORQUE: {M: 1, L: 2, T: -2},
     Dimension.PRESSURE: {M: 1, L: -1, T: -2},

@@ -102,7 +102,7 @@ def walschaerts_size(geometry: Walschaerts) -> ChainSize:
 
     Notes
     -----
-    docs/theory/walschaerts, eqs. (22.1) to (22.4).
+    docs/theory/walschaerts, eqs. (22.1) to (22.5).
     """
     cylinder = -geometry.bank_angle
     master, lever, drop = geometry.master, geometry.lever, geometry.drop

@@ -1,0 +1,183 @@
+"""A file of two columns, crank angle and what there is at it: a table's fields, and the file over one turn or two."""
+
+from collections.abc import Iterator
+from typing import Annotated, ClassVar, NamedTuple
+
+import numpy as np
+from pydantic import Field
+
+from cranktrain.errors import InputError, Position, Problem
+from cranktrain.gas.indicator.reading import unit_in
+from cranktrain.gas.indicator.table import Table, read_table
+from cranktrain.language import N_, _
+from cranktrain.motion import Array
+from cranktrain.quantities import Dimension, QuantityError, one_of, read, unit_names
+from cranktrain.spec import Spec
+
+_TURN = 2 * np.pi
+_SAME = 1e-6
+"""Spans closer than this are one. [rad]"""
+_CLOSED = 0.01
+"""First and last value of a closed curve differ by less, in parts of the largest."""
+_MOST_PROBLEMS = 10
+
+
+class CycleFileSpec(Spec, frozen=True):
+    """A curve over the crank angle in a file of two columns.
+
+    Whoever loads a machine file also reads the file that `file` names, and puts what it holds into `text`.
+    """
+
+    of_file: ClassVar[frozenset[str]] = frozenset({"file", "text", "columns"})
+
+    file: str = Field(
+        min_length=1, description=N_("File with the values over the crank angle, relative to the machine file.")
+    )
+    text: str | None = Field(
+        default=None, description=N_("What the file holds, where it is not to be read; `file` is then only its name.")
+    )
+    columns: tuple[Annotated[int, Field(ge=1)], ...] | None = Field(
+        default=None,
+        min_length=2,
+        max_length=2,
+        description=N_("Columns of crank angle and value, counted from 1; needed where there are more than two."),
+    )
+
+
+class CycleTable(NamedTuple):
+    """What a file holds over one period, as its unit has it.
+
+    angles: rising, within one period [rad]; values; period: of one turn or two [rad]; unit: as the header says it, None
+    where it says none; problems: of the angles, and of a curve that does not close.
+    """
+
+    angles: Array
+    values: Array
+    period: float
+    unit: str | None
+    problems: tuple[Problem, ...]
+
+
+class Words(NamedTuple):
+    """What a file is, and what it gives at each angle, untranslated."""
+
+    curve: str
+    value: str
+
+
+def refuse_unit(field: str, unit: str | None, dimension: Dimension) -> None:
+    """Refuse a unit that is none of a dimension; None is no unit given.
+
+    Raises
+    ------
+    InputError
+    """
+    if unit is not None:
+        try:
+            read(f"1 {unit}", dimension)
+        except QuantityError:
+            raise InputError([Problem(field, unit, one_of(unit_names(dimension)))]) from None
+
+
+def cycle_table(spec: CycleFileSpec, dimension: Dimension, words: Words) -> CycleTable:
+    """Read the file of a spec.
+
+    Parameters
+    ----------
+    spec : CycleFileSpec
+    dimension : Dimension
+        Of the values, for the unit in their header.
+    words : Words
+
+    Returns
+    -------
+    CycleTable
+        A last point that is the first one again is left out.
+
+    Raises
+    ------
+    InputError
+        With what cannot be read in the file, at line and column; or if nobody has read it.
+    """
+    if spec.text is None:
+        allowed = _("has not been read: load the machine from its file, or give what the file holds in `text`")
+        raise InputError([Problem("file", spec.file, allowed)])
+    table = read_table(spec.text, spec.file)
+    where, level = _columns(spec, table, words)
+    numbers = table.rows
+    labels = table.labels or ("",) * numbers.shape[1]
+    angle_unit = unit_in(labels[where], Dimension.ANGLE) or "deg"
+    angles, values = numbers[:, where] * read(f"1 {angle_unit}", Dimension.ANGLE), numbers[:, level]
+    problems = [*_order_problems(table, where)]
+    if not problems:
+        problems = [*_span_problems(spec, table, angles, values, where, words)]
+    period = _period(angles) or _TURN
+    kept = slice(None, -1) if _is_closed(angles, period) else slice(None)
+    return CycleTable(angles[kept], values[kept], period, unit_in(labels[level], dimension), tuple(problems))
+
+
+def _columns(spec: CycleFileSpec, table: Table, words: Words) -> tuple[int, int]:
+    """Places of angle and value in a row, from 0."""
+    n_columns = table.rows.shape[1]
+    if n_columns < 2:
+        allowed = _("has one column; {curve} needs two, crank angle and {value}")
+        said = allowed.format(curve=_(words.curve), value=_(words.value))
+        raise InputError([Problem("", None, said, None, Position(spec.file, int(table.lines[0])))])
+    if spec.columns is None:
+        if n_columns > 2:
+            allowed = _("must say which of the {n} columns are crank angle and {value}")
+            repair = _("write columns = [1, 2], or other two")
+            raise InputError([Problem("columns", None, allowed.format(n=n_columns, value=_(words.value)), repair)])
+        return 0, 1
+    if max(spec.columns) > n_columns:
+        raise InputError([Problem("columns", None, _("must be columns of the file, 1 to {n}").format(n=n_columns))])
+    return spec.columns[0] - 1, spec.columns[1] - 1
+
+
+def _order_problems(table: Table, where: int) -> Iterator[Problem]:
+    """Find angles that are given twice or go back, each at its place."""
+    angles = table.rows[:, where]
+    wrong = np.flatnonzero(np.diff(angles) <= 0) + 1
+    for row in wrong[:_MOST_PROBLEMS].tolist():
+        before, own = float(angles[row - 1]), float(angles[row])
+        allowed = _("must be more than the angle in line {line}, {before:g}").format(
+            line=int(table.lines[row - 1]), before=before
+        )
+        repair = _("for a jump, give two angles a little apart") if own == before else None
+        yield Problem("", f"{own:g}", allowed, repair, table.position(row, where))
+    if wrong.size > _MOST_PROBLEMS:
+        yield Problem("file", table.name, _("{n} more angles like these").format(n=wrong.size - _MOST_PROBLEMS))
+
+
+def _span_problems(
+    spec: CycleFileSpec, table: Table, angles: Array, values: Array, where: int, words: Words
+) -> Iterator[Problem]:
+    """Find a curve that is not one turn or two, and one that does not close."""
+    position = table.position(len(table.lines) - 1, where)
+    period = _period(angles)
+    if period is None:
+        first, last = (f"{np.degrees(float(end)):.7g}°" for end in (angles[0], angles[-1]))
+        allowed = _("reaches from {first} to {last}; it must go on over one turn, 360°, or over two, 720°")
+        repair = _("give the {value} at both ends, or in equal steps all round").format(value=_(words.value))
+        if abs(float(angles[-1] - angles[0]) - np.radians(_TURN)) < np.radians(_TURN) / len(angles):
+            repair = _("if these are radians, write so in the header: angle [rad]")
+        yield Problem("file", spec.file, allowed.format(first=first, last=last), repair, position)
+    elif _is_closed(angles, period) and abs(values[-1] - values[0]) > _CLOSED * np.max(np.abs(values)):
+        allowed = _("must be as at the start of the turn, {start:g}, as it begins again there")
+        yield Problem("", f"{values[-1]:g}", allowed.format(start=values[0]), None, position)
+
+
+def _period(angles: Array) -> float | None:
+    """One turn or two, if the angles are just that: with both ends, or in equal steps with one; else None. [rad]"""
+    steps = np.diff(angles)
+    span = float(angles[-1] - angles[0])
+    is_even = len(steps) > 0 and float(np.ptp(steps)) < _SAME
+    for period in (_TURN, 2 * _TURN):
+        if abs(span - period) < _SAME or (is_even and abs(span + float(steps[0]) - period) < len(angles) * _SAME):
+            return period
+    return None
+
+
+def _is_closed(angles: Array, period: float) -> bool:
+    """Whether the last angle is the first one of the next turn."""
+    return abs(float(angles[-1] - angles[0]) - period) < _SAME
