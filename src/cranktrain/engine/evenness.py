@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
@@ -31,7 +32,9 @@ _MOTION_LIMIT = 0.1
 _UNLIKELY = 0.5
 """Coefficient of fluctuation from which a flywheel is doubted."""
 _LAST_ORDERS = 0.1
-"""Share of the upper half of a grid's orders in a work that the grid resolves."""
+"""Share of the upper half of a grid's orders in a torque that the grid shows."""
+_ROUNDING = 1e-9
+"""Of the energy of all that turns; work of less within a cycle is rounding, or as good as none."""
 
 
 @record
@@ -221,18 +224,31 @@ def _motion_check(speed: Array, inertia: Array, slope: Array, work: PeriodicCurv
     """Compare the work of the torques with that of the inertia, whose ε is of the series of ω², and with J′."""
     cycle = work.cycle
     acceleration = spectral_derivative(speed**2) * (np.pi / cycle)
-    left = fourier_integral(inertia * acceleration + slope * speed**2 / 2, cycle).samples
-    spread = np.ptp(work.samples, axis=-1)
-    scale = np.where(spread > 0, spread, 1.0)
-    # A grid that shows its last orders only says nothing of the motion between its points.
-    orders = np.abs(np.fft.rfft(work.slope(work.angle), axis=-1))[..., 1:]
-    is_shown = np.sum(orders[..., orders.shape[-1] // 2 :], axis=-1) <= _LAST_ORDERS * np.sum(orders, axis=-1)
+    of_inertia = slope * speed**2 / 2
+    left = fourier_integral(inertia * acceleration + of_inertia, cycle).samples
+    energy = inertia * speed**2 / 2
+    # Torques that do no work within the cycle leave the energy that moving parts hand over at a constant speed.
+    spread, handed_over = np.ptp(work.samples, axis=-1), np.ptp(inertia, axis=-1) * np.mean(speed**2, axis=-1) / 2
+    least = _ROUNDING * np.max(energy, axis=-1)
+    works = spread > least
+    scale = np.where(works, spread, handed_over)
+    is_shown = np.where(works, _is_shown(work.slope(work.angle)), _is_shown(of_inertia))
+    says_something = ~(scale <= least)
+    residual = np.max(np.abs(left - work.samples), axis=-1) / np.where(says_something, scale, 1.0)
+    grid, nothing = _("needs a finer grid"), _("has nothing to compare: no work is done within the cycle")
     return Check(
         "motion",
         _("Work of Jε + ½J′ω², with the speed that was found, against that of all torques, relative to its range"),
-        np.where(is_shown, np.max(np.abs(left - work.samples), axis=-1) / scale, np.nan),
+        np.where(np.isnan(residual) | (is_shown & says_something), residual, np.inf),
         _MOTION_LIMIT * float(work.angle[1]),
+        tuple(grid if says else nothing for says in says_something.tolist()),
     )
+
+
+def _is_shown(torque: Array) -> NDArray[np.bool_]:
+    """Whether a grid shows the orders of a torque: one that shows the last ones only says nothing of the others."""
+    orders = np.abs(np.fft.rfft(torque, axis=-1))[..., 1:]
+    return np.sum(orders[..., orders.shape[-1] // 2 :], axis=-1) <= _LAST_ORDERS * np.sum(orders, axis=-1)
 
 
 def _load_words(load: ShaftLoad, *, has_curve: bool) -> str:

@@ -122,7 +122,7 @@ def piston_force_set(
     phi = crank_angle.angle
     drive = loaded.speed.drive(phi)
     sets = np.full((6, len(phi), len(_INERTIA), direct.n_pistons, phi.shape[-1]), np.nan)
-    identities = [np.zeros(len(phi))]
+    identities: list[Array] = []
     for one in _direct(loaded, solved):
         pressed = 0.0 if gas is None else gas.gas_force[:, one.piston]
         angle = phi + one.group.members.phase
@@ -138,7 +138,7 @@ def piston_force_set(
             Check(
                 "piston_forces",
                 _("K² + T² = S², TR = Px′ and TR = Ns + Pe, relative to their peaks"),
-                np.nanmax(identities, axis=0),
+                np.fmax.reduce(identities, axis=0),
                 _LIMIT,
             ),
         ),
@@ -160,14 +160,14 @@ _INERTIA: Mapping[str, Callable[[_Direct, Array, Drive], Array]] = {
 
 
 def _residual(forces: PistonForces, one: _Direct) -> Array:
-    """Largest residual of the identities, each relative to its peak, shape (design,); NaN where all are."""
+    """Largest residual of the identities where links close, each relative to its peak, shape (design,)."""
     geometry = one.group.members.geometry
     found = piston_identities(forces, one.motion, geometry)
-    peak = np.max(np.abs(forces.rod), axis=-1)
+    peak = np.fmax.reduce(np.abs(forces.rod), axis=-1)
     arm = (geometry.crank_radius + geometry.rod_length)[..., 0]
     scales = (peak * peak, peak * arm, peak * arm)
     parts = [
-        np.max(np.abs(part), axis=-1) / np.where(scale > 0, scale, 1.0)
+        np.fmax.reduce(np.abs(part), axis=-1) / np.where(scale > 0, scale, 1.0)
         for part, scale in zip(found, scales, strict=True)
     ]
-    return np.max(np.where(np.isnan(parts), 0.0, parts), axis=(0, 2))
+    return np.fmax.reduce(np.fmax.reduce(parts), axis=-1)

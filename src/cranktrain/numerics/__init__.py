@@ -5,6 +5,7 @@ from cranktrain.numerics.roots import Curve, bracketed_roots, near_roots
 from cranktrain.numerics.series import (
     DERIVATIVES_LIMIT,
     derivatives_residual,
+    has_ended,
     spectral_derivative,
     turn_grid,
     unwrapped,
@@ -19,6 +20,7 @@ __all__ = [
     "bracketed_roots",
     "derivatives_residual",
     "extremes",
+    "has_ended",
     "largest",
     "near_roots",
     "smallest",
