@@ -6,6 +6,7 @@ import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.evenness_table import LoadCurve, ShaftLoad
+from cranktrain.engine.forces import MechanismTorques
 from cranktrain.engine.layout import CrankAngle
 from cranktrain.engine.shaft_torque import AppliedTorque
 from cranktrain.errors import InputError, Problem
@@ -80,7 +81,9 @@ class LoadTorque:
         return f"{said} {left.format(rest=number(abs(rest), 'N*m'))}"
 
 
-def load_torque(curve: LoadCurve, load: ShaftLoad, applied: AppliedTorque, crank_angle: CrankAngle) -> LoadTorque:
+def load_torque(
+    curve: LoadCurve, load: ShaftLoad, applied: AppliedTorque, torques: MechanismTorques, crank_angle: CrankAngle
+) -> LoadTorque:
     """Load torque on the grid and its exact work, as given or scaled to the machine's mean.
 
     Notes
@@ -94,7 +97,9 @@ def load_torque(curve: LoadCurve, load: ShaftLoad, applied: AppliedTorque, crank
     mean = np.mean(applied.applied_torque, axis=-1)
     factor = np.ones_like(mean)
     if curve.is_scaled:
-        gives_work = mean > _NOTHING * np.max(np.abs(applied.applied_torque), axis=-1)
+        # A machine that nothing but inertia acts on has a mean torque of rounding.
+        peak = np.maximum(np.abs(applied.applied_torque), np.abs(torques.driving_torque))
+        gives_work = mean > _NOTHING * np.max(peak, axis=-1)
         factor = np.where(gives_work, mean / own, np.nan)
     samples = np.stack([polyline_value(polyline, crank_angle.shown) for polyline in curve.polylines])
     works = [polyline_integral(polyline, samples.shape[-1], crank_angle.cycle) for polyline in curve.polylines]

@@ -154,7 +154,7 @@ def test_failed_check_is_shown(typed, capsys):
         show_result(console, file, result, ["stroke"], is_all=False, with_inputs=False)
     output = " ".join(capsys.readouterr().out.split())
     assert "✗ does not hold (residual 5.0e-01, limit 1e-09): something against something else" in output
-    assert "– needs a full turn, or a finer grid: " in output
+    assert "– needs a finer grid: " in output
     assert "Mind" in output and "outside its range" in output
 
 
@@ -225,7 +225,7 @@ def test_partial_turn(typed, written):
     answer = typed("run", "machine.toml", "--partial", "-o", "out.csv")
     assert (answer.status, answer.errors) == (0, "")
     assert rows(answer.output)["stroke"] == ["S", "mm", "–"]
-    assert "– needs a full turn, or a finer grid: " in answer.output
+    assert "– needs a full turn: " in answer.output
 
 
 @pytest.mark.parametrize("name", ["out", "out.txt", "out.xlsx", "out.csv.gz"])
