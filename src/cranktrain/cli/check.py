@@ -2,6 +2,7 @@
 
 import re
 
+from cranktrain.analysis import sentences
 from cranktrain.io.machine_file import computed, read_machine
 from cranktrain.language import _
 
@@ -11,6 +12,8 @@ def show_check(source: str) -> None:
     file = read_machine(source)
     result = computed(file)
     print(_("{file}: nothing wrong").format(file=file.document.name))
+    for sentence in sentences(result.unused):
+        print(f"! {sentence}")
     groups = ", ".join(_words(type(gift).__name__) for gift in result.gifts)
     print(_("can compute {n} results: {groups}").format(n=len(result.catalogue), groups=groups))
     for missing in result.missing:

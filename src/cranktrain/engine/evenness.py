@@ -12,6 +12,7 @@ from cranktrain.engine.evenness_table import GivenFlywheel, ShaftLoad
 from cranktrain.engine.forces import MechanismTorques
 from cranktrain.engine.layout import CrankAngle, Speed
 from cranktrain.engine.load_curve import LoadTorque
+from cranktrain.engine.masses import GivenBodies
 from cranktrain.engine.shaft_torque import AppliedTorque
 from cranktrain.language import N_, _
 from cranktrain.loads.excess_work import ExcessWork, excess_against, excess_work
@@ -46,7 +47,7 @@ class FlywheelMoment:
     )
 
 
-def flywheel_moment(torques: MechanismTorques) -> FlywheelMoment:
+def flywheel_moment(_bodies: GivenBodies, torques: MechanismTorques) -> FlywheelMoment:
     """GD² = 4 J."""
     return FlywheelMoment(4 * torques.reduced_inertia)
 
@@ -238,7 +239,7 @@ def _motion_check(speed: Array, inertia: Array, slope: Array, work: PeriodicCurv
     left = fourier_integral(inertia * acceleration + of_inertia, cycle).samples
     energy = inertia * speed**2 / 2
     # Torques that do no work within the cycle leave the energy that moving parts hand over at a constant speed.
-    spread, handed_over = np.ptp(work.samples, axis=-1), np.ptp(inertia, axis=-1) * np.mean(speed**2, axis=-1) / 2
+    spread, handed_over = _range(work.samples), _range(inertia) * np.mean(speed**2, axis=-1) / 2
     least = _ROUNDING * np.max(energy, axis=-1)
     works = spread > least
     scale = np.where(works, spread, handed_over)
@@ -258,6 +259,10 @@ def _motion_check(speed: Array, inertia: Array, slope: Array, work: PeriodicCurv
         _MOTION_LIMIT * float(work.angle[1]),
         tuple(np.where(runs, reasons, _("needs steady running")).tolist()),
     )
+
+
+def _range(curve: Array) -> Array:
+    return np.max(curve, axis=-1) - np.min(curve, axis=-1)
 
 
 def _is_shown(torque: Array) -> NDArray[np.bool_]:

@@ -1,6 +1,6 @@
 """Forces in every joint of a machine, and the torque that its mechanisms give to the shaft."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import field
 from functools import reduce
 from typing import Any, ClassVar, NamedTuple
@@ -252,7 +252,7 @@ def solved_cycle(loaded: LoadedMachine, crank_angle: CrankAngle, gas: GasPressur
 
 def largest_forces(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Array:
     """Largest force in any joint of each mechanism, shape (design, mechanism). [N]"""
-    return _by_mechanism(loaded, (_peak(one, lambda joint: np.hypot(joint.x, joint.y)) for one in solved))
+    return _by_mechanism(loaded, (_largest(map(_force, one.forces.joints)) for one in solved))
 
 
 def forces_times_arms(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Array:
@@ -265,16 +265,17 @@ def forces_times_arms(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> A
         links = group.kind.dynamics.links(one.motion, group.members.geometry)
         way = _largest(np.hypot(link.origin.x.first, link.origin.y.first) for link in links)
         turn = _largest(np.abs(link.angle.first) for link in links)
-        force, moment = (
-            _peak(one, size) for size in (lambda joint: np.hypot(joint.x, joint.y), lambda joint: np.abs(joint.moment))
-        )
+        force, moment = (_largest(map(size, one.forces.joints)) for size in (_force, _moment))
         found.append(force * way + moment * turn)
     return _by_mechanism(loaded, found)
 
 
-def _peak(one: SolvedGroup, size: Callable[[Wrench], Array]) -> Array:
-    """Largest size of all joints' wrenches, shape (design, member)."""
-    return _largest(size(joint) for joint in one.forces.joints)
+def _force(joint: Wrench) -> Array:
+    return np.hypot(joint.x, joint.y)
+
+
+def _moment(joint: Wrench) -> Array:
+    return np.abs(joint.moment)
 
 
 def _largest(curves: Iterable[Array]) -> Array:
@@ -344,8 +345,8 @@ def joint_forces(loaded: LoadedMachine, solved: SolvedCycle) -> JointForces:
 
 def _flags(masses: Masses) -> Iterator[str]:
     """Mind what has no mass, and rods whose inertia is assumed."""
-    if masses.weightless:
-        yield _("Without mass: {parts}.").format(parts=", ".join(masses.weightless))
+    if (said := masses.without_mass()) is not None:
+        yield said
     if masses.doubtful:
         yield _(
             "The inertia of {parts} is hardly that of a link of such mass and length:"

@@ -12,7 +12,7 @@ from cranktrain.engine.balance_specs import HIGHEST_ORDER
 from cranktrain.engine.forces import Carriers, LoadedMachine, SolvedGroup, largest_forces
 from cranktrain.engine.frames import Frames
 from cranktrain.engine.layout import CrankAngle, Mechanisms, Speed
-from cranktrain.engine.masses import Masses
+from cranktrain.engine.masses import GivenBodies, Masses
 from cranktrain.engine.throws import Throws
 from cranktrain.language import _
 from cranktrain.linkage.forces import WEIGHTLESS, Momentum, Wrench, momentum
@@ -63,7 +63,13 @@ class Momenta(NamedTuple):
 
 
 def frame_forces(
-    mechanisms: Mechanisms, carriers: Carriers, masses: Masses, frames: Frames, throws: Throws, crank_angle: CrankAngle
+    _bodies: GivenBodies,
+    mechanisms: Mechanisms,
+    carriers: Carriers,
+    masses: Masses,
+    frames: Frames,
+    throws: Throws,
+    crank_angle: CrankAngle,
 ) -> FrameForces:
     """Solve the machine with its masses alone, at 1 rad/s: no gas, weight or friction.
 

@@ -69,7 +69,7 @@ def derivatives_residual(motion: Callable[[Array], Coefficient], samples: Coeffi
     The nearer a machine is to locking, the sharper its curves: the series is made longer until the residual is small,
     if it can be.
     """
-    residual: Array = np.array(np.nan)
+    residual = second = np.array(np.nan)
     with np.errstate(all="ignore"):
         for n_points in _SERIES_LENGTHS:
             if samples is not None and n_points == samples.value.shape[-1]:

@@ -26,6 +26,7 @@ from cranktrain.quantities.fields import (
     Stiffness,
     Temperature,
     Torque,
+    TurnedAngle,
     Velocity,
     Volume,
 )
@@ -62,6 +63,7 @@ __all__ = [
     "Stiffness",
     "Temperature",
     "Torque",
+    "TurnedAngle",
     "Velocity",
     "Volume",
     "expected",

@@ -2,10 +2,11 @@
 
 import re
 from itertools import zip_longest
+from math import trunc
 from typing import NamedTuple
 
 from cranktrain.language import _
-from cranktrain.quantities.dimensions import Dimension, Unit, expected, plain, spellings
+from cranktrain.quantities.dimensions import TURN, Dimension, Unit, expected, plain, spellings
 from cranktrain.quantities.number import Measured, measured, rounded
 from cranktrain.quantities.refusal import QuantityError, nearest, written
 
@@ -56,8 +57,11 @@ def read(text: object, dimension: Dimension) -> float:
     return reading(text, dimension).si
 
 
-def reading(given: object, dimension: Dimension) -> Reading:
-    """Read a quantity with all that is known about it; refuse as `read` does."""
+def reading(given: object, dimension: Dimension, *, is_direction: bool = False) -> Reading:
+    """Read a quantity with all that is known about it; refuse as `read` does.
+
+    Of a direction whole turns are left out while it is exact: rounded, 1e9 turns more would take 1e-7 deg of it.
+    """
     text = _text(given, dimension)
     try:
         parts = measured(text)
@@ -65,7 +69,7 @@ def reading(given: object, dimension: Dimension) -> Reading:
             raise _no_number(text, dimension)
         unit = _unit(parts, text, dimension)
         exact = parts.number if unit is None else unit.scale * parts.number + unit.offset
-        return Reading(rounded(exact), text, unit)
+        return Reading(rounded(exact - TURN * trunc(exact / TURN) if is_direction else exact), text, unit)
     except ZeroDivisionError:
         raise QuantityError(text, _("must be a fraction whose denominator is not 0")) from None
     except OverflowError:
