@@ -112,7 +112,7 @@ def _cylinder(*names: str) -> Callable[[Machine], Sequence[str]]:
 
     def written(machine: Machine) -> Sequence[str]:
         common = machine.cylinder
-        tables: dict[str, Spec] = {"cylinder": common} | {
+        tables: Mapping[str, Spec] = {"cylinder": common} | {
             f"cylinder.{key}": own for key, own in common.overrides.items()
         }
         return [
