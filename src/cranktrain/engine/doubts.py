@@ -68,15 +68,11 @@ LIMITS: Mapping[str, Limit] = {
         "MPa",
         N_("The piston's inertia over its area, mRω²/A, is {value}; built ones have 6 MPa at most: is its mass right?"),
     ),
-    # Marks' Standard Handbook, coefficients of sliding friction: greasy metals 0.05 to 0.2; dry ones come to 0.4 and
-    # more.
-    # Near locking the slopes of all curves are the inverse of its square root, and their digits are those of the margin.
+    # Near locking the slopes of all curves are its inverse square root, and their digits are those of the margin.
     "closeness": Limit(
         1e6,
         "",
-        N_(
-            "The links close by {value} of a length alone: results near there rest on its last digits, as no metal does."
-        ),
+        N_("The links close by {value} of a length alone: results near there rest on its last digits."),
     ),
     # The position has 16 digits, and its part that moves so many fewer. Rods that stand for none are given 10⁴ cranks.
     "distance": Limit(
@@ -87,6 +83,8 @@ LIMITS: Mapping[str, Limit] = {
     "swing": Limit(
         1e5, "deg", N_("A rocker swings {value}: what there is of its motion is in the last digits of its position.")
     ),
+    # Marks' Standard Handbook, coefficients of sliding friction: greasy metals 0.05 to 0.2; dry ones come to 0.4 and
+    # more.
     "friction": Limit(
         0.3, "", N_("A coefficient of friction of {value} is more than lubricated guides have, 0.2: do these run dry?")
     ),

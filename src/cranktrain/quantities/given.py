@@ -48,7 +48,7 @@ class Given:
 
 @dataclass(frozen=True)
 class Quantity:
-    """Annotation of a `Given` field: its dimension, the range that is allowed, in SI; of a direction turns do not count.
+    """Annotation of a `Given` field: its dimension, the range that is allowed, in SI; a direction counts no turns.
 
     `Annotated[Given, Quantity(Dimension.LENGTH, above=0.0)]` takes "180 mm", a table
     {value = "180 mm", status = "published", note = "...", source = "..."}, or a `Given`.
