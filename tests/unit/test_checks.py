@@ -84,6 +84,21 @@ def test_pistons_that_cancel(masses, speed):
     assert failing(ct.run(machine, speed="constant" if speed == "constant" else wave)) == {}
 
 
+@pytest.mark.parametrize("cycle", ["two-stroke", "four-stroke"])
+def test_gas_that_does_no_work(cycle):
+    """Compressed and expanded along one line: its work is 0, and what the torque does on the way is not."""
+    gas = {"kind": "dual", "start_pressure": "1 bar", "compression_exponent": 1.35, "expansion_exponent": 1.35}
+    machine = ct.Machine(
+        mechanism=slider(),
+        shaft=SPEED,
+        cylinder={"bore": "80 mm", "cycle": cycle, "compression_ratio": 8},
+        gas={**gas, "pressure_ratio": 1, "cut_off_ratio": 1},
+    )
+    result = ct.run(machine)
+    assert failing(result) == {}
+    assert abs(result.gas_work) < 1e-12
+
+
 def test_what_is_too_sharp_for_a_series_is_not_called_wrong():
     """At 10⁻¹² of locking the piston turns within a millionth of a turn: 368640 points show nothing of it."""
     result = ct.run(ct.Machine(mechanism=slider(rod_length="50.00000000005 mm"), shaft=SPEED, masses=PISTON))
