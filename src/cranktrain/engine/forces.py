@@ -252,7 +252,7 @@ def solved_cycle(loaded: LoadedMachine, crank_angle: CrankAngle, gas: GasPressur
 
 def largest_forces(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Array:
     """Largest force in any joint of each mechanism, shape (design, mechanism). [N]"""
-    return _by_mechanism(loaded, (_largest(map(_force, one.forces.joints)) for one in solved))
+    return _by_mechanism(loaded, (_largest_force(one) for one in solved))
 
 
 def forces_times_arms(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Array:
@@ -263,19 +263,16 @@ def forces_times_arms(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> A
     found: list[Array] = []
     for group, one in zip(loaded.mechanisms.groups, solved, strict=True):
         links = group.kind.dynamics.links(one.motion, group.members.geometry)
-        way = _largest(np.hypot(link.origin.x.first, link.origin.y.first) for link in links)
+        way = np.sqrt(_largest(link.origin.x.first**2 + link.origin.y.first**2 for link in links))
         turn = _largest(np.abs(link.angle.first) for link in links)
-        force, moment = (_largest(map(size, one.forces.joints)) for size in (_force, _moment))
-        found.append(force * way + moment * turn)
+        moment = _largest(np.abs(joint.moment) for joint in one.forces.joints)
+        found.append(_largest_force(one) * way + moment * turn)
     return _by_mechanism(loaded, found)
 
 
-def _force(joint: Wrench) -> Array:
-    return np.hypot(joint.x, joint.y)
-
-
-def _moment(joint: Wrench) -> Array:
-    return np.abs(joint.moment)
+def _largest_force(one: SolvedGroup) -> Array:
+    """Largest force in any joint of each mechanism of one kind, shape (design, member)."""
+    return np.sqrt(_largest(joint.x * joint.x + joint.y * joint.y for joint in one.forces.joints))
 
 
 def _largest(curves: Iterable[Array]) -> Array:
