@@ -243,9 +243,12 @@ def _motion_check(speed: Array, inertia: Array, slope: Array, work: PeriodicCurv
     least = _ROUNDING * np.max(energy, axis=-1)
     works = spread > least
     scale = np.where(works, spread, handed_over)
-    is_shown = np.where(works, _is_shown(work.slope(work.angle)), _is_shown(of_inertia))
     says_something = ~(scale <= least)
     residual = np.max(np.abs(left - work.samples), axis=-1) / np.where(says_something, scale, 1.0)
+    # A shaft that hardly turns where J is least has a sharper speed than its torques.
+    by_torque = np.where(works, _is_shown(work.slope(work.angle)), _is_shown(of_inertia))
+    limit = _MOTION_LIMIT * float(work.angle[1])
+    is_shown = by_torque & ((residual <= limit) | _is_shown(acceleration))
     closes, runs = (np.all(np.isfinite(curve), axis=-1) for curve in (inertia, speed))
     grid, nothing = (
         _("needs a finer grid"),
@@ -256,7 +259,7 @@ def _motion_check(speed: Array, inertia: Array, slope: Array, work: PeriodicCurv
         "motion",
         _("Work of Jε + ½J′ω², with the speed that was found, against that of all torques, relative to its range"),
         np.where(closes, np.where(runs & is_shown & says_something, residual, np.inf), np.nan),
-        _MOTION_LIMIT * float(work.angle[1]),
+        limit,
         tuple(np.where(runs, reasons, _("needs steady running")).tolist()),
     )
 

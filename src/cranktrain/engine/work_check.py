@@ -13,7 +13,7 @@ import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
-from cranktrain.engine.forces import LoadedMachine, driving_torques
+from cranktrain.engine.forces import LoadedMachine, driving_torques, forces_times_arms
 from cranktrain.engine.gas import GasInChambers
 from cranktrain.engine.gas_events import GasEvents
 from cranktrain.engine.layout import CrankAngle, Speed
@@ -26,6 +26,8 @@ from cranktrain.record import record
 
 _THEORY = "docs/theory/forces"
 _EXACT_LIMIT = 1e-12
+_SHARE = 0.1
+"""Of forces times arms, for 1 rad: work that is less is judged by these; an engine's gas does more."""
 _WIDEST = np.pi / 6
 """Intervals of the quadrature are at most as wide. [rad]"""
 _REACH = 1.3
@@ -66,9 +68,9 @@ def work_balance(
         return WorkBalance(total)
     scale = np.sum(np.abs(works), axis=-1)
     if all(kind.mean_pressures is not None for kind in kinds):
-        # Gas may do no work at all: then its torque has rounding of what it does on the way.
-        on_the_way = np.max(np.abs(torques.machine_torque), axis=-1)
-        residual = np.abs(_work_of_torque(loaded, gas, events) - total) / (scale + on_the_way)
+        # Gas may do no work at all, and what works on the shaft may cancel: that leaves rounding of forces times arms.
+        by_torque, on_the_way = _work_of_torque(loaded, gas, events)
+        residual = np.abs(by_torque - total) / np.maximum(scale, _SHARE * on_the_way)
         sentence = _("Work of the torque by the reactions, by quadrature, against that of the gas in closed form")
         return WorkBalance(total, (Check("work", sentence, residual, _EXACT_LIMIT),))
     residual = np.abs(np.mean(torques.machine_torque, axis=-1) * gas.cycle - total) / scale
@@ -106,13 +108,14 @@ def _slope_of(gas: GasInChambers, design: int, place: int) -> Callable[[Array], 
     return slope
 
 
-def _work_of_torque(loaded: LoadedMachine, gas: GasInChambers, events: GasEvents) -> Array:
-    """Work that the machine's torque by the reactions does over a cycle, shape (design,). [J]"""
+def _work_of_torque(loaded: LoadedMachine, gas: GasInChambers, events: GasEvents) -> tuple[Array, Array]:
+    """Work of the torque by the reactions over a cycle, and forces times arms for 1 rad, shape (design,). [J]"""
     quadrature = _quadrature(events.angle, _widest(events.least), gas.cycle)
     # Inertia gives no work over a cycle at any speed; at a constant one nothing is interpolated.
     even = replace(loaded, speed=Speed(loaded.speed.value))
-    torque = np.sum(driving_torques(even, even.solved(quadrature.angle[:, np.newaxis])), axis=1)
-    return -np.sum(quadrature.weight * torque, axis=-1)
+    solved = even.solved(quadrature.angle[:, np.newaxis])
+    torque = np.sum(driving_torques(even, solved), axis=1)
+    return -np.sum(quadrature.weight * torque, axis=-1), np.sum(forces_times_arms(even, solved), axis=1)
 
 
 def _widest(least: Coefficient) -> Array:
