@@ -22,6 +22,10 @@ _BASE = re.compile(r"^[GMkhdcmµμnГМкгдсмн](\D.*)")
 _THOUSANDS = re.compile(r"^[+-]?\d{1,3}(?:,\d{3})+(?![\d,])", re.ASCII)
 
 
+_MANY_TURNS = TURN / 360 * 10**5
+"""Directions of so much and more count no turns. [rad]"""
+
+
 class Reading(NamedTuple):
     """A quantity that was understood: SI value, text without needless blanks, unit (None for a plain number)."""
 
@@ -60,7 +64,7 @@ def read(text: object, dimension: Dimension) -> float:
 def reading(given: object, dimension: Dimension, *, is_direction: bool = False) -> Reading:
     """Read a quantity with all that is known about it; refuse as `read` does.
 
-    Of a direction whole turns are left out while it is exact: rounded, 1e9 turns more would take 1e-7 deg of it.
+    Of a direction of 1e5 deg and more whole turns are left out while it is exact: rounding would take digits of it.
     """
     text = _text(given, dimension)
     try:
@@ -69,7 +73,9 @@ def reading(given: object, dimension: Dimension, *, is_direction: bool = False) 
             raise _no_number(text, dimension)
         unit = _unit(parts, text, dimension)
         exact = parts.number if unit is None else unit.scale * parts.number + unit.offset
-        return Reading(rounded(exact - TURN * trunc(exact / TURN) if is_direction else exact), text, unit)
+        if is_direction and abs(exact) >= _MANY_TURNS:
+            exact -= TURN * trunc(exact / TURN)
+        return Reading(rounded(exact), text, unit)
     except ZeroDivisionError:
         raise QuantityError(text, _("must be a fraction whose denominator is not 0")) from None
     except OverflowError:
