@@ -131,7 +131,7 @@ def piston_force_set(
             found = piston_forces(pressed + pulled, one.motion, one.group.members.geometry)
             for part, values in zip(sets, (pulled, *found), strict=True):
                 part[:, method, one.piston] = values
-            # A rod whose centroid lies beside its line is no two masses: there are no such forces, and nothing to check.
+            # A rod whose centroid lies beside its line is no two masses: there are no such forces to check.
             if np.any(np.isfinite(one.mass)):
                 identities.append(_residual(found, one))
     return PistonForceSet(*sets, checks=(_check(identities),) if identities else ())
