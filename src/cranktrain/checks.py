@@ -18,21 +18,24 @@ class Check:
     sentence : str
         What is compared with what, in the user's language.
     residual : Array, shape (design,)
-        Largest difference over the cycle, relative to the scale that the sentence names; NaN where the identity needs a
-        full turn and the links do not close all round.
+        Largest difference over the cycle, relative to the scale that the sentence names: forces times arms, never a
+        result that may be 0. NaN where the links do not close all round, infinite where it cannot be judged otherwise.
     limit : float
         What rounding explains.
+    reasons : tuple of str
+        Of each design, why it cannot be judged otherwise; no series has the digits unless given.
     """
 
     name: str
     sentence: str
     residual: Array
     limit: float
+    reasons: tuple[str, ...] = ()
 
     @property
     def judged(self) -> NDArray[np.bool_]:
-        """Whether it could be judged, for each design: an identity over a full turn needs one."""
-        return ~np.isnan(self.residual)
+        """Whether it could be judged, for each design."""
+        return np.isfinite(self.residual)
 
     @property
     def passed(self) -> NDArray[np.bool_]:
@@ -41,6 +44,8 @@ class Check:
 
     def verdict(self, design: int = 0) -> str:
         """Say for one design whether it holds, or what it needs."""
+        if np.isnan(self.residual[design]):
+            return _("needs a full turn")
         if not self.judged[design]:
-            return _("needs a full turn, or a finer grid")
+            return self.reasons[design] if self.reasons else _("is beyond the digits of a Fourier series")
         return _("holds") if self.passed[design] else _("does not hold")

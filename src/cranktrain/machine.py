@@ -340,6 +340,8 @@ def _table_problems(machine: Machine, places: Sequence[Place]) -> Iterator[Probl
     """Find what does not fit together in the tables of a machine that can be arranged."""
     yield from point_problems(places)
     yield from cylinder_problems(machine.cylinder, machine.pistons, machine.cylinders)
+    if machine.gas is not None and not machine.cylinders:
+        yield Problem("gas", None, _("is not for this machine, which has no pistons"))
     yield from standing_problems(
         machine.shafts, places, first_angle=machine.first_axis, clockwise=machine.rotation == "clockwise"
     )

@@ -4,5 +4,18 @@ from cranktrain.analysis.result import Result
 from cranktrain.analysis.run import run, speed_over_cycle
 from cranktrain.analysis.second_run import SpeedWanted
 from cranktrain.analysis.stages import STAGES, Missing, Stage, ordered, stage
+from cranktrain.analysis.unused import Unused, sentences
 
-__all__ = ["STAGES", "Missing", "Result", "SpeedWanted", "Stage", "ordered", "run", "speed_over_cycle", "stage"]
+__all__ = [
+    "STAGES",
+    "Missing",
+    "Result",
+    "SpeedWanted",
+    "Stage",
+    "Unused",
+    "ordered",
+    "run",
+    "sentences",
+    "speed_over_cycle",
+    "stage",
+]

@@ -17,7 +17,7 @@ from cranktrain.engine.cylinders import (
     ports_of,
 )
 from cranktrain.engine.evenness_table import evenness_parts
-from cranktrain.engine.firing import Cycle, common_order
+from cranktrain.engine.firing import Cycle, FiringOrder, common_order
 from cranktrain.engine.followed import FollowedLinks, FollowedSliders, followed_of
 from cranktrain.engine.forces import carriers_of
 from cranktrain.engine.frames import frames_of
@@ -34,7 +34,7 @@ from cranktrain.engine.layout import (
     has_rods,
     mechanisms_of,
 )
-from cranktrain.engine.masses import masses_of
+from cranktrain.engine.masses import GivenBodies, masses_of
 from cranktrain.engine.opposed import OpposedCylinders
 from cranktrain.engine.piston_forces import direct_pistons_of
 from cranktrain.engine.places import Place
@@ -46,6 +46,7 @@ from cranktrain.engine.shafts import GearedShafts, shafts_of
 from cranktrain.engine.speed_curve import SteadyRunning, speed_at_moment
 from cranktrain.engine.speed_table import tabled_speed
 from cranktrain.engine.throws import shaft_centres_of, throws_of
+from cranktrain.engine.volumes import Chambers, CompressionRatios
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine, machine_problems
@@ -53,6 +54,9 @@ from cranktrain.motion import Array, single
 from cranktrain.quantities import Given
 from cranktrain.spec import Spec
 from cranktrain.textbook.steam_engine import brix_angle
+
+_GAS = (DeclaredGas, Chambers, CompressionRatios, Cycle, FiringOrder)
+"""What it takes for gas to press on pistons: then there are forces, whether anything has a mass or not."""
 
 Parts = dict[type, object]
 """What a machine declares, in SI: one object of each type."""
@@ -109,8 +113,6 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
         (shafts := shafts_of(first.shafts, designs[0])),
         GearedShafts(shafts) if len(shafts.names) > 1 else None,
     ]
-    if first.gas is not None or first.masses or first.weighed.bodies:
-        parts += [(masses := masses_of(designs, [machine.weighed for machine in machines])), guides_with_length(masses)]
     pistons = [machine.pistons for machine in machines]
     rockers = [[place for place in design if place.kind.output == "rocker"] for design in designs]
     if pistons[0]:
@@ -142,6 +144,10 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
     if first.evenness is not None:
         parts += evenness_parts([machine.evenness for machine in machines if machine.evenness is not None])
     parts += _speed_parts(machines, grid)
+    has_bodies = bool(first.weighed.bodies)
+    if has_bodies or all(any(isinstance(part, need) for part in parts) for need in _GAS):
+        masses = masses_of(designs, [machine.weighed for machine in machines])
+        parts += [masses, guides_with_length(masses), GivenBodies() if has_bodies else None]
     return {type(part): part for part in parts if part is not None}
 
 

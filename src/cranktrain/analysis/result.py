@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from cranktrain.analysis.stages import Missing
+from cranktrain.analysis.unused import Unused, sentences
 from cranktrain.catalogue import Entry, entries
 from cranktrain.checks import Check
 from cranktrain.engine.layout import CrankAngle
@@ -46,6 +47,8 @@ class Result:
     missing : tuple of Missing
     coarse : tuple of str
         What is to be said of curves for which the steps asked for are too wide.
+    unused : tuple of Unused
+        Tables that the file has and no result could rest on, with what is missing for them.
     """
 
     machines: tuple[Machine, ...]
@@ -55,6 +58,7 @@ class Result:
     gifts: tuple[object, ...]
     missing: tuple[Missing, ...]
     coarse: tuple[str, ...] = ()
+    unused: tuple[Unused, ...] = ()
 
     @cached_property
     def _homes(self) -> dict[str, tuple[Entry, object]]:
@@ -119,8 +123,8 @@ class Result:
                 yield sentence
 
     def summary(self, design: int = 0) -> str:
-        """Say in sentences what was found."""
-        return "\n".join(self.answers(design))
+        """Say in sentences what is not used of the file, and what was found."""
+        return "\n".join([*sentences(self.unused), *self.answers(design)])
 
     def labels_of(self, entry: Entry) -> dict[str, tuple[str, ...]]:
         """Names along each dimension of a quantity, but for the crank angle."""
@@ -148,7 +152,8 @@ class Result:
         used = {dimension for dimensions, *_rest in variables.values() for dimension in dimensions}
         coordinates: dict[str, Any] = {name: list(words) for name, words in self.labels.items() if name in used}
         coordinates["crank_angle"] = ("crank_angle", self.crank_angle, {"units": "deg", "symbol": "φ"})
-        return xarray.Dataset(variables, coordinates, {"name": self.machines[0].name})
+        about = {"name": self.machines[0].name, "unused": sentences(self.unused)}
+        return xarray.Dataset(variables, coordinates, about)
 
 
 def _read_only(values: Array) -> Array:

@@ -9,7 +9,8 @@ from cranktrain.analysis.grids import FACTS_STEP, coarse_curves, has_curves, on_
 from cranktrain.analysis.parts import Parts, parts_of
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.second_run import SpeedWanted, with_speed
-from cranktrain.analysis.stages import STAGES, Stage, leading_to, run_stages
+from cranktrain.analysis.stages import STAGES, Stage, lacking, leading_to, run_stages
+from cranktrain.analysis.unused import unused
 from cranktrain.catalogue import entries
 from cranktrain.engine.followed import FollowedLinks, FollowedSliders
 from cranktrain.engine.layout import CrankAngle, Mechanisms, Pistons, Rockers
@@ -96,6 +97,7 @@ def run(
         labels=_labels(parts, machines, gifts),
         gifts=(*(parts[part] for part in (SpeedCurve,) if part in parts), *gifts.values()),
         missing=missing,
+        unused=unused(machines[0], lacking(stages, parts)),
     )
 
 

@@ -202,6 +202,36 @@ STAGES: tuple[Stage, ...] = tuple(
 """All stages, in the order in which people read their results."""
 
 
+def lacking(stages: Sequence[Stage], parts: Iterable[type]) -> dict[type, tuple[str, ...]]:
+    """Which gifts cannot be made of some parts, and what is missing for them.
+
+    Parameters
+    ----------
+    stages : sequence of Stage
+        In any order.
+    parts : iterable of type
+        What the machine declares.
+
+    Returns
+    -------
+    dict of type to tuple of str
+        In words, for what a machine file could say; none of a gift of another kind of machine.
+    """
+    known = set(parts)
+    roots: dict[type, frozenset[type]] = {}
+    for one in ordered(stages):
+        needed = {need for name, need in one.needs.items() if name not in one.optional} - known
+        if needed:
+            roots[one.gives] = frozenset[type]().union(*(roots.get(need, frozenset({need})) for need in needed))
+        else:
+            known.add(one.gives)
+    words = {
+        gift: tuple(sorted({translated(getattr(root, "needs", "")) for root in of_gift}))
+        for gift, of_gift in roots.items()
+    }
+    return {gift: of_gift if all(of_gift) else () for gift, of_gift in words.items()}
+
+
 def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict[type, object], tuple[Missing, ...]]:
     """Run every stage whose needs are met.
 
@@ -224,28 +254,18 @@ def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict
     for part in parts.values():
         _freeze(part, seen)
     gifts: dict[type, object] = {}
-    lacking: dict[type, frozenset[type]] = {}
-    absent: dict[type, tuple[str, ...]] = {}
+    absent = lacking(stages, parts)
     for one in ordered(stages):
-        roots: set[type] = set()
-        for name, need in one.needs.items():
-            if need not in known and name not in one.optional:
-                roots |= lacking.get(need, frozenset({need}))
-        if not roots:
+        if one.gives not in absent:
             # NaN stands for links that cannot close, and is no news.
             with np.errstate(all="ignore"):
                 gift = one.function(**{name: known.get(need) for name, need in one.needs.items()})
             _freeze(gift, seen)
             known[one.gives] = gifts[one.gives] = gift
-            continue
-        lacking[one.gives] = frozenset(roots)
-        words = tuple(sorted(translated(getattr(root, "needs", "")) for root in roots))
-        if all(words):
-            absent[one.gives] = words
     in_order = {one.gives: gifts[one.gives] for one in stages if one.gives in gifts}
     missing: dict[tuple[str, ...], list[str]] = {}
     for one in stages:
-        results = [entry.name for entry in entries(one.gives)] if one.gives in absent else []
+        results = [entry.name for entry in entries(one.gives)] if absent.get(one.gives) else []
         if results:
             missing.setdefault(absent[one.gives], []).extend(results)
     return in_order, tuple(Missing(tuple(results), needs) for needs, results in missing.items())

@@ -2,6 +2,7 @@
 
 import re
 
+from cranktrain.analysis import sentences
 from cranktrain.io.machine_file import computed, read_machine
 from cranktrain.language import _
 from cranktrain.one_line import one_line
@@ -12,6 +13,8 @@ def show_check(source: str) -> None:
     file = read_machine(source)
     result = computed(file)
     print(_("{file}: nothing wrong").format(file=one_line(file.document.name)))
+    for sentence in sentences(result.unused):
+        print(f"! {one_line(sentence)}")
     groups = ", ".join(_words(type(gift).__name__) for gift in result.gifts)
     print(_("can compute {n} results: {groups}").format(n=len(result.catalogue), groups=groups))
     for missing in result.missing:

@@ -7,7 +7,7 @@ import numpy as np
 from rich.console import Console
 from rich.text import Text
 
-from cranktrain.analysis import Missing, Result
+from cranktrain.analysis import Missing, Result, sentences
 from cranktrain.cli.facts import fact_tables
 from cranktrain.cli.figures import ABSENT, figures
 from cranktrain.cli.inputs import input_table, provenance
@@ -45,6 +45,8 @@ def show_result(
         Whether to show every number of the file, and not only a word on where they are from.
     """
     console.print(Text(title(file.machine), style="bold"))
+    for sentence in sentences(result.unused):
+        console.print(Text("\n").join(_minded(console, sentence)), soft_wrap=True)
     console.print()
     for sentence in result.answers():
         console.print(visible(sentence))
@@ -70,6 +72,12 @@ def show_result(
     section(console, _("What this rests on"), about)
     if result.missing:
         section(console, _("To learn more"), [_missing(missing) for missing in result.missing])
+
+
+def _minded(console: Console, sentence: str) -> Iterator[Text]:
+    """Fold a sentence that comes before all results."""
+    for place, line in enumerate(paragraph(console, sentence)):
+        yield Text("  " if place else "! ") + line
 
 
 def title(machine: Machine) -> str:

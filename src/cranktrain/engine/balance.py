@@ -145,7 +145,7 @@ class RollingMoment:
 
 
 def rolling_moment(
-    frame: FrameForces,
+    frame: FrameForces | None,
     running: RunningFrame | None,
     frames: Frames,
     centres: ShaftCentres,
@@ -161,12 +161,12 @@ def rolling_moment(
     """
     centre = running_axes(centres.value, clockwise=frames.clockwise)[..., np.newaxis]
     drive = Drive(*(part[:, 0] for part in loaded.speed.drive(crank_angle.angle)))
-    if running is None:
+    without = torques.driving_torque
+    if running is not None:
+        without = without + _roll_of_masses(running, centre)
+    elif frame is not None:
         turns = round(crank_angle.cycle / (2 * np.pi))
-        inertia = drive.speed**2 * np.tile(_roll_of_masses(frame, centre), turns)
-    else:
-        inertia = _roll_of_masses(running, centre)
-    without = torques.driving_torque + inertia
+        without = without + drive.speed**2 * np.tile(_roll_of_masses(frame, centre), turns)
     if any(np.any(made.gravity) for made in loaded.masses.groups):
         without = without + _weights_moment(loaded, solved, frames, centres)
     curves = [without]

@@ -6,12 +6,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.engine.closing import Closing
 from cranktrain.engine.dead_centres import DeadCentres
 from cranktrain.engine.forces import LoadedMachine
 from cranktrain.engine.gas_pressures import GasPressures
 from cranktrain.engine.masses import Masses
 from cranktrain.engine.motion import PistonSpeeds
 from cranktrain.engine.part_tables import SLIDER
+from cranktrain.engine.rockers import DeadPositions
 from cranktrain.engine.volumes import Chambers, ChamberVolumes
 from cranktrain.language import N_, _
 from cranktrain.linkage.forces import Body
@@ -66,6 +68,21 @@ LIMITS: Mapping[str, Limit] = {
         "MPa",
         N_("The piston's inertia over its area, mRω²/A, is {value}; built ones have 6 MPa at most: is its mass right?"),
     ),
+    # Near locking the slopes of all curves are its inverse square root, and their digits are those of the margin.
+    "closeness": Limit(
+        1e6,
+        "",
+        N_("The links close by {value} of a length alone: results near there rest on its last digits."),
+    ),
+    # The position has 16 digits, and its part that moves so many fewer. Rods that stand for none are given 10⁴ cranks.
+    "distance": Limit(
+        1e5,
+        "",
+        N_("A slider stands {value} strokes away from its shaft: its curves lose as many digits as that number has."),
+    ),
+    "swing": Limit(
+        1e5, "deg", N_("A rocker swings {value}: what there is of its motion is in the last digits of its position.")
+    ),
     # Marks' Standard Handbook, coefficients of sliding friction: greasy metals 0.05 to 0.2; dry ones come to 0.4 and
     # more.
     "friction": Limit(
@@ -89,9 +106,17 @@ def doubts(
     volumes: ChamberVolumes | None,
     gas: GasPressures | None,
     loaded: LoadedMachine | None,
+    closes: Closing | None,
+    rockers: DeadPositions | None,
 ) -> Doubts:
     """Doubt what is beyond the limits; of all designs the worst is told."""
     found: list[str] = []
+    if closes is not None:
+        found += doubted("closeness", 1 / closes.closing_margin, closes.closing_margin)
+    if travel is not None:
+        found += doubted("distance", np.abs(travel.top_position) / travel.stroke)
+    if rockers is not None:
+        found += doubted("swing", 1 / rockers.swing, rockers.swing)
     if speeds is not None:
         found += doubted("mean_piston_speed", speeds.mean_piston_speed[:, ~speeds.is_valve])
     fired = None if gas is None else gas.indicated_work > 0

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
@@ -11,14 +12,15 @@ from cranktrain.engine.evenness_table import GivenFlywheel, ShaftLoad
 from cranktrain.engine.forces import MechanismTorques
 from cranktrain.engine.layout import CrankAngle, Speed
 from cranktrain.engine.load_curve import LoadTorque
+from cranktrain.engine.masses import GivenBodies
 from cranktrain.engine.shaft_torque import AppliedTorque
 from cranktrain.engine.torque_sources import TorqueSources
 from cranktrain.language import N_, _
 from cranktrain.loads.excess_work import ExcessWork, excess_against, excess_of
 from cranktrain.loads.harmonics import TURN
-from cranktrain.loads.mean_speed import quadratic_coefficient
+from cranktrain.loads.mean_speed import has_mean, quadratic_coefficient
 from cranktrain.loads.periodic import PeriodicCurve, combined, fourier_integral, plus
-from cranktrain.loads.speed import SpeedOverCycle, steady_speed
+from cranktrain.loads.speed import SpeedOverCycle, chosen_speed, steady_speed
 from cranktrain.loads.speed_law import TorqueLaw, given_torque, motor, quadratic_load, speed_under_law, together
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme, spectral_derivative
@@ -32,7 +34,9 @@ _MOTION_LIMIT = 0.1
 _UNLIKELY = 0.5
 """Coefficient of fluctuation from which a flywheel is doubted."""
 _LAST_ORDERS = 0.1
-"""Share of the upper half of a grid's orders in a work that the grid resolves."""
+"""Share of the upper half of a grid's orders in a torque that the grid shows."""
+_ROUNDING = 1e-9
+"""Of the energy of all that turns; work of less within a cycle is rounding, or as good as none."""
 
 
 @record
@@ -44,7 +48,7 @@ class FlywheelMoment:
     )
 
 
-def flywheel_moment(torques: MechanismTorques) -> FlywheelMoment:
+def flywheel_moment(_bodies: GivenBodies, torques: MechanismTorques) -> FlywheelMoment:
     """GD² = 4 J."""
     return FlywheelMoment(4 * torques.reduced_inertia)
 
@@ -169,7 +173,7 @@ def running_speed(
     torque = applied.applied_torque - taken + found.balancing
     running = found.speed
     return RunningSpeed(
-        load=_load_words(load, has_curve=given is not None),
+        load=_load_words(load, has_curve=given is not None, is_free=bool(np.all(found.is_free))),
         crank_speed=running.speed,
         crank_acceleration=(torque - slope * running.speed**2 / 2) / inertia.samples,
         coefficient_of_fluctuation=running.fluctuation(load.mean),
@@ -181,36 +185,46 @@ def running_speed(
         smallest_crank_speed=running.smallest.value[:, 0],
         smallest_crank_speed_at=_shown(running.smallest, crank_angle),
         checks=(_motion_check(running.speed, inertia.samples, slope, found.work),),
-        flags=tuple(_flags(load, work, running, found.multiplier)),
+        flags=tuple(_flags(load, work, found)),
     )
 
 
 class _Found(NamedTuple):
     """Speed; the torque that balances the machine, and the work of all torques [N·m, J]; what is left of a departure.
 
-    A load that does not depend on the speed lets a small departure stay after a cycle: 1.
+    A load that does not depend on the speed lets a small departure stay after a cycle: 1. is_free: whether a load was
+    to fix the speed and does not, shape (design,).
     """
 
     speed: SpeedOverCycle
     balancing: Array
     work: PeriodicCurve
     multiplier: Array
+    is_free: NDArray[np.bool_]
 
 
 def _found(load: ShaftLoad, applied: AppliedTorque, work: ShaftWork, inertia: PeriodicCurve, wanted: Array) -> _Found:
     """Steady running, by the energy alone or under a law."""
     left = work.excess.mean_excess[:, np.newaxis]
     cycle = inertia.cycle
-    if load.motor is None and not load.is_quadratic:
-        steady = steady_speed(work.excess, inertia, wanted, load.mean).speed
-        return _Found(steady, -left, work.excess.work, np.ones(1))
     # The slope of the work's series: what it gives back when it is integrated by orders is the work itself.
     torque = left + spectral_derivative(work.excess.work.samples) * (TURN / cycle)
+    has_load = has_mean(torque, inertia.samples, wanted)
+    torque = torque - np.where(has_load[:, np.newaxis], 0.0, left)
+    is_free = load.is_quadratic & ~has_load
+    if load.motor is None and (not load.is_quadratic or np.all(is_free)):
+        steady = steady_speed(work.excess, inertia, wanted, load.mean).speed
+        return _Found(steady, -left, work.excess.work, np.ones(1), is_free)
     law = _law(load, torque, inertia, wanted)
     under = speed_under_law(together(given_torque(torque), law), inertia.samples, cycle, applied.by.curve)
+    speed, multiplier = under.speed, under.multiplier
     balancing = under.torque - torque
+    if np.any(is_free):
+        # Of several designs some may have no mean: their energy is free, as under a constant load.
+        speed = chosen_speed(is_free, steady_speed(work.excess, inertia, wanted, load.mean).speed, speed)
+        balancing, multiplier = np.where(is_free[:, np.newaxis], -left, balancing), np.where(is_free, 1.0, multiplier)
     whole = combined(work.excess.work, np.ones(1), applied.by.integral(balancing, cycle))
-    return _Found(under.speed, balancing, whole, under.multiplier)
+    return _Found(speed, balancing, whole, multiplier, is_free)
 
 
 def _law(load: ShaftLoad, torque: Array, inertia: PeriodicCurve, wanted: Array) -> TorqueLaw:
@@ -230,48 +244,81 @@ def _motion_check(speed: Array, inertia: Array, slope: Array, work: PeriodicCurv
     """Compare the work of the torques with that of the inertia, whose ε is of the series of ω², and with J′."""
     cycle = work.cycle
     acceleration = spectral_derivative(speed**2) * (np.pi / cycle)
-    left = fourier_integral(inertia * acceleration + slope * speed**2 / 2, cycle).samples
-    spread = np.ptp(work.samples, axis=-1)
-    scale = np.where(spread > 0, spread, 1.0)
-    # A grid that shows its last orders only says nothing of the motion between its points.
-    orders = np.abs(np.fft.rfft(work.slope(work.angle), axis=-1))[..., 1:]
-    is_shown = np.sum(orders[..., orders.shape[-1] // 2 :], axis=-1) <= _LAST_ORDERS * np.sum(orders, axis=-1)
+    of_inertia = slope * speed**2 / 2
+    left = fourier_integral(inertia * acceleration + of_inertia, cycle).samples
+    energy = inertia * speed**2 / 2
+    # Torques that do no work within the cycle leave the energy that moving parts hand over at a constant speed.
+    spread, handed_over = _range(work.samples), _range(inertia) * np.mean(speed**2, axis=-1) / 2
+    least = _ROUNDING * np.max(energy, axis=-1)
+    works = spread > least
+    scale = np.where(works, spread, handed_over)
+    says_something = ~(scale <= least)
+    residual = np.max(np.abs(left - work.samples), axis=-1) / np.where(says_something, scale, 1.0)
+    # A shaft that hardly turns where J is least has a sharper speed than its torques.
+    by_torque = np.where(works, _is_shown(work.slope(work.angle)), _is_shown(of_inertia))
+    limit = _MOTION_LIMIT * float(work.angle[1])
+    is_shown = by_torque & ((residual <= limit) | _is_shown(acceleration))
+    closes, runs = (np.all(np.isfinite(curve), axis=-1) for curve in (inertia, speed))
+    grid, nothing = (
+        _("needs a finer grid"),
+        _("has nothing to compare: the work of a cycle is rounding beside the energy"),
+    )
+    reasons = np.where(says_something, grid, nothing)
     return Check(
         "motion",
         _("Work of Jε + ½J′ω², with the speed that was found, against that of all torques, relative to its range"),
-        np.where(is_shown, np.max(np.abs(left - work.samples), axis=-1) / scale, np.nan),
-        _MOTION_LIMIT * float(work.angle[1]),
+        np.where(closes, np.where(runs & is_shown & says_something, residual, np.inf), np.nan),
+        limit,
+        tuple(np.where(runs, reasons, _("needs steady running")).tolist()),
     )
 
 
-def _load_words(load: ShaftLoad, *, has_curve: bool) -> str:
+def _range(curve: Array) -> Array:
+    return np.max(curve, axis=-1) - np.min(curve, axis=-1)
+
+
+def _is_shown(torque: Array) -> NDArray[np.bool_]:
+    """Whether a grid shows the orders of a torque: one that shows the last ones only says nothing of the others."""
+    orders = np.abs(np.fft.rfft(torque, axis=-1))[..., 1:]
+    return np.sum(orders[..., orders.shape[-1] // 2 :], axis=-1) <= _LAST_ORDERS * np.sum(orders, axis=-1)
+
+
+def _load_words(load: ShaftLoad, *, has_curve: bool, is_free: bool) -> str:
     """Say what balances the machine, as a sentence begins."""
     if load.motor is not None:
         return _("Driven by its motor")
-    if load.is_quadratic:
+    if load.is_quadratic and not is_free:
         return (
             _("Against the load curve and a load that rises with the speed squared")
             if has_curve
             else _("Against a load that rises with the speed squared")
         )
-    return _("Against the load curve") if has_curve else _("Against a constant torque")
+    if has_curve:
+        return _("Against the load curve")
+    return _("Without a load") if is_free else _("Against a constant torque")
 
 
-def _flags(load: ShaftLoad, work: ShaftWork, found: SpeedOverCycle, multiplier: Array) -> Iterator[str]:
-    """Mind a shaft that would stop, a load that nothing drives, and running that is not stable."""
+def _flags(load: ShaftLoad, work: ShaftWork, found: _Found) -> Iterator[str]:
+    """Mind a load that fixes no speed, a shaft that would stop, a load that nothing drives, and unstable running."""
+    speed = found.speed
     is_known = np.isfinite(work.largest_excess_work)
-    if np.any(is_known & ~np.isfinite(found.means.time)):
+    if np.any(is_known & found.is_free):
+        yield _(
+            "There is no mean torque for a load that rises with the speed to take: nothing fixes the mean speed,"
+            " and the declared one is kept."
+        )
+    if np.any(is_known & ~np.isfinite(speed.means.time)):
         if load.motor is not None:
             yield _(
                 "No steady running: the motor cannot carry the shaft through the cycle; a flywheel or a motor more."
             )
-        elif load.is_quadratic and np.any(work.excess.mean_excess <= 0):
+        elif load.is_quadratic and np.any(~found.is_free & (work.excess.mean_excess <= 0)):
             yield _("No steady running: a load that rises with the speed is for a machine that gives work.")
         else:
             yield _("No steady running at this speed: flywheel and moving parts are too light to carry the shaft.")
-    if np.any(found.fluctuation(load.mean) > _UNLIKELY):
+    if np.any(speed.fluctuation(load.mean) > _UNLIKELY):
         yield _("Within a cycle the speed changes by more than half of its mean: is the flywheel right?")
-    if np.any(multiplier > 1):
+    if np.any(found.multiplier > 1):
         yield _("The running is not stable: a small departure from it grows.")
 
 

@@ -1,7 +1,7 @@
 """Forces in every joint of a machine, and the torque that its mechanisms give to the shaft."""
 
-from collections.abc import Callable, Mapping, Sequence
-from functools import cached_property
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cached_property, reduce
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -309,6 +309,48 @@ def solved_cycle(loaded: LoadedMachine, crank_angle: CrankAngle, gas: GasPressur
     return SolvedCycle(loaded.solved(crank_angle.angle, gas_force=None if gas is None else gas.gas_force))
 
 
+def largest_forces(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Array:
+    """Largest force in any joint of each mechanism, shape (design, mechanism). [N]"""
+    return _by_mechanism(loaded, (_largest_force(one) for one in solved))
+
+
+def forces_times_arms(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Array:
+    """What the joints of each mechanism could do to the shaft at most, shape (design, mechanism). [N·m]
+
+    Its largest force by the longest way of its pins for a turn of 1 rad, and its largest moment by the fastest turn.
+    """
+    found: list[Array] = []
+    for group, one in zip(loaded.mechanisms.groups, solved, strict=True):
+        links = group.kind.dynamics.links(one.motion, group.members.geometry)
+        way = np.sqrt(_largest(link.origin.x.first**2 + link.origin.y.first**2 for link in links))
+        turn = _largest(np.abs(link.angle.first) for link in links)
+        moment = _largest(np.abs(joint.moment) for joint in one.forces.joints)
+        found.append(_largest_force(one) * way + moment * turn)
+    return _by_mechanism(loaded, found)
+
+
+def _largest_force(one: SolvedGroup) -> Array:
+    """Largest force in any joint of each mechanism of one kind, shape (design, member)."""
+    return np.sqrt(_largest(joint.x * joint.x + joint.y * joint.y for joint in one.forces.joints))
+
+
+def _largest(curves: Iterable[Array]) -> Array:
+    """Largest value of several curves of shape (..., n), each of which may stand for all."""
+    return reduce(np.maximum, (np.max(curve, axis=-1) for curve in map(np.atleast_1d, curves)))
+
+
+def _by_mechanism(loaded: LoadedMachine, groups: Iterable[Array]) -> Array:
+    """Put what the mechanisms of each kind have into the machine's order."""
+    values = list(groups)
+    order = np.argsort(np.concatenate([group.index for group in loaded.mechanisms.groups]))
+    n_designs = max(len(value) for value in values)
+    shaped = (
+        np.broadcast_to(value, (n_designs, group.index.size))
+        for value, group in zip(values, loaded.mechanisms.groups, strict=True)
+    )
+    return np.concatenate(list(shaped), axis=1)[:, order]
+
+
 @record
 class MechanismTorques:
     """What every mechanism does to the shaft, and all together."""
@@ -342,7 +384,8 @@ def mechanism_torques(loaded: LoadedMachine, solved: SolvedCycle) -> MechanismTo
         inertia = inertia + np.sum(equation.inertia.value, axis=1)
         slope = slope + np.sum(equation.inertia.first, axis=1)
     driving = np.sum(by_reactions, axis=1)
-    scale = np.max(np.sum(np.abs(by_work), axis=1), axis=-1)
+    # Where forces stand across the way of their pins there is no torque, but rounding of forces times arms.
+    scale = np.max(np.sum(np.abs(by_work), axis=1), axis=-1) + np.sum(forces_times_arms(loaded, solved.groups), axis=1)
     residual = np.max(np.abs(driving - np.sum(by_work, axis=1)), axis=-1) / np.where(scale > 0, scale, 1.0)
     return MechanismTorques(
         mechanism_torque=-by_work,
@@ -352,7 +395,7 @@ def mechanism_torques(loaded: LoadedMachine, solved: SolvedCycle) -> MechanismTo
         checks=(
             Check(
                 "torque",
-                _("Torque by the reactions of all joints against that by virtual work, relative to the parts' peak"),
+                _("Torque by the reactions of all joints against that by virtual work, relative to forces times arms"),
                 residual,
                 _TORQUES_LIMIT,
             ),

@@ -5,13 +5,14 @@ from functools import reduce
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.checks import Check
 from cranktrain.engine.balance_specs import HIGHEST_ORDER
-from cranktrain.engine.forces import Carriers, LoadedMachine, SolvedGroup
+from cranktrain.engine.forces import Carriers, LoadedMachine, SolvedGroup, largest_forces
 from cranktrain.engine.frames import Frames
 from cranktrain.engine.layout import CrankAngle, Mechanisms, Speed
-from cranktrain.engine.masses import Masses
+from cranktrain.engine.masses import GivenBodies, Masses
 from cranktrain.engine.throws import Throws
 from cranktrain.language import _
 from cranktrain.linkage.forces import WEIGHTLESS, Momentum, Wrench, momentum
@@ -19,12 +20,12 @@ from cranktrain.loads.harmonics import ComplexArray
 from cranktrain.loads.vectors import PlaneVectors, curve_vectors, delayed_vectors
 from cranktrain.mechanisms.kind import FRAME
 from cranktrain.motion import ZERO, Array
-from cranktrain.numerics import spectral_derivative, turn_grid
+from cranktrain.numerics import has_ended, spectral_derivative, turn_grid
 from cranktrain.record import record
 
 _LIMIT = 1e-11
 _FEWEST, _MOST = 360, 2880
-_ENDED = 1e-13
+ENDED = 1e-13
 """What the highest orders may have of the largest order, for the grid to show all that there is."""
 
 
@@ -62,7 +63,13 @@ class Momenta(NamedTuple):
 
 
 def frame_forces(
-    mechanisms: Mechanisms, carriers: Carriers, masses: Masses, frames: Frames, throws: Throws, crank_angle: CrankAngle
+    _bodies: GivenBodies,
+    mechanisms: Mechanisms,
+    carriers: Carriers,
+    masses: Masses,
+    frames: Frames,
+    throws: Throws,
+    crank_angle: CrankAngle,
 ) -> FrameForces:
     """Solve the machine with its masses alone, at 1 rad/s: no gas, weight or friction.
 
@@ -77,19 +84,29 @@ def frame_forces(
         angle = turn_grid(n_turn * step) + crank_angle.zero
         motions = machine.motions(angle)
         found = momenta(machine, motions, frames)
-        if n_turn * step >= _MOST or _has_ended(found.vector):
+        own = -derivative(found.vector)
+        ended = has_ended(own, ENDED)
+        if n_turn * step >= _MOST or np.all(ended):
             break
         step *= 2
-    force = force_on_frame(machine, machine.solved(angle, motions=motions), frames, found.vector.shape)
+    solved = machine.solved(angle, motions=motions)
+    force = force_on_frame(machine, solved, frames, found.vector.shape)
     zero = crank_angle.zero[:, 0]
-    own = -derivative(found.vector)
     return FrameForces(
         force=force,
         moment=-spectral_derivative(found.moment),
         step=step,
         vectors=delayed_vectors(curve_vectors(force.real, force.imag, HIGHEST_ORDER), zero),
         own=delayed_vectors(curve_vectors(own.real, own.imag, HIGHEST_ORDER), zero),
-        checks=(momentum_check("momentum", throws.gathered(force), throws.gathered(own)),),
+        checks=(
+            momentum_check(
+                "momentum",
+                throws.gathered(force),
+                throws.gathered(own),
+                in_joints=np.max(largest_forces(machine, solved), axis=1),
+                ended=np.all(ended, axis=(1, 2)),
+            ),
+        ),
     )
 
 
@@ -119,14 +136,6 @@ def derivative(vector: ComplexArray) -> ComplexArray:
     return spectral_derivative(vector.real) + 1j * spectral_derivative(vector.imag)
 
 
-def _has_ended(vector: ComplexArray) -> bool:
-    """Whether the highest orders of a curve are nothing beside the others; one that has gaps has no orders."""
-    n_points = vector.shape[-1]
-    size = np.abs(np.fft.fft(vector, axis=-1) * np.fft.fftfreq(n_points))
-    tail = np.max(size[..., 7 * n_points // 16 : 9 * n_points // 16], axis=-1)
-    return not bool(np.any(tail > _ENDED * np.max(size, axis=-1)))
-
-
 def force_on_frame(
     machine: LoadedMachine, solved: Sequence[SolvedGroup], frames: Frames, shape: tuple[int, ...]
 ) -> ComplexArray:
@@ -142,13 +151,15 @@ def force_on_frame(
     return force
 
 
-def momentum_check(name: str, force: ComplexArray, momentum_lost: ComplexArray) -> Check:
-    """Compare the throws' forces with what their momentum says, relative to the largest throw's."""
-    scale = np.max(np.abs(force), axis=(-2, -1))
+def momentum_check(
+    name: str, force: ComplexArray, momentum_lost: ComplexArray, *, in_joints: Array, ended: NDArray[np.bool_]
+) -> Check:
+    """Compare the throws' forces with what their momentum says, by a series that may have ended, for each design."""
+    scale = np.max(np.abs(force), axis=(-2, -1)) + in_joints
     residual = np.max(np.abs(force - momentum_lost), axis=(-2, -1)) / np.where(scale == 0, 1.0, scale)
     return Check(
         name,
-        _("Inertia forces on the frame against the change of momentum of all parts, relative to the largest throw's"),
-        residual,
+        _("Inertia forces on the frame against the change of momentum of all parts, relative to the joints' largest"),
+        np.where((residual > _LIMIT) & ~ended, np.inf, residual),
         _LIMIT,
     )

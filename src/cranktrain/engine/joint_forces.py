@@ -106,8 +106,8 @@ def _gathered(joints: Sequence[_Joint], solved: Sequence[SolvedGroup], part: int
 
 def _flags(masses: Masses) -> Iterator[str]:
     """Mind what has no mass, and rods whose inertia is assumed."""
-    if masses.weightless:
-        yield _("Without mass: {parts}.").format(parts=", ".join(masses.weightless))
+    if (said := masses.without_mass()) is not None:
+        yield said
     if masses.doubtful:
         yield _(
             "The inertia of {parts} is hardly that of a link of such mass and length:"

@@ -6,6 +6,7 @@ import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.evenness_table import LoadCurve, ShaftLoad
+from cranktrain.engine.forces import MechanismTorques
 from cranktrain.engine.layout import CrankAngle
 from cranktrain.engine.shaft_torque import AppliedTorque
 from cranktrain.engine.torque_sources import TorqueSources
@@ -82,7 +83,12 @@ class LoadTorque:
 
 
 def load_torque(
-    curve: LoadCurve, load: ShaftLoad, applied: AppliedTorque, sources: TorqueSources, crank_angle: CrankAngle
+    curve: LoadCurve,
+    load: ShaftLoad,
+    applied: AppliedTorque,
+    sources: TorqueSources,
+    torques: MechanismTorques,
+    crank_angle: CrankAngle,
 ) -> LoadTorque:
     """Load torque on the grid and its exact work, as given or scaled to the machine's mean.
 
@@ -97,7 +103,9 @@ def load_torque(
     mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
     factor = np.ones_like(mean)
     if curve.is_scaled:
-        gives_work = mean > _NOTHING * np.max(np.abs(applied.applied_torque), axis=-1)
+        # A machine that nothing but inertia acts on has a mean torque of rounding.
+        peak = np.maximum(np.abs(applied.applied_torque), np.abs(torques.driving_torque))
+        gives_work = mean > _NOTHING * np.max(peak, axis=-1)
         factor = np.where(gives_work, mean / own, np.nan)
     samples = np.stack([polyline_value(polyline, crank_angle.shown) for polyline in curve.polylines])
     works = [polyline_integral(polyline, samples.shape[-1], crank_angle.cycle) for polyline in curve.polylines]

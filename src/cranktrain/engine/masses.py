@@ -67,6 +67,19 @@ class Masses:
         """Whether any slider of any design rubs."""
         return any(np.any(coefficient != 0.0) for group in self.groups for coefficient in group.friction)
 
+    def without_mass(self) -> str | None:
+        """Say what has no mass; None where all has."""
+        if all(not np.any(body.mass) for group in self.groups for body in group.bodies):
+            return _("No masses are given: forces and torque are of the gas alone.")
+        return _("Without mass: {parts}.").format(parts=", ".join(self.weightless)) if self.weightless else None
+
+
+@record
+class GivenBodies:
+    """That something of the machine has a mass: without it nothing shakes, and nothing is balanced."""
+
+    needs: ClassVar[str] = N_("[masses]")
+
 
 class Weighed(NamedTuple):
     """What a machine file says of masses: bodies by path of their table, friction by slider, and what weighs on them.

@@ -133,7 +133,7 @@ def _checks(formula: Sequence[Array], rods: Array) -> Iterator[Check]:
         yield Check(
             "piston_forces",
             _("P·f(β): K² + T² = S², TR = Px′ and TR = Ns + Pe, relative to their peaks"),
-            np.nanmax(formula, axis=0),
+            np.fmax.reduce(formula, axis=0),
             _LIMIT,
         )
     yield Check(
@@ -148,11 +148,11 @@ def _formula_residual(forces: PistonForces, one: RodsInPistons) -> Array:
     """Largest residual of the identities, each relative to its peak, shape (design,); NaN where all are."""
     geometry = one.group.members.geometry
     found = piston_identities(forces, one.motion, geometry)
-    peak = np.max(np.abs(forces.rod), axis=-1)
+    peak = np.fmax.reduce(np.abs(forces.rod), axis=-1)
     arm = (geometry.crank_radius + geometry.rod_length)[..., 0]
     scales = (peak * peak, peak * arm, peak * arm)
     parts = [
-        np.max(np.abs(part), axis=-1) / np.where(scale > 0, scale, 1.0)
+        np.fmax.reduce(np.abs(part), axis=-1) / np.where(scale > 0, scale, 1.0)
         for part, scale in zip(found, scales, strict=True)
     ]
-    return np.max(np.where(np.isnan(parts), 0.0, parts), axis=(0, 2))
+    return np.fmax.reduce(np.fmax.reduce(parts), axis=-1)

@@ -3,8 +3,9 @@
 import numpy as np
 
 from cranktrain.checks import Check
-from cranktrain.engine.forces import Carriers, LoadedMachine
+from cranktrain.engine.forces import Carriers, LoadedMachine, largest_forces
 from cranktrain.engine.frame_forces import (
+    ENDED,
     FrameForces,
     Momenta,
     derivative,
@@ -22,7 +23,7 @@ from cranktrain.linkage.forces import Drive
 from cranktrain.loads.harmonics import ComplexArray
 from cranktrain.loads.periodic import cycle_grid
 from cranktrain.motion import Array
-from cranktrain.numerics import spectral_derivative, turn_grid
+from cranktrain.numerics import has_ended, spectral_derivative, turn_grid
 from cranktrain.record import record
 
 
@@ -71,11 +72,13 @@ def running_frame(
     angle = cycle_grid(n_points, crank_angle.cycle) + crank_angle.zero
     bare = LoadedMachine(mechanisms, carriers, without_loads(masses), None, Speed(curve.mean, curve))
     shape = (len(angle), len(mechanisms.names), n_points)
-    force = force_on_frame(bare, bare.solved(angle), frames, shape)
+    solved = bare.solved(angle)
+    force = force_on_frame(bare, solved, frames, shape)
     turns = round(crank_angle.cycle / (2 * np.pi))
     turn = turn_grid(n_points // turns) + crank_angle.zero
     per_speed = momenta(bare, bare.motions(turn), frames)
     slope = Momenta(derivative(per_speed.vector), spectral_derivative(per_speed.moment))
+    ended = has_ended(slope.vector, ENDED)
     drive = curve.drive(angle)
 
     square = drive.speed**2
@@ -87,5 +90,13 @@ def running_frame(
         angle=angle[:, 0],
         drive=Drive(*(part[:, 0] for part in drive)),
         step=frame.step,
-        checks=(momentum_check("running_momentum", throws.gathered(force), throws.gathered(own)),),
+        checks=(
+            momentum_check(
+                "running_momentum",
+                throws.gathered(force),
+                throws.gathered(own),
+                in_joints=np.max(largest_forces(bare, solved), axis=1),
+                ended=np.all(ended, axis=(1, 2)),
+            ),
+        ),
     )

@@ -18,7 +18,9 @@ from cranktrain.loads.weights import RotatingWeights, weight_orders, weight_vect
 from cranktrain.motion import Array
 
 _GONE = 1e-9
-"""What is less than this share of what all parts could do together is rounding."""
+"""What is less than this share of what all parts could do together is told as none."""
+_ROUNDING = 1e-12
+"""What is less than this share of it is 0."""
 BALANCE = ("without", "with")
 """What the dimension `balance` has: the machine without balance weights and, where there are any, with them."""
 _TOLD = 3
@@ -104,13 +106,18 @@ def shaken(
     has_axis = ellipse.major - ellipse.minor > least
     # Directions along one line are one: from −90°, which itself counts as +90°.
     along = np.pi / 2 - np.mod(np.pi / 2 - frames.running * ellipse.direction, np.pi)
+    rounding = _ROUNDING * gross[:, np.newaxis, np.newaxis]
+
+    def size(vector: Array | ComplexArray) -> Array:
+        return np.where(np.abs(vector) <= rounding, 0.0, np.abs(vector))
+
     return Shaken(
         curve.real,
         curve.imag,
-        np.abs(vectors.forward),
-        np.abs(vectors.backward),
-        ellipse.major,
-        ellipse.minor,
+        size(vectors.forward),
+        size(vectors.backward),
+        size(ellipse.major),
+        size(ellipse.minor),
         np.where(has_axis, along, np.nan),
         gross,
         {"balance": BALANCE[: sums.curves.shape[1]], **order_labels(crank_angle.cycle)},

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from cranktrain.analysis import Result
+from cranktrain.analysis import Result, sentences
 from cranktrain.engine.speed_curve import SpeedCurve
 from cranktrain.language import _
 from cranktrain.machine import Machine
@@ -19,7 +19,7 @@ def conventions(result: Result) -> dict[str, str]:
     -------
     dict of str
         Sentences by what they are about: `rotation`, `running`, `crank_angle`, `units`, and the signs that matter;
-        `crank_speed` where it varies over the cycle.
+        `unused` where the file has tables that nothing rests on; `crank_speed` where it varies over the cycle.
     """
     return dict(_sentences(result))
 
@@ -38,6 +38,8 @@ def _sentences(result: Result) -> Iterator[tuple[str, str]]:
     }
     yield "rotation", rotation[machine.rotation]
     yield "running", running[machine.running]
+    if result.unused:
+        yield "unused", " ".join(sentences(result.unused))
     yield "crank_angle", _crank_angle(machine)
     for gift in result.gifts:
         if isinstance(gift, SpeedCurve):

@@ -73,8 +73,8 @@ def json_text(result: Result, machine: Mapping[str, object], names: Collection[s
     Yields
     ------
     str
-        A JSON object: `cranktrain`, `machine`, `conventions`, `crank_angle`, `quantities`, `facts`, `checks`, `flags`,
-        `missing`. Values are nested lists in the order of `dimensions`; NaN is null.
+        A JSON object: `cranktrain`, `machine`, `conventions`, `crank_angle`, `quantities`, `facts`, `checks`,
+        `unused`, `flags`, `missing`. Values are nested lists in the order of `dimensions`; NaN is null.
     """
     chosen = {name: entry for name, entry in result.catalogue.items() if name in names}
     parts = {
@@ -93,6 +93,9 @@ def json_text(result: Result, machine: Mapping[str, object], names: Collection[s
                 "passed": bool(check.passed[0]) if check.judged[0] else None,
             }
             for check in result.checks
+        ],
+        "unused": [
+            {"table": one.table, "needs": list(one.needs), "consequence": one.consequence} for one in result.unused
         ],
         "flags": list(result.flags),
         "missing": [{"results": list(missing.results), "needs": list(missing.needs)} for missing in result.missing],

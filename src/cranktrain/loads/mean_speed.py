@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.loads.harmonics import TURN
 from cranktrain.loads.speed import Mean, grid_mean
@@ -18,8 +19,31 @@ from cranktrain.loads.speed_law import (
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
 
+_NO_MEAN, _NO_WORK = 1e-9, 1e-14
+"""A mean torque of less than this part of the peak, or of the energy that it would change, is rounding."""
 _SPREAD = 4.0
 """By how much, at most, the squares of two means of a speed are thought to differ."""
+
+
+def has_mean(driving: Array, inertia: Array, mean_speed: Array) -> NDArray[np.bool_]:
+    """Whether a torque has a mean, so that a load can take it.
+
+    Parameters
+    ----------
+    driving, inertia : Array, shape (..., n)
+        On the grid of a cycle. [N·m, kg·m²]
+    mean_speed : Array, shape (...)
+        [rad/s]
+
+    Returns
+    -------
+    array of bool, shape (...)
+        False where the mean is rounding beside the torque's peak, what moving parts hand over or the energy that turns.
+    """
+    square = mean_speed**2
+    peak = np.maximum(np.max(np.abs(driving), axis=-1), np.ptp(inertia, axis=-1) * square)
+    least = np.maximum(_NO_MEAN * peak, _NO_WORK * np.max(inertia, axis=-1) * square)
+    return np.asarray(~(np.abs(np.mean(driving, axis=-1)) <= least))
 
 
 def quadratic_coefficient(
@@ -41,7 +65,7 @@ def quadratic_coefficient(
     Returns
     -------
     Array, shape (...)
-        [N·m·s²]; NaN where there is none.
+        [N·m·s²]; NaN where there is none: of a torque that drives nothing, and of one without a mean.
 
     Notes
     -----
@@ -49,6 +73,7 @@ def quadratic_coefficient(
     """
     wanted = np.asarray(mean_speed, dtype=float)[..., np.newaxis]
     near = np.mean(driving, axis=-1, keepdims=True) / wanted**2
+    near = np.where(has_mean(driving, inertia, wanted[..., 0])[..., np.newaxis] & (near > 0), near, np.nan)
 
     def law(coefficient: Array) -> TorqueLaw:
         return together(given_torque(driving), quadratic_load(coefficient))

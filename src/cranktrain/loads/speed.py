@@ -3,11 +3,13 @@
 from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.loads.excess_work import ExcessWork
 from cranktrain.loads.periodic import PeriodicCurve, plus
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extreme, near_roots, turning_points
+from cranktrain.numerics.tops import chosen
 from cranktrain.record import record
 
 Mean: TypeAlias = Literal["time", "angle", "extremes"]
@@ -52,6 +54,19 @@ class SpeedOverCycle:
     def fluctuation(self, mean: Mean = "time") -> Array:
         """Coefficient δ = (largest − smallest)/mean, shape (...): twice the ± value. [1]"""
         return (self.largest.value - self.smallest.value)[..., 0] / getattr(self.means, mean)
+
+
+def chosen_speed(which: NDArray[np.bool_], one: SpeedOverCycle, other: SpeedOverCycle) -> SpeedOverCycle:
+    """Take one speed for some designs and the other for the rest, which shape (design,) says."""
+    curve = which[:, np.newaxis]
+    return SpeedOverCycle(
+        angle=one.angle,
+        speed=np.where(curve, one.speed, other.speed),
+        smallest=chosen(curve, one.smallest, other.smallest),
+        largest=chosen(curve, one.largest, other.largest),
+        means=MeanSpeeds(*(np.where(which, *parts) for parts in zip(one.means, other.means, strict=True))),
+        period=np.where(which, one.period, other.period),
+    )
 
 
 def speed_from_energy(energy: PeriodicCurve, inertia: PeriodicCurve) -> SpeedOverCycle:

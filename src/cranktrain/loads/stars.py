@@ -10,6 +10,8 @@ from cranktrain.motion import Array
 
 _ALIGNED = 1e-9
 """Vectors whose sum falls short of their lengths' by less, in parts of it, all point one way."""
+_ROUNDING = 1e-12
+"""A sum of less is none, in parts of what all vectors would be in one direction."""
 
 
 class PhaseStars(NamedTuple):
@@ -21,7 +23,7 @@ class PhaseStars(NamedTuple):
     vectors : complex, shape (..., n, cylinder)
         w_i e^{−ikφ_i}: where a cylinder's harmonic of that order stands.
     total : complex, shape (..., n)
-        Sum of each star.
+        Sum of each star; 0 where it is rounding.
     is_major : bool, shape (..., n)
         All its vectors point one way, so that the harmonics of all cylinders add up. With weights of both signs the
         directions count with them.
@@ -61,13 +63,14 @@ def phase_stars(order: Array, firing_angle: Array, weight: Array | None = None) 
     Examples
     --------
     >>> four = np.radians([0.0, 540.0, 180.0, 360.0])
-    >>> phase_stars(np.array([0.5, 1.0, 2.0]), four).length.round(12)
+    >>> phase_stars(np.array([0.5, 1.0, 2.0]), four).length
     array([0., 0., 4.])
     """
     weights = np.ones_like(firing_angle) if weight is None else np.asarray(weight, dtype=float)
     vectors = weights[..., np.newaxis, :] * phasor(-order[:, np.newaxis] * firing_angle[..., np.newaxis, :])
-    total = np.sum(vectors, axis=-1)
     most = np.sum(np.abs(weights), axis=-1)[..., np.newaxis]
+    summed = np.sum(vectors, axis=-1)
+    total = np.where(np.abs(summed) <= _ROUNDING * most, 0.0, summed)
     return PhaseStars(order, vectors, total, np.abs(total) >= (1 - _ALIGNED) * most)
 
 

@@ -7,6 +7,7 @@ from cranktrain.numerics.roots import Curve, bracketed_roots, near_roots
 from cranktrain.numerics.series import (
     DERIVATIVES_LIMIT,
     derivatives_residual,
+    has_ended,
     spectral_derivative,
     turn_grid,
     unwrapped,
@@ -24,6 +25,7 @@ __all__ = [
     "bracketed_roots",
     "derivatives_residual",
     "extremes",
+    "has_ended",
     "in_slots",
     "integral_to",
     "largest",

@@ -9,6 +9,8 @@ from cranktrain.motion import Array, Coefficient
 
 _SERIES_LENGTHS = (720, 5760, 46080, 368640)
 """Points of a turn for a Fourier series."""
+_LAST_DIGITS = 1e-4
+"""Of a curve's peak: a derivative is shown to 10⁻¹² of what is derived, however small it is itself."""
 
 
 def turn_grid(n_points: int = 720) -> Array:
@@ -59,29 +61,54 @@ def derivatives_residual(motion: Callable[[Array], Coefficient], samples: Coeffi
     Returns
     -------
     Array, shape (..., 1)
-        Largest difference over a turn, in parts of the derivative's own peak; NaN where the motion is NaN.
+        Largest difference over a turn, in parts of the derivative's own peak, or of 10⁻⁴ of the peak of what is
+        derived; NaN where the motion is NaN, infinite where it is beyond the digits of the longest series.
 
     Notes
     -----
     The nearer a machine is to locking, the sharper its curves: the series is made longer until the residual is small,
     if it can be.
     """
-    residual = np.empty(())
+    residual = second = np.array(np.nan)
     with np.errstate(all="ignore"):
         for n_points in _SERIES_LENGTHS:
             if samples is not None and n_points == samples.value.shape[-1]:
                 value, first, second = samples
             else:
                 value, first, second = motion(turn_grid(n_points))
-            residual = np.maximum(
-                _relative(spectral_derivative(value) - first, first),
-                _relative(spectral_derivative(first) - second, second),
+            found = np.maximum(
+                _relative(spectral_derivative(value) - first, first, value),
+                _relative(spectral_derivative(first) - second, second, first),
             )
+            # A longer series shows sharper curves, and more of the rounding of those that are smooth.
+            residual = np.where(np.isnan(found), np.nan, np.fmin(residual, found))
             if not np.any(residual > DERIVATIVES_LIMIT):
-                break
-    return residual
+                return residual
+        return np.where((residual > DERIVATIVES_LIMIT) & ~has_ended(second, DERIVATIVES_LIMIT), np.inf, residual)
 
 
-def _relative(difference: Array, scale: Array) -> Array:
-    """Largest |difference| over the last axis, which is kept, in parts of the scale's peak there."""
-    return np.max(np.abs(difference), axis=-1, keepdims=True) / np.max(np.abs(scale), axis=-1, keepdims=True)
+def has_ended(samples: Array | NDArray[np.complex128], least: float) -> NDArray[np.bool_]:
+    """Whether the highest orders that a grid shows of a curve are nothing beside the others.
+
+    Parameters
+    ----------
+    samples : array of float or complex, shape (..., n)
+        Over one turn, endpoint excluded; a curve that has gaps has no orders, and its last ones are nothing.
+    least : float
+        What is nothing, in parts of the largest order.
+
+    Returns
+    -------
+    array of bool, shape (..., 1)
+    """
+    n_points = samples.shape[-1]
+    size = np.abs(np.fft.fft(samples, axis=-1))
+    tail = np.max(size[..., 7 * n_points // 16 : 9 * n_points // 16], axis=-1, keepdims=True)
+    return ~(tail > least * np.max(size, axis=-1, keepdims=True))
+
+
+def _relative(difference: Array, derivative: Array, derived: Array) -> Array:
+    """Largest |difference| over the last axis, which is kept, in parts of the derivative's peak there."""
+    peak, slope, value = (np.max(np.abs(curve), axis=-1, keepdims=True) for curve in (difference, derivative, derived))
+    scale = np.maximum(slope, _LAST_DIGITS * value)
+    return peak / np.where(scale == 0, 1.0, scale)

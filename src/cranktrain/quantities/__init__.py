@@ -27,6 +27,7 @@ from cranktrain.quantities.fields import (
     Stiffness,
     Temperature,
     Torque,
+    TurnedAngle,
     Velocity,
     Volume,
 )
@@ -64,6 +65,7 @@ __all__ = [
     "Stiffness",
     "Temperature",
     "Torque",
+    "TurnedAngle",
     "Velocity",
     "Volume",
     "expected",

@@ -34,7 +34,7 @@ _INCH, _FOOT, _POUND, _GRAVITY = Fraction("0.0254"), Fraction("0.3048"), Fractio
 _POUND_FORCE = _POUND * _GRAVITY
 _PSI = _POUND_FORCE / _INCH**2
 _TECHNICAL_ATMOSPHERE = _GRAVITY * 10**4
-_TURN = 2 * Fraction("3.1415926535897932384626433832795028841971693993751")
+TURN = 2 * Fraction("3.1415926535897932384626433832795028841971693993751")
 _AMBIENT = 101325
 _FREEZING = "273.15"
 
@@ -77,12 +77,12 @@ class Dimension(Enum):
     ANGLE = (
         N_("an angle"),
         "30 deg",
-        (_unit("deg", "°", "град", si=_TURN / 360), _unit("rad", "рад"), _unit("rev", "об", si=_TURN)),
+        (_unit("deg", "°", "град", si=TURN / 360), _unit("rad", "рад"), _unit("rev", "об", si=TURN)),
     )
     SPEED = (
         N_("a speed of rotation"),
         "1500 rpm",
-        (_unit("rpm", "rev/min", "r/min", "об/мин", si=_TURN / 60), _unit("rad/s", "рад/с")),
+        (_unit("rpm", "rev/min", "r/min", "об/мин", si=TURN / 60), _unit("rad/s", "рад/с")),
     )
     VELOCITY = (
         N_("a velocity"),
@@ -99,8 +99,8 @@ class Dimension(Enum):
         "50 rad/s²",
         (
             _unit("rad/s²", "рад/с²"),
-            _unit("deg/s²", "град/с²", si=_TURN / 360),
-            _unit("rpm/s", "об/мин/с", si=_TURN / 60),
+            _unit("deg/s²", "град/с²", si=TURN / 360),
+            _unit("rpm/s", "об/мин/с", si=TURN / 60),
         ),
     )
     FORCE = (

@@ -16,7 +16,8 @@ NonNegativeLength: TypeAlias = Annotated[Given, Quantity(Dimension.LENGTH, at_le
 Area: TypeAlias = Annotated[Given, Quantity(Dimension.AREA)]
 Volume: TypeAlias = Annotated[Given, Quantity(Dimension.VOLUME)]
 PositiveVolume: TypeAlias = Annotated[Given, Quantity(Dimension.VOLUME, above=0.0)]
-Angle: TypeAlias = Annotated[Given, Quantity(Dimension.ANGLE)]
+Angle: TypeAlias = Annotated[Given, Quantity(Dimension.ANGLE, is_direction=True)]
+TurnedAngle: TypeAlias = Annotated[Given, Quantity(Dimension.ANGLE)]  # through which something turns, or over turns
 Speed: TypeAlias = Annotated[Given, Quantity(Dimension.SPEED)]
 PositiveSpeed: TypeAlias = Annotated[Given, Quantity(Dimension.SPEED, above=0.0)]
 AngularAcceleration: TypeAlias = Annotated[Given, Quantity(Dimension.ANGULAR_ACCELERATION)]

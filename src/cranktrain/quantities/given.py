@@ -48,7 +48,7 @@ class Given:
 
 @dataclass(frozen=True)
 class Quantity:
-    """Annotation of a `Given` field: its dimension and the range that is allowed, in SI.
+    """Annotation of a `Given` field: its dimension, the range that is allowed, in SI; a direction counts no turns.
 
     `Annotated[Given, Quantity(Dimension.LENGTH, above=0.0)]` takes "180 mm", a table
     {value = "180 mm", status = "published", note = "...", source = "..."}, or a `Given`.
@@ -59,6 +59,7 @@ class Quantity:
     at_least: float | None = None
     below: float | None = None
     at_most: float | None = None
+    is_direction: bool = False
 
     def given(self, data: object) -> Given:
         """Read what was given.
@@ -96,7 +97,7 @@ class Quantity:
         return Given(read.si, read.text, **about)
 
     def _in_range(self, data: object) -> Reading:
-        read = reading(data, self.dimension)
+        read = reading(data, self.dimension, is_direction=self.is_direction)
         if not (read.si == 0.0 or 1 / _LARGEST < abs(read.si) < _LARGEST):
             raise QuantityError(read.text, _("is beyond the size of any machine"))
         for limit, holds, allowed in self._limits():

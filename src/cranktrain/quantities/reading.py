@@ -2,10 +2,11 @@
 
 import re
 from itertools import zip_longest
+from math import trunc
 from typing import NamedTuple
 
 from cranktrain.language import _
-from cranktrain.quantities.dimensions import Dimension, Unit, expected, plain, spellings
+from cranktrain.quantities.dimensions import TURN, Dimension, Unit, expected, plain, spellings
 from cranktrain.quantities.number import Measured, measured, rounded
 from cranktrain.quantities.refusal import QuantityError, nearest, written
 
@@ -19,6 +20,10 @@ _HABITS = (
 _BASE = re.compile(r"^[GMkhdcmµμnГМкгдсмн](\D.*)")
 """A unit with a prefix, and what it is without."""
 _THOUSANDS = re.compile(r"^[+-]?\d{1,3}(?:,\d{3})+(?![\d,])", re.ASCII)
+
+
+_MANY_TURNS = TURN / 360 * 10**5
+"""Directions of so much and more count no turns. [rad]"""
 
 
 class Reading(NamedTuple):
@@ -56,8 +61,11 @@ def read(text: object, dimension: Dimension) -> float:
     return reading(text, dimension).si
 
 
-def reading(given: object, dimension: Dimension) -> Reading:
-    """Read a quantity with all that is known about it; refuse as `read` does."""
+def reading(given: object, dimension: Dimension, *, is_direction: bool = False) -> Reading:
+    """Read a quantity with all that is known about it; refuse as `read` does.
+
+    Of a direction of 1e5 deg and more whole turns are left out while it is exact: rounding would take digits of it.
+    """
     text = _text(given, dimension)
     try:
         parts = measured(text)
@@ -65,6 +73,8 @@ def reading(given: object, dimension: Dimension) -> Reading:
             raise _no_number(text, dimension)
         unit = _unit(parts, text, dimension)
         exact = parts.number if unit is None else unit.scale * parts.number + unit.offset
+        if is_direction and abs(exact) >= _MANY_TURNS:
+            exact -= TURN * trunc(exact / TURN)
         return Reading(rounded(exact), text, unit)
     except ZeroDivisionError:
         raise QuantityError(text, _("must be a fraction whose denominator is not 0")) from None

@@ -17,7 +17,7 @@ from cranktrain.viz.machine_sheet import title_block
 from cranktrain.viz.page import MARGIN, Axes, Figure, Page, drawing_settings, formula, muted, paper, set_words
 from cranktrain.viz.plan_sheet import Box, figure, write_table
 from cranktrain.viz.style import COLOURS, GRID, INK, SYMBOL, TEXT
-from cranktrain.viz.words import running_words, speed_of, speed_words, zero_words
+from cranktrain.viz.words import running_words, speed_of, speed_words, unused_words, zero_words
 
 _TABLE = 86.0
 """Width of the table beside a diagram. [mm]"""
@@ -135,7 +135,8 @@ def _page(result: Result, size: str, design: int, title: str) -> tuple[Page, Box
     page = Page(width, height)
     machine = result.machines[design]
     at_speed = speed_words(speed_of(result), design)
-    top = title_block(page, machine, [running_words(machine)], [f"{title}. {zero_words(machine)}"], at_speed)
+    below = [f"{title}. {zero_words(machine)}"]
+    top = title_block(page, machine, [running_words(machine)], below, at_speed, unused_words(result))
     left, bottom = MARGIN + 16.0, MARGIN + 10.0
     return page, Box(left, bottom, width - MARGIN - _TABLE - 10.0 - left, top - 9.0 - bottom)
 

@@ -24,7 +24,7 @@ from cranktrain.viz.force_panels import (
 from cranktrain.viz.machine_sheet import title_block
 from cranktrain.viz.page import MARGIN, Figure, Page, drawing_settings, mathematics, muted, paper
 from cranktrain.viz.style import COLOURS, TEXT
-from cranktrain.viz.words import running_words, speed_of, speed_words, zero_words
+from cranktrain.viz.words import running_words, speed_of, speed_words, unused_words, zero_words
 from cranktrain.wording import number
 
 _LEFT = 0.55
@@ -71,6 +71,7 @@ def sheet_forces(result: Result, *, size: str = "A4", piston: str | None = None,
             [running_words(machine)],
             [_("Forces. {zero}").format(zero=zero_words(machine))],
             speed_words(speed_of(result), design),
+            unused_words(result),
         )
         bottom, width = MARGIN, page.width - 2 * MARGIN
         left = (MARGIN + 12.0, bottom, _LEFT * width - 18.0, top - 4.0 - bottom)
@@ -173,7 +174,7 @@ def _notes(result: Result, piston: str | None, design: int) -> Iterator[str]:
     masses = next(gift.masses for gift in result.gifts if isinstance(gift, LoadedMachine))
     if masses.assumed:
         yield _("Rods without a given inertia have that of two masses at their ends.")
-    if masses.weightless:
-        yield _("Without mass: {parts}.").format(parts=", ".join(masses.weightless))
+    if (said := masses.without_mass()) is not None:
+        yield said
     gas = next((gift for gift in result.gifts if isinstance(gift, GasPressures)), None)
     yield from () if gas is None else gas.flags

@@ -1,6 +1,7 @@
 """The sheet of a machine: its throw to scale, its curves, and what both rest on."""
 
 from collections.abc import Iterator, Sequence
+from textwrap import wrap
 from typing import NamedTuple
 
 import numpy as np
@@ -18,7 +19,7 @@ from cranktrain.viz.page import MARGIN, Figure, Page, drawing_settings, fitting_
 from cranktrain.viz.scene import Scene, scene_of
 from cranktrain.viz.sketch import Sketch
 from cranktrain.viz.style import INK, TITLE
-from cranktrain.viz.words import provenance_words, running_words, speed_of, speed_words, zero_words
+from cranktrain.viz.words import provenance_words, running_words, speed_of, speed_words, unused_words, zero_words
 
 _FEW = 2
 """Up to so many mechanisms, each has a ruler of its own."""
@@ -31,6 +32,8 @@ _NOTE = 4.0
 
 _LONGEST_NAME = 100
 """Characters of a title."""
+_LETTERS = 60
+"""Letters in a line of the head, for each 100 mm."""
 
 _ROUGH, _PASSES = 20.0, 3
 """Crank radius on paper to begin with, and how often the scale is corrected: hatches keep their size on paper."""
@@ -62,7 +65,9 @@ def sheet(result: Result, *, size: str = "A4", at: float = _ANGLE, design: int =
         page = Page(width, height)
         machine = result.machines[design]
         at_speed = speed_words(speed_of(result), design)
-        top = title_block(page, machine, [running_words(machine)], [zero_words(machine)], at_speed)
+        top = title_block(
+            page, machine, [running_words(machine)], [zero_words(machine)], at_speed, unused_words(result)
+        )
         middle = MARGIN + 0.48 * (width - 2 * MARGIN)
         found = marks(result, design)
         _draw_mechanism(page, machine, found, at, (MARGIN, MARGIN, middle - 4.0 - MARGIN, top - 4.0 - MARGIN))
@@ -73,8 +78,18 @@ def sheet(result: Result, *, size: str = "A4", at: float = _ANGLE, design: int =
         return page.figure
 
 
-def title_block(page: Page, machine: Machine, about: Sequence[str], below: Sequence[str], at_speed: str = "") -> float:
-    """Head a sheet, and say where not at a constant speed at which one; give where it ends. [mm]"""
+def title_block(
+    page: Page,
+    machine: Machine,
+    about: Sequence[str],
+    below: Sequence[str],
+    at_speed: str = "",
+    unused: Sequence[str] = (),
+) -> float:
+    """Head a sheet, and say where not at a constant speed at which one, and what is not used; give where it ends. [mm]
+
+    Each sentence of unused has lines of its own.
+    """
     top = page.height - MARGIN
     page.text(
         MARGIN,
@@ -87,8 +102,9 @@ def title_block(page: Page, machine: Machine, about: Sequence[str], below: Seque
     page.text(MARGIN, top - 10.0, ". ".join([layout[:1].upper() + layout[1:], *about]))
     page.text(MARGIN, top - 14.5, ". ".join(below), **muted())
     page.text(page.width - MARGIN, top - 10.0, provenance_words(machine), ha="right")
-    if at_speed:
-        page.text(MARGIN, top - 19.0, at_speed)
+    letters = int((page.width - 2 * MARGIN) * _LETTERS / 100.0)
+    for line in [*([at_speed] if at_speed else []), *(line for sentence in unused for line in wrap(sentence, letters))]:
+        page.text(MARGIN, top - 19.0, line)
         top -= 4.5
     page.rule(top - 17.5)
     return top - 17.5

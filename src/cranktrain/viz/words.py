@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import cast
 
-from cranktrain.analysis import Result
+from cranktrain.analysis import Result, sentences
 from cranktrain.engine.speed_curve import SpeedCurve
 from cranktrain.io.description import counted_by_status
 from cranktrain.language import _
@@ -36,6 +36,11 @@ def speed_of(result: Result) -> SpeedCurve | None:
 def speed_words(curve: SpeedCurve | None, design: int = 0) -> str:
     """Say at which speed over the cycle a picture is, as the terminal does; nothing of a constant one."""
     return "" if curve is None else curve.answer({}, design)
+
+
+def unused_words(result: Result) -> list[str]:
+    """Say which tables of the file are not used, as the terminal does."""
+    return sentences(result.unused)
 
 
 def zero_words(machine: Machine) -> str:

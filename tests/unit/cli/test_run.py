@@ -154,7 +154,7 @@ def test_failed_check_is_shown(typed, capsys):
         show_result(console, file, result, ["stroke"], is_all=False, with_inputs=False)
     output = " ".join(capsys.readouterr().out.split())
     assert "✗ does not hold (residual 5.0e-01, limit 1e-09): something against something else" in output
-    assert "– needs a full turn, or a finer grid: " in output
+    assert "– needs a finer grid: " in output
     assert "Mind" in output and "outside its range" in output
 
 
@@ -225,7 +225,7 @@ def test_partial_turn(typed, written):
     answer = typed("run", "machine.toml", "--partial", "-o", "out.csv")
     assert (answer.status, answer.errors) == (0, "")
     assert rows(answer.output)["stroke"] == ["S", "mm", "–"]
-    assert "– needs a full turn, or a finer grid: " in answer.output
+    assert "– needs a full turn: " in answer.output
 
 
 @pytest.mark.parametrize("name", ["out", "out.txt", "out.xlsx", "out.csv.gz"])
@@ -304,3 +304,34 @@ def test_at_the_running_speed(typed, tmp_path):
     assert refused.status != 0
     said = "--running-speed: needs [evenness], [evenness] flywheel or flywheel_moment, [masses] in the file\n"
     assert refused.errors == said
+
+
+UNUSED = """
+[cylinder]
+bore = "80 mm"
+cycle = "four-stroke"
+[masses.piston]
+mass = "1 kg"
+[gas]
+kind = "dual"
+start_pressure = "0.9 bar"
+compression_exponent = 1.35
+expansion_exponent = 1.3
+pressure_ratio = 1.8
+cut_off_ratio = 1.3
+"""
+
+
+def test_a_table_that_is_not_used_stands_after_the_title(typed, written):
+    written(CENTRAL + UNUSED)
+    said = [
+        "! [gas] is not used: [cylinder] compression_ratio is missing; forces and torque",
+        "  are of inertia alone.",
+    ]
+    lines = typed("run", "machine.toml").output.splitlines()
+    assert lines[0] == "small: slider-crank, central or offset; 1500 rpm; clockwise, ahead"
+    assert lines[1:4] == [*said, ""]
+    assert typed("run", "machine.toml", "--quantities", "stroke").output.splitlines()[1:3] == said
+    lines = typed("check", "machine.toml").output.splitlines()
+    assert lines[:2] == ["machine.toml: nothing wrong", " ".join([said[0], said[1].strip()])]
+    assert "!" not in typed("run", "machine.toml", "--set", "cylinder.compression_ratio=9").output.splitlines()[1]

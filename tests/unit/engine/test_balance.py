@@ -13,7 +13,7 @@ from cranktrain.engine.forces import Carriers
 from cranktrain.engine.frame_forces import frame_forces
 from cranktrain.engine.frames import Frames
 from cranktrain.engine.layout import CrankAngle, Mechanisms
-from cranktrain.engine.masses import Masses
+from cranktrain.engine.masses import GivenBodies, Masses
 from cranktrain.engine.throws import Throws
 from cranktrain.loads.rod_harmonics import acceleration_harmonics
 
@@ -330,7 +330,7 @@ def check_of(**changes):
     """The momentum's check, with parts of the machine put wrong."""
     machine = ct.Machine(**V12, masses=PISTON | CRANK)
     parts = parts_of([machine], step=np.pi / 180)
-    needs = {kind: parts[kind] for kind in (Mechanisms, Carriers, Masses, Frames, Throws, CrankAngle)}
+    needs = {kind: parts[kind] for kind in (GivenBodies, Mechanisms, Carriers, Masses, Frames, Throws, CrankAngle)}
     needs |= {type(part): part for part in changes.values()}
     return frame_forces(*needs.values()).checks[0], parts
 

@@ -63,7 +63,30 @@ def by_friction(value):
     return machine(masses={"piston": {"mass": "1 kg"}}, friction={"piston": value})
 
 
+def by_closeness(value):
+    """A rod longer than the crank by a margin 1/value of itself, at 1 rpm."""
+    return alone({"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": f"{50 / (1 - 1 / value)!r} mm"})
+
+
+def by_distance(value):
+    """The top lies R + L from the shaft, and the stroke is 2 R."""
+    return alone({"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": f"{100 * value - 50!r} mm"})
+
+
+def by_swing(value):
+    """A yoke-like four-bar, a long rod square to the rocker: it swings 2 R/280 mm, but for R²."""
+    lengths = {"rod_length": "400 mm", "rocker_length": "280 mm", "ground_length": f"{float(np.hypot(400, 280))!r} mm"}
+    return alone({"kind": "crank_rocker", "crank_radius": f"{140 / value!r} mm", **lengths})
+
+
+def alone(mechanism):
+    return ct.Machine(mechanism=mechanism, shaft={"main": {"speed": "1 rpm"}})
+
+
 MACHINES = {
+    "closeness": by_closeness,
+    "distance": by_distance,
+    "swing": by_swing,
     "mean_piston_speed": by_speed,
     "compression_ratio": by_ratio,
     "compression_ratio_of_engine": by_ratio_of_engine,

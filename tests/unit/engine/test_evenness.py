@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad, solve_ivp
 from tests.gas_engines import DUAL_CYCLE
+from tests.machines import slider
 
 import cranktrain as ct
 from cranktrain.engine.shaft_torque import AppliedTorque
@@ -319,11 +320,68 @@ def test_too_light_a_shaft_is_told():
 
 
 def test_a_load_that_nothing_drives_is_told():
-    found = run(
-        machine={**MASSES_ALONE, "friction": {"piston": 0.1}, "gravity": True}, load="quadratic", flywheel="1 kg·m²"
-    )
+    rubbing = {**MASSES_ALONE, "mechanism": slider(), "friction": {"piston": 0.1}, "gravity": True}
+    found = run(machine=rubbing, load="quadratic", flywheel="1 kg·m²")
     assert np.all(np.isnan(found.crank_speed))
     assert any("gives work" in flag for flag in found.flags)
+    (check,) = [check for check in found.checks if check.name == "motion"]
+    assert check.verdict() == "needs steady running"
+
+
+@pytest.mark.parametrize("mean", ["time", "extremes"])
+@pytest.mark.parametrize("more", [{}, {"gravity": True}, {"friction": {"piston": 0.1}}])
+def test_a_mean_that_nothing_fixes_is_kept(more, mean):
+    """Masses alone give no mean torque: k = 0 of a load kω² fixes no speed, and E₀ is free as under no load at all."""
+    machine = {**MASSES_ALONE, **more}
+    found = run(machine=machine, load="quadratic", flywheel="1 kg·m²", mean=mean)
+    declared = found.mean_speed_over_time if mean == "time" else found.mean_speed_of_extremes
+    np.testing.assert_allclose(declared, found.machines[0].main_shaft.speed.si, rtol=1e-12)
+    even = run(machine=machine, load="constant", flywheel="1 kg·m²", mean=mean)
+    np.testing.assert_array_equal(found.crank_speed, even.crank_speed)
+    assert any("nothing fixes the mean speed, and the declared one is kept" in flag for flag in found.flags)
+    assert "Without a load the shaft runs at" in found.summary()
+    assert all(check.passed[0] for check in found.checks)
+
+
+def test_the_second_run_keeps_it_too():
+    machine = ct.Machine(**MASSES_ALONE, evenness={"load": "quadratic", "flywheel": "1 kg·m²"})
+    found = ct.run(machine, speed="running")
+    np.testing.assert_allclose(found.mean_speed_over_time, machine.main_shaft.speed.si, rtol=1e-9)
+
+
+def test_a_mean_that_nothing_fixes_in_one_of_two_designs():
+    """Side by side with a design whose friction takes work, each says what it says alone."""
+    rubbing = {**MASSES_ALONE, "mechanism": slider()}
+    designs = [{**rubbing, "friction": {"piston": coefficient}} for coefficient in (0.0, 0.1)]
+    table = {"load": "quadratic", "flywheel": "1 kg·m²"}
+    both = ct.run([ct.Machine(**design, evenness=table) for design in designs])
+    np.testing.assert_allclose(both.mean_speed_over_time[0], both.machines[0].main_shaft.speed.si, rtol=1e-12)
+    assert np.isnan(both.mean_speed_over_time[1])
+    assert any("declared one is kept" in flag for flag in both.flags)
+    assert any("gives work" in flag for flag in both.flags)
+
+
+def test_a_motor_of_hardly_any_torque_turns_masses_alone_at_its_free_speed():
+    """Without a mean torque there is no slip, however soft the motor: rounding is no torque."""
+    motor = {"torque": "1e-20 N·m", "speed": "900 rpm", "no_load_speed": "1000 rpm"}
+    found = run(machine=MASSES_ALONE, motor=motor, flywheel="1 kg·m²")
+    np.testing.assert_allclose(found.mean_speed_over_angle, 1000 * np.pi / 30, rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("machine", "verdict"),
+    [
+        (MASSES_ALONE, "holds"),
+        (
+            {**MASSES_ALONE, "masses": {"crank": {"mass": "1 kg", "along": "0 mm", "inertia": "1 kg·m²"}}},
+            "has nothing to compare: the work of a cycle is rounding beside the energy",
+        ),
+    ],
+)
+def test_the_check_of_motion_blames_no_grid_for_work_that_there_is_not(machine, verdict):
+    found = run(machine=machine, flywheel="1 kg·m²")
+    (check,) = [check for check in found.checks if check.name == "motion"]
+    assert check.verdict() == verdict
 
 
 def test_no_flywheel_needed_is_told():

@@ -90,6 +90,7 @@ def test_json_reads_back_to_the_same_numbers(example):
         "quantities",
         "facts",
         "checks",
+        "unused",
         "flags",
         "missing",
     ]

@@ -92,6 +92,7 @@ def test_limits_that_are_included(text: str) -> None:
         ("Volume", "-5 L", "5 kg"),
         ("PositiveVolume", "5 L", "0 L"),
         ("Angle", "-5 deg", "5 rpm"),
+        ("TurnedAngle", "500 deg", "5 rpm"),
         ("Speed", "-5 rpm", "5 deg"),
         ("PositiveSpeed", "5 rpm", "0 rpm"),
         ("Velocity", "5 m/s", "5 m"),
@@ -145,3 +146,31 @@ def test_editor_accepts_what_is_read(text: str) -> None:
     except QuantityError:
         return
     assert re.search(schema["anyOf"][0]["pattern"], text)
+
+
+@pytest.mark.parametrize(
+    ("text", "same"),
+    [
+        ("720000000030 deg", "30 deg"),
+        ("-720000000030 deg", "-30 deg"),
+        ("1e5 deg", "280 deg"),
+        ("7.2e14 deg", "0 deg"),
+        ("1000000000000.25 rev", "0.25 rev"),
+        ("99999 deg", "99999 deg"),
+        ("1000 1/3 rev", "120 deg"),
+        ("-200 deg", "-200 deg"),
+    ],
+)
+def test_whole_turns_of_a_direction_are_left_out_exactly(text: str, same: str) -> None:
+    """By hand: 720000000030 = 2000000000 · 360 + 30; as a double in radians it is 7e-5 deg off."""
+    adapter: TypeAdapter[Given] = TypeAdapter(q.Angle)
+    found = adapter.validate_python(text)
+    assert found.si == adapter.validate_python(same).si == q.read(same, Dimension.ANGLE)
+    assert found.text == text
+    assert adapter.validate_python(found) == found
+
+
+def test_whole_turns_of_radians_too() -> None:
+    """1e6 − 159154 · 2π by mpmath, 50 digits."""
+    assert TypeAdapter[Given](q.Angle).validate_python("1e6 rad").si == 5.925621140093852
+    assert TypeAdapter[Given](q.TurnedAngle).validate_python("1e6 rad").si == 1e6

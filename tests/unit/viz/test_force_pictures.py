@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+from tests.gas_engines import DUAL_CYCLE
+from tests.machines import slider, throws
 from tests.unit.study.test_force_polygons import rubbing
 from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
 from tests.weighed_machines import WEIGHED
@@ -21,6 +23,7 @@ from cranktrain.viz import (
     plan_velocities,
     plan_zhukovsky,
     save,
+    sheet,
     sheet_forces,
 )
 from cranktrain.viz.force_panels import force_panels
@@ -283,3 +286,18 @@ def test_sheet_of_a_valve():
         said = " ".join(text for text, _box in words_of(sheet_forces(ct.run(machine), piston="1valve")))
         assert ("Forces at valve 1valve" in said) is has_rod
         assert ("P, S, N, K, T: by the reactions" in said) is has_rod
+
+
+@pytest.mark.parametrize("draw", [sheet, sheet_forces])
+def test_a_table_that_is_not_used_is_told_in_the_head(draw):
+    machine = ct.Machine(
+        mechanism=slider(),
+        shaft=throws(0, speed="1500 rpm"),
+        cylinder={"bore": "80 mm", "cycle": "four-stroke"},
+        masses={"piston": {"mass": "1 kg"}},
+        gas=DUAL_CYCLE,
+    )
+    figure = draw(ct.run(machine))
+    said = "[gas] is not used: [cylinder] compression_ratio is missing; forces and torque are of inertia alone."
+    assert said in [text for text, _box in words_of(figure)]
+    assert_words_are_readable(figure)

@@ -12,7 +12,7 @@ from cranktrain.gas.indicator.placing import Sense
 from cranktrain.gas.indicator.reading import STANDARD_ATMOSPHERE, Axis, Columns, Trace, read_trace
 from cranktrain.gas.kind import GasSpec
 from cranktrain.language import N_, _
-from cranktrain.quantities import Angle, Dimension, Given, Quantity, QuantityError, one_of, read, unit_names
+from cranktrain.quantities import Dimension, Given, Quantity, QuantityError, TurnedAngle, one_of, read, unit_names
 from cranktrain.spec import Refused, Spec
 
 Pressure = Annotated[Given, Quantity(Dimension.PRESSURE, above=0.0)]
@@ -32,17 +32,17 @@ class PegSpec(Spec, frozen=True):
     pressure: Pressure | None = Field(
         default=None, description=N_("Known absolute pressure at `angle`, such as the inlet manifold's at the bottom.")
     )
-    angle: Angle = Field(
+    angle: TurnedAngle = Field(
         default=Given(-pi, "-180 deg"), description=N_("Where that pressure is known, from the firing dead centre.")
     )
     exponent: Exponent | None = Field(
         default=None, description=N_("Exponent n of p·Vⁿ = const in the compression, instead of a pressure.")
     )
-    start: Angle = Field(
+    start: TurnedAngle = Field(
         default=Given(-100 * pi / 180, "-100 deg"),
         description=N_("Where that piece of the compression begins, from the firing dead centre."),
     )
-    end: Angle = Field(
+    end: TurnedAngle = Field(
         default=Given(-65 * pi / 180, "-65 deg"),
         description=N_("Where that piece of the compression ends, from the firing dead centre."),
     )
@@ -87,7 +87,7 @@ class IndicatorSpec(GasSpec, frozen=True):
     ambient: Pressure = Field(
         default=Given(STANDARD_ATMOSPHERE, "101.325 kPa"), description=N_("What gauge pressures count from.")
     )
-    firing_angle: Angle | None = Field(
+    firing_angle: TurnedAngle | None = Field(
         default=None, description=N_("The file's angle of the firing dead centre; found by the peak unless given.")
     )
     sense: Sense = Field(

@@ -11,7 +11,7 @@ from cranktrain.mechanisms.kind import Master, MechanismSpec
 from cranktrain.mechanisms.stephenson.kinematics import CURVED, STRAIGHT, LiftingArm, Stephenson, stephenson_size
 from cranktrain.mechanisms.valve_gear import Admission, Notch, set_ahead
 from cranktrain.motion import Array, single
-from cranktrain.quantities import Angle, Given, Length, PositiveLength
+from cranktrain.quantities import Angle, Given, Length, PositiveLength, TurnedAngle
 
 
 class StephensonSpec(MechanismSpec, frozen=True):
@@ -31,7 +31,7 @@ class StephensonSpec(MechanismSpec, frozen=True):
     lifting_link_length: PositiveLength
     lifting_arm_length: PositiveLength
     lifting_arm_angle: Angle
-    lifting_arm_swing: Angle
+    lifting_arm_swing: TurnedAngle
     reverse_shaft_x: Length
     reverse_shaft_y: Length
     offset: Length = Given(0.0, "0 mm")
