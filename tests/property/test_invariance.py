@@ -193,5 +193,5 @@ def test_the_zero_of_the_crank_angle_moves_angles_only(seed):
         scale = np.nanmax(np.abs(expected), initial=0.0)
         limit = 1e-6 if any(word in name for word in ("flywheel", "fluctuation", "speed", "excess")) else 1e-9
         # What a textbook's form is off by is read off the grid, which the zero shifts.
-        limit = 1e-3 if "formula_error" in name else limit
+        limit = 1e-3 if name.endswith("_error") else limit
         np.testing.assert_allclose(moved.facts[name].value, expected, rtol=0, atol=limit * scale + 1e-13, err_msg=name)

@@ -136,7 +136,7 @@ def test_piston_and_pin_bear_what_moves():
     for row, outward in enumerate((moved(phi)[1], moved(phi)[1], two)):
         pulled = mass * in_time(in_time(outward, speed), speed).real
         np.testing.assert_allclose(found.inertia_force[row, 0], pulled, atol=SPLINE * np.max(np.abs(pulled)))
-    turning = found.crankpin_load_radial_without_rod[0] - found.crankpin_load_radial[0]
+    turning = found.crankpin_radial_without_rod[0] - found.crankpin_load_radial[0]
     np.testing.assert_allclose(turning, ROD_MASS * (1 - CENTROID / ROD) * RADIUS * speed**2, rtol=1e-11)
 
 

@@ -116,8 +116,8 @@ def test_crank_pin_with_and_without_the_rods_rotating_mass(result):
     at = (np.round(expected["cylinder_crank_angle_deg"]).astype(int) + 360) % 720
     np.testing.assert_allclose(result.crankpin_load_radial[0, at], expected["R_K_N"], rtol=0, atol=6e-4)
     np.testing.assert_allclose(result.crankpin_load_tangential[0, at], expected["T_N"], rtol=0, atol=6e-4)
-    np.testing.assert_allclose(result.crankpin_load_radial_without_rod, result.radial_force[1], rtol=0, atol=1e-9)
-    turning = result.crankpin_load_radial_without_rod - result.crankpin_load_radial
+    np.testing.assert_allclose(result.crankpin_radial_without_rod, result.radial_force[1], rtol=0, atol=1e-9)
+    turning = result.crankpin_radial_without_rod - result.crankpin_load_radial
     np.testing.assert_allclose(turning, GIVEN["centrifugal_force_N"]["rod"], rtol=1e-11)
 
 

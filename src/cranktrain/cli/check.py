@@ -3,6 +3,7 @@
 import re
 
 from cranktrain.analysis import sentences
+from cranktrain.catalogue import entries
 from cranktrain.io.machine_file import computed, read_machine
 from cranktrain.language import _
 from cranktrain.one_line import one_line
@@ -15,7 +16,7 @@ def show_check(source: str) -> None:
     print(_("{file}: nothing wrong").format(file=one_line(file.document.name)))
     for sentence in sentences(result.unused):
         print(f"! {one_line(sentence)}")
-    groups = ", ".join(_words(type(gift).__name__) for gift in result.gifts)
+    groups = ", ".join(_words(type(gift).__name__) for gift in result.gifts if entries(type(gift)))
     print(_("can compute {n} results: {groups}").format(n=len(result.catalogue), groups=groups))
     for missing in result.missing:
         print(

@@ -8,6 +8,7 @@ from rich.console import Console
 from rich.text import Text
 
 from cranktrain.analysis import Missing, Result, sentences
+from cranktrain.catalogue import Entry
 from cranktrain.cli.facts import fact_tables
 from cranktrain.cli.figures import ABSENT, figures
 from cranktrain.cli.inputs import input_table, provenance
@@ -118,6 +119,11 @@ def _peaks(result: Result, names: Sequence[str]) -> Iterator[tuple[str, ...]]:
         if entry.is_fact:
             continue
         members = [", ".join(labels) for labels in itertools.product(*result.labels_of(entry).values())]
+        if (found := _refined(result, entry)) is not None:
+            value, at, member = found
+            shown = figures(np.array([value]), entry.unit)
+            yield name, entry.symbol, shown.texts[0], shown.unit, f"{at:.1f}", members[member] if members[1:] else ""
+            continue
         curves = np.reshape(getattr(result, name), (-1, result.crank_angle.size))
         size = np.nan_to_num(np.abs(curves), nan=-1.0)
         member, place = np.unravel_index(np.argmax(size >= np.max(size) * (1 - _EQUAL)), size.shape)
@@ -127,6 +133,22 @@ def _peaks(result: Result, names: Sequence[str]) -> Iterator[tuple[str, ...]]:
         shown = figures(curves[[member], place], entry.unit)
         whose = members[member] if len(members) > 1 else ""
         yield name, entry.symbol, shown.texts[0], shown.unit, f"{result.crank_angle[place]:g}", whose
+
+
+def _refined(result: Result, entry: Entry) -> tuple[float, float, int] | None:
+    """Largest size of a curve, where and whose, if facts say it of the same members: no step has a part in these."""
+    found: list[tuple[float, float, int]] = []
+    # Facts of the machine's torque and of the gas's pressure are called shortly.
+    stem = entry.name.removeprefix("machine_").removeprefix("gas_")
+    for side in ("smallest", "largest", "peak"):
+        extreme, at = (result.facts.get(f"{side}_{stem}{ending}") for ending in ("", "_at"))
+        if extreme is None or at is None or (*extreme.entry.dimensions, "crank_angle") != entry.dimensions:
+            continue
+        sizes = np.nan_to_num(np.abs(np.ravel(extreme.value)), nan=-1.0)
+        member = int(np.argmax(sizes >= np.max(sizes) * (1 - _EQUAL)))
+        if sizes[member] >= 0:
+            found.append((float(np.ravel(extreme.value)[member]), float(np.ravel(at.value)[member]), member))
+    return max(found, key=lambda one: abs(one[0]), default=None)
 
 
 def _checks(console: Console, result: Result) -> Iterator[Text]:

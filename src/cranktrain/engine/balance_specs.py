@@ -99,8 +99,6 @@ class BalanceSpec(Spec, frozen=True):
     def _solved_for(self) -> Self:
         """Refuse a table that balances nothing, what belongs to other counterweights, and two planes that are one."""
         found: list[Problem] = []
-        if not self.weight and not self.shafts and self.counterweights is None:
-            found.append(Problem("", None, _("must hold weight, counterweights or shafts, or be left out")))
         if self.share is not None and self.counterweights != "rotating":
             allowed = _('is for counterweights = "rotating": the share of what reciprocates that they take as well')
             found.append(Problem("share", self.share.text, allowed))
@@ -111,6 +109,8 @@ class BalanceSpec(Spec, frozen=True):
                 )
             elif (problem := _together(self.planes)) is not None:
                 found.append(problem)
+        if not found and not self.weight and not self.shafts and self.counterweights is None:
+            found.append(Problem("", None, _("must hold weight, counterweights or shafts, or be left out")))
         if found:
             raise InputError(found)
         return self

@@ -70,14 +70,14 @@ class CrankPinLoads:
     crankpin_load_tangential: Array = quantity(
         "T_R", "N", _CURVE, N_("Load of the crank pin in the sense of rotation"), _THEORY
     )
-    crankpin_load_radial_without_rod: Array = quantity(
+    crankpin_radial_without_rod: Array = quantity(
         "K",
         "N",
         _CURVE,
         N_("Load of the crank pin toward the shaft without the rod's rotating mass, which then goes with the crank"),
         _THEORY,
     )
-    crankpin_load_tangential_without_rod: Array = quantity(
+    crankpin_tangential_without_rod: Array = quantity(
         "T", "N", _CURVE, N_("Load of the crank pin in the sense of rotation without the rod's rotating mass"), _THEORY
     )
     crankpin_share_radial: Array = quantity(
@@ -140,8 +140,8 @@ def crank_pin_loads(
     return CrankPinLoads(
         crankpin_load_radial=whole.radial,
         crankpin_load_tangential=whole.tangential,
-        crankpin_load_radial_without_rod=without.radial,
-        crankpin_load_tangential_without_rod=without.tangential,
+        crankpin_radial_without_rod=without.radial,
+        crankpin_tangential_without_rod=without.tangential,
         crankpin_share_radial=shares.radial,
         crankpin_share_tangential=shares.tangential,
         largest_crankpin_load=largest,

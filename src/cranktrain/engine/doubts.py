@@ -78,7 +78,10 @@ LIMITS: Mapping[str, Limit] = {
     "distance": Limit(
         1e5,
         "",
-        N_("A slider stands {value} strokes away from its shaft: its curves lose as many digits as that number has."),
+        N_(
+            "A slider's stroke is {value} of its distance from the shaft:"
+            " its curves lose as many digits as that has zeros."
+        ),
     ),
     "swing": Limit(
         1e5, "deg", N_("A rocker swings {value}: what there is of its motion is in the last digits of its position.")
@@ -114,7 +117,8 @@ def doubts(
     if closes is not None:
         found += doubted("closeness", 1 / closes.closing_margin, closes.closing_margin)
     if travel is not None:
-        found += doubted("distance", np.abs(travel.top_position) / travel.stroke)
+        distance = np.abs(travel.top_position)
+        found += doubted("distance", distance / travel.stroke, travel.stroke / distance)
     if rockers is not None:
         found += doubted("swing", 1 / rockers.swing, rockers.swing)
     if speeds is not None:

@@ -13,6 +13,8 @@ from cranktrain.motion import Array
 from cranktrain.numerics import Curve, Peak, in_slots, largest_between
 from cranktrain.wording import number
 
+_ROUNDING = 1e-12
+"""Forces smaller than this part of the largest are none."""
 _TOLD = 4
 """How many one-sided extremes a sentence names."""
 
@@ -82,8 +84,10 @@ def largest_of_machine(curve: Curve, samples: Array, events: ForceEvents, crank_
 
 
 def counted(peak: Peak, crank_angle: CrankAngle) -> Peak:
-    """Peaks of shape (design, ...), with angles from the grid's zero in [0, cycle). [rad]"""
-    return peak._replace(angle=crank_angle.counted_shown(peak.angle))
+    """Peaks of shape (design, curve), with angles from the grid's zero in [0, cycle) [rad]; nothing stands nowhere."""
+    size = np.abs(peak.value)
+    is_felt = size > _ROUNDING * np.fmax.reduce(size, axis=-1, keepdims=True, initial=0.0)
+    return peak._replace(angle=np.where(is_felt, crank_angle.counted_shown(peak.angle), np.nan))
 
 
 def one_sided(peaks: Sequence[tuple[str, Peak]], labels: Sequence[str] = ("",)) -> Iterator[str]:

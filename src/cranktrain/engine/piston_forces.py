@@ -122,7 +122,7 @@ def _fill(curves: Array, piston: NDArray[np.intp], values: Sequence[Array]) -> N
 
 def _at_pin(one: RodsInPistons, forces: ForcesOfRods, crank_pins: CrankPinLoads) -> tuple[Array, Array, Array]:
     """S, K and T at the crank pin; NaN for rods that are on none."""
-    loads = (crank_pins.crankpin_load_radial_without_rod, crank_pins.crankpin_load_tangential_without_rod)
+    loads = (crank_pins.crankpin_radial_without_rod, crank_pins.crankpin_tangential_without_rod)
     radial, tangential = (load[:, one.group.index] for load in loads)
     return np.where(np.isnan(radial), np.nan, forces.at_crank), radial, tangential
 

@@ -16,8 +16,8 @@ from cranktrain.study.placement import place_called
 _QUANTITIES = (
     "crankpin_load_radial",
     "crankpin_load_tangential",
-    "crankpin_load_radial_without_rod",
-    "crankpin_load_tangential_without_rod",
+    "crankpin_radial_without_rod",
+    "crankpin_tangential_without_rod",
     "largest_crankpin_load",
     "largest_crankpin_load_at",
 )

@@ -96,7 +96,7 @@ def plan_mertsalov(result: Result, *, size: str = "A4", design: int = 0) -> Figu
     """Draw Mertsalov's diagram of the flywheel; parameters as `plan_wittenbauer` takes them."""
     found = mertsalov_diagram(result)
     cycle = float(shown(result.grid.cycle, "deg"))
-    angle = np.append(result.crank_angle, cycle)
+    angle = np.append(shown(found.angle, "deg"), cycle)
     with drawing_settings():
         page, box = _page(result, size, design, _("Mertsalov's diagram: the energy that the flywheel takes up"))
         half = (box.height - 14.0) / 2
@@ -176,9 +176,9 @@ def _number_angles(
     tangents: tuple[Tangent, Tangent],
 ) -> None:
     """Mark crank angles along the curve, every twelfth of the cycle, clear of the curve and of each other."""
-    angle = result.crank_angle
-    step = round(float(shown(result.grid.cycle, "deg"))) // 12
-    at = np.flatnonzero(np.round(angle, 9) % step == 0)
+    cycle = float(shown(result.grid.cycle, "deg"))
+    angle = np.arange(inertia.size) * (cycle / inertia.size)
+    at = np.flatnonzero(np.round(angle, 9) % (round(cycle) // 12) == 0)
     axes.plot(inertia[at], work[at], "o", ms=2.6, color=COLOURS["v"], zorder=6)
     points = frame.on_paper(inertia[at], work[at])
     middle = np.mean(frame.on_paper(inertia, work), axis=1)

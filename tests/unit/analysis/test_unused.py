@@ -51,7 +51,7 @@ def told(**machine: Any) -> list[str]:
         (
             {"gas": DUAL_CYCLE, "cylinder": CYLINDER, "masses": PISTON, "mechanism": None}
             | {"bank": {"A": {"angle": ["0 deg", "90 deg"], "mechanism": slider()}}},
-            ["[gas] is not used: [cylinder] firing_order is missing" + ALONE],
+            ["[gas] is not used: [cylinder] firing_order or firing_angles is missing" + ALONE],
         ),
         (
             {"gas": DUAL_CYCLE, "cylinder": without(CYLINDER, "compression_ratio")},

@@ -68,7 +68,7 @@ def test_numbers_of_orders_and_journals_are_no_pistons(typed):
     results = sections(typed("run", "vaz_21213").output)["Results"]
     assert re.search(r"^ +1, 4 +2, 3$", results, re.MULTILINE)
     assert re.search(r"^  order +T_k +ψ_k +S_k$", results, re.MULTILINE)
-    assert re.search(r"^  journal +T_J,max$", results, re.MULTILINE)
+    assert re.search(r"^  journal +T_J,max +φ\(T_J,max\)$", results, re.MULTILINE)
     assert not re.search(r"^  [0-9.]+$", results, re.MULTILINE)
     assert not re.search(r"e-1[2-9]", results)
 
@@ -154,7 +154,7 @@ def test_failed_check_is_shown(typed, capsys):
         show_result(console, file, result, ["stroke"], is_all=False, with_inputs=False)
     output = " ".join(capsys.readouterr().out.split())
     assert "✗ does not hold (residual 5.0e-01, limit 1e-09): something against something else" in output
-    assert "– needs a finer grid: " in output
+    assert "– needs a full turn: something at every angle" in output
     assert "Mind" in output and "outside its range" in output
 
 

@@ -320,10 +320,6 @@ def test_leads_that_differ_are_told_where_none_is_declared():
 
 
 def test_a_10d100_whose_upper_shaft_turns_back_needs_other_throws():
-    file = ct.load("10d100")
-    shafts = {
-        name: spec.model_copy(update={"ratio": -1 if name == "upper" else 1}) for name, spec in file.shaft.items()
-    }
-    problem = refusal(file.model_copy(update={"shaft": shafts}))
+    problem = refusal(ct.load("10d100").with_({"shaft.upper.ratio": -1}))
     for lead, cylinders in ((12, "1, 6"), (-60, "2, 7"), (-132, "3, 8"), (156, "4, 9"), (84, "5, 10")):
         assert f"{lead:.2f} deg ({cylinders})" in problem.allowed

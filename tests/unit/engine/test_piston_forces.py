@@ -97,7 +97,7 @@ def test_the_rods_share_goes_with_the_piston(inertia):
     ):
         expected = getattr(alone, name)[EXACT, 0] + share * wall
         np.testing.assert_allclose(getattr(result, name)[EXACT, 0], expected, rtol=0, atol=1e-9, err_msg=name)
-    turning = result.crankpin_load_radial_without_rod - result.crankpin_load_radial
+    turning = result.crankpin_radial_without_rod - result.crankpin_load_radial
     np.testing.assert_allclose(turning, 2 / 3 * 0.05 * 300.0**2, rtol=1e-11)
 
 
@@ -166,7 +166,7 @@ def test_machines_without_rods_on_crank_pins_have_no_such_forces():
     force = 0.4 * 0.05 * 300.0**2 * np.cos(phi)
     np.testing.assert_allclose(result.crankpin_load_radial[0], -force * np.cos(phi), rtol=0, atol=1e-10)
     np.testing.assert_allclose(result.crankpin_load_tangential[0], -force * np.sin(phi), rtol=0, atol=1e-10)
-    assert np.all(np.isnan(result.crankpin_load_radial_without_rod))
+    assert np.all(np.isnan(result.crankpin_radial_without_rod))
 
 
 def test_the_pin_of_a_crank_rocker():
@@ -175,4 +175,4 @@ def test_the_pin_of_a_crank_rocker():
     result = one(ROCKER, 20.0, masses)
     torque = result.crankpin_load_tangential[0] * 0.1
     np.testing.assert_allclose(torque, result.machine_torque, rtol=0, atol=1e-12 * np.max(np.abs(torque)))
-    np.testing.assert_array_equal(result.crankpin_load_radial_without_rod, result.crankpin_load_radial)
+    np.testing.assert_array_equal(result.crankpin_radial_without_rod, result.crankpin_load_radial)
