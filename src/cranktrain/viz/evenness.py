@@ -177,7 +177,7 @@ def _number_angles(
 ) -> None:
     """Mark crank angles along the curve, every twelfth of the cycle, clear of the curve and of each other."""
     cycle = float(shown(result.grid.cycle, "deg"))
-    angle = np.arange(inertia.size) * (cycle / inertia.size)
+    angle: Array = np.arange(inertia.size, dtype=np.float64) * (cycle / inertia.size)
     at = np.flatnonzero(np.round(angle, 9) % (round(cycle) // 12) == 0)
     axes.plot(inertia[at], work[at], "o", ms=2.6, color=COLOURS["v"], zorder=6)
     points = frame.on_paper(inertia[at], work[at])

@@ -109,7 +109,7 @@ def test_peaks_say_whose_and_where(typed, written):
     table = rows(typed("run", "machine.toml").output)
     assert table["piston_displacement"] == ["x", "80.00", "mm", "180"]
     acceleration = 0.04 * (1500 * np.pi / 30) ** 2 * (1 + 40 / 136)
-    assert table["piston_acceleration"] == ["j", f"{acceleration:.0f}", "m/s^2", "0"]
+    assert table["piston_acceleration"] == ["j", f"{acceleration:.0f}", "m/s^2", "0.0"]
 
 
 def test_provenance(typed, written):
