@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.engine.force_events import ForceEvents
-from cranktrain.engine.force_peaks import largest_of_machine, one_sided
-from cranktrain.engine.forces import LoadedMachine, SolvedCycle, driving_torques
+from cranktrain.engine.force_peaks import felt, largest_of_machine, one_sided
+from cranktrain.engine.forces import LoadedMachine, SolvedCycle, driving_torques, forces_times_arms
 from cranktrain.engine.layout import CrankAngle
 from cranktrain.engine.shafts import GearedShafts, Shafts
 from cranktrain.engine.torque_sources import TorqueSources
@@ -66,7 +66,10 @@ def torque_peaks(
 
 @record
 class ShaftTorques:
-    """Torque of the machine on its shafts, by the reactions: positive in each shaft's own running sense."""
+    """Torque of the machine on its shafts, by the reactions: positive in each shaft's own running sense.
+
+    gross, shape (design,), is what all forces would do by their arms. [N·m]
+    """
 
     shaft_torque: Array = quantity(
         "T", "N*m", ("shaft", "crank_angle"), N_("Torque of the machine on the shaft, in its sense of running"), _THEORY
@@ -79,12 +82,15 @@ class ShaftTorques:
     largest_torque_at: Array = quantity("φ(T_max)", "deg", (), N_("Crank angle of the largest torque"), _THEORY)
     smallest_torque: Array = quantity("T_min", "N*m", (), N_("Smallest torque of the machine"), _THEORY)
     smallest_torque_at: Array = quantity("φ(T_min)", "deg", (), N_("Crank angle of the smallest torque"), _THEORY)
+    gross: Array = field(kw_only=True)
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"shaft": ()})
     flags: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str:
-        """Say mean, largest and smallest torque."""
+        """Say mean, largest and smallest torque; none where it is nothing beside what the forces could do."""
         del names
+        if max(abs(self.largest_torque[design]), abs(self.smallest_torque[design])) <= _NOTHING * self.gross[design]:
+            return _("Torque on the shaft: none.")
         return _("Torque on the shaft: mean {mean}, from {least} at {low} to {most} at {high}.").format(
             mean=number(float(self.mean_torque[design]), "N*m"),
             least=number(float(self.smallest_torque[design]), "N*m"),
@@ -113,11 +119,13 @@ def shaft_torques(
     by_shaft = along_shaft.throw_torque(by_mechanism, shafts.shaft, len(shafts.names))
     whole = np.sum(by_shaft, axis=1)
     mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
-    most, least = peaks.largest, peaks.smallest
+    gross = np.sum(forces_times_arms(loaded, solved.groups), axis=-1)
+    most, least = (felt(peak, gross) for peak in (peaks.largest, peaks.smallest))
     return ShaftTorques(
+        gross=gross,
         shaft_torque=by_shaft,
         machine_torque=whole,
-        mean_torque=np.where(np.abs(mean) <= _ROUNDING * np.max(np.abs(whole), axis=-1), 0.0, mean),
+        mean_torque=np.where(np.abs(mean) <= _ROUNDING * np.maximum(np.max(np.abs(whole), axis=-1), gross), 0.0, mean),
         largest_torque=most.value,
         largest_torque_at=most.angle,
         smallest_torque=least.value,

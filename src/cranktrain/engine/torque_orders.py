@@ -24,9 +24,9 @@ _THEORY = "docs/theory/harmonics-and-orders"
 _TOLD = 3
 """How many of the largest orders the answer names."""
 _NOTHING = 1e-12
-"""Of the largest torque; an order of less is rounding."""
-_ROUNDING = 1e-6
-"""Of the largest order; what is less is not named."""
+"""Of the largest torque, and of what all forces could do; an order of less is rounding."""
+_ROUNDING, _GONE = 1e-6, 1e-9
+"""Of the largest order, and of what all forces could do: what is less is not named."""
 
 
 def orders(cycle: float) -> Array:
@@ -42,7 +42,7 @@ def order_labels(cycle: float) -> dict[str, tuple[str, ...]]:
 
 @record
 class TorqueOrders:
-    """Harmonics of the machine's torque: amplitude · cos(kφ − ψ), φ as shown."""
+    """Harmonics of the machine's torque: amplitude · cos(kφ − ψ), φ as shown; gross as of `ShaftTorques`."""
 
     torque_order_amplitude: Array = quantity(
         "T_k", "N*m", _ORDER, N_("Amplitude of the order in the machine's torque"), _THEORY
@@ -54,12 +54,13 @@ class TorqueOrders:
         N_("Phase of the order in the torque, T_k cos(kφ − ψ_k), φ as the tables count it"),
         _THEORY,
     )
+    gross: Array = field(kw_only=True)
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"order": ()})
 
     def answer(self, names: Names, design: int) -> str | None:
         """Name the largest orders."""
         amplitude = np.nan_to_num(self.torque_order_amplitude[design])
-        least = _ROUNDING * float(np.max(amplitude))
+        least = max(_ROUNDING * float(np.max(amplitude)), _GONE * float(self.gross[design]))
         largest = [
             place for place in np.argsort(-amplitude, kind="stable")[:_TOLD].tolist() if amplitude[place] > least
         ]
@@ -76,8 +77,9 @@ def torque_orders(sources: TorqueSources, torques: ShaftTorques, crank_angle: Cr
     vectors = sources.orders(np.concatenate([[0.0], order]), crank_angle.cycle)[:, 1:]
     found = from_vectors(order, vectors)
     largest = np.max(np.abs(torques.machine_torque), axis=-1, keepdims=True)
-    phase = np.where(found.amplitude > _NOTHING * largest, found.phase, np.nan)
-    return TorqueOrders(found.amplitude, phase, order_labels(crank_angle.cycle))
+    is_rounding = found.amplitude <= _NOTHING * np.maximum(largest, torques.gross[:, np.newaxis])
+    amplitude, phase = np.where(is_rounding, 0.0, found.amplitude), np.where(is_rounding, np.nan, found.phase)
+    return TorqueOrders(amplitude, phase, order_labels(crank_angle.cycle), gross=torques.gross)
 
 
 @record

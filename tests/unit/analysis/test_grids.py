@@ -1,0 +1,54 @@
+"""Facts from one grid, curves on another: what is the same whatever the step, and what is told of a coarse one."""
+
+import numpy as np
+import pytest
+from tests.gas_engines import DUAL_CYCLE
+from tests.machines import slider, throws
+
+import cranktrain as ct
+
+
+def engine(**changes) -> ct.Machine:
+    tables = {
+        "shaft": throws(0, speed="1500 rpm"),
+        "mechanism": slider(),
+        "cylinder": {"bore": "80 mm", "compression_ratio": 16, "cycle": "four-stroke", "firing_order": "1"},
+        "masses": {"piston": {"mass": "0.6 kg"}},
+        "gas": DUAL_CYCLE,
+    }
+    return ct.Machine(**(tables | changes))
+
+
+def test_curves_stand_on_the_grid_that_is_asked_for():
+    """At the same crank angles they are the same."""
+    fine, coarse = ct.run(engine()), ct.run(engine(), step_degrees=30)
+    assert coarse.crank_angle.tolist() == [30 * i for i in range(24)]
+    for name, entry in coarse.catalogue.items():
+        if not entry.is_fact:
+            expected = getattr(fine, name)[..., ::30]
+            scale = np.nanmax(np.abs(getattr(fine, name)), initial=0.0)
+            np.testing.assert_allclose(getattr(coarse, name), expected, atol=1e-9 * scale, rtol=0, err_msg=name)
+
+
+def test_a_coarse_step_is_told_with_the_curves_that_lose_most():
+    said = [flag for flag in ct.run(engine(), step_degrees=30).flags if "coarse" in flag]
+    assert len(said) == 1
+    assert said[0].startswith("A step of 30 deg is coarse for curves, though not for facts:")
+    # p falls to a half within 30° of its peak: straight lines miss much of that.
+    assert "%" in said[0] and "more." in said[0]
+
+
+@pytest.mark.parametrize("step", [0.1, 1])
+def test_a_fine_step_is_not(step):
+    assert not [flag for flag in ct.run(engine(), step_degrees=step).flags if "coarse" in flag]
+
+
+def test_a_gentle_curve_is_not_coarse_at_five_degrees():
+    pump = ct.Machine(shaft=throws(0, speed="60 rpm"), mechanism=slider())
+    assert not [flag for flag in ct.run(pump, step_degrees=5).flags if "coarse" in flag]
+
+
+def test_rounding_about_a_constant_is_no_curve():
+    """The shaking couple of one throw is nothing; what rounding makes of it is not coarse."""
+    said = " ".join(ct.run(engine(), step_degrees=30, quantities=["shaking_couple_x"]).flags)
+    assert "shaking_couple" not in said

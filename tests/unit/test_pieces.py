@@ -1,0 +1,113 @@
+"""Largest values and integrals of curves with known kinks and jumps, against closed forms."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+from cranktrain.numerics import integral_to, largest_between, panels
+
+CYCLE = 4 * np.pi
+GRID = np.arange(720) * (CYCLE / 720)
+
+
+def waves(angle):
+    return np.sin(1.5 * angle + 0.3) + 0.2 * np.cos(4 * angle)
+
+
+def sawtooth(angle):
+    """Rises to 2 at 2, where it jumps to 1.2; bends at 2.5; jumps from −0.0155 to 0.9 at 9.0043."""
+    inside = np.mod(angle, CYCLE)
+    return np.select(
+        [inside < 2.0, inside < 2.5, inside < 9.0043], [inside, 3.2 - inside, 0.7 - 0.11 * (inside - 2.5)], 0.9
+    )
+
+
+def level(angle):
+    """Is 10 from 5 to 11."""
+    inside = np.mod(angle, CYCLE)
+    return np.minimum(np.where(inside > 9.0, 21.0 - inside, 2.0 * inside), 10.0)
+
+
+def ended(angle):
+    """Is not there before 6, and smooth after."""
+    return np.where(np.mod(angle, CYCLE) < 6.0, np.nan, -np.cos(angle / 2))
+
+
+CURVES = (waves, sawtooth, level, np.ones_like, ended, lambda angle: np.full_like(angle, np.nan))
+BREAKS = np.full((len(CURVES), 4), np.nan)
+BREAKS[1] = (0.0, 2.0, 2.5, 9.0043)
+BREAKS[2] = (0.0, 5.0, 9.0, 11.0)
+BREAKS[4, :2] = (0.0, 6.0)
+
+
+def largest(sign=1.0):
+    def curves(which, angle):
+        return np.stack([sign * CURVES[one](own) for one, own in zip(which, angle, strict=True)])
+
+    return largest_between(curves, GRID, sign * np.stack([curve(GRID) for curve in CURVES]), BREAKS)
+
+
+def test_smooth_tops():
+    """Where the derivative is 0, by Newton's method from a finer grid; the cosine's at 2π."""
+    fine = np.linspace(0.0, CYCLE, 1_000_001)
+    at = fine[np.argmax(waves(fine))]
+    for _step in range(4):
+        slope = 1.5 * np.cos(1.5 * at + 0.3) - 0.8 * np.sin(4 * at)
+        at -= slope / (-2.25 * np.sin(1.5 * at + 0.3) - 3.2 * np.cos(4 * at))
+    found = largest()
+    assert found.angle[0] == pytest.approx(at, abs=1e-11)
+    assert found.value[0] == pytest.approx(waves(at), rel=1e-14)
+    assert (found.angle[4], found.value[4]) == pytest.approx((2 * np.pi, 1.0), abs=1e-9)
+
+
+def test_a_jump_has_a_side():
+    """The largest value is that just before 2, the smallest just before 9.0043; neither is a value of the grid."""
+    found = largest()
+    assert (found.angle[1], found.value[1], found.side[1]) == pytest.approx((2.0, 2.0, -1.0), abs=1e-12)
+    assert np.max(sawtooth(GRID)) < 2.0 - 1e-3
+    lowest = largest(-1.0)
+    least = 0.7 - 0.11 * (9.0043 - 2.5)
+    assert (lowest.angle[1], lowest.value[1], lowest.side[1]) == pytest.approx((9.0043, -least, -1.0), abs=1e-12)
+
+
+def test_a_level_stretch_begins_where_it_begins():
+    found = largest()
+    assert (found.angle[2], found.value[2], found.side[2]) == pytest.approx((5.0, 10.0, 0.0), abs=1e-12)
+    assert (found.angle[3], found.value[3]) == (0.0, 1.0)
+
+
+def test_what_is_nowhere_known_has_no_largest_value():
+    found = largest()
+    assert np.all(np.isnan([part[5] for part in found]))
+
+
+def test_of_alike_peaks_the_first_is_taken():
+    """Seven pulses to two turns, which the grid meets at seven places: rounding does not choose among them."""
+    found = largest_between(
+        lambda _which, angle: np.cos(3.5 * angle - 0.4) ** 9,
+        GRID,
+        np.cos(3.5 * GRID - 0.4)[np.newaxis] ** 9,
+        np.empty((1, 0)),
+    )
+    assert found.angle[0] == pytest.approx(0.4 / 3.5, abs=1e-9)
+    assert found.value[0] == pytest.approx(1.0, abs=1e-12)
+
+
+def test_integrals_between_breaks():
+    """To any angle, in the period or not, against adaptive quadrature between the breaks."""
+    breaks = np.array([2.0, 2.5, 9.0043, 0.0, np.nan])
+    cut = panels(breaks, np.pi / 9, CYCLE)
+    values = sawtooth(cut.angle) * np.exp(np.sin(cut.angle))
+    assert np.sum(cut.weight) == pytest.approx(CYCLE, rel=1e-14)
+    for end in (0.7, 2.0, 2.2, 8.0, 9.5, 12.0, CYCLE + 2.2, -1.0):
+        low, high = sorted((float(cut.start[0]), end))
+        marks = [mark + turn * CYCLE for turn in (-1, 0, 1) for mark in breaks[:4] if low < mark + turn * CYCLE < high]
+        edges = sorted([low, *marks, high])
+        parts = [
+            quad(lambda x: float(sawtooth(x) * np.exp(np.sin(x))), one + 1e-13, other - 1e-13, epsabs=1e-13)[0]
+            for one, other in pairwise(edges)
+        ]
+        expected = sum(parts) * (1.0 if end > cut.start[0] else -1.0)
+        assert integral_to(cut, values, np.array([end]))[0] == pytest.approx(expected, abs=1e-11)
