@@ -245,7 +245,7 @@ def force_peer_comparisons(n):
 
 
 MOTION = ("piston_displacement", "piston_velocity", "piston_acceleration")
-RUNS = {"3d12": 8.0, "r_1340": 10.0, "vaz_21213": 9.0}
+RUNS = {"3d12": 12.0, "r_1340": 13.0, "vaz_21213": 10.0}
 """Examples with gas and masses, and how many times as long all may take as the motion of the pistons alone."""
 
 

@@ -34,10 +34,18 @@ class RodMethods:
     """
 
     side_force_error: Array = quantity(
-        "ΔN", "1", _FACT, N_("Largest error of the guide's force with the rod replaced by the method's masses"), _THEORY
+        "ΔN",
+        "1",
+        _FACT,
+        N_("Largest error of the guide's force, at whole degrees, with the rod replaced by the method's masses"),
+        _THEORY,
     )
     driving_torque_error: Array = quantity(
-        "ΔM", "1", _FACT, N_("Largest error of the piston's driving torque with the rod so replaced"), _THEORY
+        "ΔM",
+        "1",
+        _FACT,
+        N_("Largest error of the piston's driving torque, at whole degrees, with the rod so replaced"),
+        _THEORY,
     )
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"rod_method": tuple(ROD_METHODS)})
 

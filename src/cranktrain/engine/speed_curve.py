@@ -16,7 +16,7 @@ from cranktrain.wording import Names, number
 class SteadyRunning:
     """That what is asked for is not one moment: the machine runs on as it does."""
 
-    needs: ClassVar[str] = N_("a speed without [shaft.main] acceleration, as of steady running")
+    needs: ClassVar[str] = N_("steady running, without [shaft.main] acceleration,")
 
 
 @record

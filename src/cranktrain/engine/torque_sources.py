@@ -167,7 +167,7 @@ def torque_sources(
     designs = range(len(by_shaft))
     if loaded.masses.has_friction:
         energy = torques.reduced_inertia * drive.speed**2 / 2
-        whole = tuple((_of_machine(loaded, shafts, crank_angle, events, design),) for design in designs)
+        whole = tuple((source,) for source in _of_machines(loaded, shafts, crank_angle, events))
         return TorqueSources(whole, np.zeros_like(by_shaft), nothing, energy - energy[..., :1], spent)
     equation = Reduced(ReducedInertia(torques.reduced_inertia, torques.reduced_inertia_slope), ZERO)
     inertia = torque_by_work(equation, drive)
@@ -179,18 +179,22 @@ def torque_sources(
     return TorqueSources(sources, rest, inertia, nothing, spent)
 
 
-def _of_machine(
-    loaded: LoadedMachine, shafts: Shafts, crank_angle: CrankAngle, events: ForceEvents, design: int
-) -> Source:
-    """Torque on every shaft of one design, by the reactions."""
-    zero = float(crank_angle.zero[design, 0, 0])
-    breaks = [events.whole[design] - zero]
-    if loaded.speed.curve is not None:
-        breaks.append(loaded.speed.curve.square.angle + loaded.speed.curve.zero[design, 0] - zero)
-    cut = panels(np.concatenate(breaks), _WIDEST, crank_angle.cycle)
-    angle = np.broadcast_to(cut.angle, (len(events.whole), 1, cut.angle.size)) + crank_angle.zero
-    torque = throw_torque(-driving_torques(loaded, loaded.solved(angle)), shafts.shaft, len(shafts.names))
-    return Source(cut, torque[design], np.zeros(1), np.arange(len(shafts.names))[np.newaxis])
+def _of_machines(
+    loaded: LoadedMachine, shafts: Shafts, crank_angle: CrankAngle, events: ForceEvents
+) -> Iterator[Source]:
+    """Torque on every shaft of each design, by the reactions."""
+    breaks = events.whole - crank_angle.zero[:, 0]
+    if (curve := loaded.speed.curve) is not None:
+        nodes = curve.square.angle + curve.zero[:, 0] - crank_angle.zero[:, 0]
+        breaks = np.concatenate([breaks, np.broadcast_to(nodes, (len(breaks), nodes.shape[-1]))], axis=-1)
+    cuts = [panels(own, _WIDEST, crank_angle.cycle) for own in breaks]
+    longest = max(cut.angle.size for cut in cuts)
+    asked = np.stack([np.pad(cut.angle, (0, longest - cut.angle.size), mode="edge") for cut in cuts])
+    solved = loaded.solved(asked[:, np.newaxis] + crank_angle.zero)
+    torque = throw_torque(-driving_torques(loaded, solved), shafts.shaft, len(shafts.names))
+    each = np.arange(len(shafts.names))[np.newaxis]
+    for cut, own in zip(cuts, torque, strict=True):
+        yield Source(cut, own[:, : cut.angle.size], np.zeros(1), each)
 
 
 def _of_chambers(

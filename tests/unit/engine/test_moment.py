@@ -84,7 +84,7 @@ def test_what_only_steady_running_has_is_left_out_and_said():
     assert "excess_work" not in result.catalogue
     assert "flywheel_inertia" not in result.catalogue
     needs = {need for missing in result.missing if "crank_speed" in missing.results for need in missing.needs}
-    assert needs == {"a speed without [shaft.main] acceleration, as of steady running"}
+    assert needs == {"steady running, without [shaft.main] acceleration,"}
     assert "What only steady running has is left out." in result.summary()
 
 
