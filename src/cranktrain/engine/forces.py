@@ -309,7 +309,7 @@ def solved_cycle(loaded: LoadedMachine, crank_angle: CrankAngle, gas: GasPressur
     return SolvedCycle(loaded.solved(crank_angle.angle, gas_force=None if gas is None else gas.gas_force))
 
 
-def largest_forces(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Array:
+def largest_in_joints(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Array:
     """Largest force in any joint of each mechanism, shape (design, mechanism). [N]"""
     return _by_mechanism(loaded, (_largest_force(one) for one in solved))
 

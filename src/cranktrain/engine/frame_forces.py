@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from cranktrain.checks import Check
 from cranktrain.engine.balance_specs import HIGHEST_ORDER
-from cranktrain.engine.forces import Carriers, LoadedMachine, SolvedGroup, largest_forces
+from cranktrain.engine.forces import Carriers, LoadedMachine, SolvedGroup, largest_in_joints
 from cranktrain.engine.frames import Frames
 from cranktrain.engine.layout import CrankAngle, Mechanisms, Speed
 from cranktrain.engine.masses import GivenBodies, Masses
@@ -103,7 +103,7 @@ def frame_forces(
                 "momentum",
                 throws.gathered(force),
                 throws.gathered(own),
-                in_joints=np.max(largest_forces(machine, solved), axis=1),
+                in_joints=np.max(largest_in_joints(machine, solved), axis=1),
                 ended=np.all(ended, axis=(1, 2)),
             ),
         ),

@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.checks import Check
-from cranktrain.engine.forces import Carriers, LoadedMachine, largest_forces
+from cranktrain.engine.forces import Carriers, LoadedMachine, largest_in_joints
 from cranktrain.engine.frame_forces import (
     ENDED,
     FrameForces,
@@ -95,7 +95,7 @@ def running_frame(
                 "running_momentum",
                 throws.gathered(force),
                 throws.gathered(own),
-                in_joints=np.max(largest_forces(bare, solved), axis=1),
+                in_joints=np.max(largest_in_joints(bare, solved), axis=1),
                 ended=np.all(ended, axis=(1, 2)),
             ),
         ),

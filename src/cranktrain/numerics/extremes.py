@@ -40,7 +40,6 @@ def extremes(
     *,
     grid: Array | None = None,
     samples: Array | None = None,
-    kinks: Array | None = None,
 ) -> Extremes:
     """Smallest and largest value of each curve over a turn.
 
@@ -50,14 +49,11 @@ def extremes(
         Gives (..., k) for angles (..., k) or (k,).
     slope : Curve, optional
         Its derivative, NaN where it is not known; with it the angle is exact to rounding, without it to some 1e-12
-        (quartics through close points;
-        at kinks that are not told 1e-5 and less), which leaves the value exact to rounding all the same.
+        (quartics through close points; at kinks 1e-5 and less), which leaves the value exact to rounding all the same.
     grid : Array, shape (n,), optional
         Where to look first: equal steps over a turn; 720 points unless given.
     samples : Array, shape (..., n), optional
         The curve on `grid`, where it is known already.
-    kinks : Array, shape (..., m), optional
-        Where the curve may have kinks, at which its extremes may stand; NaN for none. Of no use beside a slope. [rad]
 
     Returns
     -------
@@ -65,7 +61,7 @@ def extremes(
         An angle may lie one step beside the grid's turn. NaN where the curve is NaN all over the turn or next to the
         grid's extreme: a curve that ends there has no extreme but an end.
     """
-    return Extremes(*_refined(curve, slope, grid, samples, _BOTH, kinks))
+    return Extremes(*_refined(curve, slope, grid, samples, _BOTH))
 
 
 def largest(
@@ -74,10 +70,9 @@ def largest(
     *,
     grid: Array | None = None,
     samples: Array | None = None,
-    kinks: Array | None = None,
 ) -> Extreme:
     """Largest value of each curve over a turn; as `extremes`."""
-    return _refined(curve, slope, grid, samples, (1.0,), kinks)[0]
+    return _refined(curve, slope, grid, samples, (1.0,))[0]
 
 
 def smallest(
@@ -133,7 +128,6 @@ def _refined(
     grid: Array | None,
     samples: Array | None,
     signs: Sequence[float],
-    kinks: Array | None = None,
 ) -> list[Extreme]:
     """Extremes of each curve, the largest value for a sign of +1, the smallest for −1."""
     grid = turn_grid() if grid is None else grid
@@ -141,7 +135,7 @@ def _refined(
     with np.errstate(all="ignore"):
         known = curve(grid) if samples is None else samples
         place = highest_peaks(known, signs)
-        top = tops(curve, known, place, grid, signs, kinks)
+        top = tops(curve, known, place, grid, signs)
         if slope is not None:
             angle = polished(slope, top, np.repeat(signs, CANDIDATES))
             is_rough = np.isnan(angle) & ~np.isnan(top.angle)

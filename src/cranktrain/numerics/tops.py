@@ -1,4 +1,4 @@
-"""Tops of curves between the points of a grid: by quartics and parabolas through close points, and at kinks."""
+"""Tops of curves between the points of a grid: by quartics and parabolas through close points."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -19,8 +19,6 @@ _QUARTIC_SLOPE = np.array([[1, -8, 0, 8, -1], [-1, 16, -30, 16, -1], [-1, 2, 0, 
 _CLOSE, _SMOOTH = 1e-3, 0.02
 """How far apart five points are [rad] for the top of the quartic through them to be exact to some 1e-12 rad, and by how
 much, in parts of that, the top of a parabola differs from it at most where the curve is smooth enough."""
-_LEVEL = 1e-12
-"""Values that differ by less, in parts of them, are one."""
 _ASIDE, TINY = 1e-6, 1e-8
 """How far aside of a top its curvature is measured, and how far the top may be off for one step to mend it. [rad]"""
 _CLOSER, _CLOSEST, _MOST_ZOOMS = 12, 1e-5, 4
@@ -58,7 +56,6 @@ def tops(
     place: NDArray[np.intp],
     grid: Array,
     signs: Sequence[float],
-    kinks: Array | None = None,
 ) -> Extreme:
     """Refine the grid's peaks: tops of quartics through five close points about that of one through five of the grid.
 
@@ -73,13 +70,11 @@ def tops(
         Equal steps over a turn or cycle. [rad]
     signs : sequence of float
         +1 for largest values, −1 for smallest.
-    kinks : Array, shape (..., m), optional
-        Where the curve may have kinks; they are taken where they are higher. [rad]
 
     Returns
     -------
     Extreme, shape (..., k)
-        Where the curve is rough and no kink is told, of parabolas through ever closer points; NaN where it ends.
+        Where the curve is rough, of parabolas through ever closer points; NaN where it ends.
     """
     sign = np.repeat(signs, CANDIDATES)
     step, peak = float(grid[1] - grid[0]), grid[place]
@@ -87,23 +82,17 @@ def tops(
     wide = top_of_quartic(five, sign)
     middle = peak + step * wide.way
     points = (middle[..., np.newaxis, :] + _CLOSE * _FIVE).reshape(*place.shape[:-1], 5 * place.shape[-1])
-    n_points = points.shape[-1]
-    values = curve(points if kinks is None else np.concatenate([points, kinks], axis=-1))
-    found = top_of_quartic(values[..., :n_points].reshape(*values.shape[:-1], *five.shape[-2:]), sign)
+    values = curve(points)
+    found = top_of_quartic(values.reshape(*values.shape[:-1], *five.shape[-2:]), sign)
     top = Extreme(middle + _CLOSE * found.way, found.value)
     is_rough = (np.abs(found.way) >= 1) | (np.abs(found.way - found.parabola) > _SMOOTH)
     if np.any(is_rough):
         # At a jump nothing beside the grid's own point may be as high.
         top = chosen(is_rough, Extreme(peak, five[..., 2, :]), top)
-        if kinks is not None:
-            period = step * len(grid)
-            apart = np.mod(peak[..., np.newaxis] - kinks[..., np.newaxis, :] + period / 2, period) - period / 2
-            is_rough = is_rough & ~np.any(np.abs(apart) <= 2 * step, axis=-1)
-    if np.any(is_rough):
         start = np.where(is_rough, peak + step * wide.parabola, top.angle)
         closest = _closest(curve, start, np.where(is_rough, step, _CLOSEST), sign)
         top = chosen(is_rough & (sign * (closest.value - top.value) > 0), closest, top)
-    return top if kinks is None else _or_kink(top, kinks, values[..., n_points:], sign)
+    return top
 
 
 def five_about(samples: Array, place: NDArray[np.intp]) -> Array:
@@ -142,18 +131,6 @@ def _closest(curve: Curve, middle: Array, wide: Array, sign: Array) -> Extreme:
         width = np.minimum(4 * np.abs(way) * half * (half / before) ** 2, half / _CLOSER)
         before, half = half, np.maximum(width, _CLOSEST)
     return Extreme(middle, value)
-
-
-def _or_kink(top: Extreme, kinks: Array, values: Array, sign: Array) -> Extreme:
-    """Take the highest kink where it is as high as the top: rounding must not move an extreme along a level stretch."""
-    signed = np.fmax(sign[:, np.newaxis] * values[..., np.newaxis, :], -np.inf)
-    highest = np.argmax(signed, axis=-1)
-    kink = Extreme(
-        *(np.take_along_axis(part, highest, axis=-1) for part in (np.broadcast_to(kinks, values.shape), values))
-    )
-    lead = sign * (kink.value - top.value)
-    angle = np.where(lead >= -_LEVEL * np.abs(top.value), kink.angle, top.angle)
-    return Extreme(angle, np.where(lead > 0, kink.value, top.value))
 
 
 def chosen(is_one: NDArray[np.bool_], one: Extreme, other: Extreme) -> Extreme:
