@@ -34,11 +34,19 @@ def has_curves(gift: type) -> bool:
     return any(not entry.is_fact for entry in entries(gift))
 
 
-def with_curves(facts: Mapping[type, object], curves: Mapping[type, object]) -> dict[type, object]:
-    """Results whose facts, checks and flags are those of one run, and whose curves are those of another."""
+def with_curves(facts: Mapping[type, object], curves: Mapping[type, object], every: int) -> dict[type, object]:
+    """Results whose facts, checks and flags are those of one run, and whose curves are those of another, thinned out.
+
+    Parameters
+    ----------
+    facts, curves : mapping of type to result object
+        Of both runs, which may be one.
+    every : int
+        Of so many points one is taken.
+    """
     merged: dict[type, Any] = dict(facts)
-    for kind, gift in curves.items():
-        moved = {entry.name: getattr(gift, entry.name) for entry in entries(kind) if not entry.is_fact}
+    for kind, gift in curves.items() if curves is not facts or every > 1 else ():
+        moved = {entry.name: getattr(gift, entry.name)[..., ::every] for entry in entries(kind) if not entry.is_fact}
         if moved and kind in merged:
             merged[kind] = replace(merged[kind], **moved)
     return merged

@@ -80,22 +80,22 @@ def run(
     names = (quantities,) if isinstance(quantities, str) else quantities
     chosen = stages if names is None else _needed(stages, tuple(names))
     gifts, missing = run_stages(chosen, parts)
-    grid: CrankAngle = _part(parts, CrankAngle)
-    coarse: tuple[str, ...] = ()
-    if abs(step - FACTS_STEP) > _ONE_STEP:
-        parts = on_grid(parts, step)
-        grid = _part(parts, CrankAngle)
+    # Curves want points as close as facts, or closer: of these a coarser step takes some.
+    n_between = int(np.ceil(step / FACTS_STEP - _ONE_STEP))
+    curves = gifts
+    if abs(step / n_between - FACTS_STEP) > _ONE_STEP:
         drawn = leading_to(chosen, [one.gives for one in chosen if has_curves(one.gives)])
-        curves, _missing = run_stages(drawn, parts)
-        coarse = coarse_curves(gifts, curves, grid.shown)
-        gifts = with_curves(gifts, curves)
+        curves, _missing = run_stages(drawn, on_grid(parts, step / n_between))
+    parts = on_grid(parts, step)
+    grid: CrankAngle = _part(parts, CrankAngle)
+    shown = with_curves(gifts, curves, n_between)
     return Result(
         machines=machines,
         has_designs=not isinstance(machine, Machine),
         grid=grid,
-        coarse=coarse,
-        labels=_labels(parts, machines, gifts),
-        gifts=(*(parts[part] for part in (SpeedCurve,) if part in parts), *gifts.values()),
+        coarse=coarse_curves(gifts, shown, grid.shown),
+        labels=_labels(parts, machines, shown),
+        gifts=(*(parts[part] for part in (SpeedCurve,) if part in parts), *shown.values()),
         missing=missing,
         unused=unused(machines[0], lacking(stages, parts)),
     )

@@ -260,7 +260,7 @@ def _motion_check(speed: Array, inertia: Array, slope: Array, work: PeriodicCurv
     is_shown = by_torque & ((residual <= limit) | _is_shown(acceleration))
     closes, runs = (np.all(np.isfinite(curve), axis=-1) for curve in (inertia, speed))
     grid, nothing = (
-        _("needs a finer grid"),
+        _("has torques that whole degrees do not show"),
         _("has nothing to compare: the work of a cycle is rounding beside the energy"),
     )
     reasons = np.where(says_something, grid, nothing)
