@@ -10,7 +10,7 @@ from cranktrain.engine.distinct import Distinct, distinct
 from cranktrain.engine.layout import CrankAngle, Mechanisms, Pistons
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient, Link
-from cranktrain.numerics import Extreme, Extremes, extremes, turn_grid
+from cranktrain.numerics import Extreme, Extremes, around_zero, extremes, turn_grid
 from cranktrain.record import record
 from cranktrain.wording import Names, by_sort, shared
 
@@ -170,8 +170,3 @@ def dead_centres(pistons: Pistons, turn: PistonTurn, crank_angle: CrankAngle) ->
         top_position=different.spread(top.value)[..., 0],
         bottom_position=different.spread(bottom.value)[..., 0],
     )
-
-
-def around_zero(angle: Array) -> Array:
-    """Bring angles into [−π, π). [rad]"""
-    return np.mod(angle + np.pi, 2 * np.pi) - np.pi

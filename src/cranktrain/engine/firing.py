@@ -8,12 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
-from cranktrain.engine.dead_centres import ANGLE_ROUNDING, around_zero
+from cranktrain.engine.dead_centres import ANGLE_ROUNDING
 from cranktrain.engine.layout import CrankAngle, Pistons
 from cranktrain.engine.travel import CylinderPistons, CylinderTravel
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
+from cranktrain.numerics import around_zero
 from cranktrain.record import record
 from cranktrain.wording import Names, shared
 

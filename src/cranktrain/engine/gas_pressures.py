@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
-from cranktrain.engine.dead_centres import ANGLE_ROUNDING, around_zero
+from cranktrain.engine.dead_centres import ANGLE_ROUNDING
 from cranktrain.engine.gas import GasInChambers
 from cranktrain.engine.gas_events import GasEvents
 from cranktrain.engine.layout import CrankAngle
@@ -16,7 +16,7 @@ from cranktrain.engine.volumes import SweptVolumes
 from cranktrain.gas import kind_of
 from cranktrain.language import N_, _
 from cranktrain.motion import Array, Coefficient
-from cranktrain.numerics import in_slots, largest_between
+from cranktrain.numerics import around_zero, in_slots, largest_between
 from cranktrain.record import record
 from cranktrain.wording import Names, shared
 

@@ -8,6 +8,8 @@ import numpy as np
 from cranktrain.engine.specs import MAIN, BankSpec, OpposedPistonSpec, ShaftSpec
 from cranktrain.errors import Problem
 from cranktrain.language import _
+from cranktrain.motion import single
+from cranktrain.numerics import around_zero
 from cranktrain.wording import precise
 
 _CLOSED = 1e-9
@@ -128,7 +130,7 @@ def _lead(phases: Mapping[str, float], pair: _Pair) -> float:
 
 def _around_zero(angle: float) -> float:
     """Bring an angle into [−π, π)."""
-    return float(np.mod(angle + np.pi, 2 * np.pi) - np.pi)
+    return float(around_zero(single(angle)))
 
 
 def _given(banks: Mapping[str, BankSpec], pair: _Pair) -> str:

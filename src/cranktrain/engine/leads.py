@@ -8,6 +8,7 @@ from cranktrain.engine.specs import MAIN, BankSpec, ShaftSpec
 from cranktrain.errors import Problem
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.numerics import around_zero
 from cranktrain.wording import precise, shared
 
 _ALIKE = np.radians(0.02)
@@ -37,11 +38,11 @@ def lead_problems(shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec]
         if bank.lead is None:
             continue
         exhaust, scavenge = (_turned(shafts, bank, end) for end in ("exhaust", "scavenge"))
-        more = _around_zero(exhaust - scavenge)
+        more = around_zero(exhaust - scavenge)
         if np.any(np.abs(more) > _ALIKE):
             cylinders = [str(i) for i in range(1, more.size + 1)]
             allowed = _("is that of its first cylinder alone: as the throws stand, the leads are {leads}").format(
-                leads=shared(cylinders, _around_zero(bank.lead.si + more), "deg")
+                leads=shared(cylinders, around_zero(bank.lead.si + more), "deg")
             )
             yield Problem(f"bank.{name}.lead", bank.lead.text, allowed, _repair(shafts, bank))
 
@@ -69,13 +70,8 @@ def _repair(shafts: Mapping[str, ShaftSpec], bank: BankSpec) -> str:
     angles[own] = np.mod(np.round(angles[own[:1]] + shaft.ratio * wanted, 12), 2 * np.pi)
     listed = ", ".join(f'"{precise(angle, "deg")}"' for angle in angles.tolist())
     repair = _("all have it with shaft.{name}.throws = [{angles}]").format(name=name, angles=listed)
-    if np.all(np.abs(_around_zero(wanted + _turned(shafts, bank, end))) <= _ALIKE):
+    if np.all(np.abs(around_zero(wanted + _turned(shafts, bank, end))) <= _ALIKE):
         repair = _("{repair}, or with shaft.{name}.ratio = {ratio}").format(
             repair=repair, name=name, ratio=-shaft.ratio
         )
     return repair
-
-
-def _around_zero(angles: Array) -> Array:
-    """Bring angles into [−π, π). [rad]"""
-    return np.mod(angles + np.pi, 2 * np.pi) - np.pi

@@ -6,12 +6,12 @@ import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
-from cranktrain.engine.dead_centres import DeadCentres, around_zero
+from cranktrain.engine.dead_centres import DeadCentres
 from cranktrain.engine.layout import CrankAngle, Pistons, Speed, accelerations
 from cranktrain.engine.travel import CylinderPistons, CylinderTravel, reach
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
-from cranktrain.numerics import DERIVATIVES_LIMIT, derivatives_residual
+from cranktrain.numerics import DERIVATIVES_LIMIT, around_zero, derivatives_residual
 from cranktrain.record import record
 from cranktrain.wording import Names, number, shared
 

@@ -7,13 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
-from cranktrain.engine.dead_centres import DeadCentres, around_zero, slider_motion
+from cranktrain.engine.dead_centres import DeadCentres, slider_motion
 from cranktrain.engine.layout import CrankAngle, Pistons
 from cranktrain.engine.travel import CylinderPistons, CylinderTravel, reach
 from cranktrain.engine.volumes import Chambers, ChamberVolumes
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
-from cranktrain.numerics import bracketed_roots
+from cranktrain.numerics import around_zero, bracketed_roots
 from cranktrain.record import record
 from cranktrain.wording import Names, number, ranged, shared
 

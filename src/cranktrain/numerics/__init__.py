@@ -6,6 +6,7 @@ from cranktrain.numerics.pieces import Curves, Peak, in_slots, largest_between
 from cranktrain.numerics.roots import Curve, bracketed_roots, near_roots
 from cranktrain.numerics.series import (
     DERIVATIVES_LIMIT,
+    around_zero,
     derivatives_residual,
     has_ended,
     spectral_derivative,
@@ -22,6 +23,7 @@ __all__ = [
     "Extremes",
     "Panels",
     "Peak",
+    "around_zero",
     "bracketed_roots",
     "derivatives_residual",
     "extremes",

@@ -18,6 +18,11 @@ def turn_grid(n_points: int = 720) -> Array:
     return np.arange(n_points, dtype=np.float64) * (2 * np.pi / n_points)
 
 
+def around_zero(angle: Array) -> Array:
+    """Bring angles into [−π, π). [rad]"""
+    return np.mod(angle + np.pi, 2 * np.pi) - np.pi
+
+
 def unwrapped(angle: Array) -> Array:
     """Angles without jumps of a turn along the last axis, across NaN too. [rad]"""
     place: NDArray[np.intp] = np.where(np.isnan(angle), 0, np.arange(angle.shape[-1], dtype=np.intp))
