@@ -34,9 +34,9 @@ from cranktrain.questions.cylinders.opposed import OpposedCylinders
 from cranktrain.questions.cylinders.ports import TwoStroke
 from cranktrain.questions.cylinders.volumes import Chambers, CompressionRatios
 from cranktrain.questions.evenness.spec import evenness_parts
+from cranktrain.questions.forces.carriers import carriers_of
 from cranktrain.questions.forces.crank_pins import crank_pins_of
 from cranktrain.questions.forces.guides import guides_with_length, moment_guides_of
-from cranktrain.questions.forces.loaded import carriers_of
 from cranktrain.questions.forces.piston_forces import direct_pistons_of
 from cranktrain.questions.gas.chambers import DeclaredGas
 from cranktrain.questions.gas.powers import losses_of

@@ -25,16 +25,20 @@ from cranktrain.questions.cylinders.volumes import chamber_volumes, swept_volume
 from cranktrain.questions.doubts import doubts
 from cranktrain.questions.evenness.applied_torque import applied_torque
 from cranktrain.questions.evenness.flywheel import flywheel_size, rim_size
+from cranktrain.questions.evenness.flywheel_moment import flywheel_moment
 from cranktrain.questions.evenness.load_curve import load_torque
-from cranktrain.questions.evenness.running_speed import flywheel_moment, running_speed, shaft_work
+from cranktrain.questions.evenness.running_speed import running_speed
+from cranktrain.questions.evenness.shaft_work import shaft_work
 from cranktrain.questions.forces.crank_pins import crank_pin_loads
 from cranktrain.questions.forces.events import force_events
 from cranktrain.questions.forces.guides import guide_edges
 from cranktrain.questions.forces.joint_forces import joint_forces
 from cranktrain.questions.forces.largest_forces import largest_forces
-from cranktrain.questions.forces.loaded import loaded_machine, mechanism_torques, solved_cycle
+from cranktrain.questions.forces.loaded_machine import loaded_machine
+from cranktrain.questions.forces.mechanism_torques import mechanism_torques
 from cranktrain.questions.forces.piston_forces import piston_force_set
 from cranktrain.questions.forces.rod_methods import rod_methods
+from cranktrain.questions.forces.solved_cycle import solved_cycle
 from cranktrain.questions.gas.chambers import gas_in_chambers
 from cranktrain.questions.gas.events import gas_events
 from cranktrain.questions.gas.powers import brake_powers, indicated_powers

@@ -12,9 +12,10 @@ from cranktrain.questions.cylinders.ports import PortTiming
 from cranktrain.questions.cylinders.volumes import ChamberVolumes, SweptVolumes
 from cranktrain.questions.evenness.flywheel import FlywheelSize, RimSize
 from cranktrain.questions.evenness.load_curve import LoadTorque
-from cranktrain.questions.evenness.running_speed import RunningSpeed, ShaftWork
+from cranktrain.questions.evenness.running_speed import RunningSpeed
+from cranktrain.questions.evenness.shaft_work import ShaftWork
 from cranktrain.questions.forces.guides import GuideEdges
-from cranktrain.questions.forces.loaded import MechanismTorques
+from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.questions.gas.powers import BrakePowers
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.record import record

@@ -19,7 +19,7 @@ from cranktrain.machine import Machine
 from cranktrain.mechanisms.kind import FRAME, Dynamics, rows
 from cranktrain.motion import Array
 from cranktrain.plans.placement import frame
-from cranktrain.questions.forces.loaded import LoadedMachine
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
 
 Cause = Literal["load", "weight", "inertia", "reaction"]
 

@@ -13,7 +13,7 @@ from cranktrain.linkage.forces import Body
 from cranktrain.motion import Array
 from cranktrain.quantities import shown
 from cranktrain.questions.cylinders.volumes import Chambers, ChamberVolumes
-from cranktrain.questions.forces.loaded import LoadedMachine
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.questions.motion.closing import Closing
 from cranktrain.questions.motion.dead_centres import DeadCentres

@@ -21,7 +21,9 @@ from cranktrain.motion import ZERO, Array
 from cranktrain.numerics import has_ended, spectral_derivative, turn_grid
 from cranktrain.numerics.harmonics import ComplexArray
 from cranktrain.numerics.plane_vectors import PlaneVectors, curve_vectors, delayed_vectors
-from cranktrain.questions.forces.loaded import Carriers, LoadedMachine, SolvedGroup, largest_in_joints
+from cranktrain.questions.forces.carriers import Carriers
+from cranktrain.questions.forces.forces_times_arms import largest_in_joints
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
 from cranktrain.record import record
 
 _LIMIT = 1e-11

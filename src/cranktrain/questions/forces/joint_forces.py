@@ -14,8 +14,9 @@ from cranktrain.layout.part_tables import part_name
 from cranktrain.mechanisms.kind import Reaction
 from cranktrain.motion import Array
 from cranktrain.questions.forces.events import ForceEvents
-from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle, SolvedGroup
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
 from cranktrain.questions.forces.peaks import largest_of_each, one_sided
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.wording import ranged
 

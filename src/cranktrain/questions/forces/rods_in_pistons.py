@@ -10,7 +10,7 @@ from cranktrain.layout.mechanisms import Group
 from cranktrain.linkage.forces import Body, Drive, Gravity, Wrench, turned_wrench
 from cranktrain.mechanisms.kind import Role
 from cranktrain.motion import Array
-from cranktrain.questions.forces.loaded import LoadedMachine, SolvedGroup
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
 from cranktrain.questions.forces.piston_formulas import inertia_force, rod_forces
 from cranktrain.questions.forces.rod_masses import TwoMasses, weighed_ends
 
