@@ -12,10 +12,10 @@ from cranktrain.linkage.forces import WEIGHTLESS, Wrench, work
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.periodic import cycle_grid
-from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.piston_forces import DirectPistons, direct_groups
 from cranktrain.questions.forces.rod_masses import ROD_METHODS
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.wording import Names, number, ranged
 
