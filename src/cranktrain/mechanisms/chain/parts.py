@@ -7,7 +7,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from cranktrain.language import _
-from cranktrain.mechanisms.kind import MechanismSpec
+from cranktrain.mechanisms.spec import MechanismSpec
 from cranktrain.quantities import Angle, Given, Length, PositiveLength, Ratio
 from cranktrain.spec import Refused, Spec
 

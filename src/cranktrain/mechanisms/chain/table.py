@@ -50,16 +50,15 @@ from cranktrain.mechanisms.chain.steps import (
     YokeStep,
 )
 from cranktrain.mechanisms.chain.triads import triad_at
-from cranktrain.mechanisms.kind import Master
+from cranktrain.mechanisms.spec import Master
 from cranktrain.motion import Array, single
 from cranktrain.wording import precise
 
 _SIDES = {"left": 1.0, "right": -1.0, "ahead": 1.0, "behind": -1.0}
 
 
-def chain_geometry(spec: ChainTable, master: Master | None = None) -> ChainSize:
+def chain_geometry(spec: ChainTable, _master: Master | None = None) -> ChainSize:
     """All numbers in SI, in the order of the file."""
-    del master
     near = {part.link: _near(part) for part in spec.part if isinstance(part, TriadPartSpec)}
     return assembled(structure_of(spec), _size_of(spec), near)
 

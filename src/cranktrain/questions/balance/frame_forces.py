@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from functools import reduce
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,8 @@ from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.speed import Speed
 from cranktrain.layout.throws import Throws
 from cranktrain.linkage.forces import WEIGHTLESS, Momentum, Wrench, momentum
-from cranktrain.mechanisms.kind import FRAME
+from cranktrain.mechanisms.dynamics import FRAME
+from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.motion import ZERO, Array
 from cranktrain.numerics import has_ended, spectral_derivative, turn_grid
 from cranktrain.numerics.harmonics import ComplexArray
@@ -122,7 +123,7 @@ def without_loads(masses: Masses) -> Masses:
     return Masses(groups, masses.weightless, masses.assumed, masses.doubtful)
 
 
-def momenta(machine: LoadedMachine, motions: Sequence[Any], frames: Frames) -> Momenta:
+def momenta(machine: LoadedMachine, motions: Sequence[AnyMotion], frames: Frames) -> Momenta:
     """Add up the links of every mechanism."""
     parts: list[Momenta] = []
     for group, made, motion in zip(machine.mechanisms.groups, machine.masses.groups, motions, strict=True):

@@ -11,7 +11,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.part_tables import part_name
-from cranktrain.mechanisms.kind import Reaction
+from cranktrain.mechanisms.dynamics import Reaction
 from cranktrain.motion import Array
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup

@@ -12,6 +12,8 @@ from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.speed import Speed
 from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench, added
+from cranktrain.mechanisms.kind import AnyMotion
+from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import Array, Coefficient, single
 from cranktrain.numerics import in_slots
 from cranktrain.questions.forces.carriers import MASTER, Carriers
@@ -26,10 +28,10 @@ class SolvedGroup(NamedTuple):
     well.
     """
 
-    motion: Any
+    motion: AnyMotion
     loads: Any
     conditions: Conditions
-    forces: Any
+    forces: Forces[tuple[Wrench, ...]]
 
 
 @record
@@ -51,7 +53,7 @@ class LoadedMachine:
     gas: GasInChambers | None
     speed: Speed
 
-    def motions(self, angle: Array) -> tuple[Any, ...]:
+    def motions(self, angle: Array) -> tuple[AnyMotion, ...]:
         """Motion of every mechanism at crank angles φ [rad], in the order of `mechanisms.groups`."""
         return tuple(
             group.kind.motion(_own(angle, group.index) + group.members.phase, group.members.geometry)
@@ -64,7 +66,7 @@ class LoadedMachine:
         friction_sense: float | None = None,
         *,
         gas_force: Array | None = None,
-        motions: Sequence[Any] | None = None,
+        motions: Sequence[AnyMotion] | None = None,
     ) -> tuple[SolvedGroup, ...]:
         """Solve every mechanism.
 
@@ -164,7 +166,7 @@ class LoadedMachine:
         found = pick(self.solved(each))
         return found.reshape(n_designs, rows.size, *asked.shape[1:])[design, row, slot]
 
-    def _gas_force(self, angle: Array, motions: Sequence[Any]) -> Array | None:
+    def _gas_force(self, angle: Array, motions: Sequence[AnyMotion]) -> Array | None:
         """Force of the gas on every piston toward its shaft, shape (design, piston, n); None without gas."""
         if self.gas is None:
             return None

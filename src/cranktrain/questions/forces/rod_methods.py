@@ -97,12 +97,13 @@ def rod_methods(
         rod = group.kind.motion(angle + group.members.phase, size).rod
         body = loaded.masses.groups[place].bodies.rod
         forces = solved.groups[place].forces
-        guide = forces.joints[group.kind.dynamics.joint("guide")]
+        guide_place = group.kind.dynamics.joint("guide")
+        assert guide_place is not None  # of each piston that is driven directly
         piston = loaded.carriers.piston[group.index]
         found = {name: method(rod, body, size.rod_length, drive, WEIGHTLESS) for name, method in ROD_METHODS.items()}
         for row, wrench in enumerate(found.values()):
             off = Wrench(*(np.subtract(one, true) for one, true in zip(wrench, found["exact"], strict=True)))
-            side[:, row, piston] = _relative(off.moment / (size.rod_length * rod.cos), guide.y)
+            side[:, row, piston] = _relative(off.moment / (size.rod_length * rod.cos), forces.joints[guide_place].y)
             torque[:, row, piston] = _relative(work(rod, off), forces.driving_torque)
     return RodMethods(side, torque)
 
