@@ -6,8 +6,8 @@
 
 A dump has whole curves of every example and of the machines in `weighed/`, and what the terminal prints of them. With
 `--from` it is that of another commit, whose code is checked out into a temporary folder; the machines in `weighed/`
-stay those that are here. `compare` ends with status 1 where a number moved by more than its limit, or a quantity is lost;
-a text that differs is shown.
+stay those that are here. `compare` ends with status 1 where a number moved by more than its limit, or a quantity is
+lost; a text that differs is shown.
 """
 
 import argparse
