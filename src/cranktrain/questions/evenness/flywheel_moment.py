@@ -2,7 +2,6 @@
 
 from cranktrain.catalogue import quantity
 from cranktrain.language import N_
-from cranktrain.layout.masses import GivenBodies
 from cranktrain.motion import Array
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.record import record
@@ -20,6 +19,6 @@ class FlywheelMoment:
     )
 
 
-def flywheel_moment(_bodies: GivenBodies, torques: MechanismTorques) -> FlywheelMoment:
+def flywheel_moment(torques: MechanismTorques) -> FlywheelMoment:
     """GD² = 4 J."""
     return FlywheelMoment(4 * torques.reduced_inertia)
