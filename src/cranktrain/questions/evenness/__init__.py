@@ -28,6 +28,7 @@ QUESTION = Question(
         Stage(load_curve.load_torque),
         Stage(running_speed.shaft_work),
         Stage(running_speed.running_speed),
+        Stage(running_speed.steady_speed),
         Stage(flywheel.flywheel_size),
         Stage(flywheel.rim_size),
     ),
