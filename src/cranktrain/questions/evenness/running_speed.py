@@ -8,7 +8,7 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.speed import Speed
+from cranktrain.layout.speed import Speed, SteadySpeed
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
 from cranktrain.numerics.periodic import plus
@@ -155,3 +155,10 @@ def _flags(load: ShaftLoad, work: ShaftWork, found: SteadyRunning) -> Iterator[s
 def _speed(value: float) -> str:
     """Write a speed."""
     return number(float(value), "rpm")
+
+
+def for_second_run(running: RunningSpeed) -> SteadySpeed:
+    """Give the speed that is found for a second run."""
+    return SteadySpeed(
+        running.crank_speed, running.crank_acceleration, running.mean_speed_over_time, reasons=running.flags
+    )
