@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from cranktrain.all_questions import QUESTIONS
+from cranktrain.analysis.dimensions import DIMENSIONS
 from cranktrain.analysis.stages import Missing
 from cranktrain.analysis.unused import Unused, sentences
 from cranktrain.catalogue import Entry, entries
@@ -105,6 +107,12 @@ class Result:
         return {name: Fact(entry, getattr(self, name)) for name, entry in self.catalogue.items() if entry.is_fact}
 
     @property
+    def headline(self) -> dict[str, Fact]:
+        """Those facts that say most, question by question."""
+        facts = self.facts
+        return {name: facts[name] for question in QUESTIONS for name in question.headline if name in facts}
+
+    @property
     def checks(self) -> tuple[Check, ...]:
         """Identities that can fail, with their residuals."""
         return tuple(check for gift in self.gifts for check in getattr(gift, "checks", ()))
@@ -150,7 +158,11 @@ class Result:
             for name, entry in self.catalogue.items()
         }
         used = {dimension for dimensions, *_rest in variables.values() for dimension in dimensions}
-        coordinates: dict[str, Any] = {name: list(words) for name, words in self.labels.items() if name in used}
+        coordinates: dict[str, Any] = {
+            name: list(map(float, words)) if DIMENSIONS[name].is_number else list(words)
+            for name, words in self.labels.items()
+            if name in used
+        }
         coordinates["crank_angle"] = ("crank_angle", self.crank_angle, {"units": "deg", "symbol": "φ"})
         about = {"name": self.machines[0].name, "unused": sentences(self.unused)}
         return xarray.Dataset(variables, coordinates, about)

@@ -75,7 +75,7 @@ def test_dataset(v12):
 def test_dataset_of_designs():
     machines = [ct.Machine(mechanism=slider(crank_radius=f"{radius} mm"), shaft=throws(0)) for radius in (40, 50)]
     data = ct.run(machines).dataset
-    np.testing.assert_allclose(data["stroke"].sel(design="2"), [0.1])
+    np.testing.assert_allclose(data["stroke"].sel(design=2), [0.1])
     assert data["piston_displacement"].dims == ("design", "piston", "crank_angle")
 
 
