@@ -8,7 +8,7 @@ import numpy as np
 
 from cranktrain.analysis.stages import Missing
 from cranktrain.analysis.unused import Unused, sentences
-from cranktrain.catalogue import Entry, entries
+from cranktrain.catalogue import Entry, entries, values
 from cranktrain.checks import Check
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.machine import Machine
@@ -84,9 +84,9 @@ class Result:
         if name not in self._homes:
             raise AttributeError(self._absence(name))
         entry, gift = self._homes[name]
-        inside: Array = getattr(gift, name)
-        values = _read_only(shown(inside, "deg")) if entry.unit == "deg" else inside
-        return values if self.has_designs else values[0]
+        inside: Array = values(gift, entry)
+        given = _read_only(shown(inside, "deg")) if entry.unit == "deg" else inside
+        return given if self.has_designs else given[0]
 
     def _absence(self, name: str) -> str:
         """Say why there is no such quantity."""

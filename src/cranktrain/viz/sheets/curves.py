@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 
 from cranktrain.analysis import Result
 from cranktrain.language import _
-from cranktrain.layout.speed import accelerations
+from cranktrain.layout.speed import rates
 from cranktrain.linkage.forces import Drive
 from cranktrain.machine import Machine
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Coefficient
 from cranktrain.plans.placement import first_throw
 from cranktrain.plans.turning import turning
 from cranktrain.quantities import shown
@@ -117,10 +117,8 @@ class _Turn:
 
     def moved(self, order: int, names: "_Names", *at: int) -> Array:
         """Give travel, velocity or acceleration of a member, by its motion's value and two derivatives."""
-        if order == 0:
-            return self.curve(names[0], *at)
-        first = self.curve(names[1], *at)
-        return first * self.drive.speed if order == 1 else accelerations(first, self.curve(names[2], *at), self.drive)
+        motion = Coefficient(*(self.curve(name, *at) for name in names))
+        return (motion.value, *rates(motion, self.drive))[order]
 
 
 def drawn_names(result: Result, dimension: str) -> tuple[str, ...]:
