@@ -10,7 +10,8 @@ from cranktrain.catalogue import entries, values
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import Parts
-from cranktrain.motion import Array, Coefficient
+from cranktrain.motion import Array
+from cranktrain.numerics.nested import mapped
 
 FACTS_STEP = np.pi / 180
 """Of the grid from which facts are found. [rad]"""
@@ -46,18 +47,11 @@ def with_curves(facts: Mapping[type, object], curves: Mapping[type, object], eve
     """
     merged: dict[type, Any] = dict(facts)
     for kind, gift in curves.items() if curves is not facts or every > 1 else ():
-        held = {entry.path.partition(".")[0] for entry in entries(kind) if not entry.is_fact}
-        moved = {name: _thinned(getattr(gift, name), every) for name in held}
-        if moved and kind in merged:
-            merged[kind] = replace(merged[kind], **moved)
+        fields = {entry.path.partition(".")[0]: None for entry in entries(kind) if not entry.is_fact}
+        if fields and kind in merged:
+            held = mapped(lambda _name, curve: curve[..., ::every], tuple(getattr(gift, name) for name in fields))
+            merged[kind] = replace(merged[kind], **dict(zip(fields, held, strict=True)))
     return merged
-
-
-def _thinned(held: Array | Coefficient, every: int) -> Array | Coefficient:
-    """Every so many points of a curve, or of the curves of a `Coefficient`."""
-    if isinstance(held, tuple):
-        return Coefficient(*(part[..., ::every] for part in held))
-    return held[..., ::every]
 
 
 def coarse_curves(facts: Mapping[type, object], curves: Mapping[type, object], shown: Array) -> tuple[str, ...]:
