@@ -9,7 +9,7 @@ from cranktrain.engine.bodies import BodySpec, GuideSpec
 from cranktrain.engine.ends import ENDS
 from cranktrain.engine.speed_table import SpeedCurveSpec
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.mechanisms import AnyMechanism, MechanismSpec
 from cranktrain.mechanisms.kind import LISTS
 from cranktrain.quantities import (
@@ -53,14 +53,45 @@ class ShaftSpec(Spec, frozen=True):
     from that of `main`, to the right and up.
     """
 
-    throws: tuple[Angle, ...] = Field(default=(Given(0.0, "0 deg"),), min_length=1, max_length=MOST_MECHANISMS)
-    spacing: OneOrMany[NonNegativeLength] | None = None
-    speed: PositiveSpeed | None = None
-    acceleration: AngularAcceleration | None = None
-    speed_curve: SpeedCurveSpec | None = None
-    ratio: Literal[1, -1] = 1
-    phase: Angle | None = None
-    place: tuple[Length, Length] | None = None
+    throws: tuple[Angle, ...] = Field(
+        default=(Given(0.0, "0 deg"),),
+        min_length=1,
+        max_length=MOST_MECHANISMS,
+        description=N_("How far each throw stands ahead of throw 1; one that is to fire later stands behind."),
+    )
+    spacing: OneOrMany[NonNegativeLength] | None = Field(
+        default=None,
+        description=N_("Distance between neighbouring throws along the shaft, or a list of all; 0 for a split pin."),
+    )
+    speed: PositiveSpeed | None = Field(
+        default=None, description=N_("Mean speed of the shaft; with it, velocities and accelerations.")
+    )
+    acceleration: AngularAcceleration | None = Field(
+        default=None,
+        description=N_(
+            "Angular acceleration beside the speed, in the sense of running: all results are then of one moment."
+        ),
+    )
+    speed_curve: SpeedCurveSpec | None = Field(
+        default=None, description=N_("Speed over the crank angle in a file: at it everything is computed.")
+    )
+    ratio: Literal[1, -1] = Field(
+        default=1,
+        description=N_("Of a shaft geared to `main`: 1 where it turns with it, -1 where it turns against it."),
+    )
+    phase: Angle | None = Field(
+        default=None,
+        description=N_(
+            "Of a shaft geared to `main`: where its throw 1 stands at crank angle 0, ahead of throw 1 of `main`;"
+            " unless given, the lead of opposed pistons says so."
+        ),
+    )
+    place: tuple[Length, Length] | None = Field(
+        default=None,
+        description=N_(
+            "Where the shaft's centre lies from that of `main`: to the right, and up; with it, it is drawn."
+        ),
+    )
 
     @property
     def turns_unevenly(self) -> bool:
@@ -100,12 +131,23 @@ class OpposedPistonSpec(Spec, frozen=True):
     the bank's first cylinder; side_rods says that on a shaft that both pistons share this one is the far one.
     """
 
-    mechanism: AnyMechanism
-    shaft: str = MAIN
-    throws: tuple[int, ...] | None = Field(default=None, min_length=1)
-    side_rods: bool = False
-    masses: Mapping[str, BodySpec] = Field(default={})
-    guide: Mapping[str, GuideSpec] = Field(default={})
+    mechanism: AnyMechanism = Field(description=N_("The mechanism of the piston."))
+    shaft: str = Field(default=MAIN, description=N_("The shaft that the piston works on."))
+    throws: tuple[int, ...] | None = Field(
+        default=None,
+        min_length=1,
+        description=N_("Throws on which the bank's pistons work, counted from 1; all unless given."),
+    )
+    side_rods: bool = Field(
+        default=False,
+        description=N_("On a shaft that both pistons share: whether this one is the far one, driven by side rods."),
+    )
+    masses: Mapping[str, BodySpec] = Field(
+        default={}, description=N_("Bodies of this piston's mechanism, where they are not those of all.")
+    )
+    guide: Mapping[str, GuideSpec] = Field(
+        default={}, description=N_("Guides of this piston's mechanism, where they are not those of all.")
+    )
 
 
 class BankSpec(Spec, frozen=True):
@@ -117,16 +159,41 @@ class BankSpec(Spec, frozen=True):
     exhaust piston's shaft to the cylinder, and lead the angle by which the exhaust crank is ahead.
     """
 
-    angle: OneOrMany[Angle] = (Given(0.0, "0 deg"),)
-    mechanism: tuple[AnyMechanism, ...] = ()
-    throws: tuple[int, ...] | None = Field(default=None, min_length=1)
-    stagger: Length = Given(0.0, "0 mm")
-    shaft: str = MAIN
-    exhaust: OpposedPistonSpec | None = None
-    scavenge: OpposedPistonSpec | None = None
-    lead: Angle | None = None
-    masses: Mapping[str, BodySpec] = Field(default={})
-    guide: Mapping[str, GuideSpec] = Field(default={})
+    angle: OneOrMany[Angle] = Field(
+        default=(Given(0.0, "0 deg"),),
+        description=N_("From straight up to the bank's line of stroke, in the sense of rotation; a list makes a star."),
+    )
+    mechanism: tuple[AnyMechanism, ...] = Field(
+        default=(),
+        description=N_(
+            "The mechanism of each cylinder; with a list of angles, a field may be a list, one value for each."
+        ),
+    )
+    throws: tuple[int, ...] | None = Field(
+        default=None, min_length=1, description=N_("Throws on which the bank works, counted from 1; all unless given.")
+    )
+    stagger: Length = Field(
+        default=Given(0.0, "0 mm"), description=N_("By how much the bank is moved along the shaft toward the flywheel.")
+    )
+    shaft: str = Field(default=MAIN, description=N_("The shaft that the bank works on."))
+    exhaust: OpposedPistonSpec | None = Field(
+        default=None,
+        description=N_("With opposed pistons: the piston of each cylinder that uncovers the exhaust ports."),
+    )
+    scavenge: OpposedPistonSpec | None = Field(
+        default=None,
+        description=N_("With opposed pistons: the piston of each cylinder that uncovers the scavenge ports."),
+    )
+    lead: Angle | None = Field(
+        default=None,
+        description=N_("By how much the exhaust crank is ahead of the scavenge crank; it phases their shafts."),
+    )
+    masses: Mapping[str, BodySpec] = Field(
+        default={}, description=N_("Bodies of this bank's mechanisms, where they are not those of all.")
+    )
+    guide: Mapping[str, GuideSpec] = Field(
+        default={}, description=N_("Guides of this bank's mechanisms, where they are not those of all.")
+    )
 
     @property
     def opposed(self) -> "Mapping[str, OpposedPistonSpec]":
@@ -236,12 +303,30 @@ def _items(value: object) -> Sequence[Any] | None:
 class CylinderSpec(Spec, frozen=True):
     """One cylinder's own dimensions; what it does not give, the cylinder above it gives."""
 
-    bore: PositiveLength | None = None
-    compression_ratio: Annotated[Given, Quantity(Dimension.RATIO, above=1.0, at_most=1e5)] | None = None
-    exhaust_port: PositiveLength | None = None
-    scavenge_port: PositiveLength | None = None
-    chambers: tuple[Literal["head", "crank"], ...] | None = Field(default=None, min_length=1, max_length=2)
-    piston_rod: PositiveLength | None = None
+    bore: PositiveLength | None = Field(default=None, description=N_("Diameter of the cylinder."))
+    compression_ratio: Annotated[Given, Quantity(Dimension.RATIO, above=1.0, at_most=1e5)] | None = Field(
+        default=None,
+        description=N_(
+            "Largest volume over smallest, by the true stroke; a cylinder without its own has the first one's deck."
+        ),
+    )
+    exhaust_port: PositiveLength | None = Field(
+        default=None, description=N_("Height of the exhaust ports, open where the piston is at its outer dead centre.")
+    )
+    scavenge_port: PositiveLength | None = Field(
+        default=None, description=N_("Height of the scavenge ports, open where the piston is at its outer dead centre.")
+    )
+    chambers: tuple[Literal["head", "crank"], ...] | None = Field(
+        default=None,
+        min_length=1,
+        max_length=2,
+        description=N_(
+            'Sides of the piston that work: ["head", "crank"] is double-acting; the head\'s alone unless given.'
+        ),
+    )
+    piston_rod: PositiveLength | None = Field(
+        default=None, description=N_("Diameter of the piston rod, which takes up room on the crank's side.")
+    )
 
     @model_validator(mode="after")
     def _each_side_once(self) -> Self:
@@ -262,13 +347,37 @@ class CylindersSpec(CylinderSpec, frozen=True):
     order of the file, or by name.
     """
 
-    cycle: Literal["two-stroke", "four-stroke"] | None = None
-    firing_order: str | None = None
-    firing_angles: tuple[Angle, ...] | Mapping[str, Angle] | None = None
-    numbers: Mapping[str, str] = {}
-    mechanical_efficiency: Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=1.0)] | None = None
-    friction_pressure: Pressure | None = None
-    overrides: Mapping[str, CylinderSpec] = Field(default={}, alias=OVERRIDES)
+    cycle: Literal["two-stroke", "four-stroke"] | None = Field(
+        default=None, description=N_("Strokes of one working cycle; the crank angle runs through one or two turns.")
+    )
+    firing_order: str | None = Field(
+        default=None,
+        description=N_('Cylinders in the order in which they fire, such as "1-3-4-2"; with the cycle: firing angles.'),
+    )
+    firing_angles: tuple[Angle, ...] | Mapping[str, Angle] | None = Field(
+        default=None,
+        description=N_(
+            "Crank angles at which the cylinders fire, as shown, instead of an order: a list, one for each cylinder in "
+            'the order of the file, or by name, { 1L = "0 deg", 1R = "60 deg" }.'
+        ),
+    )
+    numbers: Mapping[str, str] = Field(
+        default={},
+        description=N_('A maker\'s own numbers of the cylinders, for use in the firing order: { 5 = "1L" }.'),
+    )
+    mechanical_efficiency: Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=1.0)] | None = Field(
+        default=None,
+        description=N_(
+            "Brake power over indicated power; of a driven machine the other way round. Or give friction_pressure."
+        ),
+    )
+    friction_pressure: Pressure | None = Field(
+        default=None,
+        description=N_("Work that friction takes in a cycle, over the displacement; it is no absolute pressure."),
+    )
+    overrides: Mapping[str, CylinderSpec] = Field(
+        default={}, alias=OVERRIDES, description=N_("What one bank or one cylinder has of its own.")
+    )
 
     @model_validator(mode="after")
     def _firing_one_way(self) -> Self:

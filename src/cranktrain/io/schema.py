@@ -11,7 +11,6 @@ from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
 from cranktrain.engine.specs import BankSpec, CylinderSpec, CylindersSpec
-from cranktrain.io.fields import described
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS
@@ -47,6 +46,12 @@ def machine_schema() -> Schema:
         **top,
         "$defs": dict(sorted(definitions.items())),
     }
+
+
+def described(spec: type[Spec], field: str) -> str:
+    """Say what a key of the machine file is: what its declaration says, or that of a base class which it narrows."""
+    homes = (base.model_fields[field] for base in spec.__mro__ if issubclass(base, Spec) and field in base.model_fields)
+    return _(next(home.description for home in homes if home.description))
 
 
 class _Writer:

@@ -2,7 +2,9 @@
 
 from typing import Literal
 
-from cranktrain.language import _
+from pydantic import Field
+
+from cranktrain.language import N_, _
 from cranktrain.mechanisms.kind import Master, MechanismSpec
 from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinder
 from cranktrain.motion import single
@@ -14,9 +16,14 @@ class OscillatingCylinderSpec(MechanismSpec, frozen=True):
     """Crank, trunnion and the offset of the cylinder's axis from it."""
 
     kind: Literal["oscillating_cylinder"]
-    crank_radius: PositiveLength
-    ground_length: PositiveLength
-    offset: Length = Given(0.0, "0 mm")
+    crank_radius: PositiveLength = Field(description=N_("From shaft centre to crank pin."))
+    ground_length: PositiveLength = Field(
+        description=N_("From shaft centre to the trunnion about which the cylinder rocks.")
+    )
+    offset: Length = Field(
+        default=Given(0.0, "0 mm"),
+        description=N_("Of the cylinder's axis from the trunnion, to the left of its direction toward the crank pin."),
+    )
 
     @property
     def rod_field(self) -> str:

@@ -2,7 +2,9 @@
 
 from typing import Literal
 
-from cranktrain.language import _
+from pydantic import Field
+
+from cranktrain.language import N_, _
 from cranktrain.mechanisms.kind import Master, MechanismSpec
 from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLever
 from cranktrain.motion import single
@@ -14,9 +16,14 @@ class SlottedLeverSpec(MechanismSpec, frozen=True):
     """Crank, pivot and the offset of the slot's line from it."""
 
     kind: Literal["slotted_lever"]
-    crank_radius: PositiveLength
-    ground_length: PositiveLength
-    offset: Length = Given(0.0, "0 mm")
+    crank_radius: PositiveLength = Field(description=N_("From shaft centre to crank pin."))
+    ground_length: PositiveLength = Field(
+        description=N_("From shaft centre to the lever's pivot; shorter than the crank, the lever turns.")
+    )
+    offset: Length = Field(
+        default=Given(0.0, "0 mm"),
+        description=N_("Of the slot's line from the pivot, to the left of its direction toward the crank pin."),
+    )
 
     @property
     def rod_field(self) -> str:
