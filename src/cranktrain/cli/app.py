@@ -47,8 +47,13 @@ def task(arguments: Sequence[str]) -> Task:
         If the command line is not right.
     KeyboardInterrupt
     """
+    return task_of(_app, arguments, "cranktrain")
+
+
+def task_of(app: typer.Typer, arguments: Sequence[str], name: str) -> Task:
+    """Read a command line as `task` does, for the commands of an app of that name."""
     try:
-        given: object = _app(list(arguments) or ["--help"], prog_name="cranktrain", standalone_mode=False)
+        given: object = app(list(arguments) or ["--help"], prog_name=name, standalone_mode=False)
     except _USAGE_ERROR as error:
         raise InputError([_usage_problem(error)]) from None
     except typer.Abort:
@@ -347,10 +352,11 @@ def _plot(
     context_settings={"ignore_unknown_options": True, "allow_extra_args": True, "allow_interspersed_args": False},
     help=_("Find dimensions for what a mechanism is to do, and write its machine file."),
 )
-def _synthesise(context: typer.Context) -> Task:
-    from cranktrain.cli.synthesise import synthesis_task  # its many options are told to Typer only when they are needed
+@_put_off
+def _synthesise(context: typer.Context) -> None:
+    from cranktrain.cli.synthesise import app  # its many options are told to Typer only when they are needed
 
-    return synthesis_task(context.args)
+    task_of(app, context.args, "cranktrain synthesise")()
 
 
 @_app.command(
