@@ -1,0 +1,113 @@
+"""What may be typed after `synthesise`: a command for each problem, its wants as options.
+
+Loaded only then: to build these commands takes as long as to show a help.
+"""
+
+from collections.abc import Callable
+from functools import partial
+from inspect import Parameter, Signature, signature
+from typing import Annotated
+
+import typer
+
+from cranktrain.cli.app import Task
+from cranktrain.cli.synthesis.proposals import give_proposal
+from cranktrain.cli.synthesis.wants import form_of, option_of, wants_of
+from cranktrain.language import N_, _
+from cranktrain.spec import parts_of
+
+app = typer.Typer(
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+    help=_(
+        "Find dimensions for what a mechanism is to do, and write its machine file.\n\n"
+        "Quantities have units. What is left free is chosen, and what else would do stands beside it.\n\n"
+        "\b\n"
+        '  cranktrain synthesise slider-crank --stroke "160 mm" --pressure-angle "30 deg"\n'
+        '  cranktrain synthesise quick-return --stroke "300 mm" --time-ratio 1.2'
+    ),
+)
+
+_HELP = {
+    "slider-crank": N_(
+        "Find a slider-crank for a stroke and the largest permissible pressure angles.\n\n"
+        "\b\n"
+        '  cranktrain synthesise slider-crank --stroke "160 mm" --pressure-angle "30 deg" \\\n'
+        '    --mean-speed "6.3 m/s"\n'
+        '  cranktrain synthesise slider-crank --stroke "160 mm" --pressure-angle "20 deg" \\\n'
+        '    --return-pressure-angle "40 deg" --offset free -o press.toml\n'
+        "  cranktrain synthesise slider-crank --textbook"
+    ),
+    "crank-rocker": N_(
+        "Find the crank-rocker of a swing and a time ratio that transmits best.\n\n"
+        "\b\n"
+        '  cranktrain synthesise crank-rocker --swing "50 deg" --time-ratio 1.2 \\\n'
+        '    --rocker-length "400 mm"\n'
+        '  cranktrain synthesise crank-rocker --swing "60 deg" --time-ratio 1 --rocker-length "400 mm" \\\n'
+        '    --transmission-angle "50 deg" -o rocker.toml'
+    ),
+    "quick-return": N_(
+        "Find an offset slider-crank with a quick return; beside it a slotted lever and a Whitworth drive.\n\n"
+        "\b\n"
+        '  cranktrain synthesise quick-return --stroke "300 mm" --time-ratio 1.2\n'
+        '  cranktrain synthesise quick-return --stroke "300 mm" --time-ratio 1.2 \\\n'
+        '    --rod-length "600 mm" -o shaper.toml'
+    ),
+    "knuckle": N_(
+        "Find the knuckle of an articulated rod. Each want decides one of its dimensions; give the others.\n\n"
+        "\b\n"
+        '  cranktrain synthesise knuckle --crank-radius "90 mm" --master-rod-length "320 mm" \\\n'
+        '    --bank-angle "60 deg" --stroke "186.7 mm" --knuckle-radius "85 mm" --rod-length "235 mm"\n'
+        '  cranktrain synthesise knuckle --crank-radius "90 mm" --master-rod-length "320 mm" \\\n'
+        '    --bank-angle "60 deg" --same-height --unshifted top --rod-length "240 mm" -o v.toml'
+    ),
+    "radial": N_(
+        "Choose the knuckles of a radial engine by one of five strategies, and see what the others cost.\n\n"
+        "Strategies: plain, unshifted, equal_ratio, equal_stroke, unshifted_equal_ratio.\n\n"
+        "\b\n"
+        "  cranktrain synthesise radial --cylinders 9 --strategy plain --compression-ratio 6.5 \\\n"
+        '    --crank-radius "80 mm" --rod-length "310 mm" --knuckle-radius "75 mm" --slave-rod-length "235 mm"'
+    ),
+}
+"""What each problem is, with what may be typed for it."""
+
+_Textbook = Annotated[
+    bool, typer.Option("--textbook", help=_("Show the source's steps, wrong ones named; alone: its own example."))
+]
+_Output = Annotated[str | None, typer.Option("-o", "--output", metavar="FILE", help=_("Write the machine file here."))]
+_Force = Annotated[bool, typer.Option("--force", help=_("Replace a file that is there."))]
+
+
+def _command(problem: str) -> Callable[..., Task]:
+    """Make what Typer is to read: a function that has the wants of a problem for parameters, and options of its own."""
+
+    def command(
+        *, textbook: _Textbook = False, output: _Output = None, force: _Force = False, **typed: str | bool | None
+    ) -> Task:
+        return partial(give_proposal, problem, typed, output, force=force, with_source=textbook)
+
+    textbook, *own, _typed = signature(command).parameters.values()
+    if problem == "slider-crank":  # the only one of which a source has an example
+        own = [textbook, *own]
+    command.__signature__ = Signature([*map(_option, wants_of(problem)), *own])
+    return command
+
+
+def _option(want: Parameter) -> Parameter:
+    """Declare a want as an option that need not be typed: what is missing is told with all else that is wrong."""
+    parts = list(parts_of(want.annotation))
+    is_truth = bool in parts
+    about = _(next((part for part in parts if isinstance(part, str)), ""))
+    option = typer.Option(option_of(want.name), metavar=None if is_truth else form_of(want), help=about)
+    return Parameter(
+        want.name,
+        Parameter.KEYWORD_ONLY,
+        default=False if is_truth else None,
+        annotation=Annotated[bool if is_truth else str | None, option],
+    )
+
+
+for _problem, _text in _HELP.items():
+    app.command(_problem, help=_(_text))(_command(_problem))

@@ -1,0 +1,135 @@
+"""What was typed for a synthesis: each want read as what it must be, and all that is wrong with them at once."""
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
+from inspect import Parameter, signature
+from typing import TypeAlias
+
+from cranktrain.errors import InputError, Position, Problem
+from cranktrain.language import _
+from cranktrain.quantities import Dimension, QuantityError, unlisted
+from cranktrain.spec import missing, parts_of, quantity_of, words_of
+from cranktrain.synthesis.crank_rocker import crank_rocker_from_swing
+from cranktrain.synthesis.knuckle import knuckle_from_wants
+from cranktrain.synthesis.proposal import Proposal
+from cranktrain.synthesis.quick_return import quick_return
+from cranktrain.synthesis.radial import radial
+from cranktrain.synthesis.slider_crank import slider_crank_from_stroke
+
+Typed: TypeAlias = Mapping[str, str | bool | None]
+"""Wants by the names of a synthesis's parameters, as typed; None where nothing was."""
+
+SYNTHESES: Mapping[str, Callable[..., Proposal]] = {
+    "slider-crank": slider_crank_from_stroke,
+    "crank-rocker": crank_rocker_from_swing,
+    "quick-return": quick_return,
+    "knuckle": knuckle_from_wants,
+    "radial": radial,
+}
+"""What can be synthesised; the annotations of its parameters say what each is, and what may be typed for it."""
+
+_FREE = "free"
+"""What stands for None, a dimension that is to be chosen, where something else stands unless given."""
+
+_MOST_CYLINDERS = 99
+
+
+def wants_of(problem: str) -> Iterable[Parameter]:
+    """Parameters of a synthesis, by its key in `SYNTHESES`."""
+    return signature(SYNTHESES[problem]).parameters.values()
+
+
+def form_of(want: Parameter) -> str:
+    """Say in short what is typed for a parameter."""
+    quantity, words = quantity_of(want.annotation), words_of(want.annotation)
+    if quantity is None:
+        return "|".join(map(str, words)) if len(words) == 2 else want.name.upper()
+    form = "NUMBER" if quantity.dimension is Dimension.RATIO else quantity.dimension.name
+    return f"{form}|{_FREE}" if _can_be_free(want) else form
+
+
+def proposed(problem: str, typed: Typed) -> Proposal:
+    """Read wants and find dimensions for them.
+
+    Parameters
+    ----------
+    problem : str
+        A key of `SYNTHESES`; what its parameters without a default are called must be typed.
+    typed : mapping
+
+    Returns
+    -------
+    Proposal
+
+    Raises
+    ------
+    InputError
+        With every want that is missing or no such quantity; else with what the synthesis says, of the options as typed.
+    """
+    problems: list[Problem] = []
+    wants: dict[str, object] = {}
+    for want in wants_of(problem):
+        given = typed.get(want.name)
+        try:
+            if given is not None:
+                wants[want.name] = _value(want, given)
+            elif want.default is Parameter.empty:
+                problems.append(Problem(option_of(want.name), None, missing(want.annotation)))
+        except InputError as error:
+            problems += [replace(one, path=option_of(want.name)) for one in error.problems]
+    if problems:
+        raise InputError(problems)
+    try:
+        return SYNTHESES[problem](**wants)
+    except InputError as error:
+        raise InputError(_in_options(error, typed, Position(f"cranktrain synthesise {problem}"))) from None
+
+
+def option_of(name: str) -> str:
+    """Option by which a parameter is typed."""
+    return f"--{name.removeprefix('n_').replace('_', '-')}"
+
+
+def _value(want: Parameter, given: str | bool) -> object:
+    """Read one want."""
+    quantity, words = quantity_of(want.annotation), words_of(want.annotation)
+    if isinstance(given, bool):
+        return given
+    if quantity is None:
+        chosen = given.strip().casefold().replace("-", "_")
+        if chosen not in words:
+            raise InputError([unlisted(want.name, given, words)])
+        return chosen
+    if _can_be_free(want) and given.strip().casefold() == _FREE:
+        return None
+    value = quantity.given(given).si
+    if int in parts_of(want.annotation):
+        if value != round(value) or value > _MOST_CYLINDERS:
+            raise QuantityError(given, _("must be a whole number up to {most}").format(most=_MOST_CYLINDERS))
+        return round(value)
+    return value
+
+
+def _can_be_free(want: Parameter) -> bool:
+    """Tell whether a parameter may be None, and is something else unless given."""
+    return want.default is not None and type(None) in parts_of(want.annotation)
+
+
+def _in_options(error: InputError, typed: Typed, command: Position) -> Iterator[Problem]:
+    """Speak of options, and of what was typed, where a synthesis speaks of its parameters."""
+    for problem in error.problems:
+        given = typed.get(problem.path)
+        yield Problem(
+            option_of(problem.path) if problem.path else "",
+            given.strip() if isinstance(given, str) else problem.given,
+            _with_options(problem.allowed, typed),
+            problem.repair and _with_options(problem.repair, typed),
+            problem.position if problem.path else command,
+        )
+
+
+def _with_options(sentence: str, typed: Typed) -> str:
+    """Write `--rod-length` for `rod_length` in a sentence; a name of one word may be a plain word."""
+    names = "|".join(name for name in typed if "_" in name)
+    return re.sub(rf"\b({names})\b", lambda found: option_of(found[0]), sentence)

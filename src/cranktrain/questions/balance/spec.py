@@ -1,0 +1,163 @@
+"""Counterweights and balance shafts: the table [balance] of the machine file."""
+
+from collections.abc import Sequence
+from typing import Annotated, Literal, Self
+
+from pydantic import Field, model_validator
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import HIGHEST_ORDER
+from cranktrain.layout.specs import OneOrMany
+from cranktrain.quantities import Angle, Dimension, Given, Length, PositiveLength, PositiveMass, Quantity
+from cranktrain.spec import Spec
+
+Share = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=1.0)]
+Spot = tuple[Length, Length]
+_AT_CRANK = (Given(0.0, "0 mm"), Given(0.0, "0 mm"))
+
+
+class WeightSpec(Spec, frozen=True):
+    """A weight that turns: mass, radius of its centroid, and where it stands at crank angle 0, ahead of throw 1.
+
+    On the crankshaft it stands on a `throw`, counted from 1, and unless given its angle is opposite that; or at `z`
+    from throw 1. With a ratio it is on a shaft of its own that turns so many times for one of the crank, less than 0
+    against it, and lies at `place` from the crankshaft's centre, to the right and up.
+    """
+
+    mass: PositiveMass = Field(description=N_("Mass of the weight."))
+    radius: PositiveLength = Field(description=N_("Of its centroid from the axis of its shaft."))
+    angle: Angle | None = Field(
+        default=None,
+        description=N_(
+            "Where it stands at crank angle 0 of throw 1, ahead of throw 1; on a throw, opposite that unless given."
+        ),
+    )
+    throw: int | None = Field(
+        default=None, ge=1, description=N_("The throw of the crankshaft that it is on, counted from 1.")
+    )
+    z: Length | None = Field(
+        default=None, description=N_("Its place along the shaft, from throw 1 toward the flywheel.")
+    )
+    ratio: int = Field(
+        default=1,
+        ge=-HIGHEST_ORDER,
+        le=HIGHEST_ORDER,
+        description=N_("Turns for one of the crank, less than 0 against it; 1 unless given."),
+    )
+    place: Spot = Field(
+        default=_AT_CRANK, description=N_("Where its shaft lies from the crankshaft's centre: to the right, and up.")
+    )
+
+    @model_validator(mode="after")
+    def _stands_somewhere(self) -> Self:
+        """Refuse a weight that stands nowhere or at two places, and on a throw what turns otherwise."""
+        found: list[Problem] = []
+        if self.throw is None:
+            if self.z is None:
+                found.append(Problem("z", None, _("is missing; give it, or on the crankshaft the throw")))
+            if self.angle is None:
+                found.append(Problem("angle", None, _("is missing; only on a throw it is opposite that unless given")))
+        else:
+            allowed = _("must not stand beside throw, which says it")
+            found += [Problem(name, None, allowed) for name in ("z", "ratio", "place") if name in self.model_fields_set]
+        if self.ratio == 0:
+            found.append(Problem("ratio", "0", _("must not be 0: a weight that does not turn balances nothing")))
+        if found:
+            raise InputError(found)
+        return self
+
+
+class BalanceShaftsSpec(Spec, frozen=True):
+    """Two shafts that turn `order` times as fast as the crank, one with it and one against it, solved for.
+
+    They take away the force of that order, in one plane z (the throws' mid-plane unless given), or the couple, or both,
+    in two planes. `forward` and `backward` are where they lie from the crankshaft's centre, to the right and up.
+    """
+
+    order: int = Field(ge=1, le=HIGHEST_ORDER, description=N_("How many times as fast as the crank both shafts turn."))
+    against: Literal["force", "couple", "both"] = Field(
+        default="force", description=N_("Whether they take away the force of that order, the couple, or both.")
+    )
+    planes: OneOrMany[Length] | None = Field(
+        default=None,
+        description=N_("Places of their weights along the shaft, from throw 1: one against a force, two for a couple."),
+    )
+    forward: Spot = Field(
+        default=_AT_CRANK,
+        description=N_("Where the shaft lies that turns with the crank: to the right of its centre, and up."),
+    )
+    backward: Spot = Field(
+        default=_AT_CRANK,
+        description=N_("Where the shaft lies that turns against the crank: to the right of its centre, and up."),
+    )
+
+    @model_validator(mode="after")
+    def _in_planes(self) -> Self:
+        """Refuse planes that cannot bear what the shafts are for."""
+        if self.against == "force":
+            if self.planes is not None and len(self.planes) > 1:
+                allowed = _('must be one plane against a force; two are for against = "couple" or "both"')
+                raise InputError([Problem("planes", None, allowed)])
+        elif self.planes is None or len(self.planes) != 2:
+            raise InputError([Problem("planes", None, _("must be two, as a couple needs them"))])
+        elif (problem := _together(self.planes)) is not None:
+            raise InputError([problem])
+        return self
+
+
+class BalanceSpec(Spec, frozen=True):
+    """What balances the machine: given weights, counterweights solved for, and balance shafts solved for after them.
+
+    counterweights take from each throw all that rotates, and a `share` of what reciprocates ("rotating"), or so much
+    that the throw's largest force is the least ("least_force"). In two `planes` of the shaft, z from throw 1, they take
+    the same from the whole shaft, of force and couple.
+    """
+
+    weight: tuple[WeightSpec, ...] = Field(
+        default=(), description=N_("Weights that turn: on the crankshaft, or on shafts of their own.")
+    )
+    counterweights: Literal["rotating", "least_force"] | None = Field(
+        default=None,
+        description=N_(
+            "Solved for: `rotating` takes all that rotates on each throw, `least_force` leaves the least largest force."
+        ),
+    )
+    share: Share | None = Field(
+        default=None,
+        description=N_("Share of what reciprocates that counterweights take besides all that rotates: 0 unless given."),
+    )
+    planes: Spot | None = Field(
+        default=None,
+        description=N_("Two places along the shaft, from throw 1, for the counterweights; unless given, every throw."),
+    )
+    shafts: tuple[BalanceShaftsSpec, ...] = Field(
+        default=(), description=N_("Pairs of balance shafts, solved for after all other weights.")
+    )
+
+    @model_validator(mode="after")
+    def _solved_for(self) -> Self:
+        """Refuse a table that balances nothing, what belongs to other counterweights, and two planes that are one."""
+        found: list[Problem] = []
+        if self.share is not None and self.counterweights != "rotating":
+            allowed = _('is for counterweights = "rotating": the share of what reciprocates that they take as well')
+            found.append(Problem("share", self.share.text, allowed))
+        if self.planes is not None:
+            if self.counterweights is None:
+                found.append(
+                    Problem("planes", None, _("is for counterweights that are solved for; give these as well"))
+                )
+            elif (problem := _together(self.planes)) is not None:
+                found.append(problem)
+        if not found and not self.weight and not self.shafts and self.counterweights is None:
+            found.append(Problem("", None, _("must hold weight, counterweights or shafts, or be left out")))
+        if found:
+            raise InputError(found)
+        return self
+
+
+def _together(planes: Sequence[Given]) -> Problem | None:
+    """Refuse two planes at one place."""
+    if planes[0].si != planes[1].si:
+        return None
+    return Problem("planes[1]", planes[1].text, _("must be another plane than the first"))
