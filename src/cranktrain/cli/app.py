@@ -417,7 +417,7 @@ def _textbook(
     ] = None,
 ) -> None:
     if harmonics or crank_to_rod_ratio is not None:
-        from cranktrain.cli.textbook.command.command.harmonics import HarmonicRequest, show_harmonics
+        from cranktrain.cli.textbook.harmonics import HarmonicRequest, show_harmonics
 
         others = {
             "--table": "" if table else None,
@@ -428,8 +428,8 @@ def _textbook(
         }
         show_harmonics(HarmonicRequest(file, crank_to_rod_ratio, tuple(settings or ()), others))
         return
-    from cranktrain.cli.textbook.command.command.command import show_textbook
-    from cranktrain.cli.textbook.command.command.forces import ForceRequest, refuse_without_forces, show_force_tables
+    from cranktrain.cli.textbook.command import show_textbook
+    from cranktrain.cli.textbook.forces import ForceRequest, refuse_without_forces, show_force_tables
 
     if forces is not None:
         request = ForceRequest(file, forces, tuple(settings or ()), step, piston)
