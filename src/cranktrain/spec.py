@@ -24,6 +24,9 @@ class Spec(BaseModel, frozen=True):
     of_file: ClassVar[frozenset[str]] = frozenset()
     """Fields that say where a curve's numbers are and how they are read: as numbers, they may differ among designs."""
 
+    others: ClassVar[str | None] = None
+    """Field that holds, by name, the tables that stand in the file under keys of the user's own."""
+
     @model_validator(mode="before")
     @classmethod
     def _lists_as_tuples(cls, data: object) -> object:

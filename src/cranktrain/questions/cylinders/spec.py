@@ -1,7 +1,7 @@
 """Cylinders: their table of the machine file."""
 
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal, Self, cast
+from typing import Annotated, Any, ClassVar, Literal, Self, cast
 
 from pydantic import Field, model_validator
 
@@ -97,6 +97,8 @@ class CylindersSpec(CylinderSpec, frozen=True):
         default={}, alias=OVERRIDES, description=N_("What one bank or one cylinder has of its own.")
     )
 
+    others: ClassVar = "overrides"
+
     @property
     def cycle_length(self) -> float | None:
         """Crank angle of a cycle; None where the file does not say. [rad]"""
@@ -132,7 +134,7 @@ class CylindersSpec(CylinderSpec, frozen=True):
         if not isinstance(data, Mapping):
             return data
         table = cast(Mapping[str, Any], data)
-        keys = [name for name in cls.model_fields if name != "overrides"]
+        keys = [name for name in cls.model_fields if name != cls.others]
         own = {
             name: cast(object, value)
             for name, value in table.items()
