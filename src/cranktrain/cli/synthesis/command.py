@@ -10,9 +10,9 @@ from typing import Annotated
 
 import typer
 
-from cranktrain.cli.app import Task
 from cranktrain.cli.synthesis.proposals import give_proposal
 from cranktrain.cli.synthesis.wants import form_of, option_of, wants_of
+from cranktrain.cli.task import Task
 from cranktrain.language import N_, _
 from cranktrain.spec import parts_of
 
