@@ -2,9 +2,10 @@
 
 from collections.abc import Callable, Sequence
 from functools import partial, wraps
-from typing import Annotated, ParamSpec, cast
+from typing import Annotated, Any, ParamSpec, cast
 
 import typer
+from typer.core import TyperCommand
 
 from cranktrain import __version__
 from cranktrain.errors import InputError, Position, Problem
@@ -98,6 +99,20 @@ def _version(asked: bool) -> None:
     if asked:
         typer.echo(f"cranktrain {__version__}")
         raise typer.Exit
+
+
+class _PlotCommand(TyperCommand):
+    """Names all pictures in its help, and looks for them only where that is asked for."""
+
+    def get_help(self, ctx: Any) -> str:
+        from cranktrain.viz.sheets import PICTURES
+
+        options: Any = self.params
+        for option in options:
+            if option.name in ("plan", "sheet"):
+                names = (picture.name for picture in PICTURES if picture.kind == option.name)
+                option.help = option.help.format(pictures=", ".join(names))
+        return super().get_help(ctx)
 
 
 _File = Annotated[
@@ -273,6 +288,7 @@ def _run(
         "  cranktrain plot vaz_21213 --sheet forces --running-speed -o running.pdf\n"
         "  cranktrain plot pumping_unit_c57 -o unit.gif"
     ),
+    cls=_PlotCommand,
 )
 @_put_off
 def _plot(
@@ -290,16 +306,12 @@ def _plot(
         str | None,
         typer.Option(
             metavar="PLAN",
-            help=_(
-                "A plan of: positions, velocities, accelerations, klein, centres, forces, zhukovsky, polar; "
-                "or a construction: arc, projection, brix, brix-backward; "
-                "of the flywheel: wittenbauer, mertsalov."
-            ),
+            help=_("A plan, a construction of the old texts or a diagram: {pictures}."),
         ),
     ] = None,
     sheet: Annotated[
         str | None,
-        typer.Option(metavar="SHEET", help=_("The sheet of the machine, unless given; or of its forces: `forces`.")),
+        typer.Option(metavar="SHEET", help=_("The sheet of the machine, unless given; one of: {pictures}.")),
     ] = None,
     at: Annotated[
         str | None,

@@ -4,7 +4,7 @@ import re
 from collections.abc import Generator, Sequence
 from contextlib import contextmanager
 from importlib import import_module
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -43,6 +43,15 @@ INDICES = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 """Figures as indices, in plain text."""
 
 _SCALES = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.5, 10.0)
+
+
+class Box(NamedTuple):
+    """A room on paper. [mm]"""
+
+    left: float
+    bottom: float
+    width: float
+    height: float
 
 
 @contextmanager

@@ -12,20 +12,12 @@ from cranktrain.plans.centres import Body, Centre, InstantCentres, instant_centr
 from cranktrain.plans.positions import PositionPlan, fitting
 from cranktrain.plans.vectors import spoken_name
 from cranktrain.textbook.crank_rocker import pin_velocity_ratio
+from cranktrain.viz.figures import figure
 from cranktrain.viz.paper.labels import Wish, placed_labels
-from cranktrain.viz.paper.page import Figure, drawing_settings, formula, mathematics, muted
+from cranktrain.viz.paper.page import Box, Figure, drawing_settings, formula, mathematics, muted
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
-from cranktrain.viz.plans.sheet import (
-    Box,
-    cells_of,
-    centre,
-    few_angles,
-    figure,
-    plan_page,
-    scale_of,
-    write_scales,
-    write_table,
-)
+from cranktrain.viz.paper.tables import write_table
+from cranktrain.viz.plans.sheet import cells_of, centre, few_angles, plan_page, scale_of, write_scales
 from cranktrain.viz.plans.sketches import line_drawing, pin_wishes
 
 _FEW = 5

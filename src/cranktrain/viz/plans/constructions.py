@@ -9,11 +9,13 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.plans.constructions import Construction, Method, construction
 from cranktrain.plans.positions import fitting
+from cranktrain.viz.figures import figure, rounded
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels
-from cranktrain.viz.paper.page import Figure, drawing_settings, muted
+from cranktrain.viz.paper.page import Box, Figure, drawing_settings, muted
 from cranktrain.viz.paper.sketch import Circle, Habit, Line, Sketch
-from cranktrain.viz.plans.sheet import Box, centre, figure, plan_page, rounded, scale_of, write_scales, write_table
+from cranktrain.viz.paper.tables import write_table
+from cranktrain.viz.plans.sheet import centre, plan_page, scale_of, write_scales
 from cranktrain.viz.plans.sketches import alike
 
 _PARTS = 10

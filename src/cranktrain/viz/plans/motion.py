@@ -28,22 +28,19 @@ from cranktrain.plans.together import places_called
 from cranktrain.plans.turning import turning
 from cranktrain.plans.vectors import Vector
 from cranktrain.quantities import shown
-from cranktrain.viz.paper.page import INDICES, Figure, Page, drawing_settings, mathematics, muted
+from cranktrain.viz.figures import figure
+from cranktrain.viz.paper.page import INDICES, Box, Figure, Page, drawing_settings, mathematics, muted
+from cranktrain.viz.paper.tables import LEAST_ROW, ROW, write_table
 from cranktrain.viz.plans.sheet import (
-    LEAST_ROW,
-    ROW,
     VECTOR_COLUMNS,
     WITH_TABLE,
-    Box,
     cells_of,
     centre,
     few_angles,
-    figure,
     plan_page,
     scale_of,
     unit_words,
     write_scales,
-    write_table,
 )
 from cranktrain.viz.plans.sketches import klein_sketch, polygon_sketch, positions_sketch
 

@@ -10,11 +10,13 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.plans.pin_loads import PinLoads, pin_loads
 from cranktrain.plans.positions import fitting, plan_angles
+from cranktrain.viz.figures import rounded
 from cranktrain.viz.paper.labels import Mark, Wish, placed_labels
-from cranktrain.viz.paper.page import Figure, drawing_settings, mathematics, muted, rounded_down
+from cranktrain.viz.paper.page import Box, Figure, drawing_settings, mathematics, muted, rounded_down
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
 from cranktrain.viz.paper.style import INK
-from cranktrain.viz.plans.sheet import Box, centre, plan_page, rounded, scale_of, write_scales, write_table
+from cranktrain.viz.paper.tables import write_table
+from cranktrain.viz.plans.sheet import centre, plan_page, scale_of, write_scales
 
 _MARKS = 30
 """Between marks of the crank angle. [deg]"""

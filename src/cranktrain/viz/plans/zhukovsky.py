@@ -16,24 +16,14 @@ from cranktrain.plans.positions import position_plan, rounded_scale
 from cranktrain.plans.positions import rescaled as rescaled_plan
 from cranktrain.plans.vectors import POLE, spoken_name
 from cranktrain.plans.zhukovsky import Lever, LeverForce, zhukovsky_lever
+from cranktrain.viz.figures import figure
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels
-from cranktrain.viz.paper.page import Figure, drawing_settings, mathematics, muted
+from cranktrain.viz.paper.page import Box, Figure, drawing_settings, mathematics, muted
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
+from cranktrain.viz.paper.tables import LEAST_ROW, ROW, write_table
 from cranktrain.viz.plans.forces import too_many_words
-from cranktrain.viz.plans.sheet import (
-    LEAST_ROW,
-    ROW,
-    Box,
-    cells_of,
-    centre,
-    few_angles,
-    figure,
-    plan_page,
-    scale_of,
-    write_scales,
-    write_table,
-)
+from cranktrain.viz.plans.sheet import cells_of, centre, few_angles, plan_page, scale_of, write_scales
 from cranktrain.viz.plans.sketches import positions_sketch
 
 _LONGEST = 0.30
