@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from cranktrain.questions.doubts import Doubts
 from tests.machines import ROCKER, V12, slave, slider, throws
 
 import cranktrain as ct
@@ -16,7 +17,6 @@ from cranktrain.analysis import STAGES, ordered
 from cranktrain.analysis.stages import run_stages
 from cranktrain.catalogue import entries
 from cranktrain.mechanisms import KINDS
-from cranktrain.questions.doubts import Doubts
 
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "src/cranktrain"

@@ -9,11 +9,12 @@ from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.motion import Array
 from cranktrain.record import record
 
+# fmt: off
 Role: TypeAlias = Literal[
-    *("first", "second", "other", "textbook", "error"),
-    *("main", "side", "radial", "resultant", "formula", "chamber"),
-    *("whole", "mean", "each", "carried", "card", "later_card"),
+    "first", "second", "other", "textbook", "error", "main", "side", "radial", "resultant", "formula", "chamber",
+    "whole", "mean", "each", "carried", "card", "later_card",
 ]
+# fmt: on
 """What a curve is among those of its panel, by which a face chooses its line."""
 
 

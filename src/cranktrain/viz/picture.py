@@ -43,9 +43,9 @@ class Picture:
     name: str
     home: str
     over: Literal["angles", "cycle"]
-    needs: Mapping[str, str] = field(default_factory=dict)
+    needs: Mapping[str, str] = field(default_factory=dict[str, str])
     quantities: tuple[str, ...] | None = None
-    refused: Mapping[str, str] = field(default_factory=dict)
+    refused: Mapping[str, str] = field(default_factory=dict[str, str])
     source_angles: Literal["shown", "cylinder"] | None = None
 
     @property

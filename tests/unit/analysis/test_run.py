@@ -4,13 +4,13 @@ import copy
 
 import numpy as np
 import pytest
+from cranktrain.questions.doubts import Doubts
 from tests.machines import RADIUS, ROCKER, V12, banks, curve, of, slider, throws
 
 import cranktrain as ct
 from cranktrain.analysis import STAGES, ordered
 from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.cylinders.volumes import SweptVolumes
-from cranktrain.questions.doubts import Doubts
 from cranktrain.questions.motion.dead_centres import DeadCentres, PistonTurn
 
 

@@ -2,12 +2,12 @@
 
 import numpy as np
 import pytest
+from cranktrain.questions.doubts import LIMITS, Doubts
 from tests.gas_engines import DUAL_CYCLE
 
 import cranktrain as ct
 from cranktrain.io.examples import example_names
 from cranktrain.io.machine_file import read_machine
-from cranktrain.questions.doubts import LIMITS, Doubts
 
 BORE, RADIUS = 0.085, 0.05
 AREA = np.pi / 4 * BORE**2

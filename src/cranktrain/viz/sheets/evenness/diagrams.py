@@ -59,7 +59,7 @@ def plan_wittenbauer(result: Result, *, size: str = "A4", design: int = 0) -> Fi
     upper, lower = (Tangent(*(part[design] for part in one)) for one in (found.upper, found.lower))
     origin = float(found.origin_inertia[design]), float(found.origin_work[design])
     panel = wittenbauer_panel(result, design)
-    inertia, work = panel.across, panel.values[0]
+    inertia, work = panel.across, panel.curves[0].values
     with drawing_settings():
         title = _("Wittenbauer's diagram: excess work over inertia of the moving parts")
         page, box = _page(result, size, design, title)
@@ -153,10 +153,10 @@ def _number_angles(
     page: Page, axes: Axes, frame: _Frame, panel: Panel, cycle: float, tangents: tuple[Tangent, Tangent]
 ) -> None:
     """Mark crank angles along the curve, every twelfth of the cycle, clear of the curve and of each other."""
-    curve = frame.on_paper(panel.across, panel.values[0])
+    curve = frame.on_paper(panel.across, panel.curves[0].values)
     angle = np.arange(panel.across.size - 1, dtype=np.float64) * (cycle / (panel.across.size - 1))
     at = np.flatnonzero(np.round(angle, 9) % (round(cycle) // 12) == 0)
-    axes.plot(panel.across[at], panel.values[0][at], "o", ms=2.6, color=COLOURS["v"], zorder=6)
+    axes.plot(panel.across[at], panel.curves[0].values[at], "o", ms=2.6, color=COLOURS["v"], zorder=6)
     points, middle = curve[:, at], np.mean(curve[:, :-1], axis=1)
     away = np.arctan2(*(points - middle[:, np.newaxis])[::-1])
     wishes = [
@@ -195,7 +195,7 @@ def _draw_whole(
 ) -> None:
     """Draw the diagram small and whole, with the origin where the tangents meet."""
     axes = _axes(page, frame, f"{formula('J_v')}, kg·m²", f"{formula('A')}, J")
-    axes.plot(panel.across[:-1], panel.values[0][:-1], color=COLOURS["v"], linewidth=1.2)
+    axes.plot(panel.across[:-1], panel.curves[0].values[:-1], color=COLOURS["v"], linewidth=1.2)
     for tangent, dashes in zip(tangents, (UPPER, LOWER), strict=True):
         _draw_tangent(axes, tangent, (origin[0], float(np.max(panel.across))), dashes)
     axes.plot([origin[0]], [origin[1]], "o", ms=4.0, color=INK, zorder=6)

@@ -58,5 +58,5 @@ def _flywheels(shown: OneDesign) -> Iterator[tuple[str, str, str, str]]:
     for name, inertia, error in zip(shown.result.labels["flywheel_method"], inertias, errors, strict=True):
         is_told = inertia > 0 and inertias[0] > 0
         share = f"{100 * error:+.2f} %".replace("-", "−") if is_told else "–"
-        sizes = (figure(inertia), figure(4 * inertia)) if inertia > 0 else (_("not needed"), "–")
-        yield titles[name], *sizes, "" if name == "exact" else share
+        moment, doubled = (figure(inertia), figure(4 * inertia)) if inertia > 0 else (_("not needed"), "–")
+        yield titles[name], moment, doubled, "" if name == "exact" else share

@@ -37,12 +37,12 @@ class _Turn(NamedTuple):
     """One turn of a result: which points of its grid, and the angles, closed at 360. [deg]"""
 
     shown: OneDesign
-    index: NDArray[np.intp]
+    points: NDArray[np.intp]
     angle: Array
 
     def curve(self, name: str, *at: int) -> Array:
         """Give a quantity of a member over the turn; an angle that goes round goes on at the end."""
-        whole = self.shown(name)[at][self.index]
+        whole = self.shown(name)[at][self.points]
         if name.endswith("angle"):
             whole[-1] += 2 * np.pi * np.rint((whole[-2] - whole[-1]) / (2 * np.pi))
         return whole
