@@ -5,7 +5,6 @@ import pkgutil
 
 import numpy as np
 import pytest
-from cranktrain.questions.doubts import LIMITS, Doubts
 from tests.gas_engines import DUAL_CYCLE
 
 import cranktrain as ct

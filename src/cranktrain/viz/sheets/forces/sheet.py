@@ -6,7 +6,8 @@ from textwrap import wrap
 from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.questions.forces.loaded import LoadedMachine, carriers_of
+from cranktrain.questions.forces.carriers import carriers_of
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.head import result_page
