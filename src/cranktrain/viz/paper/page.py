@@ -1,7 +1,7 @@
 """A sheet of paper: a figure on which everything is placed in millimetres, and a sketch drawn on it to scale."""
 
 import re
-from collections.abc import Generator, Sequence
+from collections.abc import Generator, Iterable, Sequence
 from contextlib import contextmanager
 from importlib import import_module
 from typing import Any, NamedTuple, TypeAlias
@@ -22,6 +22,9 @@ Figure: TypeAlias = Any
 Text: TypeAlias = Any
 
 MARGIN = 10.0
+LINE = 4.2
+"""From one line of notes to the next. [mm]"""
+
 _INCH = 25.4
 _SIZES = {"A4": (297.0, 210.0), "A3": (420.0, 297.0)}
 _LABEL = 2.5
@@ -98,6 +101,11 @@ class Page:
     def heading(self, x: float, y: float, words: str) -> Text:
         """Write a heading."""
         return self.text(x, y, words, fontsize=HEADING, fontweight="bold")
+
+    def notes(self, x: float, y: float, sentences: Iterable[str]) -> None:
+        """Write sentences one below the other, as second text."""
+        for number, sentence in enumerate(sentences):
+            self.text(x, y - LINE * number, sentence, **muted())
 
     def end(self, words: Text) -> float:
         """Say where written words end on the right. [mm]"""

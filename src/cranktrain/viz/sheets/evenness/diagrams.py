@@ -13,7 +13,7 @@ from cranktrain.quantities import shown
 from cranktrain.textbook.flywheel_diagrams import Tangent
 from cranktrain.viz.panel import Curve, OneDesign, Panel
 from cranktrain.viz.paper.head import result_page
-from cranktrain.viz.paper.labels import Wish, placed_labels
+from cranktrain.viz.paper.labels import Wish, placed_labels, together
 from cranktrain.viz.paper.page import MARGIN, Axes, Box, Figure, Page, drawing_settings, formula, set_words
 from cranktrain.viz.paper.panels import draw_curves, line_of
 from cranktrain.viz.paper.style import COLOURS, GRID, INK, SYMBOL, TEXT
@@ -40,6 +40,7 @@ class _Frame(NamedTuple):
         return np.stack([self.box.left + across * self.box.width, self.box.bottom + up * self.box.height])
 
 
+@drawing_settings()
 def plan_wittenbauer(result: Result, *, size: str = "A4", design: int = 0) -> Figure:
     """Draw Wittenbauer's diagram of the flywheel that a machine is to have.
 
@@ -60,46 +61,45 @@ def plan_wittenbauer(result: Result, *, size: str = "A4", design: int = 0) -> Fi
     origin = float(found.origin_inertia[design]), float(found.origin_work[design])
     panel = wittenbauer_panel(result, design)
     inertia, work = panel.across, panel.curves[0].values
-    with drawing_settings():
-        title = _("Wittenbauer's diagram: excess work over inertia of the moving parts")
-        page, box = _page(result, size, design, title)
-        # Where there is hardly any work, or hardly any change of inertia, the tangents' slope sets the scale.
-        rise, run = float(upper.slope) * float(np.ptp(inertia)), float(np.ptp(work)) / float(upper.slope)
-        heights = np.append(work, np.mean(work[:-1]) + rise * np.array([-0.2, 0.2]))
-        widths = np.append(inertia, np.mean(inertia[:-1]) + run * np.array([-0.05, 0.05]))
-        close = _Frame(box, _wide(widths, 0.25), _wide(heights, 0.12))
-        across = _("Inertia of the moving parts {symbol}, kg·m²").format(symbol=formula("J_v"))
-        axes = _axes(page, close, across, _("Excess work {symbol}, J").format(symbol=formula("A")))
-        draw_curves(axes, panel)
-        for tangent, dashes in ((upper, UPPER), (lower, LOWER)):
-            _draw_tangent(axes, tangent, close.x, dashes)
-            _ring(axes, tangent.inertia, tangent.work)
-        _number_angles(page, axes, close, panel, shown(result.grid.cycle, "deg"), (upper, lower))
-        right = box.left + box.width + 10.0
-        below = write_numbers(page, OneDesign(result, design), (right, box.bottom + box.height), (upper, lower))
-        room = Box(right + 14.0, box.bottom, TABLE - 14.0, below - box.bottom - 10.0)
-        whole = _Frame(room, _wide(np.append(inertia, origin[0]), 0.08), _wide(np.append(work, origin[1]), 0.08))
-        _draw_whole(page, whole, panel, (upper, lower), origin)
-        return page.figure
+    title = _("Wittenbauer's diagram: excess work over inertia of the moving parts")
+    page, box = _page(result, size, design, title)
+    # Where there is hardly any work, or hardly any change of inertia, the tangents' slope sets the scale.
+    rise, run = float(upper.slope) * float(np.ptp(inertia)), float(np.ptp(work)) / float(upper.slope)
+    heights = np.append(work, np.mean(work[:-1]) + rise * np.array([-0.2, 0.2]))
+    widths = np.append(inertia, np.mean(inertia[:-1]) + run * np.array([-0.05, 0.05]))
+    close = _Frame(box, _wide(widths, 0.25), _wide(heights, 0.12))
+    across = _("Inertia of the moving parts {symbol}, kg·m²").format(symbol=formula("J_v"))
+    axes = _axes(page, close, across, _("Excess work {symbol}, J").format(symbol=formula("A")))
+    draw_curves(axes, panel)
+    for tangent, dashes in ((upper, UPPER), (lower, LOWER)):
+        _draw_tangent(axes, tangent, close.x, dashes)
+        _ring(axes, tangent.inertia, tangent.work)
+    _number_angles(page, axes, close, panel, shown(result.grid.cycle, "deg"), (upper, lower))
+    right = box.left + box.width + 10.0
+    below = write_numbers(page, OneDesign(result, design), (right, box.bottom + box.height), (upper, lower))
+    room = Box(right + 14.0, box.bottom, TABLE - 14.0, below - box.bottom - 10.0)
+    whole = _Frame(room, _wide(np.append(inertia, origin[0]), 0.08), _wide(np.append(work, origin[1]), 0.08))
+    _draw_whole(page, whole, panel, (upper, lower), origin)
+    return page.figure
 
 
+@drawing_settings()
 def plan_mertsalov(result: Result, *, size: str = "A4", design: int = 0) -> Figure:
     """Draw Mertsalov's diagram of the flywheel; parameters as `plan_wittenbauer` takes them."""
     found = mertsalov_diagram(result)
     upper, lower = mertsalov_panels(result, design)
-    with drawing_settings():
-        page, box = _page(result, size, design, _("Mertsalov's diagram: the energy that the flywheel takes up"))
-        half = (box.height - 14.0) / 2
-        _over_cycle(page, upper, Box(box.left, box.bottom + half + 14.0, box.width, half), 0.08)
-        bottom, axes = _over_cycle(page, lower, Box(box.left, box.bottom, box.width, half), 0.12)
-        page.text(box.left + box.width / 2, box.bottom - 8.5, _("Crank angle φ, °"), ha="center")
-        ends = [float(extreme.value[design, 0]) for extreme in (found.smallest, found.largest)]
-        for extreme, value in zip((found.smallest, found.largest), ends, strict=True):
-            axes.axhline(value, color=INK, linewidth=0.6, dashes=LOWER)
-            _ring(axes, shown(float(extreme.angle[design, 0]), "deg") % bottom.x[1], value, clip_on=False)
-        _dimension(page, bottom, ends)
-        write_numbers(page, OneDesign(result, design), (box.left + box.width + 10.0, box.bottom + box.height), ())
-        return page.figure
+    page, box = _page(result, size, design, _("Mertsalov's diagram: the energy that the flywheel takes up"))
+    half = (box.height - 14.0) / 2
+    _over_cycle(page, upper, Box(box.left, box.bottom + half + 14.0, box.width, half), 0.08)
+    bottom, axes = _over_cycle(page, lower, Box(box.left, box.bottom, box.width, half), 0.12)
+    page.text(box.left + box.width / 2, box.bottom - 8.5, _("Crank angle φ, °"), ha="center")
+    ends = [float(extreme.value[design, 0]) for extreme in (found.smallest, found.largest)]
+    for extreme, value in zip((found.smallest, found.largest), ends, strict=True):
+        axes.axhline(value, color=INK, linewidth=0.6, dashes=LOWER)
+        _ring(axes, shown(float(extreme.angle[design, 0]), "deg") % bottom.x[1], value, clip_on=False)
+    _dimension(page, bottom, ends)
+    write_numbers(page, OneDesign(result, design), (box.left + box.width + 10.0, box.bottom + box.height), ())
+    return page.figure
 
 
 def _page(result: Result, size: str, design: int, title: str) -> tuple[Page, Box]:
@@ -161,25 +161,12 @@ def _number_angles(
     away = np.arctan2(*(points - middle[:, np.newaxis])[::-1])
     wishes = [
         Wish(points[:, of[0]], _joined(angle[at[of]]), float(away[of[0]]), "name")
-        for of in _together(points, _ONE_POINT)
+        for of in together(points, _ONE_POINT)
     ]
     ends = np.array(frame.x)
     lines = [curve, *(frame.on_paper(ends, one.slope * ends + one.intercept) for one in tangents)]
     for label in placed_labels(wishes, lines, 1.0):
         _write(page, axes, label.position, label.text, ha="center")
-
-
-def _together(points: Array, reach: float) -> list[list[int]]:
-    """Group points, shape (2, n), that lie nearer than `reach` to the first of their group."""
-    groups: list[list[int]] = []
-    for i in range(points.shape[1]):
-        near = (of for of in groups if np.hypot(*(points[:, i] - points[:, of[0]])) < reach)
-        found = next(near, None)
-        if found is None:
-            groups.append([i])
-        else:
-            found.append(i)
-    return groups
 
 
 def _joined(angles: Array) -> str:

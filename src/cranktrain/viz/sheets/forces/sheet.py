@@ -26,6 +26,7 @@ _LETTERS = 68
 """Letters in a line of notes, for each 100 mm."""
 
 
+@drawing_settings()
 def sheet_forces(result: Result, *, size: str = "A4", piston: str | None = None, design: int = 0) -> Figure:
     """Draw the sheet of forces of a machine.
 
@@ -51,17 +52,16 @@ def sheet_forces(result: Result, *, size: str = "A4", piston: str | None = None,
     """
     shown = OneDesign(result, design)
     name = _piston(result, piston)
-    with drawing_settings():
-        page, top = result_page(result, design, size, _("Forces"))
-        width = page.width - 2 * MARGIN
-        box = Box(MARGIN + 12.0, MARGIN, _LEFT * width - 18.0, top - 4.0 - MARGIN)
-        draw_panels(page, list(force_panels(result, name, design)), box, FORCES)
-        left, right = MARGIN + _LEFT * width + 12.0, page.width - MARGIN
-        below = _draw_indicator(page, shown, name, (left, right, top - 4.0))
-        below = draw_orders(page, shown, (left, right, below))
-        below = draw_stars(page, shown, (left, right, below))
-        _write_notes(page, shown, name, (left - 8.0, right, below))
-        return page.figure
+    page, top = result_page(result, design, size, _("Forces"))
+    width = page.width - 2 * MARGIN
+    box = Box(MARGIN + 12.0, MARGIN, _LEFT * width - 18.0, top - 4.0 - MARGIN)
+    draw_panels(page, list(force_panels(result, name, design)), box, FORCES)
+    left, right = MARGIN + _LEFT * width + 12.0, page.width - MARGIN
+    below = _draw_indicator(page, shown, name, (left, right, top - 4.0))
+    below = draw_orders(page, shown, (left, right, below))
+    below = draw_stars(page, shown, (left, right, below))
+    _write_notes(page, shown, name, (left - 8.0, right, below))
+    return page.figure
 
 
 def _piston(result: Result, wanted: str | None) -> str | None:

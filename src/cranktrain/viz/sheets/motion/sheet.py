@@ -29,6 +29,7 @@ _ANGLE = 50.0
 """Crank angle at which the throw is drawn, unless given. [deg]"""
 
 
+@drawing_settings()
 def sheet(result: Result, *, size: str = "A4", at: float = _ANGLE, design: int = 0) -> Figure:
     """Draw the sheet of a machine.
 
@@ -47,16 +48,15 @@ def sheet(result: Result, *, size: str = "A4", at: float = _ANGLE, design: int =
     Figure
         In millimetres of paper: the throw is to the scale that the sheet says.
     """
-    with drawing_settings():
-        page, top = result_page(result, design, size)
-        ruler = ruler_of(result, design)
-        middle = MARGIN + 0.48 * (page.width - 2 * MARGIN)
-        room = (MARGIN, MARGIN, middle - 4.0 - MARGIN, top - 4.0 - MARGIN)
-        _draw_mechanism(page, result.machines[design], ruler.marks, at, room)
-        left, right = middle + 12.0, page.width - MARGIN
-        below = draw_ruler(page, ruler, (left, right, top - 4.0))
-        draw_panels(page, panels(result, design), Box(left, MARGIN, right - left, below - MARGIN), MOTION)
-        return page.figure
+    page, top = result_page(result, design, size)
+    ruler = ruler_of(result, design)
+    middle = MARGIN + 0.48 * (page.width - 2 * MARGIN)
+    room = (MARGIN, MARGIN, middle - 4.0 - MARGIN, top - 4.0 - MARGIN)
+    _draw_mechanism(page, result.machines[design], ruler.marks, at, room)
+    left, right = middle + 12.0, page.width - MARGIN
+    below = draw_ruler(page, ruler, (left, right, top - 4.0))
+    draw_panels(page, panels(result, design), Box(left, MARGIN, right - left, below - MARGIN), MOTION)
+    return page.figure
 
 
 def _draw_mechanism(

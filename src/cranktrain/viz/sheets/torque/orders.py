@@ -5,6 +5,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.viz.panel import OneDesign
+from cranktrain.viz.paper.labels import together
 from cranktrain.viz.paper.page import Page
 from cranktrain.viz.paper.panels import prepare
 from cranktrain.viz.paper.style import COLOURS, INK, MUTED
@@ -74,22 +75,16 @@ def draw_stars(page: Page, shown: OneDesign, place: tuple[float, float, float]) 
 
 def _draw_star(page: Page, star: Array, names: tuple[str, ...], centre: tuple[float, float]) -> None:
     """Draw one star: a line for each direction, the cylinders in it, and the sum of all as a thick line."""
-    groups: list[tuple[complex, list[str]]] = []
-    for vector, name in zip(star.tolist(), names, strict=True):
-        together = next((members for other, members in groups if abs(other - vector) < _ALIKE), None)
-        if together is None:
-            groups.append((vector, [name]))
-        else:
-            together.append(name)
     turn = np.linspace(0.0, 2 * np.pi, 91)
     page.paper.plot(centre[0] + _RADIUS * np.cos(turn), centre[1] + _RADIUS * np.sin(turn), color=MUTED, lw=0.4)
-    for place, (vector, members) in enumerate(groups):
-        # Up is the phase of the first to fire; phases that lag turn clockwise.
-        x, y = -vector.imag, vector.real
+    # Up is the phase of the first to fire; phases that lag turn clockwise.
+    rays = np.stack([-star.imag, star.real])
+    groups = together(rays, _ALIKE)
+    for place, of in enumerate(groups):
+        x, y = rays[:, of[0]].tolist()
         page.paper.plot((centre[0], centre[0] + _RADIUS * x), (centre[1], centre[1] + _RADIUS * y), color=INK, lw=0.9)
         page.paper.plot([centre[0] + _RADIUS * x], [centre[1] + _RADIUS * y], "o", ms=2.6, color=INK)
-        said = ",".join(members)
-        words = said if len(said) <= _SHORT else f"×{len(members)}"
-        if place and len(groups) > _CROWD:
-            continue
-        page.text(centre[0] + _NAME * x, centre[1] + _NAME * y, words, ha="center", va="center_baseline")
+        said = ",".join(names[i] for i in of)
+        words = said if len(said) <= _SHORT else f"×{len(of)}"
+        if not place or len(groups) <= _CROWD:
+            page.text(centre[0] + _NAME * x, centre[1] + _NAME * y, words, ha="center", va="center_baseline")
