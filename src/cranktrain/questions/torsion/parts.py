@@ -11,7 +11,7 @@ from cranktrain.engine.specs import MAIN, ShaftSpec
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
-from cranktrain.questions.torsion.table import TorsionSpec
+from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.record import record
 
 Node = int | str
