@@ -3,7 +3,7 @@
 import tomllib
 
 import cranktrain as ct
-from cranktrain.engine.masses import part_name
+from cranktrain.layout.masses import part_name
 from cranktrain.mechanisms import KINDS
 
 

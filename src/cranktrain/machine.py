@@ -9,36 +9,29 @@ from typing import Any, Literal, Self
 import numpy as np
 from pydantic import Field, ValidationError, model_validator
 
-from cranktrain.engine.balance_specs import BalanceSpec
-from cranktrain.engine.balance_weights import balance_problems
-from cranktrain.engine.bodies import BodySpec, Friction, GravitySpec, GuideSpec
-from cranktrain.engine.cylinders import Cylinder, cylinder_problems, cylinders_of, firing_order_of
-from cranktrain.engine.evenness_table import EvennessSpec
-from cranktrain.engine.firing import FiringOrder
-from cranktrain.engine.frames import Orientation
-from cranktrain.engine.gearing import first_axis
-from cranktrain.engine.guide_tables import guide_problems
-from cranktrain.engine.masses import Weighed, mass_problems
-from cranktrain.engine.places import Place, places_of
-from cranktrain.engine.points import point_problems
-from cranktrain.engine.specs import (
-    MAIN,
-    MOST_MECHANISMS,
-    OVERRIDES,
-    BankSpec,
-    CylindersSpec,
-    OpposedPistonSpec,
-    ShaftSpec,
-)
-from cranktrain.engine.standing import standing_problems
 from cranktrain.errors import InputError, Problem
 from cranktrain.gas import AnyGas
 from cranktrain.language import _
+from cranktrain.layout.bodies import BodySpec, Friction, GravitySpec, GuideSpec
+from cranktrain.layout.frames import Orientation
+from cranktrain.layout.gearing import first_axis
+from cranktrain.layout.guide_tables import guide_problems
+from cranktrain.layout.masses import Weighed, mass_problems
+from cranktrain.layout.places import Place, places_of
+from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPistonSpec, ShaftSpec
+from cranktrain.layout.standing import standing_problems
 from cranktrain.mechanisms import AnyMechanism
 from cranktrain.mechanisms.closing import OpenRange, open_ranges
 from cranktrain.mechanisms.kind import LISTS
 from cranktrain.paths import PathParts, path_text, quantity_path, replaced, value_at
 from cranktrain.quantities import Angle, Given
+from cranktrain.questions.balance.spec import BalanceSpec
+from cranktrain.questions.balance.weights import balance_problems
+from cranktrain.questions.cylinders.declared import Cylinder, cylinder_problems, cylinders_of, firing_order_of
+from cranktrain.questions.cylinders.firing import FiringOrder
+from cranktrain.questions.cylinders.spec import OVERRIDES, CylindersSpec
+from cranktrain.questions.evenness.spec import EvennessSpec
+from cranktrain.questions.motion.points import point_problems
 from cranktrain.spec import Spec, problems, with_tuples
 from cranktrain.wording import around_turn, number
 

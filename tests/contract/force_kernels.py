@@ -44,9 +44,6 @@ from cranktrain.linkage.forces import (
 from cranktrain.linkage.forces.guide import Guided
 from cranktrain.linkage.forces.triad import Screw
 from cranktrain.linkage.triad import GUIDE, ROD, Leg, Triad
-from cranktrain.loads.crank_pin import PinLoad
-from cranktrain.loads.piston import PistonForces
-from cranktrain.loads.rod_masses import TwoMasses
 from cranktrain.mechanisms.articulated_rod.forces import ArticulatedRodBodies, ArticulatedRodLoads
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.crank_rocker.forces import CrankRockerBodies, CrankRockerLoads
@@ -60,6 +57,9 @@ from cranktrain.mechanisms.slider_crank.forces import SliderCrankBodies, SliderC
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 from cranktrain.mechanisms.slotted_lever.forces import SlottedLeverBodies, SlottedLeverLoads
 from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLever, slotted_lever
+from cranktrain.questions.forces.pin_load import PinLoad
+from cranktrain.questions.forces.piston_formulas import PistonForces
+from cranktrain.questions.forces.rod_masses import TwoMasses
 
 
 def wrench(size):

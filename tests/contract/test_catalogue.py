@@ -15,8 +15,8 @@ import cranktrain as ct
 from cranktrain.analysis import STAGES, ordered
 from cranktrain.analysis.stages import run_stages
 from cranktrain.catalogue import entries
-from cranktrain.engine.doubts import Doubts
 from cranktrain.mechanisms import KINDS
+from cranktrain.questions.doubts import Doubts
 
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "src/cranktrain"

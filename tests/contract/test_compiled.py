@@ -118,11 +118,11 @@ def kernels() -> dict[str, Callable[..., Any]]:
         for folder in Path(cranktrain.gas.__path__[0]).glob("*/pressure.py")
     ]
     found: dict[str, Callable[..., Any]] = {}
-    loads = [f"cranktrain.loads.{name}" for name in ("crank_pin", "piston", "rod_masses")]
+    questions = [f"cranktrain.questions.forces.{name}" for name in ("pin_load", "piston_formulas", "rod_masses")]
     for path in (
         groups
         + mechanisms
-        + loads
+        + questions
         + gases
         + ["cranktrain.gas.state", "cranktrain.gas.polytrope", "cranktrain.gas.work"]
     ):

@@ -13,8 +13,8 @@ from cranktrain.linkage.forces import Body, Conditions, Drive, Friction, Gravity
 from cranktrain.mechanisms import KINDS, kind_named
 from cranktrain.mechanisms.closing import closing_margin
 from cranktrain.mechanisms.kind import FRAME, leaves, named_part, scaled, stacked
-from cranktrain.study.placement import placed
-from cranktrain.study.polygons import acceleration_polygons, velocity_polygons
+from cranktrain.plans.placement import placed
+from cranktrain.plans.polygons import acceleration_polygons, velocity_polygons
 
 ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "src/cranktrain/mechanisms"

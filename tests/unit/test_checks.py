@@ -9,10 +9,10 @@ from tests.machines import banks, slider, throws
 
 import cranktrain as ct
 from cranktrain.checks import Check
-from cranktrain.engine import rockers
-from cranktrain.engine.forces import LoadedMachine, SolvedCycle, mechanism_torques
 from cranktrain.motion import Coefficient
 from cranktrain.numerics import derivatives_residual
+from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle, mechanism_torques
+from cranktrain.questions.motion import rockers
 
 SPEED = throws(0, speed="3000 rpm")
 PISTON = {"piston": {"mass": "200 kg"}}

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import cranktrain as ct
-from cranktrain.study.placement import placed, shaft_places
+from cranktrain.plans.placement import placed, shaft_places
 
 TURN = np.radians(np.arange(360.0))
 

@@ -14,11 +14,11 @@ import numpy as np
 import pytest
 from tests.reference_case import ReferenceCase
 
-from cranktrain.loads.balance import Cylinders, inertia_roll, reciprocating_vectors, shaking
-from cranktrain.loads.harmonics import curve, harmonics
-from cranktrain.loads.rod_harmonics import acceleration_harmonics
-from cranktrain.loads.vectors import curve_vectors, turned_vectors
-from cranktrain.loads.weights import on_crank, weight_vectors
+from cranktrain.numerics.harmonics import curve, harmonics
+from cranktrain.numerics.plane_vectors import curve_vectors, turned_vectors
+from cranktrain.questions.balance.rotating_weights import on_crank, weight_vectors
+from cranktrain.questions.balance.unit_shaking import Cylinders, inertia_roll, reciprocating_vectors, shaking
+from cranktrain.questions.torque.rod_harmonics import acceleration_harmonics
 
 GOLDEN = Path(__file__).parents[1] / "golden/theory"
 LAYOUTS = json.loads((GOLDEN / "balance_layouts.json").read_text(encoding="utf-8"))["layouts"]

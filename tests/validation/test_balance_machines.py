@@ -15,8 +15,8 @@ import pytest
 from tests.reference_case import ReferenceCase
 
 import cranktrain as ct
-from cranktrain.loads.harmonics import delayed, harmonics
-from cranktrain.loads.rod_harmonics import acceleration_harmonics
+from cranktrain.numerics.harmonics import delayed, harmonics
+from cranktrain.questions.torque.rod_harmonics import acceleration_harmonics
 
 GOLDEN = Path(__file__).parents[1] / "golden/theory"
 LAYOUTS = json.loads((GOLDEN / "balance_layouts.json").read_text(encoding="utf-8"))["layouts"]

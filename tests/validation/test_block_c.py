@@ -8,7 +8,7 @@ from decimal import Decimal
 import numpy as np
 import pytest
 
-from cranktrain.study.slider_crank_synthesis import slider_crank_from_stroke
+from cranktrain.synthesis.slider_crank import slider_crank_from_stroke
 from cranktrain.textbook import slider_crank_synthesis as source
 
 STEPS = {(step.printed, step.step): step for step in source.wrong_steps()}

@@ -14,19 +14,20 @@ import pytest
 import cranktrain as ct
 from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.stages import STAGES, run_stages
-from cranktrain.engine.evenness import RunningSpeed, running_speed, shaft_work
-from cranktrain.engine.evenness_table import GivenFlywheel, ShaftLoad, WantedCoefficient
-from cranktrain.engine.flywheel import FlywheelSize, flywheel_size
-from cranktrain.engine.forces import LoadedMachine, MechanismTorques
-from cranktrain.engine.layout import CrankAngle, Speed
-from cranktrain.engine.shaft_torque import applied_torque
-from cranktrain.engine.speed_curve import SteadyRunning
-from cranktrain.engine.torque_sources import TorqueSources
-from cranktrain.loads.excess_work import excess_work
-from cranktrain.loads.flywheel import exact_flywheel, flywheels_by_method, textbook_inertia
-from cranktrain.loads.periodic import cycle_grid, fourier_curve, plus
-from cranktrain.loads.speed import steady_speed
-from cranktrain.loads.speed_law import given_torque, motor, quadratic_load, speed_under_law, together
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.speed import Speed
+from cranktrain.layout.speed_curve import SteadyRunning
+from cranktrain.numerics.periodic import cycle_grid, fourier_curve, plus
+from cranktrain.questions.evenness.applied_torque import applied_torque
+from cranktrain.questions.evenness.excess_work import excess_work
+from cranktrain.questions.evenness.flywheel import FlywheelSize, flywheel_size
+from cranktrain.questions.evenness.flywheel_inertia import exact_flywheel, flywheels_by_method, textbook_inertia
+from cranktrain.questions.evenness.running_speed import RunningSpeed, running_speed, shaft_work
+from cranktrain.questions.evenness.spec import GivenFlywheel, ShaftLoad, WantedCoefficient
+from cranktrain.questions.evenness.speed_law import given_torque, motor, quadratic_load, speed_under_law, together
+from cranktrain.questions.evenness.speed_over_cycle import steady_speed
+from cranktrain.questions.forces.loaded import LoadedMachine, MechanismTorques
+from cranktrain.questions.torque.sources import TorqueSources
 
 EXPECTED = json.loads((Path(__file__).parents[1] / "golden/theory/flywheel_press.json").read_text(encoding="utf-8"))
 CASE = EXPECTED["variable_J"]

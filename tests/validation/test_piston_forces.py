@@ -11,17 +11,17 @@ from tests.reference_case import GOLDEN
 
 from cranktrain.linkage import Crank
 from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity, crank_link
-from cranktrain.loads.crank_pin import PinLoad, pin_load, with_rotating_mass
-from cranktrain.loads.piston import (
+from cranktrain.mechanisms.slider_crank.forces import SliderCrankBodies, slider_crank_forces, slider_crank_load
+from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
+from cranktrain.numerics import turn_grid
+from cranktrain.questions.forces.pin_load import PinLoad, pin_load, with_rotating_mass
+from cranktrain.questions.forces.piston_formulas import (
     inertia_force,
     piston_forces,
     piston_identities,
     two_harmonic_inertia_force,
 )
-from cranktrain.loads.rod_masses import ROD_METHODS, excess_inertia, three_masses, two_masses
-from cranktrain.mechanisms.slider_crank.forces import SliderCrankBodies, slider_crank_forces, slider_crank_load
-from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
-from cranktrain.numerics import turn_grid
+from cranktrain.questions.forces.rod_masses import ROD_METHODS, excess_inertia, three_masses, two_masses
 
 CASE = json.loads((GOLDEN / "harmonics_pnskt/harmonics_pnskt.json").read_text(encoding="utf-8"))
 PHI = turn_grid()

@@ -10,9 +10,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cranktrain.loads.harmonics import harmonics
-from cranktrain.loads.stars import shaft_harmonics
-from cranktrain.loads.torque import fired, firing_angles
+from cranktrain.numerics.harmonics import harmonics
+from cranktrain.questions.torque.fired import fired, firing_angles
+from cranktrain.questions.torque.stars import shaft_harmonics
 
 EXPECTED = json.loads((Path(__file__).parents[1] / "golden/theory/torque_orders.json").read_text(encoding="utf-8"))
 CYCLE = 4 * np.pi

@@ -8,8 +8,8 @@ import numpy as np
 
 from cranktrain.analysis.parts import Parts
 from cranktrain.catalogue import entries
-from cranktrain.engine.layout import CrankAngle
 from cranktrain.language import _
+from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 
 FACTS_STEP = np.pi / 180

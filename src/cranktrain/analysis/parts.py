@@ -6,54 +6,44 @@ from typing import cast
 
 import numpy as np
 
-from cranktrain.engine.axial import axial_places_of
-from cranktrain.engine.balance_weights import declared_balance
-from cranktrain.engine.crank_pins import crank_pins_of
-from cranktrain.engine.cylinders import (
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.layout.axial import axial_places_of
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.frames import frames_of
+from cranktrain.layout.masses import GivenBodies, masses_of
+from cranktrain.layout.mechanisms import Mechanisms, PistonRods, Pistons, RockerRods, Rockers, has_rods, mechanisms_of
+from cranktrain.layout.places import Place
+from cranktrain.layout.shafts import GearedShafts, shafts_of
+from cranktrain.layout.speed import Speed
+from cranktrain.layout.speed_curve import SteadyRunning, speed_at_moment
+from cranktrain.layout.speed_table import tabled_speed
+from cranktrain.layout.throws import shaft_centres_of, throws_of
+from cranktrain.machine import Machine, machine_problems
+from cranktrain.quantities import Given
+from cranktrain.questions.balance.weights import declared_balance
+from cranktrain.questions.cylinders.declared import (
     CYCLES,
     chambers_of,
     compression_ratios_of,
     cylinder_pistons_of,
     ports_of,
 )
-from cranktrain.engine.evenness_table import evenness_parts
-from cranktrain.engine.firing import Cycle, FiringOrder, common_order
-from cranktrain.engine.followed import FollowedLinks, FollowedSliders, followed_of
-from cranktrain.engine.forces import carriers_of
-from cranktrain.engine.frames import frames_of
-from cranktrain.engine.gas import DeclaredGas
-from cranktrain.engine.guides import guides_with_length, moment_guides_of
-from cranktrain.engine.layout import (
-    CrankAngle,
-    Mechanisms,
-    PistonRods,
-    Pistons,
-    RockerRods,
-    Rockers,
-    Speed,
-    has_rods,
-    mechanisms_of,
-)
-from cranktrain.engine.masses import GivenBodies, masses_of
-from cranktrain.engine.opposed import OpposedCylinders
-from cranktrain.engine.piston_forces import direct_pistons_of
-from cranktrain.engine.places import Place
-from cranktrain.engine.points import link_points_of
-from cranktrain.engine.ports import TwoStroke
-from cranktrain.engine.powers import losses_of
-from cranktrain.engine.rocker_load import load_radius_of
-from cranktrain.engine.shafts import GearedShafts, shafts_of
-from cranktrain.engine.speed_curve import SteadyRunning, speed_at_moment
-from cranktrain.engine.speed_table import tabled_speed
-from cranktrain.engine.throws import shaft_centres_of, throws_of
-from cranktrain.engine.volumes import Chambers, CompressionRatios
-from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
-from cranktrain.machine import Machine, machine_problems
-from cranktrain.motion import Array, single
-from cranktrain.quantities import Given
+from cranktrain.questions.cylinders.firing import Cycle, FiringOrder, common_order
+from cranktrain.questions.cylinders.opposed import OpposedCylinders
+from cranktrain.questions.cylinders.ports import TwoStroke
+from cranktrain.questions.cylinders.volumes import Chambers, CompressionRatios
+from cranktrain.questions.evenness.spec import evenness_parts
+from cranktrain.questions.forces.crank_pins import crank_pins_of
+from cranktrain.questions.forces.guides import guides_with_length, moment_guides_of
+from cranktrain.questions.forces.loaded import carriers_of
+from cranktrain.questions.forces.piston_forces import direct_pistons_of
+from cranktrain.questions.gas.chambers import DeclaredGas
+from cranktrain.questions.gas.powers import losses_of
+from cranktrain.questions.motion.followed import FollowedLinks, FollowedSliders, followed_of
+from cranktrain.questions.motion.points import link_points_of
+from cranktrain.questions.motion.rocker_load import load_radius_of
 from cranktrain.spec import Spec
-from cranktrain.textbook.steam_engine import brix_angle
 
 _GAS = (DeclaredGas, Chambers, CompressionRatios, Cycle, FiringOrder)
 """What it takes for gas to press on pistons: then there are forces, whether anything has a mass or not."""
@@ -219,9 +209,4 @@ def _structure(declared: object, path: str = "") -> Iterator[tuple[str, object]]
 def _declared_gas(machines: Sequence[Machine]) -> DeclaredGas | None:
     """Collect the gas models; None where the file has none."""
     specs = tuple(machine.gas for machine in machines if machine.gas is not None)
-    return DeclaredGas(specs, _brix) if specs else None
-
-
-def _brix(travelled: Array, ratio: float) -> Array:
-    """Crank angle of the outward stroke by Brix's construction read backwards."""
-    return brix_angle(2.0 * travelled, single(1.0), single(ratio))
+    return DeclaredGas(specs) if specs else None

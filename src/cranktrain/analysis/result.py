@@ -10,7 +10,7 @@ from cranktrain.analysis.stages import Missing
 from cranktrain.analysis.unused import Unused, sentences
 from cranktrain.catalogue import Entry, entries
 from cranktrain.checks import Check
-from cranktrain.engine.layout import CrankAngle
+from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.quantities import shown

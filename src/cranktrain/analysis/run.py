@@ -12,16 +12,17 @@ from cranktrain.analysis.second_run import SpeedWanted, with_speed
 from cranktrain.analysis.stages import STAGES, Stage, lacking, leading_to, run_stages
 from cranktrain.analysis.unused import unused
 from cranktrain.catalogue import entries
-from cranktrain.engine.followed import FollowedLinks, FollowedSliders
-from cranktrain.engine.layout import CrankAngle, Mechanisms, Pistons, Rockers
-from cranktrain.engine.points import LinkPoints
-from cranktrain.engine.speed_curve import SpeedCurve
-from cranktrain.engine.travel import CylinderPistons
-from cranktrain.engine.volumes import Chambers
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.mechanisms import Mechanisms, Pistons, Rockers
+from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS
+from cranktrain.questions.cylinders.travel import CylinderPistons
+from cranktrain.questions.cylinders.volumes import Chambers
+from cranktrain.questions.motion.followed import FollowedLinks, FollowedSliders
+from cranktrain.questions.motion.points import LinkPoints
 
 _FINEST, _COARSEST = 0.01, 90.0
 _ONE_STEP = 1e-12

@@ -10,13 +10,14 @@ from cranktrain.analysis.grids import on_grid
 from cranktrain.analysis.parts import Parts
 from cranktrain.analysis.stages import Stage, leading_to, run_stages
 from cranktrain.catalogue import entries
-from cranktrain.engine.evenness import RunningSpeed
-from cranktrain.engine.layout import CrankAngle, Speed
-from cranktrain.engine.speed_curve import SpeedCurve, SteadyRunning, speed_curve
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.loads.periodic import spline_curve
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.speed import Speed
+from cranktrain.layout.speed_curve import SpeedCurve, SteadyRunning, speed_curve
 from cranktrain.motion import Array
+from cranktrain.numerics.periodic import spline_curve
+from cranktrain.questions.evenness.running_speed import RunningSpeed
 
 SpeedWanted: TypeAlias = Literal["constant", "running"] | ArrayLike | SpeedCurve
 """Constant; that of the steady running which the machine's file makes; one's own on the grid; or a curve there is."""

@@ -10,49 +10,49 @@ from typing import Any, cast, get_args, get_type_hints
 import numpy as np
 
 from cranktrain.catalogue import entries
-from cranktrain.engine.axial import axial_positions
-from cranktrain.engine.balance import rolling_moment, shaking_couples, shaking_forces
-from cranktrain.engine.balance_weights import balance_weights
-from cranktrain.engine.closing import closing
-from cranktrain.engine.couplers import coupler_motion, coupler_speeds
-from cranktrain.engine.crank_pins import crank_pin_loads
-from cranktrain.engine.dead_centres import dead_centres, piston_grid, piston_turn
-from cranktrain.engine.doubts import doubts
-from cranktrain.engine.evenness import flywheel_moment, running_speed, shaft_work
-from cranktrain.engine.firing import firing
-from cranktrain.engine.flywheel import flywheel_size, rim_size
-from cranktrain.engine.followed import link_motion, slider_motions
-from cranktrain.engine.force_events import force_events
-from cranktrain.engine.forces import loaded_machine, mechanism_torques, solved_cycle
-from cranktrain.engine.frame_forces import frame_forces
-from cranktrain.engine.gas import gas_in_chambers
-from cranktrain.engine.gas_events import gas_events
-from cranktrain.engine.gas_pressures import gas_pressures
-from cranktrain.engine.guides import guide_edges
-from cranktrain.engine.joint_forces import joint_forces
-from cranktrain.engine.largest_forces import largest_forces
-from cranktrain.engine.load_curve import load_torque
-from cranktrain.engine.motion import piston_motion, piston_speeds
-from cranktrain.engine.opposed import combined_motion, combined_speeds, volumetric_dead_centres
-from cranktrain.engine.piston_forces import piston_force_set
-from cranktrain.engine.points import point_motion
-from cranktrain.engine.ports import effective_compression, port_timing
-from cranktrain.engine.powers import brake_powers, indicated_powers
-from cranktrain.engine.rocker_load import load_motion
-from cranktrain.engine.rockers import dead_positions, rocker_motion, rocker_speeds, rocker_turn
-from cranktrain.engine.rod_methods import rod_methods
-from cranktrain.engine.rod_orders import rod_orders
-from cranktrain.engine.rods import rod_motion, rod_speeds
-from cranktrain.engine.running_frame import running_frame
-from cranktrain.engine.shaft_torque import applied_torque
-from cranktrain.engine.torque import gear_torques, journal_torques, shaft_torques, torque_peaks
-from cranktrain.engine.torque_orders import phase_star_sums, torque_orders
-from cranktrain.engine.torque_sources import torque_sources
-from cranktrain.engine.travel import cylinder_travel
-from cranktrain.engine.volumes import chamber_volumes, swept_volumes
-from cranktrain.engine.work_check import work_balance
 from cranktrain.language import translated
+from cranktrain.layout.axial import axial_positions
 from cranktrain.mechanisms import KINDS
+from cranktrain.questions.balance.frame_forces import frame_forces
+from cranktrain.questions.balance.running_frame import running_frame
+from cranktrain.questions.balance.shaking import rolling_moment, shaking_couples, shaking_forces
+from cranktrain.questions.balance.weights import balance_weights
+from cranktrain.questions.cylinders.firing import firing
+from cranktrain.questions.cylinders.opposed import combined_motion, combined_speeds, volumetric_dead_centres
+from cranktrain.questions.cylinders.ports import effective_compression, port_timing
+from cranktrain.questions.cylinders.travel import cylinder_travel
+from cranktrain.questions.cylinders.volumes import chamber_volumes, swept_volumes
+from cranktrain.questions.doubts import doubts
+from cranktrain.questions.evenness.applied_torque import applied_torque
+from cranktrain.questions.evenness.flywheel import flywheel_size, rim_size
+from cranktrain.questions.evenness.load_curve import load_torque
+from cranktrain.questions.evenness.running_speed import flywheel_moment, running_speed, shaft_work
+from cranktrain.questions.forces.crank_pins import crank_pin_loads
+from cranktrain.questions.forces.events import force_events
+from cranktrain.questions.forces.guides import guide_edges
+from cranktrain.questions.forces.joint_forces import joint_forces
+from cranktrain.questions.forces.largest_forces import largest_forces
+from cranktrain.questions.forces.loaded import loaded_machine, mechanism_torques, solved_cycle
+from cranktrain.questions.forces.piston_forces import piston_force_set
+from cranktrain.questions.forces.rod_methods import rod_methods
+from cranktrain.questions.gas.chambers import gas_in_chambers
+from cranktrain.questions.gas.events import gas_events
+from cranktrain.questions.gas.powers import brake_powers, indicated_powers
+from cranktrain.questions.gas.pressures import gas_pressures
+from cranktrain.questions.motion.closing import closing
+from cranktrain.questions.motion.couplers import coupler_motion, coupler_speeds
+from cranktrain.questions.motion.dead_centres import dead_centres, piston_grid, piston_turn
+from cranktrain.questions.motion.followed import link_motion, slider_motions
+from cranktrain.questions.motion.pistons import piston_motion, piston_speeds
+from cranktrain.questions.motion.points import point_motion
+from cranktrain.questions.motion.rocker_load import load_motion
+from cranktrain.questions.motion.rockers import dead_positions, rocker_motion, rocker_speeds, rocker_turn
+from cranktrain.questions.motion.rods import rod_motion, rod_speeds
+from cranktrain.questions.torque.orders import phase_star_sums, torque_orders
+from cranktrain.questions.torque.rod_orders import rod_orders
+from cranktrain.questions.torque.sources import torque_sources
+from cranktrain.questions.torque.torques import gear_torques, journal_torques, shaft_torques, torque_peaks
+from cranktrain.questions.torque.work_check import work_balance
 from cranktrain.record import record
 from cranktrain.textbook.comparison import textbook_motion
 

@@ -3,20 +3,20 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from cranktrain.engine.balance import ShakingForces
-from cranktrain.engine.balance_weights import BalanceWeights
-from cranktrain.engine.evenness import RunningSpeed, ShaftWork
-from cranktrain.engine.firing import Firing
-from cranktrain.engine.flywheel import FlywheelSize, RimSize
-from cranktrain.engine.forces import MechanismTorques
-from cranktrain.engine.gas_pressures import GasPressures
-from cranktrain.engine.guides import GuideEdges
-from cranktrain.engine.load_curve import LoadTorque
-from cranktrain.engine.ports import PortTiming
-from cranktrain.engine.powers import BrakePowers
-from cranktrain.engine.volumes import ChamberVolumes, SweptVolumes
 from cranktrain.language import N_, _
 from cranktrain.machine import Machine
+from cranktrain.questions.balance.shaking import ShakingForces
+from cranktrain.questions.balance.weights import BalanceWeights
+from cranktrain.questions.cylinders.firing import Firing
+from cranktrain.questions.cylinders.ports import PortTiming
+from cranktrain.questions.cylinders.volumes import ChamberVolumes, SweptVolumes
+from cranktrain.questions.evenness.flywheel import FlywheelSize, RimSize
+from cranktrain.questions.evenness.load_curve import LoadTorque
+from cranktrain.questions.evenness.running_speed import RunningSpeed, ShaftWork
+from cranktrain.questions.forces.guides import GuideEdges
+from cranktrain.questions.forces.loaded import MechanismTorques
+from cranktrain.questions.gas.powers import BrakePowers
+from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.record import record
 from cranktrain.spec import Spec
 

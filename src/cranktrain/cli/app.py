@@ -348,7 +348,9 @@ def _plot(
     help=_("Find dimensions for what a mechanism is to do, and write its machine file."),
 )
 def _synthesise(context: typer.Context) -> Task:
-    from cranktrain.cli.synthesise import synthesis_task  # its many options are told to Typer only when they are needed
+    from cranktrain.cli.synthesis.command import (
+        synthesis_task,  # its many options are told to Typer only when they are needed
+    )
 
     return synthesis_task(context.args)
 
@@ -411,7 +413,7 @@ def _textbook(
     ] = None,
 ) -> None:
     if harmonics or crank_to_rod_ratio is not None:
-        from cranktrain.cli.harmonic_tables import HarmonicRequest, show_harmonics
+        from cranktrain.cli.textbook.harmonics import HarmonicRequest, show_harmonics
 
         others = {
             "--table": "" if table else None,
@@ -422,8 +424,8 @@ def _textbook(
         }
         show_harmonics(HarmonicRequest(file, crank_to_rod_ratio, tuple(settings or ()), others))
         return
-    from cranktrain.cli.force_tables import ForceRequest, refuse_without_forces, show_force_tables
-    from cranktrain.cli.textbook import show_textbook
+    from cranktrain.cli.textbook.command import show_textbook
+    from cranktrain.cli.textbook.forces import ForceRequest, refuse_without_forces, show_force_tables
 
     if forces is not None:
         request = ForceRequest(file, forces, tuple(settings or ()), step, piston)

@@ -3,9 +3,9 @@
 from collections.abc import Iterator, Mapping
 from typing import cast
 
-from cranktrain.engine.ends import ENDS
 from cranktrain.errors import InputError
 from cranktrain.language import _
+from cranktrain.layout.ends import ENDS
 
 WHAT = ("examples", "kinds", "results")
 

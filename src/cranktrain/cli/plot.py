@@ -16,7 +16,7 @@ from cranktrain.one_line import one_line
 from cranktrain.quantities import Dimension, QuantityError, read, shown, unlisted
 
 if TYPE_CHECKING:
-    from cranktrain.viz.page import Figure
+    from cranktrain.viz.paper.page import Figure
 
 Angles: TypeAlias = int | Sequence[float]
 """How many crank angles over a turn, or which. [deg]"""
@@ -249,7 +249,7 @@ def _angles(text: str | None, *, is_count_meant: bool) -> Angles | None:
 
 def _mechanism_found(file: MachineFile, picture: Picture) -> None:
     """Refuse a mechanism that the machine does not have."""
-    from cranktrain.study.placement import place_called
+    from cranktrain.plans.placement import place_called
 
     if picture.mechanism is None:
         return
@@ -298,7 +298,7 @@ def _figure(file: MachineFile, picture: Picture, request: Request) -> "Figure":
 
 def _source_angles(file: MachineFile, picture: Picture) -> Sequence[float]:
     """Crank angles of the source's positions, counted as the plan counts them."""
-    from cranktrain.study.plans import source_angles
+    from cranktrain.plans.positions import source_angles
 
     return source_angles(file.machine, mechanism=picture.mechanism, is_shown=picture.plan == "positions")
 

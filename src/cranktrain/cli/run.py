@@ -5,7 +5,7 @@ from pathlib import PurePath
 
 from cranktrain.analysis import Result
 from cranktrain.cli.running_speed import told_at_option
-from cranktrain.cli.screen import page
+from cranktrain.cli.screen.text import page
 from cranktrain.cli.speed_curve import speed_settings, told_as_typed
 from cranktrain.errors import InputError, Problem
 from cranktrain.io.machine_file import MachineFile, computed, read_machine
@@ -32,7 +32,7 @@ class Request:
 
 def show_run(request: Request, *, with_inputs: bool = False) -> None:
     """Compute, write and show."""
-    from cranktrain.cli.report import show_result
+    from cranktrain.cli.screen.report import show_result
 
     suffix = _suffix(request.output)
     if request.quantities == ():

@@ -27,15 +27,14 @@ class Chamber(NamedTuple):
         Floats. [m³]
     volume : callable
         From crank angles since nominal firing, shape (n,) [rad], to volumes of that shape [m³].
-    brix : callable, optional
-        From the travelled part of the stroke, 0 to 1, to the crank angle of the outward stroke by Brix's construction
-        [rad]; of central slider-cranks.
+    ratio : float, optional
+        λ, crank radius to rod length, of central slider-cranks.
     """
 
     cycle: float
     limits: VolumeLimits
     volume: Callable[[Array], Array]
-    brix: Callable[[Array], Array] | None = None
+    ratio: float | None = None
 
 
 class Kink(NamedTuple):

@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 
 from cranktrain.analysis import Result, sentences
-from cranktrain.engine.speed_curve import SpeedCurve
 from cranktrain.language import _
+from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 
 

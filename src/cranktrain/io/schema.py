@@ -10,14 +10,15 @@ from pydantic import BeforeValidator, TypeAdapter
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
-from cranktrain.engine.specs import BankSpec, CylinderSpec, CylindersSpec
 from cranktrain.io.fields import described
 from cranktrain.language import _
+from cranktrain.layout.specs import BankSpec
 from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS
 from cranktrain.quantities import Given, Quantity, Status
 from cranktrain.quantities.dimensions import Dimension, spellings
 from cranktrain.quantities.number import PATTERN
+from cranktrain.questions.cylinders.spec import CylinderSpec, CylindersSpec
 from cranktrain.spec import Spec
 
 Schema = dict[str, Any]

@@ -1,0 +1,1 @@
+"""Questions that a machine answers: a folder for each."""

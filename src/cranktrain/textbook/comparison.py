@@ -7,14 +7,15 @@ from typing import Any
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.engine.dead_centres import PistonTurn
-from cranktrain.engine.layout import CrankAngle, Group, PistonRods, Pistons
-from cranktrain.engine.motion import PistonMotion
 from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.mechanisms import Group, PistonRods, Pistons
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extreme, Extremes, largest, turn_grid
+from cranktrain.questions.motion.dead_centres import PistonTurn
+from cranktrain.questions.motion.pistons import PistonMotion
 from cranktrain.record import record
 from cranktrain.textbook.articulated_rod import (
     Harmonics,

@@ -144,35 +144,3 @@ def brix(angle: Array, crank_radius: Array, ratio: Array) -> Coefficient:
         about_centre.first * centre_first,
         about_centre.second * centre_first**2 + about_centre.first * excess_second,
     )
-
-
-def brix_angle(displacement: Array, crank_radius: Array, ratio: Array) -> Array:
-    """Crank angle by Brix's construction read backwards, from the displacement: p(S) unrolled into p(φ).
-
-    Parameters
-    ----------
-    displacement : Array
-        S from the head-side dead centre toward the shaft. [m]
-    crank_radius : Array, broadcastable with displacement
-        R [m]
-    ratio : Array, broadcastable with displacement
-        λ = R/L [1]
-
-    Returns
-    -------
-    Array, of the broadcast shape
-        φ of the outward stroke, 0 … π [rad]; on the way back it is 2π − φ. NaN outside the stroke.
-
-    Notes
-    -----
-    With σ = S/R the pin stands at cos φ_O = 1 − σ, sin φ_O = √(σ(2 − σ)), and the ray from the pole to it at
-    φ = atan2(sin φ_O, cos φ_O + λ/2).
-
-    Examples
-    --------
-    >>> angle = brix_angle(brix(1.2, 0.1, 0.25).value, 0.1, 0.25)
-    >>> round(float(angle), 12)
-    1.2
-    """
-    travelled = displacement / crank_radius
-    return np.arctan2(np.sqrt(travelled * (2 - travelled)), 1 - travelled + ratio / 2)

@@ -5,18 +5,18 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from cranktrain.viz.cad import dxf
-    from cranktrain.viz.centre_plans import plan_centres
-    from cranktrain.viz.construction_plans import plan_arc, plan_brix, plan_brix_backward, plan_projection
-    from cranktrain.viz.curves import SHEET_QUANTITIES
-    from cranktrain.viz.evenness import plan_mertsalov, plan_wittenbauer
-    from cranktrain.viz.force_plans import plan_forces
-    from cranktrain.viz.forces_sheet import sheet_forces
     from cranktrain.viz.gif import animation
-    from cranktrain.viz.machine_sheet import sheet
-    from cranktrain.viz.output import save, save_animation
-    from cranktrain.viz.pin_polar import plan_polar
-    from cranktrain.viz.plans import plan_accelerations, plan_klein, plan_positions, plan_velocities
-    from cranktrain.viz.zhukovsky_plan import plan_zhukovsky
+    from cranktrain.viz.paper.output import save, save_animation
+    from cranktrain.viz.plans.centres import plan_centres
+    from cranktrain.viz.plans.constructions import plan_arc, plan_brix, plan_brix_backward, plan_projection
+    from cranktrain.viz.plans.forces import plan_forces
+    from cranktrain.viz.plans.motion import plan_accelerations, plan_klein, plan_positions, plan_velocities
+    from cranktrain.viz.plans.pin_polar import plan_polar
+    from cranktrain.viz.plans.zhukovsky import plan_zhukovsky
+    from cranktrain.viz.sheets.curves import SHEET_QUANTITIES
+    from cranktrain.viz.sheets.evenness import plan_mertsalov, plan_wittenbauer
+    from cranktrain.viz.sheets.forces import sheet_forces
+    from cranktrain.viz.sheets.motion import sheet
 
 __all__ = [
     "SHEET_QUANTITIES",
@@ -43,27 +43,27 @@ __all__ = [
 ]
 
 _HOMES = {
-    "SHEET_QUANTITIES": "cranktrain.viz.curves",
+    "SHEET_QUANTITIES": "cranktrain.viz.sheets.curves",
     "animation": "cranktrain.viz.gif",
     "dxf": "cranktrain.viz.cad",
-    "plan_accelerations": "cranktrain.viz.plans",
-    "plan_arc": "cranktrain.viz.construction_plans",
-    "plan_brix": "cranktrain.viz.construction_plans",
-    "plan_brix_backward": "cranktrain.viz.construction_plans",
-    "plan_centres": "cranktrain.viz.centre_plans",
-    "plan_forces": "cranktrain.viz.force_plans",
-    "plan_klein": "cranktrain.viz.plans",
-    "plan_mertsalov": "cranktrain.viz.evenness",
-    "plan_polar": "cranktrain.viz.pin_polar",
-    "plan_positions": "cranktrain.viz.plans",
-    "plan_projection": "cranktrain.viz.construction_plans",
-    "plan_velocities": "cranktrain.viz.plans",
-    "plan_wittenbauer": "cranktrain.viz.evenness",
-    "plan_zhukovsky": "cranktrain.viz.zhukovsky_plan",
-    "save": "cranktrain.viz.output",
-    "save_animation": "cranktrain.viz.output",
-    "sheet": "cranktrain.viz.machine_sheet",
-    "sheet_forces": "cranktrain.viz.forces_sheet",
+    "plan_accelerations": "cranktrain.viz.plans.motion",
+    "plan_arc": "cranktrain.viz.plans.constructions",
+    "plan_brix": "cranktrain.viz.plans.constructions",
+    "plan_brix_backward": "cranktrain.viz.plans.constructions",
+    "plan_centres": "cranktrain.viz.plans.centres",
+    "plan_forces": "cranktrain.viz.plans.forces",
+    "plan_klein": "cranktrain.viz.plans.motion",
+    "plan_mertsalov": "cranktrain.viz.sheets.evenness",
+    "plan_polar": "cranktrain.viz.plans.pin_polar",
+    "plan_positions": "cranktrain.viz.plans.motion",
+    "plan_projection": "cranktrain.viz.plans.constructions",
+    "plan_velocities": "cranktrain.viz.plans.motion",
+    "plan_wittenbauer": "cranktrain.viz.sheets.evenness",
+    "plan_zhukovsky": "cranktrain.viz.plans.zhukovsky",
+    "save": "cranktrain.viz.paper.output",
+    "save_animation": "cranktrain.viz.paper.output",
+    "sheet": "cranktrain.viz.sheets.motion",
+    "sheet_forces": "cranktrain.viz.sheets.forces",
 }
 
 

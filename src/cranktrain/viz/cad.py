@@ -9,18 +9,18 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from cranktrain.analysis import SpeedWanted, speed_over_cycle
-from cranktrain.engine.speed_curve import SpeedCurve
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.output import write_whole
 from cranktrain.language import _
+from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.one_line import visible
-from cranktrain.study.plans import PositionPlan, position_plan, rescaled, track
-from cranktrain.study.polygons import Polygon, acceleration_polygons, velocity_polygons
-from cranktrain.viz.plan_sketches import polygon_sketch, positions_sketch
-from cranktrain.viz.sketch import LAYERS, Circle, Line, Sketch
-from cranktrain.viz.words import speed_words
+from cranktrain.plans.polygons import Polygon, acceleration_polygons, velocity_polygons
+from cranktrain.plans.positions import PositionPlan, position_plan, rescaled, track
+from cranktrain.viz.paper.sketch import LAYERS, Circle, Line, Sketch
+from cranktrain.viz.paper.words import speed_words
+from cranktrain.viz.plans.sketches import polygon_sketch, positions_sketch
 
 # The DXF library is an extra, and its own types are partial.
 Document: TypeAlias = Any

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from cranktrain.analysis import Result
-from cranktrain.viz.mechanism import mechanism_sketch
-from cranktrain.viz.page import Artist, Page, drawing_settings, fitting_scale
-from cranktrain.viz.scene import Scene, scene_of
-from cranktrain.viz.sketch import Sketch
+from cranktrain.viz.paper.page import Artist, Page, drawing_settings, fitting_scale
+from cranktrain.viz.paper.sketch import Sketch
+from cranktrain.viz.throw.mechanism import mechanism_sketch
+from cranktrain.viz.throw.scene import Scene, scene_of
 
 _SIDE, _HEAD = 110.0, 8.0
 """Width of the picture, and the room above the mechanism. [mm]"""

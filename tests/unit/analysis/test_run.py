@@ -8,10 +8,10 @@ from tests.machines import RADIUS, ROCKER, V12, banks, curve, of, slider, throws
 
 import cranktrain as ct
 from cranktrain.analysis import STAGES, ordered
-from cranktrain.engine.dead_centres import DeadCentres, PistonTurn
-from cranktrain.engine.doubts import Doubts
-from cranktrain.engine.travel import CylinderTravel
-from cranktrain.engine.volumes import SweptVolumes
+from cranktrain.questions.cylinders.travel import CylinderTravel
+from cranktrain.questions.cylinders.volumes import SweptVolumes
+from cranktrain.questions.doubts import Doubts
+from cranktrain.questions.motion.dead_centres import DeadCentres, PistonTurn
 
 
 def test_only_what_is_asked_for_is_computed():

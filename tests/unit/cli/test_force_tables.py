@@ -3,7 +3,7 @@
 import pytest
 
 import cranktrain as ct
-from cranktrain.study.force_table import force_table
+from cranktrain.plans.force_table import force_table
 
 HEADINGS = (
     "Forces of piston 2L by the reactions in the joints, over its area of 176.71 cm²",

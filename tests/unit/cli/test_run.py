@@ -6,8 +6,8 @@ import pytest
 
 import cranktrain as ct
 from cranktrain.checks import Check
-from cranktrain.cli.report import show_result
-from cranktrain.cli.screen import page
+from cranktrain.cli.screen.report import show_result
+from cranktrain.cli.screen.text import page
 from cranktrain.io.machine_file import read_machine
 
 CENTRAL = """

@@ -8,7 +8,7 @@ import tomllib
 import numpy as np
 import pytest
 
-from cranktrain.cli import wants
+from cranktrain.cli.synthesis import wants
 
 SLIDER_CRANK = ("slider-crank", "--stroke", "160 mm", "--pressure-angle", "30 deg")
 KNUCKLE = ("knuckle", "--crank-radius", "90 mm", "--master-rod-length", "320 mm", "--bank-angle", "60 deg")

@@ -15,7 +15,7 @@ from cranktrain.errors import InputError
 from cranktrain.gas.indicator import IndicatorSpec, diagram_work, pressure_at
 from cranktrain.gas.indicator.cycle import Samples
 from cranktrain.gas.indicator.diagram import diagram_through, smoothed
-from cranktrain.gas.indicator.spline import periodic_slopes
+from cranktrain.numerics.spline import periodic_slopes
 from cranktrain.spec import validated
 
 CASE = {

@@ -11,7 +11,7 @@ from cranktrain.errors import InputError
 from cranktrain.gas.indicator import IndicatorSpec, pressure_at
 from cranktrain.gas.indicator.unrolling import dead_centres_of
 from cranktrain.spec import validated
-from cranktrain.textbook.steam_engine import brix, brix_angle
+from cranktrain.textbook.steam_engine import brix
 
 R, L, BORE = 0.045, 0.15, 0.08
 ENGINE = Engine(R, L, BORE, 10.0)
@@ -82,7 +82,7 @@ def test_card_with_the_scale_of_paper_counted_from_the_bottom():
 def test_brix_as_schools_unroll():
     """A card drawn by Brix's construction is read by it without error; exactly read, it is off by his error."""
     ratio = R / L
-    chamber = ENGINE.chamber()._replace(brix=lambda part: brix_angle(2 * R * part, R, ratio))
+    chamber = ENGINE.chamber()._replace(ratio=ratio)
     card = csv(brix(ANGLE, R, ratio).value * 1e3, pressure(ANGLE), header="s [mm],p abs [Pa]")
     by_brix = diagram_of(card, chamber=chamber, unrolling="brix")
     # The points that are put between the card's own bridge steps of 1° and less.

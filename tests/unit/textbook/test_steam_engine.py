@@ -2,6 +2,7 @@ import mpmath
 import numpy as np
 import pytest
 
+from cranktrain.gas.indicator.brix import brix_angle
 from cranktrain.textbook import steam_engine
 
 ANGLES = np.radians([0.0, 1e-3, 17.0, 60.0, 90.0, 133.0, 180.0, 251.0, 270.0, 359.0, -40.0, 725.0])
@@ -52,16 +53,16 @@ def test_brix_is_the_drawn_construction():
 def test_brix_backwards_returns_the_angle_of_either_stroke():
     outward = np.linspace(0.01, np.pi - 0.01, 50)
     displacement = steam_engine.brix(outward, RADIUS, RATIO).value
-    np.testing.assert_allclose(steam_engine.brix_angle(displacement, RADIUS, RATIO), outward, rtol=0, atol=1e-13)
+    np.testing.assert_allclose(brix_angle(displacement, RADIUS, RATIO), outward, rtol=0, atol=1e-13)
     homeward = steam_engine.brix(2 * np.pi - outward, RADIUS, RATIO).value
-    np.testing.assert_allclose(steam_engine.brix_angle(homeward, RADIUS, RATIO), outward, rtol=0, atol=1e-13)
+    np.testing.assert_allclose(brix_angle(homeward, RADIUS, RATIO), outward, rtol=0, atol=1e-13)
 
 
 def test_brix_backwards_at_and_beyond_the_ends_of_the_stroke():
-    ends = steam_engine.brix_angle(np.array([0.0, 2 * RADIUS]), RADIUS, RATIO)
+    ends = brix_angle(np.array([0.0, 2 * RADIUS]), RADIUS, RATIO)
     np.testing.assert_allclose(ends, [0.0, np.pi], rtol=0, atol=1e-15)
     with np.errstate(invalid="ignore"):
-        assert np.isnan(steam_engine.brix_angle(np.array([-0.001, 2 * RADIUS + 0.001]), RADIUS, RATIO)).all()
+        assert np.isnan(brix_angle(np.array([-0.001, 2 * RADIUS + 0.001]), RADIUS, RATIO)).all()
 
 
 def test_largest_difference_is_that_of_333_and_334_across_the_line_of_stroke():

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from tests.unit.engine.test_evenness import ENGINE, MASSES_ALONE
+from tests.unit.questions.evenness.test_evenness import ENGINE, MASSES_ALONE
 from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
 
 import cranktrain as ct

@@ -4,17 +4,17 @@ import numpy as np
 import pytest
 from tests.gas_engines import DUAL_CYCLE
 from tests.machines import slider, throws
-from tests.unit.study.test_force_polygons import rubbing
+from tests.unit.plans.test_force_polygons import rubbing
 from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
 from tests.weighed_machines import WEIGHED
 
 import cranktrain as ct
 from cranktrain.errors import InputError
 from cranktrain.io.machine_file import read_machine
-from cranktrain.study.force_polygons import force_polygons
-from cranktrain.study.pin_loads import pin_loads
-from cranktrain.study.polygons import velocity_polygons
-from cranktrain.study.zhukovsky import zhukovsky_lever
+from cranktrain.plans.force_polygons import force_polygons
+from cranktrain.plans.pin_loads import pin_loads
+from cranktrain.plans.polygons import velocity_polygons
+from cranktrain.plans.zhukovsky import zhukovsky_lever
 from cranktrain.viz import (
     plan_accelerations,
     plan_forces,
@@ -26,11 +26,11 @@ from cranktrain.viz import (
     sheet,
     sheet_forces,
 )
-from cranktrain.viz.force_panels import force_panels
-from cranktrain.viz.force_sketches import force_polygon_sketch
-from cranktrain.viz.labels import label_outline
-from cranktrain.viz.pin_polar import polar_sketch
-from cranktrain.viz.zhukovsky_plan import lever_sketch
+from cranktrain.viz.paper.labels import label_outline
+from cranktrain.viz.plans.force_sketches import force_polygon_sketch
+from cranktrain.viz.plans.pin_polar import polar_sketch
+from cranktrain.viz.plans.zhukovsky import lever_sketch
+from cranktrain.viz.sheets.panels import force_panels
 
 NO_ROD = ("scotch_yoke", "oscillating_cylinder", "slotted_lever", "stephenson", "chain")
 ENGINES = ("3d12", "r_1340", "deltic", "vaz_21213")

@@ -12,14 +12,14 @@ import pytest
 from matplotlib.text import Text
 
 import cranktrain as ct
-from cranktrain.engine.frames import in_machine_axes
 from cranktrain.errors import InputError
 from cranktrain.io.description import counted_by_status
 from cranktrain.io.examples import example_names
 from cranktrain.io.machine_file import inputs_of, read_machine
 from cranktrain.io.output import write_whole_bytes
+from cranktrain.layout.frames import in_machine_axes
 from cranktrain.mechanisms import KINDS
-from cranktrain.study.placement import frame
+from cranktrain.plans.placement import frame
 from cranktrain.viz import (
     SHEET_QUANTITIES,
     animation,
@@ -37,11 +37,11 @@ from cranktrain.viz import (
     save_animation,
     sheet,
 )
-from cranktrain.viz.curves import marks, panels
-from cranktrain.viz.mechanism import mechanism_sketch
-from cranktrain.viz.page import fitting_scale, formula, mathematics, scale_words
-from cranktrain.viz.scene import scene_of
-from cranktrain.viz.words import provenance_words
+from cranktrain.viz.paper.page import fitting_scale, formula, mathematics, scale_words
+from cranktrain.viz.paper.words import provenance_words
+from cranktrain.viz.sheets.curves import marks, panels
+from cranktrain.viz.throw.mechanism import mechanism_sketch
+from cranktrain.viz.throw.scene import scene_of
 
 MILLIMETRE = 1 / 25.4
 
@@ -719,7 +719,7 @@ def test_a_name_that_is_no_symbol_stays_as_it_is(name):
 
 
 def test_only_marked_formulas_are_set_as_such():
-    from cranktrain.viz.page import set_words
+    from cranktrain.viz.paper.page import set_words
 
     assert set_words("5 $ of A_1") == {"s": "5 $ of A_1", "parse_math": False}
     assert set_words(f"$ of {formula('A_1')}") == {"s": r"\$ of $A_1$", "parse_math": True}

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
+from cranktrain.numerics.spline import periodic_slopes
 
 _AT_PLACE = 1e-13
 """What is so little before a place stands at it: places come back from a count of other zero with rounding. [rad]"""
@@ -128,3 +129,11 @@ def crest(curve: Curve) -> tuple[float, float]:
 def _share(above: Array, below: Array) -> Array:
     """A quotient within 0 to 1; 0 where there is none."""
     return np.clip(above / np.where(below == 0.0, np.inf, below), 0.0, 1.0)
+
+
+def spline_curve(places: Array, values: Array, period: float) -> Curve:
+    """Periodic cubic spline through points of one period; of a place given twice the second counts, as if no jump."""
+    kept = np.diff(places, append=places[0] + period) > 0
+    own, starts = places[kept], values[kept]
+    slopes = periodic_slopes(own, starts, period)
+    return Curve(period, own, starts, np.roll(starts, -1), slopes, np.roll(slopes, -1))

@@ -5,10 +5,9 @@ from typing import Literal, TypeAlias
 
 import numpy as np
 
-from cranktrain.gas.indicator.curve import Curve, along, curve_at
+from cranktrain.gas.indicator.curve import Curve, along, curve_at, spline_curve
 from cranktrain.gas.indicator.cycle import Samples
 from cranktrain.gas.indicator.limited import limited_curve
-from cranktrain.gas.indicator.spline import spline_curve
 from cranktrain.motion import Array
 from cranktrain.record import record
 

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
+from cranktrain.gas.indicator.brix import brix_angle
 from cranktrain.gas.indicator.cycle import Samples, one_cycle
 from cranktrain.gas.indicator.diagram import CURVES, Diagram, diagram_through, pressure_at, smoothed
 from cranktrain.gas.indicator.doubts import compression_doubts, lost_jump_doubts, noise_doubts, rounded_jump_doubts
@@ -16,7 +17,7 @@ from cranktrain.gas.indicator.unrolling import OutwardAngle, dead_centres_of, un
 from cranktrain.gas.kind import Chamber
 from cranktrain.gas.state import ChamberState
 from cranktrain.language import _
-from cranktrain.motion import Array
+from cranktrain.motion import Array, single
 from cranktrain.quantities import shown
 
 
@@ -117,10 +118,11 @@ def _outward(spec: IndicatorSpec, chamber: Chamber) -> OutwardAngle | None:
     """Choose how displacements become crank angles."""
     if spec.unrolling == "exact":
         return None
-    if chamber.brix is None:
+    if chamber.ratio is None:
         allowed = _("is for a central slider-crank only; its construction knows no other mechanism")
         raise InputError([Problem("unrolling", spec.unrolling, allowed)])
-    return chamber.brix
+    ratio = single(chamber.ratio)
+    return lambda travelled: brix_angle(2.0 * travelled, single(1.0), ratio)
 
 
 def _pegged(samples: Samples, diagram: Diagram, peg: PegSpec, chamber: Chamber) -> Samples:

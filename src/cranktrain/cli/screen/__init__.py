@@ -1,0 +1,1 @@
+"""The screen: results, facts and inputs in words and tables."""

@@ -1,0 +1,220 @@
+"""Facts as tables: equal members share a column, so that twelve cylinders need two; different ones have a row each."""
+
+import itertools
+import textwrap
+from collections.abc import Iterator, Sequence
+from functools import reduce
+from typing import NamedTuple
+
+import numpy as np
+from rich.text import Text
+
+from cranktrain.analysis import Result
+from cranktrain.catalogue import Entry
+from cranktrain.cli.screen.figures import ABSENT, figures
+from cranktrain.cli.screen.text import table
+from cranktrain.language import N_, _
+from cranktrain.record import record
+from cranktrain.wording import ranged
+
+_MOST_COLUMNS = 3
+"""Of a table with one row for each fact; facts that need more groups get one row for each group."""
+
+_NUMBERED = {"order": N_("order"), "journal": N_("journal"), "weight": N_("weight"), "throw": N_("throw")}
+"""Dimensions whose members are numbers, which may be called as pistons are but are no pistons."""
+
+_GAP = 2
+
+
+@record
+class FactRow:
+    """A fact as text.
+
+    Attributes
+    ----------
+    entry : Entry
+    unit : str
+    texts : dict of str
+        By member; a member may lack the fact.
+    """
+
+    entry: Entry
+    unit: str
+    texts: dict[str, str]
+
+    @property
+    def head(self) -> tuple[str, str, str]:
+        """Name, symbol and unit."""
+        return self.entry.name, self.entry.symbol, self.unit
+
+    def text(self, member: str) -> str:
+        """What stands for a member; nothing where it lacks the fact."""
+        return self.texts.get(member, "")
+
+
+class _Family(NamedTuple):
+    """Facts with common members: of the pistons (and of chambers that are called the same), of the banks, …
+
+    title says what the members are where they are numbered.
+    """
+
+    title: str
+    members: tuple[str, ...]
+    rows: list[FactRow]
+
+
+class _Line(NamedTuple):
+    """A line of a table with one column for each fact."""
+
+    label: str
+    texts: list[str]
+
+
+def fact_tables(result: Result, names: Sequence[str], width: int) -> Iterator[str | Text]:
+    """Lay out facts.
+
+    Parameters
+    ----------
+    result : Result
+    names : sequence of str
+        Which of its facts.
+    width : int
+        Columns of the screen.
+
+    Yields
+    ------
+    str or Text
+        Tables, one below the other: their lines, and paragraphs that name their columns.
+    """
+    flat = [name for name in names if len(result.catalogue[name].dimensions) <= 1]
+    for i, (title, members, rows) in enumerate(_families([_row(result, name) for name in flat])):
+        narrow, groups = _narrow(rows, members, width)
+        if narrow:
+            if i:
+                yield ""
+            yield from _by_fact(narrow, groups, members)
+        wide = [row for row in rows if row not in narrow]
+        if wide:
+            yield from _by_member(wide, _lines(wide, members), width, _(title) if title else "")
+    deep = [result.catalogue[name] for name in names if name not in flat]
+    for dimensions in dict.fromkeys(entry.dimensions for entry in deep):
+        entries = [entry for entry in deep if entry.dimensions == dimensions]
+        yield from _deep(result, entries, width)
+
+
+def _row(result: Result, name: str) -> FactRow:
+    """Write a fact with at most one dimension; one member needs no name."""
+    entry = result.catalogue[name]
+    members = tuple(label for labels in result.labels_of(entry).values() for label in labels)
+    shown = figures(np.atleast_1d(getattr(result, name)), entry.unit)
+    return FactRow(entry, shown.unit, dict(zip(members if len(members) > 1 else ("",), shown.texts, strict=True)))
+
+
+def _families(rows: Sequence[FactRow]) -> list[_Family]:
+    """Sort facts by their members; a part of the members is of the family of all, but a number of another."""
+    families: list[_Family] = []
+    for row in rows:
+        members = tuple(row.texts)
+        title = _NUMBERED.get(row.entry.dimensions[0], "") if len(members) > 1 else ""
+        for i, family in enumerate(families):
+            is_part = set(family.members) <= set(members) or set(members) <= set(family.members)
+            if family.title == title and is_part:
+                families[i] = _Family(title, max(family.members, members, key=len), [*family.rows, row])
+                break
+        else:
+            families.append(_Family(title, members, [row]))
+    return families
+
+
+def _groups(rows: Sequence[FactRow], members: Sequence[str]) -> list[list[int]]:
+    """Put members together that are equal in all of some facts."""
+    return reduce(lambda groups, row: _split(groups, row, members), rows, [list(range(len(members)))])
+
+
+def _split(groups: Sequence[Sequence[int]], row: FactRow, members: Sequence[str]) -> list[list[int]]:
+    """Part groups of members that are not equal in one more fact."""
+    found: dict[tuple[int, str], list[int]] = {}
+    for i, group in enumerate(groups):
+        for member in group:
+            found.setdefault((i, row.text(members[member])), []).append(member)
+    return sorted(found.values())
+
+
+def _narrow(rows: Sequence[FactRow], members: Sequence[str], width: int) -> tuple[list[FactRow], list[list[int]]]:
+    """Choose the facts, fewest groups first, that go together into one table with few columns."""
+    chosen: list[FactRow] = []
+    groups = [list(range(len(members)))]
+    for row in sorted(rows, key=lambda row: len(_groups([row], members))):
+        finer = _split(groups, row, members)
+        if len(finer) == 1 or (len(finer) <= _MOST_COLUMNS and _natural_width([*chosen, row], finer, members) <= width):
+            chosen, groups = [*chosen, row], finer
+    return [row for row in rows if row in chosen], groups
+
+
+def _natural_width(rows: Sequence[FactRow], groups: Sequence[Sequence[int]], members: Sequence[str]) -> int:
+    """Columns of the screen that a table by fact takes."""
+    heads = sum(max(len(row.head[i]) for row in rows) + _GAP for i in range(3))
+    return heads + sum(
+        _GAP + max(len(ranged(members, group)), *(len(row.text(members[group[0]])) for row in rows)) for group in groups
+    )
+
+
+def _by_fact(rows: Sequence[FactRow], groups: Sequence[Sequence[int]], members: Sequence[str]) -> list[Text]:
+    """One row for each fact, one column for each group."""
+    heads = ["", "", "", *(ranged(members, group) for group in groups)]
+    cells = [[*row.head, *(row.text(members[group[0]]) for group in groups)] for row in rows]
+    return table(heads, cells, right=range(3, len(heads)))
+
+
+def _lines(rows: Sequence[FactRow], members: Sequence[str], outer: str = "") -> list[_Line]:
+    """One line for each group of members of which there is anything to say."""
+    groups = _groups(rows, members)
+    return [
+        _Line(" ".join(filter(None, (outer, ranged(members, group) if len(groups) > 1 else ""))), texts)
+        for group in groups
+        if set(texts := [row.text(members[group[0]]) for row in rows]) != {ABSENT}
+    ]
+
+
+def _deep(result: Result, entries: Sequence[Entry], width: int) -> Iterator[str | Text]:
+    """Facts with more dimensions, as of each piston by each method: a line for each method and group of pistons."""
+    *outer, members = result.labels_of(entries[0]).values()
+    shown = [figures(getattr(result, entry.name).ravel(), entry.unit) for entry in entries]
+    lines: list[_Line] = []
+    rows: list[FactRow] = []
+    for i, names in enumerate(itertools.product(*outer)):
+        start = i * len(members)
+        rows = [
+            FactRow(entry, one.unit, dict(zip(members, one.texts[start : start + len(members)], strict=True)))
+            for entry, one in zip(entries, shown, strict=True)
+        ]
+        lines += _lines(rows, members, ", ".join(names))
+    yield from _by_member(rows, lines, width)
+
+
+def _by_member(rows: Sequence[FactRow], lines: Sequence[_Line], width: int, title: str = "") -> Iterator[str | Text]:
+    """One column for each fact, as many as there is room for side by side, and the facts' names below."""
+    labels = [textwrap.wrap(line.label, width // 2, break_on_hyphens=False) or [""] for line in lines]
+    beside = width - max(len(title), *(len(part) for label in labels for part in label))
+    room = beside
+    parts: list[list[int]] = [[]]
+    for i, row in enumerate(rows):
+        needed = _GAP + max(len(_symbol(row)), len(row.unit), *(len(line.texts[i]) for line in lines))
+        if parts[-1] and needed > room:
+            parts.append([])
+            room = beside
+        parts[-1].append(i)
+        room -= needed
+    for part in parts:
+        heads = [title, *(_symbol(rows[i]) for i in part)]
+        units = ["", *(rows[i].unit for i in part)]
+        yield ""
+        cells = [units]
+        for line, (first, *rest) in zip(lines, labels, strict=True):
+            cells += [[first, *(line.texts[i] for i in part)], *([more, *[""] * len(part)] for more in rest)]
+        yield from table(heads, cells, right=range(1, len(heads)))
+        yield ", ".join(f"{_symbol(rows[i])} {rows[i].entry.name}" for i in part)
+
+
+def _symbol(row: FactRow) -> str:
+    return row.entry.symbol or row.entry.name

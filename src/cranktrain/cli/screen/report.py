@@ -1,0 +1,174 @@
+"""A result on the screen: answers first, then the numbers, what they rest on, and what is missing."""
+
+import itertools
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from rich.console import Console
+from rich.text import Text
+
+from cranktrain.analysis import Missing, Result, sentences
+from cranktrain.catalogue import Entry
+from cranktrain.cli.screen.facts import fact_tables
+from cranktrain.cli.screen.figures import ABSENT, figures
+from cranktrain.cli.screen.inputs import input_table, provenance
+from cranktrain.cli.screen.text import INDENT, paragraph, section, table
+from cranktrain.io.description import layout_words
+from cranktrain.io.machine_file import MachineFile
+from cranktrain.language import _
+from cranktrain.machine import Machine
+from cranktrain.one_line import one_line, visible
+from cranktrain.wording import ranged
+
+_NAMED = 4
+"""How many of the results that something would give are named."""
+
+_EQUAL = 1e-9
+"""Peaks closer than this are one: which of them rounding makes the largest says nothing."""
+
+
+def show_result(
+    console: Console, file: MachineFile, result: Result, names: Sequence[str], *, is_all: bool, with_inputs: bool
+) -> None:
+    """Show a result.
+
+    Parameters
+    ----------
+    console : Console
+    file : MachineFile
+    result : Result
+        Of one machine.
+    names : sequence of str
+        Which of its quantities.
+    is_all : bool
+        Whether these are all there are: then what is given by several methods is named, and its sentence has to do.
+    with_inputs : bool
+        Whether to show every number of the file, and not only a word on where they are from.
+    """
+    console.print(Text(title(file.machine), style="bold"))
+    for sentence in sentences(result.unused):
+        console.print(Text("\n").join(_minded(console, sentence)), soft_wrap=True)
+    console.print()
+    for sentence in result.answers():
+        console.print(visible(sentence))
+    width = console.width - INDENT
+    deep = [name for name in names if is_all and len(result.labels_of(result.catalogue[name])) > 1]
+    names = [name for name in names if name not in deep]
+    facts = [name for name in names if result.catalogue[name].is_fact]
+    if facts:
+        section(console, _("Results"), list(fact_tables(result, facts, width)))
+    peaks = list(_peaks(result, names))
+    if peaks:
+        step = f"{result.crank_angle[1]:g}°"
+        heading = _("Largest values of the curves, in steps of {step}").format(step=step)
+        heads = ("", "", _("peak"), "", _("at °"), _("of"))
+        section(console, heading, table(heads, peaks, right=(2, 4), fold=width))
+    if deep:
+        section(console, _("By each method, with --quantities"), [", ".join(deep)])
+    if result.checks:
+        section(console, _("Checks"), list(_checks(console, result)))
+    if result.flags:
+        section(console, _("Mind"), result.flags)
+    about = input_table(file, width) if with_inputs else list(provenance(file, width))
+    section(console, _("What this rests on"), about)
+    if result.missing:
+        section(console, _("To learn more"), [_missing(missing) for missing in result.missing])
+
+
+def _minded(console: Console, sentence: str) -> Iterator[Text]:
+    """Fold a sentence that comes before all results."""
+    for place, line in enumerate(paragraph(console, sentence)):
+        yield Text("  " if place else "! ") + line
+
+
+def title(machine: Machine) -> str:
+    """Say in one line which machine this is."""
+    parts = [layout_words(machine)]
+    if len(machine.shafts) > 1:
+        parts.append(_shafts(machine))
+    if machine.main_shaft.speed is not None:
+        parts.append(machine.main_shaft.speed.text)
+    if machine.main_shaft.acceleration is not None:
+        parts.append(machine.main_shaft.acceleration.text)
+    senses = {
+        "clockwise": _("clockwise"),
+        "anticlockwise": _("anticlockwise"),
+        "ahead": _("ahead"),
+        "astern": _("astern"),
+    }
+    parts.append(f"{senses[machine.rotation]}, {senses[machine.running]}")
+    return one_line(": ".join(filter(None, (machine.name.strip(), "; ".join(parts)))))
+
+
+def _shafts(machine: Machine) -> str:
+    """Say which mechanisms work on which shaft."""
+    places = machine.places
+    names = [place.name for place in places]
+    on = {
+        shaft: [i for i, place in enumerate(places) if place.shaft == shaft]
+        for shaft in dict.fromkeys(place.shaft for place in places)
+    }
+    said = (_("{shaft} ({mechanisms})").format(shaft=shaft, mechanisms=ranged(names, few)) for shaft, few in on.items())
+    return _("shafts {shafts}").format(shafts=", ".join(said))
+
+
+def _peaks(result: Result, names: Sequence[str]) -> Iterator[tuple[str, ...]]:
+    """Give the largest size of every curve: name, symbol, value, unit, where and whose."""
+    for name in names:
+        entry = result.catalogue[name]
+        if entry.is_fact:
+            continue
+        members = [", ".join(labels) for labels in itertools.product(*result.labels_of(entry).values())]
+        if (found := _refined(result, entry)) is not None:
+            value, at, member = found
+            shown = figures(np.array([value]), entry.unit)
+            yield name, entry.symbol, shown.texts[0], shown.unit, f"{at:.1f}", members[member] if members[1:] else ""
+            continue
+        curves = np.reshape(getattr(result, name), (-1, result.crank_angle.size))
+        size = np.nan_to_num(np.abs(curves), nan=-1.0)
+        member, place = np.unravel_index(np.argmax(size >= np.max(size) * (1 - _EQUAL)), size.shape)
+        if np.isnan(curves[member, place]):
+            yield name, entry.symbol, ABSENT, "", "", ""
+            continue
+        shown = figures(curves[[member], place], entry.unit)
+        whose = members[member] if len(members) > 1 else ""
+        yield name, entry.symbol, shown.texts[0], shown.unit, f"{result.crank_angle[place]:g}", whose
+
+
+def _refined(result: Result, entry: Entry) -> tuple[float, float, int] | None:
+    """Largest size of a curve, where and whose, if facts say it of the same members: no step has a part in these."""
+    found: list[tuple[float, float, int]] = []
+    # Facts of the machine's torque and of the gas's pressure are called shortly.
+    stem = entry.name.removeprefix("machine_").removeprefix("gas_")
+    for side in ("smallest", "largest", "peak"):
+        extreme, at = (result.facts.get(f"{side}_{stem}{ending}") for ending in ("", "_at"))
+        if extreme is None or at is None or (*extreme.entry.dimensions, "crank_angle") != entry.dimensions:
+            continue
+        sizes = np.nan_to_num(np.abs(np.ravel(extreme.value)), nan=-1.0)
+        member = int(np.argmax(sizes >= np.max(sizes) * (1 - _EQUAL)))
+        if sizes[member] >= 0:
+            found.append((float(np.ravel(extreme.value)[member]), float(np.ravel(at.value)[member]), member))
+    return max(found, key=lambda one: abs(one[0]), default=None)
+
+
+def _checks(console: Console, result: Result) -> Iterator[Text]:
+    """Say of every check whether it holds, how well, and what is compared."""
+    for check in result.checks:
+        residual = float(check.residual[0])
+        if not check.judged[0]:
+            yield from paragraph(console, f"– {check.verdict()}: {check.sentence}", "")
+            continue
+        mark, style = ("✓", "") if check.passed[0] else ("✗", "red")
+        said = _("{mark} {verdict} (residual {residual:.1e}, limit {limit:.0e}): {sentence}").format(
+            mark=mark, verdict=check.verdict(), residual=residual, limit=check.limit, sentence=check.sentence
+        )
+        yield from paragraph(console, said, style)
+
+
+def _missing(missing: Missing) -> str:
+    """Say what the file would have to say, and what it would give."""
+    results = ", ".join(missing.results[:_NAMED])
+    more = len(missing.results) - _NAMED
+    if more > 0:
+        results = _("{results} and {n} more").format(results=results, n=more)
+    return _("{needs}: gives {results}").format(needs=_(" and ").join(missing.needs), results=results)

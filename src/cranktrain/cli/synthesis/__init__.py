@@ -1,0 +1,1 @@
+"""`synthesise`: a command for each problem."""

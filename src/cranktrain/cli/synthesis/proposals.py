@@ -1,0 +1,135 @@
+"""A proposal on the screen: its numbers, what else was considered, remarks, and how to go on."""
+
+import re
+import shlex
+from collections.abc import Iterator, Mapping, Sequence
+
+from rich.console import Console
+from rich.text import Text
+
+from cranktrain.cli.screen.columns import Column, column_tables, worded_tables
+from cranktrain.cli.screen.text import INDENT, page, section, table
+from cranktrain.cli.synthesis.wants import Typed, proposed
+from cranktrain.cli.textbook.errata import SOURCE_EXAMPLE, show_source_example
+from cranktrain.io.output import STANDARD_OUTPUT, write_whole
+from cranktrain.language import _
+from cranktrain.one_line import one_line
+from cranktrain.synthesis.proposal import Alternative, Number, Proposal
+from cranktrain.wording import number
+
+_OF_MEMBER = re.compile(r"(?P<name>.+)\((?P<member>\d+)\)$")
+
+
+def give_proposal(problem: str, typed: Typed, output: str | None, *, force: bool, with_source: bool = False) -> None:
+    """Find dimensions, write their machine file where one is asked for, and show them.
+
+    Parameters
+    ----------
+    problem : str
+        As `proposed` takes it.
+    typed : mapping
+        The wants.
+    output : str or None
+        File to write; `-` for the machine file alone on the standard output.
+    force : bool
+        Replace a file that is there.
+    with_source : bool
+        Whether to show the source's own example and its errors, with no want typed for its wants.
+    """
+    proposal = proposed(problem, SOURCE_EXAMPLE if with_source and not any(typed.values()) else typed)
+    if output is not None:
+        write_whole(output, proposal.machine_file(), force=force)
+    if output in STANDARD_OUTPUT:
+        return
+    with page() as console:
+        show_proposal(console, proposal)
+        if with_source:
+            show_source_example(console)
+        console.print()
+        if output is None:
+            said = _("-o FILE.toml writes it as a machine file, for: cranktrain run FILE.toml")
+        else:
+            command = shlex.join(["cranktrain", "run", one_line(output)])
+            said = _("written: {name}; go on with: {command}").format(name=one_line(output), command=command)
+        console.print(said, soft_wrap=True)
+
+
+def show_proposal(console: Console, proposal: Proposal) -> None:
+    """Show numbers, alternatives and remarks."""
+    width = console.width - INDENT
+    console.print(Text(one_line(proposal.title), style="bold"))
+    section(console, _("Proposed"), list(_numbers(proposal.numbers, width)))
+    if proposal.alternatives:
+        section(console, _("Also considered"), list(_alternatives(proposal, width)))
+    if proposal.remarks:
+        section(console, _("Mind"), proposal.remarks)
+
+
+def _numbers(numbers: Sequence[Number], width: int) -> Iterator[str | Text]:
+    """Numbers one in a line; those of several members, such as `stroke(2)`, in columns."""
+    single = [one for one in numbers if _OF_MEMBER.match(one.name) is None]
+    if single:
+        rows = [(one.sentence, one.symbol, *_figure(one)) for one in single]
+        yield from table(("", "", "", ""), rows, right=(2,))
+    several: dict[str, list[Number]] = {}
+    for one in numbers:
+        if found := _OF_MEMBER.match(one.name):
+            several.setdefault(found["member"], []).append(one)
+    if several:
+        columns = [
+            Column(_symbol(each[0]), _unit(each[0].unit), tuple(_figure(one)[0] for one in each))
+            for each in zip(*several.values(), strict=True)
+        ]
+        yield from column_tables(columns, tuple(several), width)
+        yield ""
+        yield _legend(next(iter(several.values())))
+
+
+def _alternatives(proposal: Proposal, width: int) -> Iterator[str | Text]:
+    """Tables of alternatives, one for each set of numbers; those that the proposal has too stand beside its own."""
+    own = {one.name: one for one in proposal.numbers}
+    families: dict[tuple[str, ...], list[tuple[str, Mapping[str, Number]]]] = {}
+    for label, numbers in map(_by_name, proposal.alternatives):
+        is_comparable = set(numbers) <= set(own)
+        family = tuple(own) if is_comparable else tuple(numbers)
+        start = [(_("as proposed"), own)] if is_comparable else []
+        families.setdefault(family, list(start)).append((label, numbers))
+    for i, (names, rows) in enumerate(families.items()):
+        if i:
+            yield ""
+        shown = {name: next(numbers[name] for _label, numbers in rows if name in numbers) for name in names}
+        columns = {name: _column(one, [numbers.get(name) for _label, numbers in rows]) for name, one in shown.items()}
+        kept = [name for name, column in columns.items() if len(set(filter(None, column.texts))) > 1] or list(columns)
+        yield from worded_tables([columns[name] for name in kept], [label for label, _numbers in rows], width)
+        yield ""
+        yield _legend([shown[name] for name in kept])
+
+
+def _by_name(alternative: Alternative) -> tuple[str, Mapping[str, Number]]:
+    return alternative.label, {one.name: one for one in alternative.numbers}
+
+
+def _column(like: Number, numbers: Sequence[Number | None]) -> Column:
+    """A column of one kind of number; empty where a row has none."""
+    texts = tuple("" if one is None else _figure(one)[0] for one in numbers)
+    return Column(_symbol(like), _unit(like.unit), texts)
+
+
+def _legend(numbers: Sequence[Number]) -> str:
+    """Say what the symbols are."""
+    return "; ".join(f"{_symbol(one)} {one.sentence[:1].lower()}{one.sentence[1:]}" for one in numbers)
+
+
+def _symbol(one: Number) -> str:
+    """Symbol without the member that it is of."""
+    found = _OF_MEMBER.match(one.symbol)
+    return found["name"] if found else one.symbol
+
+
+def _figure(one: Number) -> tuple[str, str]:
+    """Number and unit as text."""
+    return number(one.value, one.unit).removesuffix(f" {one.unit}"), _unit(one.unit)
+
+
+def _unit(unit: str) -> str:
+    return "" if unit == "1" else unit

@@ -1,0 +1,1 @@
+"""`textbook`: the sources' own formulas and errors."""

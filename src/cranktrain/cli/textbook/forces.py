@@ -1,0 +1,135 @@
+"""`textbook --forces`: a piston's forces at round crank angles, exact and by the textbook's formula, with errors."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from rich.console import Console
+from rich.text import Text
+
+from cranktrain.cli.screen.columns import Column, column_tables
+from cranktrain.cli.screen.report import title
+from cranktrain.cli.screen.text import INDENT, page, section
+from cranktrain.errors import InputError, Position, Problem
+from cranktrain.io.machine_file import read_machine
+from cranktrain.language import _
+from cranktrain.motion import Array
+from cranktrain.plans.force_table import ForceColumn, ForceTable, force_table
+
+_FIGURES = 5
+"""Of the largest number in a column."""
+
+_STEP = 30.0
+"""Of the crank angle, unless given. [deg]"""
+
+_TOLD = 5e-5
+"""An error that is shown, in parts of the peak."""
+
+
+@dataclass(frozen=True)
+class ForceRequest:
+    """What is asked of the tables of forces, as typed."""
+
+    file: str
+    unit: str
+    settings: tuple[str, ...] = ()
+    step: float | None = None
+    piston: str | None = None
+
+
+def show_force_tables(request: ForceRequest) -> None:
+    """Show the tables.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong with the machine, or with the request.
+    """
+    if not request.file:
+        repair = _("such as: {example}").format(example=f"cranktrain textbook 3d12 --forces {request.unit}")
+        raise InputError([Problem("", None, _("FILE is missing"), repair, Position("cranktrain textbook"))])
+    file = read_machine(request.file, request.settings)
+    try:
+        step = _STEP if request.step is None else request.step
+        table = force_table(file.machine, step=step, unit=request.unit, piston=request.piston)
+    except InputError as error:
+        raise InputError(
+            problem if problem.path.startswith("-") else file.document.located([problem])[0]
+            for problem in error.problems
+        ) from None
+    with page() as console:
+        console.print(Text(title(file.machine), style="bold"))
+        _show(console, table)
+
+
+def refuse_without_forces(step: float | None, piston: str | None) -> None:
+    """Refuse options that mean nothing but for tables of forces."""
+    given = {"--step": None if step is None else f"{step:g}", "--piston": piston}
+    allowed = _("is for tables of forces: ask for --forces UNIT, too")
+    problems = [Problem(name, value, allowed) for name, value in given.items() if value is not None]
+    if problems:
+        raise InputError(problems)
+
+
+def _show(console: Console, table: ForceTable) -> None:
+    """Show forces by the reactions, and what the textbook makes of them."""
+    labels = [f"{angle:g}°" for angle in table.angle]
+    exact = [Column(one.symbol, one.unit, _written(one.exact, one.exact)) for one in table.columns]
+    heading = _("Forces of piston {piston} by the reactions in the joints").format(piston=table.piston)
+    if table.area is not None:
+        heading = _("{heading}, over its area of {area:.2f} cm²").format(heading=heading, area=1e4 * table.area)
+    section(console, heading, list(column_tables(exact, labels, console.width - INDENT)))
+    by_formula = [(one, one.textbook, one.textbook_error) for one in table.columns]
+    by_harmonics = [(one, one.two_harmonics, one.two_harmonics_error) for one in table.columns]
+    heading = _("The same by the textbook's P·f(β)")
+    if all(np.all(np.abs(one.textbook_error) < _TOLD) for one in table.columns):
+        section(console, heading, [_("The same: this rod is as two masses, and nothing hangs on it.")])
+    else:
+        _show_method(console, heading, by_formula, labels)
+    _show_method(console, _("The same with two harmonics of inertia"), by_harmonics, labels)
+    section(console, _("What they are"), list(_explained(table)))
+
+
+def _show_method(
+    console: Console, heading: str, columns: Sequence[tuple[ForceColumn, Array, Array]], labels: Sequence[str]
+) -> None:
+    """Show the forces by a method, and their errors; nothing where there are none."""
+    if all(np.all(np.isnan(values)) for _one, values, _error in columns):
+        return
+    width = console.width - INDENT
+    forces = [Column(one.symbol, one.unit, _written(values, one.exact)) for one, values, _error in columns]
+    section(console, heading, list(column_tables(forces, labels, width)))
+    errors = [
+        Column(f"Δ{one.symbol}", "%", tuple(_signless(f"{100 * value:.2f}") for value in error))
+        for one, _values, error in columns
+    ]
+    section(console, _("Their errors, of the exact peaks"), list(column_tables(errors, labels, width)))
+
+
+def _explained(table: ForceTable) -> Iterator[str]:
+    """Say what the letters stand for."""
+    if table.sort == "slave":
+        yield _(
+            "P along the cylinder toward the shaft, N of the wall toward +y, S along the rod (+ compression); K_i (Z) "
+            "toward the shaft, T_i with the rotation and M_i = T_i R: its share of what its master's crank pin bears."
+        )
+        yield _("Of the rod one share goes with the piston, the other with the knuckle pin; P·f(β) is for no slave.")
+        return
+    yield _(
+        "P along the cylinder toward the shaft, N of the wall toward +y, S along the rod (+ compression), K (or Z) "
+        "toward the shaft, T with the rotation, M = TR. The rod's rotating share is in none of them."
+    )
+    if table.sort == "master":
+        yield _("S at the piston pin, S_A at the crank pin: slaves hang between them. K, T and M hold what they do.")
+
+
+def _written(values: Array, like: Array) -> tuple[str, ...]:
+    """Write numbers with as many decimals as give the largest of a curve its figures."""
+    peak = float(np.max(np.abs(like)))
+    decimals = max(0, _FIGURES - 1 - int(np.floor(np.log10(peak)))) if peak > 0.0 else 0
+    return tuple(_signless(f"{value:.{decimals}f}") for value in values)
+
+
+def _signless(text: str) -> str:
+    """Take the sign from what is shown as 0."""
+    return text.lstrip("-") if float(text) == 0.0 else text

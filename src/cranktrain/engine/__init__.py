@@ -1,1 +1,0 @@
-"""Engines and other machines: shafts, banks, pistons, chambers, firing; one module for each stage."""

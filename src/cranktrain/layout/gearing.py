@@ -1,0 +1,158 @@
+"""Gearing of shafts: where each stands at crank angle 0, by a phase of its own or by the lead of opposed pistons."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.errors import Problem
+from cranktrain.language import _
+from cranktrain.layout.specs import MAIN, BankSpec, OpposedPistonSpec, ShaftSpec
+from cranktrain.motion import single
+from cranktrain.numerics import around_zero
+from cranktrain.wording import precise
+
+_CLOSED = 1e-9
+"""A ring of shafts that closes to less than this is closed: phases are sums of a few angles. [rad]"""
+
+
+class _Crank(NamedTuple):
+    """The crank of a bank's first cylinder: its shaft, that shaft's sense, and where it stands from its axis. [rad]"""
+
+    shaft: str
+    sense: float
+    ahead: float
+
+
+class _Pair(NamedTuple):
+    """A bank of opposed pistons as a tie between two shafts: the exhaust crank is ahead by the lead. [rad]"""
+
+    bank: str
+    exhaust: _Crank
+    scavenge: _Crank
+    lead: float
+
+
+def opposed_angle(bank: BankSpec, end: str) -> float:
+    """Direction from the shaft of one of two opposed pistons to their cylinder, from Y in the file's sense. [rad]"""
+    faces = end == "scavenge" and len(set(bank.shafts)) == 2
+    return bank.angle[0].si + (np.pi if faces else 0.0)
+
+
+def first_axis(banks: Mapping[str, BankSpec]) -> float:
+    """Direction from which the crank angle counts, from Y in the normal sense of rotation. [rad]
+
+    It is the first bank's; of opposed pistons that of the one that works on the main shaft, or else the exhaust's.
+    """
+    bank = next(iter(banks.values()))
+    on_main = [opposed_angle(bank, end) for end, piston in bank.opposed.items() if piston.shaft == MAIN]
+    return on_main[0] if on_main else bank.angle[0].si
+
+
+def shaft_phases(
+    shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec]
+) -> tuple[dict[str, float], tuple[Problem, ...]]:
+    """Find how far throw 1 of every shaft stands ahead of throw 1 of `main` when the crank angle is 0.
+
+    Parameters
+    ----------
+    shafts : mapping of name to ShaftSpec
+    banks : mapping of name to BankSpec
+        On shafts and throws that there are.
+
+    Returns
+    -------
+    phases : dict of float
+        In the normal sense of rotation. [rad]
+    problems : tuple of Problem
+        Leads that do not close round the shafts.
+
+    Notes
+    -----
+    α_e − α_s = Δ, where a crank's angle from its cylinder's axis, in its own sense, is α = ±(phase + throw − axis), all
+    from where throw 1 of `main` stands, along the first axis:
+    docs/theory/opposed-pistons, eq. (18.8). Three shafts in a triangle close only if 3Δ + 60°·Σ(±1) ≡ 0.
+    """
+    first = first_axis(banks)
+    pairs = [
+        _Pair(name, _crank(shafts, bank, "exhaust", first), _crank(shafts, bank, "scavenge", first), bank.lead.si)
+        for name, bank in banks.items()
+        if bank.lead is not None
+    ]
+    given = {name: shaft.phase.si for name, shaft in shafts.items() if shaft.phase is not None}
+    phases, excess = _propagated(tuple(shafts), {MAIN: 0.0, **given}, pairs)
+    return phases, tuple(
+        Problem(f"bank.{pair.bank}.lead", _given(banks, pair), _allowed(shafts, given, pairs, pair, over))
+        for pair, over in excess
+        if abs(over) > _CLOSED
+    )
+
+
+def _crank(shafts: Mapping[str, ShaftSpec], bank: BankSpec, end: str, first: float) -> _Crank:
+    """Find the crank of the first cylinder's exhaust or scavenge piston."""
+    piston: OpposedPistonSpec = bank.opposed[end]
+    shaft = shafts[piston.shaft]
+    throw = shaft.throws[(piston.throws or (1,))[0] - 1].si - shaft.throws[0].si
+    return _Crank(piston.shaft, float(shaft.ratio), first + throw - opposed_angle(bank, end))
+
+
+def _propagated(
+    shafts: tuple[str, ...], known: Mapping[str, float], pairs: list[_Pair]
+) -> tuple[dict[str, float], list[tuple[_Pair, float]]]:
+    """Go from shaft to shaft along the pairs; a pair between shafts that stand already leaves an excess of lead."""
+    phases = dict(known)
+    rest = list(pairs)
+    excess: list[tuple[_Pair, float]] = []
+    while rest:
+        reached = next((pair for pair in rest if {pair.exhaust.shaft, pair.scavenge.shaft} & phases.keys()), None)
+        if reached is None:
+            # Shafts that nothing ties to `main`: one of them stands as if it were it.
+            phases[rest[0].exhaust.shaft] = 0.0
+            continue
+        rest.remove(reached)
+        exhaust, scavenge, lead = reached.exhaust, reached.scavenge, reached.lead
+        if exhaust.shaft in phases and scavenge.shaft in phases:
+            excess.append((reached, _around_zero(lead - _lead(phases, reached))))
+        elif exhaust.shaft in phases:
+            angle = exhaust.sense * (phases[exhaust.shaft] + exhaust.ahead) - lead
+            phases[scavenge.shaft] = _around_zero(scavenge.sense * angle - scavenge.ahead)
+        else:
+            angle = scavenge.sense * (phases[scavenge.shaft] + scavenge.ahead) + lead
+            phases[exhaust.shaft] = _around_zero(exhaust.sense * angle - exhaust.ahead)
+    return {name: phases.get(name, 0.0) for name in shafts}, excess
+
+
+def _lead(phases: Mapping[str, float], pair: _Pair) -> float:
+    """By how much the exhaust crank is ahead as the shafts stand. [rad]"""
+    exhaust, scavenge = (crank.sense * (phases[crank.shaft] + crank.ahead) for crank in (pair.exhaust, pair.scavenge))
+    return exhaust - scavenge
+
+
+def _around_zero(angle: float) -> float:
+    """Bring an angle into [−π, π)."""
+    return float(around_zero(single(angle)))
+
+
+def _given(banks: Mapping[str, BankSpec], pair: _Pair) -> str:
+    """What stands in the file."""
+    lead = banks[pair.bank].lead
+    assert lead is not None  # it is one of the pairs
+    return lead.text
+
+
+def _allowed(
+    shafts: Mapping[str, ShaftSpec], given: Mapping[str, float], pairs: list[_Pair], pair: _Pair, excess: float
+) -> str:
+    """Say which lead would close the ring of shafts: here alone, or everywhere where all leads are alike."""
+    here = precise(_around_zero(pair.lead - excess), "deg")
+    allowed = _("must be {lead}, as the other phases and leads already place both of its shafts").format(lead=here)
+    step = 1e-3
+    moved = [one._replace(lead=one.lead + step) for one in pairs]
+    shifted = dict(_propagated(tuple(shafts), {MAIN: 0.0, **given}, moved)[1])[pair._replace(lead=pair.lead + step)]
+    turns = round(_around_zero(shifted - excess) / step)
+    if turns < 2 or len({one.lead for one in pairs}) > 1:
+        return allowed
+    everywhere = precise(_around_zero(pair.lead - excess / turns), "deg")
+    return _("{allowed}; or {lead} for each of the {n} banks round these shafts").format(
+        allowed=allowed, lead=everywhere, n=turns
+    )

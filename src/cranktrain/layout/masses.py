@@ -1,0 +1,255 @@
+"""Masses: the rigid bodies of a machine file, put to the links of every mechanism."""
+
+from collections.abc import Mapping, Sequence
+from math import cos, sin
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+
+from cranktrain.errors import Problem
+from cranktrain.language import N_, _
+from cranktrain.layout.bodies import BodySpec, GravitySpec, GuideSpec
+from cranktrain.layout.frames import frame_of
+from cranktrain.layout.guide_tables import Edges, edges_of
+from cranktrain.layout.part_tables import PISTON, SLIDER, nearest_item, part_name, table_paths
+from cranktrain.layout.places import Place
+from cranktrain.linkage.forces import Body, Gravity
+from cranktrain.mechanisms.kind import stacked
+from cranktrain.motion import Array, single
+from cranktrain.quantities import Given
+from cranktrain.record import record
+from cranktrain.wording import precise
+
+_CRANK = "crank"
+_TABLE = "masses"
+_LEAST_GYRATION, _MOST_GYRATION = 0.1, 1.0
+"""Radius of gyration, in lengths of the link, beyond which its inertia is doubted: a bar has 0.29, two masses 0.5."""
+
+
+class PlaceMasses(NamedTuple):
+    """What one mechanism is made of, in floats; or several, in arrays of shape (design, member, 1).
+
+    bodies: a `Body` for each moving part; gravity: in the mechanism's axes [m/s²]; of its sliders, friction [1] and the
+    edges of their guides.
+    """
+
+    bodies: Any
+    gravity: Gravity
+    friction: tuple[Array, ...]
+    edges: tuple[Edges, ...]
+
+
+@record
+class Masses:
+    """Bodies of all mechanisms, and what weighs on them.
+
+    Attributes
+    ----------
+    groups : tuple of PlaceMasses
+        One for each of `Mechanisms.groups`.
+    weightless : tuple of str
+        Rods and sliders for which no mass is given.
+    assumed : tuple of str
+        Rods whose inertia is that of two masses at their ends, as none is given.
+    doubtful : tuple of str
+        Links whose inertia hardly any body of their mass and length has.
+    """
+
+    needs: ClassVar[str] = N_("[masses]")
+
+    groups: tuple[PlaceMasses, ...]
+    weightless: tuple[str, ...]
+    assumed: tuple[str, ...]
+    doubtful: tuple[str, ...]
+
+    @property
+    def has_friction(self) -> bool:
+        """Whether any slider of any design rubs."""
+        return any(np.any(coefficient != 0.0) for group in self.groups for coefficient in group.friction)
+
+    def without_mass(self) -> str | None:
+        """Say what has no mass; None where all has."""
+        if all(not np.any(body.mass) for group in self.groups for body in group.bodies):
+            return _("No masses are given: forces and torque are of the gas alone.")
+        return _("Without mass: {parts}.").format(parts=", ".join(self.weightless)) if self.weightless else None
+
+
+@record
+class GivenBodies:
+    """That something of the machine has a mass: without it nothing shakes, and nothing is balanced."""
+
+    needs: ClassVar[str] = N_("[masses]")
+
+
+class Weighed(NamedTuple):
+    """What a machine file says of masses: bodies by path of their table, friction by slider, and what weighs on them.
+
+    guides has the guides of what slides, by path of their table; gravity is None where weights do not count;
+    first_angle [rad] and is_clockwise say how the machine's axes lie.
+    """
+
+    bodies: Mapping[str, Mapping[str, BodySpec]]
+    friction: Mapping[str, Given]
+    guides: Mapping[str, Mapping[str, GuideSpec]]
+    gravity: GravitySpec | None
+    first_angle: float
+    is_clockwise: bool
+
+
+def _length(place: Place, part: str) -> float | None:
+    """Length of a link between its pins, where the mechanism's geometry names it. [m]"""
+    length = getattr(place.geometry, f"{part}_length", None)
+    return None if length is None else float(length)
+
+
+def mass_problems(places: Sequence[Place], given: Weighed) -> tuple[Problem, ...]:
+    """Find masses and friction of parts that no mechanism has, and bodies that cannot be the link's."""
+    found: list[Problem] = []
+    for path, bodies in given.bodies.items():
+        own = [place for place in places if path in table_paths(place, _TABLE)]
+        known = list(dict.fromkeys(part_name(name) for place in own for name in place.kind.dynamics.moving))
+        for name, body in bodies.items():
+            where = f"{path}.{name}"
+            if name not in known:
+                allowed = _("must be a part that moves: {parts}").format(parts=", ".join(known))
+                found.append(Problem(where, None, allowed))
+                continue
+            found += _body_problems(where, name, body, own)
+    sliding = list(dict.fromkeys(part_name(name) for place in places for name in place.kind.dynamics.sliding))
+    for name, coefficient in given.friction.items():
+        if name not in sliding:
+            allowed = _("must be what slides in a guide or a slot: {parts}").format(
+                parts=", ".join(sliding) or _("nothing does")
+            )
+            found.append(Problem(f"friction.{name}", coefficient.text, allowed))
+    return tuple(dict.fromkeys(found))
+
+
+def _body_problems(where: str, name: str, body: BodySpec, places: Sequence[Place]) -> list[Problem]:
+    """Find what a body lacks, and a centroid that lies far outside its link."""
+    found: list[Problem] = []
+    lengths = [length for place in places if (length := _length(place, name)) is not None]
+    if name != PISTON and body.big_end is None:
+        found += [
+            Problem(f"{where}.{field}", None, _("is missing"))
+            for field in ("along", "inertia")
+            if getattr(body, field) is None and not (field == "inertia" and lengths)
+        ]
+    if body.big_end is not None and not lengths:
+        found.append(Problem(f"{where}.big_end", body.big_end.text, _("is for a rod, whose length is known")))
+    for length in lengths:
+        if body.along is not None and not -length <= body.along.si <= 2 * length:
+            allowed = _("must lie on the link or not far from it: {least} to {most} from its first pin").format(
+                least=precise(-length), most=precise(2 * length)
+            )
+            found.append(Problem(f"{where}.along", body.along.text, allowed))
+        if abs(body.across.si) > length:
+            allowed = _(
+                "must lie on the link or not far from it: {least} to {most} beside the line of its pins"
+            ).format(least=precise(-length), most=precise(length))
+            found.append(Problem(f"{where}.across", body.across.text, allowed))
+    return found
+
+
+def masses_of(designs: Sequence[Sequence[Place]], given: Sequence[Weighed]) -> Masses:
+    """Stack the bodies of several designs of one machine, [design][place], by kind as `mechanisms_of` does."""
+    first = designs[0]
+    groups = [
+        stacked(
+            [
+                [
+                    _place_masses(design[i], of, has_crank=_carries_crank(design, i))
+                    for i, p in enumerate(first)
+                    if p.kind == kind
+                ]
+                for design, of in zip(designs, given, strict=True)
+            ]
+        )
+        for kind in dict.fromkeys(place.kind for place in first)
+    ]
+    moving = [
+        (place, part, nearest_item(place, part, _TABLE, given[0].bodies))
+        for place in first
+        for part in place.kind.dynamics.moving
+        if part != _CRANK
+    ]
+    return Masses(
+        tuple(groups),
+        weightless=tuple(f"{place.name}.{part_name(part)}" for place, part, spec in moving if spec is None),
+        assumed=tuple(
+            f"{place.name}.{part}"
+            for place, part, spec in moving
+            if spec is not None and spec.inertia is None and part != SLIDER
+        ),
+        doubtful=tuple(
+            f"{place.name}.{part}"
+            for place, part, spec in moving
+            if spec is not None and not _has_likely_inertia(place, part, spec)
+        ),
+    )
+
+
+def _has_likely_inertia(place: Place, part: str, spec: BodySpec) -> bool:
+    """Whether a given inertia that is not 0 is one that a link of its mass and length can have."""
+    length = _length(place, part)
+    if length is None or spec.inertia is None or spec.inertia.si == 0:
+        return True
+    body = _body(place, part, spec)
+    square = float(body.inertia) / float(body.mass)
+    return (_LEAST_GYRATION * length) ** 2 <= square <= (_MOST_GYRATION * length) ** 2
+
+
+def _carries_crank(places: Sequence[Place], index: int) -> bool:
+    """Whether the throw's own body counts with this mechanism: the first on it that has a crank."""
+    place = places[index]
+    on_throw = [
+        i
+        for i, other in enumerate(places)
+        if (other.shaft, other.throw) == (place.shaft, place.throw) and _CRANK in other.kind.dynamics.moving
+    ]
+    return on_throw[:1] == [index]
+
+
+def _place_masses(place: Place, given: Weighed, *, has_crank: bool) -> PlaceMasses:
+    """Bodies, gravity, friction and guides of one mechanism."""
+    dynamics = place.kind.dynamics
+    nothing = Body(*map(single, (0.0, 0.0, 0.0, 0.0)))
+    bodies = [
+        nothing
+        if (part == _CRANK and not has_crank) or (spec := nearest_item(place, part, _TABLE, given.bodies)) is None
+        else _body(place, part, spec)
+        for part in dynamics.moving
+    ]
+    return PlaceMasses(
+        dynamics.bodies(*bodies),
+        _gravity(place, given),
+        tuple(
+            single(given.friction[part_name(name)].si if part_name(name) in given.friction else 0.0)
+            for name in dynamics.sliding
+        ),
+        tuple(edges_of(place, name, given.guides) for name in dynamics.sliding),
+    )
+
+
+def _gravity(place: Place, given: Weighed) -> Gravity:
+    """Gravity in the mechanism's axes. [m/s²]"""
+    if given.gravity is None:
+        return Gravity(single(0.0), single(0.0))
+    direction, sense = frame_of(place, first_angle=given.first_angle, clockwise=given.is_clockwise)
+    tilt = given.gravity.direction.si if given.is_clockwise else -given.gravity.direction.si
+    up, pull = direction - tilt, given.gravity.acceleration.si
+    return Gravity(single(-pull * cos(up)), single(pull * sense * sin(up)))
+
+
+def _body(place: Place, part: str, spec: BodySpec) -> Body:
+    """One body in SI; what is across counts to the left in the mechanism's own axes."""
+    length = _length(place, part)
+    along = 0.0 if spec.along is None else spec.along.si
+    mass = 0.0 if spec.mass is None else spec.mass.si
+    if spec.big_end is not None and spec.small_end is not None and length is not None:
+        mass = spec.big_end.si + spec.small_end.si
+        along = length * spec.small_end.si / mass
+    inertia = 0.0 if length is None else mass * along * (length - along)
+    if spec.inertia is not None:
+        inertia = spec.inertia.si
+    return Body(single(mass), single(along), single(place.sense * spec.across.si), single(inertia))

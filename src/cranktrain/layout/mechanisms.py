@@ -1,0 +1,155 @@
+"""A machine's mechanisms as SI arrays with a leading design axis."""
+
+from collections.abc import Callable, Sequence
+from typing import Any, ClassVar, TypeVar, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.layout.places import Place
+from cranktrain.linkage import in_blocks
+from cranktrain.mechanisms.kind import Kind, Members, rows, stacked
+from cranktrain.motion import Array
+from cranktrain.record import record
+
+Outcome = TypeVar("Outcome", bound=tuple[Any, ...])
+
+
+@record
+class Group:
+    """Mechanisms of one kind among those of a `Mechanisms`: which of its places they take."""
+
+    kind: Kind
+    index: NDArray[np.intp]
+    members: Members
+
+
+@record
+class Mechanisms:
+    """All mechanisms of a machine, or of several designs of one machine.
+
+    Attributes
+    ----------
+    names : tuple of str
+        `1L`, `2L`, …
+    banks : tuple of str
+        Bank of each.
+    groups : tuple of Group
+    nominal_top : Array, shape (design, mechanism, 1)
+        φ at which the crank points along the mechanism's own x. [rad]
+    """
+
+    dimension: ClassVar[str] = "mechanism"
+    needs: ClassVar[str] = ""
+
+    names: tuple[str, ...]
+    banks: tuple[str, ...]
+    groups: tuple[Group, ...]
+    nominal_top: Array
+
+    def evaluated(self, pick: Callable[[Any], Outcome], angle: Array) -> Outcome:
+        """Evaluate every mechanism's kernel and pick arrays from its motion.
+
+        Parameters
+        ----------
+        pick : callable (motion) → NamedTuple of arrays, shape (design, member, n)
+        angle : Array, shape (n,), (design, 1, n) or (design, mechanism, n)
+            φ, the same for all mechanisms or one for each. [rad]
+
+        Returns
+        -------
+        NamedTuple of arrays, shape (design, mechanism, n)
+        """
+        picked: list[tuple[Group, Any]] = []
+        for group in self.groups:
+            own = angle[:, group.index, :] if angle.ndim == 3 and angle.shape[1] > 1 else angle
+            picked.append(
+                (group, pick(in_blocks(group.kind.motion, own + group.members.phase, group.members.geometry)))
+            )
+        first = picked[0][1]
+        shape = (first[0].shape[0], len(self.names), first[0].shape[-1])
+        columns: list[Array] = []
+        for part in range(len(first)):
+            column = np.empty(shape)
+            for group, values in picked:
+                column[:, group.index, :] = values[part]
+            columns.append(column)
+        return cast(Outcome, type(first)(*columns))
+
+    def alone(self, design: int, mechanism: int, angle: Array) -> Any:
+        """Motion of one mechanism of one design at φ [rad], shape (n,): parts of shape (1, n)."""
+        for group in self.groups:
+            member = np.flatnonzero(group.index == mechanism)
+            if member.size:
+                place = np.array([design * group.index.size + member[0]])
+                return group.kind.motion(
+                    angle + group.members.phase[design, member], rows(group.members.geometry, place)
+                )
+        raise IndexError(mechanism)
+
+
+@record
+class Pistons(Mechanisms):
+    """The mechanisms whose output is a slider: a piston, or the valve of a valve gear."""
+
+    dimension: ClassVar[str] = "piston"
+
+    @property
+    def is_valve(self) -> NDArray[np.bool_]:
+        """Whether each slider is a valve, shape (piston,)."""
+        found = np.zeros(len(self.names), dtype=np.bool_)
+        for group in self.groups:
+            found[group.index] = not group.kind.has_chambers
+        return found
+
+
+@record
+class Rockers(Mechanisms):
+    """The mechanisms whose output is a rocker."""
+
+    dimension: ClassVar[str] = "rocker"
+
+
+@record
+class PistonRods:
+    """Whether each piston hangs on a rod, shape (piston,); there is none where no piston does."""
+
+    value: NDArray[np.bool_]
+
+
+@record
+class RockerRods:
+    """Whether each rocker hangs on a rod, shape (rocker,); there is none where no rocker does."""
+
+    value: NDArray[np.bool_]
+
+
+MechanismsLike = TypeVar("MechanismsLike", bound=Mechanisms)
+
+
+def has_rods(mechanisms: Mechanisms) -> NDArray[np.bool_] | None:
+    """Whether each mechanism's output hangs on a rod; None where no one's does."""
+    found = np.zeros(len(mechanisms.names), dtype=np.bool_)
+    for group in mechanisms.groups:
+        found[group.index] = group.kind.has_rod
+    return found if np.any(found) else None
+
+
+def mechanisms_of(result: type[MechanismsLike], designs: Sequence[Sequence[Place]]) -> MechanismsLike:
+    """Stack the places of several designs of one machine, [design][place], by kind."""
+    first = designs[0]
+    groups: list[Group] = []
+    for chosen in dict.fromkeys(place.kind for place in first):
+        index = [i for i, place in enumerate(first) if place.kind == chosen]
+        members = chosen.members(
+            names=tuple(first[i].name for i in index),
+            geometry=stacked([[design[i].geometry for i in index] for design in designs]),
+            phase=np.array([[[design[i].phase] for i in index] for design in designs]),
+        )
+        groups.append(Group(chosen, np.array(index, dtype=np.intp), members))
+    return result(
+        names=tuple(place.name for place in first),
+        banks=tuple(place.bank for place in first),
+        groups=tuple(groups),
+        nominal_top=np.array([[[place.nominal_top] for place in design] for design in designs]),
+    )

@@ -1,0 +1,28 @@
+"""Tables of the machine file that stand by the names of parts, for all mechanisms or for those of a bank."""
+
+from collections.abc import Mapping
+from typing import TypeVar
+
+from cranktrain.layout.places import Place
+
+Item = TypeVar("Item")
+
+PISTON, SLIDER = "piston", "slider"
+"""Name in the file of an engine's slider: the piston set, or a crosshead with piston and rod; its name elsewhere."""
+
+
+def part_name(moving: str) -> str:
+    """Name in the file of what a mechanism calls by another: its slider is a piston."""
+    return PISTON if moving == SLIDER else moving
+
+
+def table_paths(place: Place, table: str) -> tuple[str, ...]:
+    """Paths of the tables of a name that speak of a mechanism, the nearest first."""
+    home = place.path.rpartition(".")[0]
+    return (f"{home}.{table}", table) if home else (table,)
+
+
+def nearest_item(place: Place, part: str, table: str, given: Mapping[str, Mapping[str, Item]]) -> Item | None:
+    """Find what the nearest table that speaks of a part gives it; None where none does."""
+    found = (given.get(path, {}).get(part_name(part)) for path in table_paths(place, table))
+    return next((item for item in found if item is not None), None)

@@ -1,0 +1,269 @@
+"""Places: every mechanism of a machine, by name, with its axis, its throw and its geometry."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from cranktrain.errors import Problem
+from cranktrain.language import _
+from cranktrain.layout.gearing import first_axis, opposed_angle, shaft_phases
+from cranktrain.layout.leads import lead_problems
+from cranktrain.layout.specs import BankSpec, ShaftSpec
+from cranktrain.mechanisms import Kind, MechanismSpec, kind_of
+from cranktrain.mechanisms.kind import Master, mirrored
+from cranktrain.record import record
+
+
+@record
+class Place:
+    """One mechanism of a machine.
+
+    Attributes
+    ----------
+    name, cylinder, bank : str
+        `2L`, in cylinder `2L` of bank `L`; of opposed pistons `2L.exhaust`, in cylinder `2L`.
+    is_far : bool
+        Whether its piston bounds the cylinder from the far side, driven by side rods.
+    shaft : str
+        The shaft that it works on.
+    throw : int
+        Which throw of the shaft, from 0.
+    sense : float
+        +1 where its crank turns in the machine's normal sense, −1 where it turns against it: astern, or on a shaft that
+        is geared the other way.
+    stagger : float
+        Of its bank along the shaft, toward the flywheel. [m]
+    axis : float
+        Direction of the mechanism's x from the first bank's, in the sense of its crank. [rad]
+    throw_angle : float
+        Of its throw at φ = 0, ahead of where throw 1 of the main shaft stands, in the sense of its crank. [rad]
+    phase : float
+        Angle of the kernel's crank where φ is 0; a slave's kernel counts from its master's axis. [rad]
+    kind : Kind
+    spec : MechanismSpec
+    geometry : NamedTuple of floats
+        Mirrored where its crank turns against the normal sense.
+    path : str
+        Of the mechanism's table in the machine file.
+    lists : mapping of str to str
+        Fields of that table which are lists there, and the place in them, `[3]`, that is this mechanism's.
+    """
+
+    name: str
+    cylinder: str
+    bank: str
+    is_far: bool
+    shaft: str
+    throw: int
+    sense: float
+    stagger: float
+    axis: float
+    throw_angle: float
+    phase: float
+    kind: Kind
+    spec: MechanismSpec
+    geometry: Any
+    path: str
+    lists: Mapping[str, str]
+
+    def path_of(self, field: str) -> str:
+        """Path of one of its fields in the machine file."""
+        return f"{self.path}.{field}{self.lists.get(field, '')}"
+
+    @property
+    def nominal_top(self) -> float:
+        """φ at which the crank points along the mechanism's x. [rad]"""
+        return self.axis - self.throw_angle
+
+
+@record
+class _Slot:
+    """A place before its geometry is known: bank and throw by index, angle of its axis from Y in the file's sense."""
+
+    name: str
+    cylinder: str
+    bank: str
+    is_far: bool
+    shaft: str
+    throw: int
+    stagger: float
+    angle: float
+    spec: MechanismSpec
+    path: str
+    lists: Mapping[str, str]
+
+
+def places_of(
+    shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec], *, astern: bool, prefix: str = "bank."
+) -> tuple[tuple[Place, ...], tuple[Problem, ...]]:
+    """Arrange a machine's mechanisms.
+
+    Parameters
+    ----------
+    shafts : mapping of name to ShaftSpec
+    banks : mapping of name to BankSpec
+        One bank of any name gives places `1`, `2`, …; more give `1L`, `2L`, …; opposed pistons `1.exhaust`, ….
+    astern : bool
+        The same metal at −φ: all that counts in the sense of rotation or toward +y is mirrored.
+    prefix : str
+        Of the banks' paths in the file; empty for a bare `[mechanism]`.
+
+    Returns
+    -------
+    tuple of Place, tuple of Problem
+        Places in the order of the file. With problems, no places.
+    """
+    slots, problems = _slots(shafts, banks, prefix)
+    if problems:
+        return (), problems
+    phases, problems = shaft_phases(shafts, banks)
+    problems = problems or tuple(lead_problems(shafts, banks))
+    first = first_axis(banks)
+    places: list[Place] = []
+    for slot in slots:
+        master = _master_of(slot, slots)
+        if isinstance(master, Problem):
+            problems = (*problems, master)
+            continue
+        kind = kind_of(slot.spec)
+        hung = None
+        if master is not None:
+            master_kind = kind_of(master.spec)
+            hung = Master(master_kind.geometry(master.spec, None), slot.angle - master.angle)
+        geometry = kind.geometry(slot.spec, hung)
+        kernel_axis = (master or slot).angle - first
+        shaft = shafts[slot.shaft]
+        throw_angle = phases[slot.shaft] + shaft.throws[slot.throw].si - shaft.throws[0].si
+        # A crank that turns the other way is the same metal seen with y reversed, at the same φ.
+        sense = -float(shaft.ratio) if astern else float(shaft.ratio)
+        places.append(
+            Place(
+                name=slot.name,
+                cylinder=slot.cylinder,
+                bank=slot.bank,
+                is_far=slot.is_far,
+                shaft=slot.shaft,
+                throw=slot.throw,
+                sense=sense,
+                stagger=slot.stagger,
+                axis=sense * (slot.angle - first),
+                throw_angle=sense * throw_angle,
+                phase=sense * (throw_angle - kernel_axis),
+                kind=kind,
+                spec=slot.spec,
+                geometry=mirrored(geometry) if sense < 0 else geometry,
+                path=slot.path,
+                lists=slot.lists,
+            )
+        )
+    return (() if problems else tuple(places)), tuple(dict.fromkeys(problems))
+
+
+def _slots(
+    shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec], prefix: str
+) -> tuple[tuple[_Slot, ...], tuple[Problem, ...]]:
+    """Name every place, bank by bank; problems where a shaft or throw does not exist."""
+    slots: list[_Slot] = []
+    problems: list[Problem] = []
+    for bank, spec in banks.items():
+        path = f"{prefix}{bank}." if prefix else ""
+        suffix = bank if len(banks) > 1 else ""
+        if not spec.opposed:
+            throws, wrong = _throws(shafts, spec.shaft, spec.throws, path)
+            problems += wrong
+            lists = _lists(spec)
+            slots += [
+                _Slot(
+                    name=f"{number}{suffix}",
+                    cylinder=f"{number}{suffix}",
+                    bank=bank,
+                    is_far=False,
+                    shaft=spec.shaft,
+                    throw=throw - 1,
+                    stagger=spec.stagger.si,
+                    angle=spec.angle[k].si,
+                    spec=spec.mechanism[k],
+                    path=f"{path}mechanism",
+                    lists=dict.fromkeys(lists, f"[{k}]"),
+                )
+                for number, (throw, k) in enumerate(((t, k) for t in throws for k in range(len(spec.angle))), start=1)
+            ]
+            continue
+        numbers: dict[str, int] = {}
+        for end, piston in spec.opposed.items():
+            throws, wrong = _throws(shafts, piston.shaft, piston.throws, f"{path}{end}.")
+            problems += wrong
+            numbers[end] = len(throws)
+            slots += [
+                _Slot(
+                    name=f"{number}{suffix}.{end}",
+                    cylinder=f"{number}{suffix}",
+                    bank=bank,
+                    is_far=piston.side_rods,
+                    shaft=piston.shaft,
+                    throw=throw - 1,
+                    stagger=spec.stagger.si,
+                    angle=opposed_angle(spec, end),
+                    spec=piston.mechanism,
+                    path=f"{path}{end}.mechanism",
+                    lists={},
+                )
+                for number, throw in enumerate(throws, start=1)
+            ]
+        if not problems and len(set(numbers.values())) > 1:
+            allowed = _("must be as many as the exhaust pistons have, {n}: two pistons share a cylinder")
+            problems.append(
+                Problem(f"{path}scavenge.throws", str(numbers["scavenge"]), allowed.format(n=numbers["exhaust"]))
+            )
+    return tuple(slots), tuple(problems)
+
+
+def _throws(
+    shafts: Mapping[str, ShaftSpec], shaft: str, throws: tuple[int, ...] | None, path: str
+) -> tuple[tuple[int, ...], list[Problem]]:
+    """Throws on which pistons work, counted from 1: those given, or all of the shaft."""
+    if shaft not in shafts:
+        allowed = _("must be one of the shafts: {shafts}").format(shafts=", ".join(shafts))
+        return (), [Problem(f"{path}shaft", shaft, allowed)]
+    n_throws = len(shafts[shaft].throws)
+    chosen = throws or tuple(range(1, n_throws + 1))
+    allowed = _("must be one of the shaft's throws, 1 to {n}, each once").format(n=n_throws)
+    return chosen, [
+        Problem(f"{path}throws[{i}]", str(throw), allowed)
+        for i, throw in enumerate(chosen)
+        if not 1 <= throw <= n_throws or throw in chosen[:i]
+    ]
+
+
+def _lists(spec: BankSpec) -> tuple[str, ...]:
+    """Fields of the bank's mechanism that differ from one angle to another, and so are lists in the file."""
+    first = spec.mechanism[0]
+    return tuple(
+        field
+        for field in type(first).model_fields
+        if any(getattr(other, field, None) != getattr(first, field) for other in spec.mechanism)
+    )
+
+
+def _master_of(slot: _Slot, slots: Sequence[_Slot]) -> _Slot | Problem | None:
+    """Find the slider-crank on the same throw that a slave hangs on; None for a mechanism that needs none."""
+    spec = slot.spec
+    field = spec.master_field
+    if field is None:
+        return None
+    name = getattr(spec, field)
+    path = f"{slot.path}.{field}{slot.lists.get(field, '')}"
+    in_bank = [other for other in slots if other.bank == name]
+    if not in_bank:
+        banks = ", ".join(dict.fromkeys(other.bank for other in slots if other.bank != slot.bank and other.bank))
+        allowed = _("must be the name of a bank of slider-cranks, but there is no other bank")
+        if banks:
+            allowed = _("must be the name of a bank of slider-cranks; the other banks are: {banks}").format(banks=banks)
+        return Problem(path, name, allowed)
+    masters = [other for other in in_bank if other.spec.kind == "slider_crank"]
+    if not masters:
+        return Problem(path, name, _("must be a bank of slider-cranks; a slave rod cannot carry another"))
+    on_throw = [other for other in masters if (other.shaft, other.throw) == (slot.shaft, slot.throw)]
+    if len(on_throw) != 1:
+        allowed = _("must have one slider-crank on throw {throw}, where this rod is; it has {n}")
+        return Problem(path, name, allowed.format(throw=slot.throw + 1, n=len(on_throw)))
+    return on_throw[0]

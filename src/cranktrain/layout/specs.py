@@ -1,0 +1,226 @@
+"""Shaft, banks and cylinders: their tables of the machine file."""
+
+from collections.abc import Mapping, Sequence
+from typing import Annotated, Any, Literal, Self, TypeVar, cast
+
+from pydantic import BeforeValidator, Field, model_validator
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.layout.bodies import BodySpec, GuideSpec
+from cranktrain.layout.ends import ENDS
+from cranktrain.layout.speed_table import SpeedCurveSpec
+from cranktrain.mechanisms import AnyMechanism, MechanismSpec
+from cranktrain.mechanisms.kind import LISTS
+from cranktrain.quantities import (
+    Angle,
+    AngularAcceleration,
+    Given,
+    Length,
+    NonNegativeLength,
+    PositiveSpeed,
+)
+from cranktrain.spec import Refused, Spec
+
+Item = TypeVar("Item")
+
+
+def _listed(data: object) -> object:
+    """Take one value for a list of one."""
+    return cast(object, data) if isinstance(data, list | tuple) else (data,)
+
+
+OneOrMany = Annotated[tuple[Item, ...], BeforeValidator(_listed), Field(min_length=1)]
+"""One value, or a list of them."""
+
+
+MOST_MECHANISMS = 1000
+"""Throws of a shaft, and mechanisms of a machine: more than anybody has built, and as many as memory holds."""
+
+
+class ShaftSpec(Spec, frozen=True):
+    """A crankshaft: throw angles ahead of throw 1, gaps between throws along it; of `main` how it turns.
+
+    An acceleration beside the speed makes all results those of one moment, at whatever crank angle it is; a speed curve
+    says how the shaft turns over the cycle.
+
+    Another shaft turns by ratio·φ + phase: its throw 1 stands that far ahead of where throw 1 of `main` stood at φ = 0;
+    unless given, the lead of opposed pistons that work on it says so, or it is 0. Its place is where its centre lies
+    from that of `main`, to the right and up.
+    """
+
+    throws: tuple[Angle, ...] = Field(default=(Given(0.0, "0 deg"),), min_length=1, max_length=MOST_MECHANISMS)
+    spacing: OneOrMany[NonNegativeLength] | None = None
+    speed: PositiveSpeed | None = None
+    acceleration: AngularAcceleration | None = None
+    speed_curve: SpeedCurveSpec | None = None
+    ratio: Literal[1, -1] = 1
+    phase: Angle | None = None
+    place: tuple[Length, Length] | None = None
+
+    @property
+    def turns_unevenly(self) -> bool:
+        """Whether there is more to say of how it turns than one speed."""
+        return self.acceleration is not None or self.speed_curve is not None
+
+    @model_validator(mode="after")
+    def _spaced(self) -> Self:
+        """Refuse a list of gaps that does not fit the number of throws."""
+        gaps = len(self.throws) - 1
+        if self.spacing is not None and len(self.spacing) not in (1, gaps):
+            allowed = _("must be one length, or a list of them, one for each gap between throws: {gaps}")
+            raise Refused(allowed.format(gaps=gaps), path="spacing")
+        return self
+
+    @model_validator(mode="after")
+    def _turning(self) -> Self:
+        """Refuse an acceleration of nothing, or beside a curve that has its own."""
+        if self.acceleration is not None and self.speed_curve is not None:
+            raise Refused(_("must not stand beside speed_curve, which has its own at every angle"), path="acceleration")
+        if self.acceleration is not None and self.speed is None:
+            raise Refused(_("is missing; a moment has a speed and an acceleration"), path="speed")
+        return self
+
+
+MAIN = "main"
+"""Name of the shaft whose angle is the crank angle."""
+
+
+class OpposedPistonSpec(Spec, frozen=True):
+    """One of the two pistons of a bank of opposed-piston cylinders: its mechanism, and where that works.
+
+    shaft is the one that it works on; throws are those of that shaft, counted from 1 (all unless given), the first for
+    the bank's first cylinder; side_rods says that on a shaft that both pistons share this one is the far one.
+    """
+
+    mechanism: AnyMechanism
+    shaft: str = MAIN
+    throws: tuple[int, ...] | None = Field(default=None, min_length=1)
+    side_rods: bool = False
+    masses: Mapping[str, BodySpec] = Field(default={})
+    guide: Mapping[str, GuideSpec] = Field(default={})
+
+
+class BankSpec(Spec, frozen=True):
+    """Cylinders in one direction, or a star of them where `angle` is a list: one mechanism for each angle.
+
+    angle counts from Y; throws are the throws that the bank works on, counted from 1 (all unless given); stagger moves
+    the bank along Z toward the flywheel; shaft is the one that it works on. With opposed pistons there are, instead of
+    mechanism, throws and shaft, tables for the `exhaust` and the `scavenge` piston; angle is the direction from the
+    exhaust piston's shaft to the cylinder, and lead the angle by which the exhaust crank is ahead.
+    """
+
+    angle: OneOrMany[Angle] = (Given(0.0, "0 deg"),)
+    mechanism: tuple[AnyMechanism, ...] = ()
+    throws: tuple[int, ...] | None = Field(default=None, min_length=1)
+    stagger: Length = Given(0.0, "0 mm")
+    shaft: str = MAIN
+    exhaust: OpposedPistonSpec | None = None
+    scavenge: OpposedPistonSpec | None = None
+    lead: Angle | None = None
+    masses: Mapping[str, BodySpec] = Field(default={})
+    guide: Mapping[str, GuideSpec] = Field(default={})
+
+    @property
+    def opposed(self) -> "Mapping[str, OpposedPistonSpec]":
+        """The exhaust and the scavenge piston by these names; none of a bank with one piston in a cylinder."""
+        return {name: piston for name in ENDS if (piston := getattr(self, name)) is not None}
+
+    def n_mechanisms(self, shafts: Mapping[str, ShaftSpec]) -> int:
+        """Count its mechanisms: one for each throw that it works on, angle and piston; none on an unknown shaft."""
+        throws = tuple((piston.shaft, piston.throws) for piston in self.opposed.values()) or (
+            (self.shaft, self.throws),
+        )
+        return len(self.angle) * sum(
+            len(shafts[shaft].throws if chosen is None else chosen) for shaft, chosen in throws if shaft in shafts
+        )
+
+    @property
+    def shafts(self) -> tuple[str, ...]:
+        """Names of the shafts that the bank works on."""
+        return tuple(piston.shaft for piston in self.opposed.values()) or (self.shaft,)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _one_mechanism_for_each_angle(cls, data: object) -> object:
+        """Give each angle its own table: a field of the mechanism that is a list gives one item to each."""
+        if not isinstance(data, Mapping):
+            return data
+        table = cast(Mapping[str, Any], data)
+        if "mechanism" not in table:
+            return table
+        mechanism, angles = table["mechanism"], _items(table.get("angle"))
+        n_angles = 1 if angles is None else len(angles)
+        if isinstance(mechanism, MechanismSpec):
+            return {**table, "mechanism": (mechanism,) * n_angles}
+        if not isinstance(mechanism, Mapping):
+            raise Refused(_("must be one table; for several angles, a field in it may be a list"), path="mechanism")
+        fields = cast(Mapping[str, Any], mechanism)
+        lists = {
+            name: items for name, value in fields.items() if name not in LISTS and (items := _items(value)) is not None
+        }
+        wrong = {name: len(items) for name, items in lists.items() if len(items) != n_angles}
+        if wrong:
+            allowed = _("must be one value, or a list with one for each angle of the bank: {n}").format(n=n_angles)
+            raise InputError(
+                Problem(f"mechanism.{name}", _("a list of {n}").format(n=length), allowed)
+                for name, length in wrong.items()
+            )
+        return {
+            **table,
+            "mechanism": tuple(
+                {name: lists[name][i] if name in lists else value for name, value in fields.items()}
+                for i in range(n_angles)
+            ),
+        }
+
+    @model_validator(mode="after")
+    def _one_piston_or_two(self) -> Self:
+        """Refuse a bank without mechanism, one of two opposed pistons alone, and what belongs to the other way."""
+        found: list[Problem] = []
+        given = self.model_fields_set
+        if not self.opposed:
+            if not self.mechanism:
+                found.append(
+                    Problem("mechanism", None, _("is missing; or, with opposed pistons, exhaust and scavenge"))
+                )
+            if self.lead is not None:
+                found.append(Problem("lead", None, _("is for opposed pistons: give exhaust and scavenge")))
+        else:
+            found += [
+                Problem(name, None, _("is missing; opposed pistons are two, exhaust and scavenge"))
+                for name in ENDS
+                if name not in self.opposed
+            ]
+            allowed = _("must not stand beside opposed pistons, each of which has its own")
+            found += [Problem(name, None, allowed) for name in ("mechanism", "throws", "shaft") if name in given]
+            if len(self.angle) > 1:
+                found.append(Problem("angle", None, _("must be one angle for opposed pistons")))
+            found += self._side_rod_problems()
+        if found:
+            raise InputError(found)
+        return self
+
+    def _side_rod_problems(self) -> list[Problem]:
+        """Find pistons of which it cannot be told which one is the far one, or on two shafts need not be told."""
+        if len(self.opposed) < 2:
+            return []
+        far = [name for name, piston in self.opposed.items() if piston.side_rods]
+        if len(set(self.shafts)) == 2:
+            allowed = _("is for two pistons on one shaft; on two shafts they face each other")
+            return [Problem(f"{name}.side_rods", "true", allowed) for name in far]
+        found: list[Problem] = []
+        if len(far) != 1:
+            allowed = _(
+                "must be true for just one of the two, the far piston on their shaft; or give one another shaft"
+            )
+            found.append(Problem(f"{ENDS[1]}.side_rods", None, allowed))
+        if self.lead is not None:
+            allowed = _("is for pistons on two shafts; on one shaft its throws say how far one is ahead")
+            found.append(Problem("lead", None, allowed))
+        return found
+
+
+def _items(value: object) -> Sequence[Any] | None:
+    """Items of a list, which by now may be a tuple; None for anything else."""
+    return cast(Sequence[Any], value) if isinstance(value, list | tuple) else None

@@ -1,0 +1,43 @@
+"""Speed of the main shaft, and the accelerations that come of it."""
+
+from typing import ClassVar
+
+import numpy as np
+
+from cranktrain.language import N_
+from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.linkage.forces import Drive
+from cranktrain.motion import Array
+from cranktrain.record import record
+
+
+@record
+class Speed:
+    """Speed of the main shaft.
+
+    Attributes
+    ----------
+    value : Array, shape (design, 1, 1)
+        The declared mean, of whichever kind it is; constant over the cycle where there is no curve. [rad/s]
+    curve : SpeedCurve or None
+        How it varies over the cycle, in a second run.
+    """
+
+    needs: ClassVar[str] = N_("[shaft.main] speed")
+
+    value: Array
+    curve: SpeedCurve | None = None
+
+    @property
+    def mean(self) -> Array:
+        """Mean over time, shape (design, 1, 1). [rad/s]"""
+        return self.value if self.curve is None else self.curve.mean
+
+    def drive(self, angle: Array) -> Drive:
+        """How the crank turns at φ [rad], shape (n,) or (design, m, n): arrays that broadcast to (design, m, n)."""
+        return Drive(self.value, np.zeros_like(self.value)) if self.curve is None else self.curve.drive(angle)
+
+
+def accelerations(first: Array, second: Array, drive: Drive) -> Array:
+    """Accelerations q″ω² + q′ε of what goes with the crank by q′ and q″."""
+    return second * drive.speed**2 + first * drive.acceleration

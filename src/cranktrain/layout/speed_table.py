@@ -1,0 +1,149 @@
+"""The table of a machine file that names a speed curve, and the file read: speed over the crank angle."""
+
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import ClassVar, NamedTuple, Self
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import N_, _
+from cranktrain.layout.cycle_table import CycleFileSpec, CycleTable, Words, cycle_table, refuse_unit
+from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.motion import Array
+from cranktrain.numerics.knotted import knotted_curve
+from cranktrain.numerics.periodic import PeriodicCurve, side_by_side
+from cranktrain.quantities import Dimension, read, unit_names
+
+_WORDS = Words(N_("a speed curve"), N_("speed"))
+_FEWEST = 3
+_LOOKED_AT = 16
+"""Places between two points of the file at which a speed that would fall to 0 is looked for."""
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
+"""Of the time from point to point: ∫dφ/ω of a smooth ω."""
+
+
+class SpeedCurveSpec(CycleFileSpec, frozen=True):
+    """Speed of the main shaft over the crank angle from a file of two columns, at which everything is then computed.
+
+    Whoever loads a machine file also reads the file that `file` names, and puts what it holds into `text`.
+    """
+
+    of_file: ClassVar[frozenset[str]] = CycleFileSpec.of_file | {"speed_unit"}
+
+    speed_unit: str | None = Field(
+        default=None, description=N_("Unit of the speeds, where the header does not say it.")
+    )
+
+    @model_validator(mode="after")
+    def _readable(self) -> Self:
+        """Refuse a unit that is none, and a file that cannot be read as a speed curve."""
+        refuse_unit("speed_unit", self.speed_unit, Dimension.SPEED)
+        if self.text is not None:
+            speed_knots(self)
+        return self
+
+
+class SpeedKnots(NamedTuple):
+    """Speeds as a file gives them, over one turn or two: angles as crank angles are shown [rad], speeds [rad/s]."""
+
+    angles: Array
+    speeds: Array
+    period: float
+
+
+@lru_cache(maxsize=8)
+def speed_knots(spec: SpeedCurveSpec) -> SpeedKnots:
+    """Read the speeds that the spec holds.
+
+    Parameters
+    ----------
+    spec : SpeedCurveSpec
+
+    Returns
+    -------
+    SpeedKnots
+
+    Raises
+    ------
+    InputError
+        With all that is wrong in the file, at line and column; or if nobody has read it.
+    """
+    table = cycle_table(spec, Dimension.SPEED, _WORDS)
+    unit = spec.speed_unit or table.unit
+    problems = [*table.problems]
+    if unit is None:
+        repair = _('write speed_unit = "rpm" (or {units})').format(units=", ".join(unit_names(Dimension.SPEED)))
+        problems.append(Problem("speed_unit", None, _("the file names no unit of speed"), repair))
+    if not problems:
+        problems = _shape_problems(spec, table)
+    if problems:
+        raise InputError(problems)
+    return SpeedKnots(table.angles, table.values * read(f"1 {unit}", Dimension.SPEED), table.period)
+
+
+def _shape_problems(spec: CycleFileSpec, table: CycleTable) -> list[Problem]:
+    """Find too few points, speeds that are none, and a curve through them that falls to 0."""
+    if len(table.angles) < _FEWEST:
+        return [Problem("file", spec.file, _("must have at least {n} angles of a turn").format(n=_FEWEST))]
+    if not np.all(table.values > 0):
+        return [Problem("file", spec.file, _("must have speeds of more than 0 all round"))]
+    square = _square(SpeedKnots(table.angles, table.values, table.period), len(table.angles), table.period)
+    steps = np.diff(table.angles, append=table.angles[0] + table.period)
+    between = table.angles[:, np.newaxis] + steps[:, np.newaxis] * np.arange(_LOOKED_AT) / _LOOKED_AT
+    if np.all(square.value(between.ravel()) > 0):
+        return []
+    return [
+        Problem("file", spec.file, _("must have more angles: the smooth curve through these falls to 0 between them"))
+    ]
+
+
+def _square(knots: SpeedKnots, n_points: int, cycle: float) -> PeriodicCurve:
+    """ω² over the crank angle as it is shown: the spline through that of the file. [rad²/s²]"""
+    return knotted_curve(knots.angles, knots.speeds**2, knots.period, n_points, cycle)
+
+
+def tabled_speed(specs: Sequence[SpeedCurveSpec], n_points: int, cycle: float, *, zero: Array) -> SpeedCurve:
+    """Lay a curve through the speeds of every design's file.
+
+    Parameters
+    ----------
+    specs : sequence of SpeedCurveSpec
+    n_points : int
+        Of the grid.
+    cycle : float
+        [rad]
+    zero : Array, shape (design, 1, 1)
+        φ of the grid's first point. [rad]
+
+    Returns
+    -------
+    SpeedCurve
+
+    Raises
+    ------
+    InputError
+        Where a file goes on over two turns, and the cycle is one.
+
+    Notes
+    -----
+    ω² is the periodic cubic spline through the file's, wherever its angles are. docs/theory/evenness, eq. (17.19).
+    """
+    files = [speed_knots(spec) for spec in specs]
+    if any(knots.period > cycle * 1.5 for knots in files):
+        allowed = _("goes on over two turns, and the cycle of this machine is one")
+        raise InputError([Problem("shaft.main.speed_curve.file", None, allowed)])
+    squares = [_square(knots, n_points, cycle) for knots in files]
+    together = side_by_side(squares)
+    square = together._replace(samples=np.stack([one.samples for one in squares]))
+    mean = np.array([_mean_over_time(knots, one) for knots, one in zip(files, squares, strict=True)])
+    return SpeedCurve(square, zero, mean[:, np.newaxis, np.newaxis], is_steady_running=False)
+
+
+def _mean_over_time(knots: SpeedKnots, square: PeriodicCurve) -> float:
+    """Angle of a period over the time that it takes. [rad/s]"""
+    half = np.diff(knots.angles, append=knots.angles[0] + knots.period)[:, np.newaxis] / 2
+    angle = knots.angles[:, np.newaxis] + half * (1 + _NODES)
+    time = np.sum(half * _WEIGHTS / np.sqrt(square.value(angle.ravel()).reshape(angle.shape)))
+    return float(knots.period / time)

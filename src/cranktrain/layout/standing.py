@@ -1,0 +1,82 @@
+"""Where shafts stand: their places in machine axes, and whether opposed pistons on them lie in one line."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from cranktrain.errors import Problem
+from cranktrain.language import _
+from cranktrain.layout.frames import frame_of, in_machine_axes
+from cranktrain.layout.places import Place
+from cranktrain.layout.specs import MAIN, ShaftSpec
+from cranktrain.motion import Array, single
+from cranktrain.numerics import turn_grid
+from cranktrain.wording import precise
+
+_IN_LINE = 1e-3
+"""Places are written to fewer digits than √3 has: two axes of one cylinder may differ by so much of their distance."""
+
+
+def shaft_centres(shafts: Mapping[str, ShaftSpec]) -> dict[str, Array]:
+    """Give the centre of every shaft whose place is known, from that of `main`: X to the right, Y up. [m]"""
+    known = {name: np.array([part.si for part in shaft.place]) for name, shaft in shafts.items() if shaft.place}
+    return {MAIN: np.zeros(2), **known}
+
+
+def standing_problems(
+    shafts: Mapping[str, ShaftSpec], places: Sequence[Place], *, first_angle: float, clockwise: bool
+) -> tuple[Problem, ...]:
+    """Find shafts that stand so that opposed pistons would not share a cylinder, or would meet in it.
+
+    Parameters
+    ----------
+    shafts : mapping of name to ShaftSpec
+    places : sequence of Place
+    first_angle : float
+        Of the first bank's axis from Y, in the machine's normal sense. [rad]
+    clockwise : bool
+
+    Returns
+    -------
+    tuple of Problem
+        One at most for each shaft.
+    """
+    centres = shaft_centres(shafts)
+    found: dict[str, Problem] = {}
+    cylinders: dict[str, list[Place]] = {}
+    for place in places:
+        cylinders.setdefault(place.cylinder, []).append(place)
+    for pair in cylinders.values():
+        if len(pair) != 2 or pair[0].shaft == pair[1].shaft or not {pair[0].shaft, pair[1].shaft} <= centres.keys():
+            continue
+        named = next(place.shaft for place in reversed(pair) if place.shaft != MAIN)
+        allowed = _wrong(pair, centres, first_angle=first_angle, clockwise=clockwise)
+        given = shafts[named].place
+        if allowed is not None and given is not None:
+            found.setdefault(named, Problem(f"shaft.{named}.place", ", ".join(part.text for part in given), allowed))
+    return tuple(found.values())
+
+
+def _wrong(pair: Sequence[Place], centres: Mapping[str, Array], *, first_angle: float, clockwise: bool) -> str | None:
+    """Say what is wrong with the places of two pistons' shafts; None where nothing is."""
+    frames = [frame_of(place, first_angle=first_angle, clockwise=clockwise) for place in pair]
+    along = np.array(in_machine_axes(single(1.0), single(0.0), frames[0]))
+    lines = [
+        centres[place.shaft]
+        + np.array(in_machine_axes(single(0.0), single(getattr(place.geometry, "offset", 0.0)), frame))
+        for place, frame in zip(pair, frames, strict=True)
+    ]
+    apart = lines[1] - lines[0]
+    distance = float(np.dot(apart, along))
+    beside = float(np.hypot(*(apart - distance * along)))
+    if beside > _IN_LINE * abs(distance):
+        allowed = _("must be such that both pistons of {cylinder} lie in one line, of which this is {beside} beside")
+        return allowed.format(cylinder=pair[0].cylinder, beside=precise(beside))
+    phi = turn_grid()
+    with np.errstate(all="ignore"):
+        motions = [place.kind.motion(phi + place.phase, place.geometry) for place in pair]
+    reach = float(np.nanmax(sum(motion.slider.value for motion in motions)))
+    if distance < reach:
+        allowed = _("must be more than {reach} from the other shaft of {cylinder}, or its pistons meet")
+        return allowed.format(cylinder=pair[0].cylinder, reach=precise(reach))
+    return None

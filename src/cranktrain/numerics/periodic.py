@@ -1,0 +1,190 @@
+"""Periodic curves between the points of their grid, by Fourier series or periodic spline, with slope and integral."""
+
+from collections.abc import Callable, Sequence
+from itertools import zip_longest
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.motion import Array, Coefficient
+from cranktrain.numerics import Extremes, turning_points
+from cranktrain.numerics.harmonics import TURN, harmonics, phasor
+
+
+class PeriodicCurve(NamedTuple):
+    """A periodic curve, known at equal steps and to be asked anywhere.
+
+    Attributes
+    ----------
+    cycle : float
+        Its period. [rad]
+    samples : Array, shape (..., n)
+        Values at 0, cycle/n, …
+    motion : callable
+        Value and first two derivatives at angles (k,) or (..., k).
+    pieces : Array, shape (power, ..., n), or None
+        Of a curve of polynomials, from each sample to the next: their coefficients, by powers of the share of the step.
+    """
+
+    cycle: float
+    samples: Array
+    motion: Callable[[Array], Coefficient]
+    pieces: Array | None = None
+
+    @property
+    def angle(self) -> Array:
+        """Angles of the samples, shape (n,). [rad]"""
+        return cycle_grid(self.samples.shape[-1], self.cycle)
+
+    def value(self, angle: Array) -> Array:
+        """Value at angles (k,) or (..., k)."""
+        return self.motion(angle).value
+
+    def slope(self, angle: Array) -> Array:
+        """Derivative at angles (k,) or (..., k)."""
+        return self.motion(angle).first
+
+
+Interpolation = Callable[[Array, float], PeriodicCurve]
+"""From samples at equal steps over a cycle, endpoint excluded, and the cycle, to a curve."""
+
+
+def cycle_grid(n_points: int, cycle: float = TURN) -> Array:
+    """One cycle in equal steps, endpoint excluded. [rad]"""
+    return np.arange(n_points, dtype=np.float64) * (cycle / n_points)
+
+
+def fourier_curve(samples: Array, cycle: float = TURN) -> PeriodicCurve:
+    """Curve through samples (..., n) by their Fourier series: exact for a smooth one."""
+    series = harmonics(samples, cycle)
+    turned = 1j * series.order
+    derivatives = np.stack([turned**n * series.vectors for n in range(3)], axis=-1)
+
+    def motion(angle: Array) -> Coefficient:
+        waves = phasor(angle[..., np.newaxis] * series.order)
+        return Coefficient(*np.moveaxis((waves @ derivatives).real, -1, 0))
+
+    return PeriodicCurve(cycle, samples, motion)
+
+
+def fourier_integral(samples: Array, cycle: float = TURN) -> PeriodicCurve:
+    """Integral of samples (..., n) less their mean, from φ = 0, by their Fourier series.
+
+    Notes
+    -----
+    Each order divided by ik: no rule of quadrature has a part in it. docs/theory/evenness, eq. (17.3).
+    """
+    n_points = samples.shape[-1]
+    order = np.arange(n_points // 2 + 1, dtype=float) * (TURN / cycle)
+    moving = order > 0
+    if n_points % 2 == 0:
+        moving[-1] = False  # the highest cosine's integral is seen only at its zeros
+    factor = np.where(moving, -1j / np.where(moving, order, 1.0), 0.0)
+    integral = np.fft.irfft(np.fft.rfft(samples, axis=-1) * factor, n_points, axis=-1)
+    return fourier_curve(integral - integral[..., :1], cycle)
+
+
+def spline_curve(samples: Array, cycle: float = TURN) -> PeriodicCurve:
+    """Periodic cubic spline through samples (..., n): for a curve with kinks, which a series would ring at.
+
+    Notes
+    -----
+    The slopes at the nodes solve s₋ + 4s + s₊ = 3(y₊ − y₋)/h, a circulant system, through its Fourier transform.
+    """
+    return _by_pieces(_cubics(samples), cycle)
+
+
+def hermite_curve(samples: Array, slopes: Array, cycle: float = TURN) -> PeriodicCurve:
+    """Cubics through samples (..., n) with given slopes (..., n) there: continuous with its slope."""
+    return _by_pieces(_between(samples, slopes * (cycle / samples.shape[-1])), cycle)
+
+
+def spline_integral(samples: Array, cycle: float = TURN) -> PeriodicCurve:
+    """Integral of samples (..., n) less their mean, from φ = 0, exact for their periodic cubic spline."""
+    step = cycle / samples.shape[-1]
+    cubics = _cubics(samples - np.mean(samples, axis=-1, keepdims=True))
+    risen = np.stack([step * part / power for power, part in enumerate(cubics, 1)])
+    ends = np.cumsum(np.sum(risen, axis=0), axis=-1)
+    starts = np.concatenate([np.zeros_like(ends[..., :1]), ends[..., :-1]], axis=-1)
+    return _by_pieces(np.concatenate([starts[np.newaxis], risen]), cycle)
+
+
+def plus(one: PeriodicCurve, constant: Array) -> PeriodicCurve:
+    """The curve raised by a constant of shape (...)."""
+    raised = np.asarray(constant)[..., np.newaxis]
+
+    def motion(angle: Array) -> Coefficient:
+        value, first, second = one.motion(angle)
+        return Coefficient(value + raised, first, second)
+
+    return PeriodicCurve(one.cycle, one.samples + raised, motion)
+
+
+def combined(one: PeriodicCurve, factor: Array, other: PeriodicCurve) -> PeriodicCurve:
+    """The first curve plus a factor, shape (...), times the second; both on one grid."""
+    times = np.asarray(factor)[..., np.newaxis]
+    if one.pieces is not None and other.pieces is not None:
+        powers = zip_longest(one.pieces, other.pieces, fillvalue=np.zeros(()))
+        return _by_pieces(np.stack(np.broadcast_arrays(*(part + times * added for part, added in powers))), one.cycle)
+
+    def motion(angle: Array) -> Coefficient:
+        parts = zip(one.motion(angle), other.motion(angle), strict=True)
+        return Coefficient(*(part + times * added for part, added in parts))
+
+    return PeriodicCurve(one.cycle, one.samples + times * other.samples, motion)
+
+
+def side_by_side(curves: Sequence[PeriodicCurve]) -> PeriodicCurve:
+    """Curves of samples (n,) as one of samples (curve, n), at angles (k,) or (curve, k); one alone as it is."""
+    if len(curves) == 1:
+        return curves[0]
+
+    def motion(angle: Array) -> Coefficient:
+        own = np.broadcast_to(angle, (len(curves), angle.shape[-1]))
+        found = [curve.motion(one) for curve, one in zip(curves, own, strict=True)]
+        return Coefficient(*(np.stack(parts) for parts in zip(*found, strict=True)))
+
+    return PeriodicCurve(curves[0].cycle, np.stack([curve.samples for curve in curves]), motion)
+
+
+def curve_extremes(one: PeriodicCurve) -> Extremes:
+    """Smallest and largest value over the cycle, refined between the samples; shapes (..., 1)."""
+    return turning_points(one.motion, one.samples, one.angle)
+
+
+def _cubics(samples: Array) -> Array:
+    """Coefficients of the periodic cubic spline in each piece, by powers of the share of the step, (4, ..., n)."""
+    n_points = samples.shape[-1]
+    turn = np.arange(n_points // 2 + 1, dtype=float) * (TURN / n_points)
+    # In parts of the step.
+    transfer = 3j * np.sin(turn) / (2 + np.cos(turn))
+    return _between(samples, np.fft.irfft(transfer * np.fft.rfft(samples, axis=-1), n_points, axis=-1))
+
+
+def _between(samples: Array, slope: Array) -> Array:
+    """Coefficients of the cubics from node to node with given values, and slopes in parts of the step, (4, ..., n)."""
+    rise, slope_after = np.roll(samples, -1, axis=-1) - samples, np.roll(slope, -1, axis=-1)
+    return np.stack([samples, slope, 3 * rise - 2 * slope - slope_after, slope + slope_after - 2 * rise])
+
+
+def _by_pieces(coefficients: Array, cycle: float) -> PeriodicCurve:
+    """Curve of polynomials, one from each node to the next; coefficients (power, ..., n) as `_cubics` has them."""
+    n_points = coefficients.shape[-1]
+    step = cycle / n_points
+    flat = coefficients.reshape(len(coefficients), -1)
+    starts = np.arange(0, flat.shape[-1], n_points, dtype=np.intp)
+    rows = starts.reshape((*coefficients.shape[1:-1], 1))
+
+    def motion(angle: Array) -> Coefficient:
+        place = np.floor(angle / step)
+        share = angle / step - place
+        # Of an angle that is NaN any piece will do, as its share is NaN.
+        *others, value = flat[:, np.fmax(np.mod(place, n_points), 0.0).astype(np.intp) + rows]
+        first = second = np.zeros_like(value)
+        for part in reversed(others):
+            second = second * share + first
+            first = first * share + value
+            value = value * share + part
+        return Coefficient(value, first / step, 2 * second / step**2)
+
+    return PeriodicCurve(cycle, coefficients[0], motion, coefficients)

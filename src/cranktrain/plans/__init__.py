@@ -1,0 +1,1 @@
+"""Plans in the hand of the textbooks, as data."""

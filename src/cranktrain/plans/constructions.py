@@ -1,0 +1,279 @@
+"""The sources' drawn constructions of a slider-crank's piston, as points and numbers beside the exact motion.
+
+All are in the mechanism's own axes: x along the line of stroke away from the shaft, y toward +y. The crank angle counts
+from where the crank points along x, and displacements from the top toward the shaft.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.gas.indicator.brix import brix_angle
+from cranktrain.language import _
+from cranktrain.machine import Machine
+from cranktrain.mechanisms.slider_crank import SliderCrank, slider_crank
+from cranktrain.motion import Array
+from cranktrain.plans.placement import slider_crank_called
+from cranktrain.plans.positions import plan_angles
+from cranktrain.textbook.ranges import RANGES
+from cranktrain.textbook.steam_engine import brix, infinite_rod, largest_difference
+
+Method = Literal["arc", "projection", "brix", "brix_backward"]
+
+_RANGES = {"projection": "infinite_rod", "brix": "brix", "brix_backward": "brix"}
+"""Methods of `cranktrain.textbook.ranges` whose range a construction has; the arc has none."""
+
+
+class Drawn(NamedTuple):
+    """What a construction draws: points of shape (2, n). [m]
+
+    on_circle: where the crank circle is met; foot: the reading on the line of stroke; exact: where that should be;
+    piston: the crosshead's pin.
+    """
+
+    on_circle: Array
+    foot: Array
+    exact: Array
+    piston: Array
+
+
+@dataclass(frozen=True)
+class Construction:
+    """A construction of one mechanism in several positions.
+
+    Attributes
+    ----------
+    mechanism : str
+    method : "arc", "projection", "brix" or "brix_backward"
+    geometry : SliderCrank
+    pole : float
+        x of Brix's pole. [m]
+    angle, exact_angle : Array, shape (n,)
+        Crank angle; read backwards, as constructed and as it is, else both as given. [rad]
+    displacement, exact_displacement : Array, shape (n,)
+        As constructed and as it is; read backwards, both as given. [m]
+    drawn : Drawn
+    source : str
+        Citation key.
+    condition : str
+        The source's range in words; empty where it needs none.
+    is_outside : bool
+        Whether the mechanism is outside it.
+    """
+
+    mechanism: str
+    method: Method
+    geometry: SliderCrank
+    pole: float
+    angle: Array
+    exact_angle: Array
+    displacement: Array
+    exact_displacement: Array
+    drawn: Drawn
+    source: str
+    condition: str
+    is_outside: bool
+
+    @property
+    def stroke(self) -> float:
+        """Exact stroke. [m]"""
+        return _top(self.geometry) - _bottom(self.geometry)
+
+    @property
+    def ratio(self) -> float:
+        """λ = R/L."""
+        return float(self.geometry.crank_radius / self.geometry.rod_length)
+
+
+def construction(
+    machine: Machine, method: Method, angles: int | Sequence[float] = 12, *, mechanism: str | None = None
+) -> Construction:
+    """Construct a piston's positions as a source does.
+
+    Parameters
+    ----------
+    machine : Machine
+    method : "arc", "projection", "brix" or "brix_backward"
+    angles : int or sequence of float
+        How many crank angles, evenly over a turn, or which, from where the crank points along the cylinder [deg].
+        Backwards an int is into how many parts the stroke is divided, and angles stand for their exact displacements.
+    mechanism : str, optional
+        A slider-crank's name; the first one unless given.
+
+    Returns
+    -------
+    Construction
+
+    Raises
+    ------
+    InputError
+        If the mechanism is no slider-crank, or cannot be at such an angle.
+
+    Notes
+    -----
+    Arc: a circle of the rod's length about the piston's pin leads the crank pin to the line of stroke; exact, with an
+    offset too. Projection: (334). Brix: a ray from the pole, λR/2 behind the shaft. docs/theory/textbook-forms.
+
+    Examples
+    --------
+    >>> pump = Machine(mechanism={"kind": "slider_crank", "stroke": "160 mm", "rod_length": "320 mm"})
+    >>> found = construction(pump, "brix", [90.0])
+    >>> [round(1e3 * float(value[0]), 3) for value in (found.displacement, found.exact_displacement)]
+    [90.0, 90.161]
+    """
+    place = slider_crank_called(machine, mechanism)
+    geometry: SliderCrank = place.geometry
+    phi = np.deg2rad(plan_angles(angles))
+    if method == "brix_backward":
+        made = _backward(geometry, angles if isinstance(angles, int) else phi)
+    else:
+        made = _FORWARD[method](geometry, phi)
+    if not np.all(np.isfinite(made.exact_displacement + made.exact_angle)):
+        raise InputError([Problem("", place.name, _("the links cannot close at every angle that is to be drawn"))])
+    limits = next((one for one in RANGES if one.method == _RANGES.get(method)), None)
+    ratio = geometry.crank_radius / geometry.rod_length
+    return Construction(
+        mechanism=place.name,
+        method=method,
+        geometry=geometry,
+        pole=-float(largest_difference(geometry.crank_radius, ratio)),
+        angle=made.angle,
+        exact_angle=made.exact_angle,
+        displacement=made.displacement,
+        exact_displacement=made.exact_displacement,
+        drawn=made.drawn,
+        source="steam-engine",
+        condition="" if limits is None else _(limits.condition),
+        is_outside=limits is not None and bool(limits.outside(ratio, geometry.offset)),
+    )
+
+
+def exact_crank_angle(displacement: Array, geometry: SliderCrank) -> Array:
+    """Crank angle at which the piston is so far from its top, on the way to the shaft.
+
+    Parameters
+    ----------
+    displacement : Array
+        From the true top. [m]
+    geometry : SliderCrank, broadcastable with displacement
+
+    Returns
+    -------
+    Array, of the broadcast shape
+        From where the crank points along the cylinder [rad]; NaN outside the stroke.
+
+    Notes
+    -----
+    The rule of cosines in the triangle of shaft, crank pin and piston pin.
+    """
+    along = _top(geometry) - displacement
+    square = along**2 + geometry.offset**2
+    cosine = (geometry.crank_radius**2 + square - geometry.rod_length**2) / (
+        2 * geometry.crank_radius * np.sqrt(square)
+    )
+    return np.arctan2(geometry.offset, along) + np.arccos(_kept_at_ends(cosine))
+
+
+class _Made(NamedTuple):
+    """Readings of a construction and what it draws."""
+
+    angle: Array
+    exact_angle: Array
+    displacement: Array
+    exact_displacement: Array
+    drawn: Drawn
+
+
+def _top(geometry: SliderCrank) -> float:
+    """Farthest place of the piston's pin along the line of stroke. [m]"""
+    reach = geometry.crank_radius + geometry.rod_length
+    return float(np.sqrt(reach**2 - geometry.offset**2))
+
+
+def _bottom(geometry: SliderCrank) -> float:
+    """Nearest place of the piston's pin. [m]"""
+    reach = geometry.rod_length - geometry.crank_radius
+    return float(np.sqrt(reach**2 - geometry.offset**2))
+
+
+def _kept_at_ends(cosine: Array) -> Array:
+    """Take what rounding moved off ±1 back."""
+    return np.where(np.abs(np.abs(cosine) - 1) < 1e-14, np.sign(cosine), cosine)
+
+
+def _on_line(along: Array, geometry: SliderCrank) -> Array:
+    """Points of the line of stroke, shape (2, n)."""
+    return np.stack([along, np.full_like(along, geometry.offset)])
+
+
+def _on_circle(angle: Array, geometry: SliderCrank) -> Array:
+    return geometry.crank_radius * np.stack([np.cos(angle), np.sin(angle)])
+
+
+def _exact(phi: Array, geometry: SliderCrank) -> Array:
+    """Place of the piston's pin along x. [m]"""
+    with np.errstate(all="ignore"):  # what cannot close is NaN, and refused
+        return slider_crank(phi, geometry).slider.value
+
+
+def _arc(geometry: SliderCrank, phi: Array) -> _Made:
+    """The arc about the piston's pin through the crank pin meets the line of stroke nearer to the shaft."""
+    on_circle, piston = _on_circle(phi, geometry), _on_line(_exact(phi, geometry), geometry)
+    foot = piston[0] - np.hypot(*(on_circle - piston))
+    start = _top(geometry) - geometry.rod_length
+    drawn = Drawn(on_circle, _on_line(foot, geometry), _on_line(piston[0] - geometry.rod_length, geometry), piston)
+    return _Made(phi, phi, start - foot, _top(geometry) - piston[0], drawn)
+
+
+def _read_on_diameter(geometry: SliderCrank, phi: Array, on_circle: Array, displacement: Array) -> _Made:
+    """Readings from the end of the crank circle's diameter."""
+    piston = _exact(phi, geometry)
+    exact = _top(geometry) - piston
+    level = np.zeros_like(phi)
+    drawn = Drawn(
+        on_circle,
+        np.stack([geometry.crank_radius - displacement, level]),
+        np.stack([geometry.crank_radius - exact, level]),
+        _on_line(piston, geometry),
+    )
+    return _Made(phi, phi, displacement, exact, drawn)
+
+
+def _projection(geometry: SliderCrank, phi: Array) -> _Made:
+    displacement = infinite_rod(phi, geometry.crank_radius).value
+    return _read_on_diameter(geometry, phi, _on_circle(phi, geometry), displacement)
+
+
+def _brix(geometry: SliderCrank, phi: Array) -> _Made:
+    ratio = geometry.crank_radius / geometry.rod_length
+    about_centre = phi + np.arcsin(ratio / 2 * np.sin(phi))
+    displacement = brix(phi, geometry.crank_radius, ratio).value
+    return _read_on_diameter(geometry, phi, _on_circle(about_centre, geometry), displacement)
+
+
+def _backward(geometry: SliderCrank, chosen: int | Array) -> _Made:
+    """From displacements: equal parts of the stroke, or those of crank angles, to angles on the way to the shaft."""
+    whole = _top(geometry) - _bottom(geometry)
+    if isinstance(chosen, int):
+        displacement = whole * np.arange(chosen + 1) / chosen
+        exact = exact_crank_angle(displacement, geometry)
+    else:
+        exact = np.arccos(np.cos(chosen))
+        displacement = _top(geometry) - _exact(exact, geometry)
+    read = np.minimum(displacement, 2 * geometry.crank_radius)  # an offset stroke is longer than the diameter
+    angle = brix_angle(read, geometry.crank_radius, geometry.crank_radius / geometry.rod_length)
+    along = geometry.crank_radius - read
+    height = np.sqrt(np.maximum(geometry.crank_radius**2 - along**2, 0.0))
+    foot = np.stack([along, np.zeros_like(along)])
+    drawn = Drawn(np.stack([along, height]), foot, foot, _on_line(_top(geometry) - displacement, geometry))
+    return _Made(angle, exact, displacement, displacement, drawn)
+
+
+_FORWARD: Mapping[str, Callable[[SliderCrank, Array], _Made]] = {
+    "arc": _arc,
+    "projection": _projection,
+    "brix": _brix,
+}

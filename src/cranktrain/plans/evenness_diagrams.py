@@ -1,0 +1,70 @@
+"""Wittenbauer's and Mertsalov's diagrams of a machine, as data, out of its result."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.analysis import Result
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.questions.evenness.flywheel import FlywheelSize
+from cranktrain.questions.evenness.running_speed import ShaftWork
+from cranktrain.textbook.flywheel_diagrams import Mertsalov, Wittenbauer, mertsalov, wittenbauer
+
+
+class _Sized(NamedTuple):
+    """What both diagrams are drawn of."""
+
+    work: ShaftWork
+    size: FlywheelSize
+
+
+def wittenbauer_diagram(result: Result) -> Wittenbauer:
+    """Give the energy–mass curve of a machine and the tangents that meet in its origin.
+
+    Parameters
+    ----------
+    result : Result
+        Of a machine that says how evenly it is to run.
+
+    Returns
+    -------
+    Wittenbauer
+        Arrays with the design axis first. [kg·m², J, rad from the first crank angle of the grid]
+
+    Raises
+    ------
+    InputError
+        Where the result has no flywheel wanted, and says what is missing, or where that is NaN.
+
+    Notes
+    -----
+    docs/theory/evenness, eqs. (17.6) and (17.7).
+    """
+    work, size = _sized(result)
+    return wittenbauer(work.excess, work.inertia, size.exact)
+
+
+def mertsalov_diagram(result: Result) -> Mertsalov:
+    """Give the energy that the flywheel has to take up, by Mertsalov; as `wittenbauer_diagram`.
+
+    Notes
+    -----
+    The mean speed is half the sum of the extremes. docs/theory/evenness, eq. (17.9).
+    """
+    work, size = _sized(result)
+    return mertsalov(work.excess, work.inertia, (size.exact.largest_speed + size.exact.smallest_speed) / 2)
+
+
+def _sized(result: Result) -> _Sized:
+    """Find work and flywheel in a result."""
+    gifts = {type(gift): gift for gift in result.gifts}
+    work, size = gifts.get(ShaftWork), gifts.get(FlywheelSize)
+    if isinstance(work, ShaftWork) and isinstance(size, FlywheelSize):
+        if np.all(np.isfinite(size.exact.inertia)):
+            return _Sized(work, size)
+        allowed = _("gives no flywheel to draw: the torque is not known all round")
+        raise InputError([Problem("evenness.coefficient", None, allowed)])
+    needs = next((one.needs for one in result.missing if "flywheel_inertia" in one.results), ())
+    allowed = _("is missing for a diagram of the flywheel: {needs}").format(needs=", ".join(needs))
+    raise InputError([Problem("evenness", None, allowed)])

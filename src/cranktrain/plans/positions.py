@@ -1,0 +1,183 @@
+"""Plans of positions as data: pins in drawing millimetres, in machine axes, X right and Y up; the scale of any plan.
+
+One drawing millimetre is μ_l metres; docs/pictures says how the plans are drawn.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.layout.places import Place
+from cranktrain.machine import Machine
+from cranktrain.mechanisms.kind import Drawing
+from cranktrain.motion import Array
+from cranktrain.plans.lettering import lettered
+from cranktrain.plans.placement import slider_crank_called
+from cranktrain.plans.together import placed_together, places_called, together_name
+
+ROOM = (80.0, 80.0)
+"""Width and height for which a scale is chosen, unless given. [mm]"""
+
+_DIGITS = 9
+"""Of a crank angle in degrees, so that 30 stays 30."""
+
+DRAWING_STEPS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)
+"""Scale factors of a drawing within a power of ten."""
+
+
+@dataclass(frozen=True)
+class PositionPlan:
+    """A mechanism in several positions.
+
+    Attributes
+    ----------
+    mechanism : str
+    angles : Array, shape (n,)
+        Crank angles as the machine shows them. [deg]
+    scale : float
+        μ_l: what one drawing millimetre is. [m]
+    drawing : Drawing
+        Pins from the shaft centre, shape (n,). [drawing mm]
+    """
+
+    mechanism: str
+    angles: Array
+    scale: float
+    drawing: Drawing
+
+
+def position_plan(
+    machine: Machine,
+    angles: int | Sequence[float] = 12,
+    *,
+    mechanism: str | None = None,
+    room: tuple[float, float] = ROOM,
+    is_lettered: bool = False,
+) -> PositionPlan:
+    """Plan of a mechanism in several positions.
+
+    Parameters
+    ----------
+    machine : Machine
+    angles : int or sequence of float
+        How many, evenly over a turn from the shown angle 0, or which. [deg]
+    mechanism : str, optional
+        Its name, such as `1R`; unless given, the first slave of throw 1, or the first mechanism. Of a cylinder with
+        opposed pistons, by its name or unnamed, both: pins of the second have its number, `A2`.
+    room : (width, height)
+        For which the scale factor must suffice. [mm]
+    is_lettered : bool
+        Call pins with long names by letters.
+
+    Returns
+    -------
+    PositionPlan
+
+    Examples
+    --------
+    >>> pump = Machine(mechanism={"kind": "slider_crank", "stroke": "160 mm", "rod_length": "160 mm"})
+    >>> plan = position_plan(pump)
+    >>> plan.scale, [round(float(part[0]), 6) for part in plan.drawing.positions["B"]]
+    (0.004, [0.0, 60.0])
+    """
+    places = places_called(machine, mechanism)
+    shown = closed_angles(machine, places, angles)
+    drawing = placed_together(machine, places, np.deg2rad(shown) + machine.zero)
+    scale = fitting([np.concatenate(list(drawing.positions.values()), axis=1)], room)
+    named = lettered(drawing) if is_lettered else drawing
+    return PositionPlan(together_name(places), shown, scale, named.scaled(1.0 / scale))
+
+
+def track(machine: Machine, scale: float, *, mechanism: str | None = None) -> Drawing:
+    """Give a mechanism over a whole turn, for its paths: NaN where it cannot close. [drawing mm]"""
+    phi = np.linspace(0.0, 2 * np.pi, 361) + machine.zero
+    return placed_together(machine, places_called(machine, mechanism), phi).scaled(1.0 / scale)
+
+
+def closed_angles(machine: Machine, places: Sequence[Place], angles: int | Sequence[float]) -> Array:
+    """Give the crank angles that are asked for; of a number spread over the turn, those at which the links close.
+
+    Raises
+    ------
+    InputError
+        If the links cannot close at an angle that is listed, or at none.
+    """
+    shown = plan_angles(angles)
+    drawing = placed_together(machine, places, np.deg2rad(shown) + machine.zero)
+    closed = np.all(np.isfinite(list(drawing.positions.values())), axis=(0, 1))
+    if np.all(closed) or (isinstance(angles, int) and np.any(closed)):
+        return shown[closed]
+    there = ", ".join(f"φ = {angle:g}°" for angle in shown[~closed])
+    raise InputError(
+        [Problem("", there, _("the links of {name} cannot close there").format(name=together_name(places)))]
+    )
+
+
+def rescaled(plan: PositionPlan, scale: float) -> PositionPlan:
+    """Give the same plan to another scale. [m for 1 mm]"""
+    return replace(plan, scale=scale, drawing=plan.drawing.scaled(plan.scale / scale))
+
+
+def plan_angles(angles: int | Sequence[float]) -> Array:
+    """Give that many angles, spread evenly over a turn, or those that are listed. [deg]"""
+    n = angles if isinstance(angles, int) else len(angles)
+    if n < 1:
+        allowed = _("there must be at least one")
+        raise InputError([Problem("", _("{n} crank angles").format(n=n), allowed)])
+    return (
+        np.arange(n, dtype=np.float64) * (360.0 / n)
+        if isinstance(angles, int)
+        else np.asarray(angles, dtype=np.float64)
+    )
+
+
+def source_angles(machine: Machine, *, mechanism: str | None = None, is_shown: bool = True) -> tuple[float, ...]:
+    """Twelve crank angles at which [slider-crank-synthesis] draws a slider-crank.
+
+    The crank along the line of stroke and across it, at the largest pressure angle and half a turn after it, and six
+    between: one after the pressure angle and two after the right angle, and half a turn after these.
+
+    Parameters
+    ----------
+    machine : Machine
+    mechanism : str, optional
+        A slider-crank's name; the first one unless given.
+    is_shown : bool
+        Count as the machine shows crank angles; else from where the crank points along the cylinder.
+
+    Returns
+    -------
+    tuple of float
+        In the order in which they come after the crank points along the cylinder. [deg]
+
+    Examples
+    --------
+    The source's permissible pressure angle of 30°, and a rod twice the crank: steps of 30°.
+
+    >>> pump = Machine(mechanism={"kind": "slider_crank", "stroke": "160 mm", "rod_length": "160 mm"})
+    >>> [round(angle) for angle in source_angles(pump)]
+    [0, 30, 60, 90, 120, 150, 180, 210, 240, 270, 300, 330]
+    """
+    place = slider_crank_called(machine, mechanism)
+    geometry = place.geometry
+    pressure = np.rad2deg(np.arcsin((geometry.crank_radius + abs(geometry.offset)) / geometry.rod_length))
+    half = np.array([0.0, pressure, (pressure + 90.0) / 2, 90.0, 120.0, 150.0])
+    start = np.rad2deg(-place.phase - machine.zero) if is_shown else 0.0
+    turn = (np.concatenate([half, half + 180.0]) + start) % 360.0
+    return tuple(round(float(angle), _DIGITS) % 360.0 for angle in turn)
+
+
+def fitting(outlines: Sequence[Array], room: tuple[float, float], steps: Sequence[float] = DRAWING_STEPS) -> float:
+    """Choose the round scale factor at which each of several outlines, shape (2, n), fits a room. [unit for 1 mm]"""
+    spans = [np.nanmax(outline, axis=1) - np.nanmin(outline, axis=1) for outline in outlines]
+    return rounded_scale(float(np.max(np.stack(spans) / np.asarray(room))), steps)
+
+
+def rounded_scale(least: float, steps: Sequence[float] = DRAWING_STEPS) -> float:
+    """Give the next scale factor up that a draughtsman would take: one of the steps times a power of ten."""
+    power = 10.0 ** float(np.floor(np.log10(least)))
+    step = next(step for step in steps if step * power >= least * (1 - 1e-9))
+    return float(f"{step * power:.6g}")  # 0.0025, not 0.0025000000000000001

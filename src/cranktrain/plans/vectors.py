@@ -1,0 +1,225 @@
+"""Vectors of a plan: velocity and acceleration of every pin, whole, about another pin, and along a slot."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from cranktrain.layout.speed import accelerations
+from cranktrain.linkage.forces import Drive
+from cranktrain.mechanisms.kind import Drawing
+from cranktrain.motion import Array
+
+Quantity = Literal["velocity", "acceleration"]
+Part = Literal["absolute", "relative", "normal", "tangential", "coriolis"]
+"""What a vector of a polygon is."""
+
+POLE = "p"
+
+_EVEN = 1e-12
+"""A link about a fixed pin turns evenly where its tangential acceleration is less than this part of the normal one."""
+
+
+class Vector(NamedTuple):
+    """A vector of a polygon: symbol such as `a_BA^n`, part, from which point to which, exact X and Y, whose it is.
+
+    pins are the pin that moves and, unless it is absolute, the one that it moves about. `A'` is the point of a slotted
+    link that lies under the pin A.
+    """
+
+    symbol: str
+    part: Part
+    start: str
+    end: str
+    value: tuple[float, float]
+    pins: tuple[str, ...]
+
+    @property
+    def size(self) -> float:
+        """Length of the vector, in the polygon's unit."""
+        return float(np.hypot(*self.value))
+
+
+class PinMotion(NamedTuple):
+    """Where a pin is, its velocity and its acceleration: X and Y. [m, m/s, m/s²]"""
+
+    place: Array
+    velocity: Array
+    acceleration: Array
+
+
+class _Leg(NamedTuple):
+    """A step of a polygon: a pin about another one, of the same link or, in a slot, of one that turns so. [rad/s]"""
+
+    pin: str
+    about: str
+    slot_turning: float | None = None
+
+
+@dataclass(frozen=True)
+class _Plan:
+    """What a polygon is drawn from: motions by pin, letters of their ends by pin, fixed pins, the quantity."""
+
+    motions: Mapping[str, PinMotion]
+    letters: Mapping[str, str]
+    fixed: Sequence[str]
+    quantity: Quantity
+
+    def whole(self, pin: str) -> Array:
+        """Velocity or acceleration of a pin."""
+        motion = self.motions[pin]
+        return motion.velocity if self.quantity == "velocity" else motion.acceleration
+
+    def vector(self, pins: tuple[str, ...], part: Part, ends: tuple[str, str], value: Array, mark: str = "") -> Vector:
+        """Name a vector for its pins."""
+        symbol = f"{self.quantity[0]}_{_index(pins)}" + (f"^{mark}" if mark else "")
+        return Vector(symbol, part, *ends, (float(value[0]), float(value[1])), pins)
+
+
+def plan_vectors(drawing: Drawing, at: int, drive: Drive, quantity: Quantity) -> tuple[Vector, ...]:
+    """Give the vectors of a plan, each after those at whose ends it starts.
+
+    Parameters
+    ----------
+    drawing : Drawing
+        Pins of shape (n,), in the axes of the plan.
+    at : int
+        Which of the n positions.
+    drive : Drive
+        Speed and acceleration of the crank there. [rad/s, rad/s²]
+    quantity : "velocity" or "acceleration"
+
+    Returns
+    -------
+    tuple of Vector. [m/s or m/s²]
+        Of each pin from the pole; about the first pin of its link, where that moves. Accelerations about a pin are
+        split into normal and tangential parts, but for those of a crank that turns evenly. Of a pin in a slot: about
+        the link's point under it, along the slot; of accelerations Coriolis' part 2ω × v_r first.
+
+    Notes
+    -----
+    docs/theory/plans.
+    """
+    motions, legs = _motions(drawing, at, drive)
+    plan = _Plan(motions, _letters(motions), drawing.fixed, quantity)
+    return tuple(_vectors(plan, legs))
+
+
+def _motions(drawing: Drawing, at: int, drive: Drive) -> tuple[dict[str, PinMotion], list[_Leg]]:
+    """Motions of all pins, and of the points under those in slots; the steps in which a polygon reaches them."""
+    every = {name: _motion(drawing, name, at, drive) for name in drawing.pins}
+    motions = {name: motion for name, motion in every.items() if name not in drawing.ends}
+    legs: list[_Leg] = []
+    for link in drawing.links:
+        named = [pin for pin in link.pins if pin not in drawing.ends]
+        legs += [_Leg(pin, named[0]) for pin in named[1:]]
+    for pin, link in drawing.blocks:
+        if len(link) == 1:
+            legs.append(_Leg(pin, link[0], 0.0))
+            continue
+        under = _unused(f"{pin}'", motions)
+        motions[under], turning = _point_under(motions[pin], every[link[0]], every[link[-1]])
+        legs += [_Leg(under, link[0]), _Leg(pin, under, turning)]
+    return motions, legs
+
+
+def _motion(drawing: Drawing, name: str, at: int, drive: Drive) -> PinMotion:
+    """Motion of one pin."""
+    pin = drawing.pins[name]
+    place, first, second = (np.array([x[at], y[at]]) for x, y in zip(pin.x, pin.y, strict=True))
+    return PinMotion(place, drive.speed * first, accelerations(first, second, drive))
+
+
+def _point_under(pin: PinMotion, base: PinMotion, other: PinMotion) -> tuple[PinMotion, float]:
+    """Point of a link that lies under a pin, by two pins of the link; how fast the link turns. [rad/s]"""
+    arm = other.place - base.place
+    square = np.dot(arm, arm)
+    turning = _cross(arm, other.velocity - base.velocity) / square
+    rate = _cross(arm, other.acceleration - base.acceleration) / square
+    reach = pin.place - base.place
+    across = np.array([-reach[1], reach[0]])
+    return PinMotion(
+        pin.place,
+        base.velocity + turning * across,
+        base.acceleration + rate * across - turning**2 * reach,
+    ), turning
+
+
+def _cross(one: Array, other: Array) -> float:
+    return float(one[0] * other[1] - one[1] * other[0])
+
+
+def _vectors(plan: _Plan, legs: Sequence[_Leg]) -> Iterator[Vector]:
+    """Vectors from the pole when first needed, then those between pins."""
+    reached = set(plan.fixed)
+    for leg in [*legs, *(_Leg(pin, pin) for pin in plan.motions)]:
+        for pin in (leg.about, leg.pin):
+            if pin not in reached:
+                yield plan.vector((pin,), "absolute", (POLE, plan.letters[pin]), plan.whole(pin))
+                reached.add(pin)
+        if leg.slot_turning is not None:
+            yield from _along_slot(plan, leg, leg.slot_turning)
+        elif leg.pin != leg.about:
+            yield from _about(plan, leg)
+
+
+def _about(plan: _Plan, leg: _Leg) -> Iterator[Vector]:
+    """Vectors of a pin about another one of the same link."""
+    pair = (leg.pin, leg.about)
+    is_fixed = leg.about in plan.fixed
+    ends = (POLE if is_fixed else plan.letters[leg.about], plan.letters[leg.pin])
+    whole = plan.whole(leg.pin) - plan.whole(leg.about)
+    if plan.quantity == "acceleration":
+        pin, about = (plan.motions[name] for name in pair)
+        arm, speed = pin.place - about.place, pin.velocity - about.velocity
+        normal = -np.dot(speed, speed) / np.dot(arm, arm) * arm
+        tangential = whole - normal
+        if is_fixed and np.hypot(*tangential) <= _EVEN * np.hypot(*normal):
+            return
+        corner = f"n_{_index(pair)}"
+        yield plan.vector(pair, "normal", (ends[0], corner), normal, "n")
+        yield plan.vector(pair, "tangential", (corner, ends[1]), tangential, "t")
+    if not is_fixed:
+        yield plan.vector(pair, "relative", ends, whole)
+
+
+def _along_slot(plan: _Plan, leg: _Leg, turning: float) -> Iterator[Vector]:
+    """Vectors of a pin along a slot, about the point of the slotted link under it."""
+    pair = (leg.pin, leg.about)
+    ends = (plan.letters[leg.about], plan.letters[leg.pin])
+    whole = plan.whole(leg.pin) - plan.whole(leg.about)
+    if plan.quantity == "velocity" or not leg.about.endswith("'"):
+        yield plan.vector(pair, "relative", ends, whole)
+        return
+    sliding = plan.motions[leg.pin].velocity - plan.motions[leg.about].velocity
+    coriolis = 2.0 * turning * np.array([-sliding[1], sliding[0]])
+    corner = f"k_{_index(pair)}"
+    yield plan.vector(pair, "coriolis", (ends[0], corner), coriolis, "c")
+    yield plan.vector(pair, "relative", (corner, ends[1]), whole - coriolis, "r")
+
+
+def spoken_name(pin: str) -> str:
+    """Name of a pin as plans have it: the pin of a crank or slider goes by the crank's or slider's name."""
+    return pin.replace(".pin", "")
+
+
+def _letters(pins: Mapping[str, PinMotion]) -> dict[str, str]:
+    """Give the letters at which the vectors of pins end: small ones, each once, none the pole's."""
+    letters: dict[str, str] = {}
+    for pin in pins:
+        letters[pin] = _unused(spoken_name(pin).lower(), {POLE, *letters.values()})
+    return letters
+
+
+def _unused(name: str, taken: "Mapping[str, object] | set[str]") -> str:
+    """Prime a name until it is free."""
+    while name in taken:
+        name += "'"
+    return name
+
+
+def _index(pins: tuple[str, ...]) -> str:
+    """Names of pins as an index: BA, or with a comma where one has more letters."""
+    said = [spoken_name(pin) for pin in pins]
+    return ("," if any(len(name.rstrip("'")) > 1 for name in said) else "").join(said)

@@ -1,0 +1,1 @@
+"""Balance: what shakes the frame, and the weights that balance it."""

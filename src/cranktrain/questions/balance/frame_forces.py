@@ -1,0 +1,166 @@
+"""What the frame bears of the moving masses: reactions of what stands still, and the momentum that they change."""
+
+from collections.abc import Sequence
+from functools import reduce
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.checks import Check
+from cranktrain.language import _
+from cranktrain.layout.crank_angle import HIGHEST_ORDER, CrankAngle
+from cranktrain.layout.frames import Frames
+from cranktrain.layout.masses import GivenBodies, Masses
+from cranktrain.layout.mechanisms import Mechanisms
+from cranktrain.layout.speed import Speed
+from cranktrain.layout.throws import Throws
+from cranktrain.linkage.forces import WEIGHTLESS, Momentum, Wrench, momentum
+from cranktrain.mechanisms.kind import FRAME
+from cranktrain.motion import ZERO, Array
+from cranktrain.numerics import has_ended, spectral_derivative, turn_grid
+from cranktrain.numerics.harmonics import ComplexArray
+from cranktrain.numerics.plane_vectors import PlaneVectors, curve_vectors, delayed_vectors
+from cranktrain.questions.forces.loaded import Carriers, LoadedMachine, SolvedGroup, largest_in_joints
+from cranktrain.record import record
+
+_LIMIT = 1e-11
+_FEWEST, _MOST = 360, 2880
+ENDED = 1e-13
+"""What the highest orders may have of the largest order, for the grid to show all that there is."""
+
+
+@record
+class FrameForces:
+    """What the moving masses do to the frame, for each (rad/s)²; in the common axes of `Frames`, over one turn.
+
+    Attributes
+    ----------
+    force : complex, shape (design, mechanism, n)
+        On the frame, by the bearings, guides and pivots of each mechanism. [kg·m]
+    moment : Array, shape (design, mechanism, n)
+        By the inertia of each mechanism's own parts about their shaft's centre, as `main` runs. [kg·m²]
+    step : int
+        How many of these points make a step of the grid of crank angles, on whose first point they begin.
+    vectors : PlaneVectors, shape (design, mechanism, order)
+        Of `force`, from order 0; phases count from φ = 0.
+    own : PlaneVectors, shape (design, mechanism, order)
+        The same of each mechanism's own parts, wherever the frame bears them: a slave's are borne by its master.
+    """
+
+    force: ComplexArray
+    moment: Array
+    step: int
+    vectors: PlaneVectors
+    own: PlaneVectors
+    checks: tuple[Check, ...] = ()
+
+
+class Momenta(NamedTuple):
+    """Momentum in the common axes and its moment, for each rad/s, shape (design, mechanism, n)."""
+
+    vector: ComplexArray
+    moment: Array
+
+
+def frame_forces(
+    _bodies: GivenBodies,
+    mechanisms: Mechanisms,
+    carriers: Carriers,
+    masses: Masses,
+    frames: Frames,
+    throws: Throws,
+    crank_angle: CrankAngle,
+) -> FrameForces:
+    """Solve the machine with its masses alone, at 1 rad/s: no gas, weight or friction.
+
+    The points are doubled until they show all orders of the momentum; the force of each throw is then compared with
+    its momentum's derivative, which shares with the reactions but the motion. docs/theory/balance, eq. (16.15).
+    """
+    # Inertia repeats with the turn, as all shafts turn as fast as `main`.
+    n_turn = round(crank_angle.shown.size * 2 * np.pi / crank_angle.cycle)
+    step = -(-_FEWEST // n_turn)
+    machine = LoadedMachine(mechanisms, carriers, without_loads(masses), None, Speed(np.ones((1, 1, 1))))
+    while True:
+        angle = turn_grid(n_turn * step) + crank_angle.zero
+        motions = machine.motions(angle)
+        found = momenta(machine, motions, frames)
+        own = -derivative(found.vector)
+        ended = has_ended(own, ENDED)
+        if n_turn * step >= _MOST or np.all(ended):
+            break
+        step *= 2
+    solved = machine.solved(angle, motions=motions)
+    force = force_on_frame(machine, solved, frames, found.vector.shape)
+    zero = crank_angle.zero[:, 0]
+    return FrameForces(
+        force=force,
+        moment=-spectral_derivative(found.moment),
+        step=step,
+        vectors=delayed_vectors(curve_vectors(force.real, force.imag, HIGHEST_ORDER), zero),
+        own=delayed_vectors(curve_vectors(own.real, own.imag, HIGHEST_ORDER), zero),
+        checks=(
+            momentum_check(
+                "momentum",
+                throws.gathered(force),
+                throws.gathered(own),
+                in_joints=np.max(largest_in_joints(machine, solved), axis=1),
+                ended=np.all(ended, axis=(1, 2)),
+            ),
+        ),
+    )
+
+
+def without_loads(masses: Masses) -> Masses:
+    """Masses that nothing weighs on and that nothing rubs."""
+    groups = tuple(
+        group._replace(gravity=WEIGHTLESS, friction=tuple(ZERO for _slider in group.friction))
+        for group in masses.groups
+    )
+    return Masses(groups, masses.weightless, masses.assumed, masses.doubtful)
+
+
+def momenta(machine: LoadedMachine, motions: Sequence[Any], frames: Frames) -> Momenta:
+    """Add up the links of every mechanism."""
+    parts: list[Momenta] = []
+    for group, made, motion in zip(machine.mechanisms.groups, machine.masses.groups, motions, strict=True):
+        links = group.kind.dynamics.links(motion, group.members.geometry)
+        total = reduce(lambda one, other: Momentum(*map(np.add, one, other)), map(momentum, links, tuple(made.bodies)))
+        vector = frames.common(group.index, total.x, total.y)
+        parts.append(Momenta(vector, frames.sense[group.index, np.newaxis] * total.moment))
+    order = np.argsort(np.concatenate([group.index for group in machine.mechanisms.groups]))
+    return Momenta(*(np.concatenate(columns, axis=1)[:, order] for columns in zip(*parts, strict=True)))
+
+
+def derivative(vector: ComplexArray) -> ComplexArray:
+    """Derivative by the crank angle of a vector x + iy over one turn."""
+    return spectral_derivative(vector.real) + 1j * spectral_derivative(vector.imag)
+
+
+def force_on_frame(
+    machine: LoadedMachine, solved: Sequence[SolvedGroup], frames: Frames, shape: tuple[int, ...]
+) -> ComplexArray:
+    """Force of every mechanism on what stands still."""
+    force = np.zeros(shape, dtype=np.complex128)
+    for group, one in zip(machine.mechanisms.groups, solved, strict=True):
+        dynamics = group.kind.dynamics
+        for reaction, joint in zip(dynamics.reactions, one.forces.joints, strict=True):
+            # A slave's share of its master's joints is in its master's own.
+            if reaction.by == FRAME and reaction.on in dynamics.moving:
+                borne: Wrench = joint
+                force[:, group.index] -= frames.common(group.index, borne.x, borne.y)
+    return force
+
+
+def momentum_check(
+    name: str, force: ComplexArray, momentum_lost: ComplexArray, *, in_joints: Array, ended: NDArray[np.bool_]
+) -> Check:
+    """Compare the throws' forces with what their momentum says, by a series that may have ended, for each design."""
+    scale = np.max(np.abs(force), axis=(-2, -1)) + in_joints
+    residual = np.max(np.abs(force - momentum_lost), axis=(-2, -1)) / np.where(scale == 0, 1.0, scale)
+    return Check(
+        name,
+        _("Inertia forces on the frame against the change of momentum of all parts, relative to the joints' largest"),
+        np.where((residual > _LIMIT) & ~ended, np.inf, residual),
+        _LIMIT,
+    )

@@ -1,0 +1,221 @@
+"""Force or couple on the frame from all mechanisms and balance weights, as curves and by order, and in words."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.language import _
+from cranktrain.layout.crank_angle import HIGHEST_ORDER, CrankAngle, order_labels, orders
+from cranktrain.layout.frames import Frames
+from cranktrain.layout.speed import Speed
+from cranktrain.motion import Array
+from cranktrain.numerics.harmonics import ComplexArray
+from cranktrain.numerics.plane_vectors import (
+    PlaneVectors,
+    curve_vectors,
+    hodograph,
+    integrated,
+    machine_axes,
+    vector_curve,
+)
+from cranktrain.questions.balance.frame_forces import FrameForces
+from cranktrain.questions.balance.rotating_weights import RotatingWeights, weight_orders, weight_vectors
+from cranktrain.questions.balance.running_frame import RunningFrame
+
+_GONE = 1e-9
+"""What is less than this share of what all parts could do together is told as none."""
+_ROUNDING = 1e-12
+"""What is less than this share of it is 0."""
+BALANCE = ("without", "with")
+"""What the dimension `balance` has: the machine without balance weights and, where there are any, with them."""
+_TOLD = 3
+"""How many orders a sentence names."""
+
+
+class Shaken(NamedTuple):
+    """Force [N] or couple [N·m] on the frame, first without balance weights, then, where there are any, with them.
+
+    x, y are curves in the machine's axes, shape (design, balance, crank_angle); the others, by the cycle's orders, have
+    shape (design, balance, order), direction in radians from Y in the normal sense; gross, shape (design,), is what all
+    parts would do if they added up; labels are the names along both dimensions.
+    """
+
+    x: Array
+    y: Array
+    forward: Array
+    backward: Array
+    largest: Array
+    smallest: Array
+    direction: Array
+    gross: Array
+
+    labels: dict[str, tuple[str, ...]]
+
+
+class Balanced(NamedTuple):
+    """Balance weights, and the arm of each: 1 for the force, z − z̄ for the couple, shape (design, weight)."""
+
+    weights: RotatingWeights
+    arm: Array
+
+
+class _Sums(NamedTuple):
+    """Sums of all parts, without and with balance weights: over the cycle's grid, and by order; [N or N·m]."""
+
+    curves: ComplexArray
+    vectors: PlaneVectors
+
+
+def shaken(
+    frame: FrameForces,
+    running: RunningFrame | None,
+    frames: Frames,
+    crank_angle: CrankAngle,
+    speed: Speed,
+    *,
+    arm: Array,
+    balanced: Balanced | None,
+) -> Shaken:
+    """Sum up.
+
+    Parameters
+    ----------
+    frame : FrameForces
+    running : RunningFrame or None
+        Where the speed varies over the cycle.
+    frames : Frames
+    crank_angle : CrankAngle
+    speed : Speed
+    arm : Array, shape (design, mechanism)
+        1 for the force, z − z̄ for the couple. [1 or m]
+    balanced : Balanced or None
+
+    Returns
+    -------
+    Shaken
+
+    Notes
+    -----
+    docs/theory/balance, eqs. (16.5) and (16.7).
+    """
+    if running is None:
+        sums = _at_constant_speed(frame, crank_angle, speed, arm, balanced)
+    else:
+        sums = _over_cycle(running, crank_angle, arm, balanced)
+    curve = machine_axes(sums.curves, clockwise=frames.clockwise)
+    vectors = sums.vectors
+    ellipse = hodograph(vectors)
+    gross = speed.mean[:, 0, 0] ** 2 * _gross(frame, arm, balanced)
+    least = np.maximum(_GONE * gross[:, np.newaxis, np.newaxis], _GONE * ellipse.major)
+    # A circle has no long axis, and what has gone no direction.
+    has_axis = ellipse.major - ellipse.minor > least
+    # Directions along one line are one: from −90°, which itself counts as +90°.
+    along = np.pi / 2 - np.mod(np.pi / 2 - frames.running * ellipse.direction, np.pi)
+    rounding = _ROUNDING * gross[:, np.newaxis, np.newaxis]
+
+    def size(vector: Array | ComplexArray) -> Array:
+        return np.where(np.abs(vector) <= rounding, 0.0, np.abs(vector))
+
+    return Shaken(
+        curve.real,
+        curve.imag,
+        size(vectors.forward),
+        size(vectors.backward),
+        size(ellipse.major),
+        size(ellipse.minor),
+        np.where(has_axis, along, np.nan),
+        gross,
+        {"balance": BALANCE[: sums.curves.shape[1]], **order_labels(crank_angle.cycle)},
+    )
+
+
+def _gross(frame: FrameForces, arm: Array, balanced: Balanced | None) -> Array:
+    """What all parts would do if they added up, for each (rad/s)², shape (design,)."""
+    size = np.sum(np.abs(arm) * np.sum(hodograph(frame.vectors).major[..., 1:], axis=-1), axis=-1)
+    if balanced is not None:
+        own = weight_vectors(balanced.weights, frame.vectors.order)
+        size = size + np.sum(np.abs(balanced.arm) * np.sum(hodograph(own).major, axis=-1), axis=-1)
+    return size
+
+
+def _at_constant_speed(
+    frame: FrameForces, crank_angle: CrankAngle, speed: Speed, arm: Array, balanced: Balanced | None
+) -> _Sums:
+    """Sums of what the parts do over a turn, for each (rad/s)², times the square of the speed."""
+    turns = round(crank_angle.cycle / (2 * np.pi))
+    weigh = arm[..., np.newaxis]
+    curves: list[ComplexArray] = [np.tile(np.sum(weigh * frame.force[..., :: frame.step], axis=1), turns)]
+    by_order = [_summed(frame.vectors, weigh)]
+    if balanced is not None:
+        own = weight_vectors(balanced.weights, frame.vectors.order)
+        more = _summed(own, balanced.arm[..., np.newaxis])
+        curves.append(curves[0] + vector_curve(_of_weights(balanced), crank_angle.angle[:, 0]))
+        by_order.append(PlaneVectors(more.order, *map(np.add, by_order[0][1:], more[1:])))
+    square = speed.value[:, 0] ** 2
+    lots = [PlaneVectors(one.order, square * one.forward, square * one.backward) for one in by_order]
+    whole: ComplexArray = speed.value**2 * np.stack(curves, axis=1)
+    return _Sums(whole, _in_cycle(lots, turns))
+
+
+def _over_cycle(running: RunningFrame, crank_angle: CrankAngle, arm: Array, balanced: Balanced | None) -> _Sums:
+    """Sums over the cycle, and their orders, of which a speed that varies makes half ones as well."""
+    curves: list[ComplexArray] = [np.sum(arm[..., np.newaxis] * running.force, axis=1)]
+    if balanced is not None:
+        of = _of_weights(balanced)
+        turning = vector_curve(of, running.angle) * running.drive.speed**2
+        curves.append(curves[0] + turning + vector_curve(integrated(of), running.angle) * running.drive.acceleration)
+    whole: ComplexArray = np.stack(curves, axis=1)
+    order, forward, backward = curve_vectors(whole.real, whole.imag, HIGHEST_ORDER, crank_angle.cycle)
+    return _Sums(whole[..., :: running.step], PlaneVectors(order[1:], forward[..., 1:], backward[..., 1:]))
+
+
+def _of_weights(balanced: Balanced) -> PlaneVectors:
+    """What all weights do together, at their own orders, for each (rad/s)²."""
+    own = weight_vectors(balanced.weights, weight_orders(balanced.weights))
+    return _summed(own, balanced.arm[..., np.newaxis])
+
+
+def _in_cycle(lots: Sequence[PlaneVectors], turns: int) -> PlaneVectors:
+    """Vectors by the orders of a cycle, shape (design, lot, order): what turns with the crank has no half orders."""
+    shape = (len(lots[0].forward), len(lots), HIGHEST_ORDER * turns)
+    forward, backward = np.zeros((2, *shape), dtype=np.complex128)
+    for i, one in enumerate(lots):
+        forward[:, i, turns - 1 :: turns] = one.forward[:, 1:]
+        backward[:, i, turns - 1 :: turns] = one.backward[:, 1:]
+    return PlaneVectors(orders(turns * 2 * np.pi), forward, backward)
+
+
+def _summed(vectors: PlaneVectors, arm: Array) -> PlaneVectors:
+    """Sum with arms, shape (design, part, order) → (design, order)."""
+    return PlaneVectors(vectors.order, *(np.sum(arm * part, axis=1) for part in vectors[1:]))
+
+
+def _size(value: float, unit: str) -> str:
+    """Write a force or couple with four figures."""
+    return f"{value / 1e3:.4g} k{unit}" if value >= 1e4 else f"{value:.4g} {unit}"
+
+
+def orders_told(names: Sequence[str], largest: Array, gross: float, unit: str) -> str:
+    """Say which orders there are and how large, the largest first: `order 2, 123 N`; or that there is none.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Of the orders.
+    largest : Array, shape (order,)
+        Of one design, in SI.
+    gross : float
+        What is nothing beside this is none.
+    unit : str
+        N or N*m.
+    """
+    if not np.all(np.isfinite(largest)):
+        return _("not known, as the links do not close all round")
+    left = [i for i in np.argsort(-largest, kind="stable").tolist() if largest[i] > _GONE * gross]
+    if not left:
+        return _("none")
+    said = [
+        _("order {order}, {size}").format(order=names[i], size=_size(float(largest[i]), unit)) for i in left[:_TOLD]
+    ]
+    return "; ".join([*said, _("and less of others")] if len(left) > _TOLD else said)

@@ -1,0 +1,200 @@
+"""Balance: shaking force and couple of the machine by order, without and with its balance weights, and what is left."""
+
+from collections.abc import Mapping
+from dataclasses import field
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_, _
+from cranktrain.layout.axial import AxialPlaces
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.frames import Frames
+from cranktrain.layout.speed import Speed
+from cranktrain.layout.throws import ShaftCentres
+from cranktrain.linkage.forces import Drive, weight
+from cranktrain.motion import Array
+from cranktrain.numerics.harmonics import ComplexArray, curve, from_vectors
+from cranktrain.numerics.plane_vectors import running_axes
+from cranktrain.questions.balance.frame_forces import FrameForces
+from cranktrain.questions.balance.rotating_weights import weight_orders, weight_roll
+from cranktrain.questions.balance.running_frame import RunningFrame
+from cranktrain.questions.balance.shaken import BALANCE, Balanced, orders_told, shaken
+from cranktrain.questions.balance.weights import BalanceWeights
+from cranktrain.questions.forces.loaded import LoadedMachine, MechanismTorques, SolvedCycle
+from cranktrain.record import record
+from cranktrain.wording import Names
+
+_CURVE = ("balance", "crank_angle")
+_ORDER = ("balance", "order")
+_THEORY = "docs/theory/balance"
+
+
+@record
+class ShakingForces:
+    """Force of the moving masses on the frame, without and with balance weights."""
+
+    shaking_force_x: Array = quantity("F_X", "N", _CURVE, N_("Shaking force on the frame, to the right"), _THEORY)
+    shaking_force_y: Array = quantity("F_Y", "N", _CURVE, N_("Shaking force on the frame, up"), _THEORY)
+    shaking_force_forward: Array = quantity(
+        "F_f", "N", _ORDER, N_("Part of the order's shaking force that turns with the crank"), _THEORY
+    )
+    shaking_force_backward: Array = quantity(
+        "F_b", "N", _ORDER, N_("Part of the order's shaking force that turns against the crank"), _THEORY
+    )
+    shaking_force_largest: Array = quantity(
+        "F_n", "N", _ORDER, N_("Largest shaking force of the order: half the long axis of its ellipse"), _THEORY
+    )
+    shaking_force_smallest: Array = quantity(
+        "F_q", "N", _ORDER, N_("Smallest shaking force of the order: half the short axis of its ellipse"), _THEORY
+    )
+    shaking_force_direction: Array = quantity(
+        "δ_F", "rad", _ORDER, N_("Of the order's largest shaking force, from Y in the normal sense"), _THEORY
+    )
+    gross: Array = field(kw_only=True)
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"balance": (), "order": ()})
+
+    def answer(self, labels: Names, design: int) -> str:
+        """Say which orders of force shake the frame, and what the balance weights leave of them."""
+        of = self.shaking_force_largest[design]
+        said = [orders_told(labels["order"], one, float(self.gross[design]), "N") for one in of]
+        if len(said) == 1:
+            return _("Shaking force: {force}.").format(force=said[0])
+        return _("Shaking force: {force}; left with [balance]: {left}.").format(force=said[0], left=said[1])
+
+
+@record
+class ShakingCouples:
+    """Couple of the moving masses on the frame about the throws' mid-plane, without and with balance weights."""
+
+    shaking_couple_x: Array = quantity(
+        "C_X", "N*m", _CURVE, N_("Shaking couple: first moment of the forces to the right along the shaft"), _THEORY
+    )
+    shaking_couple_y: Array = quantity(
+        "C_Y", "N*m", _CURVE, N_("Shaking couple: first moment of the forces up along the shaft"), _THEORY
+    )
+    shaking_couple_forward: Array = quantity(
+        "C_f", "N*m", _ORDER, N_("Part of the order's shaking couple that turns with the crank"), _THEORY
+    )
+    shaking_couple_backward: Array = quantity(
+        "C_b", "N*m", _ORDER, N_("Part of the order's shaking couple that turns against the crank"), _THEORY
+    )
+    shaking_couple_largest: Array = quantity(
+        "C_n", "N*m", _ORDER, N_("Largest shaking couple of the order: half the long axis of its ellipse"), _THEORY
+    )
+    shaking_couple_smallest: Array = quantity(
+        "C_q", "N*m", _ORDER, N_("Smallest shaking couple of the order: half the short axis of its ellipse"), _THEORY
+    )
+    shaking_couple_direction: Array = quantity(
+        "δ_C",
+        "rad",
+        _ORDER,
+        N_("Of the forces of the order's largest shaking couple, from Y in the normal sense"),
+        _THEORY,
+    )
+    gross: Array = field(kw_only=True)
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"balance": (), "order": ()})
+
+    def answer(self, labels: Names, design: int) -> str:
+        """Say which orders of couple shake the frame, and what the balance weights leave of them."""
+        of = self.shaking_couple_largest[design]
+        said = [orders_told(labels["order"], one, float(self.gross[design]), "N*m") for one in of]
+        if len(said) == 1:
+            return _("Shaking couple: {couple}.").format(couple=said[0])
+        return _("Shaking couple: {couple}; left with [balance]: {left}.").format(couple=said[0], left=said[1])
+
+
+def shaking_forces(
+    frame: FrameForces,
+    running: RunningFrame | None,
+    frames: Frames,
+    crank_angle: CrankAngle,
+    speed: Speed,
+    weights: BalanceWeights | None,
+) -> ShakingForces:
+    """Sum the forces of all mechanisms, and of the balance weights."""
+    balanced = None if weights is None else Balanced(weights.weights, np.ones_like(weights.weights.moment))
+    arm = np.ones(frame.force.shape[:2])
+    found = shaken(frame, running, frames, crank_angle, speed, arm=arm, balanced=balanced)
+    return ShakingForces(*found[:7], gross=found.gross, labels=found.labels)
+
+
+def shaking_couples(
+    frame: FrameForces,
+    running: RunningFrame | None,
+    frames: Frames,
+    crank_angle: CrankAngle,
+    speed: Speed,
+    axial: AxialPlaces,
+    weights: BalanceWeights | None,
+) -> ShakingCouples:
+    """Sum the first moments of the forces of all mechanisms about the mid-plane, and of the balance weights."""
+    middle = axial.mid_plane[:, np.newaxis]
+    balanced = None if weights is None else Balanced(weights.weights, weights.weights.position - middle)
+    found = shaken(frame, running, frames, crank_angle, speed, arm=axial.value - middle, balanced=balanced)
+    return ShakingCouples(*found[:7], gross=found.gross, labels=found.labels)
+
+
+@record
+class RollingMoment:
+    """What rolls the frame about the crankshaft: gas, inertia and weights, without and with balance weights."""
+
+    rolling_moment: Array = quantity(
+        "M_roll", "N*m", _CURVE, N_("Moment on the frame about the crankshaft, in the sense of rotation"), _THEORY
+    )
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"balance": ()})
+
+
+def rolling_moment(
+    frame: FrameForces | None,
+    running: RunningFrame | None,
+    frames: Frames,
+    centres: ShaftCentres,
+    loaded: LoadedMachine,
+    solved: SolvedCycle,
+    torques: MechanismTorques,
+    crank_angle: CrankAngle,
+    weights: BalanceWeights | None,
+) -> RollingMoment:
+    """Take what drives the shaft less what the moving parts keep of it, and the forces of shafts beside `main`.
+
+    The frame holds the gears between shafts; what drives or is driven is on `main`. docs/theory/balance, eq. (16.16).
+    """
+    centre = running_axes(centres.value, clockwise=frames.clockwise)[..., np.newaxis]
+    drive = Drive(*(part[:, 0] for part in loaded.speed.drive(crank_angle.angle)))
+    without = torques.driving_torque
+    if running is not None:
+        without = without + _roll_of_masses(running, centre)
+    elif frame is not None:
+        turns = round(crank_angle.cycle / (2 * np.pi))
+        without = without + drive.speed**2 * np.tile(_roll_of_masses(frame, centre), turns)
+    if any(np.any(made.gravity) for made in loaded.masses.groups):
+        without = without + _weights_moment(loaded, solved, frames, centres)
+    curves = [without]
+    if weights is not None:
+        roll = weight_roll(weights.weights, weight_orders(weights.weights))
+        lagging = from_vectors(roll.order, roll.vectors / (1j * roll.order))
+        angle = crank_angle.angle[:, 0]
+        turning = curve(roll, angle) * drive.speed**2 + curve(lagging, angle) * drive.acceleration
+        curves.append(without + turning)
+    return RollingMoment(np.stack(curves, axis=1), {"balance": BALANCE[: len(curves)]})
+
+
+def _roll_of_masses(of: FrameForces | RunningFrame, centre: ComplexArray) -> Array:
+    """Moment of the inertia of all parts about the main shaft on the grid, shape (design, n)."""
+    return np.sum(of.moment + np.imag(np.conj(centre) * of.force), axis=1)[..., :: of.step]
+
+
+def _weights_moment(loaded: LoadedMachine, solved: SolvedCycle, frames: Frames, centres: ShaftCentres) -> Array:
+    """Moment of the weights of all moving parts about the main shaft, in the sense of rotation. [N·m]"""
+    total = np.zeros(())
+    for group, made, one in zip(loaded.mechanisms.groups, loaded.masses.groups, solved.groups, strict=True):
+        links = group.kind.dynamics.links(one.motion, group.members.geometry)
+        for link, body in zip(links, tuple(made.bodies), strict=True):
+            own = weight(link, body, made.gravity)
+            moment = own.moment + link.origin.x.value * own.y - link.origin.y.value * own.x
+            force = frames.common(group.index, own.x, own.y)
+            centre = running_axes(centres.value[:, group.index], clockwise=frames.clockwise)[..., np.newaxis]
+            about_main = frames.sense[group.index, np.newaxis] * moment + np.imag(np.conj(centre) * force)
+            total = total + np.sum(about_main, axis=1)
+    return total

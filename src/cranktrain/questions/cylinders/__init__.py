@@ -1,0 +1,1 @@
+"""Cylinders: travel, volumes, ports, firing."""

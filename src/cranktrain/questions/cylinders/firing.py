@@ -1,0 +1,217 @@
+"""Firing: when each cylinder fires, at what intervals, and whether its true dead centre is there."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.catalogue import quantity
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.mechanisms import Pistons
+from cranktrain.motion import Array
+from cranktrain.numerics import around_zero
+from cranktrain.questions.cylinders.travel import CylinderPistons, CylinderTravel
+from cranktrain.questions.motion.dead_centres import ANGLE_ROUNDING
+from cranktrain.record import record
+from cranktrain.wording import Names, shared
+
+_CYLINDER = ("cylinder",)
+_THEORY = "docs/conventions"
+_SAME = 1e-9
+"""Firings closer than this are simultaneous. [rad]"""
+
+
+@record
+class Cycle:
+    """The working cycle that the machine declares: 2π or 4π. [rad]"""
+
+    needs: ClassVar[str] = N_("[cylinder] cycle")
+
+    length: float
+
+
+@record
+class FiringOrder:
+    """In which order cylinders fire.
+
+    Attributes
+    ----------
+    order : array of int, shape (cylinder,)
+        Indices of the cylinders as they come.
+    numbers : tuple of str
+        The maker's numbers of these, if any.
+    angles : Array, shape (design, cylinder), or None
+        φ at which each fires, in [0, cycle), where the file says it. [rad]
+    """
+
+    needs: ClassVar[str] = N_("[cylinder] firing_order or firing_angles")
+
+    order: NDArray[np.intp]
+    numbers: tuple[str, ...] = ()
+    angles: Array | None = None
+
+
+def common_order(orders: Sequence[FiringOrder | None]) -> FiringOrder | None:
+    """Put together the order that several designs of one machine have, and the angles of each.
+
+    Raises
+    ------
+    InputError
+        Where the angles of one design make another order than those of the first.
+    """
+    found = [order for order in orders if order is not None]
+    angles = [order.angles for order in found if order.angles is not None]
+    if not angles:
+        return found[0] if found else None
+    if any(not np.array_equal(order.order, found[0].order) for order in found):
+        raise InputError([Problem("cylinder.firing_angles", None, _("must make the same order in all designs"))])
+    return replace(found[0], angles=np.concatenate(angles))
+
+
+@record
+class Firing:
+    """When each cylinder fires, nominally (crank along it), and how long until the next one does."""
+
+    firing_angle: Array = quantity(
+        "φ_f",
+        "deg",
+        _CYLINDER,
+        N_("Crank angle of nominal firing, the (exhaust) crank along the cylinder"),
+        _THEORY,
+    )
+    firing_dead_centre: Array = quantity(
+        "φ_fT", "deg", _CYLINDER, N_("Crank angle of the least volume at firing: the true dead centre"), _THEORY
+    )
+    firing_interval: Array = quantity(
+        "Δφ_f", "deg", _CYLINDER, N_("From this cylinder's firing to the next one in the order"), _THEORY
+    )
+    order: tuple[int, ...] = ()
+    numbers: tuple[str, ...] = ()
+    n_choices: tuple[int, ...] = ()
+
+    def answer(self, names: Names, design: int) -> str:
+        """Say the order and the intervals."""
+        cylinders = names["cylinder"]
+        order = "-".join(cylinders[i] for i in self.order)
+        if self.numbers:
+            order = f"{'-'.join(self.numbers)} ({order})"
+        intervals = self.firing_interval[design]
+        if np.ptp(intervals) < _SAME:
+            even = shared(("",), intervals[:1], "deg")
+            said = _("Firing order {order}, evenly every {interval}.").format(order=order, interval=even)
+        else:
+            written = shared([cylinders[i] for i in self.order], intervals[list(self.order)], "deg")
+            said = _("Firing order {order}, unevenly: {intervals} to the next.").format(order=order, intervals=written)
+        if self.n_choices[design] == 1:
+            return said
+        chosen = _(
+            "{said} Of {n} choices of turns that give this order no other is more even;"
+            " [cylinder] firing_angles says another."
+        )
+        return chosen.format(said=said, n=self.n_choices[design])
+
+
+def firing(
+    order: FiringOrder,
+    cycle: Cycle,
+    cylinders: CylinderPistons,
+    pistons: Pistons,
+    crank_angle: CrankAngle,
+    travel: CylinderTravel,
+) -> Firing:
+    """Firing angles as they are given, or in the turns that make the order true and the intervals most even."""
+    top = pistons.nominal_top[:, cylinders.leading, 0]
+    nominal = within_turn(top)
+    shift = travel.inner - top
+    angles = np.empty_like(nominal)
+    interval = np.empty_like(nominal)
+    for design, tops in enumerate(nominal):
+        if order.angles is not None:
+            in_order = order.angles[design, order.order]
+        else:
+            found = firing_angles(tops[order.order], cycle.length)
+            in_order = np.full(tops.shape, np.nan) if found is None else found
+        angles[design, order.order] = in_order
+        interval[design, order.order] = np.diff(in_order, append=in_order[0] + cycle.length)
+    return Firing(
+        firing_angle=crank_angle.counted(angles[..., np.newaxis], cycle.length)[..., 0],
+        firing_dead_centre=crank_angle.counted((angles + around_zero(shift))[..., np.newaxis], cycle.length)[..., 0],
+        firing_interval=interval,
+        order=tuple(order.order.tolist()),
+        numbers=order.numbers,
+        n_choices=tuple(
+            firing_choices(tops[order.order], cycle.length) if order.angles is None else 1 for tops in nominal
+        ),
+    )
+
+
+def within_turn(tops: Array, period: float = 2 * np.pi) -> Array:
+    """Bring crank angles into [0, 2π), or another period; what rounding put just before its end stands at 0. [rad]"""
+    turned = np.mod(tops, period)
+    return np.where(turned > period - ANGLE_ROUNDING, 0.0, turned)
+
+
+def firing_angles(tops: Array, cycle: float) -> Array | None:
+    """Choose the turn in which each cylinder fires, so that the order is true and the intervals are most even.
+
+    Parameters
+    ----------
+    tops : Array, shape (cylinder,)
+        Crank angle in [0, 2π) at which each one's piston is nominally at its top, in firing order. [rad]
+    cycle : float
+        2π or 4π. [rad]
+
+    Returns
+    -------
+    Array, shape (cylinder,), or None
+        Angles that rise from the first one's, within one cycle; None where the crank pins stand so that no choice
+        of turns gives this order. Cylinders fire at the same time only where more of
+        their pistons are at their tops together than the cycle has turns.
+    """
+    apart = _chosen(tops, cycle, least=_SAME)
+    from_each_other = np.abs(np.mod(tops - tops[:, np.newaxis] + np.pi, 2 * np.pi) - np.pi)
+    together = int(np.max(np.sum(from_each_other < _SAME, axis=1)))
+    return _chosen(tops, cycle, least=-_SAME) if apart is None and together > round(cycle / (2 * np.pi)) else apart
+
+
+def firing_choices(tops: Array, cycle: float) -> int:
+    """Count the choices of turns that give an order; parameters as of `firing_angles`."""
+    return _n_choices(tops, cycle, least=_SAME) or _n_choices(tops, cycle, least=-_SAME)
+
+
+def _n_choices(tops: Array, cycle: float, least: float) -> int:
+    """Count the choices by which the order rises."""
+    # For each possible angle of the piston reached so far: by how many choices it is reached.
+    ways: list[tuple[float, int]] = [(float(tops[0]), 1)]
+    for options in _options(tops, cycle):
+        ways = [(angle, sum(n for before, n in ways if angle - before > least)) for angle in options]
+    return sum(n for _angle, n in ways)
+
+
+def _options(tops: Array, cycle: float) -> Iterator[list[float]]:
+    """Give the angles at which each piston but the first can fire within a cycle from the first one's angle."""
+    start, *others = tops.tolist()
+    for top in others:
+        first = start + (top - start) % (2 * np.pi)
+        first = start if first > start + 2 * np.pi - _SAME else first
+        yield [first + 2 * np.pi * turn for turn in range(round(cycle / (2 * np.pi)))]
+
+
+def _chosen(tops: Array, cycle: float, least: float) -> Array | None:
+    """Choose among the turns by the smallest sum of squared intervals; None where the order cannot rise."""
+    start = float(tops[0])
+    # For each possible angle of the piston reached so far: the sum of squares and the angles that led there.
+    ways: list[tuple[float, list[float]]] = [(0.0, [start])]
+    for options in _options(tops, cycle):
+        ways = [
+            min((cost + (angle - path[-1]) ** 2, [*path, angle]) for cost, path in reachable)
+            for angle in options
+            if (reachable := [way for way in ways if angle - way[1][-1] > least])
+        ]
+        if not ways:
+            return None
+    return np.array(min((cost + (start + cycle - path[-1]) ** 2, path) for cost, path in ways)[1])

@@ -1,0 +1,191 @@
+"""Opposed pistons: lead, volumetric dead centres and the travel of both pistons of a cylinder together."""
+
+from typing import ClassVar
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.checks import Check
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.mechanisms import Pistons
+from cranktrain.layout.speed import Speed, accelerations
+from cranktrain.motion import Array
+from cranktrain.numerics import DERIVATIVES_LIMIT, around_zero, derivatives_residual
+from cranktrain.questions.cylinders.travel import CylinderPistons, CylinderTravel, reach
+from cranktrain.questions.motion.dead_centres import DeadCentres
+from cranktrain.record import record
+from cranktrain.wording import Names, number, shared
+
+_CYLINDER = ("cylinder",)
+_CURVE = ("cylinder", "crank_angle")
+_THEORY = "docs/theory/opposed-pistons"
+
+
+@record
+class OpposedCylinders:
+    """The cylinders of a machine, of which some at least have two pistons."""
+
+    needs: ClassVar[str] = ""
+
+    cylinders: CylinderPistons
+
+
+@record
+class VolumetricDeadCentres:
+    """Where the room between two pistons is least and greatest, and by how much they part."""
+
+    lead: Array = quantity(
+        "Δ", "deg", _CYLINDER, N_("By how much the exhaust crank is ahead of the scavenge crank"), _THEORY
+    )
+    combined_stroke: Array = quantity(
+        "S_Σ",
+        "m",
+        _CYLINDER,
+        N_("By how much both pistons together part, between the volumetric dead centres"),
+        _THEORY,
+    )
+    nominal_stroke: Array = quantity(
+        "S_e + S_s", "m", _CYLINDER, N_("Sum of both pistons' own strokes, as makers publish it"), _THEORY
+    )
+    inner_volumetric_dead_centre: Array = quantity(
+        "φ_i", "deg", _CYLINDER, N_("Crank angle of the least volume"), _THEORY
+    )
+    outer_volumetric_dead_centre: Array = quantity(
+        "φ_o", "deg", _CYLINDER, N_("Crank angle of the greatest volume"), _THEORY
+    )
+    inner_volumetric_shift: Array = quantity(
+        "α_i",
+        "deg",
+        _CYLINDER,
+        N_("Least volume after the exhaust crank's inner dead centre; the texts say Δ/2"),
+        _THEORY,
+    )
+    outer_volumetric_shift: Array = quantity(
+        "α_o − π",
+        "deg",
+        _CYLINDER,
+        N_("Greatest volume after the exhaust crank's outer dead centre; the texts say Δ/2"),
+        _THEORY,
+    )
+    least_combined_travel: Array = quantity(
+        "σ_i",
+        "m",
+        _CYLINDER,
+        N_("How far both pistons together stand from their own inner dead centres at φ_i"),
+        _THEORY,
+    )
+
+    def answer(self, names: Names, design: int) -> str:
+        """Say lead, strokes and dead centres, with what the texts say of them."""
+        cylinders = names["cylinder"]
+        lead = self.lead[design]
+        first = _("Exhaust crank ahead by {lead}.") if np.nanmax(lead) >= 0 else _("Exhaust crank behind by {lead}.")
+        said = _(
+            "{lead} Both pistons together part by {stroke} (their strokes add up to {nominal});"
+            " volumetric dead centres {inner} and {outer} after the exhaust crank's own"
+        ).format(
+            lead=first.format(lead=shared(cylinders, lead if np.nanmax(lead) >= 0 else -lead, "deg")),
+            stroke=shared(cylinders, self.combined_stroke[design], "mm"),
+            nominal=shared(cylinders, self.nominal_stroke[design], "mm"),
+            inner=shared(cylinders, self.inner_volumetric_shift[design], "deg"),
+            outer=shared(cylinders, self.outer_volumetric_shift[design], "deg"),
+        )
+        half = self.lead[design] / 2
+        found = np.stack([self.inner_volumetric_shift[design], self.outer_volumetric_shift[design]])
+        error = float(np.nanmax(np.abs(found - half)))
+        if number(error, "deg") == number(0.0, "deg"):
+            return _("{said}, half the lead.").format(said=said)
+        return _("{said}; half the lead, as the texts have it, is up to {error} off.").format(
+            said=said, error=number(error, "deg")
+        )
+
+
+def volumetric_dead_centres(
+    opposed: OpposedCylinders,
+    pistons: Pistons,
+    dead_centres: DeadCentres,
+    travel: CylinderTravel,
+    crank_angle: CrankAngle,
+) -> VolumetricDeadCentres:
+    """Volumetric dead centres of every cylinder."""
+    cylinders = opposed.cylinders
+    # A piston with side rods stands innermost where it is nearest to its shaft.
+    innermost = pistons.nominal_top[:, cylinders.index, 0] + np.where(cylinders.signs < 0, np.pi, 0.0)
+    strokes = dead_centres.stroke[:, cylinders.index] * np.abs(cylinders.signs)
+    own = np.where(cylinders.signs < 0, -dead_centres.bottom_position[:, cylinders.index], 0.0) + np.where(
+        cylinders.signs > 0, dead_centres.top_position[:, cylinders.index], 0.0
+    )
+    is_opposed = cylinders.is_opposed
+
+    def of_both(values: Array) -> Array:
+        return np.where(is_opposed, values, np.nan)
+
+    return VolumetricDeadCentres(
+        lead=of_both(around_zero(innermost[..., 1] - innermost[..., 0])),
+        combined_stroke=travel.stroke,
+        nominal_stroke=np.sum(strokes, axis=-1),
+        inner_volumetric_dead_centre=crank_angle.counted(travel.inner[..., np.newaxis])[..., 0],
+        outer_volumetric_dead_centre=crank_angle.counted(travel.outer[..., np.newaxis])[..., 0],
+        inner_volumetric_shift=around_zero(travel.inner - innermost[..., 0]),
+        outer_volumetric_shift=around_zero(travel.outer - innermost[..., 0] - np.pi),
+        least_combined_travel=np.sum(own, axis=-1) - travel.reach,
+    )
+
+
+@record
+class CombinedMotion:
+    """How the pistons of a cylinder part, both together: as one piston would that sweeps the same volume."""
+
+    combined_displacement: Array = quantity(
+        "x_Σ", "m", _CURVE, N_("By how much both pistons have parted since the inner volumetric dead centre"), _THEORY
+    )
+    combined_velocity_coefficient: Array = quantity(
+        "x_Σ′", "m/rad", _CURVE, N_("Velocity at which they part for each rad/s of the crank"), _THEORY
+    )
+    combined_acceleration_coefficient: Array = quantity(
+        "x_Σ″", "m/rad^2", _CURVE, N_("Acceleration at which they part for each (rad/s)² of the crank"), _THEORY
+    )
+    checks: tuple[Check, ...] = ()
+
+
+def combined_motion(
+    opposed: OpposedCylinders, pistons: Pistons, travel: CylinderTravel, crank_angle: CrankAngle
+) -> CombinedMotion:
+    """Travel of both pistons together and its derivatives by the crank angle."""
+    reached = reach(opposed.cylinders, pistons, crank_angle.angle)
+    residual = derivatives_residual(lambda phi: reach(opposed.cylinders, pistons, phi))
+    return CombinedMotion(
+        combined_displacement=travel.reach[..., np.newaxis] - reached.value,
+        combined_velocity_coefficient=-reached.first,
+        combined_acceleration_coefficient=-reached.second,
+        checks=(
+            Check(
+                "combined_derivatives",
+                _("x_Σ′ and x_Σ″ against the derivatives of the Fourier series, relative to their peaks"),
+                np.max(residual, axis=(1, 2)),
+                DERIVATIVES_LIMIT,
+            ),
+        ),
+    )
+
+
+@record
+class CombinedSpeeds:
+    """Velocity and acceleration at which opposed pistons part."""
+
+    combined_velocity: Array = quantity("v_Σ", "m/s", _CURVE, N_("Velocity at which both pistons part"), _THEORY)
+    combined_acceleration: Array = quantity(
+        "j_Σ", "m/s^2", _CURVE, N_("Acceleration at which both pistons part"), _THEORY
+    )
+
+
+def combined_speeds(motion: CombinedMotion, speed: Speed, crank_angle: CrankAngle) -> CombinedSpeeds:
+    """Velocities q′ω and accelerations q″ω² + q′ε."""
+    drive = speed.drive(crank_angle.angle)
+    return CombinedSpeeds(
+        combined_velocity=motion.combined_velocity_coefficient * drive.speed,
+        combined_acceleration=accelerations(
+            motion.combined_velocity_coefficient, motion.combined_acceleration_coefficient, drive
+        ),
+    )

@@ -1,0 +1,202 @@
+"""Ports of two-stroke cylinders: when the pistons uncover and cover them, and what is left to compress after that."""
+
+from collections.abc import Iterator
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.mechanisms import Pistons
+from cranktrain.motion import Array
+from cranktrain.numerics import around_zero, bracketed_roots
+from cranktrain.questions.cylinders.travel import CylinderPistons, CylinderTravel, reach
+from cranktrain.questions.cylinders.volumes import Chambers, ChamberVolumes
+from cranktrain.questions.motion.dead_centres import DeadCentres, slider_motion
+from cranktrain.record import record
+from cranktrain.wording import Names, number, ranged, shared
+
+_CYLINDER = ("cylinder",)
+_THEORY = "docs/theory/opposed-pistons"
+
+
+@record
+class TwoStroke:
+    """Says that cylinders are scavenged through ports: a machine that is no two-stroke is not asked for any."""
+
+    needs: ClassVar[str] = ""
+
+
+@record
+class Ports:
+    """Exhaust and scavenge ports of every cylinder.
+
+    Attributes
+    ----------
+    piston : array of int, shape (cylinder, 2)
+        The piston that uncovers the exhaust ports, and the one that uncovers the scavenge ports.
+    height : Array, shape (design, cylinder, 2)
+        Of the open part, from the edge to where the piston stands at its outer dead centre. [m]
+    """
+
+    needs: ClassVar[str] = N_("[cylinder] exhaust_port and scavenge_port")
+
+    piston: NDArray[np.intp]
+    height: Array
+
+
+@record
+class PortTiming:
+    """When ports open and close; NaN for a port that is never shut."""
+
+    exhaust_opens: Array = quantity(
+        "φ_eo", "deg", _CYLINDER, N_("Crank angle at which the exhaust ports open"), _THEORY
+    )
+    exhaust_closes: Array = quantity(
+        "φ_ec", "deg", _CYLINDER, N_("Crank angle at which the exhaust ports close"), _THEORY
+    )
+    scavenge_opens: Array = quantity(
+        "φ_so", "deg", _CYLINDER, N_("Crank angle at which the scavenge ports open"), _THEORY
+    )
+    scavenge_closes: Array = quantity(
+        "φ_sc", "deg", _CYLINDER, N_("Crank angle at which the scavenge ports close"), _THEORY
+    )
+    exhaust_opens_before: Array = quantity(
+        "δ_o",
+        "deg",
+        _CYLINDER,
+        N_("By how much the exhaust ports open before the scavenge ports; negative: after them"),
+        _THEORY,
+    )
+    exhaust_closes_before: Array = quantity(
+        "δ_c",
+        "deg",
+        _CYLINDER,
+        N_("By how much the exhaust ports close before the scavenge ports; negative: after them"),
+        _THEORY,
+    )
+    flags: tuple[str, ...] = ()
+
+    def answer(self, names: Names, design: int) -> str:
+        """Say which ports open and close first, and by how much."""
+        cylinders = names["cylinder"]
+
+        def said(values: Array) -> str:
+            return shared(cylinders, values[design], "deg")
+
+        opens, closes = self.exhaust_opens_before, self.exhaust_closes_before
+        first = _("{much} after") if np.all(opens[design] < 0) else _("{much} before")
+        last = _("{much} after") if np.all(closes[design] < 0) else _("{much} before")
+        return _("Exhaust ports open {first} the scavenge ports and close {last} them.").format(
+            first=first.format(much=said(np.where(np.all(opens < 0), -opens, opens))),
+            last=last.format(much=said(np.where(np.all(closes < 0), -closes, closes))),
+        )
+
+
+def port_timing(
+    two_stroke: TwoStroke,
+    ports: Ports,
+    cylinders: CylinderPistons,
+    pistons: Pistons,
+    dead_centres: DeadCentres,
+    crank_angle: CrankAngle,
+) -> PortTiming:
+    """Crank angles at which the pistons' edges pass those of the ports.
+
+    Notes
+    -----
+    A piston uncovers its port where it is the port's height from its outer dead centre: docs/theory/opposed-pistons,
+    eq. (18.5); for a central slider-crank cos α = (x² + R² − L²)/(2Rx), with x the pin's distance from the shaft.
+    """
+    del two_stroke
+    opens, closes = (
+        np.stack(sides, axis=-1)
+        for sides in zip(
+            *(_events(ports, cylinders, pistons, dead_centres, port) for port in (0, 1)),
+            strict=True,
+        )
+    )
+    shown_opens, shown_closes = (crank_angle.counted(angles) for angles in (opens, closes))
+    before = around_zero(opens[..., 1] - opens[..., 0])
+    return PortTiming(
+        exhaust_opens=shown_opens[..., 0],
+        exhaust_closes=shown_closes[..., 0],
+        scavenge_opens=shown_opens[..., 1],
+        scavenge_closes=shown_closes[..., 1],
+        exhaust_opens_before=before,
+        exhaust_closes_before=around_zero(closes[..., 1] - closes[..., 0]),
+        flags=tuple(_flags(cylinders.names, before, opens)),
+    )
+
+
+def _events(
+    ports: Ports, cylinders: CylinderPistons, pistons: Pistons, dead_centres: DeadCentres, port: int
+) -> tuple[Array, Array]:
+    """Crank angles φ at which one of the two ports opens and closes, shape (design, cylinder). [rad]"""
+    index = ports.piston[:, port]
+    is_far = cylinders.signs[:, port] < 0
+    nominal = pistons.nominal_top[:, index, 0]
+    top = nominal + dead_centres.top_shift[:, index]
+    bottom = nominal + np.pi + dead_centres.bottom_shift[:, index]
+    inner, outer = np.where(is_far, bottom, top), np.where(is_far, top + 2 * np.pi, bottom)
+    height = ports.height[..., port]
+    edge = np.where(
+        is_far, dead_centres.top_position[:, index] - height, dead_centres.bottom_position[:, index] + height
+    )[..., np.newaxis]
+
+    def past_edge(angle: Array) -> Array:
+        own = np.zeros((angle.shape[0], len(pistons.names), angle.shape[-1]))
+        own[:, index] = angle
+        return slider_motion(pistons, own).value[:, index] - edge
+
+    opens = bracketed_roots(past_edge, inner[..., np.newaxis], outer[..., np.newaxis])
+    closes = bracketed_roots(past_edge, outer[..., np.newaxis], inner[..., np.newaxis] + 2 * np.pi)
+    return opens[..., 0], closes[..., 0]
+
+
+def _flags(names: tuple[str, ...], before: Array, opens: Array) -> Iterator[str]:
+    """Mind what works badly: gas that blows back into the receiver, and ports higher than the stroke."""
+    late = np.flatnonzero(np.any(before < 0, axis=0)).tolist()
+    if late:
+        most = number(float(-np.nanmin(before)), "deg")
+        yield _(
+            "Scavenge ports of {cylinders} open up to {most} before the exhaust's: gas blows back into the receiver."
+        ).format(cylinders=ranged(names, late), most=most)
+    never = np.flatnonzero(np.any(np.isnan(opens), axis=(0, 2))).tolist()
+    if never:
+        yield _("A port of {cylinders} is higher than the stroke and never shut.").format(
+            cylinders=ranged(names, never)
+        )
+
+
+@record
+class EffectiveCompression:
+    """What is compressed after the last port has closed."""
+
+    effective_compression_ratio: Array = quantity(
+        "ε_eff", "1", ("chamber",), N_("Volume where the last port closes over the smallest volume"), _THEORY
+    )
+
+    def answer(self, names: Names, design: int) -> str:
+        """Say the effective compression ratio."""
+        return _("Effective compression ratio {ratio}, from where the last port closes.").format(
+            ratio=shared(names["chamber"], self.effective_compression_ratio[design], "1")
+        )
+
+
+def effective_compression(
+    timing: PortTiming,
+    cylinders: CylinderPistons,
+    pistons: Pistons,
+    chambers: Chambers,
+    travel: CylinderTravel,
+    volumes: ChamberVolumes,
+    crank_angle: CrankAngle,
+) -> EffectiveCompression:
+    """Compression ratio from the last port's closing, of the chambers at the heads."""
+    last = np.where(timing.exhaust_closes_before > 0, timing.scavenge_closes, timing.exhaust_closes)
+    parted = travel.reach - reach(cylinders, pistons, (last + crank_angle.zero[..., 0])[..., np.newaxis]).value[..., 0]
+    ratio = 1 + chambers.area * parted[:, chambers.cylinder] / volumes.clearance_volume
+    return EffectiveCompression(np.where(chambers.is_head, ratio, np.nan))

@@ -1,0 +1,90 @@
+"""Cylinders: their table of the machine file."""
+
+from collections.abc import Mapping
+from typing import Annotated, Any, Literal, Self, cast
+
+from pydantic import Field, model_validator
+
+from cranktrain.language import _
+from cranktrain.quantities import Angle, Dimension, Given, PositiveLength, Pressure, Quantity
+from cranktrain.spec import Refused, Spec
+
+_GAUGE = ("barg", "бари", "ati", "ати", "psig")
+"""Spellings of units that count from ambient pressure."""
+
+
+class CylinderSpec(Spec, frozen=True):
+    """One cylinder's own dimensions; what it does not give, the cylinder above it gives."""
+
+    bore: PositiveLength | None = None
+    compression_ratio: Annotated[Given, Quantity(Dimension.RATIO, above=1.0, at_most=1e5)] | None = None
+    exhaust_port: PositiveLength | None = None
+    scavenge_port: PositiveLength | None = None
+    chambers: tuple[Literal["head", "crank"], ...] | None = Field(default=None, min_length=1, max_length=2)
+    piston_rod: PositiveLength | None = None
+
+    @model_validator(mode="after")
+    def _each_side_once(self) -> Self:
+        """Refuse two chambers on one side of a piston."""
+        if self.chambers is not None and len(set(self.chambers)) < len(self.chambers):
+            raise Refused(_("must name each side once"), path="chambers")
+        return self
+
+
+OVERRIDES = "NAME (a bank or cylinder)"
+"""How the keys of [cylinder] name the tables of single banks and cylinders."""
+
+
+class CylindersSpec(CylinderSpec, frozen=True):
+    """All cylinders: their common dimensions, cycle, firing and friction, and `overrides` by bank or cylinder.
+
+    Firing is an order, or the crank angles at which the cylinders fire, as they are shown: one for each cylinder in the
+    order of the file, or by name.
+    """
+
+    cycle: Literal["two-stroke", "four-stroke"] | None = None
+    firing_order: str | None = None
+    firing_angles: tuple[Angle, ...] | Mapping[str, Angle] | None = None
+    numbers: Mapping[str, str] = {}
+    mechanical_efficiency: Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=1.0)] | None = None
+    friction_pressure: Pressure | None = None
+    overrides: Mapping[str, CylinderSpec] = Field(default={}, alias=OVERRIDES)
+
+    @model_validator(mode="after")
+    def _firing_one_way(self) -> Self:
+        """Refuse firing that is said twice, and angles of an unknown cycle."""
+        if self.firing_angles is None:
+            return self
+        if self.firing_order is not None:
+            raise Refused(_("must not stand beside firing_angles, which say it"), path="firing_order")
+        if self.cycle is None:
+            raise Refused(_("is missing; firing_angles count over a cycle"), path="cycle")
+        return self
+
+    @model_validator(mode="after")
+    def _friction_one_way(self) -> Self:
+        """Refuse friction that is said twice, and a mean pressure in a gauge unit."""
+        if self.friction_pressure is None:
+            return self
+        if self.mechanical_efficiency is not None:
+            raise Refused(_("must not stand beside mechanical_efficiency, which says it"), path="friction_pressure")
+        if self.friction_pressure.text.endswith(_GAUGE):
+            allowed = _("must be in a unit that is not gauge, as bar or kPa: it is work over volume")
+            raise Refused(allowed, path="friction_pressure")
+        return self
+
+    @model_validator(mode="before")
+    @classmethod
+    def _tables_are_overrides(cls, data: object) -> object:
+        """Take `[cylinder.R]` and `[cylinder.2L]` as what bank R and piston 2L have of their own."""
+        if not isinstance(data, Mapping):
+            return data
+        table = cast(Mapping[str, Any], data)
+        keys = [name for name in cls.model_fields if name != "overrides"]
+        own = {
+            name: cast(object, value)
+            for name, value in table.items()
+            if isinstance(value, Mapping) and name not in keys
+        }
+        common = {name: value for name, value in table.items() if name not in own}
+        return common | {OVERRIDES: own} if own else common

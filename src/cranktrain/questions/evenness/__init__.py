@@ -1,0 +1,1 @@
+"""Evenness: the speed over the cycle, and the flywheel for it."""

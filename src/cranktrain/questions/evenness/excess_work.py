@@ -1,0 +1,95 @@
+"""Excess work: what the shaft takes up and gives back within a cycle."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.motion import Array
+from cranktrain.numerics import Extreme
+from cranktrain.numerics.harmonics import TURN
+from cranktrain.numerics.periodic import Interpolation, PeriodicCurve, combined, curve_extremes, fourier_integral
+
+
+class ExcessWork(NamedTuple):
+    """Work of the excess torque less its mean, and its extremes.
+
+    Attributes
+    ----------
+    work : PeriodicCurve
+        A(φ), zero at φ = 0. [J]
+    mean_excess : Array, shape (...)
+        Mean of driving less load torque. Not zero: no steady state with these two curves; A is that of a load larger by
+        this constant. [N·m]
+    smallest, largest : Extreme, shapes (..., 1)
+        Of A, refined. [rad, J]
+    """
+
+    work: PeriodicCurve
+    mean_excess: Array
+    smallest: Extreme
+    largest: Extreme
+
+    @property
+    def difference(self) -> Array:
+        """ΔA, the largest excess work, shape (...). [J]"""
+        return (self.largest.value - self.smallest.value)[..., 0]
+
+
+def excess_work(excess: Array, cycle: float = TURN, by: Interpolation = fourier_integral) -> ExcessWork:
+    """Excess work over a cycle.
+
+    Parameters
+    ----------
+    excess : Array, shape (..., n)
+        Driving less load torque, in equal steps over the whole cycle, endpoint excluded. With a constant load the
+        driving torque alone will do. [N·m]
+    cycle : float
+        2π, or 4π of a four-stroke engine. [rad]
+    by : Interpolation
+        `fourier_integral`, or `spline_integral` for a torque with kinks or jumps.
+
+    Returns
+    -------
+    ExcessWork
+
+    Notes
+    -----
+    A = ∫₀^φ (M_d − M_r) dφ. docs/theory/evenness, eqs. (17.2) and (17.3).
+
+    Examples
+    --------
+    >>> phi = np.arange(36) * np.pi / 18
+    >>> round(float(excess_work(100 + 50 * np.sin(phi)).difference), 9)
+    100.0
+    """
+    return excess_of(by(excess, cycle), np.mean(excess, axis=-1))
+
+
+def excess_of(work: PeriodicCurve, mean: Array) -> ExcessWork:
+    """Excess work whose curve, 0 at φ = 0, is known [J], and the mean of the excess torque, shape (...) [N·m]."""
+    return ExcessWork(work, mean, *curve_extremes(work))
+
+
+def excess_against(driving: ExcessWork, load_work: PeriodicCurve, factor: Array, mean: Array) -> ExcessWork:
+    """Excess work of a driving torque against a load curve.
+
+    Parameters
+    ----------
+    driving : ExcessWork
+        Of the driving torque alone.
+    load_work : PeriodicCurve
+        Of the load less its mean, on the same grid. [J]
+    factor : Array, shape (...)
+        What the load is multiplied by. [1]
+    mean : Array, shape (...)
+        Of the load so multiplied. [N·m]
+
+    Returns
+    -------
+    ExcessWork
+
+    Notes
+    -----
+    docs/theory/evenness, eq. (17.17).
+    """
+    return excess_of(combined(driving.work, -factor, load_work), driving.mean_excess - mean)

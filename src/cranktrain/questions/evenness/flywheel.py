@@ -1,0 +1,178 @@
+"""Flywheel for a wanted coefficient of fluctuation, exact and as the textbooks have it, and the rim that it takes."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import field
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_, _
+from cranktrain.layout.speed import Speed
+from cranktrain.motion import Array
+from cranktrain.questions.evenness.flywheel_inertia import METHODS, Flywheel, flywheels_by_method
+from cranktrain.questions.evenness.rim import RimDemand, rim, rim_speed
+from cranktrain.questions.evenness.running_speed import RunningSpeed, ShaftWork
+from cranktrain.questions.evenness.spec import DeclaredRim, GivenFlywheel, ShaftLoad, WantedCoefficient
+from cranktrain.record import record
+from cranktrain.wording import Names, number
+
+_METHOD = "flywheel_method"
+_THEORY = "docs/theory/evenness"
+
+
+@record
+class FlywheelSize:
+    """Flywheels that give the coefficient of fluctuation wanted, against a load that does not depend on the speed.
+
+    Attributes
+    ----------
+    exact : Flywheel
+        With all that the diagrams need.
+    wanted : Array, shape (design,)
+        The coefficient of fluctuation.
+    """
+
+    exact: Flywheel
+    wanted: Array
+    flywheel_inertia: Array = quantity(
+        "J_f", "kg*m^2", (_METHOD,), N_("Flywheel for the coefficient of fluctuation wanted"), _THEORY
+    )
+    wanted_flywheel_moment: Array = quantity(
+        "GD²_f", "kg*m^2", (_METHOD,), N_("Flywheel moment of that flywheel, GD² = 4 J"), _THEORY
+    )
+    flywheel_inertia_error: Array = quantity(
+        "ΔJ_f/J_f", "1", (_METHOD,), N_("Error of the textbook's flywheel, relative to the exact one"), _THEORY
+    )
+    flywheel_fluctuation: Array = quantity(
+        "δ_f", "1", (_METHOD,), N_("Coefficient of fluctuation that each flywheel really gives"), _THEORY
+    )
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {_METHOD: METHODS})
+    flags: tuple[str, ...] = ()
+
+    def answer(self, _names: Names, design: int) -> str:
+        """Say the exact flywheel, with GD², and the others beside it."""
+        delta = f"{float(self.wanted[design]):.4g}"
+        size = float(self.flywheel_inertia[design, 0])
+        if np.isnan(size):
+            return ""
+        if size <= 0:
+            return _(
+                "For a coefficient of fluctuation of {delta} no flywheel is needed:"
+                " the moving parts alone keep it below."
+            ).format(delta=delta)
+        exact, mertsalov, textbook = (number(float(value), "kg*m^2") for value in self.flywheel_inertia[design])
+        _zero, off, far = (f"{100 * float(error):+.2f} %" for error in self.flywheel_inertia_error[design])
+        return _(
+            "For a coefficient of fluctuation of {delta} the flywheel needs J = {exact}, GD² = {moment};"
+            " by Mertsalov {mertsalov} ({off}), by textbooks {textbook} ({far})."
+        ).format(
+            delta=delta,
+            exact=exact,
+            moment=number(4 * size, "kg*m^2"),
+            mertsalov=mertsalov,
+            off=off,
+            textbook=textbook,
+            far=far,
+        )
+
+
+def flywheel_size(load: ShaftLoad, coefficient: WantedCoefficient, work: ShaftWork, speed: Speed) -> FlywheelSize:
+    """Flywheel by each method.
+
+    Notes
+    -----
+    docs/theory/evenness, eqs. (17.7) to (17.10).
+    """
+    found = flywheels_by_method(work.excess, work.inertia, speed.value[:, 0, 0], coefficient.value, load.mean)
+    return FlywheelSize(
+        exact=found.exact,
+        wanted=coefficient.value,
+        flywheel_inertia=found.inertia,
+        wanted_flywheel_moment=4 * found.inertia,
+        flywheel_inertia_error=found.error,
+        flywheel_fluctuation=found.fluctuation,
+        flags=tuple(_size_flags(load)),
+    )
+
+
+def _size_flags(load: ShaftLoad) -> Iterator[str]:
+    """Mind a load for which another flywheel would do."""
+    if load.motor is not None or load.is_quadratic:
+        yield _(
+            "The flywheel wanted is for a load that does not depend on the speed;"
+            " one that rises with it evens it out more."
+        )
+
+
+@record
+class RimSize:
+    """Rim of the flywheel that is wanted, or where none is, of the one that there is."""
+
+    rim_height: Array = quantity("h", "m", (), N_("Height of the rim's section"), _THEORY)
+    rim_width: Array = quantity("b", "m", (), N_("Width of the rim along the shaft"), _THEORY)
+    rim_outer_diameter: Array = quantity("D_o", "m", (), N_("Outer diameter of the rim"), _THEORY)
+    rim_mass: Array = quantity("m", "kg", (), N_("Mass of the rim"), _THEORY)
+    rim_mass_by_mean_diameter: Array = quantity(
+        "m_D", "kg", (), N_("Mass of the rim by the textbooks' GD² = mD², with its mean diameter"), _THEORY
+    )
+    rim_speed: Array = quantity("v", "m/s", (), N_("Speed of the rim's outside at the largest speed"), _THEORY)
+    flags: tuple[str, ...] = ()
+
+    def answer(self, _names: Names, design: int) -> str:
+        """Say the rim's section, mass and speed."""
+        if np.isnan(self.rim_height[design]):
+            return ""
+        return _(
+            "The rim is {height} high and {width} wide, outer diameter {diameter}, {mass}; it runs at {speed}."
+        ).format(
+            height=number(float(self.rim_height[design]), "mm"),
+            width=number(float(self.rim_width[design]), "mm"),
+            diameter=number(float(self.rim_outer_diameter[design]), "mm"),
+            mass=number(float(self.rim_mass[design]), "kg"),
+            speed=number(float(self.rim_speed[design]), "m/s"),
+        )
+
+
+def rim_size(
+    wanted: DeclaredRim,
+    _work: ShaftWork,
+    flywheel: GivenFlywheel | None,
+    running: RunningSpeed | None,
+    size: FlywheelSize | None,
+) -> RimSize:
+    """Section, mass and speed of the rim.
+
+    Notes
+    -----
+    Where there is work there is one of both flywheels, as the file is refused otherwise.
+    docs/theory/evenness, eqs. (17.14) and (17.15).
+    """
+    inertia = largest = np.full(wanted.mean_diameter.shape, np.nan)
+    if size is not None:
+        inertia, largest = size.flywheel_inertia[:, 0], size.exact.largest_speed
+    elif flywheel is not None and running is not None:
+        inertia, largest = flywheel.inertia, running.largest_crank_speed
+    found = rim(RimDemand(inertia, wanted.other_share, wanted.mean_diameter, wanted.width_ratio, wanted.density))
+    speed = rim_speed(found.outer_diameter, largest)
+    return RimSize(
+        rim_height=found.height,
+        rim_width=found.width,
+        rim_outer_diameter=found.outer_diameter,
+        rim_mass=found.mass,
+        rim_mass_by_mean_diameter=found.textbook_mass,
+        rim_speed=speed,
+        flags=tuple(_rim_flags(inertia, speed, wanted, found.height)),
+    )
+
+
+def _rim_flags(inertia: Array, speed: Array, wanted: DeclaredRim, height: Array) -> Iterator[str]:
+    """Mind a rim that runs too fast, or that has no room on its diameter."""
+    too_fast = speed > wanted.largest_speed
+    if np.any(too_fast):
+        worst = int(np.argmax(np.where(too_fast, speed / wanted.largest_speed, 0.0)))
+        yield _(
+            "The rim's outside runs too fast: at {speed}, and it bears {largest}"
+            " ([evenness.rim] largest_speed; of cast iron unless given)."
+        ).format(speed=number(float(speed[worst]), "m/s"), largest=number(float(wanted.largest_speed[worst]), "m/s"))
+    if np.any((inertia > 0) & np.isnan(height)):
+        yield _("The rim's section would reach the shaft's axis: its mean diameter is too small.")

@@ -1,0 +1,235 @@
+"""Evenness of running: its table of the machine file, and the parts that it declares."""
+
+from collections.abc import Sequence
+from typing import Annotated, ClassVar, Literal, Self
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import N_, _
+from cranktrain.motion import Array
+from cranktrain.numerics.polyline import Polyline
+from cranktrain.quantities import (
+    Dimension,
+    Given,
+    PositiveDensity,
+    PositiveLength,
+    PositiveRatio,
+    PositiveSpeed,
+    PositiveTorque,
+    PositiveVelocity,
+    Quantity,
+)
+from cranktrain.questions.evenness.load_table import LoadCurveSpec, load_polyline
+from cranktrain.questions.evenness.speed_over_cycle import Mean
+from cranktrain.record import record
+from cranktrain.spec import Refused, Spec
+
+NonNegativeInertia = Annotated[Given, Quantity(Dimension.INERTIA, at_least=0.0)]
+NonNegativeMoment = Annotated[Given, Quantity(Dimension.FLYWHEEL_MOMENT, at_least=0.0)]
+Coefficient = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, below=2.0)]
+Share = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]
+
+
+class MotorSpec(Spec, frozen=True):
+    """A motor on the shaft whose torque falls with the speed in a straight line, by two points of it."""
+
+    torque: PositiveTorque = Field(description=N_("Torque of the motor at the speed beside it, on the crankshaft."))
+    speed: PositiveSpeed = Field(description=N_("Speed at which the motor gives that torque, on the crankshaft."))
+    no_load_speed: PositiveSpeed = Field(description=N_("Speed at which the motor gives no torque, on the crankshaft."))
+
+    @model_validator(mode="after")
+    def _slower_under_load(self) -> Self:
+        """Refuse a motor that is no slower under load."""
+        if self.no_load_speed.si <= self.speed.si:
+            allowed = _("must be more than speed = {speed}: a motor slows down under load")
+            raise Refused(allowed.format(speed=self.speed.text), path="no_load_speed")
+        return self
+
+
+class RimSpec(Spec, frozen=True):
+    """Rim of the flywheel, of rectangular section."""
+
+    mean_diameter: PositiveLength = Field(description=N_("Diameter of the middle of the rim's section."))
+    width_ratio: PositiveRatio = Field(
+        default=Given(1.0, "1"), description=N_("Width of the rim along the shaft over the height of its section.")
+    )
+    other_share: Share = Field(
+        default=Given(0.0, "0"),
+        description=N_("What arms, disc and hub bring of the flywheel's moment of inertia, as a share of it."),
+    )
+    density: PositiveDensity = Field(
+        default=Given(7200.0, "7200 kg/m³"), description=N_("Density of the rim; that of cast iron unless given.")
+    )
+    largest_speed: PositiveVelocity = Field(
+        default=Given(30.0, "30 m/s"),
+        description=N_("Speed that the rim's outside bears; 30 m/s, as cast iron, unless given [machinerys-handbook]."),
+    )
+
+
+class EvennessSpec(Spec, frozen=True):
+    """How the machine is loaded or driven, its flywheel, and how evenly it is to run."""
+
+    load: Literal["constant", "quadratic"] = Field(
+        default="constant",
+        description=N_(
+            "What balances the machine's mean torque: a constant torque, or one that rises with the speed squared."
+        ),
+    )
+    load_curve: LoadCurveSpec | None = Field(
+        default=None, description=N_("A load torque given over the crank angle; the rest of the mean is balanced.")
+    )
+    motor: MotorSpec | None = Field(
+        default=None, description=N_("A motor that drives the machine instead; the mean speed comes out.")
+    )
+    flywheel: NonNegativeInertia | None = Field(
+        default=None,
+        description=N_(
+            "Moment of inertia of flywheel and rotor: all that turns with the shaft and is not in [masses]."
+        ),
+    )
+    flywheel_moment: NonNegativeMoment | None = Field(
+        default=None, description=N_("GD², four times the flywheel's moment of inertia; instead of flywheel.")
+    )
+    coefficient: Coefficient | None = Field(
+        default=None,
+        description=N_(
+            "Coefficient of fluctuation wanted, largest less smallest speed over the mean: twice the ± value."
+        ),
+    )
+    mean: Literal["time", "extremes"] = Field(
+        default="time",
+        description=N_("Which mean [shaft.main] speed is: over time, or half the sum of largest and smallest speed."),
+    )
+    rim: RimSpec | None = Field(default=None, description=N_("Rim of the flywheel, to be given its section."))
+
+    @model_validator(mode="after")
+    def _said_once(self) -> Self:
+        """Refuse a flywheel given twice, a motor beside another load, and a rim without a flywheel."""
+        found: list[Problem] = []
+        if self.flywheel is not None and self.flywheel_moment is not None:
+            allowed = _("must not stand beside flywheel; GD² = 4 J says the same")
+            found.append(Problem("flywheel_moment", None, allowed))
+        if self.motor is not None and "load" in self.model_fields_set:
+            allowed = _("must not stand beside [evenness.motor], which balances the machine")
+            found.append(Problem("load", None, allowed))
+        if self.load_curve is not None and self.load_curve.scale == "balanced":
+            allowed = _('leaves nothing to balance, so it must not stand beside {other}; write "given"')
+            rivals = {"motor": self.motor is not None, "load": self.load == "quadratic"}
+            found += [
+                Problem("load_curve.scale", None, allowed.format(other=name)) for name, is_so in rivals.items() if is_so
+            ]
+        if self.rim is not None and self.inertia is None and self.coefficient is None:
+            allowed = _("needs a flywheel: give flywheel or flywheel_moment, or coefficient for the one that it takes")
+            found.append(Problem("rim", None, allowed))
+        if found:
+            raise InputError(found)
+        return self
+
+    @property
+    def inertia(self) -> float | None:
+        """Moment of inertia of the flywheel, however it is given; None where it is not. [kg·m²]"""
+        if self.flywheel is not None:
+            return self.flywheel.si
+        return None if self.flywheel_moment is None else self.flywheel_moment.si / 4
+
+
+@record
+class LinearMotor:
+    """Motor M = c (ω_s − ω): no-load speed ω_s [rad/s] and stiffness c [N·m·s], shape (design,)."""
+
+    no_load_speed: Array
+    stiffness: Array
+
+
+@record
+class ShaftLoad:
+    """What balances the machine's own torque, and which mean its speed is."""
+
+    needs: ClassVar[str] = N_("[evenness]")
+
+    is_quadratic: bool
+    motor: LinearMotor | None
+    mean: Mean
+
+
+@record
+class LoadCurve:
+    """Load torque over the shown crank angle as the file has it, and whether it is scaled to balance the machine.
+
+    polylines: of every design, or one that all have.
+    """
+
+    needs: ClassVar[str] = ""
+
+    polylines: tuple[Polyline, ...]
+    is_scaled: bool
+
+
+@record
+class GivenFlywheel:
+    """Moment of inertia of the flywheel that there is, shape (design,). [kg·m²]"""
+
+    needs: ClassVar[str] = N_("[evenness] flywheel or flywheel_moment")
+
+    inertia: Array
+
+
+@record
+class WantedCoefficient:
+    """Coefficient of fluctuation wanted, shape (design,). [1]"""
+
+    needs: ClassVar[str] = N_("[evenness] coefficient")
+
+    value: Array
+
+
+@record
+class DeclaredRim:
+    """Rim wanted, arrays of shape (design,): what its field says in `RimSpec`, in SI."""
+
+    needs: ClassVar[str] = N_("[evenness.rim] mean_diameter")
+
+    mean_diameter: Array
+    width_ratio: Array
+    other_share: Array
+    density: Array
+    largest_speed: Array
+
+
+def evenness_parts(specs: Sequence[EvennessSpec]) -> list[object]:
+    """Give the parts that the tables of several designs declare, which differ in numbers alone."""
+    first = specs[0]
+    motors = [spec.motor for spec in specs if spec.motor is not None]
+    parts: list[object] = [ShaftLoad(first.load == "quadratic", _motor(motors), first.mean)]
+    curves = [spec.load_curve for spec in specs if spec.load_curve is not None]
+    if curves:
+        different = curves if len(set(curves)) > 1 else curves[:1]
+        parts.append(LoadCurve(tuple(map(load_polyline, different)), curves[0].scale == "balanced"))
+    sizes = [spec.inertia for spec in specs if spec.inertia is not None]
+    if sizes:
+        parts.append(GivenFlywheel(np.array(sizes)))
+    wanted = [spec.coefficient.si for spec in specs if spec.coefficient is not None]
+    if wanted:
+        parts.append(WantedCoefficient(np.array(wanted)))
+    rims = [spec.rim for spec in specs if spec.rim is not None]
+    if rims:
+        parts.append(
+            DeclaredRim(
+                mean_diameter=np.array([rim.mean_diameter.si for rim in rims]),
+                width_ratio=np.array([rim.width_ratio.si for rim in rims]),
+                other_share=np.array([rim.other_share.si for rim in rims]),
+                density=np.array([rim.density.si for rim in rims]),
+                largest_speed=np.array([rim.largest_speed.si for rim in rims]),
+            )
+        )
+    return parts
+
+
+def _motor(specs: Sequence[MotorSpec]) -> LinearMotor | None:
+    """Straight lines through the two points of every design's motor."""
+    if not specs:
+        return None
+    torque, speed, free = np.array([(spec.torque.si, spec.speed.si, spec.no_load_speed.si) for spec in specs]).T
+    return LinearMotor(free, torque / (free - speed))

@@ -1,0 +1,1 @@
+"""Forces: in every joint, on every piston, rod, pin and guide."""

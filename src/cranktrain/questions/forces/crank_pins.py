@@ -1,0 +1,171 @@
+"""Loads of the crank pins: what every rod does to its pin, with its rotating mass and without, and whose it is."""
+
+from collections.abc import Iterator
+from typing import ClassVar, NamedTuple
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.mechanisms import Group, Mechanisms
+from cranktrain.linkage import Crank, crank
+from cranktrain.linkage.forces import crank_link
+from cranktrain.motion import ONE, Array
+from cranktrain.questions.forces.joint_forces import JointForces, joint_label
+from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle
+from cranktrain.questions.forces.pin_load import PinLoad, pin_load, with_rotating_mass
+from cranktrain.questions.forces.rod_masses import weighed_ends
+from cranktrain.record import record
+from cranktrain.wording import Names, number
+
+_MECHANISM = ("mechanism",)
+_CURVE = ("mechanism", "crank_angle")
+_THEORY = "docs/theory/forces"
+_ROD = "rod"
+_ALIKE = 1e-9
+"""Loads that differ by less, relative, are the same; the first is named."""
+
+
+class CrankPin(NamedTuple):
+    """A group of mechanisms with crank pins: its place among the groups, the joint's among the reactions."""
+
+    group: int
+    joint: int
+    has_rod: bool
+
+
+@record
+class CrankPins:
+    """Which mechanisms have something of their own on a crank pin."""
+
+    needs: ClassVar[str] = ""
+
+    pins: tuple[CrankPin, ...]
+
+
+def crank_pins_of(mechanisms: Mechanisms) -> CrankPins | None:
+    """Find the joints at crank pins; a slave's pin is its master's. None where there is none."""
+    pins = tuple(_pins(mechanisms))
+    return CrankPins(pins) if pins else None
+
+
+def _pins(mechanisms: Mechanisms) -> Iterator[CrankPin]:
+    for place, group in enumerate(mechanisms.groups):
+        dynamics = group.kind.dynamics
+        joint = dynamics.joint("crank_pin")
+        if joint is not None:
+            yield CrankPin(place, joint, dynamics.reactions[joint].on == _ROD)
+
+
+@record
+class CrankPinLoads:
+    """Load of every rod on its crank pin, with what hangs on the rod; NaN for what has no rod there.
+
+    Of the shares, which add up to a pin's load, a slave has its own: that comes through its master's rod.
+    """
+
+    crankpin_load_radial: Array = quantity(
+        "K_R", "N", _CURVE, N_("Load of the crank pin toward the shaft, the whole rod's"), _THEORY
+    )
+    crankpin_load_tangential: Array = quantity(
+        "T_R", "N", _CURVE, N_("Load of the crank pin in the sense of rotation"), _THEORY
+    )
+    crankpin_radial_without_rod: Array = quantity(
+        "K",
+        "N",
+        _CURVE,
+        N_("Load of the crank pin toward the shaft without the rod's rotating mass, which then goes with the crank"),
+        _THEORY,
+    )
+    crankpin_tangential_without_rod: Array = quantity(
+        "T", "N", _CURVE, N_("Load of the crank pin in the sense of rotation without the rod's rotating mass"), _THEORY
+    )
+    crankpin_share_radial: Array = quantity(
+        "K_i",
+        "N",
+        _CURVE,
+        N_("Share of this piston and rod in the crank pin's load toward the shaft, a slave's through its master"),
+        _THEORY,
+    )
+    crankpin_share_tangential: Array = quantity(
+        "T_i", "N", _CURVE, N_("Share of this piston and rod in the crank pin's load in the sense of rotation"), _THEORY
+    )
+    largest_crankpin_load: Array = quantity("R_max", "N", _MECHANISM, N_("Largest load of the crank pin"), _THEORY)
+    largest_crankpin_load_at: Array = quantity(
+        "φ(R_max)", "deg", _MECHANISM, N_("Crank angle of the largest load of the crank pin"), _THEORY
+    )
+
+    def answer(self, names: Names, design: int) -> str | None:
+        """Say the largest load of a crank pin."""
+        largest = self.largest_crankpin_load[design]
+        if np.all(np.isnan(largest)):
+            return None
+        worst = int(np.argmax(largest >= (1 - _ALIKE) * np.nanmax(largest)))
+        return _("Largest load of a crank pin {load}, by the rod of {mechanism} at {angle}.").format(
+            load=number(float(largest[worst]), "kN"),
+            mechanism=names["mechanism"][worst],
+            angle=number(float(self.largest_crankpin_load_at[design, worst]), "deg"),
+        )
+
+
+def crank_pin_loads(
+    pins: CrankPins, loaded: LoadedMachine, solved: SolvedCycle, crank_angle: CrankAngle, joints: JointForces
+) -> CrankPinLoads:
+    """Loads of all crank pins from the joints' reactions, exact for rigid bodies.
+
+    Notes
+    -----
+    A master's load holds its slaves'. Only one of both radial loads goes with a crank: the one without where the
+    crank's masses have the rod's rotating share. docs/theory/forces, eqs. (13.35) and (13.36).
+    """
+    phi = crank_angle.angle
+    shape = (len(phi), len(loaded.mechanisms.names), phi.shape[-1])
+    whole, without = (PinLoad(*np.full((2, *shape), np.nan)) for _i in range(2))
+    largest, at = np.full((2, *shape[:-1]), np.nan)
+    for pin in pins.pins:
+        group, one = loaded.mechanisms.groups[pin.group], solved.groups[pin.group]
+        radius: Array = np.hypot(one.motion.pin.x.value, one.motion.pin.y.value)[..., :1]
+        load = pin_load(one.forces.joints[pin.joint], crank_link(one.motion.pin, Crank(radius)))
+        _fill(whole, group, load)
+        if pin.has_rod:
+            rod = loaded.masses.groups[pin.group].bodies.rod
+            rotating = weighed_ends(rod, group.members.geometry.rod_length).first
+            _fill(without, group, with_rotating_mass(load, -rotating, radius, loaded.speed.drive(phi)))
+        reaction = group.kind.dynamics.reactions[pin.joint]
+        names = (joint_label(loaded.mechanisms.names[i], reaction) for i in map(int, group.index))
+        rows = [joints.labels["joint"].index(name) for name in names]
+        largest[:, group.index] = joints.largest_joint_force[:, rows]
+        at[:, group.index] = joints.largest_joint_force_at[:, rows]
+    shares = _shares(whole, loaded, solved, phi)
+    return CrankPinLoads(
+        crankpin_load_radial=whole.radial,
+        crankpin_load_tangential=whole.tangential,
+        crankpin_radial_without_rod=without.radial,
+        crankpin_tangential_without_rod=without.tangential,
+        crankpin_share_radial=shares.radial,
+        crankpin_share_tangential=shares.tangential,
+        largest_crankpin_load=largest,
+        largest_crankpin_load_at=at,
+    )
+
+
+def _fill(loads: PinLoad, group: Group, load: PinLoad) -> None:
+    for part, values in zip(loads, load, strict=True):
+        part[:, group.index] = values
+
+
+def _shares(whole: PinLoad, loaded: LoadedMachine, solved: SolvedCycle, phi: Array) -> PinLoad:
+    """What of the pins' loads is each mechanism's own; a master has what its slaves leave, its guide's friction too."""
+    shares = PinLoad(*(part.copy() for part in whole))
+    for group, one in zip(loaded.mechanisms.groups, solved.groups, strict=True):
+        joint = group.kind.dynamics.share_of_masters("crank_pin")
+        if joint is None:
+            continue
+        direction = crank(phi - loaded.mechanisms.nominal_top[:, group.index], Crank(ONE))
+        load = pin_load(one.forces.joints[joint], crank_link(direction, Crank(ONE)))
+        _fill(shares, group, load)
+        for member, master in enumerate(loaded.carriers.master[group.index].tolist()):
+            for part, values in zip(shares, load, strict=True):
+                part[:, master] -= values[:, member]
+    return shares

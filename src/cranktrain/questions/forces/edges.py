@@ -1,0 +1,19 @@
+"""What both edges of the guides press on what slides in them, from the reactions."""
+
+import numpy as np
+
+from cranktrain.layout.mechanisms import Group
+from cranktrain.linkage.forces import EdgeForces, edge_forces
+from cranktrain.questions.forces.loaded import SolvedGroup
+
+
+def edges_of(group: Group, one: SolvedGroup, place: int) -> EdgeForces:
+    """What both edges press of the guides in which one part of a kind slides, shape (design, member, n)."""
+    dynamics = group.kind.dynamics
+    links = dict(zip(dynamics.moving, dynamics.links(one.motion, group.members.geometry), strict=True))
+    contact = dynamics.contacts[place]
+    joint = next(i for i, reaction in enumerate(dynamics.reactions) if reaction.name == contact.joint)
+    link, wrench, friction = links[dynamics.sliding[place]], one.forces.joints[joint], one.conditions.friction[place]
+    normal = contact.way * (link.cos * wrench.y - link.sin * wrench.x)
+    found = edge_forces(normal, wrench.moment, friction.per_length, friction.middle)
+    return EdgeForces(*(np.broadcast_to(edge, one.forces.driving_torque.shape) for edge in found))

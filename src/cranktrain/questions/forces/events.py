@@ -1,0 +1,116 @@
+"""Events of the forces: angles at which gas or friction make them jump or give them kinks; between, all is smooth."""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.motion import Array
+from cranktrain.numerics import bracketed_roots, in_slots
+from cranktrain.questions.forces.edges import edges_of
+from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle, SolvedGroup
+from cranktrain.questions.gas.events import GasEvents
+from cranktrain.record import record
+
+_ROUNDING = 1e-12
+"""Forces and speeds smaller than this part of their peak may be of either sign."""
+_ASIDE = 1e-6
+
+
+@record
+class ForceEvents:
+    """Where forces may jump or have kinks; NaN for none.
+
+    Attributes
+    ----------
+    angle : Array, shape (design, mechanism, event)
+        φ of what happens to each mechanism, or to one whose rod or chamber it shares. [rad]
+    whole : Array, shape (design, event)
+        φ of all. [rad]
+    """
+
+    angle: Array
+    whole: Array
+
+
+class _Rubbing(NamedTuple):
+    """One thing that slides and rubs: its group, its place among what slides in the kind, its mechanisms."""
+
+    group: int
+    place: int
+    mechanisms: NDArray[np.intp]
+
+
+def force_events(
+    loaded: LoadedMachine, solved: SolvedCycle, gas: GasEvents | None, crank_angle: CrankAngle
+) -> ForceEvents:
+    """Collect the events of gas and friction."""
+    n_designs = len(crank_angle.zero)
+    own: dict[int, list[Array]] = {i: [np.empty((n_designs, 0))] for i in range(len(loaded.mechanisms.names))}
+    if gas is not None and loaded.gas is not None:
+        for chamber, mechanism in enumerate(loaded.carriers.driven[loaded.gas.chambers.leading].tolist()):
+            own[mechanism].append(gas.angle[:, chamber])
+    for rubbing in _rubbing(loaded):
+        turns = _turns(loaded, solved, rubbing, crank_angle)
+        for member, mechanism in enumerate(rubbing.mechanisms.tolist()):
+            own[mechanism].append(turns[:, member])
+    each = [np.concatenate(parts, axis=-1) for parts in own.values()]
+    shared = [
+        np.concatenate([each[i] for i in np.flatnonzero(loaded.sharing == label)], axis=-1) for label in loaded.sharing
+    ]
+    longest = max(part.shape[-1] for part in shared)
+    filled = [np.pad(part, ((0, 0), (0, longest - part.shape[-1])), constant_values=np.nan) for part in shared]
+    return ForceEvents(np.stack(filled, axis=1), np.concatenate(each, axis=-1))
+
+
+def _rubbing(loaded: LoadedMachine) -> Iterator[_Rubbing]:
+    """Find what rubs."""
+    for place, (group, made) in enumerate(zip(loaded.mechanisms.groups, loaded.masses.groups, strict=True)):
+        for sliding, coefficient in enumerate(made.friction):
+            if np.any(coefficient != 0.0):
+                yield _Rubbing(place, sliding, group.index)
+
+
+def _signals(loaded: LoadedMachine, solved: Sequence[SolvedGroup], rubbing: _Rubbing) -> Array:
+    """Speed of what slides, and what presses it: friction has kinks where one of these changes its sign.
+
+    Shape (design, member · 3, n). A guide presses by both its edges; of a slot both parts of the force are 0 at once.
+    """
+    group, one = loaded.mechanisms.groups[rubbing.group], solved[rubbing.group]
+    dynamics = group.kind.dynamics
+    name, contact = dynamics.sliding[rubbing.place], dynamics.contacts[rubbing.place]
+    if name in dynamics.moving:
+        pressing = edges_of(group, one, rubbing.place)
+    else:
+        joint = next(i for i, reaction in enumerate(dynamics.reactions) if reaction.name == contact.joint)
+        pressing = one.forces.joints[joint][:2]
+    shape = one.forces.driving_torque.shape
+    parts = [np.broadcast_to(part, shape) for part in (group.kind.part(one.motion, name).first, *pressing)]
+    return np.stack(parts, axis=2).reshape(shape[0], -1, shape[-1])
+
+
+def _turns(loaded: LoadedMachine, solved: SolvedCycle, rubbing: _Rubbing, crank_angle: CrankAngle) -> Array:
+    """φ at which one of the signals changes its sign, shape (design, member, event)."""
+    samples = _signals(loaded, solved.groups, rubbing)
+    felt = np.abs(samples) > _ROUNDING * np.max(np.abs(samples), axis=-1, keepdims=True)
+    sign = np.where(felt, np.sign(samples), 0.0)
+    changes = sign != np.roll(sign, -1, axis=-1)
+    which, place = np.nonzero(changes.reshape(-1, changes.shape[-1]))
+    n_designs, rows = len(samples), np.repeat(rubbing.mechanisms, 3)
+    if which.size == 0:
+        return np.empty((n_designs, len(rubbing.mechanisms), 0))
+
+    def signal(angle: Array) -> Array:
+        return loaded.of_each(rows, which, angle, lambda found: _signals(loaded, found, rubbing))
+
+    step = crank_angle.cycle / crank_angle.shown.size
+    low = (crank_angle.shown[place] + crank_angle.zero[which // rows.size, 0, 0])[:, np.newaxis]
+    # What is 0 at a point of the grid has changed its sign within the steps before and after.
+    aside = _ASIDE * step
+    found = bracketed_roots(signal, low - aside, low + step + aside)
+    laid, slot = in_slots(which // 3, found, n_designs * len(rubbing.mechanisms))
+    is_one = np.zeros(laid.shape, dtype=np.bool_)
+    is_one[which // 3, slot] = True
+    return np.where(is_one, laid, np.nan).reshape(n_designs, len(rubbing.mechanisms), -1)

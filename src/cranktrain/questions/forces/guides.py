@@ -1,0 +1,162 @@
+"""Edges of guides: what each of them presses, of what slides in a guide whose length is given."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import field
+from typing import ClassVar, NamedTuple
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.guide_tables import bearing_moments
+from cranktrain.layout.masses import Masses
+from cranktrain.layout.part_tables import part_name
+from cranktrain.layout.places import Place
+from cranktrain.linkage.forces import EdgeForces
+from cranktrain.motion import Array
+from cranktrain.questions.forces.edges import edges_of
+from cranktrain.questions.forces.events import ForceEvents
+from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle, SolvedGroup
+from cranktrain.questions.forces.peaks import largest_of_each, one_sided
+from cranktrain.record import record
+
+_GUIDE = ("guide", "crank_angle")
+_THEORY = "docs/theory/forces"
+
+
+@record
+class MomentGuides:
+    """That something slides in a guide that can bear a moment: only then a length is worth asking for."""
+
+    needs: ClassVar[str] = ""
+
+
+def moment_guides_of(places: Sequence[Place]) -> MomentGuides | None:
+    """Say whether anything does."""
+    return MomentGuides() if any(bearing_moments(place.kind.dynamics) for place in places) else None
+
+
+@record
+class GuidesWithLength:
+    """That a guide of the machine has a length."""
+
+    needs: ClassVar[str] = N_("[guide]")
+
+
+def guides_with_length(masses: Masses) -> GuidesWithLength | None:
+    """Ask for the edges' forces where a guide has a length."""
+    has_some = any(np.any(edges.per_length) for group in masses.groups for edges in group.edges)
+    return GuidesWithLength() if has_some else None
+
+
+@record
+class GuideEdges:
+    """Normal forces of both edges of each guide that has a length, to the left as its slider's position counts.
+
+    They act on what the joint's reaction acts on: a slider in a fixed guide, or the guide that turns with its slider.
+    """
+
+    guide_edge_force_ahead: Array = quantity(
+        "N₊",
+        "N",
+        _GUIDE,
+        N_("Normal force of the guide's edge ahead, as the slider's position counts"),
+        _THEORY,
+    )
+    guide_edge_force_behind: Array = quantity(
+        "N₋",
+        "N",
+        _GUIDE,
+        N_("Normal force of the guide's edge behind, as the slider's position counts"),
+        _THEORY,
+    )
+    guide_pressing: Array = quantity(
+        "N_Σ", "N", _GUIDE, N_("Sum of what both edges of the guide press, of which friction is the share μ"), _THEORY
+    )
+    largest_guide_edge_force: Array = quantity(
+        "N_max",
+        "N",
+        ("guide",),
+        N_("Largest normal force of an edge of the guide"),
+        _THEORY,
+    )
+    largest_guide_edge_force_at: Array = quantity(
+        "φ(N_max)", "deg", ("guide",), N_("Crank angle of the largest normal force of an edge of the guide"), _THEORY
+    )
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"guide": ()})
+    flags: tuple[str, ...] = ()
+
+
+class _Guide(NamedTuple):
+    """One mechanism's guide: its name; the mechanism; its group, member and place among what slides in the kind."""
+
+    name: str
+    mechanism: int
+    group: int
+    member: int
+    place: int
+
+
+def guide_edges(
+    _guides: MomentGuides,
+    _given: GuidesWithLength,
+    loaded: LoadedMachine,
+    solved: SolvedCycle,
+    events: ForceEvents,
+    crank_angle: CrankAngle,
+) -> GuideEdges:
+    """Forces of the edges, from the reaction in each guide. docs/theory/forces, eq. (13.43)."""
+    guides = _with_length(loaded)
+    ahead, behind = found = _pressing(loaded, guides, solved.groups)
+    largest = largest_of_each(
+        loaded,
+        events,
+        crank_angle,
+        np.array([guide.mechanism for guide in guides], dtype=np.intp),
+        _larger(found),
+        lambda groups: _larger(_pressing(loaded, guides, groups)),
+    )
+    names = tuple(guide.name for guide in guides)
+    return GuideEdges(
+        guide_edge_force_ahead=ahead,
+        guide_edge_force_behind=behind,
+        guide_pressing=np.abs(ahead) + np.abs(behind),
+        largest_guide_edge_force=largest.value,
+        largest_guide_edge_force_at=largest.angle,
+        labels={"guide": names},
+        flags=tuple(one_sided([(_("largest force of an edge of"), largest)], names)),
+    )
+
+
+def _with_length(loaded: LoadedMachine) -> list[_Guide]:
+    """Guides with a length, mechanism by mechanism."""
+    groups = enumerate(zip(loaded.mechanisms.groups, loaded.masses.groups, strict=True))
+    found = [
+        _Guide(f"{loaded.mechanisms.names[mechanism]}.{part_name(name)}", mechanism, number, member, place)
+        for number, (group, made) in groups
+        for place, (name, edges) in enumerate(zip(group.kind.dynamics.sliding, made.edges, strict=True))
+        if np.any(edges.per_length)
+        for member, mechanism in enumerate(group.index.tolist())
+        if np.asarray(edges.per_length)[0, member, 0]
+    ]
+    return sorted(found, key=lambda guide: guide.mechanism)
+
+
+def _pressing(loaded: LoadedMachine, guides: Sequence[_Guide], solved: Sequence[SolvedGroup]) -> EdgeForces:
+    """What both edges of every guide press, shape (design, guide, n)."""
+    made = {
+        (guide.group, guide.place): edges_of(loaded.mechanisms.groups[guide.group], solved[guide.group], guide.place)
+        for guide in guides
+    }
+    return EdgeForces(
+        *(
+            np.stack([made[guide.group, guide.place][edge][:, guide.member] for guide in guides], axis=1)
+            for edge in range(2)
+        )
+    )
+
+
+def _larger(edges: EdgeForces) -> Array:
+    """What the edge presses that presses more."""
+    return np.maximum(np.abs(edges.ahead), np.abs(edges.behind))

@@ -1,0 +1,157 @@
+"""Reactions in every joint, as results, with their largest values; what to mind about masses and friction."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import field
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.masses import Masses
+from cranktrain.layout.part_tables import part_name
+from cranktrain.mechanisms.kind import Reaction
+from cranktrain.motion import Array
+from cranktrain.questions.forces.events import ForceEvents
+from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle, SolvedGroup
+from cranktrain.questions.forces.peaks import largest_of_each, one_sided
+from cranktrain.record import record
+from cranktrain.wording import ranged
+
+_JOINT = ("joint", "crank_angle")
+_THEORY = "docs/theory/forces"
+_NO_ARM = 1e-9
+"""Moment over force of which a guide is said to bear none. [m]"""
+
+
+@record
+class JointForces:
+    """Reaction in every joint, in the axes of its mechanism."""
+
+    joint_force_x: Array = quantity("F_x", "N", _JOINT, N_("Force in the joint along its mechanism's x"), _THEORY)
+    joint_force_y: Array = quantity("F_y", "N", _JOINT, N_("Force in the joint along its mechanism's y"), _THEORY)
+    joint_moment: Array = quantity(
+        "M_J", "N*m", _JOINT, N_("Moment in the joint: of a guide on what slides in it, about its pin"), _THEORY
+    )
+    largest_joint_force: Array = quantity("F_max", "N", ("joint",), N_("Largest force in the joint"), _THEORY)
+    largest_joint_force_at: Array = quantity(
+        "φ(F_max)", "deg", ("joint",), N_("Crank angle of the largest force in the joint"), _THEORY
+    )
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"joint": ()})
+    flags: tuple[str, ...] = ()
+
+
+def joint_forces(
+    loaded: LoadedMachine, solved: SolvedCycle, events: ForceEvents, crank_angle: CrankAngle
+) -> JointForces:
+    """Reactions of all joints; a master's hold what its slaves do to it."""
+    joints = _joints(loaded)
+    x, y, moment = (_gathered(joints, solved.groups, part) for part in range(3))
+    largest = largest_of_each(
+        loaded,
+        events,
+        crank_angle,
+        np.array([joint.mechanism for joint in joints], dtype=np.intp),
+        np.hypot(x, y),
+        lambda found: np.hypot(_gathered(joints, found, 0), _gathered(joints, found, 1)),
+    )
+    names = tuple(joint.name for joint in joints)
+    friction = _friction_flags(loaded, solved) if loaded.masses.has_friction else ()
+    return JointForces(
+        joint_force_x=x,
+        joint_force_y=y,
+        joint_moment=moment,
+        largest_joint_force=largest.value,
+        largest_joint_force_at=largest.angle,
+        labels={"joint": names},
+        flags=(*_flags(loaded.masses), *friction, *one_sided([(_("largest force in"), largest)], names)),
+    )
+
+
+class _Joint(NamedTuple):
+    """One joint of one mechanism: its name; the mechanism; its group, member and place among the kind's reactions."""
+
+    name: str
+    mechanism: int
+    group: int
+    member: int
+    place: int
+
+
+def joint_label(mechanism: str, reaction: Reaction) -> str:
+    """Give a joint of a mechanism its name among all."""
+    return f"{mechanism}.{reaction.name}"
+
+
+def _joints(loaded: LoadedMachine) -> list[_Joint]:
+    """All joints, mechanism by mechanism; a slave's share of its master's is left out, as that has it already."""
+    found = [
+        _Joint(joint_label(loaded.mechanisms.names[mechanism], reaction), mechanism, place, member, number)
+        for place, group in enumerate(loaded.mechanisms.groups)
+        for number, reaction in enumerate(group.kind.dynamics.reactions)
+        if reaction.on in group.kind.dynamics.moving
+        for member, mechanism in enumerate(map(int, group.index))
+    ]
+    return sorted(found, key=lambda joint: joint.mechanism)
+
+
+def _gathered(joints: Sequence[_Joint], solved: Sequence[SolvedGroup], part: int) -> Array:
+    """One part of the wrench in every joint, shape (design, joint, n)."""
+    gathered = np.empty((len(solved[0].forces.driving_torque), len(joints), solved[0].forces.driving_torque.shape[-1]))
+    for row, joint in enumerate(joints):
+        gathered[:, row] = solved[joint.group].forces.joints[joint.place][part][:, joint.member]
+    return gathered
+
+
+def _flags(masses: Masses) -> Iterator[str]:
+    """Mind what has no mass, and rods whose inertia is assumed."""
+    if (said := masses.without_mass()) is not None:
+        yield said
+    if masses.doubtful:
+        yield _(
+            "The inertia of {parts} is hardly that of a link of such mass and length:"
+            " is it in kg·m², about the centroid?"
+        ).format(parts=", ".join(masses.doubtful))
+    if masses.assumed:
+        yield _(
+            "Inertia of two masses at its ends is taken for {parts}; of measured rods it is from 3 % less to 22 % more."
+        ).format(parts=", ".join(masses.assumed))
+
+
+def _friction_flags(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
+    """Mind on what friction is counted, and whether it lets the machine turn."""
+    yield from _moments_without_length(loaded, solved)
+    yield from _wedged(loaded, solved)
+
+
+def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
+    """Mind what rubs in a guide that carries a moment, where no length says on which edges."""
+    parts: list[str] = []
+    for group, one, made in zip(loaded.mechanisms.groups, solved.groups, loaded.masses.groups, strict=True):
+        dynamics = group.kind.dynamics
+        joints = dict(zip((reaction.name for reaction in dynamics.reactions), one.forces.joints, strict=True))
+        for place, (name, contact) in enumerate(zip(dynamics.sliding, dynamics.contacts, strict=True)):
+            wrench, rubs = joints[contact.joint], (made.friction[place] > 0) & (made.edges[place].per_length == 0)
+            turned = np.abs(wrench.moment) > _NO_ARM * np.max(np.hypot(wrench.x, wrench.y), axis=-1, keepdims=True)
+            found = np.any(turned & rubs, axis=(0, 2))
+            parts += [f"{loaded.mechanisms.names[i]}.{part_name(name)}" for i in group.index[found].tolist()]
+    if parts:
+        yield _(
+            "A moment acts where {parts} slides, and the guide's length is not given:"
+            " friction is counted on the normal force alone."
+        ).format(parts=", ".join(parts))
+
+
+def _wedged(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
+    """Mind mechanisms that move freely without friction and have no forces with it."""
+    stuck: list[int] = []
+    for group, one, made in zip(loaded.mechanisms.groups, solved.groups, loaded.masses.groups, strict=True):
+        for name, coefficient in zip(group.kind.dynamics.sliding, made.friction, strict=True):
+            moves = ~np.isnan(group.kind.part(one.motion, name).first)
+            found = (coefficient > 0) & moves & np.isnan(one.forces.driving_torque)
+            stuck += group.index[np.any(found, axis=(0, 2))].tolist()
+    if stuck:
+        yield _(
+            "Friction wedges {mechanisms}: at some crank angles nothing can turn the shaft, and there are no forces."
+        ).format(mechanisms=ranged(loaded.mechanisms.names, sorted(set(stuck))))

@@ -1,0 +1,173 @@
+"""Largest forces of pistons, walls and rods, and by how much the textbook's formula is off."""
+
+from collections.abc import Sequence
+from dataclasses import field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.motion import Array
+from cranktrain.questions.forces.events import ForceEvents
+from cranktrain.questions.forces.loaded import LoadedMachine, SolvedGroup
+from cranktrain.questions.forces.peaks import largest_of_each, one_sided
+from cranktrain.questions.forces.piston_forces import FORCE_METHODS, PistonForceSet
+from cranktrain.questions.forces.rods_in_pistons import rods_in_pistons
+from cranktrain.record import record
+from cranktrain.wording import Names, number, ranged
+
+_FACT = ("piston",)
+_ERROR = ("force_method", "piston")
+_THEORY = "docs/theory/forces"
+_EXACT, _FORMULA = FORCE_METHODS.index("exact"), FORCE_METHODS.index("textbook")
+_SAID = ("P", "N", "S", "S")
+_NAMED = 3
+"""How many pistons a sentence names one by one."""
+_ALIKE = 1e-9
+"""Forces that differ by less, relative, are the same."""
+
+
+@record
+class LargestForces:
+    """Largest forces of every piston with a rod, by the reactions; errors of the formula, in parts of exact peaks."""
+
+    largest_piston_force: Array = quantity(
+        "P_max", "N", _FACT, N_("Largest force along the cylinder, either way"), _THEORY
+    )
+    largest_piston_force_at: Array = quantity(
+        "φ(P_max)", "deg", _FACT, N_("Crank angle of the largest force along the cylinder"), _THEORY
+    )
+    largest_side_force: Array = quantity("N_max", "N", _FACT, N_("Largest force of the wall, on either side"), _THEORY)
+    largest_side_force_at: Array = quantity(
+        "φ(N_max)", "deg", _FACT, N_("Crank angle of the largest force of the wall"), _THEORY
+    )
+    largest_rod_force: Array = quantity(
+        "S_max", "N", _FACT, N_("Largest force along the rod at either pin, in compression or tension"), _THEORY
+    )
+    largest_rod_force_at: Array = quantity(
+        "φ(S_max)", "deg", _FACT, N_("Crank angle of the largest force along the rod"), _THEORY
+    )
+    side_force_formula_error: Array = quantity(
+        "ΔN_f",
+        "1",
+        _ERROR,
+        N_("Largest error of the method's side force, at whole degrees, in parts of the exact peak"),
+        _THEORY,
+    )
+    tangential_force_formula_error: Array = quantity(
+        "ΔT_f",
+        "1",
+        _ERROR,
+        N_("Largest error of the method's tangential force, at whole degrees, in parts of the exact peak"),
+        _THEORY,
+    )
+    flags: tuple[str, ...] = ()
+    is_master: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, dtype=np.bool_))
+
+    def answer(self, names: Names, design: int) -> str | None:
+        """Say the largest forces on pistons, walls and rods, and what the formula misses where slaves hang on a rod."""
+        sizes = [part[design] for part in (self.largest_piston_force, self.largest_side_force, self.largest_rod_force)]
+        if not all(np.any(size > 0) for size in sizes):
+            return None
+        piston, side, rod = (_largest_of(names["piston"], size) for size in sizes)
+        said = _("Largest forces: {piston} along the cylinder, {side} on its wall, {rod} in the rod.").format(
+            piston=piston, side=side, rod=rod
+        )
+        masters = np.flatnonzero(self.is_master)
+        errors = [
+            part[design, _FORMULA, masters]
+            for part in (self.side_force_formula_error, self.tangential_force_formula_error)
+        ]
+        if not all(np.any(error > 0) for error in errors):
+            return said
+        off = _(
+            "P·f(β), which knows no slaves, is off by up to {side} in N and {tangential} in T of {masters}."
+        ).format(
+            side=number(float(np.nanmax(errors[0])), "%"),
+            tangential=number(float(np.nanmax(errors[1])), "%"),
+            masters=ranged(names["piston"], masters.tolist()),
+        )
+        return f"{said} {off}"
+
+
+def largest_forces(
+    forces: PistonForceSet, loaded: LoadedMachine, events: ForceEvents, crank_angle: CrankAngle
+) -> LargestForces:
+    """Find the largest of the forces of all pistons, refined on the mechanisms."""
+    samples = np.abs(
+        np.stack(
+            [
+                curve[:, _EXACT]
+                for curve in (
+                    forces.piston_force,
+                    forces.side_force,
+                    forces.rod_force_at_piston_pin,
+                    forces.rod_force_at_crank_pin,
+                )
+            ]
+        )
+    )
+    which, asked = _asked(samples)
+
+    def sizes(found: tuple[SolvedGroup, ...]) -> Array:
+        curves = np.full((*samples.shape[:3], found[0].forces.driving_torque.shape[-1]), np.nan)
+        for one in rods_in_pistons(loaded, found):
+            for curve, values in zip(curves, one.forces[1:], strict=True):
+                curve[:, one.piston] = values
+        return np.moveaxis(np.abs(curves[which, :, asked]), 0, 1)
+
+    driven = loaded.carriers.driven[asked]
+    peak = largest_of_each(loaded, events, crank_angle, driven, np.moveaxis(samples[which, :, asked], 0, 1), sizes)
+    value, at = np.full((2, *samples.shape[:3]), np.nan)
+    value[which, :, asked], at[which, :, asked] = peak.value.T, peak.angle.T
+    # Along the rod the larger of both ends counts.
+    is_at_crank = value[3] > value[2]
+    value[2], at[2] = (np.where(is_at_crank, part[3], part[2]) for part in (value, at))
+    master = loaded.carriers.master
+    is_master = np.zeros(samples.shape[2], dtype=np.bool_)
+    is_master[loaded.carriers.piston[master[master >= 0]]] = True
+    names = [f"{_SAID[i]} {loaded.mechanisms.names[j]}" for i, j in zip(which.tolist(), driven.tolist(), strict=True)]
+    # What rests on no mass and no gas is no answer.
+    value, at = (np.where(value > 0, part, np.nan) for part in (value, at))
+    piston, side, rod = zip(value[:3], at[:3], strict=True)
+    return LargestForces(
+        *piston,
+        *side,
+        *rod,
+        side_force_formula_error=_errors(forces.side_force),
+        tangential_force_formula_error=_errors(forces.tangential_force),
+        is_master=is_master,
+        flags=tuple(one_sided([(_("largest"), peak)], names)),
+    )
+
+
+def _asked(samples: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Which curves of which pistons are asked for: S at the crank pin only where it is another."""
+    known = ~np.all(np.isnan(samples), axis=(1, 3))
+    at_piston, at_crank = samples[2:]
+    peak = np.fmax.reduce(at_piston, axis=-1, keepdims=True)
+    known[3] &= np.any(np.abs(at_crank - at_piston) > _ALIKE * peak, axis=(0, 2))
+    which, piston = np.nonzero(known)
+    return which, piston
+
+
+def _errors(curves: Array) -> Array:
+    """Largest error of every method, in parts of the exact peak, shape (design, force_method, piston)."""
+    exact = curves[:, _EXACT, np.newaxis]
+    peak = np.max(np.abs(exact), axis=-1)
+    return np.max(np.abs(curves - exact), axis=-1) / np.where(peak > 0, peak, np.nan)
+
+
+def _largest_of(names: Sequence[str], size: Array) -> str:
+    """Say the largest of some forces, and whose it is unless all are alike; of many banks the first."""
+    largest = float(np.nanmax(size))
+    alike = np.flatnonzero(size >= (1 - _ALIKE) * largest).tolist()
+    said = number(largest, "kN")
+    if len(alike) == np.count_nonzero(~np.isnan(size)):
+        return said
+    whose = ranged(names, alike)
+    if ", " in whose and len(alike) > _NAMED:
+        whose = _("{name} and {n} more").format(name=names[alike[0]], n=len(alike) - 1)
+    return f"{said} ({whose})"

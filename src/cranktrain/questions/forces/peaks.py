@@ -1,0 +1,119 @@
+"""Largest forces: the one way to find them, on the mechanisms between the points of the grid, split at events."""
+
+from collections.abc import Callable, Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.language import _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.motion import Array
+from cranktrain.numerics import Curve, Peak, in_slots, largest_between
+from cranktrain.questions.forces.events import ForceEvents
+from cranktrain.questions.forces.loaded import LoadedMachine, SolvedGroup
+from cranktrain.wording import number
+
+_ROUNDING = 1e-12
+"""Forces smaller than this part of the largest are none."""
+_TOLD = 4
+"""How many one-sided extremes a sentence names."""
+
+
+def largest_of_each(
+    loaded: LoadedMachine,
+    events: ForceEvents,
+    crank_angle: CrankAngle,
+    rows: NDArray[np.intp],
+    samples: Array,
+    pick: Callable[[tuple[SolvedGroup, ...]], Array],
+) -> Peak:
+    """Largest value of curves of which each is of one mechanism, over the cycle.
+
+    Parameters
+    ----------
+    loaded : LoadedMachine
+    events : ForceEvents
+    crank_angle : CrankAngle
+    rows : array of int, shape (curve,)
+        Of which mechanism each curve is.
+    samples : Array, shape (design, curve, n)
+        The curves on the grid.
+    pick : callable
+        From what `LoadedMachine.solved` gives to all curves, shape (design, curve, …).
+
+    Returns
+    -------
+    Peak, shapes (design, curve)
+        Angles as shown, in [0, cycle). [rad]
+    """
+
+    def curves(which: NDArray[np.intp], shown: Array) -> Array:
+        return loaded.of_each(rows, which, shown + crank_angle.zero[which // rows.size, 0], pick)
+
+    breaks = events.angle[:, rows] - crank_angle.zero
+    return counted(largest_between(curves, crank_angle.shown, samples, breaks), crank_angle)
+
+
+def largest_of_machine(curve: Curve, samples: Array, events: ForceEvents, crank_angle: CrankAngle) -> Peak:
+    """Largest value of curves of the whole machine, over the cycle.
+
+    Parameters
+    ----------
+    curve : Curve
+        Gives (design, curve, k) for φ of shape (design, 1, k). [rad]
+    samples : Array, shape (design, curve, n)
+        On the grid.
+    events : ForceEvents
+    crank_angle : CrankAngle
+
+    Returns
+    -------
+    Peak, shapes (design, curve)
+        Angles as shown, in [0, cycle). [rad]
+    """
+    n_designs, n_curves = samples.shape[:2]
+
+    def curves(which: NDArray[np.intp], shown: Array) -> Array:
+        design, place = np.divmod(which, n_curves)
+        asked, slot = in_slots(design, shown, n_designs)
+        found = curve(asked.reshape(n_designs, 1, -1) + crank_angle.zero)
+        return found.reshape(n_designs, n_curves, *asked.shape[1:])[design, place, slot]
+
+    breaks = events.whole[:, np.newaxis] - crank_angle.zero
+    return counted(largest_between(curves, crank_angle.shown, samples, breaks), crank_angle)
+
+
+def counted(peak: Peak, crank_angle: CrankAngle) -> Peak:
+    """Peaks of shape (design, curve), with angles from the grid's zero in [0, cycle) [rad]; nothing stands nowhere."""
+    gross = np.fmax.reduce(np.abs(peak.value), axis=-1, keepdims=True, initial=0.0)
+    return felt(peak._replace(angle=crank_angle.counted_shown(peak.angle)), gross)
+
+
+def felt(peak: Peak, gross: Array) -> Peak:
+    """Peaks of which those that are rounding beside something gross are 0, and stand nowhere."""
+    is_felt = ~(np.abs(peak.value) <= _ROUNDING * gross)
+    value, side = (np.where(is_felt, part, 0.0) for part in (peak.value, peak.side))
+    return Peak(np.where(is_felt, peak.angle, np.nan), value, side)
+
+
+def one_sided(peaks: Sequence[tuple[str, Peak]], labels: Sequence[str] = ("",)) -> Iterator[str]:
+    """Say which extremes stand at a jump, where a value just beside is another.
+
+    Parameters
+    ----------
+    peaks : sequence of (str, Peak)
+        What it is, in the user's language, and its peaks, shape (design, …) along `labels`.
+    labels : sequence of str
+    """
+    told: dict[str, None] = {}
+    for words, peak in peaks:
+        side = peak.side.reshape(len(peak.side), -1)
+        for design, place in zip(*np.nonzero(side), strict=True):
+            at = number(float(peak.angle.reshape(side.shape)[design, place]), "deg")
+            where = _("just after {at}") if side[design, place] > 0 else _("just before {at}")
+            told.setdefault(" ".join(filter(None, (words, str(labels[place]), where.format(at=at)))))
+    if told:
+        named = list(told)[:_TOLD]
+        more = len(told) - len(named)
+        said = "; ".join([*named, *([_("and {n} more").format(n=more)] if more else [])])
+        yield _("Values at a jump are those of the side on which they are largest: {peaks}.").format(peaks=said)

@@ -1,0 +1,164 @@
+"""Forces of pistons as engine dynamics takes them apart, P, N, S, K, T: by reactions, and by the textbook's formula."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import field
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.catalogue import quantity
+from cranktrain.checks import Check
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.mechanisms import Group, PistonRods, Pistons
+from cranktrain.motion import Array
+from cranktrain.questions.forces.crank_pins import CrankPinLoads
+from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle
+from cranktrain.questions.forces.piston_formulas import (
+    PistonForces,
+    piston_forces,
+    piston_identities,
+    two_harmonic_inertia_force,
+)
+from cranktrain.questions.forces.rods_in_pistons import ForcesOfRods, RodsInPistons, end_residual, rods_in_pistons
+from cranktrain.record import record
+
+_CURVE = ("force_method", "piston", "crank_angle")
+_THEORY = "docs/theory/forces"
+_LIMIT = 1e-12
+FORCE_METHODS = ("exact", "textbook", "two_harmonics")
+"""By the reactions; by P·f(β); by that with two harmonics of the inertia."""
+DIRECT = "slider_crank"
+"""Kind whose rod joins piston and crank pin, and nothing else does."""
+
+
+@record
+class DirectPistons:
+    """Pistons of which some at least have rods on the crank pin itself."""
+
+    needs: ClassVar[str] = ""
+
+    n_pistons: int
+
+
+def direct_pistons_of(pistons: Pistons) -> DirectPistons | None:
+    """Count the pistons; None where no rod sits on a crank pin."""
+    has_some = any(group.kind.name == DIRECT for group in pistons.groups)
+    return DirectPistons(len(pistons.names)) if has_some else None
+
+
+def direct_groups(loaded: LoadedMachine) -> Iterator[tuple[int, Group]]:
+    """Those groups of the mechanisms whose rods join piston and crank pin, with their places."""
+    return ((place, group) for place, group in enumerate(loaded.mechanisms.groups) if group.kind.name == DIRECT)
+
+
+@record
+class PistonForceSet:
+    """P, N, S, K and T of pistons with rods, by the reactions in the joints and by the textbook's formula.
+
+    In both the rod's shares at its ends go with what is there, one with the piston and one with the crank; what the rod
+    does beyond that as a body, its slaves and friction are in the reactions alone. NaN for pistons without a rod. A
+    slave has no crank pin: its S there, K and T are NaN, and so is the formula.
+    """
+
+    inertia_force: Array = quantity(
+        "P_j", "N", _CURVE, N_("Inertia of piston and the rod's reciprocating share, toward the shaft"), _THEORY
+    )
+    piston_force: Array = quantity(
+        "P", "N", _CURVE, N_("Force of gas and inertia along the cylinder, toward the shaft"), _THEORY
+    )
+    side_force: Array = quantity("N", "N", _CURVE, N_("Force of the wall on the piston toward +y"), _THEORY)
+    rod_force_at_piston_pin: Array = quantity(
+        "S", "N", _CURVE, N_("Force along the rod at the piston pin, positive in compression"), _THEORY
+    )
+    rod_force_at_crank_pin: Array = quantity(
+        "S_A",
+        "N",
+        _CURVE,
+        N_("Force along the rod at the crank pin, positive in compression; of a master another than at the piston pin"),
+        _THEORY,
+    )
+    radial_force: Array = quantity(
+        "K", "N", _CURVE, N_("Force at the crank pin toward the shaft, without the rod's rotating mass"), _THEORY
+    )
+    tangential_force: Array = quantity(
+        "T", "N", _CURVE, N_("Force at the crank pin in the sense of rotation, without that mass"), _THEORY
+    )
+    checks: tuple[Check, ...] = ()
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"force_method": FORCE_METHODS})
+
+
+def piston_force_set(
+    rods: PistonRods,
+    loaded: LoadedMachine,
+    solved: SolvedCycle,
+    crank_pins: CrankPinLoads,
+    crank_angle: CrankAngle,
+) -> PistonForceSet:
+    """Forces of every piston with a rod: exact, by the formula, and by it with two harmonics of inertia.
+
+    Notes
+    -----
+    Exact means the joints' reactions, with rods as the bodies that they are; docs/theory/forces, eqs. (13.30),
+    (13.35), (13.36) and (13.50). The formula, eqs. (13.31) to (13.34), is for rods between a piston and a crank pin.
+    """
+    phi = crank_angle.angle
+    curves = np.full((7, len(phi), len(FORCE_METHODS), rods.value.size, phi.shape[-1]), np.nan)
+    found = [(one, one.forces) for one in rods_in_pistons(loaded, solved.groups)]
+    residuals: list[Array] = []
+    for one, exact in found:
+        _fill(curves[:, :, 0], one.piston, (*exact[:-1], *_at_pin(one, exact, crank_pins)))
+        if one.group.kind.name == DIRECT:
+            two_harmonics = two_harmonic_inertia_force(
+                phi + one.group.members.phase, one.group.members.geometry, one.reciprocating, one.drive
+            )
+            for method, inertia in enumerate((exact.inertia, two_harmonics), start=1):
+                taken = piston_forces(one.pressed + inertia, one.motion, one.group.members.geometry)
+                piston, side, rod, *pin = taken
+                _fill(curves[:, :, method], one.piston, (inertia, piston, side, rod, rod, *pin))
+                residuals.append(_formula_residual(taken, one))
+    return PistonForceSet(*curves, checks=tuple(_checks(residuals, end_residual(loaded, found))))
+
+
+def _fill(curves: Array, piston: NDArray[np.intp], values: Sequence[Array]) -> None:
+    for curve, value in zip(curves, values, strict=True):
+        curve[:, piston] = value
+
+
+def _at_pin(one: RodsInPistons, forces: ForcesOfRods, crank_pins: CrankPinLoads) -> tuple[Array, Array, Array]:
+    """S, K and T at the crank pin; NaN for rods that are on none."""
+    loads = (crank_pins.crankpin_radial_without_rod, crank_pins.crankpin_tangential_without_rod)
+    radial, tangential = (load[:, one.group.index] for load in loads)
+    return np.where(np.isnan(radial), np.nan, forces.at_crank), radial, tangential
+
+
+def _checks(formula: Sequence[Array], rods: Array) -> Iterator[Check]:
+    """Give the identities of the formula, and those of the reactions."""
+    if formula:
+        yield Check(
+            "piston_forces",
+            _("P·f(β): K² + T² = S², TR = Px′ and TR = Ns + Pe, relative to their peaks"),
+            np.fmax.reduce(formula, axis=0),
+            _LIMIT,
+        )
+    yield Check(
+        "rod_forces",
+        _("Force along a rod at one pin against that at the other and what acts between, relative to its pins' loads"),
+        rods,
+        _LIMIT,
+    )
+
+
+def _formula_residual(forces: PistonForces, one: RodsInPistons) -> Array:
+    """Largest residual of the identities, each relative to its peak, shape (design,); NaN where all are."""
+    geometry = one.group.members.geometry
+    found = piston_identities(forces, one.motion, geometry)
+    peak = np.fmax.reduce(np.abs(forces.rod), axis=-1)
+    arm = (geometry.crank_radius + geometry.rod_length)[..., 0]
+    scales = (peak * peak, peak * arm, peak * arm)
+    parts = [
+        np.fmax.reduce(np.abs(part), axis=-1) / np.where(scale > 0, scale, 1.0)
+        for part, scale in zip(found, scales, strict=True)
+    ]
+    return np.fmax.reduce(np.fmax.reduce(parts), axis=-1)

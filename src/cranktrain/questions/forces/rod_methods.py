@@ -1,0 +1,112 @@
+"""Rods replaced by masses, as textbooks do: by how much side force and torque are off, by method."""
+
+from collections.abc import Mapping
+from dataclasses import field
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.linkage.forces import WEIGHTLESS, Wrench, work
+from cranktrain.motion import Array
+from cranktrain.numerics.harmonics import TURN
+from cranktrain.numerics.periodic import cycle_grid
+from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle
+from cranktrain.questions.forces.piston_forces import DirectPistons, direct_groups
+from cranktrain.questions.forces.rod_masses import ROD_METHODS
+from cranktrain.record import record
+from cranktrain.wording import Names, number, ranged
+
+_FACT = ("rod_method", "piston")
+_THEORY = "docs/theory/forces"
+
+
+_TOLD = 1e-9
+"""An error that is told; less is rounding, where a rod's inertia was assumed to be that of two masses."""
+
+
+@record
+class RodMethods:
+    """Errors of rods replaced by masses, in parts of the exact peak; 0 where a method is exact.
+
+    NaN for pistons that hang on no crank pin, and where the replacement cannot have the rod's centroid.
+    """
+
+    side_force_error: Array = quantity(
+        "ΔN",
+        "1",
+        _FACT,
+        N_("Largest error of the guide's force, at whole degrees, with the rod replaced by the method's masses"),
+        _THEORY,
+    )
+    driving_torque_error: Array = quantity(
+        "ΔM",
+        "1",
+        _FACT,
+        N_("Largest error of the piston's driving torque, at whole degrees, with the rod so replaced"),
+        _THEORY,
+    )
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"rod_method": tuple(ROD_METHODS)})
+
+    def answer(self, names: Names, design: int) -> str | None:
+        """Say what two masses lose, and of which rods they cannot have the centroid."""
+        rows = names["rod_method"]
+        row = rows.index("two_masses")
+        side, torque = self.side_force_error[design, row], self.driving_torque_error[design, row]
+        beside = np.flatnonzero(np.isnan(side) & np.isfinite(self.side_force_error[design, rows.index("exact")]))
+        said = [self._lost(side, torque)]
+        if beside.size:
+            no_masses = _(
+                "The centroid of the rod of {pistons} lies beside its line, where no masses on the line can have it: "
+                "what takes the rod for two masses is left out, and the joints bear the rod as the body it is."
+            )
+            said.append(no_masses.format(pistons=ranged(names["piston"], beside.tolist())))
+        return " ".join(filter(None, said)) or None
+
+    @staticmethod
+    def _lost(side: Array, torque: Array) -> str:
+        """Say what two masses lose; nothing where that is rounding."""
+        if np.all(np.isnan(side)) or not np.nanmax(side) > _TOLD:
+            return ""
+        return _("A rod of two masses is off by up to {side} in the side force, {torque} in the torque.").format(
+            side=number(float(np.nanmax(side)), "%"), torque=number(float(np.nanmax(torque)), "%")
+        )
+
+
+def rod_methods(
+    direct: DirectPistons, loaded: LoadedMachine, solved: SolvedCycle, crank_angle: CrankAngle
+) -> RodMethods:
+    """Errors of every method against the rigid rod in steps of 1°, in parts of the peaks of the cycle.
+
+    Over one turn, as all turns are alike at constant speed; else over the cycle.
+
+    Notes
+    -----
+    All methods have the rod's mass and centroid, so that they differ by a couple on the rod alone: it presses the guide
+    with −C/(L cos θ) and turns the crank by Cθ′. docs/theory/forces, eq. (13.37).
+    """
+    shape = (len(loaded.speed.value), len(ROD_METHODS), direct.n_pistons)
+    side, torque = np.full((2, *shape), np.nan)
+    n_turns = 1 if loaded.speed.curve is None else round(crank_angle.cycle / TURN)
+    angle = cycle_grid(360 * n_turns, n_turns * TURN)
+    drive = loaded.speed.drive(angle)
+    for place, group in direct_groups(loaded):
+        size = group.members.geometry
+        rod = group.kind.motion(angle + group.members.phase, size).rod
+        body = loaded.masses.groups[place].bodies.rod
+        forces = solved.groups[place].forces
+        guide = forces.joints[group.kind.dynamics.joint("guide")]
+        piston = loaded.carriers.piston[group.index]
+        found = {name: method(rod, body, size.rod_length, drive, WEIGHTLESS) for name, method in ROD_METHODS.items()}
+        for row, wrench in enumerate(found.values()):
+            off = Wrench(*(np.subtract(one, true) for one, true in zip(wrench, found["exact"], strict=True)))
+            side[:, row, piston] = _relative(off.moment / (size.rod_length * rod.cos), guide.y)
+            torque[:, row, piston] = _relative(work(rod, off), forces.driving_torque)
+    return RodMethods(side, torque)
+
+
+def _relative(difference: Array, whole: Array) -> Array:
+    """Largest difference in parts of the largest value, shape (design, member); NaN where there is nothing."""
+    peak = np.max(np.abs(whole), axis=-1)
+    return np.max(np.abs(difference), axis=-1) / np.where(peak > 0, peak, np.nan)

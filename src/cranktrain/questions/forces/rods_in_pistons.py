@@ -1,0 +1,119 @@
+"""Rods that end in pistons, solved: their pins, what acts on them, and P, N and S by the reactions."""
+
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.layout.mechanisms import Group
+from cranktrain.linkage.forces import Body, Drive, Gravity, Wrench, turned_wrench
+from cranktrain.mechanisms.kind import Role
+from cranktrain.motion import Array
+from cranktrain.questions.forces.loaded import LoadedMachine, SolvedGroup
+from cranktrain.questions.forces.piston_formulas import inertia_force, rod_forces
+from cranktrain.questions.forces.rod_masses import TwoMasses, weighed_ends
+
+
+class ForcesOfRods(NamedTuple):
+    """Of pistons and rods of one kind, shape (design, member, n). [N]
+
+    inertia: P_j, of the piston with the rod's reciprocating share; piston: P; side: N; at_piston, at_crank: along the
+    rod at its piston pin and at its other pin.
+    """
+
+    inertia: Array
+    piston: Array
+    side: Array
+    at_piston: Array
+    at_crank: Array
+
+
+class RodsInPistons(NamedTuple):
+    """Rods of one kind of mechanism: their group, which pistons they drive; motion and joints; bodies and conditions.
+
+    pressed: force of the gas toward the shaft [N]; shares: the rod's at its ends, and reciprocating that with the
+    piston's mass [kg].
+    """
+
+    group: Group
+    piston: NDArray[np.intp]
+    motion: Any
+    joints: Sequence[Wrench]
+    rod: Body
+    shares: TwoMasses
+    reciprocating: Array
+    pressed: Array
+    drive: Drive
+    gravity: Gravity
+
+    @property
+    def pins(self) -> tuple[Wrench, Wrench]:
+        """Reactions in the rod's pins: on it at the crank or a master's rod, by it on the piston."""
+        return self._joint("crank_pin", "knuckle_pin"), self._joint("piston_pin")
+
+    @property
+    def forces(self) -> ForcesOfRods:
+        """Forces by the reactions; docs/theory/forces, eqs. (13.30) and (13.50)."""
+        inertia = inertia_force(self.motion.slider, self.reciprocating, self.drive)
+        along = rod_forces(self.motion.rod, self.motion.slider, self.pins, self.shares, self.drive)
+        return ForcesOfRods(inertia, self.pressed + inertia, self._joint("guide").y, *along)
+
+    def _joint(self, *roles: Role) -> Wrench:
+        """Reaction in the mechanism's own joint with the first of some roles that any has."""
+        places = (self.group.kind.dynamics.joint(role) for role in roles)
+        return self.joints[next(place for place in places if place is not None)]
+
+
+def rods_in_pistons(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Iterator[RodsInPistons]:
+    """Find the rods of pistons in what `LoadedMachine.solved` gave."""
+    for group, one, made in zip(loaded.mechanisms.groups, solved, loaded.masses.groups, strict=True):
+        if group.kind.has_rod and group.kind.output == "slider":
+            shares = weighed_ends(made.bodies.rod, group.members.geometry.rod_length)
+            yield RodsInPistons(
+                group,
+                loaded.carriers.piston[group.index],
+                one.motion,
+                one.forces.joints,
+                made.bodies.rod,
+                shares,
+                made.bodies.slider.mass + shares.second,
+                -one.loads.slider.x,
+                one.conditions.drive,
+                made.gravity,
+            )
+
+
+def end_residual(loaded: LoadedMachine, rods: Sequence[tuple[RodsInPistons, ForcesOfRods]]) -> Array:
+    """Largest difference of the forces along a rod at its ends, but for what acts between, over what its pins bear.
+
+    Between act its weight, what of its inertia no masses at its ends have, and its slaves: of these by their own
+    knuckle pins. Shape (design,); docs/theory/forces, eq. (13.51).
+    """
+    handed = _handed_over(loaded, [one for one, _forces in rods])
+    worst = [np.zeros(len(loaded.speed.value))]
+    for one, forces in rods:
+        link, body, index = one.motion.rod, one.rod, one.group.index
+        turning = link.angle.second * (one.drive.speed * one.drive.speed) + link.angle.first * one.drive.acceleration
+        between = (body.mass * one.gravity.x + handed.x[:, index]) * link.cos
+        between = between + (body.mass * one.gravity.y + handed.y[:, index]) * link.sin
+        off = forces.at_crank - forces.at_piston + between + body.mass * body.across * turning
+        peak = np.max([np.max(np.hypot(pin.x, pin.y), axis=-1) for pin in one.pins], axis=0)
+        share = np.max(np.abs(off), axis=-1) / np.where(peak > 0, peak, 1.0)
+        worst.append(np.max(np.where(np.isnan(share), 0.0, share), axis=-1))
+    return np.max(worst, axis=0)
+
+
+def _handed_over(loaded: LoadedMachine, rods: Sequence[RodsInPistons]) -> Wrench:
+    """What slaves together do to their masters' rods, in the masters' axes, shape (design, mechanism, n)."""
+    top, master = loaded.mechanisms.nominal_top, loaded.carriers.master
+    x, y = np.zeros((2, len(top), len(master), rods[0].motion.slider.value.shape[-1]))
+    for one in rods:
+        place = one.group.kind.dynamics.joint("knuckle_pin")
+        if place is not None:
+            on = master[one.group.index]
+            turned = turned_wrench(one.joints[place], top[:, on] - top[:, one.group.index])
+            for member, mechanism in enumerate(on.tolist()):
+                x[:, mechanism] -= turned.x[:, member]
+                y[:, mechanism] -= turned.y[:, member]
+    return Wrench(x, y, np.zeros_like(x))

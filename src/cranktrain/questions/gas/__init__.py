@@ -1,0 +1,1 @@
+"""Gas: its pressure in the chambers, its work and the powers."""

@@ -1,0 +1,107 @@
+"""Events of the gas: dead centres and kinks of its pressure, between which all torques are smooth."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from cranktrain.gas import Kink, VolumeLimits, kind_of
+from cranktrain.motion import Array, Coefficient, single
+from cranktrain.questions.cylinders.travel import CylinderTravel
+from cranktrain.questions.gas.chambers import GasInChambers
+from cranktrain.record import record
+
+_MOST_STEPS, _SETTLED = 30, 1e-5
+"""A step of Halley's method, which takes the curvature too, after which the next one is less than rounding. [rad]"""
+
+
+@record
+class GasEvents:
+    """Between what all torques are smooth.
+
+    Attributes
+    ----------
+    angle : Array, shape (design, chamber, event)
+        φ of each chamber's dead centres, kinks and ends of pieces of a measured card in a cycle; NaN for none. [rad]
+    least : Coefficient, shape (design, distinct, 1)
+        Volume of the gas's distinct chambers at their firing. [m³, m³/rad, m³/rad²]
+    """
+
+    angle: Array
+    least: Coefficient
+
+
+def gas_events(gas: GasInChambers, travel: CylinderTravel) -> GasEvents:
+    """Find dead centres and kinks of all chambers."""
+    firing, opposite = gas.dead_centres(travel)
+    turns = 2 * np.pi * np.arange(round(gas.cycle / (2 * np.pi)))
+    least = _volume_at(gas, firing[:, gas.distinct, np.newaxis], gas.distinct)
+    return GasEvents(
+        np.concatenate(
+            [
+                firing[..., np.newaxis] + turns,
+                opposite[..., np.newaxis] + turns,
+                _kinks(gas, firing, least),
+                gas.firing + _breaks(gas),
+            ],
+            axis=-1,
+        ),
+        least,
+    )
+
+
+def _volume_at(gas: GasInChambers, angle: Array, places: Sequence[int]) -> Coefficient:
+    """Volume of some chambers, each at its own φ, shape (design, place, k)."""
+    return Coefficient(*gas.at_own(angle, places, lambda own: np.stack(gas.volume(own))))
+
+
+def _kinks(gas: GasInChambers, firing: Array, least: Coefficient) -> Array:
+    """φ of the kinks of all chambers, by Halley's method from the dead centre, shape (design, chamber, kink). [rad]"""
+    told = _told_kinks(gas)
+    places = [place for place in gas.distinct for _kink in range(told.shape[-1])]
+    volume, sense, turn = told.reshape(3, len(firing), -1)[..., np.newaxis]
+    if volume.size == 0:
+        return np.empty((*firing.shape, 0))
+    centre = firing[:, places, np.newaxis]
+    # Near the dead centre the volume is a parabola.
+    smallest, curvature = (np.repeat(part, told.shape[-1], axis=1) for part in (least.value, least.second))
+    away = np.minimum(np.sqrt(2 * (volume - smallest) / curvature), 0.75 * np.pi)
+    for _step in range(_MOST_STEPS):
+        found = _volume_at(gas, centre + sense * away, places)
+        excess = found.value - volume
+        move = excess / (found.first - excess * found.second / (2 * found.first))
+        before, away = away, np.clip(away - sense * move, away / 4, np.pi)
+        if not np.any(np.abs(away - before) > _SETTLED):
+            break
+    after = np.where(turn > 0, 0.0, 2 * np.pi) + sense * away
+    each = after.reshape(len(firing), len(gas.distinct), -1)
+    design = np.arange(len(firing))[:, np.newaxis]
+    return firing[..., np.newaxis] + each[design, gas.origin]
+
+
+def _breaks(gas: GasInChambers) -> Array:
+    """Where the pieces of measured cards meet, from nominal firing, shape (design, chamber, break): NaN fills up."""
+    told = [
+        [np.empty(0) if kind.breaks is None else kind.breaks(model) for model in models]
+        for kind, models in ((kind_of(spec), models) for spec, models in zip(gas.specs, gas.models, strict=True))
+    ]
+    filled = np.full((*gas.firing.shape[:2], max(own.size for of_design in told for own in of_design)), np.nan)
+    for design, of_design in enumerate(told):
+        for place, own in enumerate(of_design):
+            filled[design, place, : own.size] = own
+    return filled
+
+
+def _told_kinks(gas: GasInChambers) -> Array:
+    """Volume, sense and turn of the kinks of the distinct chambers, (3, design, distinct, kink): NaN fills up."""
+    told: list[list[Sequence[Kink]]] = []
+    for design, spec in enumerate(gas.specs):
+        limits = [VolumeLimits(*(single(float(part[design, i, 0])) for part in gas.limits)) for i in gas.distinct]
+        models = [gas.models[design][place] for place in gas.distinct]
+        told.append([kind_of(spec).kinks(model, own) for model, own in zip(models, limits, strict=True)])
+    most = max(len(kinks) for of_design in told for kinks in of_design)
+    filled = np.full((3, len(told), len(gas.distinct), most), np.nan)
+    for design, of_design in enumerate(told):
+        for place, kinks in enumerate(of_design):
+            for number, kink in enumerate(kinks):
+                filled[:, design, place, number] = (float(kink.volume), kink.sense, kink.turn)
+    return filled

@@ -1,0 +1,134 @@
+"""Pressure of the gas over the cycle, its force on every piston, and, whatever the grid, its work and its peak."""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.catalogue import quantity
+from cranktrain.gas import kind_of
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.motion import Array, Coefficient
+from cranktrain.numerics import around_zero, in_slots, largest_between
+from cranktrain.questions.cylinders.travel import CylinderTravel
+from cranktrain.questions.cylinders.volumes import SweptVolumes
+from cranktrain.questions.gas.chambers import GasInChambers
+from cranktrain.questions.gas.events import GasEvents
+from cranktrain.questions.motion.dead_centres import ANGLE_ROUNDING
+from cranktrain.questions.motion.pistons import PistonMotion
+from cranktrain.record import record
+from cranktrain.wording import Names, shared
+
+_CHAMBER = ("chamber",)
+_CURVE = ("chamber", "crank_angle")
+_THEORY = "docs/theory/gas"
+
+
+@record
+class GasPressures:
+    """Pressure of the gas, and what it does."""
+
+    gas_pressure: Array = quantity("p", "Pa", _CURVE, N_("Absolute pressure in the chamber"), _THEORY)
+    gas_force: Array = quantity(
+        "P_g", "N", ("piston", "crank_angle"), N_("Force of the gas less ambient pressure, toward the shaft"), _THEORY
+    )
+    indicated_work: Array = quantity("W_i", "J", _CHAMBER, N_("Work of the gas over a cycle, ∮p dV"), _THEORY)
+    indicated_mean_pressure: Array = quantity(
+        "p_i", "Pa", _CHAMBER, N_("Indicated mean effective pressure: work over swept volume"), _THEORY
+    )
+    peak_pressure: Array = quantity("p_max", "Pa", _CHAMBER, N_("Largest pressure"), _THEORY)
+    peak_pressure_at: Array = quantity("φ(p_max)", "deg", _CHAMBER, N_("Crank angle of the largest pressure"), _THEORY)
+    peak_pressure_after: Array = quantity(
+        "α(p_max)", "deg", _CHAMBER, N_("Largest pressure after the least volume"), _THEORY
+    )
+    flags: tuple[str, ...] = ()
+
+    def answer(self, names: Names, design: int) -> str:
+        """Say mean and largest pressures."""
+        chambers = names["chamber"]
+        return _("Indicated mean pressure {mean}; largest {peak}, {after} after the dead centre.").format(
+            mean=shared(chambers, self.indicated_mean_pressure[design], "bar"),
+            peak=shared(chambers, self.peak_pressure[design], "bar"),
+            after=shared(chambers, self.peak_pressure_after[design], "deg"),
+        )
+
+
+def gas_pressures(
+    gas: GasInChambers,
+    events: GasEvents,
+    travel: CylinderTravel,
+    swept: SweptVolumes,
+    crank_angle: CrankAngle,
+    motion: PistonMotion,
+) -> GasPressures:
+    """Pressure over the cycle, its force, and, whatever the grid, its work and peak."""
+    phi = crank_angle.angle
+    volume = gas.volume_by(
+        Coefficient(
+            gas.tops - motion.piston_displacement,
+            -motion.piston_velocity_coefficient,
+            -motion.piston_acceleration_coefficient,
+        )
+    )
+    pressure = gas.pressure(phi, volume)
+    work = _works(gas, swept)
+    firing, _opposite = gas.dead_centres(travel)
+    after, peak = _peaks(gas, events, firing, crank_angle, pressure)
+    return GasPressures(
+        gas_pressure=pressure,
+        gas_force=gas.force(pressure),
+        indicated_work=work,
+        indicated_mean_pressure=work / swept.swept_volume,
+        peak_pressure=peak,
+        peak_pressure_at=crank_angle.counted((firing + after)[..., np.newaxis], gas.cycle)[..., 0],
+        peak_pressure_after=after,
+        flags=(*gas.doubts, *gas.findings),
+    )
+
+
+def _works(gas: GasInChambers, swept: SweptVolumes) -> Array:
+    """∮ p dV in closed form, or exactly over what was laid through samples, shape (design, chamber). [J]"""
+    works = np.full(gas.firing.shape[:2], np.nan)
+    for design, spec in enumerate(gas.specs):
+        kind = kind_of(spec)
+        for model, places in gas.alike(design):
+            if kind.mean_pressures is not None:
+                ratio = (gas.limits.largest / gas.limits.smallest)[design, places, 0]
+                found = kind.mean_pressures(model, ratio)
+                mean = found.net if gas.cycle > 3 * np.pi else found.gross
+                works[design, places] = mean * swept.swept_volume[design, places]
+            elif kind.work is not None:
+                works[design, places] = kind.work(model, _slope_of(gas, design, places[0]))
+    return works
+
+
+def _slope_of(gas: GasInChambers, design: int, place: int) -> Callable[[Array], Array]:
+    """dV/dφ of one chamber by angles since its nominal firing, of any shape."""
+    start = float(gas.firing[design, place, 0])
+
+    def slope(angle: Array) -> Array:
+        return gas.volume_of(design, place, angle.ravel() + start).first.reshape(angle.shape)
+
+    return slope
+
+
+def _peaks(
+    gas: GasInChambers, events: GasEvents, firing: Array, crank_angle: CrankAngle, pressure: Array
+) -> tuple[Array, Array]:
+    """Angle of the largest pressure after the dead centre at firing, and the pressure, shape (design, chamber)."""
+    places = gas.distinct
+    n_rows, zero = len(gas.models) * len(places), crank_angle.zero
+
+    def own(which: NDArray[np.intp], shown: Array) -> Array:
+        """Pressure in the distinct chambers at their own angles, shape (p, k)."""
+        asked, slot = in_slots(which, shown, n_rows)
+        phi = asked.reshape(len(gas.models), len(places), -1) + zero
+        found = gas.at_own(phi, places, lambda angle: gas.pressure(angle, gas.volume(angle)))
+        return found.reshape(asked.shape)[which, slot]
+
+    found = largest_between(own, crank_angle.shown, pressure[:, places], events.angle[:, places] - zero)
+    after = around_zero(found.angle + zero[..., 0] - firing[:, places])
+    after = np.where(np.abs(after) <= ANGLE_ROUNDING, 0.0, after)
+    design = np.arange(len(gas.models))[:, np.newaxis]
+    return after[design, gas.origin], found.value[design, gas.origin]

@@ -1,0 +1,1 @@
+"""Motion: how pistons, rods, rockers and points on links move."""

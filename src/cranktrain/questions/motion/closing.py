@@ -1,0 +1,64 @@
+"""Closing margin of every mechanism: how little one length may change before the crank cannot turn."""
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.distinct import distinct
+from cranktrain.layout.mechanisms import Mechanisms
+from cranktrain.mechanisms.closing import closing_margin
+from cranktrain.motion import Array
+from cranktrain.record import record
+from cranktrain.wording import Names, around_turn, shared
+
+_MECHANISM = ("mechanism",)
+_THEORY = "docs/theory/closing-margin"
+
+
+@record
+class Closing:
+    """How far each mechanism is from locking.
+
+    Attributes
+    ----------
+    length_names : tuple of tuple of str
+        Which length it is, [design][mechanism].
+    """
+
+    closing_margin: Array = quantity(
+        "m", "1", _MECHANISM, N_("Smallest relative change of one length after which the crank cannot turn"), _THEORY
+    )
+    closing_angle: Array = quantity("φ_m", "deg", _MECHANISM, N_("Crank angle at which the links would part"), _THEORY)
+    length_names: tuple[tuple[str, ...], ...] = ()
+
+    def answer(self, names: Names, design: int) -> str | None:
+        """Say the smallest margin of all."""
+        margins = self.closing_margin[design]
+        if np.all(np.isnan(margins)):
+            return None
+        least = int(np.nanargmin(margins))
+        return _("Closing margin {margin} ({mechanism}: {length}, at {angle}).").format(
+            margin=shared(("",), margins[least : least + 1], "%"),
+            mechanism=names["mechanism"][least],
+            length=self.length_names[design][least],
+            angle=shared(("",), around_turn(self.closing_angle[design, least : least + 1]), "deg"),
+        )
+
+
+def closing(mechanisms: Mechanisms, crank_angle: CrankAngle) -> Closing:
+    """Closing margin of every mechanism."""
+    different = distinct(mechanisms)
+    shape = different.mechanisms.nominal_top.shape
+    margin, angle = np.empty(shape), np.empty(shape)
+    length = np.empty(shape, dtype=object)
+    for group in different.mechanisms.groups:
+        found = closing_margin(group.kind, group.members.geometry)
+        margin[:, group.index] = found.margin
+        angle[:, group.index] = found.angle - group.members.phase
+        length[:, group.index] = np.array([*group.kind.length_names, ""], dtype=object)[found.length]
+    return Closing(
+        closing_margin=different.spread(margin)[..., 0],
+        closing_angle=crank_angle.counted(different.angle(angle))[..., 0],
+        length_names=tuple(tuple(row) for row in different.spread(length)[..., 0]),
+    )

@@ -1,0 +1,61 @@
+"""Motion of the rods that drive rockers: angles and their derivatives; with the speed, velocities."""
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.mechanisms import RockerRods, Rockers
+from cranktrain.layout.speed import Speed, accelerations
+from cranktrain.motion import Array
+from cranktrain.numerics import unwrapped
+from cranktrain.questions.motion.dead_centres import rod_angle
+from cranktrain.record import record
+
+_CURVE = ("rocker", "crank_angle")
+_THEORY = "docs/theory/crank-rocker"
+
+
+@record
+class CouplerMotion:
+    """Motion of every rocker's rod by the crank angle alone; NaN for a rocker that hangs on none."""
+
+    coupler_angle: Array = quantity(
+        "θ_r", "rad", _CURVE, N_("Direction of the rod, from crank pin to joint, from the mechanism's x"), _THEORY
+    )
+    coupler_velocity_coefficient: Array = quantity(
+        "θ_r′", "rad/rad", _CURVE, N_("Rod's angular velocity for each rad/s of the crank"), _THEORY
+    )
+    coupler_acceleration_coefficient: Array = quantity(
+        "θ_r″", "rad/rad^2", _CURVE, N_("Rod's angular acceleration for each (rad/s)² of the crank"), _THEORY
+    )
+
+
+def coupler_motion(rockers: Rockers, rods: RockerRods, crank_angle: CrankAngle) -> CouplerMotion:
+    """Angles of the rods, without jumps, and their derivatives."""
+    del rods
+    rod = rockers.evaluated(lambda motion: rod_angle(motion, motion.rocker.angle), crank_angle.angle)
+    return CouplerMotion(
+        coupler_angle=unwrapped(rod.value),
+        coupler_velocity_coefficient=rod.first,
+        coupler_acceleration_coefficient=rod.second,
+    )
+
+
+@record
+class CouplerSpeeds:
+    """Angular velocities and accelerations of the rods."""
+
+    coupler_angular_velocity: Array = quantity("ω_2", "rad/s", _CURVE, N_("Angular velocity of the rod"), _THEORY)
+    coupler_angular_acceleration: Array = quantity(
+        "ε_2", "rad/s^2", _CURVE, N_("Angular acceleration of the rod"), _THEORY
+    )
+
+
+def coupler_speeds(motion: CouplerMotion, speed: Speed, crank_angle: CrankAngle) -> CouplerSpeeds:
+    """Velocities θ′ω and accelerations θ″ω² + θ′ε."""
+    drive = speed.drive(crank_angle.angle)
+    return CouplerSpeeds(
+        coupler_angular_velocity=motion.coupler_velocity_coefficient * drive.speed,
+        coupler_angular_acceleration=accelerations(
+            motion.coupler_velocity_coefficient, motion.coupler_acceleration_coefficient, drive
+        ),
+    )

@@ -1,0 +1,173 @@
+"""Dead centres: where each piston truly turns back, and its stroke; roots of s′, not points of a grid."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.distinct import Distinct, distinct
+from cranktrain.layout.mechanisms import Mechanisms, Pistons
+from cranktrain.motion import Array, Coefficient, Link
+from cranktrain.numerics import Extreme, Extremes, around_zero, extremes, turn_grid
+from cranktrain.record import record
+from cranktrain.wording import Names, by_sort, shared
+
+_PISTON = ("piston",)
+_THEORY = "docs/theory/slider-crank"
+ANGLE_ROUNDING = 1e-12
+"""Sums of a few angles differ by less. [rad]"""
+
+
+class SliderAndRod(NamedTuple):
+    """Slider position along its own axis and rod angle with their derivatives, flat, shape (design, piston, n).
+
+    NaN for the rod of a mechanism that has none.
+    """
+
+    position: Array
+    position_first: Array
+    position_second: Array
+    rod: Array
+    rod_first: Array
+    rod_second: Array
+
+
+def slider_and_rod(pistons: Mechanisms, angle: Array) -> SliderAndRod:
+    """Every piston's slider and rod.
+
+    Parameters
+    ----------
+    pistons : Mechanisms
+        All of which drive sliders.
+    angle : Array, shape (n,), (design, 1, n) or (design, piston, n)
+        φ. [rad]
+
+    Returns
+    -------
+    SliderAndRod, shape (design, piston, n). [m, m/rad, m/rad²; rad, rad/rad, rad/rad²]
+    """
+
+    def picked(motion: Any) -> SliderAndRod:
+        slider: Coefficient = motion.slider
+        rod = rod_angle(motion, slider)
+        return SliderAndRod(slider.value, slider.first, slider.second, rod.value, rod.first, rod.second)
+
+    return pistons.evaluated(picked, angle)
+
+
+def rod_angle(motion: Any, output: Coefficient) -> Coefficient:
+    """Angle of the rod that the output hangs on; NaN, as many as the output has, where there is none."""
+    rod: Link | None = getattr(motion, "rod", None)
+    return Coefficient(*(np.full_like(part, np.nan) for part in output)) if rod is None else rod.angle
+
+
+def slider_motion(pistons: Mechanisms, angle: Array) -> Coefficient:
+    """Distance of every piston pin from its shaft along its own axis; parameters as of `slider_and_rod`. [m, …]"""
+    return pistons.evaluated(lambda motion: motion.slider, angle)
+
+
+@record
+class PistonTurn:
+    """One turn of the pistons that are distinct, whatever the machine's own grid: where extremes are looked for first.
+
+    Attributes
+    ----------
+    distinct : Distinct
+    samples : SliderAndRod, shape (1, distinct, 720)
+        On `turn_grid()`, at each piston's own crank angle.
+    peaks : Extremes, shapes (3, 1, distinct, 1)
+        Of the slider's position and of its two derivatives.
+    """
+
+    distinct: Distinct
+    samples: SliderAndRod
+    peaks: Extremes
+
+
+def piston_turn(pistons: Pistons) -> PistonTurn:
+    """Find the distinct pistons and sample their turn."""
+    different = distinct(pistons)
+    samples = slider_and_rod(different.mechanisms, turn_grid())
+
+    def slider(angle: Array) -> list[Array]:
+        """Position, its derivatives, and NaN for the third one, each at angles of its own, (1, distinct, k)."""
+        apart = np.moveaxis(angle, 0, -2)
+        motion = slider_motion(different.mechanisms, apart.reshape(*apart.shape[:2], -1))
+        return [part.reshape(apart.shape) for part in (*motion, np.full_like(motion.value, np.nan))]
+
+    def coordinate(angle: Array) -> Array:
+        return np.stack([part[..., order, :] for order, part in enumerate(slider(angle)[:3])])
+
+    def slope(angle: Array) -> Array:
+        return np.stack([part[..., order, :] for order, part in enumerate(slider(angle)[1:])])
+
+    return PistonTurn(different, samples, extremes(coordinate, slope, samples=np.stack(samples[:3])))
+
+
+@record
+class PistonGrid:
+    """Slider and rod of every piston on the grid of crank angles, shape (design, piston, n)."""
+
+    value: SliderAndRod
+
+
+def piston_grid(pistons: Pistons, crank_angle: CrankAngle) -> PistonGrid:
+    """Evaluate every piston on the grid."""
+    turn = slider_and_rod(pistons, crank_angle.first_turn)
+    return PistonGrid(SliderAndRod(*map(crank_angle.over_cycle, turn)))
+
+
+@record
+class DeadCentres:
+    """Where each piston truly turns back, and how far it travels; is_valve: which are valves, shape (piston,)."""
+
+    is_valve: NDArray[np.bool_]
+    stroke: Array = quantity("S", "m", _PISTON, N_("Stroke, between the true dead centres"), _THEORY)
+    top_dead_centre: Array = quantity("φ_T", "deg", _PISTON, N_("Crank angle of the true top dead centre"), _THEORY)
+    bottom_dead_centre: Array = quantity(
+        "φ_B", "deg", _PISTON, N_("Crank angle of the true bottom dead centre"), _THEORY
+    )
+    top_shift: Array = quantity(
+        "ε_T", "deg", _PISTON, N_("Top dead centre after the crank points along the cylinder"), _THEORY
+    )
+    bottom_shift: Array = quantity(
+        "ε_B", "deg", _PISTON, N_("Bottom dead centre after the crank points away from the cylinder"), _THEORY
+    )
+    top_position: Array = quantity(
+        "H", "m", _PISTON, N_("Distance from shaft centre to piston pin at top dead centre"), _THEORY
+    )
+    bottom_position: Array = quantity(
+        "h", "m", _PISTON, N_("Distance from shaft centre to piston pin at bottom dead centre"), _THEORY
+    )
+
+    def answer(self, names: Names, design: int) -> str:
+        """Say strokes and true dead centres of pistons, travels of valves and where they are farthest."""
+        words = (
+            _("Strokes: {strokes}. True top dead centres: {tops} after the crank points along the cylinder."),
+            _("Valve travel: {strokes}. Farthest from the shaft: {tops} after the crank points along its line."),
+        )
+        return " ".join(
+            said.format(strokes=shared(own, strokes, "mm"), tops=shared(own, tops, "deg"))
+            for said, own, (strokes, tops) in by_sort(
+                words, names["piston"], self.is_valve, [self.stroke[design], self.top_shift[design]]
+            )
+        )
+
+
+def dead_centres(pistons: Pistons, turn: PistonTurn, crank_angle: CrankAngle) -> DeadCentres:
+    """True dead centres of every piston."""
+    different = turn.distinct
+    bottom, top = (Extreme(one.angle[0], one.value[0]) for one in turn.peaks)
+    return DeadCentres(
+        is_valve=pistons.is_valve,
+        stroke=different.spread(top.value - bottom.value)[..., 0],
+        top_dead_centre=crank_angle.counted(different.angle(top.angle))[..., 0],
+        bottom_dead_centre=crank_angle.counted(different.angle(bottom.angle))[..., 0],
+        top_shift=different.spread(around_zero(top.angle))[..., 0],
+        bottom_shift=different.spread(around_zero(bottom.angle - np.pi))[..., 0],
+        top_position=different.spread(top.value)[..., 0],
+        bottom_position=different.spread(bottom.value)[..., 0],
+    )

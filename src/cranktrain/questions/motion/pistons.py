@@ -1,0 +1,216 @@
+"""Motion of pistons: displacement and its derivatives by the crank angle; with the speed, velocities."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.catalogue import quantity
+from cranktrain.checks import Check
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.mechanisms import Pistons
+from cranktrain.layout.speed import Speed, accelerations
+from cranktrain.motion import Array, Coefficient
+from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, Extremes, derivatives_residual, extremes
+from cranktrain.questions.motion.dead_centres import DeadCentres, PistonGrid, PistonTurn, slider_motion
+from cranktrain.record import record
+from cranktrain.wording import Names, by_sort, shared
+
+_PISTON = ("piston",)
+_CURVE = ("piston", "crank_angle")
+_THEORY = "docs/theory/slider-crank"
+_ALIKE = 1e-9
+"""Speeds of both strokes that differ by less, relative, are one; the one toward the shaft is named."""
+
+
+@record
+class PistonMotion:
+    """Motion of every piston by the crank angle alone; speed enters with `PistonSpeeds`."""
+
+    piston_displacement: Array = quantity(
+        "x", "m", _CURVE, N_("Travel of the piston from its true top toward the shaft"), _THEORY
+    )
+    piston_velocity_coefficient: Array = quantity(
+        "x′", "m/rad", _CURVE, N_("Piston velocity for each rad/s of the crank"), _THEORY
+    )
+    piston_acceleration_coefficient: Array = quantity(
+        "x″", "m/rad^2", _CURVE, N_("Piston acceleration for each (rad/s)² of the crank"), _THEORY
+    )
+    checks: tuple[Check, ...] = ()
+
+
+def piston_motion(grid: PistonGrid, turn: PistonTurn, dead_centres: DeadCentres) -> PistonMotion:
+    """Displacement from the true top toward the shaft and its derivatives."""
+    motion = grid.value
+    return PistonMotion(
+        piston_displacement=dead_centres.top_position[..., np.newaxis] - motion.position,
+        piston_velocity_coefficient=-motion.position_first,
+        piston_acceleration_coefficient=-motion.position_second,
+        checks=(_derivatives_check(turn),),
+    )
+
+
+def _derivatives_check(turn: PistonTurn) -> Check:
+    """Compare x′ and x″ with the derivatives of the Fourier series of x and x′, which know no mechanism formula."""
+    pistons = turn.distinct
+    residual = derivatives_residual(
+        lambda alpha: slider_motion(pistons.mechanisms, alpha), Coefficient(*turn.samples[:3])
+    )
+    return Check(
+        "piston_derivatives",
+        _("x′ and x″ against the derivatives of the Fourier series of x and x′, relative to their peaks"),
+        np.max(pistons.spread(residual), axis=(1, 2)),
+        DERIVATIVES_LIMIT,
+    )
+
+
+@record
+class PistonSpeeds:
+    """Velocities and accelerations of pistons; is_valve: which are valves, shape (piston,)."""
+
+    is_valve: NDArray[np.bool_]
+    piston_velocity: Array = quantity("v", "m/s", _CURVE, N_("Piston velocity toward the shaft"), _THEORY)
+    piston_acceleration: Array = quantity("j", "m/s^2", _CURVE, N_("Piston acceleration toward the shaft"), _THEORY)
+    mean_piston_speed: Array = quantity("c_m", "m/s", _PISTON, N_("Mean piston speed, 2 S n"), _THEORY)
+    largest_piston_speed: Array = quantity(
+        "|v|_max", "m/s", _PISTON, N_("Largest piston speed, toward the shaft or away from it"), _THEORY
+    )
+    largest_piston_speed_at: Array = quantity(
+        "φ(|v|_max)", "deg", _PISTON, N_("Crank angle of the largest piston speed"), _THEORY
+    )
+    largest_piston_velocity: Array = quantity(
+        "v_max", "m/s", _PISTON, N_("Largest piston velocity toward the shaft"), _THEORY
+    )
+    largest_piston_velocity_at: Array = quantity(
+        "φ(v_max)",
+        "deg",
+        _PISTON,
+        N_("Crank angle of the largest velocity toward the shaft"),
+        _THEORY,
+    )
+    smallest_piston_velocity: Array = quantity(
+        "v_min", "m/s", _PISTON, N_("Largest piston velocity away from the shaft, negative"), _THEORY
+    )
+    smallest_piston_velocity_at: Array = quantity(
+        "φ(v_min)",
+        "deg",
+        _PISTON,
+        N_("Crank angle of the largest velocity away from the shaft"),
+        _THEORY,
+    )
+    largest_piston_acceleration: Array = quantity(
+        "j_max", "m/s^2", _PISTON, N_("Largest piston acceleration toward the shaft"), _THEORY
+    )
+    largest_piston_acceleration_at: Array = quantity(
+        "φ(j_max)",
+        "deg",
+        _PISTON,
+        N_("Crank angle of the largest acceleration toward the shaft"),
+        _THEORY,
+    )
+    smallest_piston_acceleration: Array = quantity(
+        "j_min",
+        "m/s^2",
+        _PISTON,
+        N_("Largest piston acceleration away from the shaft, negative"),
+        _THEORY,
+    )
+    smallest_piston_acceleration_at: Array = quantity(
+        "φ(j_min)",
+        "deg",
+        _PISTON,
+        N_("Crank angle of the largest acceleration away from the shaft"),
+        _THEORY,
+    )
+
+    def answer(self, names: Names, design: int) -> str:
+        """Say mean and largest speeds of pistons, and of valves."""
+        words = (
+            _("Mean piston speed {mean}, largest {largest}; largest acceleration {acceleration}."),
+            _("Mean valve speed {mean}, largest {largest}; largest acceleration {acceleration}."),
+        )
+        of_either_sense = np.fmax(self.largest_piston_acceleration, -self.smallest_piston_acceleration)
+        curves = (self.mean_piston_speed, self.largest_piston_speed, of_either_sense)
+        return " ".join(
+            said.format(
+                mean=shared(own, mean, "m/s"),
+                largest=shared(own, largest, "m/s"),
+                acceleration=shared(own, acceleration, "m/s^2"),
+            )
+            for said, own, (mean, largest, acceleration) in by_sort(
+                words, names["piston"], self.is_valve, [curve[design] for curve in curves]
+            )
+        )
+
+
+def piston_speeds(
+    pistons: Pistons,
+    crank_angle: CrankAngle,
+    turn: PistonTurn,
+    motion: PistonMotion,
+    dead_centres: DeadCentres,
+    speed: Speed,
+) -> PistonSpeeds:
+    """Velocities q′ω and accelerations q″ω² + q′ε, and their extremes."""
+    drive = speed.drive(crank_angle.angle)
+    velocity = motion.piston_velocity_coefficient * drive.speed
+    acceleration = accelerations(motion.piston_velocity_coefficient, motion.piston_acceleration_coefficient, drive)
+    if speed.curve is None:
+        found = _at_constant_speed(turn, speed.value)
+    else:
+        found = _over_cycle(pistons, crank_angle, speed, velocity, acceleration)
+    (slowest, fastest), (least, most) = found
+
+    def at(extreme: Extreme) -> Array:
+        return crank_angle.counted(extreme.angle, 2 * np.pi if speed.curve is None else crank_angle.cycle)[..., 0]
+
+    # Without an offset both are alike but for rounding, which must not choose.
+    is_away = (-slowest.value > fastest.value * (1 + _ALIKE))[..., 0]
+    mean_speed = dead_centres.stroke * (speed.mean / np.pi)[..., 0]
+    return PistonSpeeds(
+        is_valve=pistons.is_valve,
+        piston_velocity=velocity,
+        piston_acceleration=acceleration,
+        mean_piston_speed=mean_speed,
+        largest_piston_speed=np.where(is_away, -slowest.value[..., 0], fastest.value[..., 0]),
+        largest_piston_speed_at=np.where(is_away, at(slowest), at(fastest)),
+        largest_piston_velocity=fastest.value[..., 0],
+        largest_piston_velocity_at=at(fastest),
+        smallest_piston_velocity=slowest.value[..., 0],
+        smallest_piston_velocity_at=at(slowest),
+        largest_piston_acceleration=most.value[..., 0],
+        largest_piston_acceleration_at=at(most),
+        smallest_piston_acceleration=least.value[..., 0],
+        smallest_piston_acceleration_at=at(least),
+    )
+
+
+def _at_constant_speed(turn: PistonTurn, omega: Array) -> tuple[Extremes, Extremes]:
+    """Extremes of velocity and acceleration over a turn, φ and value of shape (design, piston, 1)."""
+    different = turn.distinct
+
+    def toward_shaft(order: int, factor: Array) -> Extremes:
+        away, toward = (
+            Extreme(different.angle(one.angle[order]), -different.spread(one.value[order]) * factor)
+            for one in reversed(turn.peaks)
+        )
+        return Extremes(away, toward)
+
+    return toward_shaft(1, omega), toward_shaft(2, omega**2)
+
+
+def _over_cycle(
+    pistons: Pistons, crank_angle: CrankAngle, speed: Speed, velocity: Array, acceleration: Array
+) -> tuple[Extremes, Extremes]:
+    """The same over a cycle, at a speed that varies: like pistons differ, as each has its own phase."""
+
+    def moving(shown: Array) -> tuple[Array, Array]:
+        phi = shown + crank_angle.zero
+        slider, drive = slider_motion(pistons, phi), speed.drive(phi)
+        return -slider.first * drive.speed, -accelerations(slider.first, slider.second, drive)
+
+    def from_zero(found: Extremes) -> Extremes:
+        return Extremes(*(Extreme(one.angle + crank_angle.zero, one.value) for one in found))
+
+    grid = crank_angle.shown
+    of_speed = extremes(lambda shown: moving(shown)[0], lambda shown: moving(shown)[1], grid=grid, samples=velocity)
+    return from_zero(of_speed), from_zero(extremes(lambda shown: moving(shown)[1], grid=grid, samples=acceleration))

@@ -1,0 +1,108 @@
+"""The load of a rocker, carried at a radius about its pivot: travel and torque factor."""
+
+from collections.abc import Sequence
+from typing import ClassVar
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_, _
+from cranktrain.layout.mechanisms import Rockers
+from cranktrain.layout.places import Place
+from cranktrain.mechanisms.crank_rocker import CrankRockerSpec
+from cranktrain.motion import Array
+from cranktrain.numerics import extremes
+from cranktrain.questions.motion.rockers import DeadPositions, RockerMotion, RockerTurn, rocker_angle
+from cranktrain.record import record
+from cranktrain.wording import Names, shared
+
+_ROCKER = ("rocker",)
+_CURVE = ("rocker", "crank_angle")
+_THEORY = "docs/theory/crank-rocker"
+
+_DIRECTIONS = {"with": 1.0, "against": -1.0}
+
+
+@record
+class LoadRadius:
+    """Radius about each rocker's pivot at which its load is carried, shape (design, rocker, 1). [m]
+
+    Negative where the load's travel counts against the rocker's angle.
+    """
+
+    needs: ClassVar[str] = N_("[mechanism] load_radius")
+
+    value: Array
+
+
+def load_radius_of(designs: Sequence[Sequence[Place]]) -> LoadRadius | None:
+    """Collect the load radius of every rocker, NaN for one that carries no load; None where there is none at all."""
+    radii = [
+        [
+            place.sense * place.spec.load_radius.si * _DIRECTIONS[place.spec.load_direction]
+            if isinstance(place.spec, CrankRockerSpec) and place.spec.load_radius is not None
+            else np.nan
+            for place in design
+        ]
+        for design in designs
+    ]
+    value = np.array(radii)[..., np.newaxis]
+    return None if np.all(np.isnan(value)) else LoadRadius(value)
+
+
+@record
+class LoadMotion:
+    """Travel of a load that hangs at the load radius of each rocker."""
+
+    load_displacement: Array = quantity(
+        "x_Q", "m", _CURVE, N_("Travel of the load from the dead position at which it is least"), _THEORY
+    )
+    load_velocity_coefficient: Array = quantity(
+        "x_Q′",
+        "m/rad",
+        _CURVE,
+        N_("Load velocity for each rad/s of the crank: the torque factor of a pumping unit"),
+        _THEORY,
+    )
+    load_acceleration_coefficient: Array = quantity(
+        "x_Q″", "m/rad^2", _CURVE, N_("Load acceleration for each (rad/s)² of the crank"), _THEORY
+    )
+    load_stroke: Array = quantity("S_Q", "m", _ROCKER, N_("Stroke of the load"), _THEORY)
+    largest_torque_factor: Array = quantity(
+        "TF_max", "m", _ROCKER, N_("Largest torque factor, crank torque for each newton of load"), _THEORY
+    )
+    smallest_torque_factor: Array = quantity(
+        "TF_min", "m", _ROCKER, N_("Smallest (largest negative) torque factor"), _THEORY
+    )
+
+    def answer(self, names: Names, design: int) -> str:
+        """Say the load's stroke and the torque factor's range."""
+        rockers = names["rocker"]
+        return _("Stroke of the load {stroke}; torque factor from {least} to {most}.").format(
+            stroke=shared(rockers, self.load_stroke[design], "mm"),
+            least=shared(rockers, self.smallest_torque_factor[design], "mm"),
+            most=shared(rockers, self.largest_torque_factor[design], "mm"),
+        )
+
+
+def load_motion(
+    rockers: Rockers, turn: RockerTurn, motion: RockerMotion, dead: DeadPositions, load_radius: LoadRadius
+) -> LoadMotion:
+    """Arc that the load travels at its radius, and the torque factor's extremes."""
+    radius = load_radius.value
+    start = np.where(
+        radius > 0, dead.smallest_rocker_angle[..., np.newaxis], dead.largest_rocker_angle[..., np.newaxis]
+    )
+    least, most = extremes(
+        lambda phi: rocker_angle(rockers, phi).first,
+        lambda phi: rocker_angle(rockers, phi).second,
+        samples=turn.samples.first,
+    )
+    return LoadMotion(
+        load_displacement=radius * (motion.rocker_angle - start),
+        load_velocity_coefficient=radius * motion.rocker_velocity_coefficient,
+        load_acceleration_coefficient=radius * motion.rocker_acceleration_coefficient,
+        load_stroke=np.abs(radius[..., 0]) * dead.swing,
+        largest_torque_factor=np.maximum(radius * most.value, radius * least.value)[..., 0],
+        smallest_torque_factor=np.minimum(radius * most.value, radius * least.value)[..., 0],
+    )

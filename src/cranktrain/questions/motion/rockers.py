@@ -1,0 +1,192 @@
+"""Motion of rockers: swing, dead positions, time ratio; with the speed, velocities."""
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.checks import Check
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.mechanisms import Rockers
+from cranktrain.layout.speed import Speed, accelerations
+from cranktrain.motion import Array, Coefficient
+from cranktrain.numerics import DERIVATIVES_LIMIT, derivatives_residual, turn_grid, turning_points, unwrapped
+from cranktrain.record import record
+from cranktrain.wording import Names, around_turn, shared
+
+_ROCKER = ("rocker",)
+_CURVE = ("rocker", "crank_angle")
+_THEORY = "docs/theory/crank-rocker"
+
+
+def rocker_angle(rockers: Rockers, angle: Array) -> Coefficient:
+    """Evaluate every rocker at φ.
+
+    Parameters
+    ----------
+    rockers : Rockers
+    angle : Array, shape (n,), (design, 1, n) or (design, rocker, n)
+        φ. [rad]
+
+    Returns
+    -------
+    Coefficient, shape (design, rocker, n). [rad, rad/rad, rad/rad²]
+    """
+    return rockers.evaluated(lambda motion: motion.rocker.angle, angle)
+
+
+@record
+class RockerTurn:
+    """One turn of the rockers, whatever the machine's own grid: where extremes are looked for first.
+
+    Attributes
+    ----------
+    samples : Coefficient, shape (design, rocker, 720)
+        On `turn_grid()`.
+    middle : Array, shape (design, rocker, 1)
+        Middle of the swing, within [−π, π], about which angles are counted; NaN for a rocker that turns. [rad]
+    """
+
+    samples: Coefficient
+    middle: Array
+
+
+def rocker_turn(rockers: Rockers) -> RockerTurn:
+    """Sample the rockers' turn, and find which of them swing and which turn."""
+    samples = rocker_angle(rockers, turn_grid())
+    whole = unwrapped(samples.value)
+    middle = 0.5 * (np.fmax.reduce(whole, axis=-1, keepdims=True) + np.fmin.reduce(whole, axis=-1, keepdims=True))
+    turns = np.abs(whole[..., -1:] - whole[..., :1]) > np.pi
+    return RockerTurn(samples, np.where(turns, np.nan, middle - 2 * np.pi * np.rint(middle / (2 * np.pi))))
+
+
+def _counted(angle: Array, middle: Array) -> Array:
+    """Count an angle without jumps: about the middle of its swing, or on from where it starts if it turns."""
+    about = middle + np.mod(angle - middle + np.pi, 2 * np.pi) - np.pi
+    return np.where(np.isnan(middle), unwrapped(angle), about)
+
+
+@record
+class DeadPositions:
+    """Between which positions each rocker swings; NaN for a rocker that turns with the crank."""
+
+    swing: Array = quantity("ψ", "rad", _ROCKER, N_("Angle through which the rocker swings"), _THEORY)
+    time_ratio: Array = quantity(
+        "k", "1", _ROCKER, N_("Crank travel of the slower swing over that of the faster one"), _THEORY
+    )
+    largest_rocker_angle: Array = quantity(
+        "θ_max", "rad", _ROCKER, N_("Rocker angle at its dead position farthest in the sense of rotation"), _THEORY
+    )
+    largest_rocker_angle_at: Array = quantity(
+        "φ(θ_max)", "deg", _ROCKER, N_("Crank angle of the dead position farthest in the sense of rotation"), _THEORY
+    )
+    smallest_rocker_angle: Array = quantity(
+        "θ_min", "rad", _ROCKER, N_("Rocker angle at its other dead position"), _THEORY
+    )
+    smallest_rocker_angle_at: Array = quantity(
+        "φ(θ_min)", "deg", _ROCKER, N_("Crank angle of the other dead position"), _THEORY
+    )
+
+    def answer(self, names: Names, design: int) -> str | None:
+        """Say swing, dead positions and time ratio of the rockers that swing."""
+        if np.all(np.isnan(self.swing[design])):
+            return None
+        rockers = names["rocker"]
+        return _("The rocker swings {swing}, dead at crank angles {first} and {second}; time ratio {ratio}.").format(
+            swing=shared(rockers, self.swing[design], "deg"),
+            first=shared(rockers, around_turn(self.smallest_rocker_angle_at[design]), "deg"),
+            second=shared(rockers, around_turn(self.largest_rocker_angle_at[design]), "deg"),
+            ratio=shared(rockers, self.time_ratio[design], "1"),
+        )
+
+
+def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) -> DeadPositions:
+    """Extremes of every rocker's angle: roots of θ′."""
+
+    def rocker(phi: Array) -> Coefficient:
+        motion = rocker_angle(rockers, phi)
+        return Coefficient(_counted(motion.value, turn.middle), motion.first, motion.second)
+
+    least, most = turning_points(rocker, _counted(turn.samples.value, turn.middle))
+    travel = np.mod(most.angle - least.angle, 2 * np.pi)
+    slower = np.maximum(travel, 2 * np.pi - travel)
+
+    def swinging(values: Array) -> Array:
+        return np.where(np.isnan(turn.middle), np.nan, values)[..., 0]
+
+    return DeadPositions(
+        swing=swinging(most.value - least.value),
+        time_ratio=swinging(slower / (2 * np.pi - slower)),
+        largest_rocker_angle=swinging(most.value),
+        largest_rocker_angle_at=swinging(crank_angle.counted(most.angle)),
+        smallest_rocker_angle=swinging(least.value),
+        smallest_rocker_angle_at=swinging(crank_angle.counted(least.angle)),
+    )
+
+
+@record
+class RockerMotion:
+    """Motion of every rocker by the crank angle alone."""
+
+    rocker_angle: Array = quantity(
+        "θ", "rad", _CURVE, N_("Direction of the rocker, from its pivot to its joint, from the mechanism's x"), _THEORY
+    )
+    rocker_velocity_coefficient: Array = quantity(
+        "θ′", "rad/rad", _CURVE, N_("Rocker's angular velocity for each rad/s of the crank"), _THEORY
+    )
+    rocker_acceleration_coefficient: Array = quantity(
+        "θ″", "rad/rad^2", _CURVE, N_("Rocker's angular acceleration for each (rad/s)² of the crank"), _THEORY
+    )
+    checks: tuple[Check, ...] = ()
+
+
+def rocker_motion(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) -> RockerMotion:
+    """Angles of every rocker, without jumps, and their derivatives."""
+    motion = rocker_angle(rockers, crank_angle.angle)
+    return RockerMotion(
+        rocker_angle=_counted(motion.value, turn.middle),
+        rocker_velocity_coefficient=motion.first,
+        rocker_acceleration_coefficient=motion.second,
+        checks=(_derivatives_check(rockers),),
+    )
+
+
+def _derivatives_check(rockers: Rockers) -> Check:
+    """Compare the derivatives of cos θ and sin θ, by θ′ and θ″, with those of their Fourier series."""
+
+    def direction(phi: Array) -> Coefficient:
+        motion = rocker_angle(rockers, phi)
+        cos, sin = np.cos(motion.value), np.sin(motion.value)
+        first, second = motion.first, motion.second
+        return Coefficient(
+            np.concatenate([cos, sin], axis=1),
+            np.concatenate([-sin * first, cos * first], axis=1),
+            np.concatenate([-sin * second - cos * first**2, cos * second - sin * first**2], axis=1),
+        )
+
+    return Check(
+        "rocker_derivatives",
+        _("derivatives of cos θ and sin θ by θ′ and θ″ against those of their Fourier series, relative to their peaks"),
+        np.max(derivatives_residual(direction), axis=(1, 2)),
+        DERIVATIVES_LIMIT,
+    )
+
+
+@record
+class RockerSpeeds:
+    """Velocities and accelerations of rockers."""
+
+    rocker_angular_velocity: Array = quantity("ω_3", "rad/s", _CURVE, N_("Angular velocity of the rocker"), _THEORY)
+    rocker_angular_acceleration: Array = quantity(
+        "ε_3", "rad/s^2", _CURVE, N_("Angular acceleration of the rocker"), _THEORY
+    )
+
+
+def rocker_speeds(motion: RockerMotion, speed: Speed, crank_angle: CrankAngle) -> RockerSpeeds:
+    """Velocities q′ω and accelerations q″ω² + q′ε."""
+    drive = speed.drive(crank_angle.angle)
+    return RockerSpeeds(
+        rocker_angular_velocity=motion.rocker_velocity_coefficient * drive.speed,
+        rocker_angular_acceleration=accelerations(
+            motion.rocker_velocity_coefficient, motion.rocker_acceleration_coefficient, drive
+        ),
+    )

@@ -1,0 +1,1 @@
+"""Torque: on the shafts, along them, by order."""

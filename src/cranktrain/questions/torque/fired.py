@@ -1,0 +1,116 @@
+"""Torque of several pistons: one piston's curve laid over itself at the firing angles, and gathered along the shaft."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.motion import Array
+from cranktrain.numerics.gathering import gathered
+from cranktrain.numerics.harmonics import TURN, curve, delayed, harmonics
+
+_WHOLE = 1e-9
+"""A firing angle nearer than this to a step of the grid, in steps, is on it."""
+
+
+def firing_angles(order: NDArray[np.intp], cycle: float) -> Array:
+    """Firing angle of each cylinder that fires at equal intervals in a given order.
+
+    Parameters
+    ----------
+    order : integer array, shape (cylinder,)
+        The firing order: indices of the cylinders, the one that fires first in front.
+    cycle : float
+        2π or 4π. [rad]
+
+    Returns
+    -------
+    Array, shape (cylinder,)
+        In [0, cycle), by cylinder. [rad]
+
+    Examples
+    --------
+    >>> np.degrees(firing_angles(np.array([0, 2, 3, 1]), 4 * np.pi))
+    array([  0., 540., 180., 360.])
+    """
+    angles = np.empty(len(order))
+    angles[order] = np.arange(len(order)) * cycle / len(order)
+    return angles
+
+
+def fired(torque: Array, firing_angle: Array, cycle: float = TURN) -> Array:
+    """Each cylinder's torque over the shaft's cycle: its own curve, counted from its firing, laid at its firing angle.
+
+    Parameters
+    ----------
+    torque : Array, shape (..., cylinder, n)
+        Torque by the angle since the cylinder's own firing, in equal steps over a cycle, endpoint excluded; the
+        cylinder's axis may have length 1, one curve for all. [N·m]
+    firing_angle : Array, shape (..., cylinder)
+        φ_i. [rad]
+    cycle : float
+        2π or 4π. [rad]
+
+    Returns
+    -------
+    Array, shape (..., cylinder, n)
+        M_i(φ) = M(φ − φ_i): firing later shifts a curve to the right. [N·m]
+
+    Notes
+    -----
+    A shift by whole steps moves the numbers; another goes through the Fourier series, exact for what the grid can show.
+    docs/theory/harmonics-and-orders, eq. (15.12).
+    """
+    n_points = torque.shape[-1]
+    angle = np.asarray(firing_angle, dtype=float)
+    steps = angle * (n_points / cycle)
+    whole = np.rint(steps)
+    rest = (steps - whole) * (cycle / n_points)
+    spread = np.broadcast_to(torque, (*np.broadcast_shapes(torque.shape[:-1], angle.shape), n_points))
+    if np.any(np.abs(steps - whole) > _WHOLE):
+        later = delayed(harmonics(spread, cycle), rest)
+        spread = curve(later, np.arange(n_points, dtype=float) * (cycle / n_points))
+    place = np.mod(np.arange(n_points, dtype=float) - whole[..., np.newaxis], n_points).astype(np.intp)
+    return np.take_along_axis(spread, np.broadcast_to(place, spread.shape), axis=-1)
+
+
+def throw_torque(torque: Array, throw: NDArray[np.intp], n_throws: int) -> Array:
+    """Torque of each throw, from those of the cylinders that work on it.
+
+    Parameters
+    ----------
+    torque : Array, shape (..., cylinder, n)
+        [N·m]
+    throw : integer array, shape (cylinder,)
+        Index of each cylinder's throw.
+    n_throws : int
+
+    Returns
+    -------
+    Array, shape (..., throw, n)
+        [N·m]
+    """
+    return gathered(torque, throw, n_throws)
+
+
+def journal_torque(throw_torque: Array, free_end_torque: Array | None = None) -> Array:
+    """Torque that each main journal passes on, gathered from the free end toward the flywheel.
+
+    Parameters
+    ----------
+    throw_torque : Array, shape (..., throw, n)
+        Torque of each throw's pistons, throw 1 at the free end. [N·m]
+    free_end_torque : Array, shape (..., n), optional
+        What is taken off or brought in at the free end, positive in the sense of rotation. [N·m]
+
+    Returns
+    -------
+    Array, shape (..., throw + 1, n)
+        Journal 0 stands before throw 1, the last one at the flywheel, where all of it comes out. [N·m]
+
+    Notes
+    -----
+    The shaft is rigid and turns evenly: its own inertia takes no part. docs/theory/harmonics-and-orders, eq. (15.13).
+    """
+    before = np.zeros_like(throw_torque[..., :1, :])
+    if free_end_torque is not None:
+        before = before + free_end_torque[..., np.newaxis, :]
+    return before + np.concatenate([np.zeros_like(before), np.cumsum(throw_torque, axis=-2)], axis=-2)

@@ -1,0 +1,94 @@
+"""Orders of the machine's torque, and the stars of the cylinders' phases by which they add up."""
+
+from collections.abc import Mapping
+from dataclasses import field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle, order_labels, orders
+from cranktrain.motion import Array
+from cranktrain.numerics.harmonics import from_vectors
+from cranktrain.questions.cylinders.firing import Cycle, Firing
+from cranktrain.questions.torque.sources import TorqueSources
+from cranktrain.questions.torque.stars import phase_stars
+from cranktrain.questions.torque.torques import ShaftTorques
+from cranktrain.record import record
+from cranktrain.wording import Names, number
+
+_ORDER = ("order",)
+_THEORY = "docs/theory/harmonics-and-orders"
+_TOLD = 3
+"""How many of the largest orders the answer names."""
+_NOTHING = 1e-12
+"""Of the largest torque, and of what all forces could do; an order of less is rounding."""
+_ROUNDING, _GONE = 1e-6, 1e-9
+"""Of the largest order, and of what all forces could do: what is less is not named."""
+
+
+@record
+class TorqueOrders:
+    """Harmonics of the machine's torque: amplitude · cos(kφ − ψ), φ as shown; gross as of `ShaftTorques`."""
+
+    torque_order_amplitude: Array = quantity(
+        "T_k", "N*m", _ORDER, N_("Amplitude of the order in the machine's torque"), _THEORY
+    )
+    torque_order_phase: Array = quantity(
+        "ψ_k",
+        "deg",
+        _ORDER,
+        N_("Phase of the order in the torque, T_k cos(kφ − ψ_k), φ as the tables count it"),
+        _THEORY,
+    )
+    gross: Array = field(kw_only=True)
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"order": ()})
+
+    def answer(self, names: Names, design: int) -> str | None:
+        """Name the largest orders."""
+        amplitude = np.nan_to_num(self.torque_order_amplitude[design])
+        least = max(_ROUNDING * float(np.max(amplitude)), _GONE * float(self.gross[design]))
+        largest = [
+            place for place in np.argsort(-amplitude, kind="stable")[:_TOLD].tolist() if amplitude[place] > least
+        ]
+        if not largest:
+            return None
+        return _("Largest orders of the torque: {orders}.").format(
+            orders=", ".join(f"{names['order'][place]} ({number(float(amplitude[place]), 'N*m')})" for place in largest)
+        )
+
+
+def torque_orders(sources: TorqueSources, torques: ShaftTorques, crank_angle: CrankAngle) -> TorqueOrders:
+    """Harmonics of the torque of all mechanisms together, by quadrature between events; rounding has no phase."""
+    order = orders(crank_angle.cycle)
+    vectors = sources.orders(np.concatenate([[0.0], order]), crank_angle.cycle)[:, 1:]
+    found = from_vectors(order, vectors)
+    largest = np.max(np.abs(torques.machine_torque), axis=-1, keepdims=True)
+    is_rounding = found.amplitude <= _NOTHING * np.maximum(largest, torques.gross[:, np.newaxis])
+    amplitude, phase = np.where(is_rounding, 0.0, found.amplitude), np.where(is_rounding, np.nan, found.phase)
+    return TorqueOrders(amplitude, phase, order_labels(crank_angle.cycle), gross=torques.gross)
+
+
+@record
+class PhaseStarSums:
+    """How far the cylinders' torques of one order add up by their firing: as many as cylinders where all do."""
+
+    phase_star_sum: Array = quantity(
+        "S_k", "1", _ORDER, N_("Sum of the cylinders' phase vectors of the order, by nominal firing"), _THEORY
+    )
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"order": ()})
+    is_major: NDArray[np.bool_] = field(default_factory=lambda: np.zeros((1, 0), dtype=np.bool_))
+
+    def answer(self, names: Names, design: int) -> str | None:
+        """Name the major orders, of a machine with several cylinders."""
+        major = [name for name, is_major in zip(names["order"], self.is_major[design], strict=True) if is_major]
+        if not major or len(major) == len(names["order"]):
+            return None
+        return _("Major orders, in which all cylinders add up: {orders}.").format(orders=", ".join(major))
+
+
+def phase_star_sums(firing: Firing, cycle: Cycle) -> PhaseStarSums:
+    """Stars of the phase vectors of all cylinders; docs/theory/harmonics-and-orders, eq. (15.14)."""
+    stars = phase_stars(orders(cycle.length), firing.firing_angle)
+    return PhaseStarSums(stars.length, order_labels(cycle.length), stars.is_major)

@@ -1,0 +1,51 @@
+"""Harmonics that a rod of finite length gives the piston's acceleration and the torque of its inertia, exact."""
+
+from collections.abc import Mapping
+from dataclasses import field
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_
+from cranktrain.layout.crank_angle import CrankAngle, order_labels
+from cranktrain.layout.mechanisms import Pistons
+from cranktrain.motion import Array
+from cranktrain.questions.forces.piston_forces import DIRECT, DirectPistons
+from cranktrain.questions.torque.rod_harmonics import acceleration_harmonics, torque_harmonics
+from cranktrain.record import record
+
+_FACT = ("order", "piston")
+_THEORY = "docs/theory/harmonics-and-orders"
+
+
+@record
+class RodOrders:
+    """Harmonics of pistons by the angle of their own cranks from the top; NaN but for central slider-cranks."""
+
+    acceleration_harmonic: Array = quantity(
+        "A_k", "1", _FACT, N_("Harmonic of a central piston's acceleration, x″ = R Σ A_k cos kα"), _THEORY
+    )
+    inertia_torque_harmonic: Array = quantity(
+        "D_k", "1", _FACT, N_("Harmonic of its inertia's torque, T = m R² ω² Σ D_k sin kα"), _THEORY
+    )
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"order": ()})
+
+
+def rod_orders(direct: DirectPistons, pistons: Pistons, crank_angle: CrankAngle) -> RodOrders:
+    """Harmonics of every piston in closed form; docs/theory/harmonics-and-orders, eqs. (15.4) and (15.7)."""
+    labels = order_labels(crank_angle.cycle)
+    turns = round(crank_angle.cycle / (2 * np.pi))
+    highest = len(labels["order"]) // turns
+    found = np.full((2, len(crank_angle.zero), len(labels["order"]), direct.n_pistons), np.nan)
+    for group in pistons.groups:
+        if group.kind.name != DIRECT:
+            continue
+        size = group.members.geometry
+        ratio = np.where(size.offset == 0.0, size.crank_radius / size.rod_length, np.nan)[..., 0]
+        for curve, harmonics in zip(found, (acceleration_harmonics, torque_harmonics), strict=True):
+            by_order = harmonics(ratio, highest)[..., 1:]
+            # Orders between whole ones are those of a cycle of two turns: no piston's inertia knows them.
+            every = np.where(np.isnan(by_order[..., :1]), np.nan, np.zeros((*ratio.shape, len(labels["order"]))))
+            every[..., turns - 1 :: turns] = by_order
+            curve[:, :, group.index] = np.moveaxis(every, -1, 1)
+    return RodOrders(found[0], found[1], labels)

@@ -1,0 +1,227 @@
+"""Torque of a machine taken apart for integrals: what is smooth only between events, at Gauss's points, and the rest.
+
+Where nothing rubs, the gas of each chamber does its work by itself, alike for all chambers that differ in their phase;
+what is left of the torque is smooth. Where something rubs, the whole machine is solved at the points of one quadrature.
+"""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.gas import VolumeLimits, chamber_state, kind_of
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.shafts import Shafts
+from cranktrain.linkage.forces import Drive, Reduced, ReducedInertia, torque_by_work
+from cranktrain.motion import ZERO, Array, single
+from cranktrain.numerics import Panels, integral_to, panels
+from cranktrain.numerics.harmonics import ComplexArray, harmonics, phasor
+from cranktrain.numerics.periodic import fourier_integral
+from cranktrain.questions.forces.events import ForceEvents
+from cranktrain.questions.forces.loaded import LoadedMachine, MechanismTorques, SolvedCycle, driving_torques
+from cranktrain.questions.gas.chambers import AMBIENT, GasInChambers
+from cranktrain.questions.gas.events import GasEvents
+from cranktrain.questions.gas.pressures import GasPressures
+from cranktrain.questions.motion.pistons import PistonMotion
+from cranktrain.questions.torque.fired import throw_torque
+from cranktrain.record import record
+
+_WIDEST = np.pi / 9
+"""Of a panel, for the highest order too. [rad]"""
+_REACH = 1.3
+"""How wide they may be for the distance of the volume's zeros in the complex plane, where p ~ V⁻ⁿ has its poles."""
+
+
+class Source(NamedTuple):
+    """A torque over angles of its own, which several places of a machine have, each from another crank angle on.
+
+    Attributes
+    ----------
+    panels : Panels
+    values : Array, shape (part, point)
+        At the panels' points; the parts act on different shafts. [N·m]
+    starts : Array, shape (place,)
+        Crank angle, as shown, of the source's own 0. [rad]
+    shafts : array of int, shape (place, part)
+        On which shaft each part acts.
+    """
+
+    panels: Panels
+    values: Array
+    starts: Array
+    shafts: NDArray[np.intp]
+
+
+@record
+class TorqueSources:
+    """The machine's torque on all shafts.
+
+    Attributes
+    ----------
+    sources : tuple of tuples of Source
+        Of each design.
+    rest : Array, shape (design, shaft, n)
+        What they leave of the torque on the grid; nothing where something rubs. [N·m]
+    inertia : Array, shape (design, n)
+        What inertia takes of the rest, Jε + ½J′ω², which does no work over a cycle; nothing where something rubs.
+        What is left is smooth at any speed. [N·m]
+    kept : Array, shape (design, n)
+        What inertia takes in the sources from the first point on, ½Jω²; nothing where it is in the rest. [J]
+    spent : Array, shape (design,)
+        Work that inertia takes over a cycle: none, but for one moment of acceleration ∮Jε dφ. [J]
+    """
+
+    sources: tuple[tuple[Source, ...], ...]
+    rest: Array
+    inertia: Array
+    kept: Array
+    spent: Array
+
+    def mean(self, cycle: float) -> Array:
+        """Mean torque on every shaft, shape (design, shaft). [N·m]"""
+        # At a speed that varies equal steps see work in the inertia that it does not do.
+        wrong = np.mean(self.inertia, axis=-1) - np.where(np.any(self.inertia, axis=-1), self.spent / cycle, 0.0)
+        found = np.mean(self.rest, axis=-1) + wrong[:, np.newaxis] / self.rest.shape[1]
+        for design, sources in enumerate(self.sources):
+            for one in sources:
+                own = np.broadcast_to(np.sum(one.values * one.panels.weight, axis=-1) / cycle, one.shafts.shape)
+                np.add.at(found[design], one.shafts, own)
+        return found
+
+    def orders(self, order: Array, cycle: float) -> ComplexArray:
+        """Amplitudes c_k of the torque of all shafts, Re Σ c_k e^{ikφ}, φ as shown, shape (design, order). [N·m]
+
+        Parameters
+        ----------
+        order : Array, shape (order,)
+            The first ones of the cycle, from 0 on in equal steps.
+        cycle : float
+            [rad]
+        """
+        smooth = harmonics(np.sum(self.rest, axis=1), cycle).vectors[..., : order.size]
+        found = np.zeros((len(smooth), order.size), dtype=np.complex128)
+        found[:, : smooth.shape[-1]] = smooth
+        share = np.where(order > 0, 2.0, 1.0) / cycle
+        for design, sources in enumerate(self.sources):
+            for one in sources:
+                # Orders are multiples of the first.
+                waves = np.empty((order.size, one.panels.angle.size), dtype=np.complex128)
+                waves[0], waves[1:] = 1.0, phasor(-order[1] * one.panels.angle)
+                waves = np.multiply.accumulate(waves, axis=0)
+                # A sum and no matrix product, for which threads would be woken.
+                own = share * np.sum(waves * (np.sum(one.values, axis=0) * one.panels.weight), axis=-1)
+                found[design] += own * np.sum(phasor(-order * one.starts[:, np.newaxis]), axis=0)
+        return found
+
+    def applied_work(self, shown: Array, cycle: float) -> Array:
+        """Work of the torque of all shafts without inertia, less its mean, from the grid's first angle to each.
+
+        Parameters
+        ----------
+        shown : Array, shape (n,)
+            The grid. [rad]
+        cycle : float
+            [rad]
+
+        Returns
+        -------
+        Array, shape (design, n). [J]
+        """
+        found = fourier_integral(np.sum(self.rest, axis=1) + self.inertia, cycle).samples + self.kept
+        step = float(shown[1] - shown[0])
+        for design, sources in enumerate(self.sources):
+            for one in sources:
+                values = np.sum(one.values, axis=0)
+                values = values - np.sum(values * one.panels.weight) / cycle
+                # Starts that are whole steps apart see the same points in turn.
+                steps = one.starts / step
+                beside: Array = np.round(np.mod(steps + 0.5, 1.0) - 0.5, 9)
+                for aside in np.unique(beside).tolist():
+                    whole = integral_to(one.panels, values, shown - aside * step)
+                    for late in np.rint(steps[beside == aside] - aside).astype(np.intp).tolist():
+                        laid = np.roll(whole, late)
+                        found[design] += laid - laid[0]
+        return found
+
+
+def torque_sources(
+    loaded: LoadedMachine,
+    solved: SolvedCycle,
+    shafts: Shafts,
+    crank_angle: CrankAngle,
+    events: ForceEvents,
+    gas_events: GasEvents | None,
+    gas: GasPressures | None,
+    motion: PistonMotion | None,
+    torques: MechanismTorques,
+) -> TorqueSources:
+    """Take the torque apart; docs/theory/harmonics-and-orders, eq. (15.17)."""
+    by_shaft = throw_torque(-driving_torques(loaded, solved.groups), shafts.shaft, len(shafts.names))
+    drive = Drive(*(part[:, 0] for part in loaded.speed.drive(crank_angle.angle)))
+    nothing = np.zeros_like(by_shaft[:, 0])
+    spent = np.zeros(len(by_shaft))
+    if loaded.speed.curve is not None and loaded.speed.curve.moment is not None:
+        each = torques.reduced_inertia * loaded.speed.curve.moment[:, 0]
+        spent = np.mean(each, axis=-1) * crank_angle.cycle
+    designs = range(len(by_shaft))
+    if loaded.masses.has_friction:
+        energy = torques.reduced_inertia * drive.speed**2 / 2
+        whole = tuple((source,) for source in _of_machines(loaded, shafts, crank_angle, events))
+        return TorqueSources(whole, np.zeros_like(by_shaft), nothing, energy - energy[..., :1], spent)
+    equation = Reduced(ReducedInertia(torques.reduced_inertia, torques.reduced_inertia_slope), ZERO)
+    inertia = torque_by_work(equation, drive)
+    if loaded.gas is None or gas_events is None or gas is None or motion is None:
+        return TorqueSources(((),) * len(designs), by_shaft, inertia, nothing, spent)
+    own = shafts.shaft[loaded.carriers.driven]
+    rest = by_shaft - throw_torque(gas.gas_force * motion.piston_velocity_coefficient, own, len(shafts.names))
+    sources = tuple(tuple(_of_chambers(loaded.gas, gas_events, crank_angle, own, design)) for design in designs)
+    return TorqueSources(sources, rest, inertia, nothing, spent)
+
+
+def _of_machines(
+    loaded: LoadedMachine, shafts: Shafts, crank_angle: CrankAngle, events: ForceEvents
+) -> Iterator[Source]:
+    """Torque on every shaft of each design, by the reactions."""
+    breaks = events.whole - crank_angle.zero[:, 0]
+    if (curve := loaded.speed.curve) is not None:
+        nodes = curve.square.angle + curve.zero[:, 0] - crank_angle.zero[:, 0]
+        breaks = np.concatenate([breaks, np.broadcast_to(nodes, (len(breaks), nodes.shape[-1]))], axis=-1)
+    cuts = [panels(own, _WIDEST, crank_angle.cycle) for own in breaks]
+    longest = max(cut.angle.size for cut in cuts)
+    asked = np.stack([np.pad(cut.angle, (0, longest - cut.angle.size), mode="edge") for cut in cuts])
+    solved = loaded.solved(asked[:, np.newaxis] + crank_angle.zero)
+    torque = throw_torque(-driving_torques(loaded, solved), shafts.shaft, len(shafts.names))
+    each = np.arange(len(shafts.names))[np.newaxis]
+    for cut, own in zip(cuts, torque, strict=True):
+        yield Source(cut, own[:, : cut.angle.size], np.zeros(1), each)
+
+
+def _of_chambers(
+    gas: GasInChambers, events: GasEvents, crank_angle: CrankAngle, shafts: NDArray[np.intp], design: int
+) -> Iterator[Source]:
+    """Torque of the gas in each chamber of one design on its pistons' shafts, by virtual work."""
+    kind, zero = kind_of(gas.specs[design]), float(crank_angle.zero[design, 0, 0])
+    for model, places in gas.alike(design):
+        first = places[0]
+        start = float(gas.firing[design, first, 0])
+        # Near its least value V = V_c + ½V″φ², which is 0 at an imaginary φ.
+        volume, _slope, curvature = (float(part[design, gas.distinct.index(first), 0]) for part in events.least)
+        away = float(np.sqrt(2 * volume / curvature))
+        cut = panels(
+            events.angle[design, first] - start, min(_WIDEST, _REACH * away) if away > 0 else _WIDEST, gas.cycle
+        )
+        motion = gas.volume_of(design, first, cut.angle + start)
+        limits = VolumeLimits(*(single(float(part[design, first, 0])) for part in gas.limits))
+        pressure = kind.pressure(chamber_state(motion, limits, cut.angle, single(gas.cycle)), model)
+        by_chamber = [np.flatnonzero(gas.chambers.areas[design, :, place]) for place in places]
+        if len(by_chamber[0]) == 1:
+            slopes = [motion.first]
+        else:
+            slopes = [
+                gas.chambers.areas[design, piston, first]
+                * -gas.pistons.alone(design, piston, cut.angle + start).slider.first[0]
+                for piston in by_chamber[0].tolist()
+            ]
+        torque = np.stack([(pressure - AMBIENT) * slope for slope in slopes])
+        yield Source(cut, torque, gas.firing[design, places, 0] - zero, shafts[np.stack(by_chamber)])

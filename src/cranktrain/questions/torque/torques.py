@@ -1,0 +1,246 @@
+"""Torque of a whole machine: on each shaft, through the gear between shafts, and gathered along each shaft."""
+
+from collections.abc import Mapping
+from dataclasses import field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.shafts import GearedShafts, Shafts
+from cranktrain.motion import Array
+from cranktrain.numerics import Peak
+from cranktrain.questions.forces.events import ForceEvents
+from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle, driving_torques, forces_times_arms
+from cranktrain.questions.forces.peaks import felt, largest_of_machine, one_sided
+from cranktrain.questions.torque import fired as along_shaft
+from cranktrain.questions.torque.sources import TorqueSources
+from cranktrain.record import record
+from cranktrain.wording import Names, number
+
+_SHAFT = ("shaft",)
+_THEORY = "docs/theory/forces"
+_ROUNDING = 1e-12
+"""Torques smaller than this part of the peak may be of either sign."""
+_NOTHING = 1e-9
+"""A mean torque below this part of the peak is none: a machine without gas gives no work."""
+
+
+@record
+class TorquePeaks:
+    """Extremes of torques, refined together; nothing that people read as it is.
+
+    Attributes
+    ----------
+    largest, smallest : Peak, shapes (design,)
+        Of all mechanisms together. [N·m]
+    in_journals : Peak, shapes (design, journal)
+        Of the torque's size in every journal. [N·m]
+    """
+
+    largest: Peak
+    smallest: Peak
+    in_journals: Peak
+
+
+def torque_peaks(
+    loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, events: ForceEvents, crank_angle: CrankAngle
+) -> TorquePeaks:
+    """Find the extremes of the torques along the shafts, all on one evaluation of the mechanisms."""
+
+    def curves(driving: Array) -> Array:
+        whole = np.sum(driving, axis=1, keepdims=True)
+        return np.concatenate([-whole, whole, np.abs(_passed(driving, shafts))], axis=1)
+
+    found = largest_of_machine(
+        lambda angle: curves(driving_torques(loaded, loaded.solved(angle))),
+        curves(driving_torques(loaded, solved.groups)),
+        events,
+        crank_angle,
+    )
+    largest, smallest, in_journals = (Peak(*(part[:, rows] for part in found)) for rows in (0, 1, slice(2, None)))
+    return TorquePeaks(largest, smallest._replace(value=-smallest.value), in_journals)
+
+
+@record
+class ShaftTorques:
+    """Torque of the machine on its shafts, by the reactions: positive in each shaft's own running sense.
+
+    gross, shape (design,), is what all forces would do by their arms. [N·m]
+    """
+
+    shaft_torque: Array = quantity(
+        "T", "N*m", ("shaft", "crank_angle"), N_("Torque of the machine on the shaft, in its sense of running"), _THEORY
+    )
+    machine_torque: Array = quantity(
+        "T_Σ", "N*m", ("crank_angle",), N_("Torque of the machine on all shafts together, at the main shaft"), _THEORY
+    )
+    mean_torque: Array = quantity("T_m", "N*m", (), N_("Mean torque of the machine over a cycle"), _THEORY)
+    largest_torque: Array = quantity("T_max", "N*m", (), N_("Largest torque of the machine"), _THEORY)
+    largest_torque_at: Array = quantity("φ(T_max)", "deg", (), N_("Crank angle of the largest torque"), _THEORY)
+    smallest_torque: Array = quantity("T_min", "N*m", (), N_("Smallest torque of the machine"), _THEORY)
+    smallest_torque_at: Array = quantity("φ(T_min)", "deg", (), N_("Crank angle of the smallest torque"), _THEORY)
+    gross: Array = field(kw_only=True)
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"shaft": ()})
+    flags: tuple[str, ...] = ()
+
+    def answer(self, names: Names, design: int) -> str:
+        """Say mean, largest and smallest torque; none where it is nothing beside what the forces could do."""
+        del names
+        if max(abs(self.largest_torque[design]), abs(self.smallest_torque[design])) <= _NOTHING * self.gross[design]:
+            return _("Torque on the shaft: none.")
+        return _("Torque on the shaft: mean {mean}, from {least} at {low} to {most} at {high}.").format(
+            mean=number(float(self.mean_torque[design]), "N*m"),
+            least=number(float(self.smallest_torque[design]), "N*m"),
+            low=number(float(self.smallest_torque_at[design]), "deg"),
+            most=number(float(self.largest_torque[design]), "N*m"),
+            high=number(float(self.largest_torque_at[design]), "deg"),
+        )
+
+
+def shaft_torques(
+    loaded: LoadedMachine,
+    solved: SolvedCycle,
+    shafts: Shafts,
+    crank_angle: CrankAngle,
+    sources: TorqueSources,
+    peaks: TorquePeaks,
+) -> ShaftTorques:
+    """Torque on every shaft over the cycle, its mean by quadrature, and extremes refined on the mechanisms.
+
+    Notes
+    -----
+    A mechanism's crank angle counts in its own shaft's sense and all shafts turn alike fast, so the torques of all
+    simply add up to what the main shaft feels. docs/theory/forces, eq. (13.38).
+    """
+    by_mechanism = -driving_torques(loaded, solved.groups)
+    by_shaft = along_shaft.throw_torque(by_mechanism, shafts.shaft, len(shafts.names))
+    whole = np.sum(by_shaft, axis=1)
+    mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
+    gross = np.sum(forces_times_arms(loaded, solved.groups), axis=-1)
+    most, least = (felt(peak, gross) for peak in (peaks.largest, peaks.smallest))
+    return ShaftTorques(
+        gross=gross,
+        shaft_torque=by_shaft,
+        machine_torque=whole,
+        mean_torque=np.where(np.abs(mean) <= _ROUNDING * np.maximum(np.max(np.abs(whole), axis=-1), gross), 0.0, mean),
+        largest_torque=most.value,
+        largest_torque_at=most.angle,
+        smallest_torque=least.value,
+        smallest_torque_at=least.angle,
+        labels={"shaft": shafts.names},
+        flags=tuple(one_sided([(_("largest torque"), most), (_("smallest torque"), least)])),
+    )
+
+
+@record
+class JournalTorques:
+    """Torque that each main journal passes on toward the flywheel, gathered from the free end."""
+
+    journal_torque: Array = quantity(
+        "T_J", "N*m", ("journal", "crank_angle"), N_("Torque that the main journal passes on to the flywheel"), _THEORY
+    )
+    largest_journal_torque: Array = quantity(
+        "T_J,max", "N*m", ("journal",), N_("Largest torque in the journal, of either sense"), _THEORY
+    )
+    largest_journal_torque_at: Array = quantity(
+        "φ(T_J,max)", "deg", ("journal",), N_("Crank angle of the largest torque in the journal"), _THEORY
+    )
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"journal": ()})
+
+
+def journal_torques(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, peaks: TorquePeaks) -> JournalTorques:
+    """Torque along every shaft: journal 1 stands before throw 1 and passes nothing, the last one passes all.
+
+    What a gear takes or brings is reckoned at the flywheel's end. docs/theory/harmonics-and-orders, eq. (15.13).
+    """
+    passed = _passed(driving_torques(loaded, solved.groups), shafts)
+    largest = peaks.in_journals
+    return JournalTorques(passed, largest.value, largest.angle, {"journal": shafts.journals})
+
+
+def _passed(driving: Array, shafts: Shafts) -> Array:
+    """Torque that every journal passes on, from what must drive each mechanism, shape (design, journal, n)."""
+    rows: list[Array] = []
+    for shaft, n_throws in enumerate(shafts.n_throws):
+        own = shafts.shaft == shaft
+        by_throw = along_shaft.throw_torque(-driving[:, own], shafts.throw[own], n_throws)
+        rows.append(along_shaft.journal_torque(by_throw))
+    return np.concatenate(rows, axis=1)
+
+
+@record
+class GearTorques:
+    """What the gear passes from every other shaft to the main one, and each shaft's share of the work."""
+
+    gear_torque: Array = quantity(
+        "T_g",
+        "N*m",
+        ("shaft", "crank_angle"),
+        N_("Torque that the gear passes from the shaft to the main one"),
+        _THEORY,
+    )
+    gear_reversals: Array = quantity(
+        "n_r", "1", _SHAFT, N_("How often the gear's torque changes its sign over a cycle"), _THEORY
+    )
+    work_share: Array = quantity("W/W_Σ", "1", _SHAFT, N_("Share of the shaft in the work of all"), _THEORY)
+
+    def answer(self, names: Names, design: int) -> str:
+        """Say what the gear passes, how often it reverses, and who does the work."""
+        said = [
+            _("{shaft} passes {least} to {most} to the main shaft, reversing {n} times a cycle").format(
+                shaft=shaft,
+                least=number(float(np.min(self.gear_torque[design, i])), "N*m"),
+                most=number(float(np.max(self.gear_torque[design, i])), "N*m"),
+                n=f"{self.gear_reversals[design, i]:.0f}",
+            )
+            for i, shaft in enumerate(names["shaft"])
+            if not np.isnan(self.gear_reversals[design, i])
+        ]
+        share = self.work_share[design]
+        if np.any(np.isnan(share)):
+            return _("Gear: {shafts}.").format(shafts="; ".join(said))
+        return _("Gear: {shafts}. Shares of the work: {shares}.").format(
+            shafts="; ".join(said),
+            shares=", ".join(
+                f"{number(float(part), '%')} ({name})" for part, name in zip(share, names["shaft"], strict=True)
+            ),
+        )
+
+
+def gear_torques(
+    geared: GearedShafts, torques: ShaftTorques, sources: TorqueSources, crank_angle: CrankAngle
+) -> GearTorques:
+    """What an ideal gear passes from each shaft to the main one; NaN for that one itself.
+
+    At constant speed a balanced shaft takes nothing for itself: the gear passes all. Work shares are NaN where the
+    machine does no work. docs/theory/forces, eq. (13.39).
+    """
+    other = np.arange(len(geared.shafts.names)) != geared.shafts.main
+    passed = np.where(other[:, np.newaxis], torques.shaft_torque, np.nan)
+    mean = sources.mean(crank_angle.cycle)
+    total = np.sum(mean, axis=-1, keepdims=True)
+    peak = np.max(np.abs(torques.shaft_torque), axis=(1, 2))[:, np.newaxis]
+    return GearTorques(
+        gear_torque=passed,
+        gear_reversals=np.where(other, reversals(torques.shaft_torque), np.nan),
+        work_share=np.where(np.abs(total) > _NOTHING * peak, mean / total, np.nan),
+    )
+
+
+def reversals(curve: Array) -> Array:
+    """How often a periodic curve, shape (..., n), changes its sign round the cycle.
+
+    Neither a zero between two values of one sign is a change, nor what rounding leaves of it; NaN is passed over.
+    """
+    known = np.nan_to_num(curve)
+    felt = np.abs(known) > _ROUNDING * np.max(np.abs(known), axis=-1, keepdims=True)
+    sign = np.where(felt, np.sign(known), 0.0)
+    place: NDArray[np.intp] = np.where(sign == 0, 0, np.arange(1, curve.shape[-1] + 1, dtype=np.intp))
+    last: NDArray[np.intp] = np.maximum.accumulate(place, axis=-1)
+    # What stands before the first sign is the last one of the cycle before.
+    last = np.where(last == 0, last[..., -1:], last)
+    held: Array = np.take_along_axis(sign, np.maximum(last - 1, 0), axis=-1)
+    return np.sum(held != np.roll(held, 1, axis=-1), axis=-1).astype(np.float64)

@@ -1,0 +1,56 @@
+"""Work of the torque over a cycle against the work of the gas."""
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.checks import Check
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.motion import Array
+from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle, forces_times_arms
+from cranktrain.questions.gas.pressures import GasPressures
+from cranktrain.questions.torque.sources import TorqueSources
+from cranktrain.record import record
+
+_THEORY = "docs/theory/forces"
+_EXACT_LIMIT = 1e-12
+_SHARE = 0.1
+"""Of forces times arms, for 1 rad: work that is less is judged by these; an engine's gas does more."""
+
+
+@record
+class WorkBalance:
+    """Work of the gas over a cycle, without any step of the grid, and whether the torque does it."""
+
+    gas_work: Array = quantity(
+        "W", "J", (), N_("Work of the gas in all chambers over a cycle, in closed form or by exact quadrature"), _THEORY
+    )
+    checks: tuple[Check, ...] = ()
+
+
+def work_balance(
+    loaded: LoadedMachine,
+    solved: SolvedCycle,
+    pressures: GasPressures,
+    sources: TorqueSources,
+    crank_angle: CrankAngle,
+) -> WorkBalance:
+    """Work of gas and torque; with friction in the guides, which takes some, there is no check.
+
+    At one moment's angular acceleration ε the torque also gives the inertia ∮Jε dφ.
+
+    Notes
+    -----
+    docs/theory/forces, eq. (13.40).
+    """
+    works = pressures.indicated_work
+    total = np.sum(works, axis=-1)
+    if loaded.masses.has_friction:
+        return WorkBalance(total)
+    # What inertia takes at a moment of acceleration, the shaft does not get.
+    done = np.sum(sources.mean(crank_angle.cycle), axis=-1) * crank_angle.cycle + sources.spent
+    # Gas may do no work at all, and what works on the shaft may cancel: that leaves rounding of forces times arms.
+    on_the_way = np.sum(forces_times_arms(loaded, solved.groups), axis=1)
+    residual = np.abs(done - total) / np.maximum(np.sum(np.abs(works), axis=-1), _SHARE * on_the_way)
+    sentence = _("Work of the torque by the reactions, by quadrature, against that of the gas")
+    return WorkBalance(total, (Check("work", sentence, residual, _EXACT_LIMIT),))

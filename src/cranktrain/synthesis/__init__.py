@@ -1,0 +1,1 @@
+"""Dimensions found from wants."""

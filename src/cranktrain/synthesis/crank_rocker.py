@@ -1,0 +1,293 @@
+"""Crank-rocker from swing, time ratio and rocker length, with the best transmission angle; docs/theory/synthesis."""
+
+from math import degrees, pi, sin
+from typing import Literal
+
+import numpy as np
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.mechanisms.crank_rocker.facts import CLASSES
+from cranktrain.motion import single
+from cranktrain.synthesis.four_bars import (
+    FourBar,
+    Want,
+    best_parameter,
+    excess_angle,
+    four_bar,
+    judged,
+    largest_time_ratio,
+    rod_with_equal_swings,
+    with_equal_swings,
+)
+from cranktrain.synthesis.proposal import Alternative, Number, Proposal, Table, found, shaft_table, wanted
+from cranktrain.wording import number, precise
+
+Swing = Literal["forward", "backward"]
+"""Of the rocker: in the sense of the crank's rotation, or against it."""
+
+_SIDES = {"forward": -1, "backward": 1}
+"""On which side of the chord the shaft must lie for the slow swing to be in that sense; eq. (8.11)."""
+
+_SHOWN = 7
+_EQUAL = 1e-9
+"""Below this excess angle the slow and the quick swing are the same: the rod becomes free. [rad]"""
+
+
+def crank_rocker_from_swing(
+    swing: float,
+    time_ratio: float,
+    rocker_length: float,
+    *,
+    transmission_angle: float | None = None,
+    rod_length: float | None = None,
+    slow_swing: Swing = "forward",
+    speed: float | None = None,
+) -> Proposal:
+    """Propose the crank-rocker whose smallest transmission angle is the largest.
+
+    Parameters
+    ----------
+    swing : float
+        Of the rocker, between 0 and π. [rad]
+    time_ratio : float
+        Time of the slow swing over that of the quick one, at constant speed; at least 1.
+    rocker_length : float
+        [m]
+    transmission_angle : float, optional
+        Least that is permitted. With a time ratio of 1, where the rod is free, it is met exactly. [rad]
+    rod_length : float, optional
+        For a time ratio of 1 only. [m]
+    slow_swing : "forward" or "backward"
+        In which sense the rocker swings slowly; forward is the better drive.
+    speed : float, optional
+        [rad/s]
+
+    Returns
+    -------
+    Proposal
+        With the numbers `crank_radius`, `rod_length`, `rocker_length`, `ground_length`, `transmission_angle`, `swing`,
+        `time_ratio`, `parameter`; alternatives over the range of the free parameter on both sides.
+
+    Raises
+    ------
+    InputError
+        If no crank-rocker can do it, with what is possible.
+
+    Examples
+    --------
+    >>> from math import degrees, radians
+    >>> proposal = crank_rocker_from_swing(radians(50), 1.2, 1.0)
+    >>> round(proposal.value("crank_radius"), 6), round(degrees(proposal.value("transmission_angle")), 5)
+    (0.401961, 43.25994)
+    """
+    _refuse_impossible(swing, time_ratio, rocker_length, transmission_angle, rod_length, speed)
+    _refuse_unreachable(swing, time_ratio, slow_swing)
+    want = Want(swing, excess_angle(time_ratio), rocker_length)
+    if want.excess < _EQUAL:
+        return _of_equal_swings(want, transmission_angle, rod_length, speed)
+    if rod_length is not None:
+        allowed = _("must be left out: with a time ratio other than 1 the best rod follows from swing and ratio")
+        raise InputError([Problem("rod_length", precise(rod_length), allowed)])
+    side = _SIDES[slow_swing]
+    parameter = best_parameter(want, side)
+    bars = four_bar(want, single(parameter), side)
+    reached = float(judged(want, bars).transmission_angle)
+    if transmission_angle is not None and reached < transmission_angle:
+        allowed = _("must be at most {angle} with this swing and time ratio").format(angle=number(reached, "deg"))
+        raise InputError([Problem("transmission_angle", number(transmission_angle, "deg"), allowed)])
+    return _proposal(
+        want,
+        bars,
+        speed,
+        parameter=parameter,
+        alternatives=_alternatives(want, side),
+        remarks=(
+            _("One parameter is free; ξ = {angle} gives the largest smallest transmission angle, {best}.").format(
+                angle=number(parameter, "deg"), best=number(reached, "deg")
+            ),
+            *_transmission_remarks(reached),
+        ),
+    )
+
+
+def _refuse_impossible(
+    swing: float,
+    time_ratio: float,
+    rocker_length: float,
+    transmission_angle: float | None,
+    rod_length: float | None,
+    speed: float | None,
+) -> None:
+    """Refuse wants that contradict themselves or geometry."""
+    problems: list[Problem] = []
+    if not 0 < swing < pi:
+        problems.append(Problem("swing", number(swing, "deg"), _("must lie between 0 and 180 deg")))
+    if not time_ratio >= 1:
+        allowed = _("must be at least 1: the slow swing's time over the quick one's")
+        problems.append(Problem("time_ratio", f"{time_ratio:g}", allowed))
+    lengths = {"rocker_length": rocker_length, "rod_length": rod_length}
+    problems += [
+        Problem(name, precise(length), _("must be more than 0"))
+        for name, length in lengths.items()
+        if length is not None and not length > 0
+    ]
+    if transmission_angle is not None and not 0 < transmission_angle < pi / 2:
+        allowed = _("must lie between 0 and 90 deg")
+        problems.append(Problem("transmission_angle", number(transmission_angle, "deg"), allowed))
+    if speed is not None and not speed > 0:
+        problems.append(Problem("speed", f"{speed:g}", _("must be more than 0")))
+    if problems:
+        raise InputError(problems)
+
+
+def _refuse_unreachable(swing: float, time_ratio: float, slow_swing: Swing) -> None:
+    """Refuse a time ratio that no crank-rocker of this swing has."""
+    most = largest_time_ratio(swing, _SIDES[slow_swing])
+    if time_ratio < most:
+        return
+    allowed = _("must be less than {most:.3f} for a swing of {swing}").format(most=most, swing=number(swing, "deg"))
+    repair = None
+    if time_ratio < (forward := largest_time_ratio(swing, -1)):
+        repair = _("with the slow swing in the sense of rotation it can be up to {most:.3f}").format(most=forward)
+    raise InputError([Problem("time_ratio", f"{time_ratio:g}", allowed, repair)])
+
+
+def _of_equal_swings(
+    want: Want, transmission_angle: float | None, rod_length: float | None, speed: float | None
+) -> Proposal:
+    """Propose for a time ratio of 1: the crank follows from the swing, the rod is free."""
+    rocker = want.rocker_length
+    radius = rocker * sin(want.swing / 2)
+    limit = (pi - want.swing) / 2
+    if (rod_length is None) == (transmission_angle is None):
+        allowed = _("is missing, and transmission_angle with it; with a time ratio of 1 the rod is free: give one")
+        if rod_length is not None:
+            allowed = _("must not stand beside transmission_angle; give one of them")
+        raise InputError([Problem("rod_length", None if rod_length is None else precise(rod_length), allowed)])
+    if rod_length is not None and rod_length <= radius:
+        allowed = _("must be more than the crank radius, {least}").format(least=precise(radius))
+        raise InputError([Problem("rod_length", precise(rod_length), allowed)])
+    if transmission_angle is not None and transmission_angle >= limit:
+        allowed = _("must be less than {limit} for this swing, which only an endless rod would reach")
+        raise InputError(
+            [
+                Problem(
+                    "transmission_angle",
+                    number(transmission_angle, "deg"),
+                    allowed.format(limit=number(limit, "deg")),
+                )
+            ]
+        )
+    rod = rod_length if transmission_angle is None else rod_with_equal_swings(want, transmission_angle)
+    assert rod is not None  # one of the two is given
+    bars = with_equal_swings(want, rod)
+    return _proposal(
+        want,
+        bars,
+        speed,
+        parameter=None,
+        alternatives=_with_other_rods(want, rod),
+        remarks=(
+            _("With equal swings the crank follows from the swing and the rod is free."),
+            _("A longer rod transmits better, but never quite at {limit}.").format(limit=number(limit, "deg")),
+            *_transmission_remarks(float(judged(want, bars).transmission_angle)),
+        ),
+    )
+
+
+def _with_other_rods(want: Want, rod: float) -> tuple[Alternative, ...]:
+    """Four-bars of time ratio 1 with rods shorter and longer."""
+    return tuple(
+        _alternative(_("rod × {factor:g}").format(factor=factor), want, with_equal_swings(want, factor * rod))
+        for factor in (0.5, 0.75, 1.5, 2.0, 4.0)
+        if factor * rod > want.rocker_length * sin(want.swing / 2)
+    )
+
+
+def _alternatives(want: Want, side: int) -> tuple[Alternative, ...]:
+    """Four-bars over the range of the parameter on the chosen side, and the best of the other side."""
+    values = np.linspace(want.excess / 2, pi / 2, _SHOWN + 2)[1:-1].tolist()
+    chosen = [
+        _alternative(_("ξ = {angle:.2f} deg").format(angle=degrees(value)), want, four_bar(want, single(value), side))
+        for value in values
+    ]
+    other = best_parameter(want, -side)
+    if not np.isnan(other):
+        label = _("best with the slow swing in the sense of rotation")
+        if side < 0:
+            label = _("best with the slow swing against the sense of rotation")
+        chosen.append(_alternative(label, want, four_bar(want, single(other), -side)))
+    return tuple(chosen)
+
+
+def _alternative(label: str, want: Want, bars: FourBar) -> Alternative:
+    """Numbers of one four-bar, and in its label what keeps it from being used."""
+    verdict = judged(want, bars)
+    kind = int(verdict.grashof_class)
+    if kind != 0:
+        label = _("{label}: no crank-rocker; {kind}").format(label=label, kind=_(CLASSES[kind]))
+    elif not verdict.is_one_branch:
+        label = _("{label}: its dead positions lie on different branches").format(label=label)
+    return Alternative(label, _numbers(bars, float(verdict.transmission_angle)))
+
+
+def _numbers(bars: FourBar, transmission_angle: float) -> tuple[Number, ...]:
+    """Lengths and transmission angle."""
+    radius, rod, rocker, ground = (float(length) for length in bars)
+    return (
+        Number("crank_radius", "R", radius, "mm", _("Crank radius")),
+        Number("rod_length", "l", rod, "mm", _("Rod length")),
+        Number("rocker_length", "r", rocker, "mm", _("Rocker length")),
+        Number("ground_length", "g", ground, "mm", _("Shaft centre to the rocker's pivot")),
+        Number("transmission_angle", "μ", transmission_angle, "deg", _("Smallest transmission angle, μ or 180° − μ")),
+    )
+
+
+def _transmission_remarks(reached: float) -> tuple[str, ...]:
+    """Warn where the rod drives the rocker badly."""
+    if reached >= 2 * pi / 9:
+        return ()
+    return (_("The transmission angle falls below the usual 40 deg: expect large bearing forces there."),)
+
+
+def _proposal(
+    want: Want,
+    bars: FourBar,
+    speed: float | None,
+    *,
+    parameter: float | None,
+    alternatives: tuple[Alternative, ...],
+    remarks: tuple[str, ...],
+) -> Proposal:
+    """Put a four-bar together with its machine file."""
+    ratio = (pi + want.excess) / (pi - want.excess)
+    how = _("equal swings") if parameter is None else _("swing, time ratio, largest transmission angle")
+    free = () if parameter is None else (Number("parameter", "ξ", parameter, "deg", _("Free parameter")),)
+    return Proposal(
+        title=_("Crank-rocker with a swing of {swing}, time ratio {ratio:.4g}").format(
+            swing=number(want.swing, "deg"), ratio=ratio
+        ),
+        numbers=(
+            *_numbers(bars, float(judged(want, bars).transmission_angle)),
+            Number("swing", "γ", want.swing, "deg", _("Swing of the rocker")),
+            Number("time_ratio", "k", ratio, "1", _("Time of the slow swing over that of the quick one")),
+            *free,
+        ),
+        alternatives=alternatives,
+        remarks=remarks,
+        tables=(
+            *shaft_table(speed),
+            Table(
+                "mechanism",
+                {
+                    "kind": '"crank_rocker"',
+                    "crank_radius": found(float(bars.crank_radius), "mm", how),
+                    "rod_length": found(float(bars.rod_length), "mm", how),
+                    "rocker_length": wanted(want.rocker_length, "mm"),
+                    "ground_length": found(float(bars.ground_length), "mm", how),
+                    "side": '"left"',
+                },
+            ),
+        ),
+    )

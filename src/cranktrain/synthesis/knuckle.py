@@ -1,0 +1,357 @@
+"""Knuckle of an articulated rod from a wanted stroke, unshifted dead centre, pin height or compression ratio."""
+
+from math import pi
+from typing import Literal, NamedTuple
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.mechanisms.articulated_rod import ArticulatedRod
+from cranktrain.mechanisms.slider_crank import SliderCrank
+from cranktrain.motion import single
+from cranktrain.synthesis.knuckle_equations import (
+    Free,
+    Goal,
+    height_goal,
+    ratio_goal,
+    stroke_goal,
+    stroke_product,
+    unshifted_angle,
+)
+from cranktrain.synthesis.knuckle_numbers import cylinder_table, master_stroke, master_top, slave_numbers
+from cranktrain.synthesis.knuckle_search import is_usable, searched
+from cranktrain.synthesis.proposal import (
+    Alternative,
+    Proposal,
+    Table,
+    found,
+    quantity_text,
+    quoted,
+    shaft_table,
+    wanted,
+)
+from cranktrain.wording import number, precise
+
+_FREE: tuple[Free, ...] = ("articulation_angle", "knuckle_radius", "rod_length")
+_UNITS: dict[Free, str] = {"articulation_angle": "deg", "knuckle_radius": "mm", "rod_length": "mm"}
+_FACTORS = (0.8, 0.9, 1.1, 1.2)
+_STEPS = tuple(pi / 180 * degree for degree in (-4, -2, 2, 4))
+_KNUCKLE_SHARE = 0.25
+"""Where the search for a free knuckle radius begins, in parts of the master rod; the slave rod has the rest."""
+
+
+class Wants(NamedTuple):
+    """What a slave is to have; None and False: no matter.
+
+    stroke [m]; unshifted: the dead centre that must stay where the crank points along the cylinder; same_height: piston
+    pin as high at the top as the master's; same_ratio: the master's compression ratio, which the slave must have too.
+    """
+
+    stroke: float | None
+    unshifted: Literal["top", "bottom"] | None
+    same_height: bool
+    same_ratio: float | None
+
+    @property
+    def decided(self) -> int:
+        """How many dimensions they decide."""
+        return sum([self.stroke is not None, self.unshifted is not None, self.same_height, self.same_ratio is not None])
+
+
+def knuckle_from_wants(
+    crank_radius: float,
+    master_rod_length: float,
+    bank_angle: float,
+    *,
+    master_offset: float = 0.0,
+    stroke: float | None = None,
+    unshifted: Literal["top", "bottom"] | None = None,
+    same_height: bool = False,
+    same_ratio: float | None = None,
+    knuckle_radius: float | None = None,
+    rod_length: float | None = None,
+    articulation_angle: float | None = None,
+    bore: float | None = None,
+    speed: float | None = None,
+) -> Proposal:
+    """Propose a knuckle: of r, l and ζ as many are free as there are wants, the others are given.
+
+    Parameters
+    ----------
+    crank_radius, master_rod_length : float
+        [m]
+    bank_angle : float
+        γ, from the master's cylinder to the slave's in the sense of rotation. [rad]
+    master_offset : float
+        [m]
+    stroke : float, optional
+        Wanted of the slave. [m]
+    unshifted : "top" or "bottom", optional
+        The dead centre that is to stay where the crank points along the slave's cylinder.
+    same_height : bool
+        Whether the slave's piston pin is to stand as high at its top as the master's.
+    same_ratio : float, optional
+        Compression ratio of the master that the slave is to have too, with the same deck and chamber.
+    knuckle_radius, rod_length, articulation_angle : float, optional
+        r [m], l [m] and ζ [rad] where they are given.
+    bore : float, optional
+        For the machine file. [m]
+    speed : float, optional
+        [rad/s]
+
+    Returns
+    -------
+    Proposal
+        With the numbers `knuckle_radius`, `articulation_angle`, `rod_length`, `stroke`, `top_shift`, `bottom_shift`,
+        `top_distance`, `height_over_master`, `stroke_product`, and `compression_ratio` where one is wanted;
+        alternatives: other solutions, the same wants with other dimensions, other wants with the same r and l.
+
+    Raises
+    ------
+    InputError
+        If no knuckle can do it, with what is possible.
+
+    Examples
+    --------
+    >>> from math import degrees, radians
+    >>> proposal = knuckle_from_wants(0.09, 0.32, radians(60), stroke=0.1867, knuckle_radius=0.085, rod_length=0.235)
+    >>> round(degrees(proposal.value("articulation_angle")), 2)
+    66.63
+    """
+    wants = Wants(stroke, unshifted, same_height, same_ratio)
+    given: dict[Free, float | None] = {
+        "articulation_angle": articulation_angle,
+        "knuckle_radius": knuckle_radius,
+        "rod_length": rod_length,
+    }
+    master = SliderCrank(single(crank_radius), single(master_rod_length), single(master_offset))
+    _refuse_impossible(wants, given, master, bank_angle, bore, speed)
+    known: dict[Free, float] = {name: value for name, value in given.items() if value is not None}
+    rods = _solutions(master, bank_angle, wants, known)
+    rod = rods[0]
+    return Proposal(
+        title=_("Articulated rod {angle} after its master").format(angle=number(bank_angle, "deg")),
+        numbers=slave_numbers(rod, same_ratio),
+        alternatives=(
+            *(Alternative(_("another solution"), slave_numbers(one, same_ratio)) for one in rods[1:]),
+            *_with_other_dimensions(rod, wants, known),
+            *_with_other_wants(rod, same_ratio),
+        ),
+        remarks=_remarks(rod, wants, known),
+        tables=_tables(rod, wants, known, bore, speed),
+    )
+
+
+def _refuse_impossible(
+    wants: Wants,
+    given: dict[Free, float | None],
+    master: SliderCrank,
+    bank_angle: float,
+    bore: float | None,
+    speed: float | None,
+) -> None:
+    """Refuse wants that contradict themselves or geometry."""
+    positive = {
+        "crank_radius": float(master.crank_radius),
+        "stroke": wants.stroke,
+        "knuckle_radius": given["knuckle_radius"],
+        "rod_length": given["rod_length"],
+        "bore": bore,
+    }
+    problems = [
+        Problem(name, precise(value), _("must be more than 0"))
+        for name, value in positive.items()
+        if value is not None and not value > 0
+    ]
+    if speed is not None and not speed > 0:
+        problems.append(Problem("speed", f"{speed:g}", _("must be more than 0")))
+    if not -2 * pi < bank_angle < 2 * pi:
+        problems.append(Problem("bank_angle", number(bank_angle, "deg"), _("must lie between -360 and 360 deg")))
+    least = float(master.crank_radius + abs(master.offset))
+    if not master.rod_length > least:
+        allowed = _("must be more than {least}, or the crank cannot turn").format(least=precise(least))
+        problems.append(Problem("master_rod_length", precise(float(master.rod_length)), allowed))
+    if wants.same_ratio is not None and not wants.same_ratio > 1:
+        problems.append(Problem("same_ratio", f"{wants.same_ratio:g}", _("must be more than 1")))
+    problems += _count_problems(wants, [name for name, value in given.items() if value is None])
+    if problems:
+        raise InputError(problems)
+
+
+def _count_problems(wants: Wants, free: list[Free]) -> list[Problem]:
+    """Say what is missing or too much where wants and free dimensions are not as many."""
+    if wants.decided == 0:
+        allowed = _("is missing; want a stroke, an unshifted dead centre, the same_height or the same_ratio")
+        return [Problem("stroke", None, allowed)]
+    if wants.decided != len(free):
+        allowed = _("each want decides one dimension; wants: {wants}, free dimensions: {free}").format(
+            wants=wants.decided, free=len(free)
+        )
+        repair = _("give more of {names}").format(names=", ".join(free))
+        if wants.decided > len(free):
+            repair = _("leave out more of {names}").format(names=", ".join(name for name in _FREE if name not in free))
+        return [Problem("", None, allowed, repair)]
+    if wants.unshifted is not None and "articulation_angle" not in free:
+        allowed = _("must be left out: an unshifted dead centre decides it")
+        return [Problem("articulation_angle", None, allowed)]
+    if wants.decided - (wants.unshifted is not None) == 3:
+        allowed = _("must not stand beside stroke and same_ratio, which decide the height")
+        return [Problem("same_height", None, allowed)]
+    return []
+
+
+def _solutions(
+    master: SliderCrank, bank_angle: float, wants: Wants, known: dict[Free, float]
+) -> tuple[ArticulatedRod, ...]:
+    """Give all rods that meet the wants; refuse wants that none meets."""
+    length = float(master.rod_length)
+    knuckle = known.get("knuckle_radius", _KNUCKLE_SHARE * length)
+    rod = ArticulatedRod(
+        master,
+        single(knuckle),
+        single(known.get("articulation_angle", bank_angle)),
+        single(bank_angle),
+        single(known.get("rod_length", max(length - knuckle, _KNUCKLE_SHARE * length))),
+        single(0.0),
+    )
+    free: list[Free] = [name for name in _FREE if name not in known]
+    if wants.unshifted is not None:
+        rod = rod._replace(articulation_angle=unshifted_angle(rod, wants.unshifted))
+        free.remove("articulation_angle")
+    goals = _goals(wants, master)
+    if not goals:
+        if is_usable(rod):
+            return (rod,)
+        allowed = _("is too short: the slave cannot close")
+        raise InputError([Problem("rod_length", precise(float(rod.rod_length)), allowed)])
+    search = searched(rod, goals, tuple(free))
+    if not search.rods:
+        raise InputError([_unreachable(wants, search.least, search.most, free)])
+    return search.rods
+
+
+def _goals(wants: Wants, master: SliderCrank) -> tuple[Goal, ...]:
+    """The wants as equations, the stroke first: it varies most with what is chosen first."""
+    goals: list[Goal] = []
+    if wants.stroke is not None:
+        goals.append(stroke_goal(wants.stroke))
+    if wants.same_height:
+        goals.append(height_goal(master_top(master)))
+    if wants.same_ratio is not None:
+        goals.append(ratio_goal(wants.same_ratio, master_top(master), master_stroke(master), wants.same_ratio))
+    return tuple(goals)
+
+
+def _unreachable(wants: Wants, least: float, most: float, free: list[Free]) -> Problem:
+    """Say what can be reached where a want cannot."""
+    names = ", ".join(free)
+    if wants.stroke is not None and least <= most:
+        allowed = _("must lie between {least} and {most}, all that {names} can give here").format(
+            least=precise(least), most=precise(most), names=names
+        )
+        return Problem("stroke", precise(wants.stroke), allowed)
+    path = "same_height" if wants.same_height else "same_ratio" if wants.same_ratio is not None else "stroke"
+    allowed = _("cannot be met by {names} with what is given: every rod that would is one that does not close")
+    return Problem(path, None, allowed.format(names=names))
+
+
+def _with_other_dimensions(rod: ArticulatedRod, wants: Wants, known: dict[Free, float]) -> tuple[Alternative, ...]:
+    """The same wants met with each given dimension somewhat changed; those that cannot be had are left out."""
+    found_ones: list[Alternative] = []
+    for name, value in known.items():
+        changed = [value + step for step in _STEPS] if name == "articulation_angle" else [value * by for by in _FACTORS]
+        for other in changed:
+            try:
+                best = _solutions(rod.master, float(rod.bank_angle), wants, {**known, name: other})[0]
+            except InputError:
+                continue
+            label = _("the same wants with {symbol} = {value}").format(
+                symbol=_SYMBOLS[name], value=number(other, _UNITS[name])
+            )
+            found_ones.append(Alternative(label, slave_numbers(best, wants.same_ratio)))
+    return tuple(found_ones)
+
+
+_SYMBOLS: dict[Free, str] = {"articulation_angle": "ζ", "knuckle_radius": "r", "rod_length": "l"}
+
+
+def _with_other_wants(rod: ArticulatedRod, ratio: float | None) -> tuple[Alternative, ...]:
+    """The same r and l at the articulation angles that leave a dead centre unshifted, and at the bank angle."""
+    angles = {
+        _("no shift of the top dead centre, the same r and l"): unshifted_angle(rod, "top"),
+        _("no shift of the bottom dead centre, the same r and l"): unshifted_angle(rod, "bottom"),
+        _("ζ = γ, the same r and l"): rod.bank_angle,
+    }
+    others = {
+        label: rod._replace(articulation_angle=angle)
+        for label, angle in angles.items()
+        if angle != rod.articulation_angle
+    }
+    return tuple(Alternative(label, slave_numbers(other, ratio)) for label, other in others.items() if is_usable(other))
+
+
+def _remarks(rod: ArticulatedRod, wants: Wants, known: dict[Free, float]) -> tuple[str, ...]:
+    """Say in words what the wants fix and what they do not."""
+    product = number(float(stroke_product(rod)), "mm")
+    remarks: list[str] = []
+    if wants.stroke is not None:
+        remarks.append(
+            _(
+                "A stroke fixes little more than r(1 + r/l) sin(ζ − γ), here {product}; not r, l and ζ each. "
+                "The alternatives with other dimensions have the same stroke."
+            ).format(product=product)
+        )
+    if wants.stroke is not None or wants.same_height or wants.same_ratio is not None:
+        remarks.append(_("Dimensions found in this way are fitted: they are no data of any engine."))
+    if wants.unshifted is not None:
+        stays, moves = (_("top"), _("bottom")) if wants.unshifted == "top" else (_("bottom"), _("top"))
+        remarks.append(
+            _("The {stays} dead centre stays, so the {moves} one must shift, unless sin γ = 0; and {sum}.").format(
+                stays=stays, moves=moves, sum="H = R + r + l" if wants.unshifted == "top" else "h = r + l − R"
+            )
+        )
+    if not known:
+        remarks.append(_("All three dimensions follow from the wants; none was given."))
+    return tuple(remarks)
+
+
+def _tables(
+    rod: ArticulatedRod, wants: Wants, known: dict[Free, float], bore: float | None, speed: float | None
+) -> tuple[Table, ...]:
+    """Tables of the machine file: master, slave, cylinders."""
+    master = rod.master
+    how = _("to the wanted stroke, height or ratio")
+
+    def written(name: Free) -> str:
+        value = float(getattr(rod, name))
+        if name in known:
+            return wanted(value, _UNITS[name])
+        if name == "articulation_angle" and wants.unshifted is not None:
+            return found(value, "deg", _("no shift of the dead centre: {which}").format(which=wants.unshifted))
+        return found(value, _UNITS[name], how, "fitted")
+
+    master_keys = {
+        "kind": '"slider_crank"',
+        "crank_radius": wanted(float(master.crank_radius), "mm"),
+        "rod_length": wanted(float(master.rod_length), "mm"),
+    }
+    if master.offset:
+        master_keys["offset"] = wanted(float(master.offset), "mm")
+    cylinders = () if wants.same_ratio is None else (cylinder_table(wants.same_ratio, bore),)
+    if wants.same_ratio is None and bore is not None:
+        cylinders = (Table("cylinder", {"bore": wanted(bore, "mm")}),)
+    return (
+        *shaft_table(speed),
+        Table("bank.M.mechanism", master_keys),
+        Table("bank.S", {"angle": quoted(quantity_text(float(rod.bank_angle), "deg"))}),
+        Table(
+            "bank.S.mechanism",
+            {
+                "kind": '"articulated_rod"',
+                "master": '"M"',
+                "knuckle_radius": written("knuckle_radius"),
+                "rod_length": written("rod_length"),
+                "articulation_angle": written("articulation_angle"),
+            },
+        ),
+        *cylinders,
+    )

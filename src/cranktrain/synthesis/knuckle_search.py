@@ -1,0 +1,142 @@
+"""Search for the knuckle geometry that meets wants: every solution over the range of a dimension, to rounding."""
+
+from typing import NamedTuple, cast
+
+import numpy as np
+
+from cranktrain.mechanisms.articulated_rod import ArticulatedRod
+from cranktrain.mechanisms.articulated_rod.kinematics import articulated_rod_gap
+from cranktrain.motion import Array, single
+from cranktrain.numerics import bracketed_roots, smallest, turn_grid
+from cranktrain.synthesis.knuckle_equations import HALF_THE_DIGITS, Free, Goal, dead_centres, distance_slope
+
+_NEWTON_STEPS = 12
+_SAMPLES = 480
+_WIDEST_OFFSET_ANGLE = 75 * np.pi / 180
+_LONGEST = 1.2
+"""Longest knuckle radius or slave rod that is looked at, in parts of the master's crank radius and rod together."""
+
+
+def _with_value(rod: ArticulatedRod, free: Free, value: Array) -> ArticulatedRod:
+    """Give the rod with one of its dimensions replaced."""
+    match free:
+        case "knuckle_radius":
+            return rod._replace(knuckle_radius=value)
+        case "rod_length":
+            return rod._replace(rod_length=value)
+        case "articulation_angle":
+            return rod._replace(articulation_angle=value)
+
+
+def _value_of(rod: ArticulatedRod, free: Free) -> Array:
+    """Give one of the rod's dimensions."""
+    return cast(Array, getattr(rod, free))
+
+
+def _miss(rod: ArticulatedRod, goal: Goal) -> Array:
+    """By how much a rod misses a goal. [m]"""
+    at = dead_centres(rod)
+    return goal.of_top * at.top + goal.of_bottom * at.bottom - goal.target
+
+
+def _solved(rod: ArticulatedRod, goal: Goal, free: Free) -> ArticulatedRod:
+    """Meet one goal by one dimension, by Newton's method with the slopes in closed form; NaN where it finds none."""
+    with np.errstate(all="ignore"):
+        for _step in range(_NEWTON_STEPS):
+            at = dead_centres(rod)
+            slope = goal.of_top * distance_slope(at.top_angle, rod, free) + goal.of_bottom * distance_slope(
+                at.bottom_angle, rod, free
+            )
+            step = (goal.of_top * at.top + goal.of_bottom * at.bottom - goal.target) / slope
+            rod = _with_value(rod, free, _value_of(rod, free) - step)
+            if not np.any(np.abs(step) > HALF_THE_DIGITS * np.abs(_value_of(rod, free))):
+                break
+    return rod
+
+
+class Search(NamedTuple):
+    """What a search found: rods that meet the goals, and the range that the first goal's left side takes. [m]"""
+
+    rods: tuple[ArticulatedRod, ...]
+    least: float
+    most: float
+
+
+def searched(rod: ArticulatedRod, goals: tuple[Goal, ...], free: tuple[Free, ...]) -> Search:
+    """Meet one goal by one dimension, or two by two.
+
+    Parameters
+    ----------
+    rod : ArticulatedRod
+        With its given dimensions; the free ones are where the search for the second begins.
+    goals : tuple of Goal
+        One or two.
+    free : tuple of str
+        As many dimensions. The first goal is met by the first over its whole range, the second, if any, by the second
+        at every step.
+
+    Returns
+    -------
+    Search
+        Rods that close all round the turn, the one nearest to the start first.
+    """
+
+    def at(value: Array) -> ArticulatedRod:
+        tried = _with_value(rod, free[0], value)
+        if len(goals) == 1:
+            return tried
+        start = _with_value(tried, free[1], _value_of(tried, free[1]) + 0.0 * value)
+        return _solved(start, goals[1], free[1])
+
+    def curve(value: Array) -> Array:
+        return _miss(at(value), goals[0])
+
+    grid = _range(rod, free[0])
+    with np.errstate(invalid="ignore"):
+        samples = curve(grid)
+    changes = np.flatnonzero(np.sign(samples[:-1]) * np.sign(samples[1:]) <= 0)
+    solved = at(bracketed_roots(curve, grid[changes], grid[changes + 1]))
+    rods = [rod for rod in _one_by_one(solved, len(changes)) if is_usable(rod)]
+    rods.sort(key=lambda found: _distance(found, rod))
+    reached = samples[~np.isnan(samples)] + goals[0].target
+    least, most = (float(np.min(reached)), float(np.max(reached))) if reached.size else (np.nan, np.nan)
+    return Search(tuple(rods), least, most)
+
+
+def _distance(one: ArticulatedRod, other: ArticulatedRod) -> float:
+    """How far apart two knuckle geometries are: angles in radians, lengths in parts of the master rod."""
+    lengths = abs(one.knuckle_radius - other.knuckle_radius) + abs(one.rod_length - other.rod_length)
+    return float(abs(one.articulation_angle - other.articulation_angle) + lengths / other.master.rod_length)
+
+
+def _range(rod: ArticulatedRod, free: Free) -> Array:
+    """Values of a dimension to look at."""
+    if free == "articulation_angle":
+        middle = float(rod.bank_angle)
+        return middle + _WIDEST_OFFSET_ANGLE * np.linspace(-1.0, 1.0, _SAMPLES, dtype=np.float64)
+    longest = _LONGEST * float(rod.master.crank_radius + rod.master.rod_length)
+    return longest * np.linspace(0.0, 1.0, _SAMPLES + 1, dtype=np.float64)[1:]
+
+
+def _one_by_one(rods: ArticulatedRod, n_rods: int) -> list[ArticulatedRod]:
+    """Take stacked rods apart into rods of single numbers."""
+    radii, angles, lengths = (
+        np.broadcast_to(value, n_rods) for value in (rods.knuckle_radius, rods.articulation_angle, rods.rod_length)
+    )
+    return [
+        rods._replace(
+            knuckle_radius=single(float(radii[i])),
+            articulation_angle=single(float(angles[i])),
+            rod_length=single(float(lengths[i])),
+        )
+        for i in range(n_rods)
+    ]
+
+
+def is_usable(rod: ArticulatedRod) -> bool:
+    """Whether the rod has positive lengths and closes all round the turn."""
+    if not (rod.knuckle_radius > 0 and rod.rod_length > 0 and np.isfinite(rod.articulation_angle)):
+        return False
+    with np.errstate(invalid="ignore"):
+        least = smallest(lambda angle: articulated_rod_gap(angle, rod), grid=turn_grid(180)).value
+    return bool(least[0] > 0)

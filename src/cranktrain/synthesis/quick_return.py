@@ -1,0 +1,257 @@
+"""Quick returns: time ratio from geometry and geometry from time ratio, in closed form; docs/theory/synthesis."""
+
+from math import asin, cos, pi, sin, tan
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.motion import Array
+from cranktrain.numerics import bracketed_roots
+from cranktrain.synthesis.four_bars import excess_angle
+from cranktrain.synthesis.proposal import Alternative, Number, Proposal, Table, found, shaft_table, wanted
+from cranktrain.synthesis.slider_crank import Stroke, slider_crank_numbers
+from cranktrain.synthesis.slider_crank_lengths import Lengths
+from cranktrain.wording import number, precise
+
+
+class SlottedLever(NamedTuple):
+    """Lever with a slot that a shorter crank drives: it swings.
+
+    crank_to_distance: crank radius over the distance of shaft and pivot [1]; swing of the lever [rad].
+    """
+
+    crank_to_distance: float
+    swing: float
+
+
+def time_ratio(excess: float) -> float:
+    """Time ratio k = (π + ϑ)/(π − ϑ) of a drive whose slow stroke takes π + ϑ of the turn."""
+    return (pi + excess) / (pi - excess)
+
+
+def slotted_lever_time_ratio(crank_to_distance: float) -> float:
+    """Time ratio of a slotted lever, sin(ϑ/2) = R/d < 1.
+
+    Examples
+    --------
+    >>> round(slotted_lever_time_ratio(0.5), 12)
+    2.0
+    """
+    return time_ratio(2 * asin(crank_to_distance))
+
+
+def slotted_lever(ratio: float) -> SlottedLever:
+    """Slotted lever of a time ratio: R/d = sin(ϑ/2), and its swing is ϑ itself.
+
+    Parameters
+    ----------
+    ratio : float
+        k > 1.
+
+    Returns
+    -------
+    SlottedLever
+    """
+    excess = excess_angle(ratio)
+    return SlottedLever(sin(excess / 2), excess)
+
+
+def whitworth_time_ratio(distance_to_crank: float, line_angle: float = pi / 2) -> float:
+    """Time ratio of a Whitworth quick return, sin(ϑ/2) = (d/R) sin χ.
+
+    Parameters
+    ----------
+    distance_to_crank : float
+        Distance of the two shafts over the crank radius, below 1: the slotted link turns fully.
+    line_angle : float
+        χ, from the line of the shafts to the line of stroke, which passes through the slotted link's shaft. [rad]
+
+    Returns
+    -------
+    float
+
+    Examples
+    --------
+    >>> round(whitworth_time_ratio(0.5), 12)
+    2.0
+    """
+    return time_ratio(2 * asin(distance_to_crank * sin(line_angle)))
+
+
+def whitworth(ratio: float) -> float:
+    """Distance of the shafts over the crank radius of a Whitworth quick return whose line of stroke is square to it."""
+    return sin(excess_angle(ratio) / 2)
+
+
+def offset_slider_crank(stroke: float, excess: float, parameter: float) -> Lengths:
+    """Offset slider-crank of a stroke and an excess angle ϑ, one for each value of the free parameter.
+
+    Parameters
+    ----------
+    stroke : float
+        [m]
+    excess : float
+        ϑ, between 0 and π/2. [rad]
+    parameter : float
+        ξ, between ϑ/2 and (π − ϑ)/2. [rad]
+
+    Returns
+    -------
+    Lengths
+
+    Notes
+    -----
+    docs/theory/synthesis, eq. (8.20).
+    """
+    radius = stroke / 2 * cos(parameter) / cos(excess / 2)
+    rod = stroke / 2 * sin(parameter) / sin(excess / 2)
+    return Lengths(radius, rod, (rod - radius) * (rod + radius) * sin(excess) / stroke)
+
+
+def least_pressure_parameter(excess: float) -> float:
+    """Parameter ξ of the offset slider-crank whose largest pressure angle is least. [rad]
+
+    Parameters
+    ----------
+    excess : float
+        ϑ, between 0 and π/2. [rad]
+
+    Returns
+    -------
+    float
+        Root of the derivative of (R + e)/L, docs/theory/synthesis, eq. (8.22).
+    """
+    tangent, cosine = tan(excess / 2), cos(excess / 2)
+
+    def slope(parameter: Array) -> Array:
+        sine, ratio = np.sin(parameter), tangent / np.tan(parameter)
+        ratio_first = -tangent / sine**2
+        return ratio_first + cosine * ((1 - ratio**2) * np.cos(parameter) - 2 * ratio * ratio_first * sine)
+
+    ends = np.array([excess / 2]), np.array([(pi - excess) / 2])
+    return float(bracketed_roots(slope, *ends)[0])
+
+
+def quick_return(
+    stroke: float,
+    ratio: float,
+    *,
+    rod_length: float | None = None,
+    slow_stroke: Stroke = "toward",
+    speed: float | None = None,
+) -> Proposal:
+    """Propose an offset slider-crank with a quick return; beside it a slotted lever and a Whitworth drive.
+
+    Parameters
+    ----------
+    stroke : float
+        [m]
+    ratio : float
+        Time of the slow stroke over that of the quick one, at constant speed; between 1 and 3.
+    rod_length : float, optional
+        That with which the largest pressure angle is least unless given. [m]
+    slow_stroke : "toward" or "away"
+        From the shaft's point of view.
+    speed : float, optional
+        [rad/s]
+
+    Returns
+    -------
+    Proposal
+        With the numbers of `slider_crank_from_stroke`; the working stroke is the slow one.
+
+    Raises
+    ------
+    InputError
+        If no offset slider-crank can do it, with what is possible.
+
+    Examples
+    --------
+    >>> proposal = quick_return(0.3, 1.2)
+    >>> round(proposal.value("time_ratio"), 12)
+    1.2
+    """
+    _refuse_impossible(stroke, ratio, speed)
+    excess = excess_angle(ratio)
+    parameter = least_pressure_parameter(excess) if rod_length is None else _parameter_of(stroke, excess, rod_length)
+    lengths = offset_slider_crank(stroke, excess, parameter)
+    if slow_stroke == "away":
+        lengths = lengths._replace(offset=-lengths.offset)
+    how = _("stroke and time ratio")
+    best = _("stroke, time ratio, least pressure angle")
+    return Proposal(
+        title=_("Offset slider-crank of {stroke} stroke with a quick return, time ratio {ratio:.4g}").format(
+            stroke=number(stroke, "mm"), ratio=ratio
+        ),
+        numbers=slider_crank_numbers(lengths, slow_stroke, speed),
+        alternatives=_alternatives(stroke, ratio),
+        remarks=(
+            _("The pressure angle grows fast with the time ratio; a slotted lever or a Whitworth drive does not mind."),
+            _("A time ratio of 3 is the end: the slider would turn back where the rod stands across the guide."),
+        ),
+        tables=(
+            *shaft_table(speed),
+            Table(
+                "mechanism",
+                {
+                    "kind": '"slider_crank"',
+                    "crank_radius": found(lengths.crank_radius, "mm", how if rod_length else best),
+                    "rod_length": wanted(rod_length, "mm") if rod_length else found(lengths.rod_length, "mm", best),
+                    "offset": found(lengths.offset, "mm", how if rod_length else best),
+                },
+            ),
+        ),
+    )
+
+
+def _refuse_impossible(stroke: float, ratio: float, speed: float | None) -> None:
+    """Refuse wants that contradict geometry."""
+    problems: list[Problem] = []
+    if not stroke > 0:
+        problems.append(Problem("stroke", precise(stroke), _("must be more than 0")))
+    if speed is not None and not speed > 0:
+        problems.append(Problem("speed", f"{speed:g}", _("must be more than 0")))
+    if not 1 < ratio < 3:
+        repair = None
+        if ratio >= 3:
+            repair = _(
+                "a slotted lever can, with a crank of {share:.4f} of the distance between shaft and pivot"
+            ).format(share=slotted_lever(ratio).crank_to_distance)
+        allowed = _("must lie between 1 and 3 for an offset slider-crank")
+        problems.append(Problem("ratio", f"{ratio:g}", allowed, repair))
+    if problems:
+        raise InputError(problems)
+
+
+def _parameter_of(stroke: float, excess: float, rod_length: float) -> float:
+    """Parameter that gives a rod; refuse one for which there is none."""
+    least, most = stroke / 2, stroke / 2 / tan(excess / 2)
+    if not least < rod_length < most:
+        allowed = _("must lie between {least} and {most} for this stroke and time ratio")
+        allowed = allowed.format(least=precise(least), most=precise(most))
+        raise InputError([Problem("rod_length", precise(rod_length), allowed)])
+    return asin(2 * rod_length * sin(excess / 2) / stroke)
+
+
+def _alternatives(stroke: float, ratio: float) -> tuple[Alternative, ...]:
+    """Slotted lever and Whitworth drive of the same stroke and time ratio."""
+    lever = slotted_lever(ratio)
+    return (
+        Alternative(
+            _("slotted lever, its end moving the slider"),
+            (
+                Number("crank_to_distance", "R/d", lever.crank_to_distance, "1", _("Crank radius over distance")),
+                Number("swing", "γ", lever.swing, "deg", _("Swing of the lever")),
+                Number("lever_length", "l", stroke / 2 / sin(lever.swing / 2), "mm", _("Lever from pivot to its end")),
+            ),
+        ),
+        Alternative(
+            _("Whitworth drive, line of stroke square to the line of the shafts"),
+            (
+                Number("distance_to_crank", "d/R", whitworth(ratio), "1", _("Distance of shafts over crank radius")),
+                Number("output_radius", "r", stroke / 2, "mm", _("Radius at which the slotted link drives the slider")),
+            ),
+        ),
+    )

@@ -1,0 +1,244 @@
+"""Radial engines with articulated rods: five ways to choose the knuckles, each with what it costs elsewhere."""
+
+from collections.abc import Sequence
+from math import pi
+from typing import Literal
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import N_, _
+from cranktrain.mechanisms.articulated_rod import ArticulatedRod
+from cranktrain.mechanisms.slider_crank import SliderCrank
+from cranktrain.motion import single
+from cranktrain.quantities import unlisted
+from cranktrain.synthesis.knuckle_equations import Free, Goal, height_goal, ratio_goal, stroke_goal, unshifted_angle
+from cranktrain.synthesis.knuckle_numbers import cylinder_table, slave_numbers
+from cranktrain.synthesis.knuckle_search import Search, is_usable, searched
+from cranktrain.synthesis.proposal import (
+    Alternative,
+    Number,
+    Proposal,
+    Table,
+    found,
+    listed,
+    listed_in_lines,
+    quantity_text,
+    quoted,
+    shaft_table,
+    wanted,
+)
+from cranktrain.wording import number, precise
+
+Strategy = Literal["plain", "unshifted", "equal_ratio", "equal_stroke", "unshifted_equal_ratio"]
+
+STRATEGIES: dict[Strategy, str] = {
+    "plain": N_("ζ = γ, the same r and l for all"),
+    "unshifted": N_("ζ = γ + asin(λ sin γ), no shift of a top dead centre"),
+    "equal_ratio": N_("ζ = γ, each l for the same compression ratio"),
+    "equal_stroke": N_("each r and ζ for the master's stroke and pin height"),
+    "unshifted_equal_ratio": N_("no shift of a top dead centre, each l for the same compression ratio"),
+}
+"""Strategies by name, in words."""
+
+
+def radial(
+    crank_radius: float,
+    rod_length: float,
+    n_cylinders: int,
+    strategy: Strategy,
+    *,
+    knuckle_radius: float,
+    slave_rod_length: float,
+    compression_ratio: float,
+    bore: float | None = None,
+    speed: float | None = None,
+) -> Proposal:
+    """Propose the knuckles of a radial engine with equally spaced cylinders, the first one the master's.
+
+    Parameters
+    ----------
+    crank_radius, rod_length : float
+        Of the master. [m]
+    n_cylinders : int
+        At least 3.
+    strategy : str
+        A key of `STRATEGIES`.
+    knuckle_radius, slave_rod_length : float
+        Common to all slaves, or where the search for their own begins. [m]
+    compression_ratio : float
+        Of the master.
+    bore : float, optional
+        For the machine file. [m]
+    speed : float, optional
+        [rad/s]
+
+    Returns
+    -------
+    Proposal
+        With `knuckle_radius(2)`, `articulation_angle(2)`, `rod_length(2)`, `stroke(2)`, `top_shift(2)`,
+        `bottom_shift(2)`, `height_over_master(2)`, `compression_ratio(2)` … for every slave; the alternatives are all
+        strategies, with the spread of each.
+
+    Raises
+    ------
+    InputError
+        If the strategy cannot be had, with what is possible.
+    """
+    _refuse_impossible(
+        n_cylinders,
+        strategy,
+        compression_ratio,
+        {"crank_radius": crank_radius, "knuckle_radius": knuckle_radius, "slave_rod_length": slave_rod_length},
+        rod_length,
+    )
+    master = SliderCrank(single(crank_radius), single(rod_length), single(0.0))
+    common = single(knuckle_radius), single(slave_rod_length)
+    start = [
+        ArticulatedRod(master, common[0], single(angle), single(angle), common[1], single(0.0))
+        for angle in (2 * pi * i / n_cylinders for i in range(1, n_cylinders))
+    ]
+    chosen = [_chosen(rod, strategy, compression_ratio) for rod in start]
+    return Proposal(
+        title=_("Radial engine of {n} cylinders, {stroke} master stroke").format(
+            n=n_cylinders, stroke=number(2 * crank_radius, "mm")
+        ),
+        numbers=tuple(
+            one._replace(name=f"{one.name}({i})", symbol=f"{one.symbol}({i})")
+            for i, rod in enumerate(chosen, start=2)
+            for one in slave_numbers(rod, compression_ratio)
+        ),
+        alternatives=_alternatives(start, compression_ratio),
+        remarks=(
+            _("Chosen: {strategy}.").format(strategy=_(STRATEGIES[strategy])),
+            _("Equal strokes and unshifted top dead centres exclude one another; one of them has to be borne."),
+        ),
+        tables=_tables(chosen, strategy, compression_ratio, bore, speed),
+    )
+
+
+def _refuse_impossible(
+    n_cylinders: int, strategy: str, compression_ratio: float, lengths: dict[str, float], rod_length: float
+) -> None:
+    """Refuse wants that contradict themselves."""
+    problems = [
+        Problem(name, precise(length), _("must be more than 0")) for name, length in lengths.items() if not length > 0
+    ]
+    if not rod_length > lengths["crank_radius"]:
+        allowed = _("must be more than the crank radius, or the crank cannot turn")
+        problems.append(Problem("rod_length", precise(rod_length), allowed))
+    if n_cylinders < 3:
+        problems.append(Problem("n_cylinders", str(n_cylinders), _("must be at least 3")))
+    if strategy not in STRATEGIES:
+        problems.append(unlisted("strategy", strategy, list(STRATEGIES)))
+    if not compression_ratio > 1:
+        problems.append(Problem("compression_ratio", f"{compression_ratio:g}", _("must be more than 1")))
+    if problems:
+        raise InputError(problems)
+
+
+def _goals(rod: ArticulatedRod, strategy: Strategy, ratio: float) -> tuple[tuple[Goal, ...], tuple[Free, ...]]:
+    """What a strategy demands of a slave, and which dimensions it may choose."""
+    master = rod.master
+    top, stroke = float(master.crank_radius + master.rod_length), float(2 * master.crank_radius)
+    if strategy == "equal_stroke":
+        return (stroke_goal(stroke), height_goal(top)), ("articulation_angle", "knuckle_radius")
+    if strategy in ("equal_ratio", "unshifted_equal_ratio"):
+        return (ratio_goal(ratio, top, stroke, ratio),), ("rod_length",)
+    return (), ()
+
+
+def _chosen(rod: ArticulatedRod, strategy: Strategy, ratio: float) -> ArticulatedRod:
+    """Geometry of one slave by a strategy."""
+    if strategy.startswith("unshifted"):
+        rod = rod._replace(articulation_angle=unshifted_angle(rod, "top"))
+    goals, free = _goals(rod, strategy, ratio)
+    if not goals:
+        if not is_usable(rod):
+            allowed = _("too short: the slave at {angle} cannot close").format(
+                angle=number(float(rod.bank_angle), "deg")
+            )
+            raise InputError([Problem("slave_rod_length", precise(float(rod.rod_length)), allowed)])
+        return rod
+    search = searched(rod, goals, free)
+    if not search.rods:
+        raise InputError([_unreachable(rod, strategy, search)])
+    return search.rods[0]
+
+
+def _unreachable(rod: ArticulatedRod, strategy: Strategy, search: Search) -> Problem:
+    """Say which slave defeats a strategy, and how near it comes."""
+    angle = number(float(rod.bank_angle), "deg")
+    allowed = _("cannot be had for the slave at {angle} with this knuckle radius and rod").format(angle=angle)
+    if strategy == "equal_stroke" and search.least <= search.most:
+        allowed = _("cannot be had: the slave at {angle} can have strokes from {least} to {most}").format(
+            angle=angle, least=precise(search.least), most=precise(search.most)
+        )
+    return Problem("strategy", strategy, allowed, _("choose another strategy, or other common sizes"))
+
+
+def _alternatives(start: Sequence[ArticulatedRod], ratio: float) -> tuple[Alternative, ...]:
+    """All strategies with the spread of what they give; those that cannot be had are left out."""
+    alternatives: list[Alternative] = []
+    for strategy, words in STRATEGIES.items():
+        try:
+            rods = [_chosen(rod, strategy, ratio) for rod in start]
+        except InputError:
+            continue
+        alternatives.append(Alternative(_(words), _spread(rods, ratio)))
+    return tuple(alternatives)
+
+
+def _spread(rods: Sequence[ArticulatedRod], ratio: float) -> tuple[Number, ...]:
+    """Smallest and largest of what matters over all cylinders, the master's among them."""
+    numbers = [{one.name: one.value for one in slave_numbers(rod, ratio)} for rod in rods]
+    stroke = float(2 * rods[0].master.crank_radius)
+    strokes = [stroke, *(each["stroke"] for each in numbers)]
+    ratios = [ratio, *(each["compression_ratio"] for each in numbers)]
+    shifts = [abs(each["top_shift"]) for each in numbers]
+    return (
+        Number("least_stroke", "S_min", min(strokes), "mm", _("Least stroke")),
+        Number("largest_stroke", "S_max", max(strokes), "mm", _("Largest stroke")),
+        Number("largest_top_shift", "ε_T", max(shifts), "deg", _("Largest shift of a top dead centre")),
+        Number("least_ratio", "ε_min", min(ratios), "1", _("Least compression ratio")),
+        Number("largest_ratio", "ε_max", max(ratios), "1", _("Largest compression ratio")),
+    )
+
+
+def _tables(
+    rods: Sequence[ArticulatedRod], strategy: Strategy, ratio: float, bore: float | None, speed: float | None
+) -> tuple[Table, ...]:
+    """Tables of the machine file: the master's bank, the slaves', and the cylinders."""
+    master = rods[0].master
+    free = _goals(rods[0], strategy, ratio)[1]
+    how = _("strategy {name}").format(name=strategy)
+
+    def each(name: Free, unit: str) -> str:
+        values = [float(getattr(rod, name)) for rod in rods]
+        if name in free:
+            return listed_in_lines([found(value, unit, how, "fitted") for value in values])
+        if name == "articulation_angle":
+            return listed_in_lines([found(value, unit, how) for value in values])
+        return wanted(values[0], unit)
+
+    return (
+        *shaft_table(speed),
+        Table(
+            "bank.M.mechanism",
+            {
+                "kind": '"slider_crank"',
+                "crank_radius": wanted(float(master.crank_radius), "mm"),
+                "rod_length": wanted(float(master.rod_length), "mm"),
+            },
+        ),
+        Table("bank.S", {"angle": listed([quoted(quantity_text(float(rod.bank_angle), "deg")) for rod in rods])}),
+        Table(
+            "bank.S.mechanism",
+            {
+                "kind": '"articulated_rod"',
+                "master": '"M"',
+                "knuckle_radius": each("knuckle_radius", "mm"),
+                "rod_length": each("rod_length", "mm"),
+                "articulation_angle": each("articulation_angle", "deg"),
+            },
+        ),
+        cylinder_table(ratio, bore),
+    )

@@ -1,0 +1,1 @@
+"""Paper: sheets in millimetres, sketches, shapes, labels and styles."""

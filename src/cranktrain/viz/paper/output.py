@@ -1,0 +1,80 @@
+"""Writing pictures: whole or not at all, and the same bytes for the same picture."""
+
+import os
+from collections.abc import Callable, Iterator
+from io import BytesIO
+from pathlib import PurePath
+from typing import Any
+
+from cranktrain.analysis import Result
+from cranktrain.errors import InputError, Position, Problem
+from cranktrain.io.output import write_whole_bytes
+from cranktrain.language import _
+from cranktrain.viz.gif import animation
+from cranktrain.viz.paper.page import Figure, drawing_settings
+
+DOTS_PER_INCH = 150
+
+# Without these the libraries write the time, or their own version, into the file.
+_UNDATED: dict[str, dict[str, Any]] = {
+    ".png": {"Software": None},
+    ".svg": {"Date": None, "Creator": "cranktrain"},
+    ".pdf": {"CreationDate": None, "ModDate": None, "Producer": None, "Creator": "cranktrain"},
+}
+
+FORMATS = tuple(_UNDATED)
+"""Suffixes of pictures that `save` writes."""
+
+
+def save(figure: Figure | Callable[[], Figure], path: "str | os.PathLike[str]", *, force: bool = False) -> None:
+    """Save a picture, in the form that the file's name asks for.
+
+    Parameters
+    ----------
+    figure : Figure, or a callable that draws one
+        A callable is called only once the file is known to be possible.
+    path : str or path-like
+        Ends in .png (150 dots to the inch), .svg or .pdf.
+    force : bool
+        Replace a file that is there.
+
+    Raises
+    ------
+    InputError
+        If the name has another ending, a file is there, or it cannot be written.
+    """
+    suffix = PurePath(path).suffix.lower()
+    if suffix not in _UNDATED:
+        allowed = _("must end in one of: {suffixes}").format(suffixes=", ".join(FORMATS))
+        raise InputError([Problem("", os.fspath(path), allowed, position=Position("-o"))])
+    write_whole_bytes(path, _pieces(figure, suffix), force=force)
+
+
+def save_animation(result: Result, path: "str | os.PathLike[str]", *, force: bool = False, design: int = 0) -> None:
+    """Save the moving picture of a result as a GIF.
+
+    Parameters
+    ----------
+    result : Result
+    path : str or path-like
+    force : bool
+        Replace a file that is there.
+    design : int
+        Which of the result's machines.
+
+    Raises
+    ------
+    InputError
+        If a file is there, or it cannot be written; the picture is drawn only after that is known.
+    """
+    write_whole_bytes(path, (animation(result, design=design) for _once in range(1)), force=force)
+
+
+def _pieces(figure: Figure | Callable[[], Figure], suffix: str) -> Iterator[bytes]:
+    """Draw and give the file's bytes."""
+    drawn: Figure = figure() if callable(figure) else figure
+    with drawing_settings():
+        content = BytesIO()
+        picture: Any = drawn
+        picture.savefig(content, format=suffix[1:], dpi=DOTS_PER_INCH, metadata=_UNDATED[suffix])
+        yield content.getvalue()

@@ -1,0 +1,278 @@
+"""A sheet of paper: a figure on which everything is placed in millimetres, and a sketch drawn on it to scale."""
+
+import re
+from collections.abc import Generator, Sequence
+from contextlib import contextmanager
+from importlib import import_module
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.motion import Array
+from cranktrain.one_line import visible
+from cranktrain.viz.paper.sketch import Label, Line, Sketch
+from cranktrain.viz.paper.style import FILLS, HEADING, INK, MUTED, RULE, SETTINGS, SYMBOL, TEXT, pen_of
+
+# The plotting library is loaded only where a sheet is drawn, and its own types are partial.
+Artist: TypeAlias = Any
+Axes: TypeAlias = Any
+Figure: TypeAlias = Any
+Text: TypeAlias = Any
+
+MARGIN = 10.0
+_INCH = 25.4
+_SIZES = {"A4": (297.0, 210.0), "A3": (420.0, 297.0)}
+_LABEL = 2.5
+"""What a label needs inside the edge of a detail. [mm]"""
+
+_LETTERS = 2
+"""So many letters side by side are pins; more are a word."""
+
+_NUMBERED = re.compile(r"([^\W\d_])(\d+)('*)")
+"""A pin of several alike: its number is an index."""
+
+_FORMULA = "\ue000"
+"""Stands on both sides of a formula; what comes from a file has no such sign, see `visible`."""
+
+_SETTABLE = re.compile(r"[A-Za-z0-9\u0370-\u03ff][A-Za-z0-9\u0370-\u03ff,.'′_-]*(?:\^[A-Za-z0-9\u0370-\u03ff]+)?")
+"""What can be set as a symbol."""
+
+INDICES = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+"""Figures as indices, in plain text."""
+
+_SCALES = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.5, 10.0)
+
+
+@contextmanager
+def drawing_settings() -> Generator[None]:
+    """Draw with our settings, whatever a user's own are."""
+    matplotlib: Any = import_module("matplotlib")
+    with matplotlib.rc_context():
+        matplotlib.rcdefaults()
+        matplotlib.rcParams.update(SETTINGS)
+        yield
+
+
+class Page:
+    """A sheet of paper, lying; lengths on it are in millimetres from its lower left corner."""
+
+    def __init__(self, width: float, height: float) -> None:
+        from matplotlib import figure
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+        self.width = width
+        self.height = height
+        self.figure: Figure = figure.Figure(figsize=(width / _INCH, height / _INCH), facecolor="white")
+        FigureCanvasAgg(self.figure)
+        self.paper: Axes = self.figure.add_axes((0.0, 0.0, 1.0, 1.0))
+        self.paper.set(xlim=(0.0, width), ylim=(0.0, height))
+        self.paper.set_axis_off()
+
+    def axes(self, left: float, bottom: float, width: float, height: float) -> Axes:
+        """Give axes for curves at a place on the sheet. [mm]"""
+        box = (left / self.width, bottom / self.height, width / self.width, height / self.height)
+        return self.figure.add_axes(box)
+
+    def text(self, x: float, y: float, words: str, **manner: Any) -> Text:
+        """Write words at a place; left and on the line unless said otherwise."""
+        return self.paper.text(
+            x, y, **set_words(words), **({"ha": "left", "va": "baseline", "fontsize": TEXT} | manner)
+        )
+
+    def rule(self, y: float, left: float | None = None, right: float | None = None) -> None:
+        """Draw a hairline across."""
+        ends = (MARGIN if left is None else left, self.width - MARGIN if right is None else right)
+        self.paper.plot(ends, (y, y), color=RULE, linewidth=0.6)
+
+    def heading(self, x: float, y: float, words: str) -> Text:
+        """Write a heading."""
+        return self.text(x, y, words, fontsize=HEADING, fontweight="bold")
+
+    def end(self, words: Text) -> float:
+        """Say where written words end on the right. [mm]"""
+        return words.get_window_extent().x1 / self.figure.dpi * _INCH
+
+    def start(self, words: Text) -> float:
+        """Say where written words begin on the left. [mm]"""
+        return words.get_window_extent().x0 / self.figure.dpi * _INCH
+
+    def sample(self, start: float, end: float, y: float, **manner: Any) -> None:
+        """Draw a sample of a line, for a legend."""
+        self.paper.plot((start, end), (y, y), **manner)
+
+    def scale_bar(self, x: float, y: float, scale: float) -> float:
+        """Draw a bar of a round length of metal and say the scale; give where it ends. [mm]"""
+        size = rounded_down(40.0 * scale)
+        end = x + size / scale
+        half = (x + end) / 2
+        for start, stop, colour in ((x, half, INK), (half, end, "white")):
+            self.paper.fill(
+                [start, stop, stop, start], [y, y, y + 1.1, y + 1.1], facecolor=colour, edgecolor=INK, linewidth=0.5
+            )
+        words = _("{size:g} mm, scale {scale}").format(size=size, scale=scale_words(scale))
+        self.text(end + 2.0, y - 0.4, words)
+        return end
+
+    def draw(self, sketch: Sketch, origin: tuple[float, float], within: float | None = None) -> list[Artist]:
+        """Draw a sketch to its scale, its origin at a place on the sheet; only what is so near to its origin. [mm]
+
+        Gives what draws its lines and circles, in their order, so that `move` can draw the next one with it.
+        """
+        from matplotlib.lines import Line2D
+        from matplotlib.patches import Circle, Polygon
+
+        place = np.array(origin)
+        artists: list[Artist] = []
+        for order, line in enumerate(sketch.lines):
+            points = _on_paper(line, sketch, place)
+            pen = pen_of(line)
+            layer = line.order + 1e-4 * order
+            style: Any = (0, pen.dashes) if pen.dashes else "-"
+            if line.is_closed:
+                fill = pen.colour if line.fill == "ink" else FILLS[line.fill]
+                artist = Polygon(
+                    points, facecolor=fill, edgecolor=pen.colour, linewidth=pen.width, linestyle=style, zorder=layer
+                )
+            else:
+                artist = Line2D(points[:, 0], points[:, 1], color=pen.colour, lw=pen.width, ls=style, zorder=layer)
+            artists.append(artist)
+        for order, circle in enumerate(sketch.circles):
+            pen = pen_of(circle)
+            centre = place + circle.centre / sketch.scale
+            artists.append(
+                Circle(
+                    (float(centre[0]), float(centre[1])),
+                    circle.radius / sketch.scale,
+                    facecolor=FILLS[circle.fill],
+                    edgecolor=pen.colour,
+                    linewidth=pen.width,
+                    zorder=circle.order + 0.5 + 1e-4 * order,
+                )
+            )
+        edge = None if within is None else Circle(origin, within, transform=self.paper.transData)
+        for artist in artists:
+            self.paper.add_artist(artist)
+            if edge is not None:
+                artist.set_clip_path(edge)
+        for label in sketch.labels:
+            at = label.position / sketch.scale
+            if within is None or np.hypot(*at) < within - _LABEL:
+                self._label(label, place + at)
+        return artists
+
+    def _label(self, label: Label, at: Array) -> None:
+        """Write a label, its middle at a place. [mm]"""
+        self.text(
+            float(at[0]),
+            float(at[1]),
+            mathematics(label.text) if label.is_symbol else label.text,
+            ha="center",
+            va="center_baseline",
+            fontsize=SYMBOL if label.is_symbol else TEXT,
+            fontweight="bold" if label.is_bold else "normal",
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6} if label.is_framed else None,
+            zorder=20,
+        )
+
+    def move(self, artists: Sequence[Artist], sketch: Sketch, origin: tuple[float, float]) -> None:
+        """Move what `draw` gave to where the same parts are in another sketch."""
+        place = np.array(origin)
+        lines, circles = artists[: len(sketch.lines)], artists[len(sketch.lines) :]
+        for artist, line in zip(lines, sketch.lines, strict=True):
+            points = _on_paper(line, sketch, place)
+            if line.is_closed:
+                artist.set_xy(points)
+            else:
+                artist.set_data(points[:, 0], points[:, 1])
+        for artist, circle in zip(circles, sketch.circles, strict=True):
+            artist.set_center(tuple(place + circle.centre / sketch.scale))
+            artist.set_radius(circle.radius / sketch.scale)
+
+
+def _on_paper(line: Line, sketch: Sketch, place: Array) -> Array:
+    """Points of a line on the sheet, shape (n, 2). [mm]"""
+    return (place[:, np.newaxis] + line.points / sketch.scale).T
+
+
+def paper(size: str) -> tuple[float, float]:
+    """Width and height of a sheet. [mm]"""
+    if size not in _SIZES:
+        allowed = _("must be one of: {sizes}").format(sizes=", ".join(_SIZES))
+        raise InputError([Problem("size", size, allowed)])
+    return _SIZES[size]
+
+
+def fitting_scale(width: float, height: float, room: tuple[float, float]) -> float:
+    """Choose the round scale at which metal of a width and height fits a room on paper; metal mm in one of paper."""
+    least = max(width / room[0], height / room[1])
+    if least < 0.8:
+        return 1.0 / rounded_down(1.0 / least)
+    power = 10.0 ** float(np.floor(np.log10(least)))
+    return next(step * power for step in _SCALES if step * power >= least * (1 - 1e-9))
+
+
+def scale_words(scale: float) -> str:
+    """Write a scale as drawings do: 1:2.5, or 2:1."""
+    return f"1:{scale:g}" if scale >= 1 else f"{1 / scale:g}:1"
+
+
+def rounded_down(size: float) -> float:
+    """Give the next 1, 2 or 5 times a power of ten that is not larger."""
+    power = 10.0 ** float(np.floor(np.log10(size)))
+    return next(step * power for step in (5.0, 2.0, 1.0) if step * power <= size * (1 + 1e-9))
+
+
+def formula(tex: str) -> str:
+    """Mark a formula, which stands among words that are drawn as they are: a $ in a name begins none."""
+    return f"{_FORMULA}{tex}{_FORMULA}"
+
+
+def is_formula(words: str) -> bool:
+    """Whether words are a formula and nothing else."""
+    return len(words) > 1 and words[0] == words[-1] == _FORMULA
+
+
+def set_words(words: str) -> dict[str, Any]:
+    """Give words to the plotting library: formulas as such, all else plain, and nothing that no font has."""
+    written = visible(words, kept=f"\n{_FORMULA}")
+    if _FORMULA not in written:
+        return {"s": written, "parse_math": False}
+    return {"s": written.replace("$", r"\$").replace(_FORMULA, "$"), "parse_math": True}
+
+
+def mathematics(symbol: str) -> str:
+    """Set a symbol as mathematics: a_BA^n with index and exponent, letters slanted and whole words upright.
+
+    A name with signs that mean something in a formula, or that its fonts lack, stays as it is.
+    """
+    if not _SETTABLE.fullmatch(symbol):
+        return symbol
+    head, _mark, rest = symbol.partition("_")
+    index, _mark, exponent = rest.partition("^")
+    set_index = ",".join(map(_letters_or_word, index.split(",")))
+    numbered = _NUMBERED.fullmatch(head)
+    if numbered and not index:
+        return formula(f"{numbered[1]}_{{{numbered[2]}}}{'′' * len(numbered[3])}")
+    ending = f"{f'_{{{set_index}}}' if index else ''}{f'^{{{exponent}}}' if exponent else ''}"
+    return formula(f"{_letters_or_word(head)}{ending}")
+
+
+def _letters_or_word(name: str) -> str:
+    """Leave letters as they are; set a word upright. A prime's own sign is larger than what ' becomes."""
+    bare = name.rstrip("'")
+    primes = "′" * (len(name) - len(bare))
+    if len(bare.replace("'", "")) <= _LETTERS and "_" not in bare:
+        return bare.replace("'", "′") + primes
+    return rf"\mathrm{{{bare.replace('_', chr(92) + '_')}}}{primes}"
+
+
+def in_words(pin: str) -> str:
+    """Give a pin's name in plain text, its number as an index: B₂."""
+    return pin.translate(INDICES) if _NUMBERED.fullmatch(pin) else pin
+
+
+def muted(**manner: Any) -> dict[str, Any]:
+    """Manner of second text."""
+    return {"color": MUTED} | manner

@@ -1,0 +1,90 @@
+"""What a sheet says of its machine: speed, conventions, where the numbers are from."""
+
+from collections.abc import Iterator, Mapping
+from typing import cast
+
+from cranktrain.analysis import Result, sentences
+from cranktrain.io.description import counted_by_status
+from cranktrain.language import _
+from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.machine import Machine
+from cranktrain.quantities import Given, shown
+from cranktrain.spec import Spec
+
+
+def running_words(machine: Machine) -> str:
+    """Say speed and sense of rotation, and at one moment the angular acceleration."""
+    senses = {
+        ("clockwise", "ahead"): _("clockwise"),
+        ("anticlockwise", "ahead"): _("anticlockwise"),
+        ("clockwise", "astern"): _("astern, anticlockwise"),
+        ("anticlockwise", "astern"): _("astern, clockwise"),
+    }
+    sense = senses[machine.rotation, machine.running]
+    speed = machine.main_shaft.speed
+    moment = machine.main_shaft.acceleration
+    said = [] if speed is None else [f"n = {speed.text}"]
+    said += [] if moment is None else [f"ε = {moment.text}"]
+    return ", ".join([*said, sense])
+
+
+def speed_of(result: Result) -> SpeedCurve | None:
+    """How the shaft turns in a result; None at a constant speed."""
+    return next((gift for gift in result.gifts if isinstance(gift, SpeedCurve)), None)
+
+
+def speed_words(curve: SpeedCurve | None, design: int = 0) -> str:
+    """Say at which speed over the cycle a picture is, as the terminal does; nothing of a constant one."""
+    return "" if curve is None else curve.answer({}, design)
+
+
+def unused_words(result: Result) -> list[str]:
+    """Say which tables of the file are not used, as the terminal does."""
+    return sentences(result.unused)
+
+
+def zero_words(machine: Machine) -> str:
+    """Say where the crank angle is 0 and how it counts."""
+    axis = _("the mechanism's x")
+    if len(machine.bank) == 1:
+        axis = _("the first cylinder's axis")
+    elif machine.bank:
+        axis = _("the axis of bank {bank}").format(bank=next(iter(machine.bank)))
+    if machine.crank_zero == "Y":
+        start = _("φ = 0 where crank 1 points up")
+    elif machine.crank_zero.si != 0.0:
+        words = _("φ = 0 where crank 1 is {angle} ahead of {axis}")
+        if machine.crank_zero.si < 0.0:
+            words = _("φ = 0 where crank 1 is {angle} behind {axis}")
+        start = words.format(angle=f"{shown(abs(machine.crank_zero.si), 'deg'):.2f}°", axis=axis)
+    else:
+        start = _("φ = 0 where crank 1 is on {axis}").format(axis=axis)
+    return _("{start}; counted in the sense of running; seen from the free end").format(start=start)
+
+
+def provenance_words(machine: Machine) -> str:
+    """Count the numbers that a machine's file gives by where they are from."""
+    return _("Inputs: {counts}").format(counts=counted_by_status(_given(machine, "")))
+
+
+def _given(part: object, path: str) -> Iterator[Given]:
+    """Give the numbers that a file declares; what it leaves unsaid is none of them.
+
+    Of a bank's mechanisms, one for each angle, a field that is alike in all of them stands in the file once.
+    """
+    if isinstance(part, Given):
+        yield part
+    elif path.endswith(".mechanism") and isinstance(part, tuple):
+        mechanisms = cast("tuple[Spec, ...]", part)
+        for name in mechanisms[0].model_fields_set:
+            values = tuple(getattr(one, name) for one in mechanisms)
+            yield from _given(values[0] if len(set(map(repr, values))) == 1 else values, f"{path}.{name}")
+    elif isinstance(part, tuple):
+        for i, item in enumerate(cast("tuple[object, ...]", part)):
+            yield from _given(item, f"{path}[{i}]")
+    elif isinstance(part, Mapping):
+        for name, item in cast("Mapping[str, object]", part).items():
+            yield from _given(item, f"{path}.{name}")
+    elif isinstance(part, Spec):
+        for name in part.model_fields_set:
+            yield from _given(getattr(part, name), f"{path}.{name}")

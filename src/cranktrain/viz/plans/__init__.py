@@ -1,0 +1,1 @@
+"""Sheets of plans, constructions and polygons."""

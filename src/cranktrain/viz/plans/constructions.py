@@ -1,0 +1,228 @@
+"""Sheets of the sources' constructions: arc, orthogonal projection, Brix's ray forward and backward."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+
+import numpy as np
+
+from cranktrain.language import _
+from cranktrain.machine import Machine
+from cranktrain.motion import Array
+from cranktrain.plans.constructions import Construction, Method, construction
+from cranktrain.plans.positions import fitting
+from cranktrain.viz.paper import shapes
+from cranktrain.viz.paper.labels import Wish, placed_labels
+from cranktrain.viz.paper.page import Figure, drawing_settings, muted
+from cranktrain.viz.paper.sketch import Circle, Habit, Line, Sketch
+from cranktrain.viz.plans.sheet import Box, centre, figure, plan_page, rounded, scale_of, write_scales, write_table
+from cranktrain.viz.plans.sketches import alike
+
+_PARTS = 10
+"""Into which the stroke is divided where a construction is read backwards."""
+
+_COLUMNS = (0.20, 0.40, 0.60, 0.82, 1.0)
+"""Where the columns of a table of readings end, in parts of its width."""
+
+
+def plan_arc(
+    machine: Machine, angles: int | Sequence[float] = 12, *, mechanism: str | None = None, size: str = "A4"
+) -> Figure:
+    """Draw a piston's positions by arcs of the rod's length; exact.
+
+    Parameters
+    ----------
+    machine : Machine
+    angles : int or sequence of float
+        How many, evenly over a turn, or which crank angles, from where the crank points along the cylinder; 24 at most.
+        [deg]
+    mechanism : str, optional
+        A slider-crank's name; the first one unless given.
+    size : "A4" or "A3"
+
+    Returns
+    -------
+    Figure
+        In the mechanism's own axes: the line of stroke lies, the shaft at its left.
+    """
+    return _sheet(machine, "arc", angles, mechanism, size, _("Positions by arcs of the rod's length"))
+
+
+def plan_projection(
+    machine: Machine, angles: int | Sequence[float] = 12, *, mechanism: str | None = None, size: str = "A4"
+) -> Figure:
+    """Draw a piston's positions by orthogonal projection of the crank pin (334); parameters as of `plan_arc`."""
+    return _sheet(machine, "projection", angles, mechanism, size, _("Positions by orthogonal projection, (334)"))
+
+
+def plan_brix(
+    machine: Machine, angles: int | Sequence[float] = 12, *, mechanism: str | None = None, size: str = "A4"
+) -> Figure:
+    """Draw a piston's positions by Brix's rays; parameters as of `plan_arc`."""
+    return _sheet(machine, "brix", angles, mechanism, size, _("Positions by Brix's construction"))
+
+
+def plan_brix_backward(
+    machine: Machine, angles: int | Sequence[float] = _PARTS, *, mechanism: str | None = None, size: str = "A4"
+) -> Figure:
+    """Draw crank angles by Brix's rays from displacements, as an indicator diagram is unrolled.
+
+    Parameters as of `plan_arc`, but a number of angles is into how many parts the stroke is divided.
+    """
+    return _sheet(machine, "brix_backward", angles, mechanism, size, _("Crank angles by Brix's construction"))
+
+
+def _sheet(
+    machine: Machine, method: Method, angles: int | Sequence[float], mechanism: str | None, size: str, title: str
+) -> Figure:
+    """The construction to scale, beside its readings and the exact ones."""
+    found = construction(machine, method, angles, mechanism=mechanism)
+    with drawing_settings():
+        page, box = plan_page(machine, angles, size, title, found.mechanism)
+        wide = 0.62 * box.width
+        left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
+        rough = _SKETCHES[method](found, 1e-9)
+        bounds = np.array(rough.bounds()).reshape(2, 2)
+        scale = fitting([1e-3 * bounds], (left.width - 26.0, left.height - 26.0))
+        sketch = _SKETCHES[method](found, 1e3 * scale)
+        sketch.add(
+            placed_labels(list(_wishes(found, 1e3 * scale)), [line.points for line in sketch.lines], 1e3 * scale)
+        )
+        centre(page, sketch, left)
+        write_scales(page, box, [scale_of("l", scale, "m")], 1e3 * scale)
+        start = box.left + wide + 6.0
+        rows = list((_backward_table if method == "brix_backward" else _forward_table)(found, scale))
+        end = write_table(page, rows, (start, box.bottom + box.height, box.left + box.width - start), _COLUMNS)
+        for number, note in enumerate(_notes(found)):
+            page.text(start, end - 1.0 - 4.2 * number, note, **muted())
+        return page.figure
+
+
+def _circle_and_line(found: Construction, scale: float, right: float) -> Sketch:
+    """Crank circle and line of stroke as far as a place on it [m]; the sketch is in mm of metal."""
+    sketch = Sketch(scale)
+    radius, height = 1e3 * float(found.geometry.crank_radius), 1e3 * float(found.geometry.offset)
+    sketch.add([Circle(np.zeros(2), radius, "PATHS", "rod", 2)])
+    ends = np.array([[-radius - 4.0 * scale, 1e3 * right + 4.0 * scale], [height, height]])
+    sketch.add([Line(ends, "GUIDES", "axis", 1)])
+    if height:
+        sketch.add([Line(ends * np.array([[1.0], [0.0]]), "GUIDES", "axis", 1)])
+    sketch.add([Circle(np.zeros(2), 0.7 * scale, "LINKS", "outline", 6, "paper")])
+    return sketch
+
+
+def _dots(points: Array, scale: float, habit: Habit = "thin") -> Iterator[Circle]:
+    for point in 1e3 * points.T:
+        yield Circle(point, 0.6 * scale, "LINKS", habit, 6, "paper")
+
+
+def _arcs(found: Construction, scale: float) -> Sketch:
+    """Arcs about the piston's pin from the crank pin to the line of stroke; one position as a line drawing."""
+    drawn = found.drawn
+    sketch = _circle_and_line(found, scale, float(np.max(drawn.piston[0])))
+    length = float(found.geometry.rod_length)
+    for pin, piston in zip(drawn.on_circle.T, drawn.piston.T, strict=True):
+        start = float(np.arctan2(*(pin - piston)[::-1])) % (2 * np.pi)
+        points = shapes.arc(1e3 * piston, 1e3 * length, start, np.pi)
+        sketch.add([Line(points, "LINKS", "construction", 3)])
+    first = min(1, drawn.piston.shape[1] - 1)
+    linkage = np.stack([np.zeros(2), drawn.on_circle[:, first], drawn.piston[:, first]], axis=1)
+    sketch.add([Line(1e3 * linkage, "LINKS", "outline", 4)])
+    for points in (drawn.on_circle, drawn.piston):
+        sketch.add(_dots(points, scale))
+    sketch.add(_bars(drawn.foot, scale))
+    return sketch
+
+
+def _bars(points: Array, scale: float) -> Iterator[Line]:
+    """Short bars across the line of stroke."""
+    for point in 1e3 * points.T:
+        ends = point[:, np.newaxis] + 1.6 * scale * np.array([[0.0, 0.0], [-1.0, 1.0]])
+        yield Line(ends, "PLAN_V", "outline", 5)
+
+
+def _projected(found: Construction, scale: float) -> Sketch:
+    """Perpendiculars from the crank circle to the line of stroke; from Brix's pole the rays, too."""
+    drawn = found.drawn
+    sketch = _circle_and_line(found, scale, float(found.geometry.crank_radius))
+    if found.method != "projection":
+        pole = 1e3 * np.array([found.pole, 0.0])
+        for point in 1e3 * drawn.on_circle.T:
+            sketch.add([Line(np.stack([pole, point], axis=1), "LINKS", "rod", 3)])
+        sketch.add([Circle(pole, 0.7 * scale, "LINKS", "outline", 6, "ink")])
+    for point, foot in zip(drawn.on_circle.T, drawn.foot.T, strict=True):
+        sketch.add([Line(1e3 * np.stack([point, foot], axis=1), "LINKS", "construction", 3)])
+    for points in (drawn.on_circle, drawn.foot):
+        sketch.add(_dots(points, scale))
+    if found.method != "brix_backward":
+        sketch.add(_bars(drawn.exact, scale))
+    return sketch
+
+
+_SKETCHES: Mapping[str, Callable[[Construction, float], Sketch]] = {
+    "arc": _arcs,
+    "projection": _projected,
+    "brix": _projected,
+    "brix_backward": _projected,
+}
+
+
+def _wishes(found: Construction, scale: float) -> Iterator[Wish]:
+    """Shaft, pole, and numbers of the positions."""
+    drawn = found.drawn
+    yield Wish(np.zeros(2), "O", -np.pi / 4)
+    if found.method.startswith("brix"):
+        yield Wish(1e3 * np.array([found.pole, 0.0]), "P", -3 * np.pi / 4)
+    yield from _numbers(1e3 * drawn.on_circle, scale, None)
+    is_apart = np.hypot(*(drawn.foot - drawn.on_circle)) > 1e-3 * scale
+    yield from _numbers(1e3 * np.where(is_apart, drawn.foot, np.nan), scale, -np.pi / 2)
+    if found.method == "arc":
+        yield from _numbers(1e3 * drawn.piston, scale, np.pi / 2)
+
+
+def _numbers(points: Array, scale: float, towards: float | None) -> Iterator[Wish]:
+    """Numbers beside points, one direction for all or away from the shaft; those that fall together share a place."""
+    for together in alike(points, scale):
+        point = points[:, together[0]]
+        outward = float(np.arctan2(point[1], point[0])) if towards is None else towards
+        yield Wish(point, ",".join(map(str, together)), outward, "number")
+
+
+def _forward_table(found: Construction, scale: float) -> Iterator[tuple[str, ...]]:
+    """Displacements as constructed and as they are."""
+    yield (_("no."), "φ, °", _("paper, mm"), "S, mm", _("exact, mm"), "Δ, %")
+    for number, (angle, made, exact) in enumerate(
+        zip(found.angle, found.displacement, found.exact_displacement, strict=True)
+    ):
+        error = 100.0 * (made - exact) / found.stroke
+        cells = (rounded(made / scale), figure(1e3 * made), figure(1e3 * exact), rounded(error))
+        yield (f"{number}", f"{np.rad2deg(angle):g}", *cells)
+
+
+def _backward_table(found: Construction, scale: float) -> Iterator[tuple[str, ...]]:
+    """Crank angles on the way to the shaft, as constructed and as they are."""
+    yield (_("no."), "S, mm", _("paper, mm"), "φ, °", _("exact, °"), "Δ, °")
+    for number, (made, exact, way) in enumerate(zip(found.angle, found.exact_angle, found.displacement, strict=True)):
+        angle, right = np.rad2deg([made, exact])
+        yield (f"{number}", figure(1e3 * way), *map(rounded, (way / scale, angle, right, angle - right)))
+
+
+def _notes(found: Construction) -> Iterator[str]:
+    """What is drawn, the source's range, and how the construction is read."""
+    ratio = f"λ = {found.ratio:.4g}"
+    if found.method == "arc":
+        yield _("Arcs about the piston's pin lead the crank pin to bars on the line")
+        yield _("of stroke: exact, with an offset too.")
+    elif found.method == "brix_backward":
+        yield _("On the way to the shaft; on the way back 360° − φ.")
+    else:
+        yield _("Bars across the line of stroke: where the exact readings are.")
+    if found.method.startswith("brix"):
+        distance = f"OP = λR/2 = {figure(-1e3 * found.pole)} mm"
+        yield _("{distance}, away from the cylinder").format(distance=distance)
+    if found.condition:
+        verdict = _("outside, {ratio}") if found.is_outside else _("inside, {ratio}")
+        yield _("Range of the source: {condition}.").format(condition=found.condition)
+        yield _("This mechanism: {verdict} [{source}].").format(
+            verdict=verdict.format(ratio=ratio), source=found.source
+        )
+    yield _("φ from where the crank points along the cylinder, S from the top;")
+    yield _("drawn in the mechanism's own axes, the shaft at the left.")

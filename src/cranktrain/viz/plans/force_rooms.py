@@ -1,0 +1,124 @@
+"""Room for polygons of forces on a sheet: side by side in rows, each with its words, at the largest scale that fits."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.motion import Array
+from cranktrain.plans.force_polygons import ForcePolygon, rescaled
+from cranktrain.plans.force_sides import INITIAL
+from cranktrain.plans.positions import fitting, rounded_scale
+from cranktrain.viz.paper.labels import label_outline
+from cranktrain.viz.paper.page import Page
+from cranktrain.viz.paper.sketch import Sketch
+from cranktrain.viz.plans.force_rows import group_words, moment_words
+from cranktrain.viz.plans.force_sketches import force_polygon_sketch
+from cranktrain.viz.plans.sheet import Box
+
+_HEAD, _MOMENT, _GAP = 6.0, 5.0, 6.0
+"""Height of a heading, of a line with a crank's moment, and what lies between two polygons. [mm]"""
+
+_LETTER = 2.0
+"""Width of a letter of a heading. [mm]"""
+
+_SMALLEST = 18.0
+"""Size of a sheet's polygon of the most forces that can be read. [mm]"""
+
+
+class Picture(NamedTuple):
+    """A polygon with its sketch, and the corners of what that covers with its labels. [mm]"""
+
+    polygon: ForcePolygon
+    sketch: Sketch
+    low: Array
+    high: Array
+
+    @property
+    def above(self) -> float:
+        """Height of the words above the polygon. [mm]"""
+        return _HEAD + _MOMENT * (self.polygon.sort == INITIAL)
+
+    @property
+    def size(self) -> Array:
+        """Width and height that it needs. [mm]"""
+        width, height = self.high - self.low
+        words = _LETTER * len(group_words(self.polygon))
+        return np.array([max(float(width), words) + _GAP, float(height) + self.above + _GAP])
+
+
+def pictured(polygon: ForcePolygon) -> Picture:
+    """Draw a polygon, and measure it with its labels."""
+    sketch = force_polygon_sketch(polygon)
+    outlines = [*sketch.outline(), *(label_outline(label, sketch.scale) for label in sketch.labels)]
+    points = np.concatenate(outlines, axis=1)
+    return Picture(polygon, sketch, np.min(points, axis=1), np.max(points, axis=1))
+
+
+def fitting_pictures(
+    groups: Sequence[Sequence[ForcePolygon]], room: tuple[float, float]
+) -> list[list[list[Picture]]] | None:
+    """Draw the polygons of each angle as large as they fit in rows, all to one scale; None where they would be specks.
+
+    Parameters
+    ----------
+    groups : sequence of sequences of ForcePolygon
+        Of each angle.
+    room : (width, height)
+        Of each angle. [mm]
+
+    Returns
+    -------
+    list, of each angle a list of rows
+    """
+    if min(room) <= 0.0:
+        return None
+    outlines = [polygon.corners * polygon.scale for group in groups for polygon in group]
+    scale = fitting(outlines, room)
+    largest = max(outlines, key=lambda outline: (outline.shape[1], float(np.max(np.ptp(outline, axis=1)))))
+    coarsest = float(np.max(np.ptp(largest, axis=1))) / _SMALLEST
+    while scale <= coarsest:
+        found = [_rows([pictured(rescaled(one, scale)) for one in group], room) for group in groups]
+        if all(rows for rows in found):
+            return found
+        scale = rounded_scale(1.01 * scale)
+    return None
+
+
+def _rows(pictures: Sequence[Picture], room: tuple[float, float]) -> list[list[Picture]]:
+    """Put pictures side by side in as many rows as they need; none where the room does not suffice."""
+    rows: list[list[Picture]] = [[]]
+    for picture in pictures:
+        if rows[-1] and sum(one.size[0] for one in (*rows[-1], picture)) > room[0]:
+            rows.append([])
+        rows[-1].append(picture)
+    widths = [sum(one.size[0] for one in row) for row in rows]
+    return rows if max(widths) <= room[0] and sum(map(_height, rows)) <= room[1] else []
+
+
+def _height(row: Sequence[Picture]) -> float:
+    return max(float(one.size[1]) for one in row)
+
+
+def draw_rows(page: Page, rows: Sequence[Sequence[Picture]], box: Box) -> None:
+    """Draw rows of polygons in a room, of which what is left is shared among them."""
+    top = box.bottom + box.height
+    whole = sum(map(_height, rows))
+    for row in rows:
+        height = _height(row) * box.height / whole
+        widths = np.array([one.size[0] for one in row])
+        lefts = box.left + np.cumsum([0.0, *widths]) * box.width / np.sum(widths)
+        for i, picture in enumerate(row):
+            _draw(page, picture, Box(lefts[i], top - height, lefts[i + 1] - lefts[i], height))
+        top -= height
+
+
+def _draw(page: Page, picture: Picture, box: Box) -> None:
+    """Draw a polygon in the middle of its room, below its heading."""
+    top = box.bottom + box.height
+    page.heading(box.left + 4.0, top - 4.0, group_words(picture.polygon))
+    if picture.polygon.sort == INITIAL:
+        page.text(box.left + 4.0, top - 9.0, moment_words(picture.polygon))
+    middle = np.array([box.left + box.width / 2, box.bottom + (box.height - picture.above) / 2])
+    x, y = middle - (picture.low + picture.high) / 2
+    page.draw(picture.sketch, (float(x), float(y)))

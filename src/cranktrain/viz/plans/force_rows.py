@@ -1,0 +1,127 @@
+"""Table of the forces on groups: number in the polygon, symbol, joint, length on paper, size."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from cranktrain.language import _
+from cranktrain.plans.force_polygons import ForcePolygon
+from cranktrain.plans.force_sides import INITIAL, PolygonForce
+from cranktrain.plans.vectors import spoken_name
+from cranktrain.viz.paper.page import Page, in_words, is_formula, mathematics
+from cranktrain.viz.paper.style import SYMBOL
+from cranktrain.viz.plans.sheet import figure
+
+TABLE = 66.0
+"""Width of a table of forces. [mm]"""
+
+_LINE, _HEAD = 4.3, 6.0
+"""Height of its rows and of its head. [mm]"""
+
+_HEADING = 32
+"""Letters of a heading of the table on one line."""
+
+_LETTERS = 15
+"""Of a joint's name there is room for so many."""
+
+_ENDS = (0.0, 0.08, 0.26, 0.79, 1.0)
+_SIDES = ("left", "left", "left", "right", "right")
+"""Where the columns begin or end, in parts of the width."""
+
+
+class Row(NamedTuple):
+    """A row of the table: what its columns say; of a heading the first one alone."""
+
+    columns: tuple[str, ...]
+    is_heading: bool = False
+
+
+def tables(polygons: Sequence[ForcePolygon], height: float, letters: Mapping[str, str]) -> list[list[Row]]:
+    """Divide the rows of all forces among tables that are as high as the room. [mm]"""
+    room = int((height - _HEAD) / _LINE) - 1
+    has_names = len({polygon.mechanism for polygon in polygons}) > 1
+    rows = [row for polygon in polygons for row in _rows(polygon, letters, has_names=has_names)]
+    divided: list[list[Row]] = [[]]
+    for row, following in zip(rows, [*rows[1:], None], strict=True):
+        is_last = len(divided[-1]) == room - 1
+        if len(divided[-1]) == room or (is_last and row.is_heading and following is not None):
+            divided.append([])
+        divided[-1].append(row)
+    return divided
+
+
+def write_forces(page: Page, rows: Sequence[Row], place: tuple[float, float, float]) -> None:
+    """Write a table at a place on the sheet: left, top, width. [mm]"""
+    left, top, width = place
+    y = top - 4.0
+    heads = ("", _("force"), _("joint"), "mm", "N")
+    for words, share, where in zip(heads, _ENDS, _SIDES, strict=True):
+        page.text(left + share * width, y, words, ha=where, fontweight="bold")
+    page.rule(y - 1.4, left, left + width)
+    y -= _HEAD
+    for row in rows:
+        for words, share, where in zip(row.columns, _ENDS, _SIDES, strict=False):
+            size = SYMBOL if is_formula(words) else 8.0
+            weight = "bold" if row.is_heading else "normal"
+            page.text(left + share * width, y, words, ha=where, fontsize=size, fontweight=weight)
+        y -= _LINE
+
+
+def group_words(polygon: ForcePolygon) -> str:
+    """Say what a polygon is of: numbers of the links, and the sort of their group."""
+    sorts = {INITIAL: _("initial link"), "triad": _("triad")}
+    numbers = ", ".join(map(str, polygon.numbers))
+    return f"{numbers}: {sorts.get(polygon.sort) or _('group {sort}').format(sort=polygon.sort)}"
+
+
+def moment_words(polygon: ForcePolygon) -> str:
+    """Say the balancing moment of a crank, in the sense of rotation."""
+    return f"{mathematics('M_b')} = {figure(polygon.moment)} N·m"
+
+
+def _rows(polygon: ForcePolygon, letters: Mapping[str, str], *, has_names: bool) -> Iterator[Row]:
+    """Every force of a group: its sides by their numbers, then whole reactions and those in inner joints."""
+    for line in _headings(polygon, has_names=has_names):
+        yield Row((line,), is_heading=True)
+    for i, force in enumerate(polygon.forces):
+        yield _row(polygon, force, str(i + 1), letters)
+    for span in (*polygon.wholes, *polygon.chords):
+        yield _row(polygon, span.force, "", letters)
+
+
+def _headings(polygon: ForcePolygon, *, has_names: bool) -> Iterator[str]:
+    """Numbers and names of a group's links, on as many lines as they need; of several mechanisms theirs too."""
+    line = ""
+    named = [f"{number} {link.replace('_', ' ')}" for number, link in zip(polygon.numbers, polygon.links, strict=True)]
+    if has_names:
+        named[0] = f"{polygon.mechanism}: {named[0]}"
+    for words in named:
+        if line and len(line) + len(words) + 2 > _HEADING:
+            yield f"{line},"
+            line = words
+        else:
+            line = f"{line}, {words}" if line else words
+    yield line
+
+
+def _row(polygon: ForcePolygon, force: PolygonForce, number: str, letters: Mapping[str, str]) -> Row:
+    said = _said(force, letters)
+    return Row((number, mathematics(force.symbol), said, f"{polygon.length(force):.2f}", figure(force.size)))
+
+
+def _said(force: PolygonForce, letters: Mapping[str, str]) -> str:
+    """Cause of a force, how a part of a reaction lies, or the joint of a reaction."""
+    causes = {"load": _("load"), "weight": _("weight"), "inertia": _("inertia")}
+    if force.cause in causes:
+        return causes[force.cause]
+    if force.about:
+        pin = letters.get(force.about) or spoken_name(force.about).replace("_", " ")
+        return _shortened(_("about {pin}").format(pin=in_words(pin)))
+    if force.symbol.endswith("^n"):
+        return _("along the link")
+    if force.symbol.startswith("f_"):
+        return _("friction")
+    return _shortened(spoken_name(force.joint.partition("/")[0]).replace("_", " "))
+
+
+def _shortened(words: str) -> str:
+    return words if len(words) <= _LETTERS else f"{words[: _LETTERS - 1]}…"

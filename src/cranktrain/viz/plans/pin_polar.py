@@ -1,0 +1,172 @@
+"""Polar diagram of a crank pin's load: in the pin's axes and in the rod's, with the rod's rotating mass and without."""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from cranktrain.analysis import SpeedWanted, speed_over_cycle
+from cranktrain.language import _
+from cranktrain.machine import Machine
+from cranktrain.motion import Array
+from cranktrain.plans.pin_loads import PinLoads, pin_loads
+from cranktrain.plans.positions import fitting, plan_angles
+from cranktrain.viz.paper.labels import Mark, Wish, placed_labels
+from cranktrain.viz.paper.page import Figure, drawing_settings, mathematics, muted, rounded_down
+from cranktrain.viz.paper.sketch import Circle, Line, Sketch
+from cranktrain.viz.paper.style import INK
+from cranktrain.viz.plans.sheet import Box, centre, plan_page, rounded, scale_of, write_scales, write_table
+
+_MARKS = 30
+"""Between marks of the crank angle. [deg]"""
+
+_TABLE = 62.0
+"""Width of the table. [mm]"""
+
+_COLUMNS = (0.42, 0.71, 1.0)
+_STEPS = (1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
+"""Scale factors within a power of ten: close, as the diagram is read by its rings."""
+
+_RINGS, _BEYOND = 3.0, 5.0
+"""How many rings there are at least, and how far axes go beyond the curves. [mm]"""
+
+_ROUND = np.linspace(0.0, 2 * np.pi, 721)
+
+
+def plan_polar(
+    machine: Machine,
+    angles: int | Sequence[float] | None = None,
+    *,
+    mechanism: str | None = None,
+    size: str = "A4",
+    speed: SpeedWanted = "constant",
+) -> Figure:
+    """Draw the polar diagrams of a crank pin's load.
+
+    Parameters
+    ----------
+    machine : Machine
+        With masses or gas, and a speed.
+    angles : int or sequence of float, optional
+        How many crank angles, evenly over a turn, or which, at which the table gives the load; each 30° of the cycle
+        unless given. [deg]
+    mechanism : str, optional
+        Whose rod; the first with a rod on a crank pin unless given.
+    size : "A4" or "A3"
+    speed : SpeedWanted
+        As `cranktrain.run` takes it.
+
+    Returns
+    -------
+    Figure
+    """
+    curve = speed_over_cycle(machine, speed)
+    loads = pin_loads(machine, mechanism=mechanism, speed=curve or "constant")
+    chosen = np.arange(0.0, loads.cycle, _MARKS) if angles is None else plan_angles(angles)
+    with drawing_settings():
+        page, box = plan_page(
+            machine,
+            chosen.tolist(),
+            size,
+            _("Polar diagram of the crank pin's load"),
+            loads.mechanism,
+            curve=curve,
+        )
+        width = (box.width - _TABLE) / 2
+        pairs = ((loads.on_pin, loads.on_pin_without), (loads.in_rod, loads.in_rod_without))
+        heads = (_("On the pin, in the crank's axes"), _("On the rod's bearing, in the rod's axes"))
+        upward = (_("up: away from the shaft"), _("up: toward the piston"))
+        across = (_("right: in the sense of rotation"), _("right: 90° from it in the sense of rotation"))
+        for number, pair in enumerate(pairs):
+            cell = Box(box.left + number * width, box.bottom + 8.0, width - 4.0, box.height - 8.0)
+            top = cell.bottom + cell.height
+            page.heading(cell.left, top - 4.0, heads[number])
+            page.text(cell.left, top - 8.5, upward[number], **muted())
+            page.text(cell.left, top - 12.7, across[number], **muted())
+            outline = np.concatenate([*pair, np.zeros((2, 1))], axis=1)
+            scale = fitting([outline], (width - 26.0, box.height - 42.0), _STEPS)
+            rings = _("rings each {step:g} kN").format(step=ring_step(pair[0]) / 1e3)
+            page.text(cell.left, top - 17.2, f"{scale_of('F', scale / 1e3, _('kN'))}, {rings}")
+            centre(page, polar_sketch(loads, pair, scale), cell._replace(height=cell.height - 19.0))
+        start = box.left + 2 * width + 4.0
+        rows = list(_table(loads, chosen))
+        end = write_table(page, rows, (start, box.bottom + box.height, _TABLE - 4.0), _COLUMNS)
+        for number, note in enumerate(_notes(loads)):
+            page.text(start, end - 2.0 - 4.2 * number, note, **muted())
+        page.sample(box.left, box.left + 8.0, box.bottom + 0.5, color=INK, lw=1.0)
+        page.text(box.left + 10.0, box.bottom - 0.4, _("with the rod's rotating mass"))
+        if np.any(np.isfinite(loads.on_pin_without)):
+            page.sample(box.left + 62.0, box.left + 70.0, box.bottom + 0.5, color=INK, lw=0.6, dashes=(5.0, 2.5))
+            page.text(box.left + 72.0, box.bottom - 0.4, _("without it"))
+        write_scales(page, box, [], None)
+        return page.figure
+
+
+def polar_sketch(loads: PinLoads, pair: tuple[Array, Array], scale: float) -> Sketch:
+    """One diagram in drawing millimetres: axes, rings in kN, both loads, marks of the crank angle, the largest load."""
+    full, without = (np.append(part, part[:, :1], axis=1) / scale for part in pair)
+    every = np.concatenate([full, without, np.zeros((2, 1))], axis=1)
+    low, high = np.nanmin(every, axis=1) - _BEYOND, np.nanmax(every, axis=1) + _BEYOND
+    sketch = Sketch(1.0)
+    sketch.add([Line(np.array([[low[0], high[0]], [0.0, 0.0]]), "LINKS", "thin", 1)])
+    sketch.add([Line(np.array([[0.0, 0.0], [low[1], high[1]]]), "LINKS", "thin", 1)])
+    sketch.add([Line(without, "LINKS", "part", 3), Line(full, "LINKS", "vector", 4)])
+    step = ring_step(pair[0]) / scale
+    radii = step * np.arange(1, int(max(np.max(np.abs(low)), np.max(high)) / step) + 1)
+    rings = [_ring(radius, low, high) for radius in radii.tolist()]
+    sketch.add(Line(ring, "LINKS", "dotted", 1) for ring in rings if np.any(np.isfinite(ring)))
+    marked = np.nonzero(loads.angle % _MARKS == 0)[0]
+    sketch.add(Circle(full[:, i], 0.6, "LINKS", "outline", 6, "paper") for i in marked)
+    largest = full[:, int(np.argmin(np.abs(loads.angle - loads.largest_at)))]
+    sketch.add([Circle(largest, 1.8, "LINKS", "outline", 7)])
+    lines = [full, np.array([[low[0], high[0]], [0.0, 0.0]]), np.array([[0.0, 0.0], [low[1], high[1]]])]
+    longer = -1.0 if -low[1] >= high[1] else 1.0
+    wishes = [
+        Wish(np.array([0.0, longer * radius]), f"{radius * scale / 1e3:g}", -0.2, "number")
+        for radius in radii.tolist()
+        if radius < max(-low[1], high[1]) - 2.0
+    ]
+    middle = np.nanmean(full, axis=1)
+    named = marked[loads.angle[marked] % (_MARKS * round(loads.cycle / 360.0)) == 0]
+    wishes += [Wish(full[:, i], f"{loads.angle[i]:g}°", _away(full[:, i] - middle), "number") for i in named]
+    marks = [Mark(circle.centre, circle.radius) for circle in sketch.circles]
+    sketch.add(placed_labels(wishes, lines, 1.0, marks))
+    return sketch
+
+
+def ring_step(load: Array) -> float:
+    """Load from ring to ring, a round one of which the largest load has three or more. [N]"""
+    return rounded_down(float(np.nanmax(np.hypot(*load))) / _RINGS)
+
+
+def _ring(radius: float, low: Array, high: Array) -> Array:
+    """Circle about the pole, NaN outside what is drawn, shape (2, n). [mm]"""
+    points = radius * np.stack([np.cos(_ROUND), np.sin(_ROUND)])
+    inside = np.all((points >= low[:, np.newaxis]) & (points <= high[:, np.newaxis]), axis=0)
+    return np.where(inside, points, np.nan)
+
+
+def _away(direction: Array) -> float:
+    return float(np.arctan2(direction[1], direction[0]))
+
+
+def _table(loads: PinLoads, angles: Array) -> Iterator[tuple[str, ...]]:
+    """Load at some crank angles: toward the shaft, in the sense of rotation, its size."""
+    yield ("φ, °", *(f"{mathematics(symbol)}, {_('kN')}" for symbol in ("K_R", "T_R", "R")))
+    closed = np.append(loads.angle, loads.cycle)
+    tangential, outward = (
+        1e-3 * np.interp(angles % loads.cycle, closed, np.append(part, part[:1])) for part in loads.on_pin
+    )
+    size = np.sqrt(tangential**2 + outward**2)
+    for i in range(len(angles)):
+        yield (f"{angles[i]:g}", rounded(-float(outward[i])), rounded(float(tangential[i])), rounded(float(size[i])))
+
+
+def _notes(loads: PinLoads) -> Iterator[str]:
+    """Say mean and largest load, and what the signs are."""
+    yield _("Mean load R: {mean} kN").format(mean=rounded(loads.mean / 1e3))
+    yield _("Largest: {largest} kN at {angle:g}°, ringed").format(
+        largest=rounded(loads.largest / 1e3), angle=round(loads.largest_at, 2)
+    )
+    yield _("Largest over mean: {ratio}").format(ratio=rounded(loads.largest / loads.mean))
+    yield _("K toward the shaft, T with rotation")
+    yield _("Marks: crank angle, each 30°")

@@ -1,0 +1,247 @@
+"""Sketches of plans: a mechanism in positions, polygons of velocities and accelerations, Klein's construction."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from cranktrain.mechanisms.kind import Drawing
+from cranktrain.motion import Array
+from cranktrain.plans.klein import Klein
+from cranktrain.plans.polygons import Polygon
+from cranktrain.plans.positions import PositionPlan
+from cranktrain.plans.vectors import POLE, Part, spoken_name
+from cranktrain.viz.paper import shapes
+from cranktrain.viz.paper.labels import Wish, placed_labels
+from cranktrain.viz.paper.sketch import Circle, Habit, Layer, Line, Sketch
+
+_CORNER = 3.0
+"""A normal part shorter than this leaves no room to name its end; nor does a tangential part to name its start. [mm]"""
+
+_LETTERS_FROM = 0.35
+"""A vector shorter than this part of the longest has no room for its symbol."""
+
+_HABITS: dict[Part, Habit] = {
+    "absolute": "vector",
+    "relative": "thin",
+    "normal": "part",
+    "tangential": "part",
+    "coriolis": "part",
+}
+
+_MANY_PINS, _NUMBER = 5, 1.5
+"""Where more pins move, only the positions of crank and sliders have numbers, if each has so much room. [mm]"""
+
+_MANY = 8
+"""Of more vectors only those from the pole have their symbols beside them: the table names the others by their ends."""
+
+
+def positions_sketch(plan: PositionPlan, track: Drawing | None = None) -> Sketch:
+    """Mechanism in positions as line drawings, numbered from 0; in mm of metal.
+
+    Parameters
+    ----------
+    plan : PositionPlan
+    track : Drawing, optional
+        The same mechanism over a turn, for the paths of its pins. [drawing mm]
+    """
+    sketch, pins = line_drawing(plan, track)
+    scale = sketch.scale
+    if len(plan.angles) == 1:
+        wishes = pin_wishes(plan.drawing, pins)
+    else:
+        wishes = [
+            wish for name in _numbered(plan.drawing, pins, scale) for wish in _numbers(name, pins, plan.drawing, scale)
+        ]
+    lines = [line.points for line in sketch.lines if line.habit != "dotted"]
+    sketch.add(placed_labels(wishes, lines, scale))
+    return sketch
+
+
+def _numbered(drawing: Drawing, pins: dict[str, Array], scale: float) -> list[str]:
+    """Pins whose positions have numbers: all that move; of many the crank's and those that slide far on paper."""
+    moving = [name for name in pins if name not in (*drawing.fixed, *drawing.ends)]
+    if len(moving) <= _MANY_PINS:
+        return moving
+    sliding = [guide.pin for guide in drawing.guides]
+    far = [name for name in sliding if np.max(np.ptp(pins[name], axis=1)) > _NUMBER * pins[name].shape[1] * scale]
+    return [drawing.links[0].pins[1], *far]
+
+
+def line_drawing(plan: PositionPlan, track: Drawing | None = None) -> tuple[Sketch, dict[str, Array]]:
+    """Links, guides and pivots of a mechanism in its positions, without words; its pins by name, in mm of metal."""
+    scale = 1e3 * plan.scale
+    sketch = Sketch(scale)
+    pins = {name: scale * pin for name, pin in plan.drawing.positions.items()}
+    sketch.add(_frame(plan.drawing, pins, scale))
+    sketch.add(_blocks(plan.drawing, pins, scale))
+    if track is not None:
+        paths = track.positions
+        sketch.add(Line(scale * paths[name], "PATHS", "dotted", 1) for name in track.paths)
+    for i in range(len(plan.angles)):
+        habit = "outline" if i == 0 else "thin"
+        for link in plan.drawing.links:
+            for name in link.pins[1:]:
+                ends = np.stack([pins[link.pins[0]][:, i], pins[name][:, i]], axis=1)
+                sketch.add([Line(ends, "LINKS", habit, 4 if i == 0 else 3)])
+        for name in pins:
+            sketch.add([Circle(pins[name][:, i], 0.6 * scale, "LINKS", habit, 5, "paper")])
+    return sketch, pins
+
+
+def pin_wishes(drawing: Drawing, pins: dict[str, Array]) -> list[Wish]:
+    """Names of the pins in the first position, outside the mechanism."""
+    middle = np.mean(np.concatenate(list(pins.values()), axis=1), axis=1)
+    return [
+        Wish(pin[:, 0], spoken_name(name), _away(pin[:, 0] - middle))
+        for name, pin in pins.items()
+        if name not in drawing.ends
+    ]
+
+
+def _numbers(name: str, pins: dict[str, Array], drawing: Drawing, scale: float) -> Iterator[Wish]:
+    """Numbers of a pin's positions; where it passes a place twice, both stand together."""
+    pin = pins[name]
+    bases = [link.pins[0] for link in drawing.links if name in link.pins[1:] and link.pins[0] in drawing.fixed]
+    across = [float(np.squeeze(guide.direction)) - np.pi / 2 for guide in drawing.guides if guide.pin == name]
+    for number, together in enumerate(sorted(alike(pin, scale), key=lambda few: tuple(pin[:, few[0]]))):
+        point = pin[:, together[0]]
+        if across:
+            outward = across[0] + np.pi * (number % 2)
+            point = point + 2.6 * scale * np.array([np.cos(outward), np.sin(outward)])
+        else:
+            outward = _away(point - pins[bases[0] if bases else "O"][:, 0])
+        yield Wish(point, ",".join(map(str, together)), outward, "number")
+
+
+def alike(points: Array, scale: float) -> list[list[int]]:
+    """Put points together that fall on one place on paper, by their numbers; without those that are nowhere."""
+    together: dict[tuple[int, int], list[int]] = {}
+    for i, point in enumerate(points.T):
+        if not np.all(np.isfinite(point)):
+            continue
+        key = (round(float(point[0]) / (0.5 * scale)), round(float(point[1]) / (0.5 * scale)))
+        together.setdefault(key, []).append(i)
+    return list(together.values())
+
+
+def _frame(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[Line | Circle]:
+    """Guides and fixed pivots."""
+    for guide in drawing.guides:
+        along = np.array([np.cos(guide.direction), np.sin(guide.direction)]).reshape(2)
+        places = along @ pins[guide.pin]
+        foot = pins[guide.pin][:, 0] - places[0] * along
+        across = np.array([-along[1], along[0]])
+        for side in (-2.0, 2.0):
+            ends = [
+                foot + place * along + side * scale * across
+                for place in (min(places) - 5 * scale, max(places) + 5 * scale)
+            ]
+            yield Line(np.stack(ends, axis=1), "GUIDES", "thin", 2)
+            yield shapes.hatch(ends[0], ends[1], np.sign(side) * across, scale)
+        shafts = [float(along @ pins[name][:, 0]) for name in drawing.fixed if name.startswith("O")]
+        own = min(shafts, key=lambda shaft: abs(shaft - places[0]), default=0.0)
+        beyond = max(places) + 8 * scale if places[0] > own else min(places) - 8 * scale
+        yield Line(np.stack([foot + own * along, foot + beyond * along], axis=1), "GUIDES", "axis", 1)
+    for name in drawing.fixed:
+        yield from shapes.pivot(pins[name][:, 0], 2.0 * scale, scale)
+
+
+def _blocks(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[Line]:
+    """Blocks in slots in the first position: along the drawn link that has the slot, or toward the slider that has."""
+    for block in drawing.blocks:
+        slotted = next((link.pins for link in drawing.links if {*block.link} <= {*link.pins}), (block.pin, *block.link))
+        ends = pins[slotted[-1]][:, 0] - pins[slotted[0]][:, 0]
+        if np.hypot(*ends) < 0.1 * scale:
+            continue
+        along = ends / np.hypot(*ends)
+        line = shapes.Along(pins[block.pin][:, 0], along)
+        corners = [(-2.0, -1.2), (2.0, -1.2), (2.0, 1.2), (-2.0, 1.2)]
+        points = [line.at(scale * u, scale * v) for u, v in corners]
+        yield Line(np.stack(points, axis=1), "LINKS", "outline", 2, is_closed=True, fill="light")
+
+
+def _away(direction: Array) -> float:
+    return float(np.arctan2(direction[1], direction[0]))
+
+
+def polygon_sketch(polygon: Polygon, *, with_symbols: bool = True) -> Sketch:
+    """Polygon in drawing millimetres: vectors from the pole full, about another pin thin, parts dashed."""
+    layer: Layer = "PLAN_V" if polygon.quantity == "velocity" else "PLAN_A"
+    sketch = Sketch(1.0)
+    habits = dict(_HABITS)
+    if polygon.quantity == "velocity":
+        habits["relative"] = "part"
+    points = {name: np.array(point) for name, point in polygon.points.items()}
+    longest = max(polygon.length(vector) for vector in polygon.vectors)
+    for vector in polygon.vectors:
+        ends = np.stack([points[vector.start], points[vector.end]], axis=1)
+        sketch.add([Line(ends, layer, habits[vector.part], 3)])
+        if polygon.length(vector) > 2.5:
+            head = shapes.arrowhead(ends[:, 1], _away(ends[:, 1] - ends[:, 0]), 2.0)
+            sketch.add([head._replace(layer=layer)])
+    sketch.add([Circle(points[POLE], 0.7, layer, "outline", 6, "paper")])
+    middle = np.mean(np.stack(list(points.values())), axis=0)
+    short = [vector for vector in polygon.vectors if polygon.length(vector) < _CORNER]
+    corners = {vector.end for vector in short if vector.part == "normal"}
+    corners |= {vector.start for vector in short if vector.part == "tangential"}
+    named = {name: point for name, point in points.items() if name not in corners}
+    wishes = [Wish(point, name, _away(point - middle)) for name, point in _separate(named)]
+    if with_symbols:
+        is_crowded = len(polygon.vectors) > _MANY
+        for vector in polygon.vectors:
+            if is_crowded and vector.part != "absolute":
+                continue
+            if polygon.length(vector) > max(_LETTERS_FROM * longest, 10.0) or (
+                vector.part != "relative" and polygon.length(vector) > 12.0
+            ):
+                half = 0.5 * (points[vector.start] + points[vector.end])
+                wishes.append(Wish(half, vector.symbol, _away(half - middle)))
+    sketch.add(placed_labels(wishes, list(sketch.outline()), 1.0))
+    return sketch
+
+
+def _separate(points: dict[str, Array]) -> Iterator[tuple[str, Array]]:
+    """Give points by name; those that fall together share their names."""
+    groups: list[tuple[list[str], Array]] = []
+    for name, point in points.items():
+        for names, other in groups:
+            if np.hypot(*(point - other)) < 0.4:
+                names.append(name)
+                break
+        else:
+            groups.append(([name], point))
+    for names, point in groups:
+        for i, name in enumerate(names):
+            yield name, point + np.array([0.0, -1e-6 * i])
+
+
+def klein_sketch(construction: Klein, scale: float) -> Sketch:
+    """Klein's construction in mm of metal: rod and crank full, what is constructed thin, its polygons dashed."""
+    sketch = Sketch(scale)
+    points = {name: 1e3 * np.asarray(getattr(construction, name)) for name in "ABCDKLN"} | {"O": np.zeros(2)}
+
+    def line(names: str, habit: Habit, layer: Layer = "LINKS") -> Line:
+        return Line(np.stack([points[name] for name in names], axis=1), layer, habit, 3)
+
+    sketch.add([line("OAB", "outline"), line("OC", "vector", "PLAN_V"), line("AC", "part", "PLAN_V")])
+    sketch.add([line("KL", "thin", "PLAN_A"), line("ADN", "part", "PLAN_A"), line("ON", "vector", "PLAN_A")])
+    arm = float(np.hypot(*(points["C"] - points["A"])))
+    rod = points["B"] - points["A"]
+    axis = np.stack(
+        [
+            points["B"] - reach * construction.stroke
+            for reach in (1.15 * float(points["B"] @ construction.stroke), -8.0 * scale)
+        ],
+        axis=1,
+    )
+    sketch.add([Line(axis, "GUIDES", "axis", 1)])
+    sketch.add([Circle(points["A"] + rod / 2, float(np.hypot(*rod)) / 2, "PLAN_A", "thin", 2)])
+    sketch.add([Circle(points["A"], arm, "PLAN_A", "thin", 2)])
+    sketch.add(shapes.pivot(points["O"], 2.0 * scale, scale))
+    for name in "OAB":
+        sketch.add([Circle(points[name], 0.7 * scale, "LINKS", "outline", 6, "paper")])
+    middle = points["A"]
+    shown_points = {name: point for name, point in points.items() if np.all(np.isfinite(point))}
+    wishes = [Wish(point, name, _away(point - middle)) for name, point in shown_points.items()]
+    sketch.add(placed_labels(wishes, [line.points for line in sketch.lines], scale))
+    return sketch

@@ -1,0 +1,222 @@
+"""Sheet of Zhukovsky's lever: the mechanism, the turned plan of velocities with the forces, and their moments."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+
+from cranktrain.analysis import SpeedWanted, speed_over_cycle
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.machine import Machine
+from cranktrain.motion import Array
+from cranktrain.plans.lettering import pin_letters
+from cranktrain.plans.placement import place_called, placed
+from cranktrain.plans.polygons import Polygon, velocity_polygons
+from cranktrain.plans.positions import position_plan, rounded_scale
+from cranktrain.plans.positions import rescaled as rescaled_plan
+from cranktrain.plans.vectors import POLE, spoken_name
+from cranktrain.plans.zhukovsky import Lever, LeverForce, zhukovsky_lever
+from cranktrain.viz.paper import shapes
+from cranktrain.viz.paper.labels import Wish, placed_labels
+from cranktrain.viz.paper.page import Figure, drawing_settings, mathematics, muted
+from cranktrain.viz.paper.sketch import Circle, Line, Sketch
+from cranktrain.viz.plans.forces import too_many_words
+from cranktrain.viz.plans.sheet import (
+    LEAST_ROW,
+    ROW,
+    Box,
+    cells_of,
+    centre,
+    few_angles,
+    figure,
+    plan_page,
+    scale_of,
+    write_scales,
+    write_table,
+)
+from cranktrain.viz.plans.sketches import positions_sketch
+
+_LONGEST = 0.30
+"""The longest force, in parts of the room: the rest is the plan's."""
+
+_NAMED = 2.0
+"""A force shorter than this stands in the table alone. [mm]"""
+
+_TO_A_LINE = 8
+"""Symbols side by side below a table."""
+
+_NOTES = 22.0
+"""Height of the notes below the mechanism. [mm]"""
+
+_HEAD, _NOTE = 6.0, 4.2
+"""Height of a table's head, and of a line of notes. [mm]"""
+
+_COLUMNS = (0.26, 0.62, 1.0)
+_HEADED = 2.5
+"""A force shorter than this has no arrowhead. [mm]"""
+
+
+def plan_zhukovsky(
+    machine: Machine,
+    angles: int | Sequence[float] = (30.0,),
+    *,
+    mechanism: str | None = None,
+    size: str = "A4",
+    speed: SpeedWanted = "constant",
+) -> Figure:
+    """Draw Zhukovsky's lever; parameters as `plan_forces` takes them, two angles at most."""
+    chosen = [float(angle) for angle in few_angles(angles, _("Zhukovsky's lever"))]
+    curve = speed_over_cycle(machine, speed)
+    turning = curve or "constant"
+    levers = [zhukovsky_lever(machine, angle, mechanism=mechanism, speed=turning) for angle in chosen]
+    mechanism = levers[0].mechanism
+    letters = pin_letters(placed(machine, place_called(machine, mechanism), np.zeros(1)))
+    with drawing_settings():
+        page, box = plan_page(machine, angles, size, _("Zhukovsky's lever"), mechanism, curve=curve)
+        cells = list(cells_of(box, len(chosen)))
+        left, middle = 0.26 * box.width, 0.46 * box.width
+        height = cells[0].height
+        room = ((1 - 2 * _LONGEST) * middle + 6.0, max((1 - 2 * _LONGEST) * height, 0.4 * height) - 4.0)
+        polygons = velocity_polygons(machine, chosen, mechanism=mechanism, room=room, is_lettered=True, speed=turning)
+        longest = max(_longest(lever, polygon) for lever, polygon in zip(levers, polygons, strict=True))
+        newton = rounded_scale(longest / (_LONGEST * min(middle, height)))
+        own = Box(box.left, box.bottom, left, height - 5.0 - _NOTES)
+        plans = [
+            position_plan(
+                machine, [angle], mechanism=mechanism, room=(left - 14.0, own.height - 15.0), is_lettered=True
+            )
+            for angle in chosen
+        ]
+        metal = max(plan.scale for plan in plans)
+        for plan, lever, polygon, cell in zip(plans, levers, polygons, cells, strict=True):
+            page.heading(cell.left, cell.bottom + cell.height - 4.0, f"φ = {lever.angle:g}°")
+            sketch = positions_sketch(rescaled_plan(plan, metal))
+            centre(page, sketch, own._replace(bottom=cell.bottom + _NOTES))
+            for number, note in enumerate(_notes(lever)):
+                page.text(cell.left, cell.bottom + _NOTES - 4.0 - 4.2 * number, note, **muted())
+            centre(page, lever_sketch(lever, polygon, newton), Box(cell.left + left, cell.bottom, middle, height - 4.0))
+            start = cell.left + left + middle + 6.0
+            rows = list(_table(lever, letters))
+            notes = list(_short_words(lever, newton))
+            line = min(ROW, (height - _HEAD - _NOTE * len(notes)) / len(rows))
+            if line < LEAST_ROW:
+                raise InputError([Problem("", lever.mechanism, too_many_words(len(chosen), size))])
+            end = write_table(page, rows, (start, cell.bottom + height, cell.left + cell.width - start), _COLUMNS, line)
+            for number, note in enumerate(notes):
+                page.text(start, end - _NOTE * number, note, **muted())
+        velocity = scale_of("v", polygons[0].scale, polygons[0].unit)
+        write_scales(page, box, [scale_of("l", metal, "m"), velocity, scale_of("F", newton, "N")], None)
+        words = _("Velocities turned by 90° clockwise: a force's anticlockwise moment about p is its power")
+        page.text(box.left + left, box.bottom + 4.4, words, **muted())
+        return page.figure
+
+
+def _longest(lever: Lever, polygon: Polygon) -> float:
+    """Size of the lever's largest force, with the balancing one. [N]"""
+    forces = [float(np.hypot(*force.value)) for force in lever.forces if force.point]
+    return max([*forces, float(np.hypot(*_balancing_force(lever, polygon)[1]))])
+
+
+def lever_sketch(lever: Lever, polygon: Polygon, newton: float) -> Sketch:
+    """Turned plan of velocities in drawing millimetres with the forces at its points, to newton N in one of them."""
+    sketch = Sketch(1.0)
+    points = {name: _quarter_turned(np.array(point)) for name, point in polygon.points.items()}
+    for vector in polygon.vectors:
+        ends = np.stack([points[vector.start], points[vector.end]], axis=1)
+        sketch.add([Line(ends, "PLAN_V", "part" if vector.part == "relative" else "vector", 2)])
+    sketch.add(Circle(point, 0.5, "PLAN_V", "outline", 5, "paper") for point in points.values())
+    middle = np.mean(np.stack(list(points.values())), axis=0)
+    named = {name: point for i, (name, point) in enumerate(points.items()) if not _is_at_earlier(i, points)}
+    wishes = [Wish(point, name, _away(point - middle)) for name, point in named.items()]
+    for force in lever.forces:
+        if not force.point:
+            continue
+        at = _quarter_turned(np.array(force.velocity)) / polygon.scale
+        if _is_short(force, newton):
+            continue
+        drawn = _arrow(sketch, at, np.array(force.value) / newton, is_dashed=force.symbol.startswith("Φ"))
+        wishes.append(Wish(drawn, force.symbol, _away(drawn - at)))
+        if force.point.startswith("s_") and not any(np.hypot(*(at - point)) < 0.7 for point in named.values()):
+            sketch.add([Circle(at, 0.5, "PLAN_V", "outline", 5, "paper")])
+            named[force.point] = at
+            wishes.append(Wish(at, force.point, _away(at - middle)))
+    wishes.append(_balancing(sketch, lever, polygon, newton))
+    sketch.add([Circle(points[POLE], 0.8, "PLAN_V", "outline", 6, "paper")])
+    sketch.add(placed_labels(wishes, list(sketch.outline()), 1.0))
+    return sketch
+
+
+def _is_short(force: LeverForce, newton: float) -> bool:
+    """Whether a force is too short to be drawn, to newton N in a millimetre."""
+    return bool(force.point) and float(np.hypot(*force.value)) / newton < _NAMED
+
+
+def _is_at_earlier(place: int, points: dict[str, Array]) -> bool:
+    """Whether a point falls on one before it, whose name stands there."""
+    every = list(points.values())
+    return any(np.hypot(*(every[place] - other)) < 0.7 for other in every[:place])
+
+
+def _balancing(sketch: Sketch, lever: Lever, polygon: Polygon, newton: float) -> Wish:
+    """Draw the force at the crank pin, across the crank, that the driving torque is."""
+    velocity, force = _balancing_force(lever, polygon)
+    at = _quarter_turned(velocity) / polygon.scale
+    drawn = _arrow(sketch, at, force / newton, is_dashed=False)
+    return Wish(drawn, "F_b", _away(drawn - at))
+
+
+def _balancing_force(lever: Lever, polygon: Polygon) -> tuple[Array, Array]:
+    """Velocity of the crank pin [m/s], and the force across the crank there that the driving torque is [N]."""
+    crank = next(vector for vector in polygon.vectors if vector.part == "absolute")
+    velocity = np.array(crank.value)
+    return velocity, lever.driving_torque * lever.speed / float(velocity @ velocity) * velocity
+
+
+def _arrow(sketch: Sketch, at: Array, force: Array, *, is_dashed: bool) -> Array:
+    """Draw a force from its point; give where it ends. [mm]"""
+    end = at + force
+    sketch.add([Line(np.stack([at, end], axis=1), "LINKS", "part" if is_dashed else "vector", 3)])
+    if np.hypot(*force) > _HEADED:
+        sketch.add([shapes.arrowhead(end, _away(force), 2.0)])
+    return end
+
+
+def _quarter_turned(vector: Array) -> Array:
+    """Turn by 90° clockwise."""
+    return np.array([vector[1], -vector[0]])
+
+
+def _away(direction: Array) -> float:
+    return float(np.arctan2(direction[1], direction[0]))
+
+
+def _table(lever: Lever, letters: Mapping[str, str]) -> Iterator[tuple[str, ...]]:
+    """Every force: at which point, its size and its moment about the pole, as torque on the crank."""
+    yield (_("force"), _("at"), "N", "N·m")
+    for force in lever.forces:
+        bare = force.point.rstrip("'")
+        at = (
+            mathematics(force.point.replace(bare, letters.get(bare) or spoken_name(bare)))
+            if force.point
+            else _("couple")
+        )
+        newtons = figure(float(np.hypot(*force.value))) if force.point else "–"
+        yield (mathematics(force.symbol), at, newtons, figure(force.moment))
+    yield (mathematics("M_b"), "", "", figure(lever.driving_torque))
+
+
+def _short_words(lever: Lever, newton: float) -> Iterator[str]:
+    """Say which forces are too short to be drawn, some to a line."""
+    short = [mathematics(force.symbol) for force in lever.forces if _is_short(force, newton)]
+    if short:
+        yield _("Too short to be drawn:")
+    for first in range(0, len(short), _TO_A_LINE):
+        yield ", ".join(short[first : first + _TO_A_LINE])
+
+
+def _notes(lever: Lever) -> Iterator[str]:
+    """Say what the lever proves."""
+    yield _("Moments about p over the crank's speed.")
+    yield _("Last: driving torque by the joints' reactions,")
+    yield _("drawn as a force at the crank pin.")
+    yield _("Their sum: {residual:.1e} of the largest.").format(residual=lever.residual)

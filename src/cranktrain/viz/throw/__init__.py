@@ -1,0 +1,1 @@
+"""A throw of a machine, drawn to scale."""

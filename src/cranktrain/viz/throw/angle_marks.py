@@ -1,0 +1,119 @@
+"""Marks of the crank angle on a sheet: the degree ring, and arrows of the sense in which shafts turn."""
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from cranktrain.motion import Array
+from cranktrain.viz.paper import shapes
+from cranktrain.viz.paper.sketch import Circle, Label, Line
+from cranktrain.viz.throw.cylinders import skirt, wall_end, wall_start
+from cranktrain.viz.throw.scene import BIG_EYE, SMALL_EYE, Member, Scene
+
+_LEAST_RING = 11.0
+"""Radius of a degree ring on paper that has room for all its figures. [mm]"""
+
+
+def ring_radius(scene: Scene) -> float:
+    """Radius of the degree ring: round the crank, and round the big end of a star. [mm]"""
+    if not scene.is_star:
+        return 1.62 * scene.crank_radius
+    slave = next(one for one in scene.members if one.place.kind.name == "articulated_rod")
+    knuckle = np.hypot(*slave.turn_pins["C"])
+    return float(np.nanmax(knuckle)) + 1.6 * SMALL_EYE * scene.crank_radius
+
+
+def degree_ring(
+    scene: Scene, lines: Sequence[tuple[Array, float]], angle: float, scale: float
+) -> Iterator[Line | Circle | Label]:
+    """Degree ring, its 0 where the shown crank angle is 0; figures that the links would hide are left out."""
+    radius = ring_radius(scene)
+    origin = np.zeros(2)
+    figures = 30 if radius > _LEAST_RING * scale else 360
+    yield Circle(origin, radius, "DIMENSIONS", "thin", 1)
+    for degree in range(0, 360, 10):
+        direction = scene.crank_direction(float(degree))
+        along = np.array([np.cos(direction), np.sin(direction)])
+        tick = (1.6 if degree % 30 == 0 else 0.8) * scale
+        yield Line(np.stack([(radius - tick) * along, radius * along], axis=1), "DIMENSIONS", "thin", 1)
+        place = (radius + (2.6 + 1.4 * abs(along[0])) * scale) * along
+        if (
+            degree % figures == 0
+            and (degree == 0 or not scene.is_star)
+            and (degree == 0 or not _is_covered(scene, lines, place, angle, 2.6 * scale))
+        ):
+            yield Label(place, f"{degree}", is_bold=degree == 0, is_framed=degree == 0)
+
+
+def _is_covered(scene: Scene, lines: Sequence[tuple[Array, float]], point: Array, angle: float, margin: float) -> bool:
+    """Whether links or cylinders lie over a point."""
+    for line, half in lines:
+        for start, end in pairwise(line.T):
+            part = np.clip(np.dot(point - start, end - start) / np.dot(end - start, end - start), 0.0, 1.0)
+            if np.hypot(*(start + part * (end - start) - point)) < half + margin:
+                return True
+    for member in scene.members:
+        pins = scene.pins(member, angle)
+        if member.output is not None:
+            line = member.stroke_line
+            across = float(np.dot(point - line.foot, line.across))
+            begin = min(wall_start(scene, member), float(line.place(pins[member.output])) - skirt(scene, member))
+            if line.place(point) > begin - margin and abs(across) < 0.5 * member.width + margin:
+                return True
+    return False
+
+
+def _free_direction(scene: Scene, shaft: str) -> tuple[float, float]:
+    """Direction farthest from all cylinders of a shaft, or from the rocker's pivot, and how far it is. [rad]"""
+    taken = [
+        np.arctan2(*member.stroke_line.along[::-1])
+        if member.output is not None
+        else np.arctan2(*member.turn_pins[member.turn.fixed[-1]][::-1, 0])
+        for member in scene.members
+        if member.place.shaft == shaft
+    ]
+    tried = np.deg2rad(np.arange(0.0, 360.0, 5.0) - 90.0)
+    room = [min(abs((angle - one + np.pi) % (2 * np.pi) - np.pi) for one in taken) for angle in tried]
+    best = max(room)
+    return float(next(angle for angle, free in zip(tried, room, strict=True) if free > best - 1e-9)), float(best)
+
+
+def rotation(scene: Scene, scale: float) -> Iterator[Line]:
+    """Arrow of the sense in which the machine runs."""
+    middle, room = _free_direction(scene, scene.leading.place.shaft)
+    # Outside the ring's figures, which reach farther out at its sides than above and below.
+    radius = ring_radius(scene) + (6.5 + 2.5 * abs(np.cos(middle))) * scale
+    half = min(0.42, 11.0 * scale / radius)
+    if scene.is_star:
+        radius = max(wall_end(member) for member in scene.sliders)
+        half = (
+            room - float(np.arcsin(0.5 * max(member.width for member in scene.sliders) / radius)) - 3.0 * scale / radius
+        )
+    turns = scene.crank_direction(1.0) - scene.crank_direction(0.0)
+    sense = np.sign((turns + np.pi) % (2 * np.pi) - np.pi)
+    yield from _arc_arrow(np.zeros(2), radius, (middle, half), sense, scale)
+
+
+def other_shafts(scene: Scene) -> list[Member]:
+    """One member on each shaft beside the main one."""
+    shafts = {member.place.shaft: member for member in scene.cranks}
+    return [member for shaft, member in shafts.items() if shaft != scene.leading.place.shaft]
+
+
+def rotation_of_other(scene: Scene, member: Member, scale: float) -> Iterator[Line]:
+    """Arrow of the sense in which another shaft turns; one that is geared the other way turns against the main one."""
+    middle, _room = _free_direction(scene, member.place.shaft)
+    radius = scene.crank_radius * (1.0 + 1.12 * BIG_EYE) + 2.5 * scale
+    turns = scene.crank_direction(1.0, member) - scene.crank_direction(0.0, member)
+    sense = np.sign((turns + np.pi) % (2 * np.pi) - np.pi)
+    yield from _arc_arrow(member.centre, radius, (middle, min(0.6, 9.0 * scale / radius)), sense, scale)
+
+
+def _arc_arrow(centre: Array, radius: float, span: tuple[float, float], sense: float, scale: float) -> Iterator[Line]:
+    """Arc with an arrowhead at its end, so far to each side of a direction. [mm, rad]"""
+    middle, half = span
+    yield Line(shapes.arc(centre, radius, middle - half, middle + half), "DIMENSIONS", "outline", 5)
+    end = middle + sense * half
+    tip = centre + radius * np.array([np.cos(end), np.sin(end)])
+    yield shapes.arrowhead(tip, float(end + sense * (np.pi / 2 - 1.1 * scale / radius)), 2.6 * scale)

@@ -1,0 +1,73 @@
+"""Cylinders on a sheet: their walls, where these begin and end, ports of opposed pistons."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from cranktrain.viz.paper import shapes
+from cranktrain.viz.paper.sketch import Line
+from cranktrain.viz.throw.scene import Member, Scene
+
+_BELOW, _BELOW_IN_STAR = 0.34, 0.14
+"""Skirt below the piston pin, in parts of the bore; in a star there is no room for long skirts."""
+
+_GAP = 0.05
+"""Clearance above the piston at its top, in parts of the bore."""
+
+
+def wall_start(scene: Scene, member: Member) -> float:
+    """Where a cylinder begins, from the shaft. [mm]"""
+    lowest = member.travel[0] - skirt(scene, member)
+    return min(max(lowest + 0.25 * member.width, scene.clearance * 1.02), member.travel[0] + 0.1 * member.width)
+
+
+def skirt(scene: Scene, member: Member) -> float:
+    """How far the skirt reaches below the piston pin. [mm]"""
+    return (_BELOW_IN_STAR if scene.is_star else _BELOW) * member.width
+
+
+def wall_end(member: Member) -> float:
+    """Where a cylinder ends, from the shaft. [mm]"""
+    if member.place.is_far:
+        return member.travel[1] + _BELOW * member.width
+    return member.travel[1] + member.above + _GAP * member.width
+
+
+def cylinder(scene: Scene, member: Member, scale: float, *, is_plain: bool) -> Iterator[Line]:
+    """Centre line and walls; a crosshead runs between guides that are open at the end."""
+    line = member.stroke_line
+    end = wall_end(member)
+    axis = np.stack([line.at(0.0, 0.0), line.at(end + 2.0 * scale, 0.0)], axis=1)
+    yield Line(axis, "GUIDES", "axis", 2)
+    walls = shapes.walls(line, member.width, (wall_start(scene, member), end), has_head=member.bore is not None)
+    for wall, outside in walls:
+        yield wall
+        if not is_plain:
+            yield shapes.hatch(wall.points[:, 0], wall.points[:, 1], outside, scale)
+
+
+def common_cylinder(scene: Scene, pair: tuple[Member, Member], scale: float, *, is_plain: bool) -> Iterator[Line]:
+    """Centre line, and walls from where one piston's begin to where the other's do, with gaps for the ports."""
+    one, other = pair
+    line = one.stroke_line
+    far = float(line.place(other.centre))
+
+    def along(member: Member, place: float) -> float:
+        """Where a place that counts from a member's own shaft is on the line."""
+        return place if member.place.shaft == one.place.shaft else far - place
+
+    last = other.travel[1] + skirt(scene, other) if other.place.is_far else wall_start(scene, other)
+    span = (wall_start(scene, one), along(other, last - 0.25 * other.width if other.place.is_far else last))
+    yield Line(np.stack([line.at(0.0, 0.0), line.at(max(far, span[1]), 0.0)], axis=1), "GUIDES", "axis", 2)
+    gaps: list[tuple[float, float]] = []
+    for member in pair:
+        height = scene.ports[one.place.cylinder].get(member.place.name.rpartition(".")[2])
+        if height is not None:
+            outermost = member.travel[1] if member.place.is_far else member.travel[0]
+            crown = outermost + member.toward_chamber * member.above
+            first, second = sorted(along(member, crown + part) for part in (0.0, member.toward_chamber * height))
+            gaps.append((first, second))
+    for wall, outside in shapes.walls(line, one.width, span, has_head=False, ports=sorted(gaps)):
+        yield wall
+        if not is_plain:
+            yield shapes.hatch(wall.points[:, 0], wall.points[:, 1], outside, scale)

@@ -1,0 +1,237 @@
+"""A throw's mechanisms at one crank angle as a sketch: to scale between pins, schematic in outline."""
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from cranktrain.motion import Array
+from cranktrain.viz.paper import shapes
+from cranktrain.viz.paper.sketch import Circle, Line, Sketch
+from cranktrain.viz.throw.angle_marks import degree_ring, other_shafts, rotation, rotation_of_other
+from cranktrain.viz.throw.cylinders import common_cylinder, cylinder, skirt
+from cranktrain.viz.throw.names import bank_angle, piston_names
+from cranktrain.viz.throw.scene import BIG_EYE, SMALL_EYE, Member, Scene
+
+_FEW = 2
+"""Up to so many mechanisms, the links are drawn in the dead positions too."""
+
+_CRANK_PIN, _SMALL_PIN, _JOURNAL = 0.24, 0.12, 0.32
+"""Radii in parts of the crank radius."""
+
+
+def mechanism_sketch(
+    scene: Scene,
+    angle: float,
+    scale: float,
+    dead: Sequence[Sequence[float]] = (),
+    *,
+    is_plain: bool = False,
+    has_ring: bool = True,
+) -> Sketch:
+    """Draw a throw.
+
+    Parameters
+    ----------
+    scene : Scene
+    angle : float
+        Crank angle as the machine shows it. [deg]
+    scale : float
+        Millimetres of metal in one of paper.
+    dead : sequence of sequences of float
+        Shown crank angles of the dead positions of each member, drawn thin. [deg]
+    is_plain : bool
+        Leave out ring, labels and hatches, as a moving picture wants.
+    has_ring : bool
+        Draw the degree ring and the arrow of rotation; where they are too small a detail has them.
+
+    Returns
+    -------
+    Sketch
+    """
+    sketch = Sketch(scale)
+    for member in scene.members[: _FEW if scene.is_star else None]:
+        sketch.add(_path(scene, member))
+    for member in scene.singles:
+        sketch.add(cylinder(scene, member, scale, is_plain=is_plain))
+    for pair in scene.pairs:
+        sketch.add(common_cylinder(scene, pair, scale, is_plain=is_plain))
+    for member, angles in zip(scene.members, dead, strict=False):
+        sketch.add(_dead_positions(scene, member, angles))
+    for member in scene.cranks:
+        sketch.add(_crank(scene, member, angle))
+    for member in scene.members:
+        sketch.add(_links(scene, member, angle, scale))
+    if not is_plain:
+        if has_ring:
+            sketch.add(degree_ring(scene, _lines_of_links(scene, angle, dead), angle, scale))
+            sketch.add(rotation(scene, scale))
+            for member in other_shafts(scene):
+                sketch.add(rotation_of_other(scene, member, scale))
+        sketch.add(piston_names(scene, angle, sketch))
+        sketch.add(bank_angle(scene, scale))
+    return sketch
+
+
+def _path(scene: Scene, member: Member) -> Iterator[Line]:
+    """Paths of pins over a turn."""
+    for name in member.turn.paths:
+        if name != member.crank_pin or member in scene.cranks:
+            yield Line(member.turn_pins[name], "PATHS", "dotted", 1)
+
+
+def _dead_positions(scene: Scene, member: Member, angles: Sequence[float]) -> Iterator[Line | Circle]:
+    """Links at the dead positions, thin; where mechanisms are many, only how far the crowns reach."""
+    for angle in angles:
+        pins = scene.pins(member, angle)
+        if len(scene.members) <= _FEW:
+            for chain in _chains(member, pins):
+                yield Line(chain, "LINKS", "thin", 3)
+            for point in np.concatenate([chain.T for chain in _chains(member, pins)]):
+                yield Circle(point, 0.05 * scene.crank_radius, "LINKS", "thin", 3, "paper")
+        if member.output is not None:
+            line = member.stroke_line
+            crown = line.place(pins[member.output]) + member.toward_chamber * member.above
+            ends = [line.at(float(crown), side * 0.5 * member.width) for side in (-1.0, 1.0)]
+            yield Line(np.stack(ends, axis=1), "LINKS", "thin", 3)
+
+
+def _chains(member: Member, pins: dict[str, Array]) -> list[Array]:
+    """Lines from pin to pin: one through all of them, or of a mechanism drawn link by link one for each link."""
+    names = [link.pins for link in member.turn.links] if member.is_plain else [_chain(member)]
+    return [np.stack([pins[name] for name in line], axis=1) for line in names]
+
+
+def _chain(member: Member) -> tuple[str, ...]:
+    """Pins from the shaft to the output, for a line drawing."""
+    return ("O", "A", "C", "D") if member.place.kind.name == "articulated_rod" else tuple(member.turn.pins)
+
+
+def _crank(scene: Scene, member: Member, angle: float) -> Iterator[Line | Circle]:
+    """Crank web of a throw with journal; the pin is drawn with the rods."""
+    radius = scene.crank_radius
+    pins = scene.pins(member, angle)
+    pin = pins[member.crank_pin]
+    yield shapes.hull(pins["O"], _JOURNAL * 1.25 * radius, pin, BIG_EYE * 1.12 * radius, "light", 3)
+    yield Circle(pins["O"], _JOURNAL * 0.8 * radius, "LINKS", "rod", 3, "paper")
+    yield Circle(pins["O"], 0.035 * radius, "LINKS", "arrow", 8, "ink")
+
+
+def _links(scene: Scene, member: Member, angle: float, scale: float) -> Iterator[Line | Circle]:
+    """Piston, rod and rocker of one member."""
+    pins = scene.pins(member, angle)
+    if member.output is not None:
+        yield from _slider(scene, member, pins)
+    if member.place.kind.name == "articulated_rod":
+        yield from _slave_rod(scene, pins)
+        return
+    if member.is_plain:
+        yield from _plain_links(scene, member, pins, scale)
+        return
+    radius = scene.crank_radius
+    fill = "dark" if member.is_first else "paper"
+    order = 5 if member.is_first else 6
+    if scene.is_star:
+        slave = next(one for one in scene.members if one.place.kind.name == "articulated_rod")
+        reach = float(np.hypot(*(scene.pins(slave, angle)["C"] - pins["A"]))) + 1.25 * SMALL_EYE * radius
+        yield Circle(pins["A"], reach, "LINKS", "rod", order, fill)
+    rod = shapes.bar(pins["A"], pins["B"], (0.44 * radius, 0.26 * radius), fill, order)
+    yield rod._replace(habit="part", order=3, fill="none") if member.place.is_far else rod
+    yield from shapes.eye(pins["A"], BIG_EYE * radius, _CRANK_PIN * radius, fill, order)
+    yield Circle(pins["A"], 0.035 * radius, "LINKS", "arrow", 8, "ink")
+    yield from shapes.eye(pins["B"], SMALL_EYE * radius, _SMALL_PIN * radius, fill, order)
+    if member.output is None:
+        yield from shapes.pivot(pins["C"], 0.45 * radius, scale)
+        yield shapes.bar(pins["C"], pins["B"], (0.40 * radius, 0.30 * radius), "light", 4)
+        yield from shapes.eye(pins["C"], 0.30 * radius, 0.16 * radius, "light", 4)
+
+
+def _plain_links(scene: Scene, member: Member, pins: dict[str, Array], scale: float) -> Iterator[Line | Circle]:
+    """Every link but the crank as a bar through its pins, pins as eyes, fixed ones on their bearings."""
+    radius = scene.crank_radius
+    for link in member.turn.links[1:]:
+        for start, end in pairwise(link.pins):
+            yield shapes.bar(pins[start], pins[end], (0.24 * radius, 0.22 * radius), "paper", 5)
+    if member.cut and member.output is not None:
+        yield from _break(pins[member.crank_pin], pins[member.output], radius, scale)
+    yield from _other_sliders(scene, member, pins, scale)
+    fixed = [name for name in member.turn.fixed if name != "O"]
+    moving = [name for link in member.turn.links for name in link.pins[1:]]
+    output = [] if member.output is None else [member.output]
+    for name in dict.fromkeys(fixed + moving + output):
+        yield from shapes.eye(pins[name], SMALL_EYE * radius, _SMALL_PIN * radius, "paper", 7)
+    for name in fixed:
+        yield from shapes.pivot(pins[name], 0.45 * radius, scale)
+
+
+def _break(start: Array, end: Array, radius: float, scale: float) -> Iterator[Line]:
+    """Gap in a rod that is drawn too short, between two wavy lines."""
+    middle = 0.5 * (start + end)
+    along = (end - start) / np.hypot(*(end - start))
+    line = shapes.Along(middle - np.dot(middle, along) * along, along)
+    place, half = float(line.place(middle)), 0.17 * radius + 0.6 * scale
+    across = np.linspace(-half, half, 17)
+    edges = [
+        np.stack([line.at(place + side * scale + 0.35 * scale * np.sin(2 * np.pi * u / (2 * half)), u) for u in across])
+        for side in (-1.0, 1.0)
+    ]
+    yield Line(np.concatenate([edges[0], edges[1][::-1]]).T, "LINKS", "none", 5, is_closed=True, fill="paper")
+    for edge in edges:
+        yield Line(edge.T, "LINKS", "thin", 5)
+
+
+def _other_sliders(scene: Scene, member: Member, pins: dict[str, Array], scale: float) -> Iterator[Line | Circle]:
+    """Sliders beside the output: blocks between short guides, joined to the pin that drives them in a slot."""
+    size = max(0.4 * scene.crank_radius, 1.5 * scale)
+    for guide in member.turn.guides[1:]:
+        along = np.array([np.cos(guide.direction), np.sin(guide.direction)]).reshape(2)
+        travel = along @ member.turn_pins[guide.pin]
+        pin = pins[guide.pin]
+        line = shapes.Along(pin - (along @ pin) * along, along)
+        low, high = float(np.nanmin(travel)) - 1.4 * size, float(np.nanmax(travel)) + 1.4 * size
+        for side in (-1.0, 1.0):
+            ends = [line.at(place, side * 0.55 * size) for place in (low, high)]
+            yield Line(np.stack(ends, axis=1), "GUIDES", "thin", 7)
+        for block in member.turn.blocks:
+            if block.link == (guide.pin,):
+                yield Line(np.stack([pin, pins[block.pin]], axis=1), "LINKS", "outline", 7)
+        middle = float(along @ pin)
+        corners = [(-size, -0.55 * size), (size, -0.55 * size), (size, 0.55 * size), (-size, 0.55 * size)]
+        points = [line.at(middle + ahead, across) for ahead, across in corners]
+        yield Line(np.stack(points, axis=1), "LINKS", "rod", 7, is_closed=True, fill="light")
+
+
+def _slider(scene: Scene, member: Member, pins: dict[str, Array]) -> Iterator[Line | Circle]:
+    """Piston; where no bore is known, a crosshead."""
+    assert member.output is not None  # the caller has looked
+    line, width = member.stroke_line, member.width
+    place = float(line.place(pins[member.output]))
+    fill = "light" if member.is_first else "paper"
+    above, below = (member.toward_chamber * part for part in (member.above, skirt(scene, member)))
+    parts = tuple(shapes.piston(line, place, width, above, below, fill))
+    yield from parts if member.bore is not None else parts[:1]
+
+
+def _slave_rod(scene: Scene, pins: dict[str, Array]) -> Iterator[Line | Circle]:
+    """Slave rod with its knuckle pin, and the ear of the master rod that holds it."""
+    radius = scene.crank_radius
+    arm = float(np.hypot(*(pins["C"] - pins["A"])))
+    if not scene.is_star and arm > 0.2 * radius:
+        yield shapes.hull(pins["A"], BIG_EYE * radius, pins["C"], 1.2 * SMALL_EYE * radius, "dark", 5)
+        yield Circle(pins["A"], _CRANK_PIN * radius, "LINKS", "rod", 5, "paper")
+    yield shapes.bar(pins["C"], pins["D"], (0.24 * radius, 0.22 * radius), "paper", 6)
+    for name in "CD":
+        yield from shapes.eye(pins[name], SMALL_EYE * 0.9 * radius, _SMALL_PIN * 0.8 * radius, "paper", 7)
+
+
+def _lines_of_links(scene: Scene, angle: float, dead: Sequence[Sequence[float]]) -> list[tuple[Array, float]]:
+    """Lines from pin to pin with half the width of what is drawn there [mm]: links, and if few are drawn dead ones."""
+    lines = [
+        (line, 0.3 * scene.crank_radius)
+        for member in scene.members
+        for line in _chains(member, scene.pins(member, angle))
+    ]
+    if len(scene.members) <= _FEW:
+        for member, angles in zip(scene.members, dead, strict=False):
+            lines += [(line, 0.0) for one in angles for line in _chains(member, scene.pins(member, one))]
+    return lines

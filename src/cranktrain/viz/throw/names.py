@@ -1,0 +1,87 @@
+"""Names of pistons on a sheet, and the angle between two banks."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from cranktrain.motion import Array
+from cranktrain.viz.paper import shapes
+from cranktrain.viz.paper.labels import Wish, label_outline, placed_labels
+from cranktrain.viz.paper.sketch import Label, Line, Sketch
+from cranktrain.viz.throw.cylinders import wall_end
+from cranktrain.viz.throw.scene import Member, Scene
+
+_LEADER = 5.0
+"""A name farther from what it names than this has a line to it. [mm of paper]"""
+
+_PAIR = 2
+
+
+def piston_names(scene: Scene, angle: float, sketch: Sketch) -> Iterator[Label | Line]:
+    """Names of the pistons: over the heads, of two in one cylinder beside them."""
+    if len(scene.members) == 1 and scene.members[0].place.name == "1":
+        return
+    scale = sketch.scale
+    wishes: list[Wish] = []
+    named: list[Array] = []
+    for member in scene.singles:
+        line = member.stroke_line
+        wishes.append(Wish(line.at(wall_end(member) + 2.0 * scale, 0.0), member.place.name, _away(line.along), "name"))
+        is_piston = member.place.kind.has_chambers or member.output is None
+        named.append(wishes[-1].point if is_piston else scene.pins(member, angle)[str(member.output)])
+    # Names of pistons in one cylinder stand beside its hatched walls, others beyond their end.
+    obstacles = [line.points for line in sketch.lines if scene.pairs or line.habit != "hatch"]
+    for pair in scene.pairs:
+        outward = 0.5 * (_middle(pair[0]) + _middle(pair[1])) - np.mean([one.centre for one in scene.members], axis=0)
+        across = pair[0].stroke_line.across
+        lies_out = float(np.dot(outward, across))
+        # Where the shafts lie in one line, names stand to the right of it.
+        outer = across * np.sign(lies_out if abs(lies_out) > 1e-6 * scale else across @ np.array([1.0, -1e-3]))
+        beside = 0.5 * pair[0].width * outer
+        for member in pair:
+            wishes.append(Wish(_middle(member) + beside + 1.5 * scale * outer, member.place.name, _away(outer), "name"))
+            named.append(wishes[-1].point)
+        ends = np.stack([_end_of_travel(member) for member in pair], axis=1)
+        obstacles += [ends + side * beside[:, np.newaxis] for side in (-1.0, 0.0, 1.0)]
+    if not wishes:
+        return
+    obstacles += [label_outline(label, scale) for label in sketch.labels]
+    obstacles += [shapes.arc(circle.centre, circle.radius, 0.0, 2 * np.pi) for circle in sketch.circles]
+    for point, label in zip(named, placed_labels(wishes, obstacles, scale), strict=True):
+        yield label
+        box = label_outline(label, scale)
+        nearest = np.clip(point, np.min(box, axis=1), np.max(box, axis=1))
+        if np.hypot(*(nearest - point)) > _LEADER * scale:
+            yield Line(np.stack([point, label.position], axis=1), "DIMENSIONS", "thin", 8)
+
+
+def _end_of_travel(member: Member) -> Array:
+    """Where a piston's pin is farthest from the other piston."""
+    return member.stroke_line.at(member.travel[member.place.is_far], 0.0)
+
+
+def _middle(member: Member) -> Array:
+    """Middle of a piston pin's travel."""
+    return member.stroke_line.at(0.5 * sum(member.travel), 0.0)
+
+
+def _away(direction: Array) -> float:
+    return float(np.arctan2(direction[1], direction[0]))
+
+
+def bank_angle(scene: Scene, scale: float) -> Iterator[Line | Label]:
+    """Angle between two banks."""
+    if len(scene.singles) != _PAIR or scene.pairs:
+        return
+    first, second = scene.singles
+    directions = [float(np.arctan2(*member.stroke_line.along[::-1])) for member in (first, second)]
+    between = (directions[1] - directions[0] + np.pi) % (2 * np.pi) - np.pi
+    radius = 0.86 * min(wall_end(first), wall_end(second))
+    covered = np.arcsin(min((0.5 * max(first.width, second.width) + 3.0 * scale) / radius, 1.0))
+    if abs(between) / 2 - covered < 0.05:
+        return
+    start, end = directions[0] + np.sign(between) * covered, directions[1] - np.sign(between) * covered
+    yield Line(shapes.arc(np.zeros(2), radius, start, end), "DIMENSIONS", "thin", 2)
+    middle = (start + end) / 2
+    place = (radius + 3.0 * scale) * np.array([np.cos(middle), np.sin(middle)])
+    yield Label(place, f"γ = {np.rad2deg(abs(between)):.4g}°")

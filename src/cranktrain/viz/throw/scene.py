@@ -1,0 +1,293 @@
+"""What there is to draw of a machine: the mechanisms of its first throw in machine axes, with their cylinders. [mm]"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.layout.places import Place
+from cranktrain.layout.specs import MAIN
+from cranktrain.machine import Machine
+from cranktrain.mechanisms.kind import Drawing
+from cranktrain.motion import Array, Point
+from cranktrain.plans.placement import first_throw, placed, shaft_places
+from cranktrain.quantities import shown
+from cranktrain.questions.cylinders.declared import cylinders_of
+from cranktrain.viz.paper.shapes import Along
+
+_TURN = np.linspace(0.0, 2 * np.pi, 361)
+_OUTLINED = ("slider_crank", "crank_rocker", "articulated_rod")
+"""Kinds that are drawn in outline, with eyes, pistons and cylinders."""
+BIG_EYE, SMALL_EYE = 0.40, 0.22
+"""Radii of a rod's eyes in parts of the crank radius."""
+
+_PAIR, _PINS_OF_A_ROD = 2, 3
+_BREAK, _BROKEN = 8.0, 0.8
+"""A rod that reaches so many times as far as all else is broken, so that it ends at this part of their reach."""
+
+_ABOVE, _CLEARANCE = 0.45, 0.02
+"""Crown above the piston pin, and least room between two crowns, in parts of the bore."""
+
+_STAR = 3
+"""So many slaves on one master make its big end a disc."""
+
+
+@dataclass(frozen=True)
+class Member:
+    """One mechanism of the throw.
+
+    Attributes
+    ----------
+    place : Place
+    is_first : bool
+        Drawn filled; all others hollow.
+    turn : Drawing
+        Its pins over a turn, shape (361,). [mm, mm/rad, mm/rad²]
+    bore : float or None
+        None where the file has none. [mm]
+    centre : Array, shape (2,)
+        Of its shaft, from the main one. [mm]
+    above : float
+        Height of its crown over the pin. [mm]
+    cut : float
+        By how much its rod is drawn too short, broken. [mm]
+    """
+
+    place: Place
+    is_first: bool
+    turn: Drawing
+    bore: float | None
+    centre: Array
+    above: float = 0.0
+    cut: float = 0.0
+
+    @cached_property
+    def turn_pins(self) -> dict[str, Array]:
+        """Where its pins are over a turn, by name, shape (2, 361). [mm]"""
+        return self.turn.positions
+
+    @property
+    def output(self) -> str | None:
+        """Name of the pin that slides in this mechanism's own guide; None for a rocker."""
+        is_slider = self.place.kind.output == "slider"
+        return self.turn.guides[0].pin if is_slider and self.turn.guides else None
+
+    @property
+    def crank_pin(self) -> str:
+        """Name of the crank's pin: the second of the link that is drawn first."""
+        return self.turn.links[0].pins[1]
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether it is drawn link by link: a mechanism that is not one of the engine's."""
+        return self.place.kind.name not in _OUTLINED
+
+    @cached_property
+    def stroke_line(self) -> Along:
+        """Line on which the output pin travels; its foot is nearest the shaft."""
+        guide = self.turn.guides[0]
+        along = np.array([np.cos(guide.direction), np.sin(guide.direction)]).reshape(2)
+        pin = self.turn_pins[guide.pin][:, 0]
+        return Along(pin - np.dot(pin - self.centre, along) * along, along)
+
+    @cached_property
+    def travel(self) -> tuple[float, float]:
+        """Nearest and farthest place of the output pin on its line. [mm]"""
+        assert self.output is not None  # asked of sliders only
+        places = self.stroke_line.place(self.turn_pins[self.output])
+        return float(np.nanmin(places)), float(np.nanmax(places))
+
+    @property
+    def throw(self) -> tuple[str, int]:
+        """The shaft that it works on, and which throw of it."""
+        return self.place.shaft, self.place.throw
+
+    @property
+    def toward_chamber(self) -> float:
+        """+1 where its crown is the end away from its shaft, −1 of a piston with side rods."""
+        return -1.0 if self.place.is_far else 1.0
+
+    @property
+    def width(self) -> float:
+        """Bore; where the file has none, 0.6 of the stroke for the crosshead that is drawn instead. [mm]"""
+        return self.bore if self.bore is not None else 0.6 * (self.travel[1] - self.travel[0])
+
+
+@dataclass(frozen=True)
+class Scene:
+    """The throw that is drawn.
+
+    Attributes
+    ----------
+    machine : Machine
+    members : tuple of Member
+    crank_radius : float
+        Of the main shaft. [mm]
+    ports : mapping of cylinder to mapping of "exhaust" and "scavenge" to float
+        Heights of ports. [mm]
+    assumed : tuple of str
+        Shafts whose place the file does not give.
+    """
+
+    machine: Machine
+    members: tuple[Member, ...]
+    crank_radius: float
+    ports: Mapping[str, Mapping[str, float]] = field(default_factory=dict[str, Mapping[str, float]])
+    assumed: tuple[str, ...] = ()
+
+    @cached_property
+    def leading(self) -> Member:
+        """The member on the throw from which the crank angle counts."""
+        on_main = [member for member in self.members if member.place.shaft == MAIN] or self.members
+        return min(on_main, key=lambda member: member.place.throw)
+
+    @cached_property
+    def cranks(self) -> tuple[Member, ...]:
+        """One member for each throw that is drawn, the leading one first."""
+        throws = {member.throw: member for member in reversed((self.leading, *self.members))}
+        return tuple(sorted(throws.values(), key=lambda member: member is not self.leading))
+
+    @cached_property
+    def pairs(self) -> tuple[tuple[Member, Member], ...]:
+        """Pistons that share a cylinder, two by two; a piston with side rods second."""
+        cylinders: dict[str, list[Member]] = {}
+        for member in self.sliders:
+            cylinders.setdefault(member.place.cylinder, []).append(member)
+        return tuple(
+            (one, other) if other.place.is_far or not one.place.is_far else (other, one)
+            for one, other in (found for found in cylinders.values() if len(found) == _PAIR)
+        )
+
+    @property
+    def singles(self) -> tuple[Member, ...]:
+        """Sliders that have their cylinder for themselves."""
+        paired = {member.place.name for pair in self.pairs for member in pair}
+        return tuple(member for member in self.sliders if member.place.name not in paired)
+
+    def pins(self, member: Member, angle: float) -> dict[str, Array]:
+        """Give a member's pins at a shown crank angle [deg]: name to (X, Y). [mm]"""
+        key = (member.place.name, angle)
+        if key not in self._pins_at:
+            turned = self.turned(member, np.array([angle]))
+            self._pins_at[key] = {name: pin[:, 0] for name, pin in turned.items()}
+        return self._pins_at[key]
+
+    @cached_property
+    def _pins_at(self) -> dict[tuple[str, float], dict[str, Array]]:
+        """Pins that were asked for, by member and angle: a frame of a moving picture asks for them many times."""
+        return {}
+
+    def turned(self, member: Member, angles: Array) -> dict[str, Array]:
+        """Give a member's pins at shown crank angles, shape (n,) [deg]: name to (2, n). [mm]"""
+        phi = np.deg2rad(angles) + self.machine.zero
+        drawing = placed(self.machine, member.place, phi).scaled(shown(1.0, "mm"))
+        return _standing(drawing, member.centre, member.cut).positions
+
+    def closing_angle(self, angle: float) -> float:
+        """Give the first crank angle from this one, by whole degrees, at which all links close. [deg]"""
+        tried = angle + np.arange(360.0)
+        pins = [pin for member in self.members for pin in self.turned(member, tried).values()]
+        closed = np.flatnonzero(np.all(np.isfinite(np.concatenate(pins)), axis=0))
+        if not closed.size:
+            raise InputError([Problem("", None, _("the links can close at no crank angle: there is nothing to draw"))])
+        return float(tried[closed[0]])
+
+    def crank_direction(self, angle: float, member: Member | None = None) -> float:
+        """Direction of a member's throw, unless given the leading one's, from X at a shown crank angle [deg]. [rad]"""
+        whose = member or self.leading
+        pin = self.pins(whose, angle)[whose.crank_pin] - whose.centre
+        return float(np.arctan2(pin[1], pin[0]))
+
+    @property
+    def sliders(self) -> tuple[Member, ...]:
+        """Members that drive a piston or crosshead."""
+        return tuple(member for member in self.members if member.output is not None)
+
+    @property
+    def is_star(self) -> bool:
+        """Whether so many slaves hang on the master that its big end is a disc."""
+        return sum(member.place.kind.name == "articulated_rod" for member in self.members) >= _STAR
+
+    @cached_property
+    def clearance(self) -> float:
+        """How far from the shaft the cylinders of neighbours would meet. [mm]"""
+        found = [0.0]
+        for i, one in enumerate(self.sliders):
+            for other in (slider for slider in self.sliders[i + 1 :] if slider.place.shaft == one.place.shaft):
+                between = float(np.arccos(np.clip(np.dot(one.stroke_line.along, other.stroke_line.along), -1.0, 1.0)))
+                if 1e-3 < between < np.pi - 1e-3:
+                    found.append(0.5 * max(one.width, other.width) / np.tan(between / 2))
+        return max(found)
+
+
+def scene_of(machine: Machine) -> Scene:
+    """Collect what there is to draw of a machine's first throw, and of all that shares its cylinders."""
+    places = first_throw(machine)
+    pistons = [place for place in places if place.kind.output == "slider"]
+    cylinders = cylinders_of(machine.cylinder, pistons)
+    bores = {pistons[i].name: one.spec.bore for one in cylinders for i in one.pistons}
+    shafts = shaft_places(machine)
+    members: list[Member] = []
+    for number, place in enumerate(places):
+        centre = shown(shafts.centres.get(place.shaft, np.zeros(2)), "mm")
+        turn = _standing(placed(machine, place, _TURN).scaled(shown(1.0, "mm")), centre, 0.0)
+        bore = bores.get(place.name)
+        members.append(Member(place, number == 0, turn, None if bore is None else shown(bore.si, "mm"), centre))
+    ports = {
+        cylinder.name: {
+            end: shown(height.si, "mm")
+            for end, height in (("exhaust", cylinder.spec.exhaust_port), ("scavenge", cylinder.spec.scavenge_port))
+            if height is not None
+        }
+        for cylinder in cylinders
+    }
+    whole = _broken(tuple(members))
+    crank = Scene(machine, whole, 0.0).leading
+    radius = float(np.hypot(*(crank.turn_pins[crank.crank_pin][:, 0] - crank.centre)))
+    scene = Scene(machine, whole, radius, ports, shafts.assumed)
+    return replace(scene, members=tuple(replace(member, above=_above(scene, member)) for member in whole))
+
+
+def _standing(drawing: Drawing, centre: Array, cut: float) -> Drawing:
+    """Move a drawing to where its shaft is; with a cut, its output so much nearer to the shaft."""
+
+    def moved(pin: Point, by: Array) -> Point:
+        return Point(*(part._replace(value=part.value + step) for part, step in zip(pin, by, strict=True)))
+
+    pins = {name: moved(pin, centre) for name, pin in drawing.pins.items()}
+    if cut:
+        guide = drawing.guides[0]
+        along = np.array([np.cos(guide.direction), np.sin(guide.direction)]).reshape(2)
+        pins[guide.pin] = moved(pins[guide.pin], -cut * along)
+    return replace(drawing, pins=pins)
+
+
+def _broken(members: tuple[Member, ...]) -> tuple[Member, ...]:
+    """Break rods that reach much farther than all else, such as one that stands for no rod at all."""
+    reaches = {member.place.name: member.travel[1] for member in members if member.output is not None}
+    if len(reaches) < _PAIR:
+        return members
+    least = min(reaches.values())
+    found: list[Member] = []
+    for member in members:
+        reach = reaches.get(member.place.name, 0.0)
+        is_long = reach > _BREAK * least and len(member.turn.pins) == _PINS_OF_A_ROD
+        cut = member.travel[0] - _BROKEN * least if is_long else 0.0
+        found.append(replace(member, cut=cut, turn=_standing(member.turn, np.zeros(2), cut)))
+    return tuple(found)
+
+
+def _above(scene: Scene, member: Member) -> float:
+    """Height of a crown over its pin: schematic, but two in one cylinder do not meet. [mm]"""
+    if member.output is None:
+        return 0.0
+    usual = _ABOVE * member.width
+    for one, other in scene.pairs:
+        if member.place.name in (one.place.name, other.place.name):
+            pins = [pair.turn_pins[str(pair.output)] for pair in (one, other)]
+            apart = float(np.nanmin((pins[1] - pins[0]).T @ one.stroke_line.along))
+            return min(usual, 0.5 * apart - 0.5 * _CLEARANCE * member.width)
+    return usual

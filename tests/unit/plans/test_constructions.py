@@ -1,0 +1,95 @@
+"""Drawn constructions: each is what its source draws, and what the exact triangle has beside it."""
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+import cranktrain as ct
+from cranktrain.errors import InputError
+from cranktrain.plans.constructions import construction, exact_crank_angle
+from cranktrain.plans.positions import source_angles
+
+R, L, E = 0.05, 0.18, 0.012
+ANGLES = (0.0, 24.0, 90.0, 133.0, 180.0, 247.0)
+
+
+def crank(offset=0.0, **more):
+    mechanism = {"kind": "slider_crank", "crank_radius": f"{R} m", "rod_length": f"{L} m", "offset": f"{offset} m"}
+    return ct.Machine(mechanism=mechanism, **more)
+
+
+def displacement_exact(degrees, offset):
+    """From the true top, in 40 digits."""
+    with mp.workdps(40):
+        radius, rod, e = (mp.mpf(str(value)) for value in (R, L, offset))
+        phi = mp.radians(mp.mpf(degrees))
+        place = radius * mp.cos(phi) + mp.sqrt(rod**2 - (radius * mp.sin(phi) - e) ** 2)
+        return float(mp.sqrt((radius + rod) ** 2 - e**2) - place)
+
+
+@pytest.mark.parametrize("offset", [0.0, E, -E])
+def test_arc_is_exact_with_an_offset_too(offset):
+    found = construction(crank(offset), "arc", ANGLES)
+    expected = [displacement_exact(angle, offset) for angle in ANGLES]
+    np.testing.assert_allclose(found.displacement, expected, rtol=0, atol=1e-16)
+    np.testing.assert_allclose(found.exact_displacement, expected, rtol=0, atol=1e-16)
+    assert not found.is_outside and found.condition == ""
+    # crank pin and foot are on one circle about the piston's pin
+    for point in (found.drawn.on_circle, found.drawn.foot):
+        np.testing.assert_allclose(np.hypot(*(point - found.drawn.piston)), L, rtol=1e-14)
+    np.testing.assert_allclose(found.drawn.foot[1], offset, atol=0)
+
+
+def test_projection_is_334():
+    found = construction(crank(), "projection", ANGLES)
+    np.testing.assert_allclose(found.displacement, R * (1 - np.cos(np.radians(ANGLES))), rtol=1e-14, atol=1e-18)
+    np.testing.assert_allclose(found.drawn.foot[0], found.drawn.on_circle[0], rtol=0, atol=1e-16)
+    assert found.is_outside and found.condition == "central mechanism, λ < 0.1"
+
+
+def test_brix_rays_come_from_the_pole_at_the_crank_angle():
+    found = construction(crank(), "brix", ANGLES)
+    assert found.pole == pytest.approx(-(R**2) / (2 * L), rel=1e-15)  # behind the shaft, away from the cylinder
+    ray = found.drawn.on_circle - np.array([[found.pole], [0.0]])
+    np.testing.assert_allclose(np.arctan2(ray[1], ray[0]) % (2 * np.pi), np.radians(ANGLES), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(np.hypot(*found.drawn.on_circle), R, rtol=1e-14)
+    np.testing.assert_allclose(R - found.drawn.on_circle[0], found.displacement, rtol=0, atol=1e-16)
+    assert not found.is_outside and found.ratio == pytest.approx(R / L)
+
+
+def test_brix_backwards_reads_the_ray_to_the_point_over_the_displacement():
+    found = construction(crank(), "brix_backward", 10)
+    np.testing.assert_allclose(found.displacement, 2 * R * np.arange(11) / 10, rtol=1e-14)
+    ray = found.drawn.on_circle - np.array([[found.pole], [0.0]])
+    np.testing.assert_allclose(np.arctan2(ray[1], ray[0]), found.angle, rtol=0, atol=1e-7)  # √ at the ends
+    np.testing.assert_allclose(R - found.drawn.on_circle[0], found.displacement, rtol=0, atol=1e-16)
+
+
+@pytest.mark.parametrize("offset", [0.0, E, -E])
+def test_exact_angle_has_the_displacement_that_it_comes_from(offset):
+    found = construction(crank(offset), "brix_backward", 8)
+    again = [displacement_exact(np.degrees(angle), offset) for angle in found.exact_angle]
+    np.testing.assert_allclose(again, found.displacement, rtol=0, atol=1e-15)
+    assert found.is_outside == (offset != 0)
+    given = construction(crank(offset), "brix_backward", [30.0, 300.0])
+    np.testing.assert_allclose(given.exact_angle, np.radians([30.0, 60.0]), rtol=1e-14)
+    np.testing.assert_allclose(exact_crank_angle(given.displacement, given.geometry), given.exact_angle, rtol=1e-12)
+
+
+def test_other_mechanisms_and_angles_are_refused():
+    with pytest.raises(InputError, match="no slider-crank"):
+        construction(ct.load("pumping_unit_c57"), "arc")
+    short = ct.Machine(mechanism={"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "40 mm"})
+    with pytest.raises(InputError, match="cannot close at every angle"):
+        construction(short, "arc", [90.0])
+
+
+def test_source_angles_are_the_pressure_angle_and_its_opposite():
+    """λ = 5/18: the largest pressure angle, asin λ, with the crank across; as shown where crank 1 points up is 0."""
+    pressure = np.degrees(np.arcsin(R / L))
+    found = source_angles(crank())
+    assert len(found) == 12
+    assert set(found) >= {0.0, 90.0, 180.0, 270.0, round(pressure, 9), round(pressure + 180.0, 9)}
+    turned = source_angles(crank(crank_zero="70 deg"))
+    np.testing.assert_allclose(np.mod(np.add(turned, 70.0), 360.0), found, rtol=0, atol=1e-8)
+    assert source_angles(crank(crank_zero="70 deg"), is_shown=False) == found

@@ -1,0 +1,156 @@
+"""What is beyond everything built is doubted, just within it is not; every limit by numbers of one machine, by hand."""
+
+import numpy as np
+import pytest
+from tests.gas_engines import DUAL_CYCLE
+
+import cranktrain as ct
+from cranktrain.io.examples import example_names
+from cranktrain.io.machine_file import read_machine
+from cranktrain.questions.doubts import LIMITS, Doubts
+
+BORE, RADIUS = 0.085, 0.05
+AREA = np.pi / 4 * BORE**2
+FIRED = {"cycle": "four-stroke", "firing_order": "1"}
+
+
+def machine(*, speed="600 rpm", cylinder=None, gas=None, masses=None, friction=None):
+    tables = {
+        "shaft": {"main": {"speed": speed}},
+        "mechanism": {"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "180 mm"},
+        "cylinder": {"bore": "85 mm", **(cylinder or {})},
+    }
+    others = {"gas": gas, "masses": masses, "friction": friction}
+    return ct.Machine(**tables, **{name: table for name, table in others.items() if table})
+
+
+def doubted(made):
+    return next(gift for gift in ct.run(made).gifts if isinstance(gift, Doubts)).flags
+
+
+def by_speed(value):
+    """2 S n with a stroke of 0.1 m."""
+    return machine(speed=f"{value / 0.2 * 60!r} rpm")
+
+
+def by_ratio(value):
+    return machine(cylinder={"compression_ratio": value})
+
+
+def by_ratio_of_engine(value):
+    return machine(cylinder={"compression_ratio": value, **FIRED}, gas={**DUAL_CYCLE, "start_pressure": "50 kPa"})
+
+
+def by_pressure(value):
+    """The dual cycle's peak: start pressure times ε^1.36 times the rise of pressure."""
+    start = value / (20**1.36 * DUAL_CYCLE["pressure_ratio"])
+    return machine(cylinder={"compression_ratio": 20, **FIRED}, gas={**DUAL_CYCLE, "start_pressure": f"{start!r} Pa"})
+
+
+def by_density(value):
+    """Mass over area and diameter, of a machine too slow for its inertia to matter."""
+    masses = {"piston": {"mass": f"{value * AREA * BORE!r} kg"}}
+    return machine(speed="60 rpm", cylinder={"compression_ratio": 16, **FIRED}, gas=DUAL_CYCLE, masses=masses)
+
+
+def by_inertia(value):
+    """p = m R ω²/A at 600 rpm."""
+    mass = value * AREA / (RADIUS * (2 * np.pi * 10) ** 2)
+    return machine(masses={"piston": {"mass": f"{mass!r} kg"}})
+
+
+def by_friction(value):
+    return machine(masses={"piston": {"mass": "1 kg"}}, friction={"piston": value})
+
+
+def by_closeness(value):
+    """A rod longer than the crank by a margin 1/value of itself, at 1 rpm."""
+    return alone({"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": f"{50 / (1 - 1 / value)!r} mm"})
+
+
+def by_distance(value):
+    """The top lies R + L from the shaft, and the stroke is 2 R."""
+    return alone({"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": f"{100 * value - 50!r} mm"})
+
+
+def by_swing(value):
+    """A yoke-like four-bar, a long rod square to the rocker: it swings 2 R/280 mm, but for R²."""
+    lengths = {"rod_length": "400 mm", "rocker_length": "280 mm", "ground_length": f"{float(np.hypot(400, 280))!r} mm"}
+    return alone({"kind": "crank_rocker", "crank_radius": f"{140 / value!r} mm", **lengths})
+
+
+def alone(mechanism):
+    return ct.Machine(mechanism=mechanism, shaft={"main": {"speed": "1 rpm"}})
+
+
+MACHINES = {
+    "closeness": by_closeness,
+    "distance": by_distance,
+    "swing": by_swing,
+    "mean_piston_speed": by_speed,
+    "compression_ratio": by_ratio,
+    "compression_ratio_of_engine": by_ratio_of_engine,
+    "peak_pressure": by_pressure,
+    "reciprocating_mass": by_density,
+    "inertia_pressure": by_inertia,
+    "friction": by_friction,
+}
+
+
+def test_every_limit_is_tried():
+    assert set(MACHINES) == set(LIMITS)
+
+
+@pytest.mark.parametrize("name", MACHINES)
+def test_within_a_limit_nothing_is_doubted_beyond_it_that_alone(name):
+    most = LIMITS[name].most
+    assert doubted(MACHINES[name](most * (1 - 1e-3))) == ()
+    (said,) = doubted(MACHINES[name](most * (1 + 1e-3)))
+    assert said.partition("{")[0].startswith(LIMITS[name].sentence.partition("{")[0])
+
+
+@pytest.mark.parametrize("name", example_names())
+def test_no_example_is_doubted(name):
+    assert doubted(ct.load(name)) == ()
+
+
+@pytest.mark.parametrize(
+    ("made", "said"),
+    [
+        (by_ratio(93), "A compression ratio of 93 is more than engines or compressors have: "),
+        (by_friction(0.99), "A coefficient of friction of 0.99 is more than lubricated guides have, 0.2: "),
+        (by_speed(32.5), "A mean piston speed of 32.5 m/s is more than any piston bears: "),
+        (by_pressure(140e6), "A pressure of 140 MPa is more than engines bear: "),
+    ],
+)
+def test_the_number_is_told(made, said):
+    assert doubted(made)[0].startswith(said)
+
+
+def test_a_mass_in_grams_is_doubted():
+    """450 for 0.45: mRω²/A is 450 kg · 40 mm · (5200 rpm)² on 82 mm."""
+    file = read_machine("vaz_21213", ["masses.piston.mass=450 kg"])
+    found = doubted(file.machine)
+    assert found[0].startswith("A piston of 450 kg is heavier than ten of its diameters of solid steel")
+    inertia = 450 * 0.04 * (5200 * np.pi / 30) ** 2 / (np.pi / 4 * 0.082**2)
+    assert f"mRω²/A, is {inertia / 1e6:.4g} MPa" in found[1]
+
+
+def test_a_valve_is_no_piston():
+    """A valve's mean speed is that of its travel, and no one knows how fast valves are."""
+    eccentric = {"kind": "eccentric", "eccentricity": "60 mm", "rod_length": "1.4 m", "angle_of_advance": "30 deg"}
+    assert doubted(ct.Machine(mechanism=eccentric, shaft={"main": {"speed": "9000 rpm"}})) == ()
+
+
+def test_of_several_designs_the_worst_is_told():
+    result = ct.run([by_friction(value) for value in (0.1, 0.4, 0.5)])
+    assert [flag for flag in result.flags if "friction" in flag] == [
+        "A coefficient of friction of 0.5 is more than lubricated guides have, 0.2: do these run dry?"
+    ]
+
+
+def test_what_is_computed_is_doubted():
+    """Asked for one result, one hears what is beyond the limits in what it takes, and no more is computed."""
+    fast = by_speed(33.0)
+    assert len(ct.run(fast, quantities="mean_piston_speed").flags) == 1
+    assert ct.run(fast, quantities="stroke").flags == ()
