@@ -6,8 +6,8 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.engine.places import Place
-from cranktrain.engine.specs import MAIN, ShaftSpec
+from cranktrain.layout.places import Place
+from cranktrain.layout.specs import MAIN, ShaftSpec
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.motion import Array

@@ -6,7 +6,7 @@ from typing import Annotated, Self
 
 from pydantic import Field, model_validator
 
-from cranktrain.engine.specs import OneOrMany
+from cranktrain.layout.specs import OneOrMany
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
 from cranktrain.paths import path_text
