@@ -32,6 +32,8 @@ from cranktrain.questions.cylinders.firing import FiringOrder
 from cranktrain.questions.cylinders.spec import OVERRIDES, CylindersSpec
 from cranktrain.questions.evenness.spec import EvennessSpec
 from cranktrain.questions.motion.points import point_problems
+from cranktrain.questions.torsion.parts import torsion_problems
+from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.spec import Spec, problems, with_tuples
 from cranktrain.wording import around_turn, number
 
@@ -70,6 +72,7 @@ class Machine(Spec, frozen=True):
     gas: AnyGas | None = None
     balance: BalanceSpec | None = None
     evenness: EvennessSpec | None = None
+    torsion: TorsionSpec | None = None
 
     def __init__(self, /, **data: Any) -> None:
         try:
@@ -342,6 +345,9 @@ def _table_problems(machine: Machine, places: Sequence[Place]) -> Iterator[Probl
     yield from guide_problems(places, machine.weighed.guides)
     if machine.balance is not None:
         yield from balance_problems(machine.balance, machine.main_shaft)
+    if machine.torsion is not None:
+        has_masses = bool(machine.weighed.bodies)
+        yield from torsion_problems(machine.torsion, machine.shafts, places, has_masses=has_masses)
     if machine.pistons:
         yield from machine.firing[1]
 

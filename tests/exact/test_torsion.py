@@ -47,7 +47,7 @@ def test_natural_frequencies(seed):
 
 @pytest.mark.parametrize("seed", range(12))
 def test_modes(seed):
-    """Relative to the largest amplitude where the discs are weighed by their inertia, divided by the modes' distance."""
+    """Weighed by the discs' inertia, a mode errs by rounding over its distance from the next one."""
     train = drawn(seed)
     with mp.workdps(DIGITS):
         values, modes = solved(train)

@@ -34,7 +34,9 @@ def test_three_rotors_of_bevan():
     given = case["inputs"]
     inertia = np.array(given["inertia_ton_ft2"]) * given["long_ton_lb"] / given["g_ft_s2"]
     modulus = given["shear_modulus_psi"] * 144
-    stiffness = np.array([round_shaft(feet, given["shaft_diameter_in"] / 12, modulus) for feet in given["shaft_length_ft"]])
+    stiffness = np.array(
+        [round_shaft(feet, given["shaft_diameter_in"] / 12, modulus) for feet in given["shaft_length_ft"]]
+    )
     per_minute = natural_modes(Train(inertia, stiffness, np.array([1, 2]))).speed * 60 / (2 * np.pi)
     np.testing.assert_allclose(per_minute, case["exact"]["frequency_per_min"], rtol=1e-12)
     np.testing.assert_allclose(per_minute, case["book"]["frequency_per_min"], rtol=PRINTED)

@@ -43,6 +43,7 @@ from cranktrain.questions.gas.powers import losses_of
 from cranktrain.questions.motion.followed import FollowedLinks, FollowedSliders, followed_of
 from cranktrain.questions.motion.points import link_points_of
 from cranktrain.questions.motion.rocker_load import load_radius_of
+from cranktrain.questions.torsion.parts import declared_train
 from cranktrain.spec import Spec
 
 _GAS = (DeclaredGas, Chambers, CompressionRatios, Cycle, FiringOrder)
@@ -133,6 +134,9 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
         ]
     if first.evenness is not None:
         parts += evenness_parts([machine.evenness for machine in machines if machine.evenness is not None])
+    if first.torsion is not None:
+        trains = [machine.torsion for machine in machines if machine.torsion is not None]
+        parts.append(declared_train(trains, len(first.main_shaft.throws)))
     parts += _speed_parts(machines, grid)
     has_bodies = bool(first.weighed.bodies)
     if has_bodies or all(any(isinstance(part, need) for part in parts) for need in _GAS):

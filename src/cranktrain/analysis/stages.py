@@ -53,6 +53,8 @@ from cranktrain.questions.torque.rod_orders import rod_orders
 from cranktrain.questions.torque.sources import torque_sources
 from cranktrain.questions.torque.torques import gear_torques, journal_torques, shaft_torques, torque_peaks
 from cranktrain.questions.torque.work_check import work_balance
+from cranktrain.questions.torsion.critical import critical_speeds, mode_vector_sums
+from cranktrain.questions.torsion.modes import torsional_modes, torsional_train
 from cranktrain.record import record
 from cranktrain.textbook.comparison import textbook_motion
 
@@ -192,6 +194,10 @@ STAGES: tuple[Stage, ...] = tuple(
         running_speed,
         flywheel_size,
         rim_size,
+        torsional_train,
+        torsional_modes,
+        critical_speeds,
+        mode_vector_sums,
         axial_positions,
         closing,
         doubts,

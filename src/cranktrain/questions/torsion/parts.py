@@ -6,10 +6,10 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.layout.places import Place
-from cranktrain.layout.specs import MAIN, ShaftSpec
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
+from cranktrain.layout.places import Place
+from cranktrain.layout.specs import MAIN, ShaftSpec
 from cranktrain.motion import Array
 from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.record import record

@@ -6,9 +6,9 @@ from typing import Annotated, Self
 
 from pydantic import Field, model_validator
 
-from cranktrain.layout.specs import OneOrMany
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
+from cranktrain.layout.specs import OneOrMany
 from cranktrain.paths import path_text
 from cranktrain.quantities import (
     Given,
@@ -56,7 +56,8 @@ class TorsionSpec(Spec, frozen=True):
         description=N_("What turns with a throw and is not in [masses]: one moment of inertia, or one for each throw."),
     )
     disc: Mapping[str, DiscSpec] = Field(
-        default={}, description=N_("Discs beside the throws, by name, in the order in which they stand along the shaft.")
+        default={},
+        description=N_("Discs beside the throws, by name, in the order in which they stand along the shaft."),
     )
     free_end: str | None = Field(
         default=None,

@@ -53,9 +53,9 @@ def natural_modes(train: Train) -> Modes:
 
     Notes
     -----
-    ω are the singular values of G = √k B/√J, where B takes the difference of the two amplitudes of each shaft: the
-    eigenvalues of J^-½KJ^-½ = GᵀG without being squared on the way, so that the lowest frequency keeps its digits beside
-    the highest, and without the 0 of the whole train's turning, which no rounding can then make another number.
+    ω are the singular values of G = √k B/√J, where B takes the difference of the two amplitudes of each shaft:
+    J^-½KJ^-½ = GᵀG. Nothing is squared on the way, so that the lowest frequency keeps its digits beside the highest;
+    and the turning of all discs as one, whose 0 rounding could make another number, is not among them.
     docs/theory/torsion, eqs. (23.2) to (23.4).
 
     Examples
