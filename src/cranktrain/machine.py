@@ -11,7 +11,7 @@ from pydantic import Field, ValidationError, model_validator
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.gas import AnyGas
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, Friction, GravitySpec, GuideSpec
 from cranktrain.layout.frames import Orientation
 from cranktrain.layout.gearing import first_axis
@@ -72,7 +72,9 @@ class Machine(Spec, frozen=True):
     gas: AnyGas | None = None
     balance: BalanceSpec | None = None
     evenness: EvennessSpec | None = None
-    torsion: TorsionSpec | None = None
+    torsion: TorsionSpec | None = Field(
+        default=None, description=N_("The crankshaft as discs and shafts that vibrate in torsion, with all beside it.")
+    )
 
     def __init__(self, /, **data: Any) -> None:
         try:
