@@ -83,7 +83,8 @@ class ModeVectorSums:
         if not np.all(np.isfinite(of_mode)):
             return None
         alike: dict[str, list[str]] = {}
-        for place in np.argsort(-of_mode.round(_DECIMALS), kind="stable").tolist():
+        ranked = np.argsort(-of_mode.round(_DECIMALS), kind="stable")
+        for place in map(int, ranked):
             alike.setdefault(f"{float(of_mode[place]):.3g}", []).append(names["order"][place])
         said = [
             _("{sum} of order {orders}").format(
