@@ -1,10 +1,14 @@
-"""Checks: identities that can fail, computed with every result, so that a user sees that it is right."""
+"""Checks: identities that can fail, computed with every result; and limits beyond which numbers are doubted."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.language import _
 from cranktrain.motion import Array
+from cranktrain.quantities import shown
 from cranktrain.record import record
 
 
@@ -49,3 +53,23 @@ class Check:
         if not self.judged[design]:
             return self.reasons[design] if self.reasons else _("is beyond the digits of a Fourier series")
         return _("holds") if self.passed[design] else _("does not hold")
+
+
+class Limit(NamedTuple):
+    """The most that was ever built, or that digits allow, in SI; the unit of what is told; and the sentence.
+
+    What is beyond it is computed with all the same, and doubted.
+    """
+
+    most: float
+    unit: str
+    sentence: str
+
+
+def doubted(limit: Limit, values: Array, told: Array | None = None) -> Iterator[str]:
+    """Doubt the largest of some values if it is beyond a limit, NaN never; tell it, or what stands for it."""
+    beyond = np.where(values > limit.most, values, -np.inf)
+    if np.any(values > limit.most):
+        worst = float(np.ravel(values if told is None else told)[np.argmax(beyond)])
+        written = f"{shown(worst, limit.unit):.4g} {limit.unit}" if limit.unit else f"{worst:.4g}"
+        yield _(limit.sentence).format(value=written)

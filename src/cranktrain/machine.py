@@ -1,7 +1,7 @@
 """The declared machine: the domains' tables together, and what only they together can check."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import Any, Literal, Self
@@ -9,30 +9,27 @@ from typing import Any, Literal, Self
 import numpy as np
 from pydantic import Field, ValidationError, model_validator
 
+from cranktrain.all_questions import QUESTIONS
 from cranktrain.errors import InputError, Problem
 from cranktrain.gas import AnyGas
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, Friction, GravitySpec, GuideSpec
+from cranktrain.layout.design import Design
 from cranktrain.layout.frames import Orientation
 from cranktrain.layout.gearing import first_axis
-from cranktrain.layout.guide_tables import guide_problems
-from cranktrain.layout.masses import Weighed, mass_problems
+from cranktrain.layout.masses import Weighed
 from cranktrain.layout.places import Place, places_of
 from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPistonSpec, ShaftSpec
 from cranktrain.layout.standing import standing_problems
 from cranktrain.mechanisms import AnyMechanism
 from cranktrain.mechanisms.closing import OpenRange, open_ranges
 from cranktrain.mechanisms.kind import LISTS
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.paths import PathParts, path_text, quantity_path, replaced, value_at
 from cranktrain.quantities import Angle, Given
 from cranktrain.questions.balance.spec import BalanceSpec
-from cranktrain.questions.balance.weights import balance_problems
-from cranktrain.questions.cylinders.declared import Cylinder, cylinder_problems, cylinders_of, firing_order_of
-from cranktrain.questions.cylinders.firing import FiringOrder
 from cranktrain.questions.cylinders.spec import OVERRIDES, CylindersSpec
 from cranktrain.questions.evenness.spec import EvennessSpec
-from cranktrain.questions.motion.points import point_problems
-from cranktrain.questions.torsion.parts import torsion_problems
 from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.spec import Spec, problems, with_tuples
 from cranktrain.wording import around_turn, number
@@ -271,22 +268,26 @@ class Machine(Spec, frozen=True):
             return places_of(self.shafts, {"": bank}, astern=self.is_astern, prefix="")
 
     @cached_property
-    def cylinders(self) -> tuple[Cylinder, ...]:
-        """Its cylinders, each with its pistons and dimensions."""
-        return cylinders_of(self.cylinder, self.pistons)
+    def design(self) -> Design:
+        """What questions see of it."""
+        tables = {key: table for key in type(self).model_fields if (table := getattr(self, key)) is not None}
+        return Design(self.places, self.shafts, self.orientation, self.zero, self.weighed, tables)
 
-    @cached_property
-    def firing(self) -> tuple[FiringOrder | None, tuple[Problem, ...]]:
-        """In which order the cylinders fire, and what is wrong with that."""
-        pistons = self.pistons
-        leading = [pistons[cylinder.pistons[0]] for cylinder in self.cylinders]
-        return firing_order_of(self.cylinder, leading, zero=self.zero, astern=self.is_astern)
+    @property
+    def cycle(self) -> float:
+        """Crank angle after which all repeats: a turn, or two. [rad]"""
+        return self.cylinder.cycle_length or TURN
 
     @cached_property
     def table_problems(self) -> tuple[Problem, ...]:
         """What only the tables together can show to be wrong."""
         places, found = self.arranged
-        return found or tuple(_table_problems(self, places))
+        return found or (
+            *standing_problems(
+                self.shafts, places, first_angle=self.first_axis, clockwise=self.rotation == "clockwise"
+            ),
+            *(problem for question in QUESTIONS for problem in question.problems(self.design)),
+        )
 
     @cached_property
     def closing_problems(self) -> tuple[Problem, ...]:
@@ -296,7 +297,7 @@ class Machine(Spec, frozen=True):
     def __copy__(self) -> Self:
         """Copy what was declared alone: what was found may not hold of the copy, which may be given other fields."""
         copied = super().__copy__()
-        for found in ("arranged", "cylinders", "firing", "table_problems", "closing_problems"):
+        for found in ("arranged", "design", "table_problems", "closing_problems"):
             vars(copied).pop(found, None)
         return copied
 
@@ -332,26 +333,6 @@ def machine_problems(machine: Machine, *, partial: bool = False) -> tuple[Proble
     """
     found = machine.table_problems
     return found if partial or machine.arranged[1] else (*found, *machine.closing_problems)
-
-
-def _table_problems(machine: Machine, places: Sequence[Place]) -> Iterator[Problem]:
-    """Find what does not fit together in the tables of a machine that can be arranged."""
-    yield from point_problems(places)
-    yield from cylinder_problems(machine.cylinder, machine.pistons, machine.cylinders)
-    if machine.gas is not None and not machine.cylinders:
-        yield Problem("gas", None, _("is not for this machine, which has no pistons"))
-    yield from standing_problems(
-        machine.shafts, places, first_angle=machine.first_axis, clockwise=machine.rotation == "clockwise"
-    )
-    yield from mass_problems(places, machine.weighed)
-    yield from guide_problems(places, machine.weighed.guides)
-    if machine.balance is not None:
-        yield from balance_problems(machine.balance, machine.main_shaft)
-    if machine.torsion is not None:
-        has_masses = bool(machine.weighed.bodies)
-        yield from torsion_problems(machine.torsion, machine.shafts, places, has_masses=has_masses)
-    if machine.pistons:
-        yield from machine.firing[1]
 
 
 def _closing_problems(machine: Machine, places: Sequence[Place]) -> tuple[Problem, ...]:

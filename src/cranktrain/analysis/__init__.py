@@ -3,8 +3,9 @@
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.run import run, speed_over_cycle
 from cranktrain.analysis.second_run import SpeedWanted
-from cranktrain.analysis.stages import STAGES, Missing, Stage, ordered, stage
+from cranktrain.analysis.stages import STAGES, Missing, ordered
 from cranktrain.analysis.unused import Unused, sentences
+from cranktrain.layout.question import Stage
 
 __all__ = [
     "STAGES",
@@ -17,5 +18,4 @@ __all__ = [
     "run",
     "sentences",
     "speed_over_cycle",
-    "stage",
 ]

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from cranktrain.analysis.parts import Parts
 from cranktrain.catalogue import entries
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.question import Parts
 from cranktrain.motion import Array
 
 FACTS_STEP = np.pi / 180

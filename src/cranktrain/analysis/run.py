@@ -6,23 +6,18 @@ from typing import Any
 import numpy as np
 
 from cranktrain.analysis.grids import FACTS_STEP, coarse_curves, has_curves, on_grid, with_curves
-from cranktrain.analysis.parts import Parts, parts_of
+from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.second_run import SpeedWanted, with_speed
-from cranktrain.analysis.stages import STAGES, Stage, lacking, leading_to, run_stages
+from cranktrain.analysis.stages import STAGES, lacking, leading_to, run_stages
 from cranktrain.analysis.unused import unused
 from cranktrain.catalogue import entries
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.mechanisms import Mechanisms, Pistons, Rockers
+from cranktrain.layout.question import Parts, Stage
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
-from cranktrain.mechanisms import KINDS
-from cranktrain.questions.cylinders.travel import CylinderPistons
-from cranktrain.questions.cylinders.volumes import Chambers
-from cranktrain.questions.motion.followed import FollowedLinks, FollowedSliders
-from cranktrain.questions.motion.points import LinkPoints
 
 _FINEST, _COARSEST = 0.01, 90.0
 _ONE_STEP = 1e-12
@@ -166,20 +161,8 @@ def _part(parts: Parts, kind: type[Any]) -> Any:
 
 
 def _labels(parts: Parts, machines: Sequence[Machine], gifts: Mapping[type, object]) -> dict[str, tuple[str, ...]]:
-    """Names along each dimension."""
+    """Names along each dimension, as parts and results have them."""
     labels: dict[str, tuple[str, ...]] = {"design": tuple(str(i + 1) for i in range(len(machines)))}
-    for kind in (Mechanisms, Pistons, Rockers):
-        if kind in parts:
-            labels[kind.dimension] = _part(parts, kind).names
-    if CylinderPistons in parts:
-        labels["cylinder"] = _part(parts, CylinderPistons).names
-    if Chambers in parts:
-        chambers = _part(parts, Chambers)
-        labels |= {"chamber": chambers.names, "bank": tuple(dict.fromkeys(chambers.banks))}
-    for dimension, kind in (("point", LinkPoints), ("link", FollowedLinks), ("slider", FollowedSliders)):
-        if kind in parts:
-            labels[dimension] = _part(parts, kind).names
-    labels |= {kind.name: _part(parts, kind.members).names for kind in KINDS if kind.stages and kind.members in parts}
-    for gift in gifts.values():
-        labels |= getattr(gift, "labels", {})
+    for one in (*parts.values(), *gifts.values()):
+        labels |= getattr(one, "labels", {})
     return labels

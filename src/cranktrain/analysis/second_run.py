@@ -7,14 +7,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from cranktrain.analysis.grids import on_grid
-from cranktrain.analysis.parts import Parts
-from cranktrain.analysis.stages import Stage, leading_to, run_stages
+from cranktrain.analysis.stages import leading_to, run_stages
 from cranktrain.catalogue import entries
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.question import Parts, Stage
 from cranktrain.layout.speed import Speed
-from cranktrain.layout.speed_curve import SpeedCurve, SteadyRunning, speed_curve
+from cranktrain.layout.speed_curve import SpeedCurve, speed_curve
 from cranktrain.motion import Array
 from cranktrain.numerics.periodic import spline_curve
 from cranktrain.questions.evenness.running_speed import RunningSpeed
@@ -49,10 +49,11 @@ def with_speed(parts: Parts, speed: SpeedWanted, stages: Sequence[Stage], step: 
     """
     if isinstance(speed, str) and speed == "constant":
         return parts
-    if not isinstance(speed, SpeedCurve) and SteadyRunning not in parts:
+    declared_curve: Any = parts.get(SpeedCurve)
+    if not isinstance(speed, SpeedCurve) and declared_curve is not None and declared_curve.moment is not None:
         allowed = _("must be left out: [shaft.main] acceleration says how the shaft turns, at one moment")
         raise InputError([Problem("speed", str(speed) if isinstance(speed, str) else None, allowed)])
-    if isinstance(speed, str) and speed == "running" and SpeedCurve in parts:
+    if isinstance(speed, str) and speed == "running" and declared_curve is not None:
         allowed = _("must be left out: [shaft.main.speed_curve] says how the shaft turns")
         raise InputError([Problem("speed", speed, allowed)])
     curve = speed if isinstance(speed, SpeedCurve) else _curve(parts, speed, stages, step)

@@ -1,24 +1,11 @@
 """Tables of a machine file that are written and not used, with what is missing for them, so that no result misleads."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Iterator, Mapping, Sequence
 
+from cranktrain.all_questions import QUESTIONS
 from cranktrain.language import N_, _
 from cranktrain.machine import Machine
-from cranktrain.questions.balance.shaking import ShakingForces
-from cranktrain.questions.balance.weights import BalanceWeights
-from cranktrain.questions.cylinders.firing import Firing
-from cranktrain.questions.cylinders.ports import PortTiming
-from cranktrain.questions.cylinders.volumes import ChamberVolumes, SweptVolumes
-from cranktrain.questions.evenness.flywheel import FlywheelSize, RimSize
-from cranktrain.questions.evenness.load_curve import LoadTorque
-from cranktrain.questions.evenness.running_speed import RunningSpeed, ShaftWork
-from cranktrain.questions.forces.guides import GuideEdges
-from cranktrain.questions.forces.loaded import MechanismTorques
-from cranktrain.questions.gas.powers import BrakePowers
-from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.record import record
-from cranktrain.spec import Spec
 
 
 @record
@@ -63,87 +50,6 @@ def _listed(names: Sequence[str]) -> str:
     return _("{first} and {last}").format(first=", ".join(first), last=last) if first else last
 
 
-class Use(NamedTuple):
-    """What a table is for: the names that it has in a file, the results that show that it is used, and the clause.
-
-    The clause holds where `instead` is a result.
-    """
-
-    tables: Callable[[Machine], Sequence[str]]
-    results: tuple[type, ...]
-    instead: type | None = None
-    consequence: str = ""
-
-
-def _table(name: str) -> Callable[[Machine], Sequence[str]]:
-    """A table of the file that is one thing."""
-
-    def written(machine: Machine) -> Sequence[str]:
-        return [f"[{name}]"] if getattr(machine, name) else []
-
-    return written
-
-
-def _masses(machine: Machine) -> Sequence[str]:
-    return [f"[{path}]" for path in machine.weighed.bodies]
-
-
-def _guides(machine: Machine) -> Sequence[str]:
-    return [f"[{path}]" for path in machine.weighed.guides]
-
-
-def _gravity(machine: Machine) -> Sequence[str]:
-    return ["gravity"] if machine.gravity else []
-
-
-def _evenness(*names: str, is_table: bool = False) -> Callable[[Machine], Sequence[str]]:
-    """Keys, or tables, of [evenness]."""
-
-    def written(machine: Machine) -> Sequence[str]:
-        spec = machine.evenness
-        given = [] if spec is None else [name for name in names if name in spec.model_fields_set]
-        return [f"[evenness.{name}]" if is_table else f"[evenness] {name}" for name in given]
-
-    return written
-
-
-def _cylinder(*names: str) -> Callable[[Machine], Sequence[str]]:
-    """Keys of [cylinder], or of the tables of single banks and cylinders in it."""
-
-    def written(machine: Machine) -> Sequence[str]:
-        common = machine.cylinder
-        tables: Mapping[str, Spec] = {"cylinder": common} | {
-            f"cylinder.{key}": own for key, own in common.overrides.items()
-        }
-        return [
-            f"[{path}] {name}" for name in names for path, table in tables.items() if name in table.model_fields_set
-        ]
-
-    return written
-
-
-USES: tuple[Use, ...] = (
-    Use(_table("gas"), (GasPressures,), MechanismTorques, N_("forces and torque are of inertia alone")),
-    Use(_masses, (MechanismTorques,)),
-    Use(_gravity, (MechanismTorques, ShakingForces)),
-    Use(_table("friction"), (MechanismTorques,)),
-    Use(_guides, (GuideEdges,)),
-    Use(_table("balance"), (BalanceWeights,)),
-    Use(_table("evenness"), (ShaftWork,)),
-    Use(_evenness("load", "flywheel", "flywheel_moment"), (RunningSpeed,)),
-    Use(_evenness("motor", is_table=True), (RunningSpeed,)),
-    Use(_evenness("load_curve", is_table=True), (LoadTorque,)),
-    Use(_evenness("coefficient"), (FlywheelSize,)),
-    Use(_evenness("rim", is_table=True), (RimSize,)),
-    Use(_cylinder("compression_ratio"), (ChamberVolumes,)),
-    Use(_cylinder("chambers", "piston_rod"), (SweptVolumes,)),
-    Use(_cylinder("exhaust_port", "scavenge_port"), (PortTiming,)),
-    Use(_cylinder("firing_order", "numbers"), (Firing,)),
-    Use(_cylinder("mechanical_efficiency", "friction_pressure"), (BrakePowers,)),
-)
-"""What may stand in a file without being used."""
-
-
 def unused(machine: Machine, lacking: Mapping[type, tuple[str, ...]]) -> tuple[Unused, ...]:
     """Find the tables that are written and that no result could rest on.
 
@@ -167,9 +73,9 @@ def unused(machine: Machine, lacking: Mapping[type, tuple[str, ...]]) -> tuple[U
 
 def _found(machine: Machine, lacking: Mapping[type, tuple[str, ...]]) -> Iterator[Unused]:
     """Go through all that may stand in a file."""
-    for use in USES:
+    for use in (use for question in QUESTIONS for use in question.uses):
         needs = dict.fromkeys(need for result in use.results for need in lacking.get(result, ()))
-        for table in use.tables(machine):
+        for table in use.tables(machine.design):
             # What a table holds is there, though nothing could be made of it.
             others = tuple(need for need in needs if need != table)
             if others:

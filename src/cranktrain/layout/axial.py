@@ -5,7 +5,6 @@ from typing import ClassVar
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
 from cranktrain.language import N_
 from cranktrain.layout.places import Place
 from cranktrain.layout.specs import MAIN, ShaftSpec
@@ -58,21 +57,3 @@ def throw_positions(shaft: ShaftSpec) -> Array | None:
         return None
     gaps = [gap.si for gap in shaft.spacing]
     return np.cumsum([0.0, *(gaps * n_gaps if len(gaps) == 1 else gaps)])
-
-
-@record
-class AxialPositions:
-    """Where each mechanism stands along the shaft."""
-
-    axial_position: Array = quantity(
-        "z",
-        "m",
-        ("mechanism",),
-        N_("Along the shaft, from throw 1 toward the flywheel"),
-        "docs/conventions",
-    )
-
-
-def axial_positions(places: AxialPlaces) -> AxialPositions:
-    """Give the declared places as a result."""
-    return AxialPositions(places.value)

@@ -47,6 +47,8 @@ class Masses:
     ----------
     groups : tuple of PlaceMasses
         One for each of `Mechanisms.groups`.
+    are_given : bool
+        Whether anything has a mass: without it nothing shakes, and nothing is balanced.
     weightless : tuple of str
         Rods and sliders for which no mass is given.
     assumed : tuple of str
@@ -58,6 +60,7 @@ class Masses:
     needs: ClassVar[str] = N_("[masses]")
 
     groups: tuple[PlaceMasses, ...]
+    are_given: bool
     weightless: tuple[str, ...]
     assumed: tuple[str, ...]
     doubtful: tuple[str, ...]
@@ -74,11 +77,9 @@ class Masses:
         return _("Without mass: {parts}.").format(parts=", ".join(self.weightless)) if self.weightless else None
 
 
-@record
-class GivenBodies:
-    """That something of the machine has a mass: without it nothing shakes, and nothing is balanced."""
-
-    needs: ClassVar[str] = N_("[masses]")
+def bodies_given(masses: Masses | None) -> bool | str:
+    """Whether anything has a mass, or that it must have one."""
+    return N_("[masses]") if masses is None or not masses.are_given else True
 
 
 class Weighed(NamedTuple):
@@ -175,6 +176,7 @@ def masses_of(designs: Sequence[Sequence[Place]], given: Sequence[Weighed]) -> M
     ]
     return Masses(
         tuple(groups),
+        are_given=bool(given[0].bodies),
         weightless=tuple(f"{place.name}.{part_name(part)}" for place, part, spec in moving if spec is None),
         assumed=tuple(
             f"{place.name}.{part}"

@@ -47,6 +47,24 @@ class Mechanisms:
     groups: tuple[Group, ...]
     nominal_top: Array
 
+    @property
+    def labels(self) -> dict[str, tuple[str, ...]]:
+        """Names of the mechanisms, and of those of each kind that has results of its own."""
+        own = {group.kind.name: group.members.names for group in self.groups if group.kind.stages}
+        return {self.dimension: self.names} | (own if self.dimension == Mechanisms.dimension else {})
+
+    def marked(self, is_so: Callable[[Kind], bool]) -> NDArray[np.bool_]:
+        """Whether something is so of each mechanism's kind, shape (mechanism,)."""
+        found = np.zeros(len(self.names), dtype=np.bool_)
+        for group in self.groups:
+            found[group.index] = is_so(group.kind)
+        return found
+
+    @property
+    def has_rod(self) -> NDArray[np.bool_]:
+        """Whether each mechanism's output hangs on a rod, shape (mechanism,)."""
+        return self.marked(lambda kind: kind.has_rod)
+
     def evaluated(self, pick: Callable[[Any], Outcome], angle: Array) -> Outcome:
         """Evaluate every mechanism's kernel and pick arrays from its motion.
 
@@ -97,10 +115,7 @@ class Pistons(Mechanisms):
     @property
     def is_valve(self) -> NDArray[np.bool_]:
         """Whether each slider is a valve, shape (piston,)."""
-        found = np.zeros(len(self.names), dtype=np.bool_)
-        for group in self.groups:
-            found[group.index] = not group.kind.has_chambers
-        return found
+        return self.marked(lambda kind: not kind.has_chambers)
 
 
 @record
@@ -110,29 +125,7 @@ class Rockers(Mechanisms):
     dimension: ClassVar[str] = "rocker"
 
 
-@record
-class PistonRods:
-    """Whether each piston hangs on a rod, shape (piston,); there is none where no piston does."""
-
-    value: NDArray[np.bool_]
-
-
-@record
-class RockerRods:
-    """Whether each rocker hangs on a rod, shape (rocker,); there is none where no rocker does."""
-
-    value: NDArray[np.bool_]
-
-
 MechanismsLike = TypeVar("MechanismsLike", bound=Mechanisms)
-
-
-def has_rods(mechanisms: Mechanisms) -> NDArray[np.bool_] | None:
-    """Whether each mechanism's output hangs on a rod; None where no one's does."""
-    found = np.zeros(len(mechanisms.names), dtype=np.bool_)
-    for group in mechanisms.groups:
-        found[group.index] = group.kind.has_rod
-    return found if np.any(found) else None
 
 
 def mechanisms_of(result: type[MechanismsLike], designs: Sequence[Sequence[Place]]) -> MechanismsLike:

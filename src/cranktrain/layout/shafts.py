@@ -46,15 +46,6 @@ class Shafts:
         )
 
 
-@record
-class GearedShafts:
-    """The shafts of a machine that has more than one."""
-
-    needs: ClassVar[str] = ""
-
-    shafts: Shafts
-
-
 def shafts_of(shafts: Mapping[str, ShaftSpec], places: Sequence[Place]) -> Shafts:
     """Say where every mechanism works."""
     names = tuple(shafts)

@@ -4,19 +4,12 @@ from typing import ClassVar
 
 import numpy as np
 
-from cranktrain.language import N_, _
+from cranktrain.language import _
 from cranktrain.linkage.forces import Drive
 from cranktrain.motion import Array
 from cranktrain.numerics.periodic import PeriodicCurve, hermite_curve
 from cranktrain.record import record
 from cranktrain.wording import Names, number
-
-
-@record
-class SteadyRunning:
-    """That what is asked for is not one moment: the machine runs on as it does."""
-
-    needs: ClassVar[str] = N_("steady running, without [shaft.main] acceleration,")
 
 
 @record

@@ -9,7 +9,7 @@ import numpy as np
 from cranktrain.catalogue import quantity
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.mechanisms import Group, PistonRods, Pistons
+from cranktrain.layout.mechanisms import Group, Pistons
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array, Coefficient
@@ -131,10 +131,9 @@ def _in_percent(errors: Array) -> str:
 
 
 def textbook_motion(
-    pistons: Pistons, rods: PistonRods, crank_angle: CrankAngle, turn: PistonTurn, motion: PistonMotion
+    pistons: Pistons, crank_angle: CrankAngle, turn: PistonTurn, motion: PistonMotion
 ) -> TextbookMotion:
     """Motion of every piston by every method, and each method's largest errors, refined on the kernels."""
-    del rods
     exact = (
         motion.piston_displacement,
         motion.piston_velocity_coefficient,

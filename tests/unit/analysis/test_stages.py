@@ -5,7 +5,7 @@ from typing import ClassVar
 
 import pytest
 
-from cranktrain.analysis import ordered, stage
+from cranktrain.analysis import Stage, ordered
 from cranktrain.analysis.stages import run_stages
 from cranktrain.catalogue import quantity
 
@@ -48,11 +48,11 @@ def odd(other: Other, area: Area) -> Odd:
     return Odd(0.0 * area.area)
 
 
-STAGES = [stage(function) for function in (odd, force, area)]
+STAGES = [Stage(function) for function in (odd, force, area)]
 
 
 def test_annotations_are_needs_and_gift():
-    read = stage(force)
+    read = Stage(force)
     assert read.needs == {"area": Area, "other": Other}
     assert read.optional == {"other"}
     assert read.gives is Force
@@ -90,7 +90,7 @@ def test_division_by_zero_within_a_stage_is_nan_and_no_warning():
     def nothing(bore: Bore) -> Area:
         return Area(float(np.divide(0.0 * bore.value, 0.0)))
 
-    gifts, _missing = run_stages([stage(nothing)], {Bore: Bore(1.0)})
+    gifts, _missing = run_stages([Stage(nothing)], {Bore: Bore(1.0)})
     assert gifts[Area].area != gifts[Area].area
 
 
@@ -102,4 +102,4 @@ def test_stages_that_need_each_other_cannot_be_ordered():
         return Force(area.area)
 
     with pytest.raises(ValueError, match="cycle"):
-        ordered([stage(first), stage(second)])
+        ordered([Stage(first), Stage(second)])

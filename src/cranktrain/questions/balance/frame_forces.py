@@ -1,6 +1,7 @@
 """What the frame bears of the moving masses: reactions of what stands still, and the momentum that they change."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import reduce
 from typing import Any, NamedTuple
 
@@ -11,7 +12,7 @@ from cranktrain.checks import Check
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import HIGHEST_ORDER, CrankAngle
 from cranktrain.layout.frames import Frames
-from cranktrain.layout.masses import GivenBodies, Masses
+from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.speed import Speed
 from cranktrain.layout.throws import Throws
@@ -64,7 +65,6 @@ class Momenta(NamedTuple):
 
 
 def frame_forces(
-    _bodies: GivenBodies,
     mechanisms: Mechanisms,
     carriers: Carriers,
     masses: Masses,
@@ -117,7 +117,7 @@ def without_loads(masses: Masses) -> Masses:
         group._replace(gravity=WEIGHTLESS, friction=tuple(ZERO for _slider in group.friction))
         for group in masses.groups
     )
-    return Masses(groups, masses.weightless, masses.assumed, masses.doubtful)
+    return replace(masses, groups=groups)
 
 
 def momenta(machine: LoadedMachine, motions: Sequence[Any], frames: Frames) -> Momenta:

@@ -55,10 +55,9 @@ class DeclaredBalance:
 
 
 def declared_balance(
-    specs: Sequence[BalanceSpec | None], shafts: Sequence[Mapping[str, ShaftSpec]]
+    given: tuple[BalanceSpec, ...], shafts: Sequence[Mapping[str, ShaftSpec]]
 ) -> DeclaredBalance | None:
     """Put the tables to the throws; None where there is no table."""
-    given = tuple(spec for spec in specs if spec is not None)
     if not given:
         return None
     mains = [design[MAIN] for design in shafts]

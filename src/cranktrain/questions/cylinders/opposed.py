@@ -1,7 +1,5 @@
 """Opposed pistons: lead, volumetric dead centres and the travel of both pistons of a cylinder together."""
 
-from typing import ClassVar
-
 import numpy as np
 
 from cranktrain.catalogue import quantity
@@ -20,15 +18,6 @@ from cranktrain.wording import Names, number, shared
 _CYLINDER = ("cylinder",)
 _CURVE = ("cylinder", "crank_angle")
 _THEORY = "docs/theory/opposed-pistons"
-
-
-@record
-class OpposedCylinders:
-    """The cylinders of a machine, of which some at least have two pistons."""
-
-    needs: ClassVar[str] = ""
-
-    cylinders: CylinderPistons
 
 
 @record
@@ -101,15 +90,19 @@ class VolumetricDeadCentres:
         )
 
 
+def are_opposed(cylinders: CylinderPistons) -> bool:
+    """Whether some cylinder at least has two pistons."""
+    return bool(np.any(cylinders.is_opposed))
+
+
 def volumetric_dead_centres(
-    opposed: OpposedCylinders,
+    cylinders: CylinderPistons,
     pistons: Pistons,
     dead_centres: DeadCentres,
     travel: CylinderTravel,
     crank_angle: CrankAngle,
 ) -> VolumetricDeadCentres:
     """Volumetric dead centres of every cylinder."""
-    cylinders = opposed.cylinders
     # A piston with side rods stands innermost where it is nearest to its shaft.
     innermost = pistons.nominal_top[:, cylinders.index, 0] + np.where(cylinders.signs < 0, np.pi, 0.0)
     strokes = dead_centres.stroke[:, cylinders.index] * np.abs(cylinders.signs)
@@ -150,11 +143,11 @@ class CombinedMotion:
 
 
 def combined_motion(
-    opposed: OpposedCylinders, pistons: Pistons, travel: CylinderTravel, crank_angle: CrankAngle
+    cylinders: CylinderPistons, pistons: Pistons, travel: CylinderTravel, crank_angle: CrankAngle
 ) -> CombinedMotion:
     """Travel of both pistons together and its derivatives by the crank angle."""
-    reached = reach(opposed.cylinders, pistons, crank_angle.angle)
-    residual = derivatives_residual(lambda phi: reach(opposed.cylinders, pistons, phi))
+    reached = reach(cylinders, pistons, crank_angle.angle)
+    residual = derivatives_residual(lambda phi: reach(cylinders, pistons, phi))
     return CombinedMotion(
         combined_displacement=travel.reach[..., np.newaxis] - reached.value,
         combined_velocity_coefficient=-reached.first,

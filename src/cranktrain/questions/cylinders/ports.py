@@ -12,6 +12,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.motion import Array
 from cranktrain.numerics import around_zero, bracketed_roots
+from cranktrain.questions.cylinders.firing import Cycle
 from cranktrain.questions.cylinders.travel import CylinderPistons, CylinderTravel, reach
 from cranktrain.questions.cylinders.volumes import Chambers, ChamberVolumes
 from cranktrain.questions.motion.dead_centres import DeadCentres, slider_motion
@@ -20,13 +21,6 @@ from cranktrain.wording import Names, number, ranged, shared
 
 _CYLINDER = ("cylinder",)
 _THEORY = "docs/theory/opposed-pistons"
-
-
-@record
-class TwoStroke:
-    """Says that cylinders are scavenged through ports: a machine that is no two-stroke is not asked for any."""
-
-    needs: ClassVar[str] = ""
 
 
 @record
@@ -95,8 +89,12 @@ class PortTiming:
         )
 
 
+def have_ports(ports: Ports | None, cycle: Cycle | None) -> bool:
+    """Whether the cylinders have ports, or should: those of a two-stroke."""
+    return ports is not None or (cycle is not None and cycle.is_two_stroke)
+
+
 def port_timing(
-    two_stroke: TwoStroke,
     ports: Ports,
     cylinders: CylinderPistons,
     pistons: Pistons,
@@ -110,7 +108,6 @@ def port_timing(
     A piston uncovers its port where it is the port's height from its outer dead centre: docs/theory/opposed-pistons,
     eq. (18.5); for a central slider-crank cos α = (x² + R² − L²)/(2Rx), with x the pin's distance from the shaft.
     """
-    del two_stroke
     opens, closes = (
         np.stack(sides, axis=-1)
         for sides in zip(

@@ -6,11 +6,16 @@ from typing import Annotated, Any, Literal, Self, cast
 from pydantic import Field, model_validator
 
 from cranktrain.language import _
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.quantities import Angle, Dimension, Given, PositiveLength, Pressure, Quantity
 from cranktrain.spec import Refused, Spec
 
 _GAUGE = ("barg", "бари", "ati", "ати", "psig")
 """Spellings of units that count from ambient pressure."""
+
+
+CYCLES = {"two-stroke": TURN, "four-stroke": 2 * TURN}
+"""Length of a cycle by name. [rad]"""
 
 
 class CylinderSpec(Spec, frozen=True):
@@ -49,6 +54,11 @@ class CylindersSpec(CylinderSpec, frozen=True):
     mechanical_efficiency: Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=1.0)] | None = None
     friction_pressure: Pressure | None = None
     overrides: Mapping[str, CylinderSpec] = Field(default={}, alias=OVERRIDES)
+
+    @property
+    def cycle_length(self) -> float | None:
+        """Crank angle of a cycle; None where the file does not say. [rad]"""
+        return None if self.cycle is None else CYCLES[self.cycle]
 
     @model_validator(mode="after")
     def _firing_one_way(self) -> Self:

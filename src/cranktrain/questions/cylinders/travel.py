@@ -33,6 +33,11 @@ class CylinderPistons:
     signs: Array
 
     @property
+    def labels(self) -> dict[str, tuple[str, ...]]:
+        """Names of the cylinders."""
+        return {"cylinder": self.names}
+
+    @property
     def leading(self) -> NDArray[np.intp]:
         """The piston from which each cylinder counts: the exhaust's of two, shape (cylinder,)."""
         return self.index[:, 0]

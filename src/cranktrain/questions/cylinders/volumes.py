@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check
+from cranktrain.checks import Check, Limit, doubted
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.questions.cylinders.travel import CylinderTravel
@@ -45,6 +45,11 @@ class Chambers:
     cylinder: NDArray[np.intp]
     is_head: NDArray[np.bool_]
     areas: Array
+
+    @property
+    def labels(self) -> dict[str, tuple[str, ...]]:
+        """Names of the chambers, and of their banks."""
+        return {"chamber": self.names, "bank": tuple(dict.fromkeys(self.banks))}
 
     @property
     def area(self) -> Array:
@@ -118,6 +123,14 @@ class CompressionRatios:
     leader: NDArray[np.intp]
 
 
+# Compressors have a clearance of 3 % of the swept volume and more: 1 + 1/0.03 = 34.
+RATIO = Limit(
+    40.0,
+    "",
+    N_("A compression ratio of {value} is more than engines or compressors have: is its decimal point right?"),
+)
+
+
 @record
 class SweptVolumes:
     """What the pistons sweep between their true dead centres."""
@@ -187,11 +200,12 @@ def chamber_volumes(
     smallest = np.where(chambers.is_head, travel.least[:, chambers.cylinder], -travel.stroke[:, chambers.cylinder])
     start = clearance - chambers.area * smallest
     volume = start[..., np.newaxis] + chambers.summed(motion.piston_displacement)
+    ratio = 1 + swept.swept_volume / clearance
     return ChamberVolumes(
         chamber_volume=volume,
         clearance_volume=clearance,
-        compression_ratio=1 + swept.swept_volume / clearance,
-        flags=tuple(_flags(chambers, clearance)),
+        compression_ratio=ratio,
+        flags=(*_flags(chambers, clearance), *doubted(RATIO, ratio)),
     )
 
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from cranktrain.catalogue import quantity
 from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.speed_curve import SteadyRunning
+from cranktrain.layout.speed import Speed
 from cranktrain.linkage.forces import Drive, Reduced, ReducedInertia, torque_by_work
 from cranktrain.motion import Array
 from cranktrain.numerics.periodic import (
@@ -58,9 +58,15 @@ def _smooth_work(work: Array, _slope: Array, cycle: float) -> PeriodicCurve:
     return fourier_curve(work, cycle)
 
 
-def applied_torque(
-    _load: ShaftLoad, _steady: SteadyRunning, torques: MechanismTorques, loaded: LoadedMachine, crank_angle: CrankAngle
-) -> AppliedTorque:
+def of_steady_running(load: ShaftLoad | None, speed: Speed | None) -> bool | str:
+    """Whether the machine has a load and runs on as it does; what is asked for at one moment has no load."""
+    if load is None:
+        return ShaftLoad.needs
+    is_moment = speed is not None and speed.curve is not None and speed.curve.moment is not None
+    return N_("steady running, without [shaft.main] acceleration,") if is_moment else True
+
+
+def applied_torque(torques: MechanismTorques, loaded: LoadedMachine, crank_angle: CrankAngle) -> AppliedTorque:
     """Torque that is left without inertia; a file that says nothing of a load has none, nor has one moment.
 
     Notes

@@ -10,7 +10,6 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.masses import GivenBodies
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme, spectral_derivative
@@ -56,7 +55,7 @@ class FlywheelMoment:
     )
 
 
-def flywheel_moment(_bodies: GivenBodies, torques: MechanismTorques) -> FlywheelMoment:
+def flywheel_moment(torques: MechanismTorques) -> FlywheelMoment:
     """GD² = 4 J."""
     return FlywheelMoment(4 * torques.reduced_inertia)
 

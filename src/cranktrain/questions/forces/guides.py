@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import field
-from typing import ClassVar, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -11,8 +11,8 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.guide_tables import bearing_moments
 from cranktrain.layout.masses import Masses
+from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.part_tables import part_name
-from cranktrain.layout.places import Place
 from cranktrain.linkage.forces import EdgeForces
 from cranktrain.motion import Array
 from cranktrain.questions.forces.edges import edges_of
@@ -23,31 +23,6 @@ from cranktrain.record import record
 
 _GUIDE = ("guide", "crank_angle")
 _THEORY = "docs/theory/forces"
-
-
-@record
-class MomentGuides:
-    """That something slides in a guide that can bear a moment: only then a length is worth asking for."""
-
-    needs: ClassVar[str] = ""
-
-
-def moment_guides_of(places: Sequence[Place]) -> MomentGuides | None:
-    """Say whether anything does."""
-    return MomentGuides() if any(bearing_moments(place.kind.dynamics) for place in places) else None
-
-
-@record
-class GuidesWithLength:
-    """That a guide of the machine has a length."""
-
-    needs: ClassVar[str] = N_("[guide]")
-
-
-def guides_with_length(masses: Masses) -> GuidesWithLength | None:
-    """Ask for the edges' forces where a guide has a length."""
-    has_some = any(np.any(edges.per_length) for group in masses.groups for edges in group.edges)
-    return GuidesWithLength() if has_some else None
 
 
 @record
@@ -98,9 +73,15 @@ class _Guide(NamedTuple):
     place: int
 
 
+def have_length(mechanisms: Mechanisms, masses: Masses | None) -> bool | str:
+    """Whether a guide has a length; it is worth asking for where something slides in a guide that bears moments."""
+    if not any(bearing_moments(group.kind.dynamics) for group in mechanisms.groups):
+        return False
+    groups = () if masses is None else masses.groups
+    return any(np.any(edges.per_length) for group in groups for edges in group.edges) or N_("[guide]")
+
+
 def guide_edges(
-    _guides: MomentGuides,
-    _given: GuidesWithLength,
     loaded: LoadedMachine,
     solved: SolvedCycle,
     events: ForceEvents,

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
-from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +10,7 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.mechanisms import Group, PistonRods, Pistons
+from cranktrain.layout.mechanisms import Group, Pistons
 from cranktrain.motion import Array
 from cranktrain.questions.forces.crank_pins import CrankPinLoads
 from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle
@@ -33,19 +32,9 @@ DIRECT = "slider_crank"
 """Kind whose rod joins piston and crank pin, and nothing else does."""
 
 
-@record
-class DirectPistons:
-    """Pistons of which some at least have rods on the crank pin itself."""
-
-    needs: ClassVar[str] = ""
-
-    n_pistons: int
-
-
-def direct_pistons_of(pistons: Pistons) -> DirectPistons | None:
-    """Count the pistons; None where no rod sits on a crank pin."""
-    has_some = any(group.kind.name == DIRECT for group in pistons.groups)
-    return DirectPistons(len(pistons.names)) if has_some else None
+def have_direct_rods(pistons: Pistons) -> bool:
+    """Whether any piston's rod sits on the crank pin itself."""
+    return any(group.kind.name == DIRECT for group in pistons.groups)
 
 
 def direct_groups(loaded: LoadedMachine) -> Iterator[tuple[int, Group]]:
@@ -90,7 +79,7 @@ class PistonForceSet:
 
 
 def piston_force_set(
-    rods: PistonRods,
+    pistons: Pistons,
     loaded: LoadedMachine,
     solved: SolvedCycle,
     crank_pins: CrankPinLoads,
@@ -104,7 +93,7 @@ def piston_force_set(
     (13.35), (13.36) and (13.50). The formula, eqs. (13.31) to (13.34), is for rods between a piston and a crank pin.
     """
     phi = crank_angle.angle
-    curves = np.full((7, len(phi), len(FORCE_METHODS), rods.value.size, phi.shape[-1]), np.nan)
+    curves = np.full((7, len(phi), len(FORCE_METHODS), len(pistons.names), phi.shape[-1]), np.nan)
     found = [(one, one.forces) for one in rods_in_pistons(loaded, solved.groups)]
     residuals: list[Array] = []
     for one, exact in found:

@@ -8,12 +8,13 @@ import numpy as np
 from cranktrain.catalogue import quantity
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.mechanisms import Pistons
 from cranktrain.linkage.forces import WEIGHTLESS, Wrench, work
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.periodic import cycle_grid
 from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle
-from cranktrain.questions.forces.piston_forces import DirectPistons, direct_groups
+from cranktrain.questions.forces.piston_forces import direct_groups
 from cranktrain.questions.forces.rod_masses import ROD_METHODS
 from cranktrain.record import record
 from cranktrain.wording import Names, number, ranged
@@ -74,9 +75,7 @@ class RodMethods:
         )
 
 
-def rod_methods(
-    direct: DirectPistons, loaded: LoadedMachine, solved: SolvedCycle, crank_angle: CrankAngle
-) -> RodMethods:
+def rod_methods(pistons: Pistons, loaded: LoadedMachine, solved: SolvedCycle, crank_angle: CrankAngle) -> RodMethods:
     """Errors of every method against the rigid rod in steps of 1°, in parts of the peaks of the cycle.
 
     Over one turn, as all turns are alike at constant speed; else over the cycle.
@@ -86,7 +85,7 @@ def rod_methods(
     All methods have the rod's mass and centroid, so that they differ by a couple on the rod alone: it presses the guide
     with −C/(L cos θ) and turns the crank by Cθ′. docs/theory/forces, eq. (13.37).
     """
-    shape = (len(loaded.speed.value), len(ROD_METHODS), direct.n_pistons)
+    shape = (len(loaded.speed.value), len(ROD_METHODS), len(pistons.names))
     side, torque = np.full((2, *shape), np.nan)
     n_turns = 1 if loaded.speed.curve is None else round(crank_angle.cycle / TURN)
     angle = cycle_grid(360 * n_turns, n_turns * TURN)

@@ -1,18 +1,19 @@
 """Pressure of the gas over the cycle, its force on every piston, and, whatever the grid, its work and its peak."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
+from cranktrain.checks import Limit, doubted
 from cranktrain.gas import kind_of
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import around_zero, in_slots, largest_between
 from cranktrain.questions.cylinders.travel import CylinderTravel
-from cranktrain.questions.cylinders.volumes import SweptVolumes
+from cranktrain.questions.cylinders.volumes import RATIO, SweptVolumes
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.questions.gas.events import GasEvents
 from cranktrain.questions.motion.dead_centres import ANGLE_ROUNDING
@@ -23,6 +24,20 @@ from cranktrain.wording import Names, shared
 _CHAMBER = ("chamber",)
 _CURVE = ("chamber", "crank_angle")
 _THEORY = "docs/theory/gas"
+
+
+# Heywood, Internal Combustion Engine Fundamentals, ch. 2.2: 8 to 12 with spark ignition, 12 to 24 in diesels.
+_ENGINE_RATIO = Limit(
+    30.0,
+    "",
+    N_("A compression ratio of {value} is more than any engine has, 24 in diesels: is its decimal point right?"),
+)
+# The largest firing pressures of production engines, of large diesels, are 25 to 30 MPa.
+_PEAK_PRESSURE = Limit(
+    40e6,
+    "MPa",
+    N_("A pressure of {value} is more than engines bear: are charge, compression ratio and pressure unit right?"),
+)
 
 
 @record
@@ -83,8 +98,16 @@ def gas_pressures(
         peak_pressure=peak,
         peak_pressure_at=crank_angle.counted((firing + after)[..., np.newaxis], gas.cycle)[..., 0],
         peak_pressure_after=after,
-        flags=(*gas.doubts, *gas.findings),
+        flags=(*gas.doubts, *gas.findings, *_engine_doubts(gas, work > 0, peak)),
     )
+
+
+def _engine_doubts(gas: GasInChambers, fires: NDArray[np.bool_], peak: Array) -> Iterator[str]:
+    """Doubt what no engine has, of chambers that give work, shape (design, chamber)."""
+    ratio = (gas.limits.largest / gas.limits.smallest)[..., 0]
+    # What no machine at all has is doubted where the ratio is found.
+    yield from doubted(_ENGINE_RATIO, ratio[fires & (ratio <= RATIO.most)])
+    yield from doubted(_PEAK_PRESSURE, peak[fires])
 
 
 def _works(gas: GasInChambers, swept: SweptVolumes) -> Array:

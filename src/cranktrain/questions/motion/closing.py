@@ -3,6 +3,7 @@
 import numpy as np
 
 from cranktrain.catalogue import quantity
+from cranktrain.checks import Limit, doubted
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.distinct import distinct
@@ -14,6 +15,14 @@ from cranktrain.wording import Names, around_turn, shared
 
 _MECHANISM = ("mechanism",)
 _THEORY = "docs/theory/closing-margin"
+
+
+# Near locking the slopes of all curves are its inverse square root, and their digits are those of the margin.
+_CLOSENESS = Limit(
+    1e6,
+    "",
+    N_("The links close by {value} of a length alone: results near there rest on its last digits."),
+)
 
 
 @record
@@ -31,6 +40,7 @@ class Closing:
     )
     closing_angle: Array = quantity("φ_m", "deg", _MECHANISM, N_("Crank angle at which the links would part"), _THEORY)
     length_names: tuple[tuple[str, ...], ...] = ()
+    flags: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str | None:
         """Say the smallest margin of all."""
@@ -57,8 +67,10 @@ def closing(mechanisms: Mechanisms, crank_angle: CrankAngle) -> Closing:
         margin[:, group.index] = found.margin
         angle[:, group.index] = found.angle - group.members.phase
         length[:, group.index] = np.array([*group.kind.length_names, ""], dtype=object)[found.length]
+    margins = different.spread(margin)[..., 0]
     return Closing(
-        closing_margin=different.spread(margin)[..., 0],
+        closing_margin=margins,
         closing_angle=crank_angle.counted(different.angle(angle))[..., 0],
         length_names=tuple(tuple(row) for row in different.spread(length)[..., 0]),
+        flags=tuple(doubted(_CLOSENESS, 1 / margins, margins)),
     )

@@ -1,9 +1,11 @@
 """Motion of the rods that drive rockers: angles and their derivatives; with the speed, velocities."""
 
+import numpy as np
+
 from cranktrain.catalogue import quantity
 from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.mechanisms import RockerRods, Rockers
+from cranktrain.layout.mechanisms import Rockers
 from cranktrain.layout.speed import Speed, accelerations
 from cranktrain.motion import Array
 from cranktrain.numerics import unwrapped
@@ -29,9 +31,13 @@ class CouplerMotion:
     )
 
 
-def coupler_motion(rockers: Rockers, rods: RockerRods, crank_angle: CrankAngle) -> CouplerMotion:
+def on_rods(rockers: Rockers) -> bool:
+    """Whether any rocker hangs on a rod."""
+    return bool(np.any(rockers.has_rod))
+
+
+def coupler_motion(rockers: Rockers, crank_angle: CrankAngle) -> CouplerMotion:
     """Angles of the rods, without jumps, and their derivatives."""
-    del rods
     rod = rockers.evaluated(lambda motion: rod_angle(motion, motion.rocker.angle), crank_angle.angle)
     return CouplerMotion(
         coupler_angle=unwrapped(rod.value),

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
+from cranktrain.checks import Limit, doubted
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.distinct import Distinct, distinct
@@ -120,6 +121,16 @@ def piston_grid(pistons: Pistons, crank_angle: CrankAngle) -> PistonGrid:
     return PistonGrid(SliderAndRod(*map(crank_angle.over_cycle, turn)))
 
 
+# The position has 16 digits, and its part that moves so many fewer. Rods that stand for none are given 10⁴ cranks.
+_DISTANCE = Limit(
+    1e5,
+    "",
+    N_(
+        "A slider's stroke is {value} of its distance from the shaft: its curves lose as many digits as that has zeros."
+    ),
+)
+
+
 @record
 class DeadCentres:
     """Where each piston truly turns back, and how far it travels; is_valve: which are valves, shape (piston,)."""
@@ -142,6 +153,7 @@ class DeadCentres:
     bottom_position: Array = quantity(
         "h", "m", _PISTON, N_("Distance from shaft centre to piston pin at bottom dead centre"), _THEORY
     )
+    flags: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str:
         """Say strokes and true dead centres of pistons, travels of valves and where they are farthest."""
@@ -161,13 +173,15 @@ def dead_centres(pistons: Pistons, turn: PistonTurn, crank_angle: CrankAngle) ->
     """True dead centres of every piston."""
     different = turn.distinct
     bottom, top = (Extreme(one.angle[0], one.value[0]) for one in turn.peaks)
+    stroke, position = (different.spread(one)[..., 0] for one in (top.value - bottom.value, top.value))
     return DeadCentres(
         is_valve=pistons.is_valve,
-        stroke=different.spread(top.value - bottom.value)[..., 0],
+        stroke=stroke,
         top_dead_centre=crank_angle.counted(different.angle(top.angle))[..., 0],
         bottom_dead_centre=crank_angle.counted(different.angle(bottom.angle))[..., 0],
         top_shift=different.spread(around_zero(top.angle))[..., 0],
         bottom_shift=different.spread(around_zero(bottom.angle - np.pi))[..., 0],
-        top_position=different.spread(top.value)[..., 0],
+        top_position=position,
         bottom_position=different.spread(bottom.value)[..., 0],
+        flags=tuple(doubted(_DISTANCE, np.abs(position) / stroke, stroke / np.abs(position))),
     )

@@ -40,15 +40,26 @@ class Followed:
     mechanism: NDArray[np.intp]
     parts: tuple[str, ...]
 
+    dimension: ClassVar[str]
+
+    @property
+    def labels(self) -> dict[str, tuple[str, ...]]:
+        """Names of the parts."""
+        return {self.dimension: self.names}
+
 
 @record
 class FollowedLinks(Followed):
     """Links."""
 
+    dimension: ClassVar[str] = "link"
+
 
 @record
 class FollowedSliders(Followed):
     """What slides: its position is a number."""
+
+    dimension: ClassVar[str] = "slider"
 
 
 FollowedLike = TypeVar("FollowedLike", bound=Followed)

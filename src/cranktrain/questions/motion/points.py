@@ -43,6 +43,11 @@ class LinkPoints:
     carriers: tuple[str, ...]
     geometry: LinkPoint
 
+    @property
+    def labels(self) -> dict[str, tuple[str, ...]]:
+        """Names of the points."""
+        return {"point": self.names}
+
 
 def point_problems(places: Sequence[Place]) -> tuple[Problem, ...]:
     """Find points on links that the mechanism does not have."""

@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check
+from cranktrain.checks import Check, Limit, doubted
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Rockers
@@ -65,6 +65,11 @@ def _counted(angle: Array, middle: Array) -> Array:
     return np.where(np.isnan(middle), unwrapped(angle), about)
 
 
+_SWING = Limit(
+    1e5, "deg", N_("A rocker swings {value}: what there is of its motion is in the last digits of its position.")
+)
+
+
 @record
 class DeadPositions:
     """Between which positions each rocker swings; NaN for a rocker that turns with the crank."""
@@ -85,6 +90,7 @@ class DeadPositions:
     smallest_rocker_angle_at: Array = quantity(
         "φ(θ_min)", "deg", _ROCKER, N_("Crank angle of the other dead position"), _THEORY
     )
+    flags: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str | None:
         """Say swing, dead positions and time ratio of the rockers that swing."""
@@ -113,13 +119,15 @@ def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) 
     def swinging(values: Array) -> Array:
         return np.where(np.isnan(turn.middle), np.nan, values)[..., 0]
 
+    swing = swinging(most.value - least.value)
     return DeadPositions(
-        swing=swinging(most.value - least.value),
+        swing=swing,
         time_ratio=swinging(slower / (2 * np.pi - slower)),
         largest_rocker_angle=swinging(most.value),
         largest_rocker_angle_at=swinging(crank_angle.counted(most.angle)),
         smallest_rocker_angle=swinging(least.value),
         smallest_rocker_angle_at=swinging(crank_angle.counted(least.angle)),
+        flags=tuple(doubted(_SWING, 1 / swing, swing)),
     )
 
 

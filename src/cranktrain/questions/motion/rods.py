@@ -5,7 +5,7 @@ import numpy as np
 from cranktrain.catalogue import quantity
 from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.mechanisms import Mechanisms, PistonRods
+from cranktrain.layout.mechanisms import Mechanisms, Pistons
 from cranktrain.layout.speed import Speed, accelerations
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import turning_points
@@ -58,9 +58,13 @@ def _rod(pistons: Mechanisms, angle: Array) -> Coefficient:
     return pistons.evaluated(lambda motion: rod_angle(motion, motion.slider), angle)
 
 
-def rod_motion(grid: PistonGrid, rods: PistonRods, crank_angle: CrankAngle, turn: PistonTurn) -> RodMotion:
+def on_rods(pistons: Pistons) -> bool:
+    """Whether any piston hangs on a rod."""
+    return bool(np.any(pistons.has_rod))
+
+
+def rod_motion(grid: PistonGrid, crank_angle: CrankAngle, turn: PistonTurn) -> RodMotion:
     """Rod angles, their derivatives and extremes."""
-    del rods
     motion = grid.value
     different = turn.distinct
     opposite, usual = turning_points(

@@ -10,7 +10,7 @@ from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle, order_labels
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.motion import Array
-from cranktrain.questions.forces.piston_forces import DIRECT, DirectPistons
+from cranktrain.questions.forces.piston_forces import DIRECT
 from cranktrain.questions.torque.rod_harmonics import acceleration_harmonics, torque_harmonics
 from cranktrain.record import record
 
@@ -31,12 +31,12 @@ class RodOrders:
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"order": ()})
 
 
-def rod_orders(direct: DirectPistons, pistons: Pistons, crank_angle: CrankAngle) -> RodOrders:
+def rod_orders(pistons: Pistons, crank_angle: CrankAngle) -> RodOrders:
     """Harmonics of every piston in closed form; docs/theory/harmonics-and-orders, eqs. (15.4) and (15.7)."""
     labels = order_labels(crank_angle.cycle)
     turns = round(crank_angle.cycle / (2 * np.pi))
     highest = len(labels["order"]) // turns
-    found = np.full((2, len(crank_angle.zero), len(labels["order"]), direct.n_pistons), np.nan)
+    found = np.full((2, len(crank_angle.zero), len(labels["order"]), len(pistons.names)), np.nan)
     for group in pistons.groups:
         if group.kind.name != DIRECT:
             continue

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from cranktrain.catalogue import quantity
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.shafts import GearedShafts, Shafts
+from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
 from cranktrain.questions.forces.events import ForceEvents
@@ -210,15 +210,18 @@ class GearTorques:
         )
 
 
-def gear_torques(
-    geared: GearedShafts, torques: ShaftTorques, sources: TorqueSources, crank_angle: CrankAngle
-) -> GearTorques:
+def are_geared(shafts: Shafts) -> bool:
+    """Whether there is more than one shaft."""
+    return len(shafts.names) > 1
+
+
+def gear_torques(shafts: Shafts, torques: ShaftTorques, sources: TorqueSources, crank_angle: CrankAngle) -> GearTorques:
     """What an ideal gear passes from each shaft to the main one; NaN for that one itself.
 
     At constant speed a balanced shaft takes nothing for itself: the gear passes all. Work shares are NaN where the
     machine does no work. docs/theory/forces, eq. (13.39).
     """
-    other = np.arange(len(geared.shafts.names)) != geared.shafts.main
+    other = np.arange(len(shafts.names)) != shafts.main
     passed = np.where(other[:, np.newaxis], torques.shaft_torque, np.nan)
     mean = sources.mean(crank_angle.cycle)
     total = np.sum(mean, axis=-1, keepdims=True)

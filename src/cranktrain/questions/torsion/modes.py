@@ -15,6 +15,7 @@ from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.shafts import Shafts
 from cranktrain.linkage.forces import reduced_inertia
 from cranktrain.motion import Array
+from cranktrain.questions.cylinders.travel import CylinderPistons
 from cranktrain.questions.torsion.parts import DeclaredTrain
 from cranktrain.questions.torsion.train import (
     Train,
@@ -53,6 +54,11 @@ class TorsionalTrain:
     )
     train: Train = field(kw_only=True)
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"disc": ()})
+
+
+def of_one_crankshaft(shafts: Shafts, sharing: CylinderPistons | None) -> bool:
+    """Whether a machine has one crankshaft, and one piston in a cylinder."""
+    return len(shafts.names) == 1 and not (sharing is not None and np.any(sharing.is_opposed))
 
 
 def torsional_train(

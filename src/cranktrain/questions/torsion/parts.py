@@ -8,8 +8,7 @@ from numpy.typing import NDArray
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
-from cranktrain.layout.places import Place
-from cranktrain.layout.specs import MAIN, ShaftSpec
+from cranktrain.layout.design import Design
 from cranktrain.motion import Array
 from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.record import record
@@ -144,12 +143,10 @@ def _ratio(spec: TorsionSpec, name: Node) -> float:
     return ratio
 
 
-def torsion_problems(
-    spec: TorsionSpec, shafts: Mapping[str, ShaftSpec], places: Sequence[Place], *, has_masses: bool
-) -> Iterator[Problem]:
+def torsion_problems(spec: TorsionSpec, design: Design) -> Iterator[Problem]:
     """Find what does not fit the crankshaft, what nothing weighs, and machines whose trains are of another kind."""
-    n_throws = len(shafts[MAIN].throws)
-    if len(shafts) > 1 or any(place.name != place.cylinder for place in places):
+    n_throws, places = len(design.main_shaft.throws), design.places
+    if len(design.shafts) > 1 or any(place.name != place.cylinder for place in places):
         allowed = _("is for a machine with one crankshaft and one piston in a cylinder; this version knows no other")
         yield Problem("torsion", None, allowed)
         return
@@ -161,7 +158,7 @@ def torsion_problems(
     if n_throws == 1 and not any(disc.stiffness for disc in spec.disc.values()):
         allowed = _("must hold a disc with a stiffness, or there is nothing that one throw could twist against")
         yield Problem("torsion.disc", None, allowed)
-    carrying = {place.throw for place in places} if has_masses else set[int]()
+    carrying = {place.throw for place in places} if design.weighed.bodies else set[int]()
     if spec.throw_inertia is None and (bare := sorted(set(range(n_throws)) - carrying)):
         allowed = _("is missing; in [masses] there is nothing on throw {throws}")
         yield Problem("torsion.throw_inertia", None, allowed.format(throws=", ".join(str(throw + 1) for throw in bare)))

@@ -1,0 +1,105 @@
+"""A declared machine as questions see it: arranged, with its tables by class; and several designs of one machine."""
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
+from typing import Any, TypeVar
+
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.frames import Orientation
+from cranktrain.layout.masses import Weighed
+from cranktrain.layout.mechanisms import Mechanisms, Pistons, Rockers
+from cranktrain.layout.places import Place
+from cranktrain.layout.specs import MAIN, ShaftSpec
+from cranktrain.record import record
+
+Table = TypeVar("Table")
+Found = TypeVar("Found")
+
+
+@record
+class Design:
+    """One machine as its file declares it.
+
+    Attributes
+    ----------
+    places : tuple of Place
+        Its mechanisms, arranged on shafts and banks.
+    shafts : mapping of str to ShaftSpec
+    orientation : Orientation
+    zero : float
+        φ where the shown crank angle is 0. [rad]
+    weighed : Weighed
+        What it says of masses.
+    tables : mapping of str to table
+        Those of its file, by key.
+    """
+
+    places: tuple[Place, ...]
+    shafts: Mapping[str, ShaftSpec]
+    orientation: Orientation
+    zero: float
+    weighed: Weighed
+    tables: Mapping[str, Any]
+
+    def table(self, kind: type[Table]) -> Table | None:
+        """Give the table of that class; None where the file has none."""
+        return next((table for table in self.tables.values() if isinstance(table, kind)), None)
+
+    @property
+    def pistons(self) -> tuple[Place, ...]:
+        """Those of its mechanisms that drive a slider."""
+        return tuple(place for place in self.places if place.kind.output == "slider")
+
+    @property
+    def main_shaft(self) -> ShaftSpec:
+        """The shaft whose angle is the crank angle."""
+        return self.shafts[MAIN]
+
+    @cached_property
+    def _found(self) -> dict[object, Any]:
+        return {}
+
+    def once(self, find: "Callable[[Design], Found]") -> Found:
+        """What is found from this design: once, however often it is asked for."""
+        if find not in self._found:
+            self._found[find] = find(self)
+        return self._found[find]
+
+
+@record
+class Designs:
+    """Designs of one machine, which differ in numbers alone, laid out.
+
+    Attributes
+    ----------
+    each : tuple of Design
+    crank_angle : CrankAngle
+    mechanisms : Mechanisms
+    pistons, rockers : Pistons, Rockers or None
+        Those of the mechanisms that drive a slider or a rocker; None where none does.
+    """
+
+    each: tuple[Design, ...]
+    crank_angle: CrankAngle
+    mechanisms: Mechanisms
+    pistons: Pistons | None
+    rockers: Rockers | None
+
+    @property
+    def first(self) -> Design:
+        """The first, which speaks for all where numbers do not matter."""
+        return self.each[0]
+
+    @property
+    def places(self) -> Sequence[tuple[Place, ...]]:
+        """Mechanisms of each design."""
+        return [design.places for design in self.each]
+
+    @property
+    def shafts(self) -> Sequence[Mapping[str, ShaftSpec]]:
+        """Shafts of each design."""
+        return [design.shafts for design in self.each]
+
+    def tables(self, kind: type[Table]) -> tuple[Table, ...]:
+        """The table of that class of each design; none where the file has none."""
+        return tuple(table for design in self.each if (table := design.table(kind)) is not None)

@@ -1,0 +1,166 @@
+"""What a question is made of: the tables that it reads, what it makes of them, and how its results are told."""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import field
+from functools import cached_property
+from types import NoneType
+from typing import Any, NamedTuple, TypeAlias, get_args, get_type_hints
+
+from cranktrain.errors import Problem
+from cranktrain.layout.design import Design, Designs
+from cranktrain.record import record
+
+Parts: TypeAlias = dict[type, object]
+"""What machines declare, as SI arrays with a leading design axis: one object of each type."""
+
+
+def _nothing(_of: Any, _known: object = None) -> tuple[()]:
+    """Of a question that asks for nothing of its kind."""
+    return ()
+
+
+class Needs(NamedTuple):
+    """What the parameters of a function ask for: types by name, and which of them may be absent."""
+
+    types: Mapping[str, type]
+    optional: frozenset[str]
+
+
+def needs_of(function: Callable[..., Any]) -> Needs:
+    """Read needs from annotations; one that is `X | None` may be absent."""
+    hints = get_type_hints(function)
+    hints.pop("return", None)
+    choices = {name: [one for one in get_args(hint) if one is not NoneType] for name, hint in hints.items()}
+    optional = frozenset(name for name, hint in hints.items() if NoneType in get_args(hint))
+    return Needs({name: choices[name][0] if name in optional else hint for name, hint in hints.items()}, optional)
+
+
+@record
+class Stage:
+    """One step of the computation: a function whose parameter types are its needs and whose return type is its result.
+
+    Attributes
+    ----------
+    function : callable
+    applies : callable, optional
+        Whether the step is for this machine, by parts that its parameters name as those of `function` do: True; False,
+        and then nobody misses what it would give; or what the file would have to say.
+    """
+
+    function: Callable[..., Any]
+    applies: Callable[..., bool | str] | None = None
+
+    @cached_property
+    def gives(self) -> type:
+        """Type of the result."""
+        return get_type_hints(self.function)["return"]
+
+    @cached_property
+    def _needs(self) -> Needs:
+        return needs_of(self.function)
+
+    @property
+    def needs(self) -> Mapping[str, type]:
+        """Type of every parameter."""
+        return self._needs.types
+
+    @property
+    def optional(self) -> frozenset[str]:
+        """Parameters that may be None: never reported as missing."""
+        return self._needs.optional
+
+    def applies_to(self, parts: Mapping[type, object]) -> bool | str:
+        """Say whether it applies to a machine of some parts; where it asks for one that is not there, it does not."""
+        if self.applies is None:
+            return True
+        asked = needs_of(self.applies)
+        given = {name: parts.get(kind) for name, kind in asked.types.items()}
+        if any(part is None and name not in asked.optional for name, part in given.items()):
+            return False
+        return self.applies(**given)
+
+
+class Dimension(NamedTuple):
+    """A dimension of results.
+
+    Attributes
+    ----------
+    name : str
+    title : str
+        What one of its members is called, in the user's language where it is a number.
+    is_number : bool
+        Whether its members are numbers, by which they are asked for: `sel(order=6)`.
+    family : str
+        Of dimensions whose members are called alike, as a piston and its chamber: their facts share a table.
+    """
+
+    name: str
+    title: str
+    is_number: bool = False
+    family: str = ""
+
+
+class Use(NamedTuple):
+    """What a table of the file is for.
+
+    Attributes
+    ----------
+    tables : callable
+        The names that it has in a machine's file, as the file has them: `[gas]`.
+    results : tuple of type
+        That show that it is used.
+    instead : type, optional
+        A result that there is without it, and of which `consequence` says what it lacks then, as a clause.
+    consequence : str
+    """
+
+    tables: Callable[[Design], Sequence[str]]
+    results: tuple[type, ...]
+    instead: type | None = None
+    consequence: str = ""
+
+
+class TableFile(NamedTuple):
+    """A table of the machine file that names a file: its path, its `kind` where only one has a file, what this is."""
+
+    table: tuple[str, ...]
+    kind: str | None
+    noun: str
+
+
+@record
+class Question:
+    """A question that an engineer asks of a machine.
+
+    Attributes
+    ----------
+    name : str
+        Of its folder.
+    tables : mapping of str to type
+        Its tables of the machine file by key, or the type of what stands under that key by name.
+    problems : callable
+        What only the tables together show to be wrong, in one design.
+    parts : callable
+        What the tables of all designs declare, as arrays; the parts that are known by then come as well. None in it
+        stands for what is not declared.
+    stages : tuple of Stage
+        In the order in which people read their results.
+    dimensions : tuple of Dimension
+        That its results bring.
+    headline : tuple of str
+        Its facts that say most, the first first.
+    uses : tuple of Use
+        What may stand in a file without being used.
+    files : tuple of TableFile
+        Tables that name files.
+    """
+
+    name: str
+    tables: Mapping[str, type] = field(default_factory=dict)
+    problems: Callable[[Design], Iterable[Problem]] = _nothing
+    parts: Callable[[Designs, Parts], Iterable[object | None]] = _nothing
+    stages: tuple[Stage, ...] = ()
+    dimensions: tuple[Dimension, ...] = ()
+    headline: tuple[str, ...] = ()
+    uses: tuple[Use, ...] = ()
+    files: tuple[TableFile, ...] = ()

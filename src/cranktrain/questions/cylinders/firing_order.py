@@ -1,0 +1,105 @@
+"""The firing order of the file, put to the cylinders and held against where the crank pins stand."""
+
+import re
+from collections.abc import Sequence
+
+import numpy as np
+
+from cranktrain.errors import Problem
+from cranktrain.language import _
+from cranktrain.layout.places import Place
+from cranktrain.motion import Array
+from cranktrain.numerics.harmonics import TURN
+from cranktrain.questions.cylinders.firing import FiringOrder, firing_angles, within_turn
+from cranktrain.questions.cylinders.given_firing import given_firing
+from cranktrain.questions.cylinders.spec import CylindersSpec
+from cranktrain.wording import number
+
+
+def firing_order_of(
+    common: CylindersSpec, leading: Sequence[Place], *, zero: float, astern: bool
+) -> tuple[FiringOrder | None, tuple[Problem, ...]]:
+    """Read the firing order of cylinders, each by its leading piston, or their firing angles; None without either.
+
+    zero is φ where the shown crank angle is 0 [rad]. Running astern the order is read backwards from the same cylinder.
+    Whether the crank pins allow it can be told where the cycle is known, too.
+    """
+    names = [place.cylinder for place in leading]
+    problems = _number_problems(common, names)
+    length = common.cycle_length
+    if common.firing_angles is not None and length is not None and not problems:
+        return given_firing(common, leading, length, zero=zero, astern=astern)
+    if common.firing_order is None or problems:
+        own = _own_order(common, leading) if not problems else None
+        return own, problems
+    order = [common.numbers.get(word, word) for word in re.split(r"[\s,–-]+", common.firing_order.strip()) if word]
+    problems = _order_problems(common, order, names)
+    if problems:
+        return None, problems
+    if astern:
+        order = [order[0], *order[:0:-1]]
+    index = [names.index(name) for name in order]
+    problems = _throw_problems(common, order, within_turn(np.array([leading[i].nominal_top for i in index])))
+    by_cylinder = {name: word for word, name in common.numbers.items()}
+    numbers = tuple(by_cylinder.get(name, name) for name in order) if by_cylinder else ()
+    return (None if problems else FiringOrder(np.array(index, dtype=np.intp), numbers)), problems
+
+
+def _own_order(common: CylindersSpec, leading: Sequence[Place]) -> FiringOrder | None:
+    """Order in which cylinders fire that have no choice: one alone, and those of a two-stroke as their cranks come."""
+    if not leading or (len(leading) > 1 and common.cycle != "two-stroke"):
+        return None
+    tops = within_turn(np.array([place.nominal_top for place in leading]))
+    return FiringOrder(np.argsort(tops, kind="stable"))
+
+
+def _number_problems(common: CylindersSpec, names: Sequence[str]) -> tuple[Problem, ...]:
+    """Find a maker's numbers for no cylinder, or two for one."""
+    problems: list[Problem] = []
+    numbered: dict[str, str] = {}
+    for word, name in common.numbers.items():
+        allowed = None
+        if name not in names:
+            allowed = _("must be a cylinder of this machine: {cylinders}").format(cylinders=", ".join(names))
+        elif name in numbered:
+            allowed = _("must be another cylinder: this one is number {number}").format(number=numbered[name])
+        if allowed is not None:
+            problems.append(Problem(f"cylinder.numbers.{word}", name, allowed))
+        numbered.setdefault(name, word)
+    return tuple(problems)
+
+
+def _order_problems(common: CylindersSpec, order: Sequence[str], names: Sequence[str]) -> tuple[Problem, ...]:
+    """Find cylinders that the order does not name once."""
+    unknown = [name for name in order if name not in names]
+    twice = sorted({name for name in order if order.count(name) > 1})
+    left_out = [name for name in names if name not in order]
+    wrong = [
+        text.format(names=", ".join(those))
+        for text, those in (
+            (_("unknown: {names}"), unknown),
+            (_("twice: {names}"), twice),
+            (_("left out: {names}"), left_out),
+        )
+        if those
+    ]
+    if not wrong:
+        return ()
+    allowed = _("must name each cylinder once ({cylinders}); {wrong}").format(
+        cylinders=", ".join(names), wrong="; ".join(wrong)
+    )
+    return (Problem("cylinder.firing_order", common.firing_order, allowed),)
+
+
+def _throw_problems(common: CylindersSpec, order: Sequence[str], tops: Array) -> tuple[Problem, ...]:
+    """Find an order in which the crank pins do not bring the pistons to their tops."""
+    length = common.cycle_length
+    if length is None or firing_angles(tops, length) is not None:
+        return ()
+    turns = [TURN * turn for turn in range(round(length / TURN))]
+    possible = ", ".join(
+        f"{name} {_(' or ').join(number(float(top + turn), 'deg') for turn in turns)}"
+        for name, top in zip(order, tops, strict=True)
+    )
+    allowed = _("cannot fire so: as the crank pins stand, the pistons are at their tops at {possible}")
+    return (Problem("cylinder.firing_order", common.firing_order, allowed.format(possible=possible)),)

@@ -1,0 +1,88 @@
+"""Masses and friction beyond what was ever built: computed with all the same, and doubted."""
+
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.checks import Limit, doubted
+from cranktrain.language import N_
+from cranktrain.layout.masses import Masses
+from cranktrain.layout.part_tables import SLIDER
+from cranktrain.linkage.forces import Body
+from cranktrain.motion import Array
+from cranktrain.questions.cylinders.volumes import Chambers
+from cranktrain.questions.forces.loaded import LoadedMachine
+from cranktrain.questions.gas.pressures import GasPressures
+from cranktrain.questions.motion.dead_centres import DeadCentres
+from cranktrain.record import record
+
+# Ten diameters of solid steel: 7850 kg/m³ · π/4 D² · 10 D over π/4 D² · D. A car's piston is 1000 kg/m³, that of a
+# crosshead engine of 960 mm with rod and crosshead, some 15 t, 22000.
+_DENSITY = Limit(
+    78500.0,
+    "kg",
+    N_("A piston of {value} is heavier than ten of its diameters of solid steel: is its mass right, and its bore?"),
+)
+# p = m R ω²/A. By size alone it does not change: 1 MPa in a car's engine, 3 in a slow crosshead engine (15 t,
+# R = 1.25 m, 102 rpm, 960 mm), 6 in Top Fuel (1.2 kg, R = 57 mm, 8400 rpm, 106 mm).
+_INERTIA_PRESSURE = Limit(
+    10e6,
+    "MPa",
+    N_("The piston's inertia over its area, mRω²/A, is {value}; built ones have 6 MPa at most: is its mass right?"),
+)
+# Marks' Standard Handbook, coefficients of sliding friction: greasy metals 0.05 to 0.2; dry ones come to 0.4 and
+# more.
+_FRICTION = Limit(
+    0.3, "", N_("A coefficient of friction of {value} is more than lubricated guides have, 0.2: do these run dry?")
+)
+
+
+@record
+class UnlikelyLoads:
+    """Masses and coefficients of friction that hardly any machine has."""
+
+    flags: tuple[str, ...]
+
+
+def unlikely_loads(
+    loaded: LoadedMachine | None, travel: DeadCentres | None, chambers: Chambers | None, gas: GasPressures | None
+) -> UnlikelyLoads:
+    """Doubt what is beyond the limits, as far as it is known; of all designs the worst is told."""
+    found: list[str] = []
+    if loaded is not None:
+        found += doubted(_FRICTION, np.array(list(_coefficients(loaded.masses))))
+        if chambers is not None and travel is not None:
+            found += _of_pistons(loaded, chambers, travel.stroke, None if gas is None else gas.indicated_work > 0)
+    return UnlikelyLoads(tuple(found))
+
+
+def _of_pistons(
+    loaded: LoadedMachine, chambers: Chambers, stroke: Array, fired: NDArray[np.bool_] | None
+) -> Iterator[str]:
+    """Doubt masses of pistons, of engines by the bore, of all by their inertia."""
+    mass = _piston_masses(loaded, stroke.shape)
+    areas = np.abs(chambers.areas)
+    area = np.max(areas, axis=2)
+    area = np.where(area > 0, area, np.nan)
+    if fired is not None:
+        is_engine = np.any((areas > 0) & fired[:, np.newaxis], axis=2)
+        density = np.where(is_engine, mass / (area * np.sqrt(4 / np.pi * area)), 0.0)
+        yield from doubted(_DENSITY, density, mass)
+    yield from doubted(_INERTIA_PRESSURE, mass * stroke / 2 * loaded.speed.value[..., 0] ** 2 / area)
+
+
+def _piston_masses(loaded: LoadedMachine, shape: tuple[int, ...]) -> Array:
+    """Mass of what slides with each piston, shape (design, piston). [kg]"""
+    found = np.zeros(shape)
+    for group, made in zip(loaded.mechanisms.groups, loaded.masses.groups, strict=True):
+        piston = loaded.carriers.piston[group.index]
+        slider: Body | None = getattr(made.bodies, SLIDER, None)
+        if slider is not None and piston[0] >= 0:
+            found[:, piston] = slider.mass[..., 0]
+    return found
+
+
+def _coefficients(masses: Masses) -> Iterable[float]:
+    """Coefficients of friction of all that slides."""
+    return (float(one) for group in masses.groups for part in group.friction for one in np.ravel(part))

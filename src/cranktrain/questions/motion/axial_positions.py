@@ -1,0 +1,25 @@
+"""Where each mechanism stands along the shaft."""
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_
+from cranktrain.layout.axial import AxialPlaces
+from cranktrain.motion import Array
+from cranktrain.record import record
+
+
+@record
+class AxialPositions:
+    """Where each mechanism stands along the shaft."""
+
+    axial_position: Array = quantity(
+        "z",
+        "m",
+        ("mechanism",),
+        N_("Along the shaft, from throw 1 toward the flywheel"),
+        "docs/conventions",
+    )
+
+
+def axial_positions(places: AxialPlaces) -> AxialPositions:
+    """Give the declared places as a result."""
+    return AxialPositions(places.value)
