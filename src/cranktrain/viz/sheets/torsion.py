@@ -11,7 +11,7 @@ from cranktrain.quantities import shown
 from cranktrain.questions.torsion.campbell import Campbell, Crossing, campbell
 from cranktrain.questions.torsion.critical import CriticalSpeeds, ModeVectorSums
 from cranktrain.questions.torsion.modes import TorsionalModes, TorsionalTrain
-from cranktrain.viz.paper.page import MARGIN, Axes, Figure, Page, drawing_settings, formula, muted, paper
+from cranktrain.viz.paper.page import MARGIN, Axes, Figure, Page, drawing_settings, formula, muted, paper, set_words
 from cranktrain.viz.paper.style import COLOURS, GRID, INK, MUTED, SYMBOL, TEXT
 from cranktrain.viz.paper.words import running_words, speed_of, speed_words, unused_words, zero_words
 from cranktrain.viz.plans.sheet import Box, write_table
@@ -162,10 +162,20 @@ def _draw_campbell(page: Page, of: Campbell, running: float | None, n_cylinders:
     for mode, frequency in enumerate(of.frequency.tolist(), start=1):
         if frequency <= of.highest_frequency:
             axes.axhline(_hertz(frequency), color=COLOURS["s"], linewidth=1.2)
-            x, y = room.left + 0.99 * room.width, room.bottom + frequency / of.highest_frequency * room.height + 0.8
             manner = {"facecolor": "white", "edgecolor": "none", "pad": 0.4}
-            words = formula(rf"\omega_{{{mode}}}")
-            page.text(x, y, words, ha="right", fontsize=SYMBOL, color=COLOURS["s"], bbox=manner, zorder=7)
+            words = set_words(formula(rf"\omega_{{{mode}}}"))
+            axes.annotate(
+                words["s"],
+                xy=(end, _hertz(frequency)),
+                xytext=(-2.0, 2.0),
+                textcoords="offset points",
+                ha="right",
+                va="bottom",
+                fontsize=SYMBOL,
+                color=COLOURS["s"],
+                bbox=manner,
+                zorder=5,
+            )
     for one in of.crossings:
         place = [shown(one.speed, "rpm")], [_hertz(one.frequency)]
         axes.plot(*place, "o", ms=_mark(one, n_cylinders), color=INK, mew=0, zorder=6)
@@ -219,5 +229,9 @@ def _write_speeds(page: Page, of: Campbell, place: tuple[float, float, float]) -
     ]
     below = write_table(page, [head, *rows], (left, top - 2.0, width), (0.3, 0.65, 1.0)[: len(head) - 1])
     if has_sums:
-        note = _("Vector sums: of amplitude 1 at the free end. Area of the marks: of amplitude 1 where it is largest.")
-        page.text(left, below + 1.0, note, **muted())
+        notes = (
+            _("Vector sums are those of amplitude 1 at the free end; the marks' areas are"),
+            _("as those of amplitude 1 where the mode has its largest."),
+        )
+        for number, note in enumerate(notes):
+            page.text(left, below + 1.0 - 4.0 * number, note, **muted())
