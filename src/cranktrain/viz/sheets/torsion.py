@@ -7,6 +7,7 @@ import numpy as np
 from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
+from cranktrain.one_line import short
 from cranktrain.quantities import shown
 from cranktrain.questions.torsion.campbell import Campbell, Crossing, campbell
 from cranktrain.questions.torsion.critical import CriticalSpeeds, ModeVectorSums
@@ -31,11 +32,11 @@ _LARGEST_MARK, _LEAST_MARK = 10.0, 1.6
 _WHOLE, _HALF = 0.7, 0.35
 """Width of the rays of whole and half orders. [pt]"""
 _APART = 4.5
-"""Between the numbers of rays. [mm]"""
+"""Between the numbers of rays, and the names of levels. [mm]"""
 _BRANCH = (4.0, 2.0)
 """Dashes of a shaft that passes other discs on the drawing."""
-_MANY = 10
-"""Names of so many discs stand aslant."""
+_LETTER, _LONGEST = 1.75, 16
+"""Width of a letter [mm], and how many of a disc's name are written."""
 
 
 def sheet_torsion(result: Result, *, size: str = "A4", design: int = 0) -> Figure:
@@ -89,10 +90,12 @@ def _gift(result: Result, kind: type[Stage]) -> Stage | None:
 
 def _draw_modes(page: Page, modes: TorsionalModes, discs: TorsionalTrain, design: int, box: Box) -> None:
     """Draw the lowest modes one above the other, the lowest at the top, and name the discs below."""
-    names = discs.labels["disc"]
+    names = [short(name, _LONGEST) for name in discs.labels["disc"]]
+    longest = _LETTER * max(map(len, names)) + 2.0
+    step = (box.width - 8.0) / len(names)
     following = discs.train.following
     n = min(_MODES, modes.natural_frequency.shape[-1])
-    foot = 17.0 if len(names) > _MANY else 8.0
+    foot = 8.0 if longest < step else 5.0 + longest
     height = (box.height - 6.0 - foot) / n
     page.heading(box.left, _top(box) - 3.0, _("Modes, and their nodes"))
     for mode in range(n):
@@ -117,11 +120,9 @@ def _draw_modes(page: Page, modes: TorsionalModes, discs: TorsionalTrain, design
             disc=_named(names[int(modes.unit[design, mode])]),
         )
         page.text(box.left + 8.0, bottom + height - 3.8, words)
-    step = (box.width - 8.0) / len(names)
     for place, name in enumerate(names):
         x, y = box.left + 8.0 + (place + 0.5) * step, box.bottom + foot - 4.0
-        turned = {"rotation": 40, "ha": "right"} if len(names) > _MANY else {"ha": "center"}
-        page.text(x, y, name, va="top", **turned)
+        page.text(x, y, name, ha="center", va="top", rotation=0 if longest < step else 90)
 
 
 def _top(box: Box) -> float:
@@ -159,27 +160,36 @@ def _draw_campbell(page: Page, of: Campbell, running: float | None, n_cylinders:
     _number_rays(page, of, room)
     if running is not None:
         axes.axvline(float(shown(running, "rpm")), color=COLOURS["T"], linewidth=0.9, dashes=(6.0, 3.0))
-    for mode, frequency in enumerate(of.frequency.tolist(), start=1):
-        if frequency <= of.highest_frequency:
-            axes.axhline(_hertz(frequency), color=COLOURS["s"], linewidth=1.2)
-            manner = {"facecolor": "white", "edgecolor": "none", "pad": 0.4}
-            words = set_words(formula(rf"\omega_{{{mode}}}"))
-            axes.annotate(
-                words["s"],
-                xy=(end, _hertz(frequency)),
-                xytext=(-2.0, 2.0),
-                textcoords="offset points",
-                ha="right",
-                va="bottom",
-                fontsize=SYMBOL,
-                color=COLOURS["s"],
-                bbox=manner,
-                zorder=5,
-            )
+    _draw_levels(axes, of, room)
     for one in of.crossings:
         place = [shown(one.speed, "rpm")], [_hertz(one.frequency)]
         axes.plot(*place, "o", ms=_mark(one, n_cylinders), color=INK, mew=0, zorder=6)
     return room.bottom - 9.0
+
+
+def _draw_levels(axes: Axes, of: Campbell, room: Box) -> None:
+    """Draw the natural frequencies in sight, and name them as far as they have room one above the other."""
+    below = -np.inf
+    for mode, frequency in enumerate(of.frequency.tolist(), start=1):
+        height = room.height * frequency / of.highest_frequency
+        if height > room.height:
+            return
+        axes.axhline(_hertz(frequency), color=COLOURS["s"], linewidth=1.2)
+        if height - below < _APART:
+            continue
+        below = height
+        axes.annotate(
+            set_words(formula(rf"\omega_{{{mode}}}"))["s"],
+            xy=(axes.get_xlim()[1], _hertz(frequency)),
+            xytext=(-2.0, 2.0),
+            textcoords="offset points",
+            ha="right",
+            va="bottom",
+            fontsize=SYMBOL,
+            color=COLOURS["s"],
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.4},
+            zorder=5,
+        )
 
 
 def _number_rays(page: Page, of: Campbell, room: Box) -> None:
