@@ -168,6 +168,20 @@ class TestVectorSums:
             total = np.sum(result.mode_shape[0, throws] * np.exp(-1j * order * angles))
             assert result.mode_vector_sum[0, place] == pytest.approx(abs(total), abs=1e-11)
 
+    @pytest.mark.parametrize("name", ["kamaz_740", "vaz_21213"])
+    def test_they_are_what_the_cylinders_torques_do(self, name):
+        """Every mechanism's own torque over the cycle, by order and times its amplitude, against one cylinder's."""
+        table = {"stiffness": "2 MN·m/rad", "throw_inertia": ["0.1 kg·m²", "0.3 kg·m²", "0.2 kg·m²", "0.4 kg·m²"]}
+        result = ct.run(ct.load(name).with_({"torsion": table}))
+        orders = np.fft.rfft(result.mechanism_torque, axis=-1)[:, 1:25]
+        throws = [int(name[0]) - 1 for name in result.labels["mechanism"]]
+        assert np.min(np.abs(orders[0])) > 1e-4 * np.max(np.abs(orders[0]))
+        for mode in range(3):
+            together = np.abs(np.sum(result.mode_shape[mode, throws][:, np.newaxis] * orders, axis=0))
+            np.testing.assert_allclose(
+                together / np.abs(orders[0]), result.mode_vector_sum[mode, :24], rtol=1e-8, atol=1e-8
+            )
+
     @pytest.mark.parametrize("name", ["kamaz_740", "3d12", "vaz_21213", "r_1340"])
     def test_on_a_rigid_shaft_they_are_the_phase_stars(self, name):
         """As the stage gives them for a mode in which all discs turn as one."""
