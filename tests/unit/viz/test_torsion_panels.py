@@ -1,19 +1,15 @@
-"""Campbell's diagram as data: how far it reaches, its rays, and the speeds at which they cross the levels."""
+"""Modes and Campbell's diagram as data: how far it reaches, its rays, and where they cross the levels."""
 
 import numpy as np
 import pytest
 from tests.unit.questions.torsion.test_modes import FLYWHEEL, four, run
 
 import cranktrain as ct
-from cranktrain.questions.torsion.campbell import campbell
-from cranktrain.questions.torsion.critical import CriticalSpeeds, ModeVectorSums
-from cranktrain.questions.torsion.modes import TorsionalModes
+from cranktrain.viz.sheets.torsion.panels import campbell, mode_shapes
 
 
 def diagram(machine, *, design=0):
-    result = ct.run(machine, step_degrees=90)
-    found = {type(gift): gift for gift in result.gifts}
-    return campbell(*(found.get(kind) for kind in (TorsionalModes, CriticalSpeeds, ModeVectorSums)), design=design)
+    return campbell(ct.run(machine, step_degrees=90), design)
 
 
 def test_a_crossing_is_on_its_ray_and_on_its_level():
@@ -72,3 +68,23 @@ def test_without_a_firing_order_there_are_no_vector_sums():
 def test_of_one_of_several_designs():
     heavy = four(torsion__disc__flywheel=FLYWHEEL | {"inertia": "20 kg·m²"})
     np.testing.assert_array_equal(diagram([four(), heavy], design=1).frequency, diagram(heavy).frequency)
+
+
+def test_nodes_of_a_mode_lie_between_amplitudes_of_different_signs():
+    result = run(four())
+    for shape, mode in zip(mode_shapes(result), range(4), strict=True):
+        np.testing.assert_array_equal(shape.amplitude, result.mode_shape[mode])
+        signs = np.sign(shape.amplitude)
+        assert [int(node) for node in shape.nodes] == np.flatnonzero(signs[:-1] != signs[1:]).tolist()
+        np.testing.assert_allclose(np.interp(shape.nodes, np.arange(5), shape.amplitude), 0.0, atol=1e-12)
+
+
+def test_a_node_of_a_branch_lies_on_the_way_to_what_it_stands_on():
+    """Rows 1, 2, 3, rotor, 4, flywheel: the shaft of throw 3 passes the rotor."""
+    rotor = {"inertia": "1 kg·m²", "beside": 4, "stiffness": "1 MN·m/rad"}
+    result = run(four(torsion__disc={"rotor": rotor, "flywheel": FLYWHEEL}))
+    assert result.labels["disc"] == ("1", "2", "3", "rotor", "4", "flywheel")
+    for shape in mode_shapes(result):
+        for node in shape.nodes:
+            ends = [(one, other) for one, other in enumerate(shape.following) if one <= node <= other]
+            assert any(shape.amplitude[one] * shape.amplitude[other] <= 0 for one, other in ends)

@@ -1,0 +1,1 @@
+"""At which speeds a crankshaft vibrates in torsion: its modes, and Campbell's diagram."""

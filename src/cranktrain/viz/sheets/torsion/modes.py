@@ -1,0 +1,85 @@
+"""Modes along the shaft on paper, one above the other."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from cranktrain.language import _
+from cranktrain.one_line import short
+from cranktrain.viz.paper.page import Axes, Page
+from cranktrain.viz.paper.style import COLOURS, GRID, INK, MUTED, TEXT
+from cranktrain.viz.plans.sheet import Box
+from cranktrain.viz.sheets.torsion.panels import ModeShape
+from cranktrain.wording import number
+
+_MODES = 4
+"""Modes that have a drawing."""
+_BRANCH = (4.0, 2.0)
+"""Dashes of a shaft that passes other discs on the drawing."""
+_LETTER, _LONGEST = 1.75, 16
+"""Width of a letter [mm], and how many of a disc's name are written."""
+_SCALE, _HEAD, _WORDS = 8.0, 6.0, 6.5
+"""Room for the figures of the scale, for the heading, and for the words over each mode. [mm]"""
+
+
+def draw_modes(page: Page, shapes: Sequence[ModeShape], discs: Sequence[str], box: Box) -> None:
+    """Draw the lowest modes, the lowest at the top, and name the discs below them.
+
+    Parameters
+    ----------
+    page : Page
+    shapes : sequence of ModeShape
+    discs : sequence of str
+        Their names, by the rows of Holzer's table.
+    box : Box
+    """
+    names = [short(name, _LONGEST) for name in discs]
+    longest = _LETTER * max(map(len, names)) + 2.0
+    step = (box.width - _SCALE) / len(names)
+    foot = 8.0 if longest < step else 5.0 + longest
+    few = shapes[:_MODES]
+    height = (box.height - _HEAD - foot) / len(few)
+    top = box.bottom + box.height
+    page.heading(box.left, top - 3.0, _("Modes, and their nodes"))
+    for place, shape in enumerate(few, start=1):
+        bottom = top - _HEAD - place * height
+        axes = page.axes(box.left + _SCALE, bottom + 1.5, box.width - _SCALE, height - _WORDS)
+        prepare(axes)
+        _draw_mode(axes, shape)
+        words = _("mode {n}, {frequency}; amplitude 1 at {disc}").format(
+            n=shape.mode, frequency=number(shape.frequency, "Hz"), disc=_called(short(shape.unit, _LONGEST))
+        )
+        page.text(box.left + _SCALE, bottom + height - 3.8, words)
+    for place, name in enumerate(names):
+        x, y = box.left + _SCALE + (place + 0.5) * step, box.bottom + foot - 4.0
+        page.text(x, y, name, ha="center", va="top", rotation=0 if longest < step else 90)
+
+
+def _draw_mode(axes: Axes, shape: ModeShape) -> None:
+    """Draw amplitudes over the discs, joined as these are by shafts, and the nodes."""
+    places = np.arange(shape.amplitude.size)
+    axes.set(xlim=(-0.5, places.size - 0.5))
+    axes.set_xticks(places, [""] * places.size)
+    axes.axhline(0.0, color=INK, linewidth=0.6)
+    for disc, other in enumerate(shape.following.tolist()):
+        dashes = () if other == disc + 1 else _BRANCH
+        axes.plot([disc, other], shape.amplitude[[disc, other]], color=COLOURS["s"], linewidth=1.4, dashes=dashes)
+    axes.vlines(places, 0.0, shape.amplitude, color=MUTED, linewidth=0.6)
+    axes.plot(places, shape.amplitude, "o", ms=3.2, color=COLOURS["s"], zorder=5)
+    axes.plot(shape.nodes, np.zeros_like(shape.nodes), "o", ms=4.0, mfc="white", mec=INK, mew=0.8, zorder=6)
+
+
+def _called(disc: str) -> str:
+    """Name a disc in a sentence."""
+    return _("throw {n}").format(n=disc) if disc.isdigit() else disc
+
+
+def prepare(axes: Axes) -> None:
+    """Light grid, small figures, no frame above and on the right."""
+    from matplotlib.ticker import MaxNLocator
+
+    axes.grid(color=GRID, linewidth=0.5)
+    axes.set_axisbelow(True)
+    axes.tick_params(labelsize=TEXT, pad=2.0)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.yaxis.set_major_locator(MaxNLocator(nbins=4))
