@@ -10,7 +10,7 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.speed import Speed
+from cranktrain.layout.speed import Speed, SteadySpeed
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme, spectral_derivative
 from cranktrain.numerics.harmonics import TURN
@@ -332,3 +332,10 @@ def _flags(load: ShaftLoad, work: ShaftWork, found: _Found) -> Iterator[str]:
 def _speed(value: float) -> str:
     """Write a speed."""
     return number(float(value), "rpm")
+
+
+def steady_speed(running: RunningSpeed) -> SteadySpeed:
+    """Give the speed that is found for a second run."""
+    return SteadySpeed(
+        running.crank_speed, running.crank_acceleration, running.mean_speed_over_time, reasons=running.flags
+    )
