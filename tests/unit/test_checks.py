@@ -11,7 +11,9 @@ import cranktrain as ct
 from cranktrain.checks import Check
 from cranktrain.motion import Coefficient
 from cranktrain.numerics import derivatives_residual
-from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle, mechanism_torques
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
+from cranktrain.questions.forces.mechanism_torques import mechanism_torques
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.motion import rockers
 
 SPEED = throws(0, speed="3000 rpm")

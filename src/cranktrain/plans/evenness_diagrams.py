@@ -8,7 +8,7 @@ from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.questions.evenness.flywheel import FlywheelSize
-from cranktrain.questions.evenness.running_speed import ShaftWork
+from cranktrain.questions.evenness.shaft_work import ShaftWork
 from cranktrain.textbook.flywheel_diagrams import Mertsalov, Wittenbauer, mertsalov, wittenbauer
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from cranktrain.layout.speed import accelerations
 from cranktrain.linkage.forces import Drive
-from cranktrain.mechanisms.kind import Drawing
+from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.motion import Array
 
 Quantity = Literal["velocity", "acceleration"]

@@ -11,7 +11,8 @@ from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.questions.evenness.flywheel_inertia import METHODS, Flywheel, flywheels_by_method
 from cranktrain.questions.evenness.rim import RimDemand, rim, rim_speed
-from cranktrain.questions.evenness.running_speed import RunningSpeed, ShaftWork
+from cranktrain.questions.evenness.running_speed import RunningSpeed
+from cranktrain.questions.evenness.shaft_work import ShaftWork
 from cranktrain.questions.evenness.spec import DeclaredRim, GivenFlywheel, ShaftLoad, WantedCoefficient
 from cranktrain.record import record
 from cranktrain.wording import Names, number

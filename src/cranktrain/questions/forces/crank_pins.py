@@ -13,9 +13,10 @@ from cranktrain.linkage import Crank, crank
 from cranktrain.linkage.forces import crank_link
 from cranktrain.motion import ONE, Array
 from cranktrain.questions.forces.joint_forces import JointForces, joint_label
-from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.pin_load import PinLoad, pin_load, with_rotating_mass
 from cranktrain.questions.forces.rod_masses import weighed_ends
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.wording import Names, number
 

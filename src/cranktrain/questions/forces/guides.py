@@ -17,8 +17,9 @@ from cranktrain.linkage.forces import EdgeForces
 from cranktrain.motion import Array
 from cranktrain.questions.forces.edges import edges_of
 from cranktrain.questions.forces.events import ForceEvents
-from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle, SolvedGroup
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
 from cranktrain.questions.forces.peaks import largest_of_each, one_sided
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 
 _GUIDE = ("guide", "crank_angle")

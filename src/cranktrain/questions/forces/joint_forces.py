@@ -11,11 +11,12 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.part_tables import part_name
-from cranktrain.mechanisms.kind import Reaction
+from cranktrain.mechanisms.dynamics import Reaction
 from cranktrain.motion import Array
 from cranktrain.questions.forces.events import ForceEvents
-from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle, SolvedGroup
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
 from cranktrain.questions.forces.peaks import largest_of_each, one_sided
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.wording import ranged
 

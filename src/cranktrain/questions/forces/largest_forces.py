@@ -11,7 +11,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 from cranktrain.questions.forces.events import ForceEvents
-from cranktrain.questions.forces.loaded import LoadedMachine, SolvedGroup
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
 from cranktrain.questions.forces.peaks import largest_of_each, one_sided
 from cranktrain.questions.forces.piston_forces import FORCE_METHODS, PistonForceSet
 from cranktrain.questions.forces.rods_in_pistons import rods_in_pistons

@@ -19,7 +19,9 @@ from cranktrain.numerics import Panels, integral_to, panels
 from cranktrain.numerics.harmonics import ComplexArray, harmonics, phasor
 from cranktrain.numerics.periodic import fourier_integral
 from cranktrain.questions.forces.events import ForceEvents
-from cranktrain.questions.forces.loaded import LoadedMachine, MechanismTorques, SolvedCycle, driving_torques
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
+from cranktrain.questions.forces.mechanism_torques import MechanismTorques, driving_torques
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.gas.chambers import AMBIENT, GasInChambers
 from cranktrain.questions.gas.events import GasEvents
 from cranktrain.questions.gas.pressures import GasPressures

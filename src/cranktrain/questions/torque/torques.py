@@ -13,8 +13,11 @@ from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
 from cranktrain.questions.forces.events import ForceEvents
-from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle, driving_torques, forces_times_arms
+from cranktrain.questions.forces.forces_times_arms import forces_times_arms
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
+from cranktrain.questions.forces.mechanism_torques import driving_torques
 from cranktrain.questions.forces.peaks import felt, largest_of_machine, one_sided
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.torque import fired as along_shaft
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record

@@ -9,7 +9,8 @@ from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.motion import Array
-from cranktrain.questions.forces.loaded import LoadedMachine, carriers_of
+from cranktrain.questions.forces.carriers import carriers_of
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.viz.paper.page import MARGIN, Figure, Page, drawing_settings, mathematics, muted, paper
 from cranktrain.viz.paper.style import COLOURS, TEXT
