@@ -13,7 +13,7 @@ from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.questions.cylinders.firing import Cycle, Firing
 from cranktrain.questions.cylinders.travel import CylinderPistons
-from cranktrain.questions.forces.loaded import Carriers
+from cranktrain.questions.forces.carriers import Carriers
 from cranktrain.questions.torque.stars import phase_stars
 from cranktrain.questions.torsion.modes import TorsionalModes
 from cranktrain.questions.torsion.parts import DeclaredTrain
