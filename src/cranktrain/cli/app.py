@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from cranktrain import __version__
+from cranktrain.cli.naming_pictures import NamingPictures
 from cranktrain.cli.options import File, Force, Output, Partial, RunningSpeed, Settings, SpeedCurve, degrees
 from cranktrain.cli.task import Task, put_off, task_of
 from cranktrain.language import _
@@ -175,6 +176,7 @@ def _run(
         "  cranktrain plot vaz_21213 --sheet forces --running-speed -o running.pdf\n"
         "  cranktrain plot pumping_unit_c57 -o unit.gif"
     ),
+    cls=NamingPictures,
 )
 @put_off
 def _plot(
@@ -192,16 +194,12 @@ def _plot(
         str | None,
         typer.Option(
             metavar="PLAN",
-            help=_(
-                "A plan of: positions, velocities, accelerations, klein, centres, forces, zhukovsky, polar; "
-                "or a construction: arc, projection, brix, brix-backward; "
-                "of the flywheel: wittenbauer, mertsalov."
-            ),
+            help=_("A plan, a construction of the old texts or a diagram: {pictures}."),
         ),
     ] = None,
     sheet: Annotated[
         str | None,
-        typer.Option(metavar="SHEET", help=_("The sheet of the machine, unless given; or of its forces: `forces`.")),
+        typer.Option(metavar="SHEET", help=_("The sheet of the machine, unless given; one of: {pictures}.")),
     ] = None,
     at: Annotated[
         str | None,

@@ -7,7 +7,7 @@ from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
 
 import cranktrain as ct
 from cranktrain.errors import InputError
-from cranktrain.viz.sheets.torsion.sheet import sheet_torsion
+from cranktrain.viz import sheet_torsion
 
 
 def geared(beside, ratio):

@@ -4,10 +4,10 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.quantities import shown
-from cranktrain.viz.paper.page import Axes, Page, formula, muted, set_words
+from cranktrain.viz.paper.page import Axes, Box, Page, formula, muted, set_words
+from cranktrain.viz.paper.panels import prepare
 from cranktrain.viz.paper.style import COLOURS, INK, MUTED, SYMBOL
-from cranktrain.viz.plans.sheet import Box, write_table
-from cranktrain.viz.sheets.torsion.modes import prepare
+from cranktrain.viz.paper.tables import write_table
 from cranktrain.viz.sheets.torsion.panels import Campbell, Crossing
 
 _ROWS = 8
@@ -128,5 +128,4 @@ def _write_speeds(page: Page, of: Campbell, place: tuple[float, float, float]) -
             _("Vector sums are those of amplitude 1 at the free end; the marks' areas are"),
             _("as those of amplitude 1 where the mode has its largest."),
         )
-        for number, note in enumerate(notes):
-            page.text(left, below + 1.0 - 4.0 * number, note, **muted())
+        page.notes(left, below + 1.0, notes)

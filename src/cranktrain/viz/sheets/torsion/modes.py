@@ -6,9 +6,9 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.one_line import short
-from cranktrain.viz.paper.page import Axes, Page
-from cranktrain.viz.paper.style import COLOURS, GRID, INK, MUTED, TEXT
-from cranktrain.viz.plans.sheet import Box
+from cranktrain.viz.paper.page import Axes, Box, Page
+from cranktrain.viz.paper.panels import prepare
+from cranktrain.viz.paper.style import COLOURS, INK, MUTED
 from cranktrain.viz.sheets.torsion.panels import ModeShape
 from cranktrain.wording import number
 
@@ -72,14 +72,3 @@ def _draw_mode(axes: Axes, shape: ModeShape) -> None:
 def _called(disc: str) -> str:
     """Name a disc in a sentence."""
     return _("throw {n}").format(n=disc) if disc.isdigit() else disc
-
-
-def prepare(axes: Axes) -> None:
-    """Light grid, small figures, no frame above and on the right."""
-    from matplotlib.ticker import MaxNLocator
-
-    axes.grid(color=GRID, linewidth=0.5)
-    axes.set_axisbelow(True)
-    axes.tick_params(labelsize=TEXT, pad=2.0)
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.yaxis.set_major_locator(MaxNLocator(nbins=4))
