@@ -16,7 +16,7 @@ _MODES = 4
 """Modes that have a drawing."""
 _BRANCH = (4.0, 2.0)
 """Dashes of a shaft that passes other discs on the drawing."""
-_LETTER, _LONGEST = 1.75, 16
+_LETTER, _LONGEST = 1.6, 16
 """Width of a letter [mm], and how many of a disc's name are written."""
 _SCALE, _HEAD, _WORDS = 8.0, 6.0, 6.5
 """Room for the figures of the scale, for the heading, and for the words over each mode. [mm]"""
@@ -34,7 +34,7 @@ def draw_modes(page: Page, shapes: Sequence[ModeShape], discs: Sequence[str], bo
     box : Box
     """
     names = [short(name, _LONGEST) for name in discs]
-    longest = _LETTER * max(map(len, names)) + 2.0
+    longest = _LETTER * max(map(len, names)) + 1.5
     step = (box.width - _SCALE) / len(names)
     foot = 8.0 if longest < step else 5.0 + longest
     few = shapes[:_MODES]
