@@ -1,10 +1,10 @@
 """`plot`: a machine as a sheet, a plan, a moving picture or a DXF; the file's name says which."""
 
 import logging
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import PurePath
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
 from cranktrain.cli.running_speed import OPTION, told_at_option
 from cranktrain.cli.speed_curve import OPTION as SPEED_CURVE
@@ -19,16 +19,13 @@ from cranktrain.viz.output import FORMATS
 from cranktrain.viz.picture import Picture
 
 if TYPE_CHECKING:
-    pass
+    from cranktrain.analysis import Result
 
-Angles: TypeAlias = int | Sequence[float]
-"""How many crank angles over a turn, or which. [deg]"""
+Angles: TypeAlias = int | list[float] | Literal["source"]
+"""How many crank angles over a turn, which [deg], or the twelve positions of [slider-crank-synthesis]."""
 
 NAMED = {kind: {one.name: one for one in PICTURES if one.kind == kind} for kind in ("plan", "sheet", "file")}
 """Pictures by their kind and name."""
-
-SOURCE_ANGLES = "source"
-"""What `--at` says for the twelve positions of [slider-crank-synthesis]."""
 
 SUFFIXES = (*FORMATS, *NAMED["file"])
 
@@ -59,17 +56,12 @@ class Request:
     speed_curve: str | None = None
 
 
-@dataclass(frozen=True)
-class Order:
-    """What is to be drawn, as it was understood: angles and mechanism None unless said."""
+class Order(NamedTuple):
+    """A request as it was understood: which picture, at which angles if any were said, on which paper."""
 
     picture: Picture
-    output: str
     angles: Angles | None
-    mechanism: str | None
     size: str
-    is_at_source_angles: bool
-    speed: Literal["constant", "running"]
 
 
 def write_picture(request: Request) -> None:
@@ -87,12 +79,12 @@ def write_picture(request: Request) -> None:
         settings = (*request.settings, *speed_settings(request.speed_curve))
         file = read_machine(request.file, settings, partial=request.is_partial)
     try:
-        _mechanism_found(file, order)
+        _check_mechanism(file, request.mechanism)
         with told_at_option():
-            _drawn(file, order, request)
+            _draw(file, order, request)
     except InputError as error:
         raise InputError(_placed(error.problems, file, request)) from None
-    print(_("written: {name}").format(name=one_line(order.output)))
+    print(_("written: {name}").format(name=one_line(request.output or "")))
 
 
 def understood(request: Request) -> Order:
@@ -125,17 +117,14 @@ def understood(request: Request) -> Order:
     size = (request.size or _SIZES[0]).strip().upper()
     if size not in _SIZES:
         problems.append(unlisted("--size", request.size, _SIZES))
-    is_at_source_angles = bool(picture and picture.source_angles) and _is_source(request.at)
     angles = None
     try:
-        if not is_at_source_angles:
-            angles = _angles(request.at, is_count_meant=picture is None or picture.over == "angles")
+        angles = _angles(request.at, picture)
     except InputError as error:
         problems += error.problems
     if problems or picture is None:
         raise InputError(problems)
-    speed = "running" if request.is_at_running_speed else "constant"
-    return Order(picture, request.output or "", angles, request.mechanism, size, is_at_source_angles, speed)
+    return Order(picture, angles, size)
 
 
 def _output_problems(request: Request, suffix: str) -> Iterator[Problem]:
@@ -154,28 +143,27 @@ def _output_problems(request: Request, suffix: str) -> Iterator[Problem]:
 def _refused(request: Request, picture: Picture) -> Iterator[Problem]:
     """Refuse options that mean nothing for a picture."""
     typed = {
-        "plan": ("--plan", request.plan),
-        "at": ("--at", request.at),
-        "mechanism": ("--mechanism", request.mechanism),
-        "size": ("--size", request.size),
-        "sheet": ("--sheet", request.sheet),
+        "plan": request.plan,
+        "at": request.at,
+        "mechanism": request.mechanism,
+        "size": request.size,
+        "sheet": request.sheet,
     }
-    for what, (option, given) in typed.items():
-        if given is not None and what in picture.refused:
-            yield Problem(option, given, _(picture.refused[what]))
+    for option, given in typed.items():
+        if given is not None and option in picture.refused:
+            yield Problem(f"--{option}", given, _(picture.refused[option]))
     for option, is_so in {OPTION: request.is_at_running_speed, SPEED_CURVE: request.speed_curve is not None}.items():
         if is_so and "speed" in picture.refused:
             yield Problem(option, None, _(picture.refused["speed"]))
 
 
-def _is_source(at: str | None) -> bool:
-    return (at or "").strip().casefold() == SOURCE_ANGLES
-
-
-def _angles(text: str | None, *, is_count_meant: bool) -> Angles | None:
-    """Read crank angles, or where it is meant a count."""
+def _angles(text: str | None, picture: Picture | None) -> Angles | None:
+    """Read crank angles: of a plan a count too, of some the source's."""
     if text is None:
         return None
+    if picture is not None and picture.source_angles and text.strip().casefold() == "source":
+        return "source"
+    is_count_meant = picture is None or picture.over == "angles"
     if is_count_meant and text.strip().isdecimal():
         return int(text)
     angles: list[float] = []
@@ -194,56 +182,54 @@ def _angles(text: str | None, *, is_count_meant: bool) -> Angles | None:
     return angles
 
 
-def _mechanism_found(file: MachineFile, order: Order) -> None:
+def _check_mechanism(file: MachineFile, name: str | None) -> None:
     """Refuse a mechanism that the machine does not have."""
     from cranktrain.plans.placement import place_called
 
-    if order.mechanism is None:
+    if name is None:
         return
     try:
-        place_called(file.machine, order.mechanism)
+        place_called(file.machine, name)
     except InputError as error:
         raise InputError(replace(problem, path="--mechanism") for problem in error.problems) from None
 
 
-def _drawn(file: MachineFile, order: Order, request: Request) -> None:
+def _draw(file: MachineFile, order: Order, request: Request) -> None:
     """Draw once the file is known to be possible, and write it."""
-    picture, name, force = order.picture, order.output, request.force
-    subject, options = _subject(file, order, request), _options(file, order)
+    picture, name, force = order.picture, request.output or "", request.force
     if picture.name == ".gif":
-        save_animation(subject(), name, force=force)
+        save_animation(_result(file, picture, request), name, force=force)
     elif picture.name == ".dxf":
-        picture.function(subject(), options.pop("angles", _POSITIONS), name, **options, force=force)
+        options = {"angles": _POSITIONS} | _of_machine(file, order, request)
+        picture.function(file.machine, path=name, **options, force=force)
+    elif picture.over == "angles":
+        options = _of_machine(file, order, request) | {"size": order.size}
+        save(lambda: picture.function(file.machine, **options), name, force=force)
     else:
-        save(lambda: picture.function(subject(), **options, size=order.size), name, force=force)
+        angle = {"at": order.angles[0]} if isinstance(order.angles, list) else {}
+        whose = {"piston": request.mechanism} if request.mechanism is not None else {}
+        options = angle | whose | {"size": order.size}
+        save(lambda: picture.function(_result(file, picture, request), **options), name, force=force)
 
 
-def _subject(file: MachineFile, order: Order, request: Request) -> Callable[[], Any]:
-    """Give what a picture is drawn of: the machine, or what its result has."""
-    if order.picture.over == "angles":
-        return lambda: file.machine
-    options = {"speed": order.speed, "partial": request.is_partial, "quantities": order.picture.quantities}
-    return lambda: computed(file, **options)
+def _result(file: MachineFile, picture: Picture, request: Request) -> "Result":
+    """What a picture over the cycle is drawn of."""
+    speed = "running" if request.is_at_running_speed else "constant"
+    return computed(file, speed=speed, partial=request.is_partial, quantities=picture.quantities)
 
 
-def _options(file: MachineFile, order: Order) -> dict[str, Any]:
-    """What a picture's function is to be given of what was said, and what was not refused."""
-    picture, angles = order.picture, order.angles
-    if picture.over == "cycle":
-        options = {"at": angles[0] if isinstance(angles, Sequence) else None, "piston": order.mechanism}
-    else:
-        angles = _source_angles(file, order) if order.is_at_source_angles else angles
-        speed = None if "speed" in picture.refused else order.speed
-        options = {"angles": angles, "mechanism": order.mechanism, "speed": speed}
-    return {name: value for name, value in options.items() if value is not None}
-
-
-def _source_angles(file: MachineFile, order: Order) -> Sequence[float]:
-    """Crank angles of the source's positions, counted as the plan counts them."""
+def _of_machine(file: MachineFile, order: Order, request: Request) -> dict[str, Any]:
+    """What is said of a picture at crank angles; a speed only where there is one to be chosen."""
     from cranktrain.plans.positions import source_angles
 
-    is_shown = order.picture.source_angles == "shown"
-    return source_angles(file.machine, mechanism=order.mechanism, is_shown=is_shown)
+    angles, mechanism = order.angles, request.mechanism
+    if angles == "source":
+        is_shown = order.picture.source_angles == "shown"
+        angles = source_angles(file.machine, mechanism=mechanism, is_shown=is_shown)
+    options: dict[str, Any] = {"mechanism": mechanism} | ({} if angles is None else {"angles": angles})
+    if "speed" not in order.picture.refused:
+        options["speed"] = "running" if request.is_at_running_speed else "constant"
+    return options
 
 
 def _placed(problems: Sequence[Problem], file: MachineFile, request: Request) -> Iterator[Problem]:

@@ -5,7 +5,6 @@ from typing import Literal, NamedTuple, TypeAlias
 import numpy as np
 
 from cranktrain.analysis import Result
-from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.motion import Array
 from cranktrain.record import record
 
@@ -98,8 +97,3 @@ class OneDesign(NamedTuple):
 def closed(values: Array) -> Array:
     """Repeat the first value at the end of the cycle."""
     return np.append(values, values[0])
-
-
-def speed_of(result: Result) -> SpeedCurve | None:
-    """How the shaft turns in a result; None at a constant speed."""
-    return next((gift for gift in result.gifts if isinstance(gift, SpeedCurve)), None)

@@ -60,8 +60,8 @@ class Picture:
         def drawn(result: "Result", **options: Any) -> Any:
             for quantity, sentence in self.needs.items():
                 if quantity not in result.catalogue:
-                    lacking = next((one.needs for one in result.missing if quantity in one.results), ())
-                    raise InputError([Problem("", None, _(sentence).format(needs=", ".join(lacking)))])
+                    needs = ", ".join(result.needs_of(quantity))
+                    raise InputError([Problem("", None, _(sentence).format(needs=needs))])
             return draw(result, **options)
 
         return drawn

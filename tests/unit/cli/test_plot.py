@@ -13,7 +13,7 @@ from cranktrain.cli.plot import Request, understood
         ("positions", " 30 , 0.5 rad, -1°", "a.svg", [30.0, 28.647889757, -1.0]),  # 0.5 · 180/π
         ("klein", "60 deg", "a.PDF", [60.0]),
         ("velocities", None, "a.png", None),
-        ("positions", "source", "a.png", None),
+        ("positions", "source", "a.png", "source"),
         (None, "8", "a.dxf", 8),
         (None, "7.5,90", "a.dxf", [7.5, 90.0]),
         (None, "137", "a.png", [137.0]),

@@ -6,9 +6,9 @@ from textwrap import wrap
 from cranktrain.analysis import Result
 from cranktrain.io.description import layout_words
 from cranktrain.language import _
+from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.one_line import short
-from cranktrain.viz.panel import speed_of
 from cranktrain.viz.paper.page import MARGIN, Page, muted, paper
 from cranktrain.viz.paper.style import TITLE
 from cranktrain.viz.paper.words import (
@@ -29,7 +29,7 @@ _LETTERS = 60
 def result_page(result: Result, design: int, size: str, title: str = "") -> tuple[Page, float]:
     """Begin a sheet of a result; give where its head ends. [mm]"""
     page = Page(*paper(size))
-    at_speed = speed_words(speed_of(result), design)
+    at_speed = speed_words(result.get(SpeedCurve), design)
     return page, title_block(page, result.machines[design], title, at_speed, unused_words(result))
 
 

@@ -32,15 +32,12 @@ def write_numbers(page: Page, shown: OneDesign, place: tuple[float, float], tang
     return y
 
 
-def _size(shown: OneDesign) -> FlywheelSize:
-    return next(gift for gift in shown.result.gifts if isinstance(gift, FlywheelSize))
-
-
 def _speeds(shown: OneDesign, tangents: Sequence[Tangent]) -> Iterator[tuple[str, str]]:
     """What is wanted, the speeds, where they are, and energies."""
-    exact = _size(shown).exact
+    size = shown.result[FlywheelSize]
+    exact = size.exact
     yield _("Wanted"), ""
-    yield _("Coefficient of fluctuation δ"), f"{float(_size(shown).wanted[shown.design]):.5g}"
+    yield _("Coefficient of fluctuation δ"), f"{float(size.wanted[shown.design]):.5g}"
     yield _("Largest speed, rpm"), figure(in_unit(float(exact.largest_speed[shown.design]), "rpm"))
     yield _("Smallest speed, rpm"), figure(in_unit(float(exact.smallest_speed[shown.design]), "rpm"))
     yield _("Largest excess work, J"), figure(float(shown("largest_excess_work")))
@@ -52,8 +49,7 @@ def _speeds(shown: OneDesign, tangents: Sequence[Tangent]) -> Iterator[tuple[str
 def _flywheels(shown: OneDesign) -> Iterator[tuple[str, str, str, str]]:
     """Flywheel by each method, and the error of that; the exact one comes first."""
     titles = {"exact": _("exact"), "mertsalov": _("Mertsalov"), "textbook": _("textbook, ΔA/(δω²)")}
-    inertias = _size(shown).flywheel_inertia[shown.design].tolist()
-    errors = _size(shown).flywheel_inertia_error[shown.design].tolist()
+    inertias, errors = (shown(name).tolist() for name in ("flywheel_inertia", "flywheel_inertia_error"))
     yield _("Flywheel"), "J, kg·m²", "GD², kg·m²", _("error")
     for name, inertia, error in zip(shown.result.labels["flywheel_method"], inertias, errors, strict=True):
         is_told = inertia > 0 and inertias[0] > 0

@@ -145,10 +145,10 @@ def _notes(result: Result, piston: str | None, design: int) -> Iterator[str]:
     yield _("Torque: reactions of rigid links, each mechanism's thin.")
     if result.labels.get("cylinder"):
         yield _("Filled bars: orders in which all cylinders add up.")
-    masses = next(gift.masses for gift in result.gifts if isinstance(gift, LoadedMachine))
+    masses = result[LoadedMachine].masses
     if masses.assumed:
         yield _("Rods without a given inertia have that of two masses at their ends.")
     if (said := masses.without_mass()) is not None:
         yield said
-    gas = next((gift for gift in result.gifts if isinstance(gift, GasPressures)), None)
+    gas = result.get(GasPressures)
     yield from () if gas is None else gas.flags

@@ -8,14 +8,15 @@ from numpy.typing import NDArray
 
 from cranktrain.analysis import Result
 from cranktrain.language import _
-from cranktrain.layout.speed import accelerations
+from cranktrain.layout.speed import rates
+from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.linkage.forces import Drive
 from cranktrain.machine import Machine
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Coefficient
 from cranktrain.plans.placement import first_throw
 from cranktrain.plans.turning import turning
 from cranktrain.quantities import shown
-from cranktrain.viz.panel import Curve, OneDesign, Panel, Role, speed_of
+from cranktrain.viz.panel import Curve, OneDesign, Panel, Role
 
 _LETTERS = "svj"
 """Of travel, velocity and acceleration."""
@@ -52,14 +53,12 @@ class _Turn(NamedTuple):
         """How the crank turns at each angle; by 1 rad/s where the machine has no speed."""
         result, design = self.shown
         phi = np.deg2rad(self.angle) + result.grid.zero[design, 0, 0]
-        return turning(result.machines[design], speed_of(result), phi, design)
+        return turning(result.machines[design], result.get(SpeedCurve), phi, design)
 
     def moved(self, order: int, names: tuple[str, str, str], *at: int) -> Array:
         """Give travel, velocity or acceleration of a member, by its motion's value and two derivatives."""
-        if order == 0:
-            return self.curve(names[0], *at)
-        first = self.curve(names[1], *at)
-        return first * self.drive.speed if order == 1 else accelerations(first, self.curve(names[2], *at), self.drive)
+        motion = Coefficient(*(self.curve(name, *at) for name in names))
+        return (motion.value, *rates(motion, self.drive))[order]
 
 
 class _Row(NamedTuple):
@@ -234,7 +233,7 @@ def _rocker_panels(turn: _Turn) -> Iterator[Panel]:
     """Rocker angle and its derivatives; torque factor where a load hangs on it."""
     result, design = turn.shown
     names = drawn_names(result, "rocker")
-    has_speed = result.machines[design].main_shaft.speed is not None or speed_of(result) is not None
+    has_speed = result.machines[design].main_shaft.speed is not None or result.get(SpeedCurve) is not None
     titles = _("Rocker angle"), _("Rocker angular velocity"), _("Rocker angular acceleration")
     symbols = (r"\theta", r"\omega_3", r"\varepsilon_3") if has_speed else (r"\theta", r"\theta'", r"\theta''")
     units = ("°", "rad/s", "rad/s²") if has_speed else ("°", "rad/rad", "rad/rad²")
