@@ -1,7 +1,7 @@
 """Modes along the shaft, and Campbell's diagram: frequencies over the speed, rays of orders, their crossings."""
 
 from collections.abc import Sequence
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,8 +10,6 @@ from cranktrain.analysis import Result
 from cranktrain.motion import Array
 from cranktrain.questions.torsion.critical import CriticalSpeeds, ModeVectorSums
 from cranktrain.questions.torsion.modes import TorsionalModes, TorsionalTrain
-
-Found = TypeVar("Found")
 
 _BEYOND = 1.25
 """The diagram reaches beyond the declared speed by this factor."""
@@ -100,7 +98,7 @@ class Campbell(NamedTuple):
 
 def mode_shapes(result: Result, design: int = 0) -> Sequence[ModeShape]:
     """Every mode of a machine with [torsion], by rising frequency."""
-    modes, following = _gift(result, TorsionalModes), _gift(result, TorsionalTrain).train.following
+    modes, following = result[TorsionalModes], result[TorsionalTrain].train.following
     shafts = np.arange(following.size)
     places = shafts + modes.mode_node[design, :, :-1] * (following - shafts)
     return [
@@ -121,8 +119,8 @@ def campbell(result: Result, design: int = 0) -> Campbell:
 
     docs/theory/torsion, eq. (23.9).
     """
-    modes, critical = _gift(result, TorsionalModes), _gift(result, CriticalSpeeds)
-    sums = next((gift for gift in result.gifts if isinstance(gift, ModeVectorSums)), None)
+    modes, critical = result[TorsionalModes], result[CriticalSpeeds]
+    sums = result.get(ModeVectorSums)
     frequency, speeds = modes.natural_frequency[design], critical.critical_speed[design]
     order = np.array([float(name) for name in result.labels["order"]])
     rays = order[order <= _ORDERS]
@@ -146,8 +144,3 @@ def campbell(result: Result, design: int = 0) -> Campbell:
     ]
     found.sort(key=lambda one: one.speed)
     return Campbell(running, largest, highest, frequency, rays, tuple(found))
-
-
-def _gift(result: Result, kind: type[Found]) -> Found:
-    """What a stage gave, which a picture of torsion has."""
-    return next(gift for gift in result.gifts if isinstance(gift, kind))
