@@ -16,8 +16,8 @@ _MODES = 4
 """Modes that have a drawing."""
 _BRANCH = (4.0, 2.0)
 """Dashes of a shaft that passes other discs on the drawing."""
-_LETTER, _LONGEST = 1.6, 16
-"""Width of a letter [mm], and how many of a disc's name are written."""
+_LONGEST = 16
+"""Letters of a disc's name that are written."""
 _SCALE, _HEAD, _WORDS = 8.0, 6.0, 6.5
 """Room for the figures of the scale, for the heading, and for the words over each mode. [mm]"""
 
@@ -33,10 +33,16 @@ def draw_modes(page: Page, shapes: Sequence[ModeShape], discs: Sequence[str], bo
         Their names, by the rows of Holzer's table.
     box : Box
     """
-    names = [short(name, _LONGEST) for name in discs]
-    longest = _LETTER * max(map(len, names)) + 1.5
-    step = (box.width - _SCALE) / len(names)
-    foot = 8.0 if longest < step else 5.0 + longest
+    step = (box.width - _SCALE) / len(discs)
+    starts = [box.left + _SCALE + (place + 0.5) * step for place in range(len(discs))]
+    names = [
+        page.text(x, box.bottom, short(name, _LONGEST), ha="center") for x, name in zip(starts, discs, strict=True)
+    ]
+    longest = max(page.end(name) - page.start(name) for name in names) + 1.5
+    is_turned = longest > step
+    foot = 5.0 + longest if is_turned else 8.0
+    for name in names:
+        name.set(y=box.bottom + foot - 4.0, va="top", rotation=90 if is_turned else 0)
     few = shapes[:_MODES]
     height = (box.height - _HEAD - foot) / len(few)
     top = box.bottom + box.height
@@ -50,9 +56,6 @@ def draw_modes(page: Page, shapes: Sequence[ModeShape], discs: Sequence[str], bo
             n=shape.mode, frequency=number(shape.frequency, "Hz"), disc=_called(short(shape.unit, _LONGEST))
         )
         page.text(box.left + _SCALE, bottom + height - 3.8, words)
-    for place, name in enumerate(names):
-        x, y = box.left + _SCALE + (place + 0.5) * step, box.bottom + foot - 4.0
-        page.text(x, y, name, ha="center", va="top", rotation=0 if longest < step else 90)
 
 
 def _draw_mode(axes: Axes, shape: ModeShape) -> None:
