@@ -152,7 +152,7 @@ def rim_size(
     if size is not None:
         inertia, largest = size.flywheel_inertia[:, 0], size.exact.largest_speed
     elif flywheel is not None and running is not None:
-        inertia, largest = flywheel.inertia, running.largest_crank_speed
+        inertia, largest = flywheel.inertia, running.largest_crank_speed.value
     found = rim(RimDemand(inertia, wanted.other_share, wanted.mean_diameter, wanted.width_ratio, wanted.density))
     speed = rim_speed(found.outer_diameter, largest)
     return RimSize(
