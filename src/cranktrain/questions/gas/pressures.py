@@ -93,12 +93,12 @@ def gas_pressures(
         indicated_mean_pressure=work / swept.swept_volume,
         peak_pressure=Extreme(crank_angle.counted((firing + after)[..., np.newaxis], gas.cycle)[..., 0], peak),
         peak_pressure_after=after,
-        flags=(*gas.doubts, *gas.findings, *_engine_doubts(gas, work > 0, peak)),
+        flags=(*gas.doubts, *gas.findings, *_unlikely_pressures(gas, work > 0, peak)),
     )
 
 
-def _engine_doubts(gas: GasInChambers, fires: NDArray[np.bool_], peak: Array) -> Iterator[str]:
-    """Doubt what no engine has, of chambers that give work, shape (design, chamber)."""
+def _unlikely_pressures(gas: GasInChambers, fires: NDArray[np.bool_], peak: Array) -> Iterator[str]:
+    """Flags of ratios and peaks that no engine has, of chambers that give work, shape (design, chamber)."""
     ratio = (gas.limits.largest / gas.limits.smallest)[..., 0]
     # What no machine at all has is doubted where the ratio is found.
     yield from doubted(_ENGINE_RATIO, ratio[fires & (ratio <= RATIO.most)])
