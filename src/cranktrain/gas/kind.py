@@ -79,7 +79,7 @@ class GasKind:
         What `pressure` takes. Raises `InputError`, paths relative to the table, where it does not suit the chamber.
     pressure : callable (ChamberState, model) → Array
         Absolute pressure at each crank angle, of the state's shape. [Pa]
-    doubts : callable (spec, model) → tuple of str
+    flags : callable (spec, model) → tuple of str
         What may be meant otherwise than it was given, as sentences.
     example : str
         A commented `[gas]` table to start from.
@@ -103,7 +103,7 @@ class GasKind:
     spec: type[GasSpec]
     model: Callable[[Any, Chamber], Any]
     pressure: Callable[[ChamberState, Any], Array]
-    doubts: Callable[[Any, Any], tuple[str, ...]]
+    flags: Callable[[Any, Any], tuple[str, ...]]
     example: str
     findings: Callable[[Any], tuple[str, ...]] = _nothing
     mean_pressures: Callable[[Any, Array], MeanPressures] | None = None

@@ -130,7 +130,7 @@ def _load_words(load: ShaftLoad, *, has_curve: bool, is_free: bool) -> str:
 
 
 def _flags(load: ShaftLoad, work: ShaftWork, found: SteadyRunning) -> Iterator[str]:
-    """Mind a load that fixes no speed, a shaft that would stop, a load that nothing drives, and unstable running."""
+    """Flag a load that fixes no speed, a shaft that would stop, a load that nothing drives, and unstable running."""
     speed = found.speed
     is_known = np.isfinite(work.largest_excess_work)
     if np.any(is_known & found.is_free):
