@@ -6,6 +6,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.viz.paper.shapes import angle_of
 from cranktrain.viz.paper.sketch import Label
 
 _CHARACTER, _LINE, _SYMBOL_LINE = 1.75, 3.2, 4.2
@@ -144,7 +145,7 @@ def _cost(
     over = _n_under((left, right, low, high), taken)
     inside = (obstacles[0] > left) & (obstacles[0] < right) & (obstacles[1] > low) & (obstacles[1] < high)
     away = middle - point
-    turn = np.arctan2(away[1], away[0]) - wish.towards
+    turn = angle_of(away) - wish.towards
     crossed = (0.15 if wish.is_number else 4.0) * float(np.count_nonzero(inside))
     return (
         1000.0 * over
@@ -170,3 +171,16 @@ def dots(line: Array) -> Array:
     of = np.repeat(np.arange(counts.size, dtype=np.intp), counts)
     number = np.arange(of.size) - np.repeat(np.cumsum(counts) - counts, counts)
     return starts[:, of] + steps[:, of] * (number / (counts[of] - 1))
+
+
+def together(points: Array, reach: float) -> list[list[int]]:
+    """Group points, shape (2, n), that lie nearer than `reach` to the first of their group."""
+    groups: list[list[int]] = []
+    for i in range(points.shape[1]):
+        near = (of for of in groups if np.hypot(*(points[:, i] - points[:, of[0]])) < reach)
+        found = next(near, None)
+        if found is None:
+            groups.append([i])
+        else:
+            found.append(i)
+    return groups
