@@ -25,7 +25,7 @@ from cranktrain.wording import Names, number
 _CURVE = ("crank_angle",)
 _THEORY = "docs/theory/evenness"
 _UNLIKELY = 0.5
-"""Coefficient of fluctuation from which a flywheel is doubted."""
+"""Coefficient of fluctuation from which a flywheel is flagged."""
 
 
 @record
