@@ -159,8 +159,8 @@ def _blocks(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[
         along = ends / np.hypot(*ends)
         line = shapes.Along(pins[block.pin][:, 0], along)
         corners = [(-2.0, -1.2), (2.0, -1.2), (2.0, 1.2), (-2.0, 1.2)]
-        points = [line.at(scale * u, scale * v) for u, v in corners]
-        yield Line(np.stack(points, axis=1), "LINKS", "outline", 2, is_closed=True, fill="light")
+        points = line.path(*((scale * u, scale * v) for u, v in corners))
+        yield Line(points, "LINKS", "outline", 2, is_closed=True, fill="light")
 
 
 def polygon_sketch(polygon: Polygon, *, with_symbols: bool = True) -> Sketch:
