@@ -39,6 +39,12 @@ class Along(NamedTuple):
         return self.along @ points - self.along @ self.foot
 
 
+def guide_line(direction: Array | float, pin: Array, shaft: Array | float = 0.0) -> Along:
+    """Line on which a guide of a direction [rad] leads a pin; its foot is nearest the shaft."""
+    along = np.array([np.cos(direction), np.sin(direction)]).reshape(2)
+    return Along(pin - np.dot(pin - shaft, along) * along, along)
+
+
 def angle_of(vector: Array) -> float:
     """Direction of a vector from X. [rad]"""
     return float(np.arctan2(vector[1], vector[0]))
