@@ -159,7 +159,7 @@ def _refused(request: Request, picture: Picture) -> Iterator[Problem]:
 
 def _angles(text: str | None, picture: Picture | None) -> Angles | None:
     """Read crank angles: of a plan a count too, of some the source's."""
-    if text is None:
+    if text is None or (picture is not None and "at" in picture.refused):
         return None
     if picture is not None and picture.source_angles and text.strip().casefold() == "source":
         return "source"
