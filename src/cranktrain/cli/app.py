@@ -247,12 +247,11 @@ def _plot(
     context_settings={"ignore_unknown_options": True, "allow_extra_args": True, "allow_interspersed_args": False},
     help=_("Find dimensions for what a mechanism is to do, and write its machine file."),
 )
-def _synthesise(context: typer.Context) -> Task:
-    from cranktrain.cli.synthesis.command import (
-        synthesis_task,  # its many options are told to Typer only when they are needed
-    )
+@put_off
+def _synthesise(context: typer.Context) -> None:
+    from cranktrain.cli.synthesis.command import app  # its many options are told to Typer only when they are needed
 
-    return synthesis_task(context.args)
+    task_of(app, context.args, "cranktrain synthesise")()
 
 
 @_app.command(
