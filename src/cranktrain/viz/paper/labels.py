@@ -43,7 +43,7 @@ class Wish(NamedTuple):
         return self.manner == "number"
 
 
-class Mark(NamedTuple):
+class RoundMark(NamedTuple):
     """A round mark: centre and radius. [mm of the sketch]"""
 
     centre: Array
@@ -51,7 +51,7 @@ class Mark(NamedTuple):
 
 
 def placed_labels(
-    wishes: Sequence[Wish], lines: Iterable[Array], scale: float, marks: Sequence[Mark] = ()
+    wishes: Sequence[Wish], lines: Iterable[Array], scale: float, marks: Sequence[RoundMark] = ()
 ) -> Iterator[Label]:
     """Place labels one by one, each at the free place that is best for it; a number without any is left out.
 
@@ -62,7 +62,7 @@ def placed_labels(
         Polylines to keep clear of. [mm of the sketch]
     scale : float
         Millimetres of the sketch in one of paper.
-    marks : sequence of Mark
+    marks : sequence of RoundMark
         Which a number may not lie over, as it may over lines.
 
     Yields
@@ -125,7 +125,7 @@ def _box(middle: Array, size: tuple[float, float]) -> tuple[float, float, float,
     return x - size[0] / 2, x + size[0] / 2, y - size[1] / 2, y + size[1] / 2
 
 
-def _is_over(box: tuple[float, float, float, float], mark: Mark, scale: float) -> bool:
+def _is_over(box: tuple[float, float, float, float], mark: RoundMark, scale: float) -> bool:
     """Whether a label would lie over a mark."""
     centre = mark.centre / scale
     nearest = np.clip(centre, (box[0], box[2]), (box[1], box[3]))
