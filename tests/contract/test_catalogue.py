@@ -16,7 +16,7 @@ from cranktrain.analysis import STAGES, ordered
 from cranktrain.analysis.stages import run_stages
 from cranktrain.catalogue import entries
 from cranktrain.mechanisms import KINDS
-from cranktrain.questions.doubts import Doubts
+from cranktrain.questions.forces.unlikely import UnlikelyLoads
 
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "src/cranktrain"
@@ -184,7 +184,7 @@ def test_needed_stages_are_those_that_are_run(n_designs):
                     needed.add(gift)
                     left += by_gift[gift].needs.values()
             result = ct.run(machines, quantities=[entry.name], step_degrees=10)
-            assert {type(gift) for gift in result.gifts} <= needed | {Doubts}, entry.name
+            assert {type(gift) for gift in result.gifts} <= needed | {UnlikelyLoads}, entry.name
 
 
 class TestMissing:

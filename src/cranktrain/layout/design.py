@@ -48,7 +48,11 @@ class Design:
     @property
     def pistons(self) -> tuple[Place, ...]:
         """Those of its mechanisms that drive a slider."""
-        return tuple(place for place in self.places if place.kind.output == "slider")
+        return self.driving("slider")
+
+    def driving(self, output: str) -> tuple[Place, ...]:
+        """Those of its mechanisms that have this output."""
+        return tuple(place for place in self.places if place.kind.output == output)
 
     @property
     def main_shaft(self) -> ShaftSpec:

@@ -10,7 +10,6 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.frames import frames_of
 from cranktrain.layout.mechanisms import Mechanisms, Pistons, Rockers, mechanisms_of
-from cranktrain.layout.places import Place
 from cranktrain.layout.question import Dimension, TableFile
 from cranktrain.layout.shafts import shafts_of
 from cranktrain.layout.speed import Speed
@@ -46,19 +45,14 @@ def laid_out(designs: Sequence[Design], *, cycle: float, step: float) -> Designs
         zero=np.array([[[design.zero]] for design in designs]),
         cycle=cycle,
     )
-    places = [design.places for design in designs]
+    pistons, rockers = ([design.driving(output) for design in designs] for output in ("slider", "rocker"))
     return Designs(
         each=tuple(designs),
         crank_angle=grid,
-        mechanisms=mechanisms_of(Mechanisms, places),
-        pistons=mechanisms_of(Pistons, sliding) if any(sliding := _driving(places, "slider")) else None,
-        rockers=mechanisms_of(Rockers, swinging) if any(swinging := _driving(places, "rocker")) else None,
+        mechanisms=mechanisms_of(Mechanisms, [design.places for design in designs]),
+        pistons=mechanisms_of(Pistons, pistons) if any(pistons) else None,
+        rockers=mechanisms_of(Rockers, rockers) if any(rockers) else None,
     )
-
-
-def _driving(designs: Sequence[Sequence[Place]], output: str) -> list[list[Place]]:
-    """Those mechanisms of every design that have this output."""
-    return [[place for place in design if place.kind.output == output] for design in designs]
 
 
 def layout_parts(designs: Designs) -> Iterator[object | None]:

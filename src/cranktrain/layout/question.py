@@ -156,7 +156,7 @@ class Question:
     """
 
     name: str
-    tables: Mapping[str, type] = field(default_factory=dict)
+    tables: Mapping[str, type] = field(default_factory=dict[str, type])
     problems: Callable[[Design], Iterable[Problem]] = _nothing
     parts: Callable[[Designs, Parts], Iterable[object | None]] = _nothing
     stages: tuple[Stage, ...] = ()

@@ -15,6 +15,7 @@ from cranktrain.motion import Array
 from cranktrain.plans.acting import refuse_idle
 from cranktrain.quantities import Dimension, shown, unlisted
 from cranktrain.quantities.dimensions import plain, spellings
+from cranktrain.questions.cylinders.parts import cylinders
 from cranktrain.questions.forces.loaded import carriers_of
 
 STEPS = (10.0, 15.0, 30.0)
@@ -176,7 +177,7 @@ def _piston(machine: Machine, wanted: str | None) -> Place:
 def _area(machine: Machine, piston: str) -> float:
     """Area of a piston, π/4 of its bore squared. [m²]"""
     at = next(i for i, place in enumerate(machine.pistons) if place.name == piston)
-    bore = next((one.spec.bore for one in machine.cylinders if at in one.pistons), None)
+    bore = next((one.spec.bore for one in machine.design.once(cylinders) if at in one.pistons), None)
     if bore is None:
         raise InputError([Problem("cylinder.bore", None, _("is missing: forces over the piston's area need it"))])
     return np.pi / 4 * bore.si**2

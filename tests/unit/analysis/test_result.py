@@ -83,13 +83,13 @@ def test_summary_answers_in_the_order_in_which_one_asks(v12):
     begins = [sentence.split()[0] for sentence in v12.answers()]
     assert begins == [
         "Strokes:",
+        "Mean",
+        "Closing",
         "Displacement",
         "Compression",
         "Firing",
-        "Mean",
-        "No",
         "Major",
-        "Closing",
+        "No",
         "Textbook:",
     ]
     assert v12.summary().splitlines() == list(v12.answers())

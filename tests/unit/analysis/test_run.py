@@ -10,14 +10,14 @@ import cranktrain as ct
 from cranktrain.analysis import STAGES, ordered
 from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.cylinders.volumes import SweptVolumes
-from cranktrain.questions.doubts import Doubts
+from cranktrain.questions.forces.unlikely import UnlikelyLoads
 from cranktrain.questions.motion.dead_centres import DeadCentres, PistonTurn
 
 
 def test_only_what_is_asked_for_is_computed():
     result = ct.run(ct.Machine(**V12), quantities=["displacement"])
     computed = {PistonTurn, DeadCentres, CylinderTravel, SweptVolumes}
-    assert {type(gift) for gift in result.gifts} == {*computed, Doubts}  # which takes what there is
+    assert {type(gift) for gift in result.gifts} == {*computed, UnlikelyLoads}  # which takes what there is
     assert result.displacement == ct.run(ct.Machine(**V12)).displacement
     assert "closing_margin" not in result.catalogue
 

@@ -60,12 +60,12 @@ def told(**machine: Any) -> list[str]:
         (
             {"shaft": {}, "masses": PISTON, "gravity": True, "friction": {"piston": 0.1}}
             | {"guide": {"piston": {"length": "50 mm"}}, "evenness": {"flywheel": "1 kg·m²"}},
-            ["[masses], gravity, [friction], [guide] and [evenness] are not used: [shaft.main] speed is missing."],
+            ["[masses], [friction], [guide], gravity and [evenness] are not used: [shaft.main] speed is missing."],
         ),
         (
             {"gravity": True, "friction": {"piston": 0.1}}
             | {"balance": {"weight": [{"mass": "1 kg", "radius": "50 mm", "throw": 1}]}},
-            ["gravity, [friction] and [balance] are not used: [masses] is missing."],
+            ["[friction], [balance] and gravity are not used: [masses] is missing."],
         ),
         (
             {"masses": PISTON, "evenness": {"motor": MOTOR, "coefficient": 0.01}},

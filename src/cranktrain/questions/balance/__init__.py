@@ -8,21 +8,17 @@ from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.masses import bodies_given
 from cranktrain.layout.question import Dimension, Parts, Question, Stage, Use
 from cranktrain.layout.uses import table
-from cranktrain.questions.balance.frame_forces import frame_forces
-from cranktrain.questions.balance.running_frame import running_frame
-from cranktrain.questions.balance.shaking import ShakingForces, rolling_moment, shaking_couples, shaking_forces
-from cranktrain.questions.balance.spec import BalanceSpec
-from cranktrain.questions.balance.weights import BalanceWeights, balance_problems, balance_weights, declared_balance
+from cranktrain.questions.balance import frame_forces, running_frame, shaking, spec, weights
 from cranktrain.questions.forces.loaded import MechanismTorques
 
 
 def _problems(design: Design) -> tuple[Problem, ...]:
-    spec = design.table(BalanceSpec)
-    return () if spec is None else balance_problems(spec, design.main_shaft)
+    given = design.table(spec.BalanceSpec)
+    return () if given is None else weights.balance_problems(given, design.main_shaft)
 
 
 def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
-    yield declared_balance(designs.tables(BalanceSpec), designs.shafts)
+    yield weights.declared_balance(designs.tables(spec.BalanceSpec), designs.shafts)
 
 
 def _gravity(design: Design) -> Sequence[str]:
@@ -31,22 +27,22 @@ def _gravity(design: Design) -> Sequence[str]:
 
 QUESTION = Question(
     "balance",
-    tables={"balance": BalanceSpec},
+    tables={"balance": spec.BalanceSpec},
     problems=_problems,
     parts=_parts,
     stages=(
-        Stage(frame_forces, applies=bodies_given),
-        Stage(running_frame),
-        Stage(balance_weights),
-        Stage(shaking_forces),
-        Stage(shaking_couples),
-        Stage(rolling_moment),
+        Stage(frame_forces.frame_forces, applies=bodies_given),
+        Stage(running_frame.running_frame),
+        Stage(weights.balance_weights),
+        Stage(shaking.shaking_forces),
+        Stage(shaking.shaking_couples),
+        Stage(shaking.rolling_moment),
     ),
     dimensions=(Dimension("balance", N_("balance")), Dimension("weight", N_("weight"))),
     headline=("shaking_force_largest", "shaking_couple_largest"),
     uses=(
-        Use(table("balance"), (BalanceWeights,)),
+        Use(table("balance"), (weights.BalanceWeights,)),
         # Weights are felt in the torque, where anything has one.
-        Use(_gravity, (MechanismTorques, ShakingForces)),
+        Use(_gravity, (MechanismTorques, shaking.ShakingForces)),
     ),
 )

@@ -60,10 +60,9 @@ def _smooth_work(work: Array, _slope: Array, cycle: float) -> PeriodicCurve:
 
 def of_steady_running(load: ShaftLoad | None, speed: Speed | None) -> bool | str:
     """Whether the machine has a load and runs on as it does; what is asked for at one moment has no load."""
-    if load is None:
-        return ShaftLoad.needs
-    is_moment = speed is not None and speed.curve is not None and speed.curve.moment is not None
-    return N_("steady running, without [shaft.main] acceleration,") if is_moment else True
+    if speed is not None and speed.curve is not None and speed.curve.moment is not None:
+        return N_("steady running, without [shaft.main] acceleration,")
+    return ShaftLoad.needs if load is None else True
 
 
 def applied_torque(torques: MechanismTorques, loaded: LoadedMachine, crank_angle: CrankAngle) -> AppliedTorque:

@@ -12,12 +12,9 @@ from cranktrain.questions.cylinders.firing import Cycle, FiringOrder
 from cranktrain.questions.cylinders.parts import cylinders
 from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.questions.cylinders.volumes import Chambers, CompressionRatios
-from cranktrain.questions.gas.chambers import DeclaredGas, gas_in_chambers
-from cranktrain.questions.gas.events import gas_events
-from cranktrain.questions.gas.powers import BrakePowers, brake_powers, indicated_powers, losses_of
-from cranktrain.questions.gas.pressures import gas_pressures
+from cranktrain.questions.gas import chambers, events, powers, pressures
 
-PRESSING = (DeclaredGas, Chambers, CompressionRatios, Cycle, FiringOrder)
+PRESSING = (chambers.DeclaredGas, Chambers, CompressionRatios, Cycle, FiringOrder)
 """Parts that it takes for gas to press on pistons."""
 
 
@@ -29,8 +26,8 @@ def _problems(design: Design) -> Iterator[Problem]:
 def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
     if designs.pistons is not None:
         specs = designs.tables(GasSpec)
-        yield DeclaredGas(specs) if specs else None
-        yield losses_of(designs.tables(CylindersSpec))
+        yield chambers.DeclaredGas(specs) if specs else None
+        yield powers.losses_of(designs.tables(CylindersSpec))
 
 
 QUESTION = Question(
@@ -39,13 +36,13 @@ QUESTION = Question(
     problems=_problems,
     parts=_parts,
     stages=(
-        Stage(gas_in_chambers),
-        Stage(gas_events),
-        Stage(gas_pressures),
-        Stage(indicated_powers),
-        Stage(brake_powers),
+        Stage(chambers.gas_in_chambers),
+        Stage(events.gas_events),
+        Stage(pressures.gas_pressures),
+        Stage(powers.indicated_powers),
+        Stage(powers.brake_powers),
     ),
     headline=("brake_power", "indicated_power", "indicated_mean_pressure", "peak_pressure"),
-    uses=(Use(keys("cylinder", "mechanical_efficiency", "friction_pressure"), (BrakePowers,)),),
+    uses=(Use(keys("cylinder", "mechanical_efficiency", "friction_pressure"), (powers.BrakePowers,)),),
     files=(TableFile(("gas",), "indicator", N_("an indicator diagram")),),
 )

@@ -10,7 +10,7 @@ import cranktrain as ct
 from cranktrain.analysis.parts import parts_of
 from cranktrain.layout.crank_angle import HIGHEST_ORDER, CrankAngle
 from cranktrain.layout.frames import Frames
-from cranktrain.layout.masses import GivenBodies, Masses
+from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.throws import Throws
 from cranktrain.questions.balance.frame_forces import frame_forces
@@ -330,7 +330,7 @@ def check_of(**changes):
     """The momentum's check, with parts of the machine put wrong."""
     machine = ct.Machine(**V12, masses=PISTON | CRANK)
     parts = parts_of([machine], step=np.pi / 180)
-    needs = {kind: parts[kind] for kind in (GivenBodies, Mechanisms, Carriers, Masses, Frames, Throws, CrankAngle)}
+    needs = {kind: parts[kind] for kind in (Mechanisms, Carriers, Masses, Frames, Throws, CrankAngle)}
     needs |= {type(part): part for part in changes.values()}
     return frame_forces(*needs.values()).checks[0], parts
 

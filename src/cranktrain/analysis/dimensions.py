@@ -1,0 +1,14 @@
+"""Dimensions of all results: those that questions share, and those that each brings."""
+
+from collections.abc import Mapping
+
+from cranktrain import textbook
+from cranktrain.all_questions import QUESTIONS
+from cranktrain.layout import parts
+from cranktrain.layout.question import Dimension
+
+DIMENSIONS: Mapping[str, Dimension] = {
+    dimension.name: dimension
+    for dimensions in (parts.DIMENSIONS, *(question.dimensions for question in QUESTIONS), textbook.DIMENSIONS)
+    for dimension in dimensions
+}
