@@ -36,7 +36,7 @@ from cranktrain.mechanisms.chain.steps import (
     Structure,
 )
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
-from cranktrain.mechanisms.slider_crank.forces import SliderCrankBodies, slider_crank_forces, slider_crank_load
+from cranktrain.mechanisms.slider_crank.forces import SliderCrankLinks, slider_crank_forces, slider_crank_load
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 
 SLIDER_CRANK = SliderCrank(0.04, 0.14, 0.01)
@@ -179,7 +179,7 @@ def force_columns(forces):
 def force_comparisons(n):
     """Motion, reactions and torque of a slider-crank with a rigid rod, from the crank angle."""
     angles = np.arange(n) * (2 * np.pi / n)
-    geometry, bodies = SliderCrank(*SLIDER_CRANK), SliderCrankBodies(*FORCED)
+    geometry, bodies = SliderCrank(*SLIDER_CRANK), SliderCrankLinks(*FORCED)
     conditions = Conditions(DRIVE, GRAVITY, (NO_FRICTION,))
     crank, rod, piston = (tuple(body) for body in FORCED)
     given = tuple(geometry), crank, rod, piston[0], PRESSING, *DRIVE, tuple(GRAVITY)
@@ -204,7 +204,7 @@ def golden_forces(n):
     given = force_peers.machine()
     geometry = SliderCrank(given.crank_radius, given.rod_length, 0.0)
     (crank, crank_off, crank_inertia), (rod, rod_off, rod_inertia) = given.crank, given.rod
-    bodies = SliderCrankBodies(
+    bodies = SliderCrankLinks(
         Body(crank, crank_off, 0.0, crank_inertia),
         Body(rod, rod_off, 0.0, rod_inertia),
         Body(given.piston[0], 0.0, 0.0, given.piston[1]),

@@ -23,7 +23,7 @@ from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPist
 from cranktrain.layout.standing import standing_problems
 from cranktrain.mechanisms import AnyMechanism
 from cranktrain.mechanisms.closing import OpenRange, open_ranges
-from cranktrain.mechanisms.kind import LISTS
+from cranktrain.mechanisms.spec import LISTS
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.paths import PathParts, path_text, quantity_path, replaced, value_at
 from cranktrain.quantities import Angle, Given

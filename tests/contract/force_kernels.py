@@ -4,6 +4,7 @@ import numpy as np
 
 from cranktrain.linkage import (
     Crank,
+    CrankAndPivot,
     Ends,
     LinkPoint,
     OnLine,
@@ -44,19 +45,19 @@ from cranktrain.linkage.forces import (
 from cranktrain.linkage.forces.guide import Guided
 from cranktrain.linkage.forces.triad import Screw
 from cranktrain.linkage.triad import GUIDE, ROD, Leg, Triad
-from cranktrain.mechanisms.articulated_rod.forces import ArticulatedRodBodies, ArticulatedRodLoads
+from cranktrain.mechanisms.articulated_rod.forces import ArticulatedRodLinks
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
-from cranktrain.mechanisms.crank_rocker.forces import CrankRockerBodies, CrankRockerLoads
+from cranktrain.mechanisms.crank_rocker.forces import CrankRockerLinks
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
 from cranktrain.mechanisms.eccentric.kinematics import Eccentric, eccentric
-from cranktrain.mechanisms.oscillating_cylinder.forces import OscillatingCylinderBodies, OscillatingCylinderLoads
-from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinder, oscillating_cylinder
-from cranktrain.mechanisms.scotch_yoke.forces import ScotchYokeBodies, ScotchYokeLoads
+from cranktrain.mechanisms.oscillating_cylinder.forces import OscillatingCylinderLinks
+from cranktrain.mechanisms.oscillating_cylinder.kinematics import oscillating_cylinder
+from cranktrain.mechanisms.scotch_yoke.forces import ScotchYokeLinks
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke, scotch_yoke
-from cranktrain.mechanisms.slider_crank.forces import SliderCrankBodies, SliderCrankLoads
+from cranktrain.mechanisms.slider_crank.forces import SliderCrankLinks
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
-from cranktrain.mechanisms.slotted_lever.forces import SlottedLeverBodies, SlottedLeverLoads
-from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLever, slotted_lever
+from cranktrain.mechanisms.slotted_lever.forces import SlottedLeverLinks
+from cranktrain.mechanisms.slotted_lever.kinematics import slotted_lever
 from cranktrain.questions.forces.pin_load import PinLoad
 from cranktrain.questions.forces.piston_formulas import PistonForces
 from cranktrain.questions.forces.rod_masses import TwoMasses
@@ -124,7 +125,7 @@ def triad(angle, size):
     return group(angle, size, 1.0).rod, ends, legs, TriadLoads(*(wrench(size) for _ in range(4)))
 
 
-def mechanism(kernel, geometry, bodies, loads):
+def mechanism(kernel, geometry, links):
     """Motion, geometry, bodies and loads of a kind."""
 
     def made(angle, size, side):
@@ -132,8 +133,8 @@ def mechanism(kernel, geometry, bodies, loads):
         return (
             kernel(angle, own),
             own,
-            bodies(*(body(size) for _ in bodies._fields)),
-            loads(*(wrench(size) for _ in loads._fields)),
+            links(*(body(size) for _ in links._fields)),
+            links(*(wrench(size) for _ in links._fields)),
         )
 
     return made
@@ -144,41 +145,36 @@ def slider_crank_geometry(size, side):
 
 
 KINDS = {
-    "slider_crank": mechanism(slider_crank, slider_crank_geometry, SliderCrankBodies, SliderCrankLoads),
+    "slider_crank": mechanism(slider_crank, slider_crank_geometry, SliderCrankLinks),
     "eccentric": mechanism(
         eccentric,
         lambda size, side: Eccentric(size(0.1), size(1.1), size(0.05), size(1.9)),
-        SliderCrankBodies,
-        SliderCrankLoads,
+        SliderCrankLinks,
     ),
     "crank_rocker": mechanism(
         crank_rocker,
         lambda size, side: CrankRocker(size(0.3), size(1.0), size(0.8), size(1.1), side),
-        CrankRockerBodies,
-        CrankRockerLoads,
+        CrankRockerLinks,
     ),
     "scotch_yoke": mechanism(
-        scotch_yoke, lambda size, side: ScotchYoke(size(0.3), size(0.1), size(1.2)), ScotchYokeBodies, ScotchYokeLoads
+        scotch_yoke, lambda size, side: ScotchYoke(size(0.3), size(0.1), size(1.2)), ScotchYokeLinks
     ),
     "oscillating_cylinder": mechanism(
         oscillating_cylinder,
-        lambda size, side: OscillatingCylinder(size(0.3), size(0.5), size(0.05), 1.0),
-        OscillatingCylinderBodies,
-        OscillatingCylinderLoads,
+        lambda size, side: CrankAndPivot(size(0.3), size(0.5), size(0.05), 1.0),
+        OscillatingCylinderLinks,
     ),
     "slotted_lever": mechanism(
         slotted_lever,
-        lambda size, side: SlottedLever(size(0.3), size(0.5), size(0.05), 1.0),
-        SlottedLeverBodies,
-        SlottedLeverLoads,
+        lambda size, side: CrankAndPivot(size(0.3), size(0.5), size(0.05), 1.0),
+        SlottedLeverLinks,
     ),
     "articulated_rod": mechanism(
         articulated_rod,
         lambda size, side: ArticulatedRod(
             slider_crank_geometry(size, side), size(0.25), size(1.2), size(1.0), size(0.8), size(0.02)
         ),
-        ArticulatedRodBodies,
-        ArticulatedRodLoads,
+        ArticulatedRodLinks,
     ),
 }
 
@@ -187,7 +183,6 @@ def of_kind(name, made):
     """The kernels that every kind has."""
     return {
         f"{name}.{name}_forces": lambda angle, size, side: (*made(angle, size, side), conditions(size)),
-        f"{name}.{name}_reduced": lambda angle, size, side: (*made(angle, size, side), gravity(size)),
         f"{name}.{name}_links": lambda angle, size, side: made(angle, size, side)[:2],
         f"{name}.{name}_load": lambda angle, size, side: (*made(angle, size, side)[:2], size(5.0)),
     }
@@ -294,7 +289,7 @@ EXAMPLES = {
         gravity(size),
     ),
     "forces.reduced_inertia": lambda angle, size, side: (group(angle, size, side).rod, body(size)),
-    "forces.reduced_of_three": lambda angle, size, side: (
+    "forces.reduced_of": lambda angle, size, side: (
         tuple(group(angle, size, side).rod for _ in range(3)),
         tuple(body(size) for _ in range(3)),
         tuple(wrench(size) for _ in range(3)),

@@ -5,7 +5,7 @@ from typing import get_args
 import pytest
 
 from cranktrain.mechanisms import KINDS
-from cranktrain.mechanisms.kind import Role
+from cranktrain.mechanisms.dynamics import Role
 
 
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.name)

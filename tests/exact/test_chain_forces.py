@@ -214,7 +214,7 @@ def alone(part):
 
 
 def assert_joints_and_torques(random, structure, size, phi, coefficient):
-    dynamics = chain_dynamics(structure)
+    dynamics = chain_dynamics(structure, lambda size: size)
     made = {name: alone(part) for name, part in chain_made(structure, phi, size).items()}
     senses = [np.sign(made[slider].first) for slider in dynamics.sliding]
     bodies, loads, conditions = circumstances(random, dynamics, senses, coefficient)

@@ -24,7 +24,7 @@ from cranktrain.mechanisms.chain.steps import (
     TriadSize,
     TriadStep,
 )
-from cranktrain.mechanisms.kind import rows, scaled, stacked
+from cranktrain.mechanisms.geometry import rows, scaled, stacked
 
 N = 40
 TURN = np.arange(360) * (np.pi / 180)

@@ -11,7 +11,7 @@ from tests.exact.agreement import rows
 from tests.multibody import FRAME, Multibody
 from tests.virtual_work import torque_of_work
 
-from cranktrain.linkage import Crank, turned_link
+from cranktrain.linkage import Crank, CrankAndPivot, turned_link
 from cranktrain.linkage.forces import (
     Body,
     Conditions,
@@ -28,7 +28,6 @@ from cranktrain.linkage.forces import (
 )
 from cranktrain.mechanisms import kind_named
 from cranktrain.mechanisms.articulated_rod.forces import on_master_rod
-from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinder
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke
 from cranktrain.mechanisms.slider_crank.forces import slider_crank_forces
 from cranktrain.mechanisms.slider_crank.kinematics import slider_crank as slider_crank_motion
@@ -157,7 +156,7 @@ def yokes():
 
 def swivels():
     radius, ground, offset, _ = closing(geometries.swivel_cranks)
-    return OscillatingCylinder(radius, ground, offset, np.sign(ground - radius))
+    return CrankAndPivot(radius, ground, offset, np.sign(ground - radius))
 
 
 GEOMETRIES = {

@@ -32,7 +32,7 @@ from cranktrain.mechanisms.chain.steps import (
     YokeSize,
     YokeStep,
 )
-from cranktrain.mechanisms.kind import FRAME
+from cranktrain.mechanisms.dynamics import FRAME
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
 from cranktrain.numerics import spectral_derivative, turn_grid
 
@@ -156,7 +156,7 @@ def test_a_chain_of_all_groups():
         ),
     )
     assert np.all(chain_gap(CHAIN, PHI, size) > 0.02)
-    motion, dynamics = chain_motion(CHAIN, PHI, size), chain_dynamics(CHAIN)
+    motion, dynamics = chain_motion(CHAIN, PHI, size), chain_dynamics(CHAIN, lambda size: size)
     bodies, loads, conditions = steady(random, dynamics, [1.0] * len(dynamics.sliding))
     forces = dynamics.forces(motion, size, tuple(bodies), tuple(loads), conditions)
     change = momentum_change(chain_links(CHAIN, motion, size).values(), bodies, conditions.drive.speed)

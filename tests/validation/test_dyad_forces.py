@@ -28,10 +28,10 @@ from cranktrain.linkage.forces import (
 )
 from cranktrain.mechanisms import kind_named
 from cranktrain.mechanisms.slider_crank.forces import (
-    SliderCrankBodies,
+    DYNAMICS,
+    SliderCrankLinks,
     slider_crank_forces,
     slider_crank_load,
-    slider_crank_reduced,
 )
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 
@@ -43,7 +43,7 @@ CLOSE = 2e-15
 
 def slider_crank_at(phi):
     geometry = SliderCrank(RRP["R"], RRP["L"], RRP["e"])
-    bodies = SliderCrankBodies(
+    bodies = SliderCrankLinks(
         Body(RRP["m_c"], RRP["crk_u"], RRP["crk_w"], RRP["I_c"]),
         Body(RRP["m_r"], RRP["rod_u"], RRP["rod_w"], RRP["I_r"]),
         Body(RRP["m_s"], 0.0, 0.0, 0.0),
@@ -69,7 +69,7 @@ def test_slider_crank(row):
 
 @pytest.mark.parametrize("row", CASE["rrp"]["reduced_inertia"], ids=lambda row: str(row["phi_deg"]))
 def test_reduced_inertia(row):
-    inertia = slider_crank_reduced(*slider_crank_at(row["phi_deg"]), Gravity(0.0, 0.0)).inertia
+    inertia = DYNAMICS.reduced(*slider_crank_at(row["phi_deg"]), Gravity(0.0, 0.0)).inertia
     np.testing.assert_allclose(inertia.value, row["J"], rtol=CLOSE)
     np.testing.assert_allclose(inertia.first, row["dJ"], rtol=CLOSE, atol=CLOSE * row["J"])
 

@@ -22,11 +22,13 @@ from cranktrain.questions.evenness.applied_torque import applied_torque
 from cranktrain.questions.evenness.excess_work import excess_work
 from cranktrain.questions.evenness.flywheel import FlywheelSize, flywheel_size
 from cranktrain.questions.evenness.flywheel_inertia import exact_flywheel, flywheels_by_method, textbook_inertia
-from cranktrain.questions.evenness.running_speed import RunningSpeed, running_speed, shaft_work
+from cranktrain.questions.evenness.running_speed import RunningSpeed, running_speed
+from cranktrain.questions.evenness.shaft_work import shaft_work
 from cranktrain.questions.evenness.spec import GivenFlywheel, ShaftLoad, WantedCoefficient
 from cranktrain.questions.evenness.speed_law import given_torque, motor, quadratic_load, speed_under_law, together
 from cranktrain.questions.evenness.speed_over_cycle import steady_speed
-from cranktrain.questions.forces.loaded import LoadedMachine, MechanismTorques
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
+from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.questions.torque.sources import TorqueSources
 
 EXPECTED = json.loads((Path(__file__).parents[1] / "golden/theory/flywheel_press.json").read_text(encoding="utf-8"))

@@ -11,7 +11,7 @@ from tests.reference_case import GOLDEN
 
 from cranktrain.linkage import Crank
 from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity, crank_link
-from cranktrain.mechanisms.slider_crank.forces import SliderCrankBodies, slider_crank_forces, slider_crank_load
+from cranktrain.mechanisms.slider_crank.forces import SliderCrankLinks, slider_crank_forces, slider_crank_load
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 from cranktrain.numerics import turn_grid
 from cranktrain.questions.forces.pin_load import PinLoad, pin_load, with_rotating_mass
@@ -88,7 +88,7 @@ def by(method, drive, gravity=WEIGHTLESS, piston=NOTHING, force=0.0, angle=PHI):
     motion = slider_crank(angle, GEOMETRY)
     load = slider_crank_load(motion, GEOMETRY, force)
     load = load._replace(rod=ROD_METHODS[method](motion.rod, RIGID, GEOMETRY.rod_length, drive, gravity))
-    bodies = SliderCrankBodies(NOTHING, NOTHING, piston)
+    bodies = SliderCrankLinks(NOTHING, NOTHING, piston)
     return slider_crank_forces(motion, GEOMETRY, bodies, load, Conditions(drive, gravity, (NO_FRICTION,)))
 
 

@@ -14,20 +14,16 @@ from tests.virtual_work import torque_of_work
 from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity, Wrench, added, turned_wrench
 from cranktrain.mechanisms import kind_named
 from cranktrain.mechanisms.articulated_rod.forces import (
-    ArticulatedRodBodies,
+    ArticulatedRodLinks,
     articulated_rod_forces,
     articulated_rod_load,
     on_master_rod,
 )
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
-from cranktrain.mechanisms.crank_rocker.forces import (
-    CrankRockerBodies,
-    crank_rocker_forces,
-    crank_rocker_load,
-    crank_rocker_reduced,
-)
+from cranktrain.mechanisms.crank_rocker.forces import DYNAMICS as CRANK_ROCKER
+from cranktrain.mechanisms.crank_rocker.forces import CrankRockerLinks, crank_rocker_forces, crank_rocker_load
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
-from cranktrain.mechanisms.slider_crank.forces import SliderCrankBodies, slider_crank_forces, slider_crank_load
+from cranktrain.mechanisms.slider_crank.forces import SliderCrankLinks, slider_crank_forces, slider_crank_load
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 
 CLOSE = 1e-12
@@ -59,7 +55,7 @@ def test_slider_crank(name):
     case = ReferenceCase.load(name)
     machine = case.machine
     geometry = SliderCrank(machine["crank_radius_m"], machine["rod_length_m"], machine["offset_m"])
-    bodies = SliderCrankBodies(
+    bodies = SliderCrankLinks(
         Body(machine["crank_mass_kg"], machine["crank_com_x_m"], 0.0, machine["crank_inertia_about_com_kgm2"]),
         Body(machine["rod_mass_kg"], machine["rod_com_from_crankpin_m"], 0.0, machine["rod_inertia_about_com_kgm2"]),
         Body(machine["piston_mass_kg"], 0.0, 0.0, machine["piston_inertia_about_com_kgm2"]),
@@ -94,7 +90,7 @@ def test_crank_rocker(name):
         machine["ground_length_m"],
         1.0,
     )
-    bodies = CrankRockerBodies(
+    bodies = CrankRockerLinks(
         *(
             Body(machine[f"{link}_mass_kg"], *machine[f"{link}_com_m"], machine[f"{link}_inertia_about_com_kgm2"])
             for link in ("crank", "coupler", "rocker")
@@ -105,7 +101,7 @@ def test_crank_rocker(name):
     viscous = machine["rocker_viscous_Nms_per_rad"] * motion.rocker.angle.first * conditions.drive.speed
     load = crank_rocker_load(motion, geometry, machine["rocker_load_torque_Nm"] - viscous)
     forces = crank_rocker_forces(motion, geometry, bodies, load, conditions)
-    inertia = crank_rocker_reduced(motion, geometry, bodies, load, conditions.gravity).inertia
+    inertia = CRANK_ROCKER.reduced(motion, geometry, bodies, load, conditions.gravity).inertia
     by_work = torque_of_work(kind_named("crank_rocker").dynamics, motion, geometry, bodies, load, conditions, forces)
     for torque in (forces.driving_torque, by_work):
         case.compare(
@@ -143,7 +139,7 @@ def test_articulated_pair():
         0.0,
         machine["link_rod_inertia_about_com_kgm2"],
     )
-    bodies = SliderCrankBodies(
+    bodies = SliderCrankLinks(
         Body(machine["crank_mass_kg"], machine["crank_com_x_m"], 0.0, machine["crank_inertia_about_com_kgm2"]),
         Body(machine["master_rod_mass_kg"], *machine["master_rod_com_m"], machine["master_rod_inertia_about_com_kgm2"]),
         piston,
@@ -151,7 +147,7 @@ def test_articulated_pair():
     conditions = steady(machine)
     motion = articulated_rod(case.crank_angle, geometry)
     own = slider_crank(case.crank_angle, master)
-    slave_bodies, slave_load = ArticulatedRodBodies(link, piston), articulated_rod_load(motion, geometry, 0.0)
+    slave_bodies, slave_load = ArticulatedRodLinks(link, piston), articulated_rod_load(motion, geometry, 0.0)
     slave = articulated_rod_forces(motion, geometry, slave_bodies, slave_load, conditions)
     unloaded = slider_crank_load(own, master, 0.0)
     loaded = unloaded._replace(rod=on_master_rod(motion, geometry, slave.joints.knuckle))
@@ -201,7 +197,7 @@ def test_opposed_pistons_on_one_shaft():
             0.0,
             machine[f"{name}_rod_inertia_about_com_kgm2"],
         )
-        bodies = SliderCrankBodies(crank, rod, Body(machine[f"{name}_piston_mass_kg"], 0.0, 0.0, 0.0))
+        bodies = SliderCrankLinks(crank, rod, Body(machine[f"{name}_piston_mass_kg"], 0.0, 0.0, 0.0))
         motion = slider_crank(case.crank_angle + ahead, geometry)
         load = slider_crank_load(motion, geometry, 0.0)
         found[name] = slider_crank_forces(motion, geometry, bodies, load, steady(machine))
@@ -227,7 +223,7 @@ def test_opposed_pistons_on_two_shafts():
     machine = case.machine
     assert machine["same_direction"]
     geometry = SliderCrank(machine["crank_radius_m"], machine["rod_length_m"], 0.0)
-    bodies = SliderCrankBodies(
+    bodies = SliderCrankLinks(
         Body(machine["crank_mass_kg"], *machine["crank_com_m"], machine["crank_inertia_about_com_kgm2"]),
         Body(machine["rod_mass_kg"], machine["rod_com_from_crankpin_m"], 0.0, machine["rod_inertia_about_com_kgm2"]),
         Body(machine["piston_mass_kg"], 0.0, 0.0, machine["piston_inertia_about_com_kgm2"]),

@@ -7,17 +7,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from cranktrain.analysis.grids import on_grid
-from cranktrain.analysis.stages import leading_to, run_stages
-from cranktrain.catalogue import entries
+from cranktrain.analysis.stages import lacking, leading_to, run_stages
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import Parts, Stage
-from cranktrain.layout.speed import Speed
+from cranktrain.layout.speed import Speed, SteadySpeed
 from cranktrain.layout.speed_curve import SpeedCurve, speed_curve
 from cranktrain.motion import Array
 from cranktrain.numerics.periodic import spline_curve
-from cranktrain.questions.evenness.running_speed import RunningSpeed
 
 SpeedWanted: TypeAlias = Literal["constant", "running"] | ArrayLike | SpeedCurve
 """Constant; that of the steady running which the machine's file makes; one's own on the grid; or a curve there is."""
@@ -69,7 +67,7 @@ def _curve(parts: Parts, speed: str | ArrayLike, stages: Sequence[Stage], step: 
             allowed = _('must be "constant", "running" or speeds in rad/s at the crank angles of the grid')
             raise InputError([Problem("speed", speed, allowed)])
         found = _found(parts, stages)
-        speeds, accelerations, mean = found.crank_speed, found.crank_acceleration, found.mean_speed_over_time
+        speeds, accelerations, mean = found.speed, found.acceleration, found.mean
     else:
         speeds = _given(speed, grid)
         accelerations = spline_curve(speeds**2, grid.cycle).slope(grid.shown) / 2
@@ -79,17 +77,16 @@ def _curve(parts: Parts, speed: str | ArrayLike, stages: Sequence[Stage], step: 
     )
 
 
-def _found(parts: Parts, stages: Sequence[Stage]) -> RunningSpeed:
+def _found(parts: Parts, stages: Sequence[Stage]) -> SteadySpeed:
     """Run as far as the running speed, at constant speed."""
-    gifts, missing = run_stages(leading_to(stages, [RunningSpeed]), parts)
-    found = gifts.get(RunningSpeed)
-    if not isinstance(found, RunningSpeed):
-        names = {entry.name for entry in entries(RunningSpeed)}
-        needs = [need for one in missing if names & set(one.results) for need in one.needs]
+    needed = leading_to(stages, [SteadySpeed])
+    found = run_stages(needed, parts)[0].get(SteadySpeed)
+    if not isinstance(found, SteadySpeed):
+        needs = lacking(needed, parts)[SteadySpeed]
         allowed = _("needs {needs} in the file").format(needs=", ".join(needs))
         raise InputError([Problem("speed", "running", allowed)])
-    if np.all(np.isnan(found.crank_speed)):
-        reasons = " ".join(found.flags) or _("The speed over the cycle is not known all round.")
+    if np.all(np.isnan(found.speed)):
+        reasons = " ".join(found.reasons) or _("The speed over the cycle is not known all round.")
         raise InputError([Problem("speed", "running", reasons)])
     return found
 

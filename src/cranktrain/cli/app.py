@@ -1,22 +1,14 @@
 """What may be typed: the commands with their arguments, options and help. A command is done when Typer has returned."""
 
-from collections.abc import Callable, Sequence
-from functools import partial, wraps
-from typing import Annotated, ParamSpec, cast
+from collections.abc import Sequence
+from typing import Annotated
 
 import typer
 
 from cranktrain import __version__
-from cranktrain.errors import InputError, Position, Problem
+from cranktrain.cli.options import File, Force, Output, Partial, RunningSpeed, Settings, SpeedCurve, degrees
+from cranktrain.cli.task import Task, put_off, task_of
 from cranktrain.language import _
-
-Task = Callable[[], None]
-_Given = ParamSpec("_Given")
-
-_TYPER_STOPPED = 130
-"""What newer versions of Typer make of Ctrl-C; older ones raise Abort."""
-
-_USAGE_ERROR = cast("type[Exception]", typer.BadParameter.__mro__[1])  # has no public name in every Typer
 
 # Typer's own handlers would swallow Ctrl-C and closed pipes, so that nothing runs before it has returned; its Rich help
 # costs as much time as a run.
@@ -29,104 +21,14 @@ _app = typer.Typer(
 
 
 def task(arguments: Sequence[str]) -> Task:
-    """Read a command line.
-
-    Parameters
-    ----------
-    arguments : sequence of str
-        What was typed after the program's name; nothing asks for help.
-
-    Returns
-    -------
-    Task
-        What is to be done.
-
-    Raises
-    ------
-    InputError
-        If the command line is not right.
-    KeyboardInterrupt
-    """
-    try:
-        given: object = _app(list(arguments) or ["--help"], prog_name="cranktrain", standalone_mode=False)
-    except _USAGE_ERROR as error:
-        raise InputError([_usage_problem(error)]) from None
-    except typer.Abort:
-        raise KeyboardInterrupt from None
-    if given == _TYPER_STOPPED:
-        raise KeyboardInterrupt
-    return cast("Task", given) if callable(given) else _nothing
-
-
-def _put_off(command: Callable[_Given, None]) -> Callable[_Given, Task]:
-    """Let Typer read what a command is given, and do the command when Typer has returned.
-
-    Python takes room for its stack of calls in pieces. Where a piece is just full, each further call has the system map
-    a new one and unmap it; what a command imports comes to lie there, below the calls of Typer, and NumPy with it.
-    """
-
-    @wraps(command)
-    def read(*given: _Given.args, **named: _Given.kwargs) -> Task:
-        return partial(command, *given, **named)
-
-    return read
-
-
-def _nothing() -> None:
-    """What is left to do after help or version."""
-
-
-def _usage_problem(error: Exception) -> Problem:
-    """Say in our words what is wrong with a command line."""
-    context = getattr(error, "ctx", None)
-    command = context.command_path if context is not None else "cranktrain"
-    message = getattr(error, "format_message", error.__str__)().strip().rstrip(".")
-    message = message[:1].lower() + message[1:]
-    return Problem("", None, message, _("see `{command} --help`").format(command=command), Position(command))
-
-
-def _degrees(text: str | float) -> float:
-    """Read a number of degrees."""
-    try:
-        return float(text)
-    except ValueError:
-        said = _("{text} must be a number of degrees, such as 0.5").format(text=text)
-        raise typer.BadParameter(said) from None
+    """What a command line asks for; errors of usage are `InputError`."""
+    return task_of(_app, arguments, "cranktrain")
 
 
 def _version(asked: bool) -> None:
     if asked:
         typer.echo(f"cranktrain {__version__}")
         raise typer.Exit
-
-
-_File = Annotated[
-    str, typer.Argument(metavar="FILE", help=_("A machine file, or the name of an example."), show_default=False)
-]
-_Output = Annotated[str | None, typer.Option("-o", "--output", metavar="FILE", help=_("Write to this file."))]
-_Force = Annotated[bool, typer.Option("--force", help=_("Replace a file that is there."))]
-_Settings = Annotated[
-    list[str] | None,
-    typer.Option("--set", metavar="PATH=VALUE", help=_("Another value for this run; as often as needed.")),
-]
-_Partial = Annotated[bool, typer.Option("--partial", help=_("Accept links that do not close all round: NaN there."))]
-
-_RunningSpeed = Annotated[
-    bool,
-    typer.Option(
-        "--running-speed", help=_("All at the speed of steady running that [evenness] gives, not a constant one.")
-    ),
-]
-
-
-_SpeedCurve = Annotated[
-    str | None,
-    typer.Option(
-        "--speed-curve",
-        metavar="FILE",
-        help=_("All at the speed over the crank angle that this file of two columns has."),
-    ),
-]
 
 
 @_app.callback(
@@ -157,7 +59,7 @@ def _cranktrain(
         "  cranktrain list results | grep dead_centre"
     ),
 )
-@_put_off
+@put_off
 def _list(
     what: Annotated[str, typer.Argument(metavar="[examples|kinds|results]", show_default=False)] = "examples",
 ) -> None:
@@ -176,11 +78,11 @@ def _list(
         "  cranktrain new crank_rocker -o mine.toml"
     ),
 )
-@_put_off
+@put_off
 def _new(
     kind: Annotated[str, typer.Argument(metavar="KIND", show_default=False)],
-    output: _Output = None,
-    force: _Force = False,
+    output: Output = None,
+    force: Force = False,
 ) -> None:
     from cranktrain.cli.start import write_new
 
@@ -196,8 +98,8 @@ def _new(
         "  cranktrain check r-1340"
     ),
 )
-@_put_off
-def _check(file: _File) -> None:
+@put_off
+def _check(file: File) -> None:
     from cranktrain.cli.check import show_check
 
     show_check(file)
@@ -215,9 +117,9 @@ def _check(file: _File) -> None:
         "  cranktrain run 3d12 --running-speed"
     ),
 )
-@_put_off
+@put_off
 def _run(
-    file: _File,
+    file: File,
     output: Annotated[
         str | None,
         typer.Option(
@@ -227,21 +129,21 @@ def _run(
             help=_("Write curves to .csv, or all results to .json; by each method only if named."),
         ),
     ] = None,
-    settings: _Settings = None,
+    settings: Settings = None,
     quantities: Annotated[
         str | None,
         typer.Option(metavar="A,B,…", help=_("Only these results; `cranktrain list results` names all.")),
     ] = None,
     step: Annotated[
-        float, typer.Option(metavar="DEGREES", parser=_degrees, help=_("Of the crank angle, in curves."))
+        float, typer.Option(metavar="DEGREES", parser=degrees, help=_("Of the crank angle, in curves."))
     ] = 1.0,
-    running_speed: _RunningSpeed = False,
-    speed_curve: _SpeedCurve = None,
-    partial_turn: _Partial = False,
+    running_speed: RunningSpeed = False,
+    speed_curve: SpeedCurve = None,
+    partial_turn: Partial = False,
     inputs: Annotated[
         bool, typer.Option("--inputs", help=_("Show every number of the file and where it is from."))
     ] = False,
-    force: _Force = False,
+    force: Force = False,
 ) -> None:
     from cranktrain.cli.run import Request, show_run
 
@@ -274,9 +176,9 @@ def _run(
         "  cranktrain plot pumping_unit_c57 -o unit.gif"
     ),
 )
-@_put_off
+@put_off
 def _plot(
-    file: _File,
+    file: File,
     output: Annotated[
         str | None,
         typer.Option(
@@ -316,11 +218,11 @@ def _plot(
         typer.Option(metavar="NAME", help=_("Which one a plan, the sheet of forces or a .dxf is of, such as 1R.")),
     ] = None,
     size: Annotated[str | None, typer.Option(metavar="A4|A3", help=_("Of the paper; A4 unless given."))] = None,
-    running_speed: _RunningSpeed = False,
-    speed_curve: _SpeedCurve = None,
-    settings: _Settings = None,
-    partial_turn: _Partial = False,
-    force: _Force = False,
+    running_speed: RunningSpeed = False,
+    speed_curve: SpeedCurve = None,
+    settings: Settings = None,
+    partial_turn: Partial = False,
+    force: Force = False,
 ) -> None:
     from cranktrain.cli.plot import Request, write_picture
 
@@ -367,7 +269,7 @@ def _synthesise(context: typer.Context) -> Task:
         "  cranktrain textbook errata"
     ),
 )
-@_put_off
+@put_off
 def _textbook(
     file: Annotated[
         str,
@@ -377,7 +279,7 @@ def _textbook(
             show_default=False,
         ),
     ] = "",
-    settings: _Settings = None,
+    settings: Settings = None,
     table: Annotated[
         bool, typer.Option("--table", help=_("Show the motion by each method, too, in steps of 30°."))
     ] = False,
@@ -395,7 +297,7 @@ def _textbook(
     step: Annotated[
         float | None,
         typer.Option(
-            metavar="10|15|30", parser=_degrees, help=_("Degrees between the rows of forces; 30 unless given.")
+            metavar="10|15|30", parser=degrees, help=_("Degrees between the rows of forces; 30 unless given.")
         ),
     ] = None,
     piston: Annotated[
@@ -444,8 +346,8 @@ def _textbook(
         "  cranktrain schema -o cranktrain.schema.json"
     ),
 )
-@_put_off
-def _schema(output: _Output = None, force: _Force = False) -> None:
+@put_off
+def _schema(output: Output = None, force: Force = False) -> None:
     from cranktrain.cli.start import write_schema
 
     write_schema(output, force=force)

@@ -3,7 +3,8 @@
 from cranktrain.errors import InputError
 from cranktrain.io.output import write_whole
 from cranktrain.language import _
-from cranktrain.mechanisms import KINDS, Kind
+from cranktrain.mechanisms import KINDS
+from cranktrain.mechanisms.kind import AnyKind
 from cranktrain.quantities import unlisted
 
 _SCHEMA_FILE = "cranktrain.schema.json"
@@ -44,7 +45,7 @@ def write_schema(output: str | None, *, force: bool) -> None:
     write_whole(output or "-", schema_text(), force=force)
 
 
-def starting_file(kind: Kind) -> str:
+def starting_file(kind: AnyKind) -> str:
     """Give a machine file with one mechanism of a kind, commented, that works as it is."""
     head = _HEAD.format(schema=_SCHEMA_FILE, title=_(kind.title))
     if kind.output != "slider" or not (kind.has_chambers or "[bank." in kind.example):
@@ -53,7 +54,7 @@ def starting_file(kind: Kind) -> str:
     return f"{head}\n{kind.example}{_CYLINDER.format(order=order)}"
 
 
-def _kind_called(name: str) -> Kind:
+def _kind_called(name: str) -> AnyKind:
     """Find the kind of that name; capitals do not matter, nor `-` for `_`."""
     plain = name.casefold().replace("-", "_")
     found = next((kind for kind in KINDS if kind.name == plain), None)

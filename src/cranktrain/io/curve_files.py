@@ -4,11 +4,14 @@ import codecs
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import NamedTuple, cast
+from typing import cast
 
+from cranktrain.all_questions import QUESTIONS
 from cranktrain.errors import InputError, Problem
 from cranktrain.io.files import Wanted, content_of, refusal
-from cranktrain.language import N_, _
+from cranktrain.language import _
+from cranktrain.layout.parts import FILES
+from cranktrain.layout.question import TableFile
 
 LARGEST_FILE = 16 * 2**20
 """Bytes; a cycle in steps of 0.1° has some 200 000."""
@@ -16,19 +19,7 @@ LARGEST_FILE = 16 * 2**20
 _WIDE = {codecs.BOM_UTF16_LE: "utf-16", codecs.BOM_UTF16_BE: "utf-16"}
 
 
-class CurveFile(NamedTuple):
-    """A table of the machine file that names a file: its path, its `kind` where only one has a file, what this is."""
-
-    table: tuple[str, ...]
-    kind: str | None
-    noun: str
-
-
-CURVE_FILES = (
-    CurveFile(("gas",), "indicator", N_("an indicator diagram")),
-    CurveFile(("evenness", "load_curve"), None, N_("a load curve")),
-    CurveFile(("shaft", "main", "speed_curve"), None, N_("a speed curve")),
-)
+CURVE_FILES = (*(file for question in QUESTIONS for file in question.files), *FILES)
 
 
 def curve_text(path: Path, name: str, noun: str) -> str:
@@ -40,7 +31,7 @@ def curve_text(path: Path, name: str, noun: str) -> str:
     name : str
         As shown in messages.
     noun : str
-        What it should be, as `CurveFile` says it.
+        What it should be, as `TableFile` says it.
 
     Returns
     -------
@@ -96,7 +87,7 @@ def with_curves(data: Mapping[str, object], folder: Path) -> tuple[dict[str, obj
     return filled, tuple(found)
 
 
-def _filled(data: Mapping[str, object], below: tuple[str, ...], curve: CurveFile, folder: Path) -> dict[str, object]:
+def _filled(data: Mapping[str, object], below: tuple[str, ...], curve: TableFile, folder: Path) -> dict[str, object]:
     """Put the text of one file into its table, so many tables below this one."""
     inner = data.get(below[0]) if below else None
     if below:

@@ -12,7 +12,7 @@ from cranktrain.io.document import Document
 from cranktrain.io.examples import EXAMPLES_FOLDER, example_called, example_document, example_near
 from cranktrain.language import _
 from cranktrain.machine import Machine, machine_problems
-from cranktrain.mechanisms.kind import LISTS
+from cranktrain.mechanisms.spec import LISTS
 from cranktrain.paths import PathParts, path_text, quantity_path
 from cranktrain.quantities import Given
 from cranktrain.record import record

@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.layout.mechanisms import Group, Mechanisms
-from cranktrain.mechanisms.kind import leaves, rows
+from cranktrain.mechanisms.geometry import rows
 from cranktrain.motion import Array
+from cranktrain.numerics.nested import leaves
 from cranktrain.record import record
 
 

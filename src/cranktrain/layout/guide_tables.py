@@ -8,7 +8,7 @@ from cranktrain.language import _
 from cranktrain.layout.bodies import GuideSpec
 from cranktrain.layout.part_tables import nearest_item, part_name, table_paths
 from cranktrain.layout.places import Place
-from cranktrain.mechanisms.kind import Dynamics
+from cranktrain.mechanisms.dynamics import AnyDynamics
 from cranktrain.motion import ZERO, Array, single
 
 _TABLE = "guide"
@@ -42,7 +42,7 @@ def edges_of(place: Place, sliding: str, guides: Guides) -> Edges:
     )
 
 
-def bearing_moments(dynamics: Dynamics) -> tuple[str, ...]:
+def bearing_moments(dynamics: AnyDynamics) -> tuple[str, ...]:
     """What slides in a guide that bears moments; a block does not turn against its slot."""
     return tuple(
         name for name, contact in zip(dynamics.sliding, dynamics.contacts, strict=True) if contact.bears_moment

@@ -14,7 +14,7 @@ from cranktrain.layout.guide_tables import Edges, edges_of
 from cranktrain.layout.part_tables import PISTON, SLIDER, nearest_item, part_name, table_paths
 from cranktrain.layout.places import Place
 from cranktrain.linkage.forces import Body, Gravity
-from cranktrain.mechanisms.kind import stacked
+from cranktrain.mechanisms.geometry import stacked
 from cranktrain.motion import Array, single
 from cranktrain.quantities import Given
 from cranktrain.record import record

@@ -1,27 +1,29 @@
 """A machine's mechanisms as SI arrays with a leading design axis."""
 
 from collections.abc import Callable, Sequence
-from typing import Any, ClassVar, TypeVar, cast
+from typing import ClassVar, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.layout.places import Place
 from cranktrain.linkage import in_blocks
-from cranktrain.mechanisms.kind import Kind, Members, rows, stacked
+from cranktrain.mechanisms.geometry import rows, stacked
+from cranktrain.mechanisms.kind import AnyGeometry, AnyKind, AnyMotion, Members
 from cranktrain.motion import Array
+from cranktrain.numerics.nested import remade
 from cranktrain.record import record
 
-Outcome = TypeVar("Outcome", bound=tuple[Any, ...])
+Outcome = TypeVar("Outcome", bound=tuple[Array, ...])
 
 
 @record
 class Group:
     """Mechanisms of one kind among those of a `Mechanisms`: which of its places they take."""
 
-    kind: Kind
+    kind: AnyKind
     index: NDArray[np.intp]
-    members: Members
+    members: Members[AnyGeometry]
 
 
 @record
@@ -53,7 +55,7 @@ class Mechanisms:
         own = {group.kind.name: group.members.names for group in self.groups if group.kind.stages}
         return {self.dimension: self.names} | (own if self.dimension == Mechanisms.dimension else {})
 
-    def marked(self, is_so: Callable[[Kind], bool]) -> NDArray[np.bool_]:
+    def marked(self, is_so: Callable[[AnyKind], bool]) -> NDArray[np.bool_]:
         """Whether something is so of each mechanism's kind, shape (mechanism,)."""
         found = np.zeros(len(self.names), dtype=np.bool_)
         for group in self.groups:
@@ -65,7 +67,7 @@ class Mechanisms:
         """Whether each mechanism's output hangs on a rod, shape (mechanism,)."""
         return self.marked(lambda kind: kind.has_rod)
 
-    def evaluated(self, pick: Callable[[Any], Outcome], angle: Array) -> Outcome:
+    def evaluated(self, pick: Callable[[AnyMotion], Outcome], angle: Array) -> Outcome:
         """Evaluate every mechanism's kernel and pick arrays from its motion.
 
         Parameters
@@ -78,7 +80,7 @@ class Mechanisms:
         -------
         NamedTuple of arrays, shape (design, mechanism, n)
         """
-        picked: list[tuple[Group, Any]] = []
+        picked: list[tuple[Group, Outcome]] = []
         for group in self.groups:
             own = angle[:, group.index, :] if angle.ndim == 3 and angle.shape[1] > 1 else angle
             picked.append(
@@ -92,9 +94,9 @@ class Mechanisms:
             for group, values in picked:
                 column[:, group.index, :] = values[part]
             columns.append(column)
-        return cast(Outcome, type(first)(*columns))
+        return remade(first, columns)
 
-    def alone(self, design: int, mechanism: int, angle: Array) -> Any:
+    def alone(self, design: int, mechanism: int, angle: Array) -> AnyMotion:
         """Motion of one mechanism of one design at φ [rad], shape (n,): parts of shape (1, n)."""
         for group in self.groups:
             member = np.flatnonzero(group.index == mechanism)

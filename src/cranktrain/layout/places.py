@@ -1,15 +1,16 @@
 """Places: every mechanism of a machine, by name, with its axis, its throw and its geometry."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
 from cranktrain.layout.gearing import first_axis, opposed_angle, shaft_phases
 from cranktrain.layout.leads import lead_problems
 from cranktrain.layout.specs import BankSpec, ShaftSpec
-from cranktrain.mechanisms import Kind, MechanismSpec, kind_of
-from cranktrain.mechanisms.kind import Master, mirrored
+from cranktrain.mechanisms import MechanismSpec, kind_of
+from cranktrain.mechanisms.geometry import mirrored
+from cranktrain.mechanisms.kind import AnyGeometry, AnyKind
+from cranktrain.mechanisms.spec import Master
 from cranktrain.record import record
 
 
@@ -59,9 +60,9 @@ class Place:
     axis: float
     throw_angle: float
     phase: float
-    kind: Kind
+    kind: AnyKind
     spec: MechanismSpec
-    geometry: Any
+    geometry: AnyGeometry
     path: str
     lists: Mapping[str, str]
 

@@ -11,7 +11,7 @@ from cranktrain.layout.bodies import BodySpec, GuideSpec
 from cranktrain.layout.ends import ENDS
 from cranktrain.layout.speed_table import SpeedCurveSpec
 from cranktrain.mechanisms import AnyMechanism, MechanismSpec
-from cranktrain.mechanisms.kind import LISTS
+from cranktrain.mechanisms.spec import LISTS
 from cranktrain.quantities import (
     Angle,
     AngularAcceleration,

@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.language import N_
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.linkage.forces import Drive
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Coefficient
 from cranktrain.record import record
 
 
@@ -38,6 +38,26 @@ class Speed:
         return Drive(self.value, np.zeros_like(self.value)) if self.curve is None else self.curve.drive(angle)
 
 
-def accelerations(first: Array, second: Array, drive: Drive) -> Array:
-    """Accelerations q″ω² + q′ε of what goes with the crank by q′ and q″."""
-    return second * drive.speed**2 + first * drive.acceleration
+@record
+class SteadySpeed:
+    """Speed over the cycle that a machine runs at by itself: what a second run may be at.
+
+    Attributes
+    ----------
+    speed, acceleration : Array, shape (design, n)
+        NaN where there is none. [rad/s, rad/s²]
+    mean : Array, shape (design,)
+        Of the speed over time. [rad/s]
+    reasons : tuple of str
+        Why there is none.
+    """
+
+    speed: Array
+    acceleration: Array
+    mean: Array
+    reasons: tuple[str, ...]
+
+
+def rates(place: Coefficient, drive: Drive) -> tuple[Array, Array]:
+    """Velocity q′ω and acceleration q″ω² + q′ε of what goes with the crank by q′ and q″."""
+    return place.first * drive.speed, place.second * drive.speed**2 + place.first * drive.acceleration

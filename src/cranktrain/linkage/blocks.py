@@ -1,14 +1,15 @@
 """Long sweeps on NumPy: a kernel evaluated block by block, so that what it computes on the way stays in the cache."""
 
 from collections.abc import Callable
-from typing import Any, TypeVar, cast
+from typing import TypeVar
 
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.numerics.nested import filled, leaves
 
 Geometry = TypeVar("Geometry")
-Motion = TypeVar("Motion", bound=tuple[Any, ...])
+Motion = TypeVar("Motion", bound=tuple[object, ...])
 
 BLOCK = 4096
 """Numbers of an array in one block; some eighty of these fit the cache of a processor core."""
@@ -44,19 +45,9 @@ def in_blocks(kernel: Callable[[Array, Geometry], Motion], angle: Array, geometr
         values = _arrays(motion)
         for place in distinct:
             rows[place][..., block] = values[place]
-    return cast(Motion, _with_arrays(motion, iter(rows)))
+    return filled(motion, iter(rows))
 
 
-def _arrays(motion: tuple[Any, ...]) -> list[Array]:
+def _arrays(motion: tuple[object, ...]) -> list[Array]:
     """List all arrays of a motion, in order."""
-    return [
-        array
-        for part in motion
-        for array in (_arrays(cast(tuple[Any, ...], part)) if isinstance(part, tuple) else [np.atleast_1d(part)])
-    ]
-
-
-def _with_arrays(motion: Any, arrays: Any) -> Any:
-    """Put other arrays into a motion, in order."""
-    parts = [_with_arrays(part, arrays) if isinstance(part, tuple) else next(arrays) for part in motion]
-    return type(motion)(*parts) if hasattr(motion, "_fields") else tuple(parts)
+    return [np.atleast_1d(part) for part in leaves(motion)]

@@ -16,11 +16,12 @@ from cranktrain.mechanisms import (
     stephenson,
     walschaerts,
 )
-from cranktrain.mechanisms.kind import Kind, MechanismSpec
+from cranktrain.mechanisms.kind import AnyKind, Kind
+from cranktrain.mechanisms.spec import MechanismSpec
 
 __all__ = ["KINDS", "AnyMechanism", "Kind", "MechanismSpec", "kind_named", "kind_of"]
 
-KINDS: tuple[Kind, ...] = (
+KINDS: tuple[AnyKind, ...] = (
     slider_crank.KIND,
     crank_rocker.KIND,
     articulated_rod.KIND,
@@ -48,12 +49,12 @@ AnyMechanism = Annotated[
 ]
 
 
-def kind_named(name: str) -> Kind:
+def kind_named(name: str) -> AnyKind:
     """Give the kind of that name."""
     return next(kind for kind in KINDS if kind.name == name)
 
 
-def kind_of(spec: MechanismSpec) -> Kind:
+def kind_of(spec: MechanismSpec) -> AnyKind:
     """Give the kind of a mechanism; where the file composes it, a kind of its own."""
     kind = kind_named(spec.kind)
     return kind if kind.composed is None else kind.composed(spec)

@@ -2,14 +2,16 @@
 
 from collections.abc import Sequence
 from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.mechanisms.kind import Kind, leaves, named_part, rows, scaled
+from cranktrain.mechanisms.geometry import Geometry, named_part, rows
+from cranktrain.mechanisms.kind import Kind, Motion, Openings
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme, bracketed_roots, near_roots, smallest, turn_grid
+from cranktrain.numerics.nested import leaves, mapped
 
 _GRID, _SCAN_GRID, _COARSE_GRID = turn_grid(360), turn_grid(72), turn_grid(24)
 _CHANGES = 10.0 ** np.linspace(-7, 3, 21)
@@ -32,18 +34,6 @@ class ClosingMargin(NamedTuple):
     angle: Array
 
 
-class Openings(NamedTuple):
-    """Changes of one length that open the links of some mechanisms, with the least of each mechanism; one axis.
-
-    row: which mechanism, length: index of the length, change: relative [1], angle: of the mechanism's crank [rad].
-    """
-
-    row: NDArray[np.intp]
-    length: NDArray[np.intp]
-    change: Array
-    angle: Array
-
-
 class Way(NamedTuple):
     """Which length is changed, and whether it is made longer, +1, or shorter, −1; arrays that broadcast."""
 
@@ -51,7 +41,7 @@ class Way(NamedTuple):
     sign: Array
 
 
-def closing_margin(kind: Kind, geometry: Any) -> ClosingMargin:
+def closing_margin(kind: Kind[Motion, Geometry], geometry: Geometry) -> ClosingMargin:
     """Find, for each length and both ways of changing it, the least change at which the links part.
 
     Parameters
@@ -86,7 +76,7 @@ def closing_margin(kind: Kind, geometry: Any) -> ClosingMargin:
     return ClosingMargin(margin.reshape(shape), length.reshape(shape), angle.reshape(shape))
 
 
-def _of_longest(kind: Kind, geometry: Any, least: Extreme) -> ClosingMargin:
+def _of_longest(kind: Kind[Motion, Geometry], geometry: Geometry, least: Extreme) -> ClosingMargin:
     """Margin where every length takes as much of the gap as it changes: that of the longest."""
     lengths = np.abs(np.stack([named_part(geometry, name) for name in kind.lengths]))
     closes = least.value > _ROUNDING * np.sum(lengths, axis=0)
@@ -97,7 +87,7 @@ def _of_longest(kind: Kind, geometry: Any, least: Extreme) -> ClosingMargin:
     )
 
 
-def _openings(kind: Kind, geometry: Any) -> Openings:
+def _openings(kind: Kind[Motion, Geometry], geometry: Geometry) -> Openings:
     """Roots of the least gap over a turn, for the ways that open the links soonest."""
     found = _first_openings(kind, geometry)
     way, low, high = found.way, found.low, found.high
@@ -131,12 +121,12 @@ class _Bracket(NamedTuple):
     gap_high: Array
 
 
-def _first_openings(kind: Kind, geometry: Any) -> _Bracket:
+def _first_openings(kind: Kind[Motion, Geometry], geometry: Geometry) -> _Bracket:
     """Scan coarsely for the ways that open the links soonest."""
     n_lengths, n_rows = len(kind.lengths), len(leaves(geometry)[0])
     ways = Way(np.repeat(np.arange(n_lengths), 2), np.tile([-1.0, 1.0], n_lengths))
 
-    def tried(change: Array) -> Any:
+    def tried(change: Array) -> Geometry:
         """Every way of changing every mechanism: from (trial, row) to (way, trial, row, 1)."""
         column = Way(ways.length.reshape(-1, 1, 1, 1), ways.sign.reshape(-1, 1, 1, 1))
         return changed(kind.lengths, geometry, column, change[..., np.newaxis])
@@ -157,7 +147,7 @@ def _first_openings(kind: Kind, geometry: Any) -> _Bracket:
     )
 
 
-def changed(lengths: Sequence[str], geometry: Any, way: Way, change: Array) -> Any:
+def changed(lengths: Sequence[str], geometry: Geometry, way: Way, change: Array) -> Geometry:
     """Change one length of each mechanism, another in each where `way` says so; none becomes less than nothing.
 
     Parameters
@@ -170,17 +160,20 @@ def changed(lengths: Sequence[str], geometry: Any, way: Way, change: Array) -> A
         Relative change, not negative; broadcastable with geometry and way. [1]
     """
     factor = np.maximum(1 + way.sign * change, 0.0)
-    for index, name in enumerate(lengths):
-        geometry = scaled(geometry, name, np.where(way.length == index, factor, 1.0))
-    return geometry
+    places = {name: place for place, name in enumerate(lengths)}
+
+    def scaled(name: str, value: Array) -> Array:
+        return value * np.where(way.length == places[name], factor, 1.0) if name in places else value
+
+    return mapped(scaled, geometry)
 
 
-def _least_gap(kind: Kind, geometry: Any, grid: Array = _GRID) -> Extreme:
+def _least_gap(kind: Kind[Motion, Geometry], geometry: Geometry, grid: Array = _GRID) -> Extreme:
     """By how much the links close where they do so least, over a turn."""
     return smallest(lambda phi: kind.gap(phi, geometry), grid=grid)
 
 
-def _rounding(kind: Kind, geometry: Any) -> Array:
+def _rounding(kind: Kind[Motion, Geometry], geometry: Geometry) -> Array:
     """Gap that may be rounding. [m]"""
     total = np.sum([np.abs(named_part(geometry, name)) for name in kind.lengths], axis=0)
     return _ROUNDING * total
@@ -194,7 +187,7 @@ class OpenRange(NamedTuple):
     short: float
 
 
-def open_ranges(kind: Kind, geometry: Any) -> tuple[OpenRange, ...]:
+def open_ranges(kind: Kind[Motion, Geometry], geometry: Geometry) -> tuple[OpenRange, ...]:
     """Give the angles of the mechanism's crank over which one mechanism cannot close, with edges to rounding.
 
     Parameters

@@ -5,15 +5,16 @@ from functools import cache
 from typing import Any, TypeAlias, cast
 
 from cranktrain.linkage import compiled
-from cranktrain.linkage.forces import Gravity, Reduced
-from cranktrain.mechanisms.kind import Kind
-from cranktrain.motion import Array
+from cranktrain.linkage.forces import Gravity, Reduced, reduced_of
+from cranktrain.mechanisms.geometry import Geometry
+from cranktrain.mechanisms.kind import Kind, Motion
+from cranktrain.motion import Array, Link
 
-Equation: TypeAlias = Callable[[Array, Any, Any, Array, Gravity], Reduced]
+Equation: TypeAlias = Callable[[Array, Geometry, Any, Array, Gravity], Reduced]
 """From crank angle, geometry, bodies, load on the output and gravity to reduced inertia, its derivative and torque."""
 
 
-def equation_of_motion(kind: Kind) -> Equation:
+def equation_of_motion(kind: Kind[Motion, Geometry]) -> Equation[Geometry]:
     """Give a kind's equation of motion.
 
     Parameters
@@ -26,11 +27,11 @@ def equation_of_motion(kind: Kind) -> Equation:
         J, J′ and Q of M = Jε + ½J′ω² − Q at crank angles of shape (..., n); load is a force along the output slider's
         coordinate or a torque on the output link. Without friction. docs/theory/forces, eq. (13.7).
     """
-    return cast(Equation, _joined(kind.motion, kind.dynamics.load, kind.dynamics.reduced))
+    return _joined(kind.motion, kind.dynamics.load, kind.dynamics.links, reduced_of)
 
 
 @cache
-def compiled_equation(kind: Kind) -> Equation:
+def compiled_equation(kind: Kind[Motion, Geometry]) -> Equation[Geometry]:
     """Give a kind's equation of motion under Numba, for numbers; every kind but a chain has one.
 
     Parameters
@@ -45,13 +46,18 @@ def compiled_equation(kind: Kind) -> Equation:
     import numba
 
     own = kind.dynamics
-    joined = _joined(compiled(kind.motion), compiled(own.load), compiled(own.reduced))
-    return cast(Equation, numba.njit(error_model="numpy")(joined))
+    joined = _joined(compiled(kind.motion), compiled(own.load), compiled(own.links), compiled(reduced_of))
+    return cast(Equation[Geometry], numba.njit(error_model="numpy")(joined))
 
 
-def _joined(motion_at: Any, load_of: Any, reduced_by: Any) -> Any:
-    def at(angle: Any, geometry: Any, bodies: Any, load: Any, gravity: Any) -> Any:
+def _joined(
+    motion_at: Callable[[Array, Geometry], Motion],
+    load_of: Callable[[Motion, Geometry, Array], Any],
+    links_of: Callable[[Motion, Geometry], tuple[Link, ...]],
+    reduced_by: Callable[[tuple[Link, ...], Any, Any, Gravity], Reduced],
+) -> Equation[Geometry]:
+    def at(angle: Array, geometry: Geometry, bodies: Any, load: Array, gravity: Gravity) -> Reduced:
         motion = motion_at(angle, geometry)
-        return reduced_by(motion, geometry, bodies, load_of(motion, geometry, load), gravity)
+        return reduced_by(links_of(motion, geometry), bodies, load_of(motion, geometry, load), gravity)
 
     return at

@@ -1,246 +1,24 @@
 """What every kind of mechanism gives: its spec, geometry, kernel, drawing, and the lengths that let it close."""
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
-from functools import reduce
-from typing import Any, ClassVar, Literal, NamedTuple, TypeVar, cast
+from collections.abc import Callable
+from typing import Any, Generic, Literal, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.motion import Array, Coefficient, Link, Point
+from cranktrain.mechanisms.drawing import Drawing
+from cranktrain.mechanisms.dynamics import Dynamics
+from cranktrain.mechanisms.geometry import Geometry
+from cranktrain.mechanisms.spec import Master, MechanismSpec
+from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
-from cranktrain.quantities import Length
 from cranktrain.record import record
-from cranktrain.spec import Spec
 
-LISTS = frozenset({"part"})
-"""Fields of a mechanism that are lists by themselves, and not one value for each angle of a bank."""
-
-Geometry = TypeVar("Geometry", bound=tuple[Any, ...])
-
-_MIRRORED = frozenset(
-    {
-        *("offset", "shift", "y", "articulation_angle", "bank_angle", "slot_angle", "direction", "ahead", "side"),
-        *("across", "moment"),
-    }
-)
-"""What changes sign when the mechanism's y is mirrored: what counts toward +y or in the sense of rotation."""
-
-
-class LinkPointSpec(Spec, frozen=True):
-    """A point fixed on a link, to be followed: `link`, how far `along` it from its first pin, how far `across`."""
-
-    link: str
-    along: Length
-    across: Length
-
-
-class MechanismSpec(Spec, frozen=True):
-    """What every mechanism of a machine file may declare."""
-
-    kind: str
-    points: Mapping[str, LinkPointSpec] = {}
-
-    master_field: ClassVar[str | None] = None
-    """Field that names the bank whose slider-crank, on the same throw, this mechanism hangs on."""
-
-    @property
-    def rod_field(self) -> str:
-        """Name of the field that says how long the rod is: what to change where links cannot close."""
-        return "rod_length"
-
-
-class Master(NamedTuple):
-    """What a slave mechanism hangs on: the master's geometry, and the slave's axis ahead of the master's. [rad]"""
-
-    geometry: Any
-    bank_angle: float
-
-
-class DrawnLink(NamedTuple):
-    """A link to draw: its name and the names of its pins, in order."""
-
-    name: str
-    pins: tuple[str, ...]
-
-
-class Guide(NamedTuple):
-    """A straight guide to draw: the pin that slides in it, and the guide's direction from x. [rad]"""
-
-    pin: str
-    direction: Array
-
-
-class Block(NamedTuple):
-    """A sliding contact: a pin that slides along a link, and that link's pins; one pin of a link that never turns."""
-
-    pin: str
-    link: tuple[str, ...]
+Motion = TypeVar("Motion", bound=tuple[object, ...])
 
 
 @record
-class Drawing:
-    """A mechanism to draw: how its pins move, in its own axes, and what joins them.
-
-    Attributes
-    ----------
-    pins : mapping of name to Point
-        Coefficients of shape (..., n); a point that stands still may have (..., 1) or none. [m, m/rad, m/rad²]
-    links : sequence of DrawnLink
-        The crank first; every link after those that hold its first pin.
-    guides : sequence of Guide
-        The output's first.
-    fixed : sequence of str
-        Pins that stand still.
-    paths : sequence of str
-        Pins whose path is worth drawing.
-    blocks : sequence of Block
-    ends : sequence of str
-        Pins that only show how far a link reaches, where no length of the geometry says it: no plan speaks of them.
-    """
-
-    pins: Mapping[str, Point]
-    links: Sequence[DrawnLink]
-    guides: Sequence[Guide]
-    fixed: Sequence[str]
-    paths: Sequence[str]
-    blocks: Sequence[Block] = ()
-    ends: Sequence[str] = ()
-
-    @property
-    def positions(self) -> dict[str, Array]:
-        """Where the pins are, by name: x and y, shape (2, ..., n), of all pins alike."""
-        shape = np.broadcast_shapes(*(np.shape(part.value) for pin in self.pins.values() for part in pin))
-        return {name: np.stack([np.broadcast_to(part.value, shape) for part in pin]) for name, pin in self.pins.items()}
-
-    def scaled(self, factor: float) -> "Drawing":
-        """Give the same drawing in another unit of length."""
-        pins = {name: Point(*(_times(part, factor) for part in pin)) for name, pin in self.pins.items()}
-        return replace(self, pins=pins)
-
-
-def _times(part: Coefficient, factor: float) -> Coefficient:
-    return Coefficient(*(factor * value for value in part))
-
-
-Role = Literal["main_bearing", "crank_pin", "knuckle_pin", "piston_pin", "guide", "slot", "pivot", "pin"]
-"""What a joint is to its mechanism, whatever it is called.
-
-The bearing of the crank; what has its bearing on the crank pin; a slave's rod on its master's; the rod in the piston,
-crosshead or slider; a slider in its guide; a block in a slot; a link's bearing in the frame; any other pin. A chain has
-neither crank pin nor piston pin: of its several each is as good.
-"""
-
-
-class Reaction(NamedTuple):
-    """A joint's reaction: its name, the two bodies, of which the wrench is `by` one `on` the other, and its role."""
-
-    name: str
-    on: str
-    by: str
-    role: Role
-
-
-class Contact(NamedTuple):
-    """Where something slides: the joint that bears its friction, and the drawing's pin at which that acts.
-
-    bears_moment: whether it is a guide, and not a slot about a block; way: −1 where what slides counts its position
-    against its link's direction.
-    """
-
-    joint: str
-    pin: str
-    bears_moment: bool = True
-    way: float = 1.0
-
-
-class Across(NamedTuple):
-    """An outer joint of a group whose force has a part that moments give: its part across a link.
-
-    joint; link, along and across whose direction the force is split; the pin about which the moments are taken.
-    """
-
-    joint: str
-    link: str
-    about: str
-
-
-class Group(NamedTuple):
-    """An Assur group: its sort by its joints, such as `RRP`; its links; what of its outer reactions moments give."""
-
-    sort: str
-    links: tuple[str, ...]
-    across: tuple[Across, ...] = ()
-
-
-FRAME = "frame"
-"""What stands still, as one of a joint's two bodies."""
-
-
-@record
-class Dynamics:
-    """What forces a kind of mechanism gives; every function is a kernel.
-
-    Attributes
-    ----------
-    bodies : callable (*Body) → what `forces` takes as bodies
-    moving : tuple of str
-        What has mass and bears loads, in the order in which `forces` takes bodies and loads.
-    reactions : tuple of Reaction
-        In the order in which `forces` gives them.
-    sliding : tuple of str
-        What may have friction, in the order in which `Conditions` has it. The sense of each is the sign of its
-        coordinate's velocity.
-    contacts : tuple of Contact
-        Where it slides, in that order.
-    groups : tuple of Group
-        What hangs on the crank, each after those that carry it.
-    links : kernel (motion, geometry) → tuple of Link
-        In the order of `moving`, in the mechanism's axes.
-    load : kernel (motion, geometry, value) → wrenches
-        Load on each of `moving` for a force along the output slider's coordinate, or a torque on the output link, or
-        of whichever else has to bear its counterpart. [N or N·m]
-    forces : kernel (motion, geometry, bodies, loads, conditions) → Forces
-        bodies and loads as `moving` has them; `Forces` has the joints' wrenches, as `reactions` has them, the driving
-        torque by them, and that of friction.
-    reduced : kernel (motion, geometry, bodies, loads, gravity) → Reduced
-        What an equation of motion needs: reduced inertia, its derivative, and the loads' torque on the crank.
-    on_master : kernel (motion, geometry, wrench) → Wrench, optional
-        Of a mechanism that hangs on another's rod: what it does to that rod, from the reaction in its knuckle pin.
-    """
-
-    bodies: Callable[..., Any]
-    moving: tuple[str, ...]
-    reactions: tuple[Reaction, ...]
-    sliding: tuple[str, ...]
-    contacts: tuple[Contact, ...]
-    groups: tuple[Group, ...]
-    links: Callable[[Any, Any], tuple[Link, ...]]
-    load: Callable[[Any, Any, Array], Any]
-    forces: Callable[[Any, Any, Any, Any, Any], Any]
-    reduced: Callable[[Any, Any, Any, Any, Any], Any]
-    on_master: Callable[[Any, Any, Any], Any] | None = None
-
-    def joint(self, role: Role) -> int | None:
-        """Place among `reactions` of the first of the mechanism's own joints that has a role; None without one."""
-        return self._place(role, is_own=True)
-
-    def share_of_masters(self, role: Role) -> int | None:
-        """Place among `reactions` of a slave's share of that joint of its master's; None without one."""
-        return self._place(role, is_own=False)
-
-    def _place(self, role: Role, *, is_own: bool) -> int | None:
-        places = (
-            place
-            for place, reaction in enumerate(self.reactions)
-            if reaction.role == role and (reaction.on in self.moving) is is_own
-        )
-        return next(places, None)
-
-
-@record
-class Members:
+class Members(Generic[Geometry]):
     """The mechanisms of one kind in a machine: their names and geometry.
 
     A kind whose stage asks for its members subclasses this, so that the stage's need is a type of its own.
@@ -254,12 +32,24 @@ class Members:
     """
 
     names: tuple[str, ...]
-    geometry: Any
+    geometry: Geometry
     phase: Array
 
 
+class Openings(NamedTuple):
+    """Changes of one length that open the links of some mechanisms, with the least of each mechanism; one axis.
+
+    row: which mechanism, length: index of the length, change: relative [1], angle: of the mechanism's crank [rad].
+    """
+
+    row: NDArray[np.intp]
+    length: NDArray[np.intp]
+    change: Array
+    angle: Array
+
+
 @record
-class Kind:
+class Kind(Generic[Motion, Geometry]):
     """A kind of mechanism, as data.
 
     Attributes
@@ -316,27 +106,27 @@ class Kind:
     name: str
     title: str
     spec: type[MechanismSpec]
-    geometry: Callable[[Any, Master | None], Any]
-    motion: Callable[[Array, Any], Any]
-    gap: Callable[[Array, Any], Array]
+    geometry: Callable[[Any, Master | None], Geometry]
+    motion: Callable[[Array, Geometry], Motion]
+    gap: Callable[[Array, Geometry], Array]
     lengths: tuple[str, ...]
     output: Literal["slider", "rocker"]
     has_rod: bool
     links: tuple[str, ...]
-    drawing: Callable[[Array, Any], Drawing]
-    closing_advice: Callable[[Any], str]
-    members: type[Members]
+    drawing: Callable[[Array, Geometry], Drawing]
+    closing_advice: Callable[[Geometry], str]
+    members: type[Members[Geometry]]
     stages: tuple[Callable[..., object], ...]
-    dynamics: Dynamics
+    dynamics: Dynamics[Motion, Geometry, Any, Any]
     example: str
     sliders: tuple[str, ...] = ()
     joints: tuple[str, ...] = ()
-    part: Callable[[Any, str], Any] = getattr
+    part: Callable[[Motion, str], Any] = getattr
     length_paths: tuple[str, ...] = ()
-    composed: "Callable[[Any], Kind] | None" = None
-    closing_field: Callable[[Any], str] | None = None
-    least_gap: Callable[[Any], Extreme] | None = None
-    openings: Callable[[Any], Any] | None = None
+    composed: "Callable[[Any], Kind[Any, Any]] | None" = None
+    closing_field: Callable[[Geometry], str] | None = None
+    least_gap: Callable[[Geometry], Extreme] | None = None
+    openings: Callable[[Geometry], Openings] | None = None
     has_chambers: bool = True
 
     @property
@@ -350,73 +140,11 @@ class Kind:
         return self.length_paths or self.lengths
 
 
-def mirrored(geometry: Geometry) -> Geometry:
-    """Give geometry, bodies or loads seen with y reversed, as a machine that runs astern sees the same metal."""
+AnyKind: TypeAlias = Kind[Any, Any]
+"""A kind that is known only when it runs."""
 
-    def change(name: str, value: Any) -> Any:
-        if isinstance(value, tuple):
-            return mirrored(cast(tuple[Any, ...], value))
-        return -value if name in _MIRRORED else value
+AnyMotion: TypeAlias = Any
+"""Motion of such a kind: has what the kind's `output`, `has_rod` and `part` say."""
 
-    return _rebuilt(geometry, change)
-
-
-def _rebuilt(geometry: Geometry, change: Callable[[str, Any], Any]) -> Geometry:
-    """Change each part of a geometry by its name, or of a plain tuple by its place."""
-    named = cast(Any, geometry)
-    if hasattr(named, "_fields"):
-        return named._make(map(change, named._fields, named))
-    return cast(Geometry, tuple(map(change, map(str, range(len(named))), named)))
-
-
-def _part(geometry: Any, name: str) -> Any:
-    """Give one part by its name, or of a plain tuple by its place."""
-    return getattr(geometry, name) if hasattr(geometry, "_fields") else geometry[int(name)]
-
-
-def stacked(geometries: Sequence[Sequence[Geometry]]) -> Geometry:
-    """Stack geometries [design][member] of floats into one of arrays, shape (design, member, 1)."""
-    numbers = np.array([[leaves(member) for member in design] for design in geometries], dtype=float)
-    columns = iter(np.ascontiguousarray(np.moveaxis(numbers, -1, 0))[..., np.newaxis])
-
-    def column(_name: str, value: Any) -> Any:
-        return _rebuilt(cast(tuple[Any, ...], value), column) if isinstance(value, tuple) else next(columns)
-
-    return _rebuilt(geometries[0][0], column)
-
-
-def named_part(geometry: Any, name: str) -> Array:
-    """Give one part of a nested geometry by its dotted name."""
-    return reduce(_part, name.split("."), geometry)
-
-
-def scaled(geometry: Geometry, length: str, factor: Array) -> Geometry:
-    """Give the geometry with one length, named by its dotted path, multiplied by a factor."""
-    path, _, rest = length.partition(".")
-
-    def change(name: str, value: Any) -> Any:
-        if name != path:
-            return value
-        return scaled(value, rest, factor) if rest else value * factor
-
-    return _rebuilt(geometry, change)
-
-
-def leaves(geometry: tuple[Any, ...]) -> list[Array]:
-    """List all arrays of a nested geometry, in order."""
-    return [
-        array
-        for value in geometry
-        for array in (leaves(cast(tuple[Any, ...], value)) if isinstance(value, tuple) else [cast(Array, value)])
-    ]
-
-
-def rows(geometry: Geometry, index: NDArray[np.intp]) -> Geometry:
-    """Take some of a geometry's mechanisms, counted through all its axes: arrays of shape (*index.shape, 1)."""
-
-    def chosen(_name: str, value: Any) -> Any:
-        if isinstance(value, tuple):
-            return rows(cast(tuple[Any, ...], value), index)
-        return value.reshape(-1, 1)[index]
-
-    return _rebuilt(geometry, chosen)
+AnyGeometry: TypeAlias = Any
+"""Geometry of such a kind."""

@@ -2,9 +2,14 @@
 
 from typing import Generic, NamedTuple, TypeVar
 
+from cranktrain.linkage.forces import Wrench
 from cranktrain.motion import Array
 
-Joints = TypeVar("Joints")
+Joints = TypeVar("Joints", bound=tuple[Wrench, ...], covariant=True)
+
+
+Each = TypeVar("Each")
+"""What each moving link of a mechanism has: its `Link`, its `Body`, or the `Wrench` that it bears."""
 
 
 class Forces(NamedTuple, Generic[Joints]):

@@ -5,12 +5,12 @@ All axes are the machine's, X right and Y up, seen from the free end.
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
+from cranktrain.linkage.forces import Wrench
 from cranktrain.machine import Machine
-from cranktrain.mechanisms.kind import FRAME, Dynamics, Reaction
+from cranktrain.mechanisms.dynamics import FRAME, AnyDynamics, Reaction
 from cranktrain.motion import Array
 from cranktrain.plans.acting import (
     MASTER_ROD,
@@ -22,6 +22,7 @@ from cranktrain.plans.acting import (
     pair_symbol,
     turned_to_machine,
 )
+from cranktrain.questions.forces.loaded_machine import SolvedGroup
 
 _CRANK, _ROD, _MASTER = "crank", "rod", "master_"
 """What a master calls its crank and rod; before what its slaves call its rod and slider."""
@@ -101,20 +102,20 @@ def acted_links(machine: Machine, seen: Seen) -> dict[str, tuple[Force, ...]]:
     return {body: tuple(forces) for body, forces in found.items()}
 
 
-def _on_shaft(dynamics: Dynamics) -> dict[str, str]:
+def _on_shaft(dynamics: AnyDynamics) -> dict[str, str]:
     """Links that are one body with another: further cranks of a shaft, on which no joint acts but through the first."""
     held = {reaction.on for reaction in dynamics.reactions}
     first = dynamics.reactions[0].on
     return {name: name if name in held else first for name in dynamics.moving}
 
 
-def cranks_of(dynamics: Dynamics) -> tuple[str, ...]:
+def cranks_of(dynamics: AnyDynamics) -> tuple[str, ...]:
     """Links of a mechanism that turn with the shaft; a slave has none of its own."""
     in_groups = {name for group in dynamics.groups for name in group.links}
     return tuple(name for name in dynamics.moving if name not in in_groups)
 
 
-def _reactions(machine: Machine, one: Member, joints: Sequence[Any]) -> Iterator[tuple[Reaction, Array]]:
+def _reactions(machine: Machine, one: Member, joints: Sequence[Wrench]) -> Iterator[tuple[Reaction, Array]]:
     """Reactions of a mechanism's own joints, X and Y of shape (2, n); a slave's share of its master's are none."""
     for reaction, wrench in zip(one.dynamics.reactions, joints, strict=True):
         if reaction.on in one.dynamics.moving:
@@ -134,7 +135,7 @@ def _reactions_on(
             yield Force(pair_symbol("F", numbers[reaction.on], numbers[name]), "reaction", reaction.name, -value)
 
 
-def _hanging(machine: Machine, seen: Seen, solved: Sequence[Any]) -> Iterator[Force]:
+def _hanging(machine: Machine, seen: Seen, solved: Sequence[SolvedGroup]) -> Iterator[Force]:
     """Forces of the rods that hang on a mechanism's rod."""
     one = seen.one
     loaded = one.loaded

@@ -5,7 +5,7 @@ All axes are the machine's, X right and Y up, seen from the free end.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -16,10 +16,12 @@ from cranktrain.layout.frames import in_machine_axes
 from cranktrain.layout.places import Place
 from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity, Wrench
 from cranktrain.machine import Machine
-from cranktrain.mechanisms.kind import FRAME, Dynamics, rows
+from cranktrain.mechanisms.dynamics import FRAME, AnyDynamics
+from cranktrain.mechanisms.geometry import rows
+from cranktrain.mechanisms.kind import AnyGeometry, AnyMotion
 from cranktrain.motion import Array
 from cranktrain.plans.placement import frame
-from cranktrain.questions.forces.loaded import LoadedMachine
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
 
 Cause = Literal["load", "weight", "inertia", "reaction"]
 
@@ -48,13 +50,13 @@ class Member:
     group: int
     member: int
     angle: Array
-    motion: Any
-    size: Any
+    motion: AnyMotion
+    size: AnyGeometry
     bodies: tuple[Body, ...]
     gravity: Gravity
 
     @property
-    def dynamics(self) -> Dynamics:
+    def dynamics(self) -> AnyDynamics:
         """What forces its kind gives."""
         return self.place.kind.dynamics
 
@@ -74,8 +76,7 @@ def made_ready(machine: Machine, speed: SpeedWanted) -> LoadedMachine:
     """
     refuse_idle(machine)
     curve = speed_over_cycle(machine, speed)  # not on the coarse grid
-    result = run(machine, speed=curve or "constant", step_degrees=_STEP, quantities=("driving_torque",))
-    return next(gift for gift in result.gifts if isinstance(gift, LoadedMachine))
+    return run(machine, speed=curve or "constant", step_degrees=_STEP, quantities=("driving_torque",))[LoadedMachine]
 
 
 def refuse_idle(machine: Machine) -> None:

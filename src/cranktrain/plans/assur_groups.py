@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.machine import Machine
-from cranktrain.mechanisms.kind import Group, Reaction
+from cranktrain.mechanisms.dynamics import Group, Reaction
 from cranktrain.motion import Array
 from cranktrain.plans.acted_links import (
     Seen,

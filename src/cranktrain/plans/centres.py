@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from cranktrain.machine import Machine
-from cranktrain.mechanisms.kind import Block, Drawing
+from cranktrain.mechanisms.drawing import Block, Drawing
 from cranktrain.motion import Array
 from cranktrain.plans.lettering import lettered
 from cranktrain.plans.placement import place_called, placed

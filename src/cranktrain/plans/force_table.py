@@ -16,7 +16,7 @@ from cranktrain.plans.acting import refuse_idle
 from cranktrain.quantities import Dimension, shown, unlisted
 from cranktrain.quantities.dimensions import plain, spellings
 from cranktrain.questions.cylinders.parts import cylinders
-from cranktrain.questions.forces.loaded import carriers_of
+from cranktrain.questions.forces.carriers import carriers_of
 
 STEPS = (10.0, 15.0, 30.0)
 """Steps of the crank angle in which tables of forces are made. [deg]"""

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from cranktrain.mechanisms.kind import Drawing
+from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.plans.vectors import spoken_name
 
 _LONGEST = 5

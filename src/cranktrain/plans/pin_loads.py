@@ -8,7 +8,7 @@ from cranktrain.analysis import SpeedWanted, run
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
-from cranktrain.mechanisms.kind import Dynamics
+from cranktrain.mechanisms.dynamics import AnyDynamics
 from cranktrain.motion import Array
 from cranktrain.plans.acting import refuse_idle
 from cranktrain.plans.placement import place_called
@@ -111,7 +111,7 @@ def pin_loads(machine: Machine, *, mechanism: str | None = None, speed: SpeedWan
     )
 
 
-def _has_rod_on_pin(dynamics: Dynamics) -> bool:
+def _has_rod_on_pin(dynamics: AnyDynamics) -> bool:
     """Whether a rod that is the mechanism's own has its bearing on the crank pin."""
     joint = dynamics.joint("crank_pin")
     return joint is not None and dynamics.reactions[joint].on == _ROD

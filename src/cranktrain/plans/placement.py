@@ -13,7 +13,7 @@ from cranktrain.layout.places import Place
 from cranktrain.layout.specs import MAIN
 from cranktrain.layout.standing import shaft_centres
 from cranktrain.machine import Machine
-from cranktrain.mechanisms.kind import Drawing, Guide
+from cranktrain.mechanisms.drawing import Drawing, Guide
 from cranktrain.motion import Array, Coefficient, Point, single
 from cranktrain.numerics import turn_grid
 from cranktrain.questions.cylinders.declared import cylinders_of

@@ -12,7 +12,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.layout.places import Place
 from cranktrain.machine import Machine
-from cranktrain.mechanisms.kind import Drawing
+from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.motion import Array
 from cranktrain.plans.lettering import lettered
 from cranktrain.plans.placement import slider_crank_called

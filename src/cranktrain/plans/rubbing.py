@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.linkage.forces import Wrench
-from cranktrain.mechanisms.kind import FRAME, Contact
+from cranktrain.mechanisms.dynamics import FRAME, Contact
 from cranktrain.motion import Array, Link, Point
 from cranktrain.plans.acting import Member
 

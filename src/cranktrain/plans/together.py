@@ -7,7 +7,7 @@ import numpy as np
 
 from cranktrain.layout.places import Place
 from cranktrain.machine import Machine
-from cranktrain.mechanisms.kind import Drawing
+from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.motion import Array, Point
 from cranktrain.plans.lettering import renamed
 from cranktrain.plans.placement import place_called, placed, shaft_places

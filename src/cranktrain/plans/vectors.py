@@ -6,10 +6,10 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from cranktrain.layout.speed import accelerations
+from cranktrain.layout.speed import rates
 from cranktrain.linkage.forces import Drive
-from cranktrain.mechanisms.kind import Drawing
-from cranktrain.motion import Array
+from cranktrain.mechanisms.drawing import Drawing
+from cranktrain.motion import Array, Coefficient
 
 Quantity = Literal["velocity", "acceleration"]
 Part = Literal["absolute", "relative", "normal", "tangential", "coriolis"]
@@ -127,8 +127,8 @@ def _motions(drawing: Drawing, at: int, drive: Drive) -> tuple[dict[str, PinMoti
 def _motion(drawing: Drawing, name: str, at: int, drive: Drive) -> PinMotion:
     """Motion of one pin."""
     pin = drawing.pins[name]
-    place, first, second = (np.array([x[at], y[at]]) for x, y in zip(pin.x, pin.y, strict=True))
-    return PinMotion(place, drive.speed * first, accelerations(first, second, drive))
+    place = Coefficient(*(np.array([x[at], y[at]]) for x, y in zip(pin.x, pin.y, strict=True)))
+    return PinMotion(place.value, *rates(place, drive))
 
 
 def _point_under(pin: PinMotion, base: PinMotion, other: PinMotion) -> tuple[PinMotion, float]:

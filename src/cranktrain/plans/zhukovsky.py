@@ -13,6 +13,7 @@ from cranktrain.analysis import SpeedWanted
 from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Gravity, Wrench, added, torque_by_work
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
+from cranktrain.numerics.nested import remade
 from cranktrain.plans.acting import (
     Force,
     Member,
@@ -185,8 +186,7 @@ def _nothing(one: Member) -> Any:
 
 def _loads(one: Member, wrenches: Sequence[Wrench]) -> Any:
     """Loads of all links as the kind's kernels take them."""
-    made = _nothing(one)
-    return type(made)(*wrenches) if hasattr(made, "_fields") else tuple(wrenches)
+    return remade(_nothing(one), wrenches)
 
 
 def _bodies(one: Member, i: int, body: Body) -> Any:

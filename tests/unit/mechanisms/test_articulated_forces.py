@@ -4,7 +4,7 @@ import numpy as np
 
 from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity, turned_wrench
 from cranktrain.mechanisms.articulated_rod.forces import (
-    ArticulatedRodBodies,
+    ArticulatedRodLinks,
     articulated_rod_forces,
     articulated_rod_load,
 )
@@ -21,7 +21,7 @@ def test_side_forces_on_slave_and_master():
     nothing = Body(0.0, 0.0, 0.0, 0.0)
     standing = Conditions(Drive(0.0, 0.0), Gravity(0.0, 0.0), (NO_FRICTION,))
     load = articulated_rod_load(motion, geometry, -force)
-    found = articulated_rod_forces(motion, geometry, ArticulatedRodBodies(nothing, nothing), load, standing)
+    found = articulated_rod_forces(motion, geometry, ArticulatedRodLinks(nothing, nothing), load, standing)
     beta = np.arcsin(0.09 * np.sin(phi) / 0.32)
     chi = np.arcsin((0.09 * np.sin(phi - gamma) + radius * np.sin(zeta - gamma - beta)) / 0.235)
     np.testing.assert_allclose(found.joints.guide.y, force * np.tan(chi), atol=1e-10)

@@ -11,7 +11,7 @@ from cranktrain.mechanisms.chain.kinematics import chain_made, triad_branch
 from cranktrain.mechanisms.chain.triads import triad_at, triad_ends, triad_legs
 from cranktrain.mechanisms.chain.walks import start_at
 from cranktrain.mechanisms.closing import Way, changed, closing_margin
-from cranktrain.mechanisms.kind import rows, scaled, stacked
+from cranktrain.mechanisms.geometry import rows, scaled, stacked
 
 N_DESIGNS = 6
 N_STEPS = 50

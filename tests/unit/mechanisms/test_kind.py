@@ -5,8 +5,9 @@ import pytest
 
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.crank_rocker import CrankRocker
-from cranktrain.mechanisms.kind import leaves, mirrored, named_part, rows, scaled, stacked
+from cranktrain.mechanisms.geometry import mirrored, named_part, rows, scaled, stacked
 from cranktrain.mechanisms.slider_crank import SliderCrank
+from cranktrain.numerics.nested import leaves
 
 ROD = ArticulatedRod(SliderCrank(1.0, 2.0, 3.0), 4.0, 5.0, 6.0, 7.0, 8.0)
 

@@ -5,7 +5,8 @@ import pytest
 
 import cranktrain as ct
 from cranktrain.errors import InputError
-from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLever, slotted_lever
+from cranktrain.linkage import CrankAndPivot
+from cranktrain.mechanisms.slotted_lever.kinematics import slotted_lever
 
 
 def run(speed=None, **mechanism):
@@ -99,7 +100,7 @@ def test_whitworth_turns_all_round():
     angle = result.rocker_angle[0]
     assert angle[-1] - angle[0] == pytest.approx(2 * np.pi, abs=0.1)
     quick = 2 * np.arccos(0.4)
-    ends = slotted_lever(np.array([-quick / 2, quick / 2]), SlottedLever(0.25, 0.1, 0.0, -1.0)).rocker.angle.value
+    ends = slotted_lever(np.array([-quick / 2, quick / 2]), CrankAndPivot(0.25, 0.1, 0.0, -1.0)).rocker.angle.value
     np.testing.assert_allclose(ends, [-np.pi / 2, np.pi / 2], atol=1e-14)
 
 

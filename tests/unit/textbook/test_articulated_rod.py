@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
-from cranktrain.mechanisms.kind import stacked
+from cranktrain.mechanisms.geometry import stacked
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.textbook import articulated_rod, steam_engine
 from cranktrain.textbook.articulated_rod import Harmonics

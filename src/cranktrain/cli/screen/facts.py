@@ -10,20 +10,20 @@ import numpy as np
 from rich.text import Text
 
 from cranktrain.analysis import Result
+from cranktrain.analysis.dimensions import DIMENSIONS
 from cranktrain.catalogue import Entry
 from cranktrain.cli.screen.figures import ABSENT, figures
 from cranktrain.cli.screen.text import table
-from cranktrain.language import N_, _
+from cranktrain.language import _
+from cranktrain.layout.question import Dimension
 from cranktrain.record import record
 from cranktrain.wording import ranged
 
 _MOST_COLUMNS = 3
 """Of a table with one row for each fact; facts that need more groups get one row for each group."""
 
-_NUMBERED = {"order": N_("order"), "journal": N_("journal"), "weight": N_("weight"), "throw": N_("throw")}
-"""Dimensions whose members are numbers, which may be called as pistons are but are no pistons."""
-
 _GAP = 2
+_OF_MACHINE = Dimension("", "")
 
 
 @record
@@ -53,11 +53,12 @@ class FactRow:
 
 
 class _Family(NamedTuple):
-    """Facts with common members: of the pistons (and of chambers that are called the same), of the banks, …
+    """Facts with common members: of the pistons and chambers that are called alike, of the banks, …
 
-    title says what the members are where they are numbered.
+    dimension is that of its family, or its own; none of facts of the machine. title says what the members are.
     """
 
+    dimension: str
     title: str
     members: tuple[str, ...]
     rows: list[FactRow]
@@ -87,7 +88,7 @@ def fact_tables(result: Result, names: Sequence[str], width: int) -> Iterator[st
         Tables, one below the other: their lines, and paragraphs that name their columns.
     """
     flat = [name for name in names if len(result.catalogue[name].dimensions) <= 1]
-    for i, (title, members, rows) in enumerate(_families([_row(result, name) for name in flat])):
+    for i, (_dimension, title, members, rows) in enumerate(_families([_row(result, name) for name in flat])):
         narrow, groups = _narrow(rows, members, width)
         if narrow:
             if i:
@@ -111,18 +112,19 @@ def _row(result: Result, name: str) -> FactRow:
 
 
 def _families(rows: Sequence[FactRow]) -> list[_Family]:
-    """Sort facts by their members; a part of the members is of the family of all, but a number of another."""
+    """Sort facts by their dimension; of one family, a part of the members belongs with all of them."""
     families: list[_Family] = []
     for row in rows:
         members = tuple(row.texts)
-        title = _NUMBERED.get(row.entry.dimensions[0], "") if len(members) > 1 else ""
+        own = DIMENSIONS[row.entry.dimensions[0]] if len(members) > 1 else _OF_MACHINE
+        dimension, title = (own.family, "") if own.family else (own.name, own.title)
         for i, family in enumerate(families):
             is_part = set(family.members) <= set(members) or set(members) <= set(family.members)
-            if family.title == title and is_part:
-                families[i] = _Family(title, max(family.members, members, key=len), [*family.rows, row])
+            if family.dimension == dimension and is_part:
+                families[i] = family._replace(members=max(family.members, members, key=len), rows=[*family.rows, row])
                 break
         else:
-            families.append(_Family(title, members, [row]))
+            families.append(_Family(dimension, title, members, [row]))
     return families
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, cast
 
 import typer
 
-from cranktrain.cli.app import Task
+from cranktrain.cli.task import Task
 from cranktrain.language import _
 
 if TYPE_CHECKING:

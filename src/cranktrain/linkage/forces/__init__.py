@@ -17,7 +17,7 @@ from cranktrain.linkage.forces.body import (
     momentum,
     reduced,
     reduced_inertia,
-    reduced_of_three,
+    reduced_of,
     torque_by_work,
     weight,
 )
@@ -82,7 +82,7 @@ __all__ = [
     "pin_reactions",
     "reduced",
     "reduced_inertia",
-    "reduced_of_three",
+    "reduced_of",
     "slide_reactions",
     "slider_link",
     "swivel_reactions",

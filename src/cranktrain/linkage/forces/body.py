@@ -185,18 +185,28 @@ def added_reduced(one: Reduced, other: Reduced) -> Reduced:
     )
 
 
-def reduced_of_three(
-    links: tuple[Link, Link, Link],
-    bodies: tuple[Body, Body, Body],
-    loads: tuple[Wrench, Wrench, Wrench],
-    gravity: Gravity,
+def reduced_of(
+    links: tuple[Link, ...], bodies: tuple[Body, ...], loads: tuple[Wrench, ...], gravity: Gravity
 ) -> Reduced:
-    """What a mechanism of three links adds to the equation of motion."""
-    pair = added_reduced(
-        reduced(links[0], bodies[0], loads[0], gravity),
-        reduced(links[1], bodies[1], loads[1], gravity),
-    )
-    return added_reduced(pair, reduced(links[2], bodies[2], loads[2], gravity))
+    """What a mechanism's links add to the equation of motion.
+
+    Parameters
+    ----------
+    links : tuple of Link, coefficients of shape (..., n)
+    bodies : tuple of Body, fields broadcastable to (..., 1)
+    loads : tuple of Wrench, shape (..., n)
+        On each link, about its first pin.
+    gravity : Gravity
+
+    Returns
+    -------
+    Reduced, shape (..., n)
+        Without friction, which depends on how the crank turns. docs/theory/forces, eqs. (13.4) and (13.6).
+    """
+    found = reduced(links[0], bodies[0], loads[0], gravity)
+    for place in range(1, len(links)):
+        found = added_reduced(found, reduced(links[place], bodies[place], loads[place], gravity))
+    return found
 
 
 def torque_by_work(equation: Reduced, drive: Drive) -> Array:

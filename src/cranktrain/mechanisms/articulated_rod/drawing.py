@@ -2,7 +2,7 @@
 
 from cranktrain.linkage import fixed, turned
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
-from cranktrain.mechanisms.kind import Drawing, DrawnLink, Guide
+from cranktrain.mechanisms.drawing import Drawing, DrawnLink, Guide
 from cranktrain.mechanisms.slider_crank.kinematics import slider_crank
 from cranktrain.motion import Array, Coefficient, Point, single
 

@@ -16,10 +16,8 @@ _THEORY = "docs/theory/articulated-rod"
 
 
 @record
-class ArticulatedRods(Members):
+class ArticulatedRods(Members[ArticulatedRod]):
     """The articulated rods of a machine."""
-
-    geometry: ArticulatedRod
 
 
 @record

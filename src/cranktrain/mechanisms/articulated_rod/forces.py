@@ -1,6 +1,6 @@
 """Forces of the articulated rod: reactions of slave rod and slider, and what they add to those of the master."""
 
-from typing import NamedTuple
+from typing import Generic, NamedTuple
 
 from cranktrain.linkage import AHEAD, Crank, Slide, turned
 from cranktrain.linkage.forces import (
@@ -8,39 +8,31 @@ from cranktrain.linkage.forces import (
     NOTHING,
     Body,
     Conditions,
-    Gravity,
-    Reduced,
     SlideLoads,
     SlideReactions,
     Wrench,
-    added_reduced,
     borne,
     crank_link,
     crank_reactions,
     handed_back,
-    reduced,
     slide_reactions,
     slider_link,
     turned_wrench,
 )
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, ArticulatedRodMotion
-from cranktrain.mechanisms.kind import FRAME, Across, Contact, Dynamics, Group, Reaction
-from cranktrain.mechanisms.solved import Forces
+from cranktrain.mechanisms.dynamics import FRAME, Across, Contact, Dynamics, Group, Reaction
+from cranktrain.mechanisms.solved import Each, Forces
 from cranktrain.motion import ZERO, Array, Link
 
 
-class ArticulatedRodBodies(NamedTuple):
-    """Slave rod, from the knuckle pin to the slider's; slider, from its pin along the slave cylinder."""
+class ArticulatedRodLinks(NamedTuple, Generic[Each]):
+    """What each link has: slave rod, from the knuckle pin to the slider's; slider, along the slave cylinder.
 
-    rod: Body
-    slider: Body
+    Its link, its body, or the wrench that it bears, about its first pin, in the slave cylinder's axes.
+    """
 
-
-class ArticulatedRodLoads(NamedTuple):
-    """Wrenches on slave rod and slider, each about its first pin, in the slave cylinder's axes."""
-
-    rod: Wrench
-    slider: Wrench
+    rod: Each
+    slider: Each
 
 
 class ArticulatedRodJoints(NamedTuple):
@@ -59,21 +51,23 @@ class ArticulatedRodJoints(NamedTuple):
     master_guide: Wrench
 
 
-def articulated_rod_links(motion: ArticulatedRodMotion, geometry: ArticulatedRod) -> tuple[Link, Link]:
+def articulated_rod_links(motion: ArticulatedRodMotion, geometry: ArticulatedRod) -> ArticulatedRodLinks[Link]:
     """What moves, as links: the slave's rod and slider."""
-    return (motion.rod, slider_link(motion.slider, geometry.offset))
+    return ArticulatedRodLinks(motion.rod, slider_link(motion.slider, geometry.offset))
 
 
-def articulated_rod_load(_motion: ArticulatedRodMotion, _geometry: ArticulatedRod, force: Array) -> ArticulatedRodLoads:
+def articulated_rod_load(
+    _motion: ArticulatedRodMotion, _geometry: ArticulatedRod, force: Array
+) -> ArticulatedRodLinks[Wrench]:
     """Loads for a force on the slave's slider along its cylinder, away from the shaft; a gas presses toward it. [N]"""
-    return ArticulatedRodLoads(NOTHING, Wrench(force, ZERO, ZERO))
+    return ArticulatedRodLinks(NOTHING, Wrench(force, ZERO, ZERO))
 
 
 def slave_reactions(
     motion: ArticulatedRodMotion,
     geometry: ArticulatedRod,
-    bodies: ArticulatedRodBodies,
-    loads: ArticulatedRodLoads,
+    bodies: ArticulatedRodLinks[Body],
+    loads: ArticulatedRodLinks[Wrench],
     conditions: Conditions,
 ) -> SlideReactions:
     """Reactions of the slave's own joints: knuckle pin, wrist pin and guide; parameters as of the forces."""
@@ -112,8 +106,8 @@ def on_master_rod(motion: ArticulatedRodMotion, geometry: ArticulatedRod, knuckl
 def articulated_rod_forces(
     motion: ArticulatedRodMotion,
     geometry: ArticulatedRod,
-    bodies: ArticulatedRodBodies,
-    loads: ArticulatedRodLoads,
+    bodies: ArticulatedRodLinks[Body],
+    loads: ArticulatedRodLinks[Wrench],
     conditions: Conditions,
 ) -> Forces[ArticulatedRodJoints]:
     """All forces of an articulated rod, and its share of its master's.
@@ -122,8 +116,8 @@ def articulated_rod_forces(
     ----------
     motion : ArticulatedRodMotion, shape (..., n)
     geometry : ArticulatedRod, fields broadcastable to (..., 1)
-    bodies : ArticulatedRodBodies, fields broadcastable to (..., 1)
-    loads : ArticulatedRodLoads, shape (..., n)
+    bodies : ArticulatedRodLinks of Body, fields broadcastable to (..., 1)
+    loads : ArticulatedRodLinks of Wrench, shape (..., n)
     conditions : Conditions, fields broadcastable to (..., n)
         Gravity in the slave cylinder's axes; friction of the slave's slider.
 
@@ -164,27 +158,9 @@ def articulated_rod_forces(
     )
 
 
-def articulated_rod_reduced(
-    motion: ArticulatedRodMotion,
-    geometry: ArticulatedRod,
-    bodies: ArticulatedRodBodies,
-    loads: ArticulatedRodLoads,
-    gravity: Gravity,
-) -> Reduced:
-    """Reduced inertia, its derivative, and the torque of loads and weights on the crank; parameters as of the forces.
-
-    Without friction, which depends on how the crank turns. docs/theory/forces, eqs. (13.4) and (13.6).
-    """
-    rod, slider = articulated_rod_links(motion, geometry)
-    return added_reduced(
-        reduced(rod, bodies.rod, loads.rod, gravity),
-        reduced(slider, bodies.slider, loads.slider, gravity),
-    )
-
-
 DYNAMICS = Dynamics(
-    bodies=ArticulatedRodBodies,
-    moving=ArticulatedRodBodies._fields,
+    bodies=ArticulatedRodLinks[Body],
+    moving=ArticulatedRodLinks._fields,
     reactions=(
         Reaction("knuckle", "rod", "master_rod", "knuckle_pin"),
         Reaction("wrist_pin", "slider", "rod", "piston_pin"),
@@ -200,6 +176,5 @@ DYNAMICS = Dynamics(
     links=articulated_rod_links,
     load=articulated_rod_load,
     forces=articulated_rod_forces,
-    reduced=articulated_rod_reduced,
     on_master=on_master_rod,
 )

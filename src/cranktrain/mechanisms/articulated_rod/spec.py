@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
-from cranktrain.mechanisms.kind import Master, MechanismSpec
+from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import single
 from cranktrain.numerics import largest
 from cranktrain.quantities import Angle, Given, Length, NonNegativeLength, PositiveLength

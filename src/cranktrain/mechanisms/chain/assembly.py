@@ -23,6 +23,7 @@ from cranktrain.mechanisms.chain.steps import (
 from cranktrain.mechanisms.chain.triads import triad_ends, triad_legs
 from cranktrain.mechanisms.chain.walks import sign_of
 from cranktrain.motion import Array, single
+from cranktrain.numerics.nested import mapped
 
 _TRIED = 12
 """Directions of a link from which one that cannot close is brought as near as it comes."""
@@ -76,15 +77,7 @@ def made_above(structure: Structure, place: int, size: ChainSize) -> Made:
     """All that stands above a group, where the crank `main` lies along x."""
     with np.errstate(all="ignore"):
         made = chain_made(structure._replace(steps=structure.steps[:place]), single(0.0), size)
-    return {name: _numbers(part) for name, part in made.items()}
-
-
-def _numbers(part: Any) -> Any:
-    """Give numbers for arrays of one."""
-    if isinstance(part, tuple):
-        parts = cast(tuple[Any, ...], part)
-        return cast(Any, type(parts))(*map(_numbers, parts))
-    return np.asarray(part).item()
+    return {name: mapped(lambda _name, array: single(np.asarray(array).item()), part) for name, part in made.items()}
 
 
 def _outside(structure: Structure, step: SwivelStep, made: Made) -> float:

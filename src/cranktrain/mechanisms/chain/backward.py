@@ -31,7 +31,7 @@ from cranktrain.linkage.forces import (
     yoke_reactions,
 )
 from cranktrain.mechanisms.chain.joints import GUIDE, joint_name
-from cranktrain.mechanisms.chain.made import pin_of, slot_of
+from cranktrain.mechanisms.chain.made import Made, pin_of, slot_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     MountStep,
@@ -52,14 +52,14 @@ from cranktrain.mechanisms.chain.steps import (
     YokeStep,
 )
 from cranktrain.mechanisms.chain.triads import triad_ends, triad_legs
-from cranktrain.mechanisms.kind import FRAME
+from cranktrain.mechanisms.dynamics import FRAME
 from cranktrain.motion import Array, Link, Point
 
 
 class BackwardWalk(NamedTuple):
     """What the walk goes by, and what it fills: links' loads, joints' wrenches, friction of sliders and blocks."""
 
-    made: dict[str, Any]
+    made: Made
     links: Mapping[str, Link]
     carriers: Mapping[str, str]
     friction: Mapping[str, Friction]

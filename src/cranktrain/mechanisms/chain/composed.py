@@ -1,6 +1,6 @@
 """The kind that a chain is, from its structure."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache, partial
 from typing import Any
@@ -31,6 +31,7 @@ from cranktrain.mechanisms.chain.steps import (
     YokeStep,
 )
 from cranktrain.mechanisms.chain.table import structure_of
+from cranktrain.mechanisms.geometry import Geometry
 from cranktrain.mechanisms.kind import Kind
 from cranktrain.numerics import turn_grid
 
@@ -53,32 +54,22 @@ _LEG_LENGTHS: dict[type, tuple[str, str]] = {
 }
 
 
-def chain_kind(base: Kind, spec: ChainSpec) -> Kind:
+def chain_kind(base: Kind[ChainMotion, ChainSize], spec: ChainSpec) -> Kind[ChainMotion, ChainSize]:
     """Give the kind of just this chain; chains alike but for their numbers are of one kind."""
     return _chain_kind(base, structure_of(spec))
 
 
 @cache
-def _chain_kind(base: Kind, structure: Structure) -> Kind:
+def _chain_kind(base: Kind[ChainMotion, ChainSize], structure: Structure) -> Kind[ChainMotion, ChainSize]:
     return replace(base, composed=None, **fields_of(structure))
 
 
 def fields_of(structure: Structure) -> dict[str, Any]:
-    """What a kind says that depends on the chain's structure."""
-    places = tuple(_length_places(structure))
-    lengths = tuple(path for path, _name in places)
-    has_triad = any(isinstance(step, TriadStep) for step in structure.steps)
+    """What a kind says that depends on the chain's structure, where the file has the chain's numbers."""
     return {
-        "motion": partial(chain_motion, structure),
-        "gap": partial(chain_gap, structure),
-        "lengths": lengths,
-        "openings": partial(chain_openings, structure, lengths, _as_it_is) if has_triad else None,
-        "length_paths": tuple(name for _path, name in places),
-        "drawing": partial(chain_drawing, structure),
         "closing_advice": partial(_advice, structure),
         "closing_field": partial(_stuck_part, structure),
-        "dynamics": chain_dynamics(structure),
-        **parts_of(structure),
+        **as_chain(structure, _as_it_is, dict(_length_places(structure))),
     }
 
 
@@ -86,14 +77,38 @@ def _as_it_is(size: ChainSize) -> ChainSize:
     return size
 
 
-def parts_of(structure: Structure) -> dict[str, Any]:
-    """What a kind says of the names in its motion: output, links, sliders, joints, and how to find them."""
+def as_chain(
+    structure: Structure, size_of: Callable[[Geometry], ChainSize], lengths: Mapping[str, str]
+) -> dict[str, Any]:
+    """What a kind says whose mechanism is a chain: kernels, drawing, forces, and the names in its motion.
+
+    Parameters
+    ----------
+    structure : Structure
+    size_of : callable (geometry) → ChainSize
+        Numbers of the chain from those of the kind, in the axes of the kind's motion.
+    lengths : mapping
+        Geometry fields that are lengths, to what the file calls them.
+
+    Returns
+    -------
+    dict
+        Fields of `Kind`. Of the chain without a triad the gap is searched for its margin as any other kind's.
+    """
     made = {name: sort for step in structure.steps for name, sort in made_by(step).items()}
+    has_triad = any(isinstance(step, TriadStep) for step in structure.steps)
 
     def named(sort: str) -> tuple[str, ...]:
         return tuple(name for name, own in made.items() if own == sort)
 
     return {
+        "motion": lambda angle, geometry: chain_motion(structure, angle, size_of(geometry)),
+        "gap": lambda angle, geometry: chain_gap(structure, angle, size_of(geometry)),
+        "drawing": lambda angle, geometry: chain_drawing(structure, angle, size_of(geometry)),
+        "dynamics": chain_dynamics(structure, size_of),
+        "openings": partial(chain_openings, structure, tuple(lengths), size_of) if has_triad else None,
+        "lengths": tuple(lengths),
+        "length_paths": tuple(lengths.values()),
         "output": "slider" if structure.output in named("slider") else "rocker",
         "links": named("link"),
         "sliders": tuple(name for name in named("slider") if name != structure.output),

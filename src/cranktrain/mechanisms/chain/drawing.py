@@ -21,7 +21,7 @@ from cranktrain.mechanisms.chain.steps import (
     TriadStep,
     YokeStep,
 )
-from cranktrain.mechanisms.kind import Block, Drawing, DrawnLink, Guide
+from cranktrain.mechanisms.drawing import Block, Drawing, DrawnLink, Guide
 from cranktrain.motion import Array, Point
 from cranktrain.numerics import turn_grid
 

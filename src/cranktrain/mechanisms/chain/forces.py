@@ -1,6 +1,6 @@
 """Forces of a chain: its groups solved from the last backward, each loading what it hangs on."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import reduce
 from typing import Any
 
@@ -9,16 +9,12 @@ from cranktrain.linkage.forces import (
     NOTHING,
     Body,
     Conditions,
-    Gravity,
-    Reduced,
     Wrench,
     added,
-    added_reduced,
     block_link,
     borne,
     crank_link,
     crank_reactions,
-    reduced,
     swivel_slider_link,
 )
 from cranktrain.mechanisms.chain.backward import BackwardWalk, walk_backward
@@ -32,9 +28,10 @@ from cranktrain.mechanisms.chain.joints import (
     moving_of,
 )
 from cranktrain.mechanisms.chain.kinematics import ChainMotion
-from cranktrain.mechanisms.chain.made import made_names, pin_of
+from cranktrain.mechanisms.chain.made import Made, made_names, pin_of
 from cranktrain.mechanisms.chain.steps import ChainSize, Step, Structure, SwivelSize, SwivelStep, TriadStep
-from cranktrain.mechanisms.kind import Dynamics
+from cranktrain.mechanisms.dynamics import Dynamics
+from cranktrain.mechanisms.geometry import Geometry
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import ZERO, Array, Link
 
@@ -52,16 +49,11 @@ def chain_links(structure: Structure, motion: ChainMotion, size: ChainSize) -> d
     return links
 
 
-def _in_order(structure: Structure, motion: ChainMotion, size: ChainSize) -> tuple[Link, ...]:
-    """What moves, as links, without their names."""
-    return tuple(chain_links(structure, motion, size).values())
-
-
-def _made(structure: Structure, motion: ChainMotion) -> dict[str, Any]:
+def _made(structure: Structure, motion: ChainMotion) -> Made:
     return dict(zip(made_names(structure), motion.parts, strict=True))
 
 
-def _link(step: Step, own: Any, name: str, made: Mapping[str, Any]) -> Link:
+def _link(step: Step, own: Any, name: str, made: Made) -> Link:
     if isinstance(made[name], Link):
         return made[name]
     if isinstance(step, SwivelStep):
@@ -145,68 +137,29 @@ def chain_forces(
     return Forces(joints, shaft.driving_torque, friction_torque)
 
 
-def _together(*bodies: Body) -> tuple[Body, ...]:
-    """Bodies as `chain_forces` takes them."""
-    return bodies
-
-
-def chain_reduced(
-    structure: Structure,
-    motion: ChainMotion,
-    size: ChainSize,
-    bodies: tuple[Body, ...],
-    loads: tuple[Wrench, ...],
-    gravity: Gravity,
-) -> Reduced:
-    """Reduced inertia, its derivative, and the torque of loads and weights on the crank; parameters as of the forces.
-
-    Without friction, which depends on how the crank turns. docs/theory/forces, eqs. (13.4) and (13.6).
-    """
-    links = _in_order(structure, motion, size)
-    shares = (reduced(*each, gravity) for each in zip(links, bodies, loads, strict=True))
-    return reduce(added_reduced, shares)
-
-
-def _as_it_is(size: ChainSize) -> ChainSize:
-    """Numbers of a chain that stand in the file."""
-    return size
-
-
-def chain_dynamics(structure: Structure, size_of: Callable[[Any], ChainSize] = _as_it_is) -> Dynamics:
+def chain_dynamics(
+    structure: Structure, size_of: Callable[[Geometry], ChainSize]
+) -> Dynamics[ChainMotion, Geometry, tuple[Body, ...], tuple[Wrench, ...]]:
     """What forces a chain gives.
 
     Parameters
     ----------
     structure : Structure
-    size_of : callable (geometry) → ChainSize, optional
+    size_of : callable (geometry) → ChainSize
         Of a kind that composes a chain out of numbers of its own.
 
     Returns
     -------
     Dynamics
     """
-
-    def links(motion: ChainMotion, geometry: Any) -> tuple[Link, ...]:
-        return _in_order(structure, motion, size_of(geometry))
-
-    def load(motion: ChainMotion, geometry: Any, value: Array) -> tuple[Wrench, ...]:
-        return chain_load(structure, motion, size_of(geometry), value)
-
-    def forces(motion: ChainMotion, geometry: Any, *acting: Any) -> Forces[tuple[Wrench, ...]]:
-        return chain_forces(structure, motion, size_of(geometry), *acting)
-
-    def equation(motion: ChainMotion, geometry: Any, *acting: Any) -> Reduced:
-        return chain_reduced(structure, motion, size_of(geometry), *acting)
-
     return Dynamics(
-        _together,
+        lambda *bodies: bodies,
         chain_moving(structure),
         chain_reactions(structure),
         chain_sliding(structure),
         chain_contacts(structure),
         chain_groups(structure),
-        links,
-        load,
-        forces,
-        equation,
+        lambda motion, geometry: tuple(chain_links(structure, motion, size_of(geometry)).values()),
+        lambda motion, geometry, value: chain_load(structure, motion, size_of(geometry), value),
+        lambda motion, geometry, *acting: chain_forces(structure, motion, size_of(geometry), *acting),
     )

@@ -146,20 +146,17 @@ def _gap_of_triad(branch: Branch, ends: TriadEnds, own: TriadSize, motion: Triad
 _HAIR = float(np.finfo(float).tiny)
 
 
-def _gap_of_pin(step: PinStep, own: PinSize, made: Made, radius: Array) -> Array:
-    del radius
+def _gap_of_pin(step: PinStep, own: PinSize, made: Made, _radius: Array) -> Array:
     return pin_gap(Ends(made[step.rod_from], made[step.rocker_from]), Pin(*own))
 
 
-def _gap_of_slide(step: SlideStep, own: SlideSize, made: Made, radius: Array) -> Array:
-    del radius
+def _gap_of_slide(step: SlideStep, own: SlideSize, made: Made, _radius: Array) -> Array:
     height = guide_offset(made, step.through, own.direction, own.offset)
     return slide_gap(in_guide(made, step.rod_from, own.direction), Slide(own.rod_length, height, own.way))
 
 
-def _gap_of_swivel(step: SwivelStep, own: SwivelSize, made: Made, radius: Array) -> Array:
+def _gap_of_swivel(step: SwivelStep, own: SwivelSize, made: Made, _radius: Array) -> Array:
     """As of a swivel; less what the pivot is on the wrong side of a crank pin's circle, through which it has come."""
-    del radius
     ends = SwivelEnds(made[step.pin], made[step.pivot])
     nearest = _distance(ends.pivot) - _distance(ends.pin)
     crossed = own.outside * (own.outside * np.abs(nearest) - nearest)
@@ -178,13 +175,11 @@ def _gap_of_trammel(step: TrammelStep, own: TrammelSize, made: Made, radius: Arr
     return radius * own.side * trammel_transmission(turned_link(made[step.link], own.direction))
 
 
-def _gap_of_point(step: PointStep, own: PointSize, made: Made, radius: Array) -> Array:
-    del own
+def _gap_of_point(step: PointStep, _own: PointSize, made: Made, radius: Array) -> Array:
     return radius + 0.0 * made[step.link].cos
 
 
-def _gap_of_mount(step: MountStep, own: PointSize, made: Made, radius: Array) -> Array:
-    del own
+def _gap_of_mount(step: MountStep, _own: PointSize, made: Made, radius: Array) -> Array:
     return radius + 0.0 * made[step.pin].x.value
 
 

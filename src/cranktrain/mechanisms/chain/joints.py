@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 
-from cranktrain.mechanisms.chain.made import SHAFT, pin_of, slot_of
+from cranktrain.mechanisms.chain.made import SHAFT, made_by, pin_of, slot_of
 from cranktrain.mechanisms.chain.steps import (
     GuideLegStep,
     MountStep,
@@ -17,7 +17,7 @@ from cranktrain.mechanisms.chain.steps import (
     TriadStep,
     YokeStep,
 )
-from cranktrain.mechanisms.kind import FRAME, Across, Contact, Group, Reaction
+from cranktrain.mechanisms.dynamics import FRAME, Across, Contact, Group, Reaction
 
 GUIDE = "guide"
 """Where a slider meets its fixed guide, in a joint's name."""
@@ -30,19 +30,7 @@ def chain_moving(structure: Structure) -> tuple[str, ...]:
 
 def moving_of(step: Step) -> tuple[str, ...]:
     """Names of what a part adds that has mass."""
-    match step:
-        case PinStep():
-            return step.rod, step.rocker
-        case SlideStep():
-            return step.rod, step.slider
-        case SwivelStep():
-            return step.slider, step.guide
-        case YokeStep() | TrammelStep():
-            return (step.slider,)
-        case TriadStep():
-            return step.link, *(leg.rod if isinstance(leg, RodLegStep) else leg.slider for leg in step.legs)
-        case PointStep() | MountStep():
-            return ()
+    return tuple(name for name, sort in made_by(step).items() if sort in ("link", "slider"))
 
 
 def chain_sliding(structure: Structure) -> tuple[str, ...]:

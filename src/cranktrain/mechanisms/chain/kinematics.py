@@ -11,8 +11,8 @@ from cranktrain.mechanisms.chain.placing import driven, place_group
 from cranktrain.mechanisms.chain.steps import ChainSize, Structure, TriadSize, TriadStep
 from cranktrain.mechanisms.chain.triads import place_triad, triad_at, triad_ends, triad_legs
 from cranktrain.mechanisms.chain.walks import Branch, Walks, start_at
-from cranktrain.mechanisms.kind import leaves
 from cranktrain.motion import Array, Coefficient, Link
+from cranktrain.numerics.nested import leaves
 
 
 class SliderChainMotion(NamedTuple):

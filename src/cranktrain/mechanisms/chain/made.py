@@ -1,6 +1,6 @@
 """What the groups of a chain make, by name."""
 
-from typing import Any
+from typing import Any, TypeAlias
 
 from cranktrain.mechanisms.chain.steps import (
     GuideLegStep,
@@ -20,7 +20,7 @@ from cranktrain.mechanisms.chain.steps import (
 SHAFT = "O"
 """Name of the shaft's centre."""
 
-Made = dict[str, Any]
+Made: TypeAlias = dict[str, Any]
 """Points, links and sliders by name: `Point`, `Link`, `Coefficient`."""
 
 

@@ -1,7 +1,7 @@
 """Closing margin of a chain with triads: its lengths are changed in steps at each crank angle, its poses followed."""
 
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from typing import Generic, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,9 +13,10 @@ from cranktrain.mechanisms.chain.steps import ChainSize, Structure, TriadStep
 from cranktrain.mechanisms.chain.triads import link_size, triad_at, triad_legs
 from cranktrain.mechanisms.chain.walks import start_at
 from cranktrain.mechanisms.closing import Openings, Way, changed
-from cranktrain.mechanisms.kind import leaves, rows
+from cranktrain.mechanisms.geometry import Geometry, rows
 from cranktrain.motion import Array
 from cranktrain.numerics import turn_grid
+from cranktrain.numerics.nested import leaves
 
 _GRID = turn_grid(72)
 _FIRST_STEP, _SMALLEST_STEP, _MOST_CHANGE = 1e-2, 1e-13, 1e3
@@ -33,13 +34,13 @@ _SETTLED = 1e-7
 """Part of the change that is left when its root is told, which the secant does to about the square of that."""
 
 
-class _Chains(NamedTuple):
+class _Chains(NamedTuple, Generic[Geometry]):
     """Chains of one structure of which one length each is changed."""
 
     structure: Structure
     lengths: Sequence[str]
-    size_of: Callable[[Any], ChainSize]
-    geometry: Any
+    size_of: Callable[[Geometry], ChainSize]
+    geometry: Geometry
     way: Way
 
 
@@ -52,7 +53,7 @@ class _State(NamedTuple):
 
 
 def chain_openings(
-    structure: Structure, lengths: Sequence[str], size_of: Callable[[Any], ChainSize], geometry: Any
+    structure: Structure, lengths: Sequence[str], size_of: Callable[[Geometry], ChainSize], geometry: Geometry
 ) -> Openings:
     """Find the least changes of one length at which a chain with triads opens.
 
@@ -103,7 +104,7 @@ def _poses(structure: Structure, size: ChainSize, n_ways: int) -> Array:
     return np.repeat(np.array([list(start) for start in starts])[:, :, :, np.newaxis], n_ways, axis=3)
 
 
-def _at(chains: _Chains, angle: Array, change: Array, starts: Array) -> _State:
+def _at(chains: _Chains[Geometry], angle: Array, change: Array, starts: Array) -> _State:
     """Change the lengths, and find gaps, and poses near those given."""
     size = chains.size_of(changed(chains.lengths, chains.geometry, chains.way, change))
     triads, shape = _triads(chains.structure), starts.shape[2:]
@@ -114,7 +115,7 @@ def _at(chains: _Chains, angle: Array, change: Array, starts: Array) -> _State:
     return _State(change, np.array([np.broadcast_to(gap, shape) for gap in gaps]), np.stack([x, y, direction], axis=1))
 
 
-def _nearly_open(chains: _Chains, poses: Array) -> tuple[_State, _State]:
+def _nearly_open(chains: _Chains[Geometry], poses: Array) -> tuple[_State, _State]:
     """Change all lengths, each way, alike until one is about to open a group: the last two states of each row."""
     n_rows = poses.shape[2]
     before = last = _at(chains, _GRID, np.zeros((n_rows, 1, 1)), poses)
@@ -141,7 +142,7 @@ def _nearly_open(chains: _Chains, poses: Array) -> tuple[_State, _State]:
     return before, last
 
 
-def _scale(chains: _Chains) -> Array:
+def _scale(chains: _Chains[Geometry]) -> Array:
     """What x, y and direction of each triad's link count by; (triad, 3, row, 1, 1)."""
     size = chains.size_of(chains.geometry)
     radii = [link_size(triad_legs(triad_at(chains.structure, i, size)[1])) for i in _triads(chains.structure)]
@@ -153,14 +154,14 @@ def _leaves_something(sign: Array, change: Array) -> NDArray[np.bool_]:
     return (sign > 0) & np.isfinite(change) | (change < _WHOLE)
 
 
-def _left(chains: _Chains, before: _State, last: _State) -> Array:
+def _left(chains: _Chains[Geometry], before: _State, last: _State) -> Array:
     """How much more change opens each group at each angle, by the gap's last fall; infinite where it does not fall."""
     fall = before.gaps - last.gaps
     left = np.where(fall > 0, last.gaps * (last.change - before.change) / fall, np.inf)
     return np.where(_leaves_something(chains.way.sign, last.change + left), left, np.inf)
 
 
-def _is_rival(chains: _Chains, before: _State, last: _State) -> NDArray[np.bool_]:
+def _is_rival(chains: _Chains[Geometry], before: _State, last: _State) -> NDArray[np.bool_]:
     """Whether a group at a crank angle opens sooner than beside, and not much later than the first of its row."""
     left = _left(chains, before, last)
     first = np.min(left, axis=(0, 2, 3), keepdims=True)
@@ -169,7 +170,12 @@ def _is_rival(chains: _Chains, before: _State, last: _State) -> NDArray[np.bool_
 
 
 def _refined(
-    chains: _Chains, group: NDArray[np.intp], angle: Array, known: tuple[Array, Array], change: Array, poses: Array
+    chains: _Chains[Geometry],
+    group: NDArray[np.intp],
+    angle: Array,
+    known: tuple[Array, Array],
+    change: Array,
+    poses: Array,
 ) -> tuple[Array, Array]:
     """Change, and crank angle, at which the least gap of a group beside a given angle becomes zero; (rival, 1) each.
 

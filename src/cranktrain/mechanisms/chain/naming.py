@@ -8,8 +8,8 @@ from typing import NamedTuple
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.chain.made import SHAFT, pin_of
-from cranktrain.mechanisms.chain.spec import (
-    ChainSpec,
+from cranktrain.mechanisms.chain.parts import (
+    ChainTable,
     PartSpec,
     PinPartSpec,
     PointPartSpec,
@@ -110,12 +110,12 @@ def _slider(name: str, field: str = "slider") -> tuple[Made, ...]:
     return Made(field, name, "slider"), Made(field, pin_of(name), "point", is_own=False)
 
 
-def naming_problems(spec: ChainSpec) -> tuple[Problem, ...]:
+def naming_problems(spec: ChainTable) -> tuple[Problem, ...]:
     """Find everything that is wrong with a chain's names, with paths within its table."""
     return tuple(_problems(spec))
 
 
-def _problems(spec: ChainSpec) -> Iterator[Problem]:
+def _problems(spec: ChainTable) -> Iterator[Problem]:
     if MAIN not in spec.crank:
         yield Problem("crank.main", None, _("is missing; its angle is the crank angle"))
     known = {SHAFT: "fixed"}

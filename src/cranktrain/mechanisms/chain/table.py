@@ -9,9 +9,9 @@ from cranktrain.errors import Problem
 from cranktrain.language import _
 from cranktrain.mechanisms.chain.assembly import assembled, made_above, modes_of
 from cranktrain.mechanisms.chain.made import pin_of
-from cranktrain.mechanisms.chain.spec import (
+from cranktrain.mechanisms.chain.parts import (
     ChainGuideSpec,
-    ChainSpec,
+    ChainTable,
     PartSpec,
     PinPartSpec,
     PointPartSpec,
@@ -50,21 +50,20 @@ from cranktrain.mechanisms.chain.steps import (
     YokeStep,
 )
 from cranktrain.mechanisms.chain.triads import triad_at
-from cranktrain.mechanisms.kind import Master
+from cranktrain.mechanisms.spec import Master
 from cranktrain.motion import Array, single
 from cranktrain.wording import precise
 
 _SIDES = {"left": 1.0, "right": -1.0, "ahead": 1.0, "behind": -1.0}
 
 
-def chain_geometry(spec: ChainSpec, master: Master | None = None) -> ChainSize:
+def chain_geometry(spec: ChainTable, _master: Master | None = None) -> ChainSize:
     """All numbers in SI, in the order of the file."""
-    del master
     near = {part.link: _near(part) for part in spec.part if isinstance(part, TriadPartSpec)}
     return assembled(structure_of(spec), _size_of(spec), near)
 
 
-def _size_of(spec: ChainSpec) -> ChainSize:
+def _size_of(spec: ChainTable) -> ChainSize:
     guides = _guides(spec)
     return ChainSize(
         tuple(CrankSize(single(one.radius.si), single(one.angle.si)) for one in spec.crank.values()),
@@ -73,7 +72,7 @@ def _size_of(spec: ChainSpec) -> ChainSize:
     )
 
 
-def _guides(spec: ChainSpec) -> dict[str, ChainGuideSpec]:
+def _guides(spec: ChainTable) -> dict[str, ChainGuideSpec]:
     """Guides by what slides in them."""
     parts = [part for part in spec.part if isinstance(part, SlidePartSpec | YokePartSpec | TrammelPartSpec)]
     legs = [leg for part in spec.part if isinstance(part, TriadPartSpec) for leg in part.leg]
@@ -122,7 +121,7 @@ def _leg_size(leg: TriadLegSpec) -> RodLegSize | GuideLegSize:
     return GuideLegSize(joint, *_guide(leg.guide))
 
 
-def structure_of(spec: ChainSpec) -> Structure:
+def structure_of(spec: ChainTable) -> Structure:
     """What the chain is made of, without its numbers."""
     guides = _guides(spec)
     return Structure(
@@ -156,7 +155,7 @@ def _leg_step(leg: TriadLegSpec) -> RodLegStep | GuideLegStep:
     return GuideLegStep(leg.slider, leg.guide.through)
 
 
-def mode_problems(spec: ChainSpec) -> tuple[Problem, ...]:
+def mode_problems(spec: ChainTable) -> tuple[Problem, ...]:
     """Find triads that fit in more than one way, without a word on which it is; with paths within the chain's table."""
     found: list[Problem] = []
     structure = structure_of(spec)

@@ -1,7 +1,7 @@
 """A triad of a chain round the turn: where to start at any crank angle, and how much a leg lacks where it is open."""
 
 from collections.abc import Callable, Hashable
-from typing import Any, NamedTuple, cast
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +10,8 @@ from cranktrain.linkage import Pose, Triad, TriadDriver, TriadEnds, Walk, pose_a
 from cranktrain.linkage.nearest import nearest_pose
 from cranktrain.mechanisms.chain.steps import StartSize
 from cranktrain.mechanisms.chain.triads import link_size
-from cranktrain.motion import Array, Coefficient, single
+from cranktrain.motion import Array, single
+from cranktrain.numerics.nested import Nested, mapped
 
 EndsAt = Callable[[Array], TriadEnds]
 
@@ -89,11 +90,8 @@ def lacking(branch: Branch, ends: TriadEnds, legs: Triad, is_open: Array) -> Arr
     """By how much one leg is too short or too long, where the link cannot be: from the ends of its branch. [m]"""
     chosen = np.nonzero(is_open)
 
-    def there(value: Any) -> Any:
-        if isinstance(value, tuple):
-            parts = cast(tuple[Any, ...], value)
-            return cast(Any, type(parts))(*map(there, parts))
-        return np.broadcast_to(value, is_open.shape)[chosen]
+    def there(parts: Nested) -> Nested:
+        return mapped(lambda _name, value: np.broadcast_to(value, is_open.shape)[chosen], parts)
 
     starts = [_last(walk) for walk in (branch.forward, branch.backward) if walk is not None]
     starts = [Pose(*map(_given, start, branch.start)) for start in starts]
@@ -121,14 +119,9 @@ def _end(walk: Walk) -> NDArray[np.intp]:
     return np.maximum(np.sum(~np.isnan(walk.pose.value[0]), axis=-1, keepdims=True) - 1, 0)
 
 
-def _reversed(ends: Any) -> Any:
+def _reversed(ends: TriadEnds) -> TriadEnds:
     """Give ends as a crank that turns the other way drives them: first derivatives change sign."""
-    if isinstance(ends, Coefficient):
-        return ends._replace(first=-ends.first)
-    if isinstance(ends, tuple):
-        parts = cast(tuple[Any, ...], ends)
-        return cast(Any, type(parts))(*map(_reversed, parts))
-    return ends
+    return mapped(lambda name, value: -value if name.endswith(".first") else value, ends)
 
 
 def kept_side(start: StartSize, legs: Triad) -> Array:

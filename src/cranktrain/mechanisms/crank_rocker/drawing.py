@@ -2,7 +2,7 @@
 
 from cranktrain.linkage import fixed
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
-from cranktrain.mechanisms.kind import Drawing, DrawnLink
+from cranktrain.mechanisms.drawing import Drawing, DrawnLink
 from cranktrain.motion import Array
 
 

@@ -27,10 +27,8 @@ CLASSES = (
 
 
 @record
-class CrankRockers(Members):
+class CrankRockers(Members[CrankRocker]):
     """The crank-rockers of a machine."""
-
-    geometry: CrankRocker
 
 
 @record

@@ -1,42 +1,34 @@
 """Forces of the crank-rocker: reactions of crank, rod and rocker, and the driving torque."""
 
-from typing import NamedTuple
+from typing import Generic, NamedTuple
 
 from cranktrain.linkage import Crank, Pin, PinMotion
 from cranktrain.linkage.forces import (
     NOTHING,
     Body,
     Conditions,
-    Gravity,
     PinLoads,
-    Reduced,
     Wrench,
     borne,
     carrying_crank,
     crank_link,
     pin_reactions,
-    reduced_of_three,
 )
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, CrankRockerMotion
-from cranktrain.mechanisms.kind import FRAME, Across, Dynamics, Group, Reaction
-from cranktrain.mechanisms.solved import Forces
+from cranktrain.mechanisms.dynamics import FRAME, Across, Dynamics, Group, Reaction
+from cranktrain.mechanisms.solved import Each, Forces
 from cranktrain.motion import ZERO, Array, Link
 
 
-class CrankRockerBodies(NamedTuple):
-    """Crank, from the shaft to its pin; rod, from the crank pin to the joint; rocker, from its pivot to the joint."""
+class CrankRockerLinks(NamedTuple, Generic[Each]):
+    """What each link has: crank, from the shaft to its pin; rod, from that to the joint; rocker, from its pivot to it.
 
-    crank: Body
-    rod: Body
-    rocker: Body
+    Its link, its body, or the wrench that it bears, about its first pin.
+    """
 
-
-class CrankRockerLoads(NamedTuple):
-    """Wrenches on crank, rod and rocker, each about its first pin: the shaft's centre, the crank pin, the pivot."""
-
-    crank: Wrench
-    rod: Wrench
-    rocker: Wrench
+    crank: Each
+    rod: Each
+    rocker: Each
 
 
 class CrankRockerJoints(NamedTuple):
@@ -48,22 +40,22 @@ class CrankRockerJoints(NamedTuple):
     pivot: Wrench
 
 
-def crank_rocker_links(motion: CrankRockerMotion, geometry: CrankRocker) -> tuple[Link, Link, Link]:
+def crank_rocker_links(motion: CrankRockerMotion, geometry: CrankRocker) -> CrankRockerLinks[Link]:
     """What moves, as links: crank, rod and rocker."""
     crank = crank_link(motion.pin, Crank(geometry.crank_radius))
-    return (crank, motion.rod, motion.rocker)
+    return CrankRockerLinks(crank, motion.rod, motion.rocker)
 
 
-def crank_rocker_load(_motion: CrankRockerMotion, _geometry: CrankRocker, torque: Array) -> CrankRockerLoads:
+def crank_rocker_load(_motion: CrankRockerMotion, _geometry: CrankRocker, torque: Array) -> CrankRockerLinks[Wrench]:
     """Loads for a torque on the rocker, in the sense of rotation. [N·m]"""
-    return CrankRockerLoads(NOTHING, NOTHING, Wrench(ZERO, ZERO, torque))
+    return CrankRockerLinks(NOTHING, NOTHING, Wrench(ZERO, ZERO, torque))
 
 
 def crank_rocker_forces(
     motion: CrankRockerMotion,
     geometry: CrankRocker,
-    bodies: CrankRockerBodies,
-    loads: CrankRockerLoads,
+    bodies: CrankRockerLinks[Body],
+    loads: CrankRockerLinks[Wrench],
     conditions: Conditions,
 ) -> Forces[CrankRockerJoints]:
     """All forces of a crank-rocker, which has no sliding friction.
@@ -72,8 +64,8 @@ def crank_rocker_forces(
     ----------
     motion : CrankRockerMotion, shape (..., n)
     geometry : CrankRocker, fields broadcastable to (..., 1)
-    bodies : CrankRockerBodies, fields broadcastable to (..., 1)
-    loads : CrankRockerLoads, shape (..., n)
+    bodies : CrankRockerLinks of Body, fields broadcastable to (..., 1)
+    loads : CrankRockerLinks of Wrench, shape (..., n)
     conditions : Conditions, fields broadcastable to (..., n)
 
     Returns
@@ -104,23 +96,9 @@ def crank_rocker_forces(
     )
 
 
-def crank_rocker_reduced(
-    motion: CrankRockerMotion,
-    geometry: CrankRocker,
-    bodies: CrankRockerBodies,
-    loads: CrankRockerLoads,
-    gravity: Gravity,
-) -> Reduced:
-    """Reduced inertia, its derivative, and the torque of loads and weights on the crank; parameters as of the forces.
-
-    docs/theory/forces, eqs. (13.4) and (13.6).
-    """
-    return reduced_of_three(crank_rocker_links(motion, geometry), bodies, loads, gravity)
-
-
 DYNAMICS = Dynamics(
-    bodies=CrankRockerBodies,
-    moving=CrankRockerBodies._fields,
+    bodies=CrankRockerLinks[Body],
+    moving=CrankRockerLinks._fields,
     reactions=(
         Reaction("main_bearing", "crank", FRAME, "main_bearing"),
         Reaction("crank_pin", "rod", "crank", "crank_pin"),
@@ -133,5 +111,4 @@ DYNAMICS = Dynamics(
     links=crank_rocker_links,
     load=crank_rocker_load,
     forces=crank_rocker_forces,
-    reduced=crank_rocker_reduced,
 )

@@ -4,7 +4,7 @@ from typing import Literal
 
 from cranktrain.language import _
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker
-from cranktrain.mechanisms.kind import Master, MechanismSpec
+from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import single
 from cranktrain.quantities import PositiveLength
 from cranktrain.wording import precise
@@ -30,9 +30,8 @@ class CrankRockerSpec(MechanismSpec, frozen=True):
     load_direction: Literal["with", "against"] = "with"
 
 
-def crank_rocker_geometry(spec: CrankRockerSpec, master: Master | None = None) -> CrankRocker:
+def crank_rocker_geometry(spec: CrankRockerSpec, _master: Master | None = None) -> CrankRocker:
     """Lengths in SI and the side as a sign."""
-    del master
     return CrankRocker(
         single(spec.crank_radius.si),
         single(spec.rod_length.si),

@@ -1,7 +1,7 @@
 """The eccentric, to be drawn."""
 
+from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.mechanisms.eccentric.kinematics import Eccentric
-from cranktrain.mechanisms.kind import Drawing
 from cranktrain.mechanisms.slider_crank.drawing import slider_crank_drawing
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
 from cranktrain.motion import Array

@@ -7,7 +7,7 @@ from pydantic import model_validator
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.mechanisms.eccentric.kinematics import Eccentric
-from cranktrain.mechanisms.kind import Master, MechanismSpec
+from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.mechanisms.valve_gear import Admission, set_ahead
 from cranktrain.motion import single
 from cranktrain.quantities import Angle, Given, Length, PositiveLength
@@ -38,9 +38,8 @@ class EccentricSpec(MechanismSpec, frozen=True):
         return self
 
 
-def eccentric_geometry(spec: EccentricSpec, master: Master | None = None) -> Eccentric:
+def eccentric_geometry(spec: EccentricSpec, _master: Master | None = None) -> Eccentric:
     """Geometry in SI, however the eccentric is set."""
-    del master
     if spec.angle_ahead is not None:
         ahead = spec.angle_ahead.si
     else:

@@ -1,24 +1,16 @@
 """Oscillating cylinder: model and paddle-steamer engines, hydraulic motors, cylinders that drive a crank."""
 
 from cranktrain.language import N_
+from cranktrain.linkage import crank_swivel_gap
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.oscillating_cylinder.drawing import oscillating_cylinder_drawing
 from cranktrain.mechanisms.oscillating_cylinder.forces import DYNAMICS
-from cranktrain.mechanisms.oscillating_cylinder.kinematics import (
-    OscillatingCylinder,
-    OscillatingCylinderMotion,
-    oscillating_cylinder,
-    oscillating_cylinder_gap,
-)
-from cranktrain.mechanisms.oscillating_cylinder.spec import (
-    OscillatingCylinderSpec,
-    oscillating_cylinder_advice,
-    oscillating_cylinder_geometry,
-)
+from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinderMotion, oscillating_cylinder
+from cranktrain.mechanisms.oscillating_cylinder.spec import OscillatingCylinderSpec, oscillating_cylinder_advice
+from cranktrain.mechanisms.rocking_guide import rocking_guide_geometry
 
 __all__ = [
     "KIND",
-    "OscillatingCylinder",
     "OscillatingCylinderMotion",
     "OscillatingCylinderSpec",
     "oscillating_cylinder",
@@ -28,9 +20,9 @@ KIND = Kind(
     name="oscillating_cylinder",
     title=N_("oscillating cylinder on a trunnion"),
     spec=OscillatingCylinderSpec,
-    geometry=oscillating_cylinder_geometry,
+    geometry=rocking_guide_geometry,
     motion=oscillating_cylinder,
-    gap=oscillating_cylinder_gap,
+    gap=crank_swivel_gap,
     lengths=("crank_radius", "ground_length", "offset"),
     output="slider",
     has_rod=False,

@@ -1,12 +1,12 @@
 """The oscillating cylinder, to be drawn."""
 
-from cranktrain.linkage import LinkPoint, fixed, point
-from cranktrain.mechanisms.kind import Block, Drawing, DrawnLink
-from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinder, oscillating_cylinder
+from cranktrain.linkage import CrankAndPivot, LinkPoint, fixed, point
+from cranktrain.mechanisms.drawing import Block, Drawing, DrawnLink
+from cranktrain.mechanisms.oscillating_cylinder.kinematics import oscillating_cylinder
 from cranktrain.motion import Array
 
 
-def oscillating_cylinder_drawing(angle: Array, geometry: OscillatingCylinder) -> Drawing:
+def oscillating_cylinder_drawing(angle: Array, geometry: CrankAndPivot) -> Drawing:
     """Shaft, crank pin, trunnion, cylinder and piston rod at each angle, shape (..., n)."""
     motion = oscillating_cylinder(angle, geometry)
     still = 0.0 * angle

@@ -1,47 +1,37 @@
 """Forces of the oscillating cylinder: reactions of crank, piston and cylinder, and the driving torque."""
 
-from typing import NamedTuple
+from typing import Generic, NamedTuple
 
-from cranktrain.linkage import AHEAD, Crank, OnLine, Swivel
+from cranktrain.linkage import AHEAD, Crank, CrankAndPivot, OnLine, Swivel
 from cranktrain.linkage.forces import (
     NOTHING,
     Body,
     Conditions,
     Friction,
-    Gravity,
-    Reduced,
     SwivelLoads,
     Wrench,
     borne,
     carrying_crank,
     crank_link,
-    reduced_of_three,
     swivel_reactions,
     swivel_slider_link,
 )
-from cranktrain.mechanisms.kind import FRAME, Across, Contact, Dynamics, Group, Reaction
-from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinder, OscillatingCylinderMotion
-from cranktrain.mechanisms.solved import Forces
+from cranktrain.mechanisms.dynamics import FRAME, Across, Contact, Dynamics, Group, Reaction
+from cranktrain.mechanisms.oscillating_cylinder.kinematics import OscillatingCylinderMotion
+from cranktrain.mechanisms.solved import Each, Forces
 from cranktrain.motion import ZERO, Array, Link
 
 
-class OscillatingCylinderBodies(NamedTuple):
-    """Crank, from the shaft to its pin; piston with its rod, from the crank pin, and cylinder, from its trunnion.
+class OscillatingCylinderLinks(NamedTuple, Generic[Each]):
+    """What each link has: crank, from the shaft to its pin; piston and its rod, from that; cylinder, from its trunnion.
 
-    Piston and cylinder both count along the direction from the trunnion to the crank pin: the head lies at minus.
+    Its link, its body, or the wrench that it bears, about its first pin. Piston and cylinder both count along the
+    direction from the trunnion to the crank pin: the head lies at minus.
     """
 
-    crank: Body
-    slider: Body
-    cylinder: Body
-
-
-class OscillatingCylinderLoads(NamedTuple):
-    """Wrenches on crank, piston and cylinder, each about its first pin: shaft's centre, crank pin, trunnion."""
-
-    crank: Wrench
-    slider: Wrench
-    cylinder: Wrench
+    crank: Each
+    slider: Each
+    cylinder: Each
 
 
 class OscillatingCylinderJoints(NamedTuple):
@@ -57,17 +47,17 @@ class OscillatingCylinderJoints(NamedTuple):
 
 
 def oscillating_cylinder_links(
-    motion: OscillatingCylinderMotion, geometry: OscillatingCylinder
-) -> tuple[Link, Link, Link]:
+    motion: OscillatingCylinderMotion, geometry: CrankAndPivot
+) -> OscillatingCylinderLinks[Link]:
     """What moves, as links: crank, slider and cylinder."""
     crank = crank_link(motion.pin, Crank(geometry.crank_radius))
     piston = swivel_slider_link(motion.pin, motion.cylinder)
-    return (crank, piston, motion.cylinder)
+    return OscillatingCylinderLinks(crank, piston, motion.cylinder)
 
 
 def oscillating_cylinder_load(
-    motion: OscillatingCylinderMotion, geometry: OscillatingCylinder, force: Array
-) -> OscillatingCylinderLoads:
+    motion: OscillatingCylinderMotion, geometry: CrankAndPivot, force: Array
+) -> OscillatingCylinderLinks[Wrench]:
     """Loads for a force on the piston along the slider's coordinate, toward the head; the cylinder gets its opposite.
 
     Both act along the cylinder's axis. [N]
@@ -75,14 +65,14 @@ def oscillating_cylinder_load(
     cylinder = motion.cylinder
     x = force * cylinder.cos
     y = force * cylinder.sin
-    return OscillatingCylinderLoads(NOTHING, Wrench(-x, -y, ZERO), Wrench(x, y, -geometry.offset * force))
+    return OscillatingCylinderLinks(NOTHING, Wrench(-x, -y, ZERO), Wrench(x, y, -geometry.offset * force))
 
 
 def oscillating_cylinder_forces(
     motion: OscillatingCylinderMotion,
-    geometry: OscillatingCylinder,
-    bodies: OscillatingCylinderBodies,
-    loads: OscillatingCylinderLoads,
+    geometry: CrankAndPivot,
+    bodies: OscillatingCylinderLinks[Body],
+    loads: OscillatingCylinderLinks[Wrench],
     conditions: Conditions,
 ) -> Forces[OscillatingCylinderJoints]:
     """All forces of an oscillating cylinder.
@@ -90,9 +80,9 @@ def oscillating_cylinder_forces(
     Parameters
     ----------
     motion : OscillatingCylinderMotion, shape (..., n)
-    geometry : OscillatingCylinder, fields broadcastable to (..., 1)
-    bodies : OscillatingCylinderBodies, fields broadcastable to (..., 1)
-    loads : OscillatingCylinderLoads, shape (..., n)
+    geometry : CrankAndPivot, fields broadcastable to (..., 1)
+    bodies : OscillatingCylinderLinks of Body, fields broadcastable to (..., 1)
+    loads : OscillatingCylinderLinks of Wrench, shape (..., n)
     conditions : Conditions, fields broadcastable to (..., n)
         Friction's sense is that of the slider's coordinate, toward the head.
 
@@ -128,23 +118,9 @@ def oscillating_cylinder_forces(
     )
 
 
-def oscillating_cylinder_reduced(
-    motion: OscillatingCylinderMotion,
-    geometry: OscillatingCylinder,
-    bodies: OscillatingCylinderBodies,
-    loads: OscillatingCylinderLoads,
-    gravity: Gravity,
-) -> Reduced:
-    """Reduced inertia, its derivative, and the torque of loads and weights on the crank; parameters as of the forces.
-
-    Without friction, which depends on how the crank turns. docs/theory/forces, eqs. (13.4) and (13.6).
-    """
-    return reduced_of_three(oscillating_cylinder_links(motion, geometry), bodies, loads, gravity)
-
-
 DYNAMICS = Dynamics(
-    bodies=OscillatingCylinderBodies,
-    moving=OscillatingCylinderBodies._fields,
+    bodies=OscillatingCylinderLinks[Body],
+    moving=OscillatingCylinderLinks._fields,
     reactions=(
         Reaction("main_bearing", "crank", FRAME, "main_bearing"),
         Reaction("crank_pin", "slider", "crank", "crank_pin"),
@@ -157,5 +133,4 @@ DYNAMICS = Dynamics(
     links=oscillating_cylinder_links,
     load=oscillating_cylinder_load,
     forces=oscillating_cylinder_forces,
-    reduced=oscillating_cylinder_reduced,
 )

@@ -2,20 +2,8 @@
 
 from typing import NamedTuple
 
-from cranktrain.linkage import AHEAD, Crank, CrankAndPivot, Swivel, SwivelEnds, crank, crank_swivel_gap, fixed, swivel
+from cranktrain.linkage import AHEAD, Crank, CrankAndPivot, Swivel, SwivelEnds, crank, fixed, swivel
 from cranktrain.motion import Array, Coefficient, Link, Point
-
-
-class OscillatingCylinder(NamedTuple):
-    """Crank radius, ground (shaft centre to trunnion, along x), offset of the cylinder's axis from the trunnion. [m]
-
-    way is +1 where the trunnion lies outside the crank circle, −1 inside.
-    """
-
-    crank_radius: Array
-    ground_length: Array
-    offset: Array
-    way: Array
 
 
 class OscillatingCylinderMotion(NamedTuple):
@@ -29,14 +17,14 @@ class OscillatingCylinderMotion(NamedTuple):
     cylinder: Link
 
 
-def oscillating_cylinder(angle: Array, geometry: OscillatingCylinder) -> OscillatingCylinderMotion:
+def oscillating_cylinder(angle: Array, geometry: CrankAndPivot) -> OscillatingCylinderMotion:
     """Piston in a cylinder that rocks about a trunnion, its rod on the crank pin, and the derivatives.
 
     Parameters
     ----------
     angle : Array, shape (..., n)
         Crank angle from x, the direction from the shaft centre to the trunnion. [rad]
-    geometry : OscillatingCylinder, fields broadcastable to (..., 1)
+    geometry : CrankAndPivot, fields broadcastable to (..., 1)
 
     Returns
     -------
@@ -57,10 +45,3 @@ def oscillating_cylinder(angle: Array, geometry: OscillatingCylinder) -> Oscilla
     )
     slider = Coefficient(square / (geometry.ground_length + out.value), -out.first, -out.second)
     return OscillatingCylinderMotion(pin, slider, motion.guide)
-
-
-def oscillating_cylinder_gap(angle: Array, geometry: OscillatingCylinder) -> Array:
-    """By how much the crank pin is far enough from the pivot; negative where not, as `crank_swivel_gap`. [m]"""
-    return crank_swivel_gap(
-        angle, CrankAndPivot(geometry.crank_radius, geometry.ground_length, geometry.offset, geometry.way)
-    )

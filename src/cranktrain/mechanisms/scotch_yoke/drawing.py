@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.linkage import fixed
-from cranktrain.mechanisms.kind import Block, Drawing, DrawnLink, Guide
+from cranktrain.mechanisms.drawing import Block, Drawing, DrawnLink, Guide
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke, scotch_yoke
 from cranktrain.motion import Array, Coefficient, Point, single
 

@@ -1,6 +1,6 @@
 """Forces of the scotch yoke: reactions of crank, block and slider, and the driving torque."""
 
-from typing import NamedTuple
+from typing import Generic, NamedTuple
 
 from cranktrain.linkage import Crank, Yoke
 from cranktrain.linkage.forces import (
@@ -8,38 +8,31 @@ from cranktrain.linkage.forces import (
     Body,
     Conditions,
     CrossingFriction,
-    Gravity,
-    Reduced,
     Wrench,
     YokeLoads,
     block_link,
     borne,
     carrying_crank,
     crank_link,
-    reduced_of_three,
     slider_link,
     yoke_reactions,
 )
-from cranktrain.mechanisms.kind import FRAME, Contact, Dynamics, Group, Reaction
+from cranktrain.mechanisms.dynamics import FRAME, Contact, Dynamics, Group, Reaction
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke, ScotchYokeMotion
-from cranktrain.mechanisms.solved import Forces
+from cranktrain.mechanisms.solved import Each, Forces
 from cranktrain.motion import ZERO, Array, Link
 
 
-class ScotchYokeBodies(NamedTuple):
-    """Crank, from the shaft to its pin; block, from the pin along the slot; slider, from where the slot meets x."""
+class ScotchYokeLinks(NamedTuple, Generic[Each]):
+    """What each link has: crank, from the shaft to its pin; block, from that along the slot; slider, from there on x.
 
-    crank: Body
-    block: Body
-    slider: Body
+    Its link, its body, or the wrench that it bears, about its first pin. The slider's
+    is where the slot meets the guide.
+    """
 
-
-class ScotchYokeLoads(NamedTuple):
-    """Wrenches on crank, block and slider, about the shaft's centre, the pin, and where the slot meets the guide."""
-
-    crank: Wrench
-    block: Wrench
-    slider: Wrench
+    crank: Each
+    block: Each
+    slider: Each
 
 
 class ScotchYokeJoints(NamedTuple):
@@ -51,24 +44,24 @@ class ScotchYokeJoints(NamedTuple):
     guide: Wrench
 
 
-def scotch_yoke_links(motion: ScotchYokeMotion, geometry: ScotchYoke) -> tuple[Link, Link, Link]:
+def scotch_yoke_links(motion: ScotchYokeMotion, geometry: ScotchYoke) -> ScotchYokeLinks[Link]:
     """What moves, as links: crank, block and slider."""
     crank = crank_link(motion.pin, Crank(geometry.crank_radius))
     block = block_link(motion.pin, geometry.slot_angle)
     slider = slider_link(motion.slider, geometry.offset)
-    return (crank, block, slider)
+    return ScotchYokeLinks(crank, block, slider)
 
 
-def scotch_yoke_load(_motion: ScotchYokeMotion, _geometry: ScotchYoke, force: Array) -> ScotchYokeLoads:
+def scotch_yoke_load(_motion: ScotchYokeMotion, _geometry: ScotchYoke, force: Array) -> ScotchYokeLinks[Wrench]:
     """Loads for a force on the slider along x, on the line of stroke, away from the shaft. [N]"""
-    return ScotchYokeLoads(NOTHING, NOTHING, Wrench(force, ZERO, ZERO))
+    return ScotchYokeLinks(NOTHING, NOTHING, Wrench(force, ZERO, ZERO))
 
 
 def scotch_yoke_forces(
     motion: ScotchYokeMotion,
     geometry: ScotchYoke,
-    bodies: ScotchYokeBodies,
-    loads: ScotchYokeLoads,
+    bodies: ScotchYokeLinks[Body],
+    loads: ScotchYokeLinks[Wrench],
     conditions: Conditions,
 ) -> Forces[ScotchYokeJoints]:
     """All forces of a scotch yoke.
@@ -77,8 +70,8 @@ def scotch_yoke_forces(
     ----------
     motion : ScotchYokeMotion, shape (..., n)
     geometry : ScotchYoke, fields broadcastable to (..., 1)
-    bodies : ScotchYokeBodies, fields broadcastable to (..., 1)
-    loads : ScotchYokeLoads, shape (..., n)
+    bodies : ScotchYokeLinks of Body, fields broadcastable to (..., 1)
+    loads : ScotchYokeLinks of Wrench, shape (..., n)
     conditions : Conditions, fields broadcastable to (..., n)
         Friction of the slider in its guide, and of the block along the slot.
 
@@ -113,23 +106,9 @@ def scotch_yoke_forces(
     )
 
 
-def scotch_yoke_reduced(
-    motion: ScotchYokeMotion,
-    geometry: ScotchYoke,
-    bodies: ScotchYokeBodies,
-    loads: ScotchYokeLoads,
-    gravity: Gravity,
-) -> Reduced:
-    """Reduced inertia, its derivative, and the torque of loads and weights on the crank; parameters as of the forces.
-
-    Without friction, which depends on how the crank turns. docs/theory/forces, eqs. (13.4) and (13.6).
-    """
-    return reduced_of_three(scotch_yoke_links(motion, geometry), bodies, loads, gravity)
-
-
 DYNAMICS = Dynamics(
-    bodies=ScotchYokeBodies,
-    moving=ScotchYokeBodies._fields,
+    bodies=ScotchYokeLinks[Body],
+    moving=ScotchYokeLinks._fields,
     reactions=(
         Reaction("main_bearing", "crank", FRAME, "main_bearing"),
         Reaction("crank_pin", "block", "crank", "crank_pin"),
@@ -142,5 +121,4 @@ DYNAMICS = Dynamics(
     links=scotch_yoke_links,
     load=scotch_yoke_load,
     forces=scotch_yoke_forces,
-    reduced=scotch_yoke_reduced,
 )

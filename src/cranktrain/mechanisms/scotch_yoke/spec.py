@@ -6,8 +6,8 @@ from typing import Literal, Self
 from pydantic import model_validator
 
 from cranktrain.language import _
-from cranktrain.mechanisms.kind import Master, MechanismSpec
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke
+from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import single
 from cranktrain.quantities import Angle, Given, Length, PositiveLength
 from cranktrain.spec import Refused
@@ -37,13 +37,11 @@ class ScotchYokeSpec(MechanismSpec, frozen=True):
         return "slot_angle"
 
 
-def scotch_yoke_geometry(spec: ScotchYokeSpec, master: Master | None = None) -> ScotchYoke:
+def scotch_yoke_geometry(spec: ScotchYokeSpec, _master: Master | None = None) -> ScotchYoke:
     """Lengths and angle in SI."""
-    del master
     return ScotchYoke(single(spec.crank_radius.si), single(spec.offset.si), single(spec.slot_angle.si))
 
 
-def scotch_yoke_advice(geometry: ScotchYoke) -> str:
+def scotch_yoke_advice(_geometry: ScotchYoke) -> str:
     """Say what would let it close."""
-    del geometry
     return _("slot_angle must not lie along the line of stroke: 90 deg is across it")

@@ -1,6 +1,6 @@
 """The slider-crank, to be drawn."""
 
-from cranktrain.mechanisms.kind import Drawing, DrawnLink, Guide
+from cranktrain.mechanisms.drawing import Drawing, DrawnLink, Guide
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 from cranktrain.motion import Array, Coefficient, Point, single
 

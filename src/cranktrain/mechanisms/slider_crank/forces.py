@@ -1,43 +1,35 @@
 """Forces of the slider-crank: reactions of crank, rod and slider, and the driving torque."""
 
-from typing import NamedTuple
+from typing import Generic, NamedTuple
 
 from cranktrain.linkage import AHEAD, Crank, Slide
 from cranktrain.linkage.forces import (
     NOTHING,
     Body,
     Conditions,
-    Gravity,
-    Reduced,
     SlideLoads,
     Wrench,
     borne,
     carrying_crank,
     crank_link,
-    reduced_of_three,
     slide_reactions,
     slider_link,
 )
-from cranktrain.mechanisms.kind import FRAME, Across, Contact, Dynamics, Group, Reaction
+from cranktrain.mechanisms.dynamics import FRAME, Across, Contact, Dynamics, Group, Reaction
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, SliderCrankMotion
-from cranktrain.mechanisms.solved import Forces
+from cranktrain.mechanisms.solved import Each, Forces
 from cranktrain.motion import ZERO, Array, Link
 
 
-class SliderCrankBodies(NamedTuple):
-    """Crank, from the shaft to its pin; rod, from the crank pin to the slider's; slider, from its pin along x."""
+class SliderCrankLinks(NamedTuple, Generic[Each]):
+    """What each link has: crank, from the shaft to its pin; rod, from the crank pin to the slider's; slider, along x.
 
-    crank: Body
-    rod: Body
-    slider: Body
+    Its link, its body, or the wrench that it bears, about its first pin.
+    """
 
-
-class SliderCrankLoads(NamedTuple):
-    """Wrenches on crank, rod and slider, each about its first pin: the shaft's centre, the crank pin, the slider's."""
-
-    crank: Wrench
-    rod: Wrench
-    slider: Wrench
+    crank: Each
+    rod: Each
+    slider: Each
 
 
 class SliderCrankJoints(NamedTuple):
@@ -49,23 +41,23 @@ class SliderCrankJoints(NamedTuple):
     guide: Wrench
 
 
-def slider_crank_links(motion: SliderCrankMotion, geometry: SliderCrank) -> tuple[Link, Link, Link]:
+def slider_crank_links(motion: SliderCrankMotion, geometry: SliderCrank) -> SliderCrankLinks[Link]:
     """What moves, as links: crank, rod and slider."""
     crank = crank_link(motion.pin, Crank(geometry.crank_radius))
     slider = slider_link(motion.slider, geometry.offset)
-    return (crank, motion.rod, slider)
+    return SliderCrankLinks(crank, motion.rod, slider)
 
 
-def slider_crank_load(_motion: SliderCrankMotion, _geometry: SliderCrank, force: Array) -> SliderCrankLoads:
+def slider_crank_load(_motion: SliderCrankMotion, _geometry: SliderCrank, force: Array) -> SliderCrankLinks[Wrench]:
     """Loads for a force on the slider along x, away from the shaft; a gas presses toward it. [N]"""
-    return SliderCrankLoads(NOTHING, NOTHING, Wrench(force, ZERO, ZERO))
+    return SliderCrankLinks(NOTHING, NOTHING, Wrench(force, ZERO, ZERO))
 
 
 def slider_crank_forces(
     motion: SliderCrankMotion,
     geometry: SliderCrank,
-    bodies: SliderCrankBodies,
-    loads: SliderCrankLoads,
+    bodies: SliderCrankLinks[Body],
+    loads: SliderCrankLinks[Wrench],
     conditions: Conditions,
 ) -> Forces[SliderCrankJoints]:
     """All forces of a slider-crank.
@@ -74,8 +66,8 @@ def slider_crank_forces(
     ----------
     motion : SliderCrankMotion, shape (..., n)
     geometry : SliderCrank, fields broadcastable to (..., 1)
-    bodies : SliderCrankBodies, fields broadcastable to (..., 1)
-    loads : SliderCrankLoads, shape (..., n)
+    bodies : SliderCrankLinks of Body, fields broadcastable to (..., 1)
+    loads : SliderCrankLinks of Wrench, shape (..., n)
         Rods that hang on this one load it: `loads.rod`.
     conditions : Conditions, fields broadcastable to (..., n)
 
@@ -123,23 +115,9 @@ def slider_crank_forces(
     )
 
 
-def slider_crank_reduced(
-    motion: SliderCrankMotion,
-    geometry: SliderCrank,
-    bodies: SliderCrankBodies,
-    loads: SliderCrankLoads,
-    gravity: Gravity,
-) -> Reduced:
-    """Reduced inertia, its derivative, and the torque of loads and weights on the crank; parameters as of the forces.
-
-    Without friction, which depends on how the crank turns. docs/theory/forces, eqs. (13.4) and (13.6).
-    """
-    return reduced_of_three(slider_crank_links(motion, geometry), bodies, loads, gravity)
-
-
 DYNAMICS = Dynamics(
-    bodies=SliderCrankBodies,
-    moving=SliderCrankBodies._fields,
+    bodies=SliderCrankLinks[Body],
+    moving=SliderCrankLinks._fields,
     reactions=(
         Reaction("main_bearing", "crank", FRAME, "main_bearing"),
         Reaction("crank_pin", "rod", "crank", "crank_pin"),
@@ -152,5 +130,4 @@ DYNAMICS = Dynamics(
     links=slider_crank_links,
     load=slider_crank_load,
     forces=slider_crank_forces,
-    reduced=slider_crank_reduced,
 )

@@ -7,8 +7,8 @@ from pydantic import model_validator
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.mechanisms.kind import Master, MechanismSpec
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
+from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import single
 from cranktrain.quantities import Given, Length, PositiveLength, PositiveRatio
 from cranktrain.spec import Refused
@@ -66,9 +66,8 @@ def _not_once(spec: SliderCrankSpec, names: tuple[str, ...]) -> Problem | None:
     return None
 
 
-def slider_crank_geometry(spec: SliderCrankSpec, master: Master | None = None) -> SliderCrank:
+def slider_crank_geometry(spec: SliderCrankSpec, _master: Master | None = None) -> SliderCrank:
     """Crank radius, rod length and offset in SI, whichever way they were given; docs/theory/slider-crank."""
-    del master
     radius = spec.crank_radius.si if spec.crank_radius is not None else _radius_from_stroke(spec)
     assert radius is not None  # the spec refuses a stroke that no crank makes
     return SliderCrank(single(radius), single(_rod_length(spec, radius)), single(spec.offset.si))

@@ -1,26 +1,23 @@
 """Slotted lever: shapers and slotters; a longer crank than ground is the quick return that Whitworth built."""
 
 from cranktrain.language import N_
+from cranktrain.linkage import crank_swivel_gap
 from cranktrain.mechanisms.kind import Kind, Members
+from cranktrain.mechanisms.rocking_guide import rocking_guide_geometry
 from cranktrain.mechanisms.slotted_lever.drawing import slotted_lever_drawing
 from cranktrain.mechanisms.slotted_lever.forces import DYNAMICS
-from cranktrain.mechanisms.slotted_lever.kinematics import (
-    SlottedLever,
-    SlottedLeverMotion,
-    slotted_lever,
-    slotted_lever_gap,
-)
-from cranktrain.mechanisms.slotted_lever.spec import SlottedLeverSpec, slotted_lever_advice, slotted_lever_geometry
+from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLeverMotion, slotted_lever
+from cranktrain.mechanisms.slotted_lever.spec import SlottedLeverSpec, slotted_lever_advice
 
-__all__ = ["KIND", "SlottedLever", "SlottedLeverMotion", "SlottedLeverSpec", "slotted_lever"]
+__all__ = ["KIND", "SlottedLeverMotion", "SlottedLeverSpec", "slotted_lever"]
 
 KIND = Kind(
     name="slotted_lever",
     title=N_("slotted lever, rocking or turning (Whitworth)"),
     spec=SlottedLeverSpec,
-    geometry=slotted_lever_geometry,
+    geometry=rocking_guide_geometry,
     motion=slotted_lever,
-    gap=slotted_lever_gap,
+    gap=crank_swivel_gap,
     lengths=("crank_radius", "ground_length", "offset"),
     output="rocker",
     has_rod=False,

@@ -1,12 +1,12 @@
 """The slotted lever, to be drawn."""
 
-from cranktrain.linkage import LinkPoint, fixed, point
-from cranktrain.mechanisms.kind import Block, Drawing, DrawnLink
-from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLever, slotted_lever
+from cranktrain.linkage import CrankAndPivot, LinkPoint, fixed, point
+from cranktrain.mechanisms.drawing import Block, Drawing, DrawnLink
+from cranktrain.mechanisms.slotted_lever.kinematics import slotted_lever
 from cranktrain.motion import Array
 
 
-def slotted_lever_drawing(angle: Array, geometry: SlottedLever) -> Drawing:
+def slotted_lever_drawing(angle: Array, geometry: CrankAndPivot) -> Drawing:
     """Shaft, crank pin, pivot and the lever's end at each angle, shape (..., n), and their links."""
     motion = slotted_lever(angle, geometry)
     still = 0.0 * angle

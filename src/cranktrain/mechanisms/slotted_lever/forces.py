@@ -1,43 +1,35 @@
 """Forces of the slotted lever: reactions of crank, block and lever, and the driving torque."""
 
-from typing import NamedTuple
+from typing import Generic, NamedTuple
 
-from cranktrain.linkage import AHEAD, Crank, OnLine, Swivel
+from cranktrain.linkage import AHEAD, Crank, CrankAndPivot, OnLine, Swivel
 from cranktrain.linkage.forces import (
     NOTHING,
     Body,
     Conditions,
-    Gravity,
-    Reduced,
     SwivelLoads,
     Wrench,
     borne,
     carrying_crank,
     crank_link,
-    reduced_of_three,
     swivel_reactions,
     swivel_slider_link,
 )
-from cranktrain.mechanisms.kind import FRAME, Across, Contact, Dynamics, Group, Reaction
-from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLever, SlottedLeverMotion
-from cranktrain.mechanisms.solved import Forces
+from cranktrain.mechanisms.dynamics import FRAME, Across, Contact, Dynamics, Group, Reaction
+from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLeverMotion
+from cranktrain.mechanisms.solved import Each, Forces
 from cranktrain.motion import ZERO, Array, Link
 
 
-class SlottedLeverBodies(NamedTuple):
-    """Crank, from the shaft to its pin; block, from the pin along the slot; rocker, from its pivot along the slot."""
+class SlottedLeverLinks(NamedTuple, Generic[Each]):
+    """What each link has: crank, from the shaft to its pin; block, from that along the slot; rocker, from its pivot.
 
-    crank: Body
-    block: Body
-    rocker: Body
+    Its link, its body, or the wrench that it bears, about its first pin. The rocker too counts along the slot.
+    """
 
-
-class SlottedLeverLoads(NamedTuple):
-    """Wrenches on crank, block and rocker, each about its first pin: the shaft's centre, the crank pin, the pivot."""
-
-    crank: Wrench
-    block: Wrench
-    rocker: Wrench
+    crank: Each
+    block: Each
+    rocker: Each
 
 
 class SlottedLeverJoints(NamedTuple):
@@ -49,23 +41,25 @@ class SlottedLeverJoints(NamedTuple):
     pivot: Wrench
 
 
-def slotted_lever_links(motion: SlottedLeverMotion, geometry: SlottedLever) -> tuple[Link, Link, Link]:
+def slotted_lever_links(motion: SlottedLeverMotion, geometry: CrankAndPivot) -> SlottedLeverLinks[Link]:
     """What moves, as links: crank, block and rocker."""
     crank = crank_link(motion.pin, Crank(geometry.crank_radius))
     block = swivel_slider_link(motion.pin, motion.rocker)
-    return (crank, block, motion.rocker)
+    return SlottedLeverLinks(crank, block, motion.rocker)
 
 
-def slotted_lever_load(_motion: SlottedLeverMotion, _geometry: SlottedLever, torque: Array) -> SlottedLeverLoads:
+def slotted_lever_load(
+    _motion: SlottedLeverMotion, _geometry: CrankAndPivot, torque: Array
+) -> SlottedLeverLinks[Wrench]:
     """Loads for a torque on the lever, in the sense of rotation. [N·m]"""
-    return SlottedLeverLoads(NOTHING, NOTHING, Wrench(ZERO, ZERO, torque))
+    return SlottedLeverLinks(NOTHING, NOTHING, Wrench(ZERO, ZERO, torque))
 
 
 def slotted_lever_forces(
     motion: SlottedLeverMotion,
-    geometry: SlottedLever,
-    bodies: SlottedLeverBodies,
-    loads: SlottedLeverLoads,
+    geometry: CrankAndPivot,
+    bodies: SlottedLeverLinks[Body],
+    loads: SlottedLeverLinks[Wrench],
     conditions: Conditions,
 ) -> Forces[SlottedLeverJoints]:
     """All forces of a slotted lever.
@@ -73,9 +67,9 @@ def slotted_lever_forces(
     Parameters
     ----------
     motion : SlottedLeverMotion, shape (..., n)
-    geometry : SlottedLever, fields broadcastable to (..., 1)
-    bodies : SlottedLeverBodies, fields broadcastable to (..., 1)
-    loads : SlottedLeverLoads, shape (..., n)
+    geometry : CrankAndPivot, fields broadcastable to (..., 1)
+    bodies : SlottedLeverLinks of Body, fields broadcastable to (..., 1)
+    loads : SlottedLeverLinks of Wrench, shape (..., n)
     conditions : Conditions, fields broadcastable to (..., n)
         Friction's sense is that of the block along the slot, away from the pivot.
 
@@ -109,23 +103,9 @@ def slotted_lever_forces(
     )
 
 
-def slotted_lever_reduced(
-    motion: SlottedLeverMotion,
-    geometry: SlottedLever,
-    bodies: SlottedLeverBodies,
-    loads: SlottedLeverLoads,
-    gravity: Gravity,
-) -> Reduced:
-    """Reduced inertia, its derivative, and the torque of loads and weights on the crank; parameters as of the forces.
-
-    Without friction, which depends on how the crank turns. docs/theory/forces, eqs. (13.4) and (13.6).
-    """
-    return reduced_of_three(slotted_lever_links(motion, geometry), bodies, loads, gravity)
-
-
 DYNAMICS = Dynamics(
-    bodies=SlottedLeverBodies,
-    moving=SlottedLeverBodies._fields,
+    bodies=SlottedLeverLinks[Body],
+    moving=SlottedLeverLinks._fields,
     reactions=(
         Reaction("main_bearing", "crank", FRAME, "main_bearing"),
         Reaction("crank_pin", "block", "crank", "crank_pin"),
@@ -138,5 +118,4 @@ DYNAMICS = Dynamics(
     links=slotted_lever_links,
     load=slotted_lever_load,
     forces=slotted_lever_forces,
-    reduced=slotted_lever_reduced,
 )

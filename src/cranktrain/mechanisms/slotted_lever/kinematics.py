@@ -2,21 +2,8 @@
 
 from typing import NamedTuple
 
-from cranktrain.linkage import AHEAD, Crank, CrankAndPivot, Swivel, SwivelEnds, crank, crank_swivel_gap, fixed, swivel
+from cranktrain.linkage import AHEAD, Crank, CrankAndPivot, Swivel, SwivelEnds, crank, fixed, swivel
 from cranktrain.motion import Array, Coefficient, Link, Point
-
-
-class SlottedLever(NamedTuple):
-    """Crank radius, ground (shaft centre to pivot, along x), offset of the slot's line from the pivot, to its left. [m]
-
-    way is +1 where the pivot lies outside the crank circle, −1 inside, where the lever turns all round: Whitworth's
-    quick return.
-    """
-
-    crank_radius: Array
-    ground_length: Array
-    offset: Array
-    way: Array
 
 
 class SlottedLeverMotion(NamedTuple):
@@ -27,14 +14,14 @@ class SlottedLeverMotion(NamedTuple):
     block: Coefficient
 
 
-def slotted_lever(angle: Array, geometry: SlottedLever) -> SlottedLeverMotion:
+def slotted_lever(angle: Array, geometry: CrankAndPivot) -> SlottedLeverMotion:
     """Lever about a fixed pivot, driven by a block on the crank pin in its slot, and the derivatives.
 
     Parameters
     ----------
     angle : Array, shape (..., n)
         Crank angle from x, the direction from the shaft centre to the pivot. [rad]
-    geometry : SlottedLever, fields broadcastable to (..., 1)
+    geometry : CrankAndPivot, fields broadcastable to (..., 1)
 
     Returns
     -------
@@ -49,10 +36,3 @@ def slotted_lever(angle: Array, geometry: SlottedLever) -> SlottedLeverMotion:
     pivot = fixed(geometry.ground_length, 0.0 * geometry.ground_length)
     motion = swivel(SwivelEnds(pin, pivot), Swivel(geometry.offset, AHEAD))
     return SlottedLeverMotion(pin, motion.guide, motion.slider)
-
-
-def slotted_lever_gap(angle: Array, geometry: SlottedLever) -> Array:
-    """By how much the crank pin is far enough from the pivot; negative where not, as `crank_swivel_gap`. [m]"""
-    return crank_swivel_gap(
-        angle, CrankAndPivot(geometry.crank_radius, geometry.ground_length, geometry.offset, geometry.way)
-    )

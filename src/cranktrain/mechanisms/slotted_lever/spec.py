@@ -3,36 +3,18 @@
 from typing import Literal
 
 from cranktrain.language import _
-from cranktrain.mechanisms.kind import Master, MechanismSpec
-from cranktrain.mechanisms.slotted_lever.kinematics import SlottedLever
-from cranktrain.motion import single
-from cranktrain.quantities import Given, Length, PositiveLength
+from cranktrain.linkage import CrankAndPivot
+from cranktrain.mechanisms.rocking_guide import RockingGuideSpec
 from cranktrain.wording import precise
 
 
-class SlottedLeverSpec(MechanismSpec, frozen=True):
+class SlottedLeverSpec(RockingGuideSpec, frozen=True):
     """Crank, pivot and the offset of the slot's line from it."""
 
     kind: Literal["slotted_lever"]
-    crank_radius: PositiveLength
-    ground_length: PositiveLength
-    offset: Length = Given(0.0, "0 mm")
-
-    @property
-    def rod_field(self) -> str:
-        """There is no rod: the ground decides whether it closes."""
-        return "ground_length"
 
 
-def slotted_lever_geometry(spec: SlottedLeverSpec, master: Master | None = None) -> SlottedLever:
-    """Lengths in SI."""
-    del master
-    radius, ground = spec.crank_radius.si, spec.ground_length.si
-    way = 1.0 if ground >= radius else -1.0
-    return SlottedLever(single(radius), single(ground), single(spec.offset.si), single(way))
-
-
-def slotted_lever_advice(geometry: SlottedLever) -> str:
+def slotted_lever_advice(geometry: CrankAndPivot) -> str:
     """Say how far the pivot must be for the crank to turn."""
     radius, offset = float(geometry.crank_radius), abs(float(geometry.offset))
     if radius <= offset:

@@ -2,22 +2,15 @@
 
 from dataclasses import replace
 from functools import cache, partial
+from typing import Any
 
 from cranktrain.language import N_
-from cranktrain.mechanisms.chain.composed import parts_of
-from cranktrain.mechanisms.chain.margin import chain_openings
+from cranktrain.mechanisms.chain.composed import as_chain
+from cranktrain.mechanisms.chain.kinematics import ChainMotion
 from cranktrain.mechanisms.chain.steps import Structure
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.stephenson.drawing import stephenson_drawing
-from cranktrain.mechanisms.stephenson.forces import stephenson_dynamics
-from cranktrain.mechanisms.stephenson.kinematics import (
-    CURVED,
-    STRAIGHT,
-    Stephenson,
-    stephenson,
-    stephenson_gap,
-    stephenson_size,
-)
+from cranktrain.mechanisms.stephenson.kinematics import CURVED, STRAIGHT, Stephenson, stephenson_size
 from cranktrain.mechanisms.stephenson.spec import (
     StephensonSpec,
     stephenson_advice,
@@ -25,7 +18,7 @@ from cranktrain.mechanisms.stephenson.spec import (
     structure_of,
 )
 
-__all__ = ["KIND", "Stephenson", "StephensonSpec", "stephenson"]
+__all__ = ["KIND", "Stephenson", "StephensonSpec"]
 
 _LENGTHS = {
     "eccentricity": "eccentricity",
@@ -41,22 +34,19 @@ _LENGTHS = {
 }
 
 
-@cache
-def _kind(structure: Structure) -> Kind:
-    """Give the kind of gears with a curved slot, or with a straight one."""
+def _fields(structure: Structure) -> dict[str, Any]:
+    """What the kind says of gears with a curved slot, or with a straight one."""
     lengths = _LENGTHS if structure is STRAIGHT else _LENGTHS | {"slot_arc": "link_radius"}
-    return replace(
-        KIND,
-        motion=partial(stephenson, structure),
-        gap=partial(stephenson_gap, structure),
-        lengths=tuple(lengths),
-        openings=partial(chain_openings, structure, tuple(lengths), partial(stephenson_size, structure)),
-        length_paths=tuple(lengths.values()),
-        drawing=partial(stephenson_drawing, structure),
-        dynamics=stephenson_dynamics(structure),
-        composed=None,
-        **parts_of(structure),
-    )
+    return {
+        **as_chain(structure, partial(stephenson_size, structure), lengths),
+        "drawing": partial(stephenson_drawing, structure),
+    }
+
+
+@cache
+def _kind(structure: Structure) -> Kind[ChainMotion, Stephenson]:
+    """Give the kind of gears with a curved slot, or with a straight one."""
+    return replace(KIND, composed=None, **_fields(structure))
 
 
 KIND = Kind(
@@ -64,20 +54,13 @@ KIND = Kind(
     title=N_("Stephenson's link motion"),
     spec=StephensonSpec,
     geometry=stephenson_geometry,
-    motion=partial(stephenson, CURVED),
-    gap=partial(stephenson_gap, CURVED),
-    lengths=tuple(_LENGTHS),
-    output="slider",
     has_rod=False,
-    links=(),
-    drawing=partial(stephenson_drawing, CURVED),
-    dynamics=stephenson_dynamics(CURVED),
     closing_advice=stephenson_advice,
     members=Members,
     stages=(),
-    openings=partial(chain_openings, CURVED, tuple(_LENGTHS), partial(stephenson_size, CURVED)),
     has_chambers=False,
     composed=lambda spec: _kind(structure_of(spec)),
+    **_fields(CURVED),
     example="""\
 [mechanism]
 kind = "stephenson"

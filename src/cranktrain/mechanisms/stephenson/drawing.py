@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from cranktrain.mechanisms.chain.drawing import chain_drawing
 from cranktrain.mechanisms.chain.steps import Structure
-from cranktrain.mechanisms.kind import Drawing, DrawnLink
+from cranktrain.mechanisms.drawing import Drawing, DrawnLink
 from cranktrain.mechanisms.stephenson.kinematics import Stephenson, stephenson_size
 from cranktrain.motion import Array
 

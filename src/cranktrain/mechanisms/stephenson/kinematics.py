@@ -5,8 +5,6 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.linkage import AHEAD
-from cranktrain.mechanisms.chain.gaps import chain_gap
-from cranktrain.mechanisms.chain.kinematics import ChainMotion, chain_motion
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     CrankSize,
@@ -91,10 +89,11 @@ def stephenson_size(structure: Structure, geometry: Stephenson) -> ChainSize:
     Returns
     -------
     ChainSize
+        The crank angle counts from x, the valve's line away from the shaft.
 
     Notes
     -----
-    docs/theory/stephenson, eqs. (21.1) to (21.3).
+    Exact, the link's rise and fall on its lifting link included; docs/theory/stephenson, eqs. (21.1) to (21.3).
     """
     arm = geometry.arm
     half = 0.5 * geometry.pin_spacing
@@ -124,31 +123,3 @@ def stephenson_size(structure: Structure, geometry: Stephenson) -> ChainSize:
 
 def _joint(along: Array, across: Array) -> PointSize:
     return PointSize(np.hypot(along, across), np.arctan2(across, along))
-
-
-def stephenson(structure: Structure, angle: Array, geometry: Stephenson) -> ChainMotion:
-    """Link and valve, and their derivatives by the crank angle.
-
-    Parameters
-    ----------
-    structure : Structure
-        `CURVED` or `STRAIGHT`.
-    angle : Array, shape (..., n)
-        Angle of the main crank from x, the valve's line away from the shaft. [rad]
-    geometry : Stephenson, fields broadcastable to (..., 1)
-
-    Returns
-    -------
-    ChainMotion, shape (..., n)
-        NaN where the links cannot close.
-
-    Notes
-    -----
-    Exact, the link's rise and fall on its lifting link included; docs/theory/stephenson.
-    """
-    return chain_motion(structure, angle, stephenson_size(structure, geometry))
-
-
-def stephenson_gap(structure: Structure, angle: Array, geometry: Stephenson) -> Array:
-    """By how much link and slot can close; negative where they cannot. [m]"""
-    return chain_gap(structure, angle, stephenson_size(structure, geometry))

@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.mechanisms.chain.assembly import assembled
 from cranktrain.mechanisms.chain.steps import NO_START, Structure, TriadSize
-from cranktrain.mechanisms.kind import Master, MechanismSpec
+from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.mechanisms.stephenson.kinematics import CURVED, STRAIGHT, LiftingArm, Stephenson, stephenson_size
 from cranktrain.mechanisms.valve_gear import Admission, Notch, set_ahead
 from cranktrain.motion import Array, single
@@ -47,9 +47,8 @@ def structure_of(spec: StephensonSpec) -> Structure:
     return STRAIGHT if spec.link_radius is None else CURVED
 
 
-def stephenson_geometry(spec: StephensonSpec, master: Master | None = None) -> Stephenson:
+def stephenson_geometry(spec: StephensonSpec, _master: Master | None = None) -> Stephenson:
     """Geometry in SI in the notch of the file, with the link put together upright between its rods and the arm."""
-    del master
     arm = LiftingArm(
         single(spec.reverse_shaft_x.si),
         single(spec.reverse_shaft_y.si),
@@ -90,9 +89,8 @@ def _upright(geometry: Stephenson) -> Array:
     return np.stack([np.append(x, saddle), across], axis=-1)
 
 
-def stephenson_advice(geometry: Stephenson) -> str:
+def stephenson_advice(_geometry: Stephenson) -> str:
     """Say what holds the link."""
-    del geometry
     return _(
         "eccentric rods, link and lifting link must reach each other, and the slot the valve's line; see pin_spacing, "
         "lifting_link_length, lifting_arm_angle and the place of the reverse shaft"

@@ -1,23 +1,12 @@
 """Walschaerts' valve gear: a return crank, a link about a fixed trunnion, and a combination lever on the crosshead."""
 
-from functools import partial
-
 from cranktrain.language import N_
-from cranktrain.mechanisms.chain.composed import parts_of
-from cranktrain.mechanisms.chain.margin import chain_openings
+from cranktrain.mechanisms.chain.composed import as_chain
 from cranktrain.mechanisms.kind import Kind, Members
-from cranktrain.mechanisms.walschaerts.drawing import walschaerts_drawing
-from cranktrain.mechanisms.walschaerts.forces import DYNAMICS
-from cranktrain.mechanisms.walschaerts.kinematics import (
-    STRUCTURE,
-    Walschaerts,
-    walschaerts,
-    walschaerts_gap,
-    walschaerts_size,
-)
+from cranktrain.mechanisms.walschaerts.kinematics import STRUCTURE, Walschaerts, walschaerts_size
 from cranktrain.mechanisms.walschaerts.spec import WalschaertsSpec, walschaerts_advice, walschaerts_geometry
 
-__all__ = ["KIND", "Walschaerts", "WalschaertsSpec", "walschaerts"]
+__all__ = ["KIND", "Walschaerts", "WalschaertsSpec"]
 
 _LENGTHS = {
     "master.crank_radius": "crank_radius of the crosshead's bank",
@@ -43,19 +32,12 @@ KIND = Kind(
     title=N_("Walschaerts' valve gear"),
     spec=WalschaertsSpec,
     geometry=walschaerts_geometry,
-    motion=walschaerts,
-    gap=walschaerts_gap,
-    lengths=tuple(_LENGTHS),
-    length_paths=tuple(_LENGTHS.values()),
     has_rod=False,
-    drawing=walschaerts_drawing,
-    dynamics=DYNAMICS,
     closing_advice=walschaerts_advice,
     members=Members,
     stages=(),
-    openings=partial(chain_openings, STRUCTURE, tuple(_LENGTHS), walschaerts_size),
     has_chambers=False,
-    **parts_of(STRUCTURE),
+    **as_chain(STRUCTURE, walschaerts_size, _LENGTHS),
     example="""\
 [bank.cylinder]
 angle = "90 deg"

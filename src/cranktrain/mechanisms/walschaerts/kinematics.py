@@ -5,8 +5,6 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.linkage import AHEAD
-from cranktrain.mechanisms.chain.gaps import chain_gap
-from cranktrain.mechanisms.chain.kinematics import ChainMotion, chain_motion
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     CrankSize,
@@ -99,10 +97,11 @@ def walschaerts_size(geometry: Walschaerts) -> ChainSize:
     Returns
     -------
     ChainSize
+        The crank angle counts from the *cylinder's* axis.
 
     Notes
     -----
-    docs/theory/walschaerts, eqs. (22.1) to (22.5).
+    Exact, for a block that keeps its place in the link; docs/theory/walschaerts, eqs. (22.1) to (22.5).
     """
     cylinder = -geometry.bank_angle
     master, lever, drop = geometry.master, geometry.lever, geometry.drop
@@ -131,32 +130,6 @@ def walschaerts_size(geometry: Walschaerts) -> ChainSize:
             TriadSize(legs, geometry.start),
         ),
     )
-
-
-def walschaerts(angle: Array, geometry: Walschaerts) -> ChainMotion:
-    """Link, lever and valve, and their derivatives by the crank angle.
-
-    Parameters
-    ----------
-    angle : Array, shape (..., n)
-        Angle of the main crank from the *cylinder's* axis. [rad]
-    geometry : Walschaerts, fields broadcastable to (..., 1)
-
-    Returns
-    -------
-    ChainMotion, shape (..., n)
-        In the axes of the valve's line. NaN where the links cannot close.
-
-    Notes
-    -----
-    Exact, for a block that keeps its place in the link; docs/theory/walschaerts.
-    """
-    return chain_motion(STRUCTURE, angle, walschaerts_size(geometry))
-
-
-def walschaerts_gap(angle: Array, geometry: Walschaerts) -> Array:
-    """By how much the links can close; negative where they cannot. [m]"""
-    return chain_gap(STRUCTURE, angle, walschaerts_size(geometry))
 
 
 def upright(geometry: Walschaerts) -> Array:

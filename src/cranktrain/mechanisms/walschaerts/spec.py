@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.mechanisms.chain.assembly import assembled
 from cranktrain.mechanisms.chain.steps import NO_START, Place, TriadSize
-from cranktrain.mechanisms.kind import Master, MechanismSpec
+from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.mechanisms.valve_gear import Admission, Notch, set_ahead
 from cranktrain.mechanisms.walschaerts.kinematics import STRUCTURE, Lever, Walschaerts, upright, walschaerts_size
 from cranktrain.motion import single
@@ -73,9 +73,8 @@ def walschaerts_geometry(spec: WalschaertsSpec, master: Master | None) -> Walsch
     return geometry._replace(start=lever.start)
 
 
-def walschaerts_advice(geometry: Walschaerts) -> str:
+def walschaerts_advice(_geometry: Walschaerts) -> str:
     """Say what holds the lever."""
-    del geometry
     return _(
         "eccentric rod and link must reach each other, radius rod and union link the lever; see trunnion_x, "
         "trunnion_y, foot_distance, radius_rod_length, lever_length, union_link_length and drop_y"

@@ -9,7 +9,7 @@ from cranktrain.layout.masses import bodies_given
 from cranktrain.layout.question import Dimension, Parts, Question, Stage, Use
 from cranktrain.layout.uses import table
 from cranktrain.questions.balance import frame_forces, running_frame, shaking, spec, weights
-from cranktrain.questions.forces.loaded import MechanismTorques
+from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 
 
 def _problems(design: Design) -> tuple[Problem, ...]:

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import reduce
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,12 +17,15 @@ from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.speed import Speed
 from cranktrain.layout.throws import Throws
 from cranktrain.linkage.forces import WEIGHTLESS, Momentum, Wrench, momentum
-from cranktrain.mechanisms.kind import FRAME
+from cranktrain.mechanisms.dynamics import FRAME
+from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.motion import ZERO, Array
 from cranktrain.numerics import has_ended, spectral_derivative, turn_grid
 from cranktrain.numerics.harmonics import ComplexArray
 from cranktrain.numerics.plane_vectors import PlaneVectors, curve_vectors, delayed_vectors
-from cranktrain.questions.forces.loaded import Carriers, LoadedMachine, SolvedGroup, largest_in_joints
+from cranktrain.questions.forces.carriers import Carriers
+from cranktrain.questions.forces.forces_times_arms import largest_in_joints
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
 from cranktrain.record import record
 
 _LIMIT = 1e-11
@@ -120,7 +123,7 @@ def without_loads(masses: Masses) -> Masses:
     return replace(masses, groups=groups)
 
 
-def momenta(machine: LoadedMachine, motions: Sequence[Any], frames: Frames) -> Momenta:
+def momenta(machine: LoadedMachine, motions: Sequence[AnyMotion], frames: Frames) -> Momenta:
     """Add up the links of every mechanism."""
     parts: list[Momenta] = []
     for group, made, motion in zip(machine.mechanisms.groups, machine.masses.groups, motions, strict=True):

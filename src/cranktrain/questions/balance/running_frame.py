@@ -25,7 +25,9 @@ from cranktrain.questions.balance.frame_forces import (
     momentum_check,
     without_loads,
 )
-from cranktrain.questions.forces.loaded import Carriers, LoadedMachine, largest_in_joints
+from cranktrain.questions.forces.carriers import Carriers
+from cranktrain.questions.forces.forces_times_arms import largest_in_joints
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.record import record
 
 

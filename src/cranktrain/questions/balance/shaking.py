@@ -21,7 +21,9 @@ from cranktrain.questions.balance.rotating_weights import weight_orders, weight_
 from cranktrain.questions.balance.running_frame import RunningFrame
 from cranktrain.questions.balance.shaken import BALANCE, Balanced, orders_told, shaken
 from cranktrain.questions.balance.weights import BalanceWeights
-from cranktrain.questions.forces.loaded import LoadedMachine, MechanismTorques, SolvedCycle
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
+from cranktrain.questions.forces.mechanism_torques import MechanismTorques
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.wording import Names
 

@@ -199,7 +199,7 @@ def chamber_volumes(
     # A chamber on the shaft's side is smallest where its piston is at the bottom.
     smallest = np.where(chambers.is_head, travel.least[:, chambers.cylinder], -travel.stroke[:, chambers.cylinder])
     start = clearance - chambers.area * smallest
-    volume = start[..., np.newaxis] + chambers.summed(motion.piston_displacement)
+    volume = start[..., np.newaxis] + chambers.summed(motion.piston_displacement.value)
     ratio = 1 + swept.swept_volume / clearance
     return ChamberVolumes(
         chamber_volume=volume,

@@ -7,7 +7,15 @@ from cranktrain.layout.design import Designs
 from cranktrain.layout.masses import bodies_given
 from cranktrain.layout.question import Dimension, Parts, Question, Stage, TableFile, Use
 from cranktrain.layout.uses import inner_table, keys, table
-from cranktrain.questions.evenness import applied_torque, flywheel, load_curve, running_speed, spec
+from cranktrain.questions.evenness import (
+    applied_torque,
+    flywheel,
+    flywheel_moment,
+    load_curve,
+    running_speed,
+    shaft_work,
+    spec,
+)
 
 
 def _parts(designs: Designs, _known: Parts) -> Iterator[object]:
@@ -23,18 +31,19 @@ QUESTION = Question(
     tables={_TABLE: spec.EvennessSpec},
     parts=_parts,
     stages=(
-        Stage(running_speed.flywheel_moment, applies=bodies_given),
+        Stage(flywheel_moment.flywheel_moment, applies=bodies_given),
         Stage(applied_torque.applied_torque, applies=applied_torque.of_steady_running),
         Stage(load_curve.load_torque),
-        Stage(running_speed.shaft_work),
+        Stage(shaft_work.shaft_work),
         Stage(running_speed.running_speed),
+        Stage(running_speed.for_second_run),
         Stage(flywheel.flywheel_size),
         Stage(flywheel.rim_size),
     ),
     dimensions=(Dimension("flywheel_method", N_("method")),),
     headline=("coefficient_of_fluctuation", "largest_excess_work", "wanted_flywheel_moment"),
     uses=(
-        Use(table(_TABLE), (running_speed.ShaftWork,)),
+        Use(table(_TABLE), (shaft_work.ShaftWork,)),
         Use(keys(_TABLE, "load", "flywheel", "flywheel_moment"), (running_speed.RunningSpeed,)),
         Use(inner_table(_TABLE, "motor"), (running_speed.RunningSpeed,)),
         Use(inner_table(_TABLE, "load_curve"), (load_curve.LoadTorque,)),

@@ -19,7 +19,8 @@ from cranktrain.numerics.periodic import (
     spline_integral,
 )
 from cranktrain.questions.evenness.spec import ShaftLoad
-from cranktrain.questions.forces.loaded import LoadedMachine, MechanismTorques
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
+from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.record import record
 
 _THEORY = "docs/theory/evenness"

@@ -11,7 +11,8 @@ from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.questions.evenness.flywheel_inertia import METHODS, Flywheel, flywheels_by_method
 from cranktrain.questions.evenness.rim import RimDemand, rim, rim_speed
-from cranktrain.questions.evenness.running_speed import RunningSpeed, ShaftWork
+from cranktrain.questions.evenness.running_speed import RunningSpeed
+from cranktrain.questions.evenness.shaft_work import ShaftWork
 from cranktrain.questions.evenness.spec import DeclaredRim, GivenFlywheel, ShaftLoad, WantedCoefficient
 from cranktrain.record import record
 from cranktrain.wording import Names, number
@@ -151,7 +152,7 @@ def rim_size(
     if size is not None:
         inertia, largest = size.flywheel_inertia[:, 0], size.exact.largest_speed
     elif flywheel is not None and running is not None:
-        inertia, largest = flywheel.inertia, running.largest_crank_speed
+        inertia, largest = flywheel.inertia, running.largest_crank_speed.value
     found = rim(RimDemand(inertia, wanted.other_share, wanted.mean_diameter, wanted.width_ratio, wanted.density))
     speed = rim_speed(found.outer_diameter, largest)
     return RimSize(

@@ -13,7 +13,7 @@ from cranktrain.numerics.periodic import PeriodicCurve, side_by_side
 from cranktrain.numerics.polyline import polyline_integral, polyline_mean, polyline_value
 from cranktrain.questions.evenness.applied_torque import AppliedTorque
 from cranktrain.questions.evenness.spec import LoadCurve, ShaftLoad
-from cranktrain.questions.forces.loaded import MechanismTorques
+from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
 from cranktrain.wording import Names, number

@@ -13,16 +13,20 @@ from cranktrain.layout.uses import table
 from cranktrain.quantities import Given
 from cranktrain.questions import gas
 from cranktrain.questions.forces import (
+    carriers,
     crank_pins,
     events,
     guides,
     joint_forces,
     largest_forces,
-    loaded,
+    loaded_machine,
+    mechanism_torques,
     piston_forces,
     rod_methods,
+    solved_cycle,
     unlikely,
 )
+from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.questions.motion.rods import on_rods
 
@@ -33,7 +37,7 @@ def _problems(design: Design) -> Iterator[Problem]:
 
 
 def _parts(designs: Designs, known: Parts) -> Iterator[object | None]:
-    yield loaded.carriers_of(designs.places[0])
+    yield carriers.carriers_of(designs.places[0])
     yield crank_pins.crank_pins_of(designs.mechanisms)
     # There are forces where gas presses, whether anything has a mass or not.
     if designs.first.weighed.bodies or all(part in known for part in gas.PRESSING):
@@ -54,14 +58,14 @@ QUESTION = Question(
     problems=_problems,
     parts=_parts,
     stages=(
-        Stage(loaded.loaded_machine),
-        Stage(loaded.solved_cycle),
+        Stage(loaded_machine.loaded_machine),
+        Stage(solved_cycle.solved_cycle),
         Stage(events.force_events),
         Stage(piston_forces.piston_force_set, applies=on_rods),
         Stage(largest_forces.largest_forces),
         Stage(rod_methods.rod_methods, applies=piston_forces.have_direct_rods),
         Stage(crank_pins.crank_pin_loads),
-        Stage(loaded.mechanism_torques),
+        Stage(mechanism_torques.mechanism_torques),
         Stage(joint_forces.joint_forces),
         Stage(guides.guide_edges, applies=guides.have_length),
         Stage(unlikely.unlikely_loads),
@@ -75,9 +79,14 @@ QUESTION = Question(
     headline=("largest_crankpin_load", "largest_joint_force"),
     uses=(
         # Gas that presses on nothing is missed by the forces.
-        Use(table("gas"), (GasPressures,), loaded.MechanismTorques, N_("forces and torque are of inertia alone")),
-        Use(_bodies, (loaded.MechanismTorques,)),
-        Use(table("friction"), (loaded.MechanismTorques,)),
+        Use(
+            table("gas"),
+            (GasPressures,),
+            MechanismTorques,
+            N_("forces and torque are of inertia alone"),
+        ),
+        Use(_bodies, (MechanismTorques,)),
+        Use(table("friction"), (MechanismTorques,)),
         Use(_guides, (guides.GuideEdges,)),
     ),
 )

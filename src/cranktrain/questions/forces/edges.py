@@ -4,7 +4,7 @@ import numpy as np
 
 from cranktrain.layout.mechanisms import Group
 from cranktrain.linkage.forces import EdgeForces, edge_forces
-from cranktrain.questions.forces.loaded import SolvedGroup
+from cranktrain.questions.forces.loaded_machine import SolvedGroup
 
 
 def edges_of(group: Group, one: SolvedGroup, place: int) -> EdgeForces:

@@ -10,7 +10,8 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots, in_slots
 from cranktrain.questions.forces.edges import edges_of
-from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle, SolvedGroup
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.gas.events import GasEvents
 from cranktrain.record import record
 

@@ -6,16 +6,18 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
+from cranktrain.catalogue import extreme, quantity
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.part_tables import part_name
-from cranktrain.mechanisms.kind import Reaction
+from cranktrain.mechanisms.dynamics import Reaction
 from cranktrain.motion import Array
+from cranktrain.numerics import Peak
 from cranktrain.questions.forces.events import ForceEvents
-from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle, SolvedGroup
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
 from cranktrain.questions.forces.peaks import largest_of_each, one_sided
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.wording import ranged
 
@@ -34,9 +36,13 @@ class JointForces:
     joint_moment: Array = quantity(
         "M_J", "N*m", _JOINT, N_("Moment in the joint: of a guide on what slides in it, about its pin"), _THEORY
     )
-    largest_joint_force: Array = quantity("F_max", "N", ("joint",), N_("Largest force in the joint"), _THEORY)
-    largest_joint_force_at: Array = quantity(
-        "φ(F_max)", "deg", ("joint",), N_("Crank angle of the largest force in the joint"), _THEORY
+    largest_joint_force: Peak = extreme(
+        "F_max",
+        "N",
+        ("joint",),
+        N_("Largest force in the joint"),
+        N_("Crank angle of the largest force in the joint"),
+        _THEORY,
     )
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"joint": ()})
     flags: tuple[str, ...] = ()
@@ -62,8 +68,7 @@ def joint_forces(
         joint_force_x=x,
         joint_force_y=y,
         joint_moment=moment,
-        largest_joint_force=largest.value,
-        largest_joint_force_at=largest.angle,
+        largest_joint_force=largest,
         labels={"joint": names},
         flags=(*_flags(loaded.masses), *friction, *one_sided([(_("largest force in"), largest)], names)),
     )

@@ -10,7 +10,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 from cranktrain.numerics import Curve, Peak, in_slots, largest_between
 from cranktrain.questions.forces.events import ForceEvents
-from cranktrain.questions.forces.loaded import LoadedMachine, SolvedGroup
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
 from cranktrain.wording import number
 
 _ROUNDING = 1e-12

@@ -13,7 +13,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Group, Pistons
 from cranktrain.motion import Array
 from cranktrain.questions.forces.crank_pins import CrankPinLoads
-from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.piston_formulas import (
     PistonForces,
     piston_forces,
@@ -21,6 +21,7 @@ from cranktrain.questions.forces.piston_formulas import (
     two_harmonic_inertia_force,
 )
 from cranktrain.questions.forces.rods_in_pistons import ForcesOfRods, RodsInPistons, end_residual, rods_in_pistons
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 
 _CURVE = ("force_method", "piston", "crank_angle")

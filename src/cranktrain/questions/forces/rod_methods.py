@@ -13,9 +13,10 @@ from cranktrain.linkage.forces import WEIGHTLESS, Wrench, work
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.periodic import cycle_grid
-from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.piston_forces import direct_groups
 from cranktrain.questions.forces.rod_masses import ROD_METHODS
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.wording import Names, number, ranged
 
@@ -95,12 +96,13 @@ def rod_methods(pistons: Pistons, loaded: LoadedMachine, solved: SolvedCycle, cr
         rod = group.kind.motion(angle + group.members.phase, size).rod
         body = loaded.masses.groups[place].bodies.rod
         forces = solved.groups[place].forces
-        guide = forces.joints[group.kind.dynamics.joint("guide")]
+        guide_place = group.kind.dynamics.joint("guide")
+        assert guide_place is not None  # of each piston that is driven directly
         piston = loaded.carriers.piston[group.index]
         found = {name: method(rod, body, size.rod_length, drive, WEIGHTLESS) for name, method in ROD_METHODS.items()}
         for row, wrench in enumerate(found.values()):
             off = Wrench(*(np.subtract(one, true) for one, true in zip(wrench, found["exact"], strict=True)))
-            side[:, row, piston] = _relative(off.moment / (size.rod_length * rod.cos), guide.y)
+            side[:, row, piston] = _relative(off.moment / (size.rod_length * rod.cos), forces.joints[guide_place].y)
             torque[:, row, piston] = _relative(work(rod, off), forces.driving_torque)
     return RodMethods(side, torque)
 

@@ -1,16 +1,17 @@
 """Rods that end in pistons, solved: their pins, what acts on them, and P, N and S by the reactions."""
 
 from collections.abc import Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.layout.mechanisms import Group
 from cranktrain.linkage.forces import Body, Drive, Gravity, Wrench, turned_wrench
-from cranktrain.mechanisms.kind import Role
+from cranktrain.mechanisms.dynamics import Role
+from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.motion import Array
-from cranktrain.questions.forces.loaded import LoadedMachine, SolvedGroup
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
 from cranktrain.questions.forces.piston_formulas import inertia_force, rod_forces
 from cranktrain.questions.forces.rod_masses import TwoMasses, weighed_ends
 
@@ -38,7 +39,7 @@ class RodsInPistons(NamedTuple):
 
     group: Group
     piston: NDArray[np.intp]
-    motion: Any
+    motion: AnyMotion
     joints: Sequence[Wrench]
     rod: Body
     shares: TwoMasses

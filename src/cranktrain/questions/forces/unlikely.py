@@ -12,7 +12,7 @@ from cranktrain.layout.part_tables import SLIDER
 from cranktrain.linkage.forces import Body
 from cranktrain.motion import Array
 from cranktrain.questions.cylinders.volumes import Chambers
-from cranktrain.questions.forces.loaded import LoadedMachine
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.questions.motion.dead_centres import DeadCentres
 from cranktrain.record import record

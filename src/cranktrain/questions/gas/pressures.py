@@ -5,13 +5,13 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import quantity
+from cranktrain.catalogue import extreme, quantity
 from cranktrain.checks import Limit, doubted
 from cranktrain.gas import kind_of
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array, Coefficient
-from cranktrain.numerics import around_zero, in_slots, largest_between
+from cranktrain.numerics import Extreme, around_zero, in_slots, largest_between
 from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.cylinders.volumes import RATIO, SweptVolumes
 from cranktrain.questions.gas.chambers import GasInChambers
@@ -52,8 +52,9 @@ class GasPressures:
     indicated_mean_pressure: Array = quantity(
         "p_i", "Pa", _CHAMBER, N_("Indicated mean effective pressure: work over swept volume"), _THEORY
     )
-    peak_pressure: Array = quantity("p_max", "Pa", _CHAMBER, N_("Largest pressure"), _THEORY)
-    peak_pressure_at: Array = quantity("φ(p_max)", "deg", _CHAMBER, N_("Crank angle of the largest pressure"), _THEORY)
+    peak_pressure: Extreme = extreme(
+        "p_max", "Pa", _CHAMBER, N_("Largest pressure"), N_("Crank angle of the largest pressure"), _THEORY
+    )
     peak_pressure_after: Array = quantity(
         "α(p_max)", "deg", _CHAMBER, N_("Largest pressure after the least volume"), _THEORY
     )
@@ -64,7 +65,7 @@ class GasPressures:
         chambers = names["chamber"]
         return _("Indicated mean pressure {mean}; largest {peak}, {after} after the dead centre.").format(
             mean=shared(chambers, self.indicated_mean_pressure[design], "bar"),
-            peak=shared(chambers, self.peak_pressure[design], "bar"),
+            peak=shared(chambers, self.peak_pressure.value[design], "bar"),
             after=shared(chambers, self.peak_pressure_after[design], "deg"),
         )
 
@@ -79,13 +80,8 @@ def gas_pressures(
 ) -> GasPressures:
     """Pressure over the cycle, its force, and, whatever the grid, its work and peak."""
     phi = crank_angle.angle
-    volume = gas.volume_by(
-        Coefficient(
-            gas.tops - motion.piston_displacement,
-            -motion.piston_velocity_coefficient,
-            -motion.piston_acceleration_coefficient,
-        )
-    )
+    displacement = motion.piston_displacement
+    volume = gas.volume_by(Coefficient(gas.tops - displacement.value, -displacement.first, -displacement.second))
     pressure = gas.pressure(phi, volume)
     work = _works(gas, swept)
     firing, _opposite = gas.dead_centres(travel)
@@ -95,8 +91,7 @@ def gas_pressures(
         gas_force=gas.force(pressure),
         indicated_work=work,
         indicated_mean_pressure=work / swept.swept_volume,
-        peak_pressure=peak,
-        peak_pressure_at=crank_angle.counted((firing + after)[..., np.newaxis], gas.cycle)[..., 0],
+        peak_pressure=Extreme(crank_angle.counted((firing + after)[..., np.newaxis], gas.cycle)[..., 0], peak),
         peak_pressure_after=after,
         flags=(*gas.doubts, *gas.findings, *_engine_doubts(gas, work > 0, peak)),
     )

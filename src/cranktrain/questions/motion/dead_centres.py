@@ -1,6 +1,6 @@
 """Dead centres: where each piston truly turns back, and its stroke; roots of s′, not points of a grid."""
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +11,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.distinct import Distinct, distinct
 from cranktrain.layout.mechanisms import Mechanisms, Pistons
+from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.motion import Array, Coefficient, Link
 from cranktrain.numerics import Extreme, Extremes, around_zero, extremes, turn_grid
 from cranktrain.record import record
@@ -51,7 +52,7 @@ def slider_and_rod(pistons: Mechanisms, angle: Array) -> SliderAndRod:
     SliderAndRod, shape (design, piston, n). [m, m/rad, m/rad²; rad, rad/rad, rad/rad²]
     """
 
-    def picked(motion: Any) -> SliderAndRod:
+    def picked(motion: AnyMotion) -> SliderAndRod:
         slider: Coefficient = motion.slider
         rod = rod_angle(motion, slider)
         return SliderAndRod(slider.value, slider.first, slider.second, rod.value, rod.first, rod.second)
@@ -59,7 +60,7 @@ def slider_and_rod(pistons: Mechanisms, angle: Array) -> SliderAndRod:
     return pistons.evaluated(picked, angle)
 
 
-def rod_angle(motion: Any, output: Coefficient) -> Coefficient:
+def rod_angle(motion: AnyMotion, output: Coefficient) -> Coefficient:
     """Angle of the rod that the output hangs on; NaN, as many as the output has, where there is none."""
     rod: Link | None = getattr(motion, "rod", None)
     return Coefficient(*(np.full_like(part, np.nan) for part in output)) if rod is None else rod.angle

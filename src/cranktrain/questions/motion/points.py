@@ -1,7 +1,7 @@
 """Points on links: coupler curves, centres of mass, whatever a machine file asks to follow."""
 
 from collections.abc import Sequence
-from typing import Any, ClassVar, cast
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,7 @@ from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.places import Place
 from cranktrain.linkage import LinkPoint, point
 from cranktrain.motion import Array, Link
+from cranktrain.numerics.nested import Nested, mapped
 from cranktrain.record import record
 
 _CURVE = ("point", "crank_angle")
@@ -133,8 +134,6 @@ def point_motion(points: LinkPoints, mechanisms: Mechanisms, crank_angle: CrankA
     return PointMotion(x, y, x_first, y_first, x_second, y_second)
 
 
-def _members(motion: Any, index: NDArray[np.intp]) -> Any:
+def _members(motion: Nested, index: NDArray[np.intp]) -> Nested:
     """Take some members of a link: nested NamedTuples of arrays, shape (design, member, n)."""
-    if isinstance(motion, np.ndarray):
-        return cast(Array, motion)[:, index]
-    return type(motion)(*(_members(part, index) for part in motion))
+    return mapped(lambda _name, values: values[:, index], motion)

@@ -19,7 +19,9 @@ from cranktrain.numerics import Panels, integral_to, panels
 from cranktrain.numerics.harmonics import ComplexArray, harmonics, phasor
 from cranktrain.numerics.periodic import fourier_integral
 from cranktrain.questions.forces.events import ForceEvents
-from cranktrain.questions.forces.loaded import LoadedMachine, MechanismTorques, SolvedCycle, driving_torques
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
+from cranktrain.questions.forces.mechanism_torques import MechanismTorques, driving_torques
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.gas.chambers import AMBIENT, GasInChambers
 from cranktrain.questions.gas.events import GasEvents
 from cranktrain.questions.gas.pressures import GasPressures
@@ -174,7 +176,7 @@ def torque_sources(
     if loaded.gas is None or gas_events is None or gas is None or motion is None:
         return TorqueSources(((),) * len(designs), by_shaft, inertia, nothing, spent)
     own = shafts.shaft[loaded.carriers.driven]
-    rest = by_shaft - throw_torque(gas.gas_force * motion.piston_velocity_coefficient, own, len(shafts.names))
+    rest = by_shaft - throw_torque(gas.gas_force * motion.piston_displacement.first, own, len(shafts.names))
     sources = tuple(tuple(_of_chambers(loaded.gas, gas_events, crank_angle, own, design)) for design in designs)
     return TorqueSources(sources, rest, inertia, nothing, spent)
 

@@ -7,7 +7,9 @@ from cranktrain.checks import Check
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
-from cranktrain.questions.forces.loaded import LoadedMachine, SolvedCycle, forces_times_arms
+from cranktrain.questions.forces.forces_times_arms import forces_times_arms
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record

@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.language import _
 from cranktrain.layout.places import Place
-from cranktrain.layout.speed import accelerations
+from cranktrain.layout.speed import rates
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
@@ -246,7 +246,7 @@ def _output_columns(
     angle = np.deg2rad(plan.angles)
     drive = turning(machine, curve, angle + machine.zero)
     moving = output_motion(machine, place, angle)
-    motion = (moving.value, moving.first * drive.speed, accelerations(moving.first, moving.second, drive))
+    motion = (moving.value, *rates(moving, drive))
     if place.kind.output == "slider":
         names = ("x, mm", "v, m/s", "a, m/s²") if has_speed else ("x, mm", "x′, mm/rad", "x″, mm/rad²")
         factors = (1e3, 1.0, 1.0) if has_speed else (1e3, 1e3, 1e3)

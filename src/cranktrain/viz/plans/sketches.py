@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.mechanisms.kind import Drawing
+from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.motion import Array
 from cranktrain.plans.klein import Klein
 from cranktrain.plans.polygons import Polygon

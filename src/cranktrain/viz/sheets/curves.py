@@ -9,16 +9,16 @@ from numpy.typing import NDArray
 
 from cranktrain.analysis import Result
 from cranktrain.language import _
-from cranktrain.layout.speed import accelerations
+from cranktrain.layout.speed import rates
+from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.linkage.forces import Drive
 from cranktrain.machine import Machine
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Coefficient
 from cranktrain.plans.placement import first_throw
 from cranktrain.plans.turning import turning
 from cranktrain.quantities import shown
 from cranktrain.viz.paper.page import Axes, Page, formula
 from cranktrain.viz.paper.style import COLOURS, GRID, HEADING, INK, MUTED, SYMBOL, TEXT
-from cranktrain.viz.paper.words import speed_of
 
 SHEET_QUANTITIES = (
     *("piston_displacement", "piston_velocity", "piston_velocity_coefficient", "piston_acceleration_coefficient"),
@@ -113,14 +113,12 @@ class _Turn:
     def drive(self) -> Drive:
         """How the crank turns at each angle; by 1 rad/s where the machine has no speed."""
         phi = np.deg2rad(self.angle) + self.result.grid.zero[self.design, 0, 0]
-        return turning(self.result.machines[self.design], speed_of(self.result), phi, self.design)
+        return turning(self.result.machines[self.design], self.result.get(SpeedCurve), phi, self.design)
 
     def moved(self, order: int, names: "_Names", *at: int) -> Array:
         """Give travel, velocity or acceleration of a member, by its motion's value and two derivatives."""
-        if order == 0:
-            return self.curve(names[0], *at)
-        first = self.curve(names[1], *at)
-        return first * self.drive.speed if order == 1 else accelerations(first, self.curve(names[2], *at), self.drive)
+        motion = Coefficient(*(self.curve(name, *at) for name in names))
+        return (motion.value, *rates(motion, self.drive))[order]
 
 
 def drawn_names(result: Result, dimension: str) -> tuple[str, ...]:
@@ -290,7 +288,7 @@ def _rocker_panels(turn: _Turn) -> Iterator[Panel]:
     result = turn.result
     names = drawn_names(result, "rocker")
     members = [result.labels["rocker"].index(name) for name in names]
-    has_speed = result.machines[turn.design].main_shaft.speed is not None or speed_of(result) is not None
+    has_speed = result.machines[turn.design].main_shaft.speed is not None or result.get(SpeedCurve) is not None
     titles = _("Rocker angle"), _("Rocker angular velocity"), _("Rocker angular acceleration")
     symbols = (r"\theta", r"\omega_3", r"\varepsilon_3") if has_speed else (r"\theta", r"\theta'", r"\theta''")
     units = ("°", "rad/s", "rad/s²") if has_speed else ("°", "rad/rad", "rad/rad²")

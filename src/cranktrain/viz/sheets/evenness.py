@@ -7,6 +7,7 @@ import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.language import _
+from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.motion import Array
 from cranktrain.plans.evenness_diagrams import mertsalov_diagram, wittenbauer_diagram
 from cranktrain.quantities import shown
@@ -15,7 +16,7 @@ from cranktrain.textbook.flywheel_diagrams import Tangent
 from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.page import MARGIN, Axes, Figure, Page, drawing_settings, formula, muted, paper, set_words
 from cranktrain.viz.paper.style import COLOURS, GRID, INK, SYMBOL, TEXT
-from cranktrain.viz.paper.words import running_words, speed_of, speed_words, unused_words, zero_words
+from cranktrain.viz.paper.words import running_words, speed_words, unused_words, zero_words
 from cranktrain.viz.plans.sheet import Box, figure, write_table
 from cranktrain.viz.sheets.motion import title_block
 
@@ -134,7 +135,7 @@ def _page(result: Result, size: str, design: int, title: str) -> tuple[Page, Box
     width, height = paper(size)
     page = Page(width, height)
     machine = result.machines[design]
-    at_speed = speed_words(speed_of(result), design)
+    at_speed = speed_words(result.get(SpeedCurve), design)
     below = [f"{title}. {zero_words(machine)}"]
     top = title_block(page, machine, [running_words(machine)], below, at_speed, unused_words(result))
     left, bottom = MARGIN + 16.0, MARGIN + 10.0
@@ -270,7 +271,7 @@ def _write_numbers(
     page: Page, result: Result, design: int, place: tuple[float, float], tangents: Sequence[Tangent]
 ) -> float:
     """Write speeds and flywheels beside a diagram; give where the tables end. [mm]"""
-    size = next(gift for gift in result.gifts if isinstance(gift, FlywheelSize))
+    size = result[FlywheelSize]
     exact = size.exact
     left, top = place
     cycle = float(shown(result.grid.cycle, "deg"))

@@ -8,12 +8,14 @@ import numpy as np
 from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
+from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.motion import Array
-from cranktrain.questions.forces.loaded import LoadedMachine, carriers_of
+from cranktrain.questions.forces.carriers import carriers_of
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.viz.paper.page import MARGIN, Figure, Page, drawing_settings, mathematics, muted, paper
 from cranktrain.viz.paper.style import COLOURS, TEXT
-from cranktrain.viz.paper.words import running_words, speed_of, speed_words, unused_words, zero_words
+from cranktrain.viz.paper.words import running_words, speed_words, unused_words, zero_words
 from cranktrain.viz.sheets.motion import title_block
 from cranktrain.viz.sheets.panels import (
     OneDesign,
@@ -70,7 +72,7 @@ def sheet_forces(result: Result, *, size: str = "A4", piston: str | None = None,
             machine,
             [running_words(machine)],
             [_("Forces. {zero}").format(zero=zero_words(machine))],
-            speed_words(speed_of(result), design),
+            speed_words(result.get(SpeedCurve), design),
             unused_words(result),
         )
         bottom, width = MARGIN, page.width - 2 * MARGIN
@@ -171,10 +173,10 @@ def _notes(result: Result, piston: str | None, design: int) -> Iterator[str]:
     yield _("Torque: reactions of rigid links, each mechanism's thin.")
     if result.labels.get("cylinder"):
         yield _("Filled bars: orders in which all cylinders add up.")
-    masses = next(gift.masses for gift in result.gifts if isinstance(gift, LoadedMachine))
+    masses = result[LoadedMachine].masses
     if masses.assumed:
         yield _("Rods without a given inertia have that of two masses at their ends.")
     if (said := masses.without_mass()) is not None:
         yield said
-    gas = next((gift for gift in result.gifts if isinstance(gift, GasPressures)), None)
+    gas = result.get(GasPressures)
     yield from () if gas is None else gas.flags

@@ -9,13 +9,14 @@ import numpy as np
 from cranktrain.analysis import Result
 from cranktrain.io.description import layout_words
 from cranktrain.language import _
+from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.one_line import short
 from cranktrain.viz.paper.labels import label_outline
 from cranktrain.viz.paper.page import MARGIN, Figure, Page, drawing_settings, fitting_scale, muted, paper
 from cranktrain.viz.paper.sketch import Sketch
 from cranktrain.viz.paper.style import INK, TITLE
-from cranktrain.viz.paper.words import provenance_words, running_words, speed_of, speed_words, unused_words, zero_words
+from cranktrain.viz.paper.words import provenance_words, running_words, speed_words, unused_words, zero_words
 from cranktrain.viz.sheets.curves import (
     TEXTBOOK_DASHES,
     Mark,
@@ -72,7 +73,7 @@ def sheet(result: Result, *, size: str = "A4", at: float = _ANGLE, design: int =
         width, height = paper(size)
         page = Page(width, height)
         machine = result.machines[design]
-        at_speed = speed_words(speed_of(result), design)
+        at_speed = speed_words(result.get(SpeedCurve), design)
         top = title_block(
             page, machine, [running_words(machine)], [zero_words(machine)], at_speed, unused_words(result)
         )

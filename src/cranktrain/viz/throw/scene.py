@@ -11,7 +11,7 @@ from cranktrain.language import _
 from cranktrain.layout.places import Place
 from cranktrain.layout.specs import MAIN
 from cranktrain.machine import Machine
-from cranktrain.mechanisms.kind import Drawing
+from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.motion import Array, Point
 from cranktrain.plans.placement import first_throw, placed, shaft_places
 from cranktrain.quantities import shown

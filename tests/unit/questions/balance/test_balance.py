@@ -14,7 +14,7 @@ from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.throws import Throws
 from cranktrain.questions.balance.frame_forces import frame_forces
-from cranktrain.questions.forces.loaded import Carriers
+from cranktrain.questions.forces.carriers import Carriers
 from cranktrain.questions.torque.rod_harmonics import acceleration_harmonics
 
 SPEED = 100.0

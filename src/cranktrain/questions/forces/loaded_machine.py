@@ -1,84 +1,24 @@
-"""Forces in every joint of a machine, and the torque that its mechanisms give to the shaft."""
+"""A machine with all that acts on it: forces in every joint at any crank angle."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import cached_property, reduce
-from typing import Any, ClassVar, NamedTuple
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Check
-from cranktrain.language import N_, _
-from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.guide_tables import Edges
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms
-from cranktrain.layout.places import Place
 from cranktrain.layout.speed import Speed
-from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench, added, torque_by_work
+from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench, added
+from cranktrain.mechanisms.kind import AnyMotion
+from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import Array, Coefficient, single
 from cranktrain.numerics import in_slots
+from cranktrain.questions.forces.carriers import MASTER, Carriers
 from cranktrain.questions.gas.chambers import GasInChambers
-from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.record import record
-
-_MECHANISM = ("mechanism", "crank_angle")
-_THEORY = "docs/theory/forces"
-_TORQUES_LIMIT = 1e-12
-_MASTER = "slider_crank"
-"""Kind of what slaves hang on."""
-
-
-@record
-class Carriers:
-    """Which mechanisms hang on which, and which pistons they are.
-
-    Attributes
-    ----------
-    master : array of int, shape (mechanism,)
-        On whose rod a slave hangs; −1 for a mechanism on the crank itself.
-    piston : array of int, shape (mechanism,)
-        Which piston it drives; −1 for none.
-    """
-
-    needs: ClassVar[str] = ""
-
-    master: NDArray[np.intp]
-    piston: NDArray[np.intp]
-
-    @property
-    def driven(self) -> NDArray[np.intp]:
-        """Which mechanism drives each piston, shape (piston,)."""
-        found = np.flatnonzero(self.piston >= 0)
-        return found[np.argsort(self.piston[found])]
-
-
-def carriers_of(places: Sequence[Place]) -> Carriers:
-    """Find every slave's master: the slider-crank of the bank that it names, on the same throw."""
-    master: list[int] = []
-    pistons = 0
-    piston: list[int] = []
-    for place in places:
-        bank = getattr(place.spec, "master", None)
-        master.append(
-            next(
-                (
-                    i
-                    for i, other in enumerate(places)
-                    if other.bank == bank
-                    and (other.shaft, other.throw) == (place.shaft, place.throw)
-                    and other.kind.name == _MASTER
-                ),
-                -1,
-            )
-            if bank is not None
-            else -1
-        )
-        is_piston = place.kind.output == "slider"
-        piston.append(pistons if is_piston else -1)
-        pistons += is_piston
-    return Carriers(np.array(master, dtype=np.intp), np.array(piston, dtype=np.intp))
 
 
 class SolvedGroup(NamedTuple):
@@ -88,10 +28,10 @@ class SolvedGroup(NamedTuple):
     well.
     """
 
-    motion: Any
+    motion: AnyMotion
     loads: Any
     conditions: Conditions
-    forces: Any
+    forces: Forces[tuple[Wrench, ...]]
 
 
 @record
@@ -113,7 +53,7 @@ class LoadedMachine:
     gas: GasInChambers | None
     speed: Speed
 
-    def motions(self, angle: Array) -> tuple[Any, ...]:
+    def motions(self, angle: Array) -> tuple[AnyMotion, ...]:
         """Motion of every mechanism at crank angles φ [rad], in the order of `mechanisms.groups`."""
         return tuple(
             group.kind.motion(_own(angle, group.index) + group.members.phase, group.members.geometry)
@@ -126,7 +66,7 @@ class LoadedMachine:
         friction_sense: float | None = None,
         *,
         gas_force: Array | None = None,
-        motions: Sequence[Any] | None = None,
+        motions: Sequence[AnyMotion] | None = None,
     ) -> tuple[SolvedGroup, ...]:
         """Solve every mechanism.
 
@@ -159,7 +99,7 @@ class LoadedMachine:
             motion = moving[place]
             made = self.masses.groups[place]
             loads = borne = dynamics.load(motion, size, self._pressing(group.index, toward))
-            handed = _of_slaves(group.index, on_rods) if group.kind.name == _MASTER else None
+            handed = _of_slaves(group.index, on_rods) if group.kind.name == MASTER else None
             if handed is not None:
                 borne = loads._replace(rod=added(loads.rod, handed))
             friction = tuple(
@@ -226,7 +166,7 @@ class LoadedMachine:
         found = pick(self.solved(each))
         return found.reshape(n_designs, rows.size, *asked.shape[1:])[design, row, slot]
 
-    def _gas_force(self, angle: Array, motions: Sequence[Any]) -> Array | None:
+    def _gas_force(self, angle: Array, motions: Sequence[AnyMotion]) -> Array | None:
         """Force of the gas on every piston toward its shaft, shape (design, piston, n); None without gas."""
         if self.gas is None:
             return None
@@ -275,131 +215,3 @@ def loaded_machine(
 ) -> LoadedMachine:
     """Put masses and gas to the mechanisms."""
     return LoadedMachine(mechanisms, carriers, masses, gas, speed)
-
-
-def driving_torques(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Array:
-    """Torque that must be applied at each mechanism's crank, by the reactions.
-
-    Parameters
-    ----------
-    loaded : LoadedMachine
-    solved : sequence of SolvedGroup
-        What `LoadedMachine.solved` gave.
-
-    Returns
-    -------
-    Array, shape (design, mechanism, n)
-        A slave's comes through its master's crank pin: 0 for itself. [N·m]
-    """
-    shape = solved[0].forces.driving_torque.shape
-    torque = np.zeros((shape[0], len(loaded.mechanisms.names), shape[-1]))
-    for group, one in zip(loaded.mechanisms.groups, solved, strict=True):
-        is_own = loaded.carriers.master[group.index] < 0
-        torque[:, group.index[is_own]] = one.forces.driving_torque[:, is_own]
-    return torque
-
-
-@record
-class SolvedCycle:
-    """Forces of every mechanism on the grid of crank angles; nothing that people read as it is."""
-
-    groups: tuple[SolvedGroup, ...]
-
-
-def solved_cycle(loaded: LoadedMachine, crank_angle: CrankAngle, gas: GasPressures | None) -> SolvedCycle:
-    """Solve the machine on its grid."""
-    return SolvedCycle(loaded.solved(crank_angle.angle, gas_force=None if gas is None else gas.gas_force))
-
-
-def largest_in_joints(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Array:
-    """Largest force in any joint of each mechanism, shape (design, mechanism). [N]"""
-    return _by_mechanism(loaded, (_largest_force(one) for one in solved))
-
-
-def forces_times_arms(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Array:
-    """What the joints of each mechanism could do to the shaft at most, shape (design, mechanism). [N·m]
-
-    Its largest force by the longest way of its pins for a turn of 1 rad, and its largest moment by the fastest turn.
-    """
-    found: list[Array] = []
-    for group, one in zip(loaded.mechanisms.groups, solved, strict=True):
-        links = group.kind.dynamics.links(one.motion, group.members.geometry)
-        way = np.sqrt(_largest(link.origin.x.first**2 + link.origin.y.first**2 for link in links))
-        turn = _largest(np.abs(link.angle.first) for link in links)
-        moment = _largest(np.abs(joint.moment) for joint in one.forces.joints)
-        found.append(_largest_force(one) * way + moment * turn)
-    return _by_mechanism(loaded, found)
-
-
-def _largest_force(one: SolvedGroup) -> Array:
-    """Largest force in any joint of each mechanism of one kind, shape (design, member)."""
-    return np.sqrt(_largest(joint.x * joint.x + joint.y * joint.y for joint in one.forces.joints))
-
-
-def _largest(curves: Iterable[Array]) -> Array:
-    """Largest value of several curves of shape (..., n), each of which may stand for all."""
-    return reduce(np.maximum, (np.max(curve, axis=-1) for curve in map(np.atleast_1d, curves)))
-
-
-def _by_mechanism(loaded: LoadedMachine, groups: Iterable[Array]) -> Array:
-    """Put what the mechanisms of each kind have into the machine's order."""
-    values = list(groups)
-    order = np.argsort(np.concatenate([group.index for group in loaded.mechanisms.groups]))
-    n_designs = max(len(value) for value in values)
-    shaped = (
-        np.broadcast_to(value, (n_designs, group.index.size))
-        for value, group in zip(values, loaded.mechanisms.groups, strict=True)
-    )
-    return np.concatenate(list(shaped), axis=1)[:, order]
-
-
-@record
-class MechanismTorques:
-    """What every mechanism does to the shaft, and all together."""
-
-    mechanism_torque: Array = quantity(
-        "M_i", "N*m", _MECHANISM, N_("Torque of the mechanism on its shaft, by virtual work"), _THEORY
-    )
-    driving_torque: Array = quantity(
-        "M", "N*m", ("crank_angle",), N_("Torque that must be applied to the shaft, by the reactions"), _THEORY
-    )
-    reduced_inertia: Array = quantity(
-        "J", "kg*m^2", ("crank_angle",), N_("Inertia of all moving parts reduced to the crank"), _THEORY
-    )
-    reduced_inertia_slope: Array = quantity(
-        "J′", "kg*m^2/rad", ("crank_angle",), N_("Derivative of the reduced inertia by the crank angle"), _THEORY
-    )
-    checks: tuple[Check, ...] = ()
-
-
-def mechanism_torques(loaded: LoadedMachine, solved: SolvedCycle) -> MechanismTorques:
-    """Torques by virtual work and by reactions, which share little, and the reduced inertia."""
-    by_reactions = driving_torques(loaded, solved.groups)
-    shape = by_reactions.shape
-    by_work = np.empty(shape)
-    inertia, slope = np.zeros((2, shape[0], shape[-1]))
-    for place, (group, one) in enumerate(zip(loaded.mechanisms.groups, solved.groups, strict=True)):
-        dynamics, size, made = group.kind.dynamics, group.members.geometry, loaded.masses.groups[place]
-        # What slaves hand over is their own work, which counts once: the mechanism's own loads.
-        equation = dynamics.reduced(one.motion, size, made.bodies, one.loads, made.gravity)
-        by_work[:, group.index] = torque_by_work(equation, one.conditions.drive) - one.forces.friction_torque
-        inertia = inertia + np.sum(equation.inertia.value, axis=1)
-        slope = slope + np.sum(equation.inertia.first, axis=1)
-    driving = np.sum(by_reactions, axis=1)
-    # Where forces stand across the way of their pins there is no torque, but rounding of forces times arms.
-    scale = np.max(np.sum(np.abs(by_work), axis=1), axis=-1) + np.sum(forces_times_arms(loaded, solved.groups), axis=1)
-    residual = np.max(np.abs(driving - np.sum(by_work, axis=1)), axis=-1) / np.where(scale > 0, scale, 1.0)
-    return MechanismTorques(
-        mechanism_torque=-by_work,
-        driving_torque=driving,
-        reduced_inertia=inertia,
-        reduced_inertia_slope=slope,
-        checks=(
-            Check(
-                "torque",
-                _("Torque by the reactions of all joints against that by virtual work, relative to forces times arms"),
-                residual,
-                _TORQUES_LIMIT,
-            ),
-        ),
-    )

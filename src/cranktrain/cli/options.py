@@ -1,0 +1,43 @@
+"""Arguments and options that several commands have."""
+
+from typing import Annotated
+
+import typer
+
+from cranktrain.language import _
+
+File = Annotated[
+    str, typer.Argument(metavar="FILE", help=_("A machine file, or the name of an example."), show_default=False)
+]
+Output = Annotated[str | None, typer.Option("-o", "--output", metavar="FILE", help=_("Write to this file."))]
+Force = Annotated[bool, typer.Option("--force", help=_("Replace a file that is there."))]
+Settings = Annotated[
+    list[str] | None,
+    typer.Option("--set", metavar="PATH=VALUE", help=_("Another value for this run; as often as needed.")),
+]
+Partial = Annotated[bool, typer.Option("--partial", help=_("Accept links that do not close all round: NaN there."))]
+
+RunningSpeed = Annotated[
+    bool,
+    typer.Option(
+        "--running-speed", help=_("All at the speed of steady running that [evenness] gives, not a constant one.")
+    ),
+]
+
+SpeedCurve = Annotated[
+    str | None,
+    typer.Option(
+        "--speed-curve",
+        metavar="FILE",
+        help=_("All at the speed over the crank angle that this file of two columns has."),
+    ),
+]
+
+
+def degrees(text: str | float) -> float:
+    """Read a number of degrees."""
+    try:
+        return float(text)
+    except ValueError:
+        said = _("{text} must be a number of degrees, such as 0.5").format(text=text)
+        raise typer.BadParameter(said) from None

@@ -1,0 +1,79 @@
+"""What a command line asks for, as a task: it is done when Typer has returned."""
+
+from collections.abc import Callable, Sequence
+from functools import partial, wraps
+from typing import ParamSpec, cast
+
+import typer
+
+from cranktrain.errors import InputError, Position, Problem
+from cranktrain.language import _
+
+Task = Callable[[], None]
+_Given = ParamSpec("_Given")
+
+_TYPER_STOPPED = 130
+"""What newer versions of Typer make of Ctrl-C; older ones raise Abort."""
+
+_USAGE_ERROR = cast("type[Exception]", typer.BadParameter.__mro__[1])  # has no public name in every Typer
+
+
+def task_of(app: typer.Typer, arguments: Sequence[str], name: str) -> Task:
+    """Read a command line.
+
+    Parameters
+    ----------
+    app : typer.Typer
+        Its commands.
+    arguments : sequence of str
+        What was typed after the name; nothing asks for help.
+    name : str
+        What the commands stand after.
+
+    Returns
+    -------
+    Task
+        What is to be done.
+
+    Raises
+    ------
+    InputError
+        If the command line is not right.
+    KeyboardInterrupt
+    """
+    try:
+        given: object = app(list(arguments) or ["--help"], prog_name=name, standalone_mode=False)
+    except _USAGE_ERROR as error:
+        raise InputError([_usage_problem(error)]) from None
+    except typer.Abort:
+        raise KeyboardInterrupt from None
+    if given == _TYPER_STOPPED:
+        raise KeyboardInterrupt
+    return cast("Task", given) if callable(given) else _nothing
+
+
+def put_off(command: Callable[_Given, None]) -> Callable[_Given, Task]:
+    """Let Typer read what a command is given, and do the command when Typer has returned.
+
+    Python takes room for its stack of calls in pieces. Where a piece is just full, each further call has the system map
+    a new one and unmap it; what a command imports comes to lie there, below the calls of Typer, and NumPy with it.
+    """
+
+    @wraps(command)
+    def read(*given: _Given.args, **named: _Given.kwargs) -> Task:
+        return partial(command, *given, **named)
+
+    return read
+
+
+def _nothing() -> None:
+    """What is left to do after help or version."""
+
+
+def _usage_problem(error: Exception) -> Problem:
+    """Say in our words what is wrong with a command line."""
+    context = getattr(error, "ctx", None)
+    command = context.command_path if context is not None else "cranktrain"
+    message = getattr(error, "format_message", error.__str__)().strip().rstrip(".")
+    message = message[:1].lower() + message[1:]
+    return Problem("", None, message, _("see `{command} --help`").format(command=command), Position(command))

@@ -1,0 +1,27 @@
+"""What mechanisms have in common whose crank rocks or turns a guide about a fixed pivot."""
+
+from cranktrain.linkage import CrankAndPivot
+from cranktrain.mechanisms.spec import Master, MechanismSpec
+from cranktrain.motion import single
+from cranktrain.quantities import Given, Length, PositiveLength
+
+
+class RockingGuideSpec(MechanismSpec, frozen=True):
+    """Crank, pivot and the offset of the guide's line from it."""
+
+    crank_radius: PositiveLength
+    ground_length: PositiveLength
+    offset: Length = Given(0.0, "0 mm")
+
+    @property
+    def rod_field(self) -> str:
+        """There is no rod: the ground decides whether it closes."""
+        return "ground_length"
+
+
+def rocking_guide_geometry(spec: RockingGuideSpec, _master: Master | None = None) -> CrankAndPivot:
+    """Lengths in SI."""
+    radius, ground = spec.crank_radius.si, spec.ground_length.si
+    return CrankAndPivot(
+        single(radius), single(ground), single(spec.offset.si), single(1.0 if ground >= radius else -1.0)
+    )

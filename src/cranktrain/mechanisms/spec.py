@@ -1,0 +1,40 @@
+"""What every mechanism of a machine file may declare, and what one that hangs on another is given."""
+
+from collections.abc import Mapping
+from typing import Any, ClassVar, NamedTuple
+
+from cranktrain.quantities import Length
+from cranktrain.spec import Spec
+
+LISTS = frozenset({"part"})
+"""Fields of a mechanism that are lists by themselves, and not one value for each angle of a bank."""
+
+
+class LinkPointSpec(Spec, frozen=True):
+    """A point fixed on a link, to be followed: `link`, how far `along` it from its first pin, how far `across`."""
+
+    link: str
+    along: Length
+    across: Length
+
+
+class MechanismSpec(Spec, frozen=True):
+    """What every mechanism of a machine file may declare."""
+
+    kind: str
+    points: Mapping[str, LinkPointSpec] = {}
+
+    master_field: ClassVar[str | None] = None
+    """Field that names the bank whose slider-crank, on the same throw, this mechanism hangs on."""
+
+    @property
+    def rod_field(self) -> str:
+        """Name of the field that says how long the rod is: what to change where links cannot close."""
+        return "rod_length"
+
+
+class Master(NamedTuple):
+    """What a slave mechanism hangs on: the master's geometry, and the slave's axis ahead of the master's. [rad]"""
+
+    geometry: Any
+    bank_angle: float

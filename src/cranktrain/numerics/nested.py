@@ -1,0 +1,67 @@
+"""Arrays in nested NamedTuples, as kernels take geometry and give motions: listed, or each changed by its name."""
+
+from collections.abc import Callable, Iterable, Iterator
+from typing import TypeVar, cast
+
+from cranktrain.motion import Array
+
+Nested = TypeVar("Nested", bound=tuple[object, ...])
+
+
+def mapped(change: Callable[[str, Array], Array], parts: Nested, above: str = "") -> Nested:
+    """Change every array of nested tuples.
+
+    Parameters
+    ----------
+    change : callable (name, array) → array
+        The name is dotted, as in `master.rod_length`; of a plain tuple, the place: `legs.0.length`.
+    parts : NamedTuple or tuple
+        Of arrays, numbers, or further tuples.
+    above : str
+        What names begin with.
+
+    Returns
+    -------
+    NamedTuple or tuple
+        Of the same types.
+
+    Examples
+    --------
+    >>> mapped(lambda name, value: -value if name == "1.0" else value, (1.0, (2.0, 3.0)))
+    (1.0, (-2.0, 3.0))
+    """
+    return remade(
+        parts,
+        (
+            mapped(change, cast("tuple[object, ...]", part), f"{above}{name}.")
+            if isinstance(part, tuple)
+            else change(f"{above}{name}", cast(Array, part))
+            for name, part in zip(_names(parts), parts, strict=True)
+        ),
+    )
+
+
+def remade(like: Nested, values: Iterable[object]) -> Nested:
+    """Make a NamedTuple, or a plain tuple, of the same type of other values."""
+    make = cast("Callable[[Iterable[object]], Nested]", getattr(like, "_make", tuple))
+    return make(values)
+
+
+def _names(parts: tuple[object, ...]) -> Iterable[str]:
+    return cast("tuple[str, ...]", getattr(parts, "_fields", ())) or map(str, range(len(parts)))
+
+
+def leaves(parts: tuple[object, ...]) -> list[Array]:
+    """List all arrays of nested tuples, in order."""
+    found: list[Array] = []
+    for part in parts:
+        if isinstance(part, tuple):
+            found += leaves(cast("tuple[object, ...]", part))
+        else:
+            found.append(cast(Array, part))
+    return found
+
+
+def filled(parts: Nested, arrays: Iterator[Array]) -> Nested:
+    """Put other arrays into nested tuples, in order."""
+    return mapped(lambda _name, _value: next(arrays), parts)

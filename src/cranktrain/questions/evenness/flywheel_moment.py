@@ -1,0 +1,24 @@
+"""GD² of the moving parts, as books give the inertia of what turns."""
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_
+from cranktrain.motion import Array
+from cranktrain.questions.forces.mechanism_torques import MechanismTorques
+from cranktrain.record import record
+
+_CURVE = ("crank_angle",)
+_THEORY = "docs/theory/evenness"
+
+
+@record
+class FlywheelMoment:
+    """GD² of the moving parts."""
+
+    flywheel_moment: Array = quantity(
+        "GD²", "kg*m^2", _CURVE, N_("Flywheel moment of all moving parts, four times their reduced inertia"), _THEORY
+    )
+
+
+def flywheel_moment(torques: MechanismTorques) -> FlywheelMoment:
+    """GD² = 4 J."""
+    return FlywheelMoment(4 * torques.reduced_inertia)

@@ -1,0 +1,75 @@
+"""Work that the torque of a machine stores within a cycle."""
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.motion import Array
+from cranktrain.numerics.periodic import PeriodicCurve
+from cranktrain.questions.evenness.applied_torque import AppliedTorque
+from cranktrain.questions.evenness.excess_work import ExcessWork, excess_against, excess_of
+from cranktrain.questions.evenness.load_curve import LoadTorque
+from cranktrain.questions.forces.mechanism_torques import MechanismTorques
+from cranktrain.questions.torque.sources import TorqueSources
+from cranktrain.record import record
+from cranktrain.wording import Names, number
+
+_CURVE = ("crank_angle",)
+_THEORY = "docs/theory/evenness"
+
+
+@record
+class ShaftWork:
+    """Work of the torque without inertia, less that of a load that is given as a curve.
+
+    Attributes
+    ----------
+    excess : ExcessWork
+        Its curve from the first point of the grid. [rad, J]
+    inertia : PeriodicCurve
+        J of the moving parts. [kg·m²]
+    """
+
+    excess: ExcessWork
+    inertia: PeriodicCurve
+    excess_work: Array = quantity(
+        "A", "J", _CURVE, N_("Work of that torque, less that of a given load curve, less its mean"), _THEORY
+    )
+    largest_excess_work: Array = quantity(
+        "ΔA", "J", (), N_("Largest excess work: from the least to the most that is stored within a cycle"), _THEORY
+    )
+
+    def answer(self, _names: Names, design: int) -> str:
+        """Say the largest excess work."""
+        return _("Largest excess work {work} within a cycle.").format(
+            work=number(float(self.largest_excess_work[design]), "J")
+        )
+
+
+def shaft_work(
+    applied: AppliedTorque,
+    sources: TorqueSources,
+    given: LoadTorque | None,
+    torques: MechanismTorques,
+    crank_angle: CrankAngle,
+) -> ShaftWork:
+    """Work of what drives the shaft less what the load curve takes, over the cycle.
+
+    Notes
+    -----
+    At the grid's points it is by quadrature between events.
+    docs/theory/evenness, eqs. (17.2) and (17.17).
+    """
+    work = sources.applied_work(crank_angle.shown, crank_angle.cycle)
+    mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
+    slope = applied.applied_torque - mean[..., np.newaxis]
+    excess = excess_of(applied.by.work(work, slope, crank_angle.cycle), mean)
+    if given is not None:
+        excess = excess_against(excess, given.work, given.load_factor, given.mean)
+    return ShaftWork(
+        excess=excess,
+        inertia=applied.by.curve(torques.reduced_inertia, crank_angle.cycle),
+        excess_work=excess.work.samples,
+        largest_excess_work=excess.difference,
+    )

@@ -1,0 +1,93 @@
+"""Torque that each mechanism gives to its shaft, by virtual work and by reactions, and the reduced inertia."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.checks import Check
+from cranktrain.language import N_, _
+from cranktrain.linkage.forces import torque_by_work
+from cranktrain.motion import Array
+from cranktrain.questions.forces.forces_times_arms import forces_times_arms
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
+from cranktrain.questions.forces.solved_cycle import SolvedCycle
+from cranktrain.record import record
+
+_MECHANISM = ("mechanism", "crank_angle")
+_THEORY = "docs/theory/forces"
+_TORQUES_LIMIT = 1e-12
+
+
+@record
+class MechanismTorques:
+    """What every mechanism does to the shaft, and all together."""
+
+    mechanism_torque: Array = quantity(
+        "M_i", "N*m", _MECHANISM, N_("Torque of the mechanism on its shaft, by virtual work"), _THEORY
+    )
+    driving_torque: Array = quantity(
+        "M", "N*m", ("crank_angle",), N_("Torque that must be applied to the shaft, by the reactions"), _THEORY
+    )
+    reduced_inertia: Array = quantity(
+        "J", "kg*m^2", ("crank_angle",), N_("Inertia of all moving parts reduced to the crank"), _THEORY
+    )
+    reduced_inertia_slope: Array = quantity(
+        "J′", "kg*m^2/rad", ("crank_angle",), N_("Derivative of the reduced inertia by the crank angle"), _THEORY
+    )
+    checks: tuple[Check, ...] = ()
+
+
+def mechanism_torques(loaded: LoadedMachine, solved: SolvedCycle) -> MechanismTorques:
+    """Torques by virtual work and by reactions, which share little, and the reduced inertia."""
+    by_reactions = driving_torques(loaded, solved.groups)
+    shape = by_reactions.shape
+    by_work = np.empty(shape)
+    inertia, slope = np.zeros((2, shape[0], shape[-1]))
+    for place, (group, one) in enumerate(zip(loaded.mechanisms.groups, solved.groups, strict=True)):
+        dynamics, size, made = group.kind.dynamics, group.members.geometry, loaded.masses.groups[place]
+        # What slaves hand over is their own work, which counts once: the mechanism's own loads.
+        equation = dynamics.reduced(one.motion, size, made.bodies, one.loads, made.gravity)
+        by_work[:, group.index] = torque_by_work(equation, one.conditions.drive) - one.forces.friction_torque
+        inertia = inertia + np.sum(equation.inertia.value, axis=1)
+        slope = slope + np.sum(equation.inertia.first, axis=1)
+    driving = np.sum(by_reactions, axis=1)
+    # Where forces stand across the way of their pins there is no torque, but rounding of forces times arms.
+    scale = np.max(np.sum(np.abs(by_work), axis=1), axis=-1) + np.sum(forces_times_arms(loaded, solved.groups), axis=1)
+    residual = np.max(np.abs(driving - np.sum(by_work, axis=1)), axis=-1) / np.where(scale > 0, scale, 1.0)
+    return MechanismTorques(
+        mechanism_torque=-by_work,
+        driving_torque=driving,
+        reduced_inertia=inertia,
+        reduced_inertia_slope=slope,
+        checks=(
+            Check(
+                "torque",
+                _("Torque by the reactions of all joints against that by virtual work, relative to forces times arms"),
+                residual,
+                _TORQUES_LIMIT,
+            ),
+        ),
+    )
+
+
+def driving_torques(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Array:
+    """Torque that must be applied at each mechanism's crank, by the reactions.
+
+    Parameters
+    ----------
+    loaded : LoadedMachine
+    solved : sequence of SolvedGroup
+        What `LoadedMachine.solved` gave.
+
+    Returns
+    -------
+    Array, shape (design, mechanism, n)
+        A slave's comes through its master's crank pin: 0 for itself. [N·m]
+    """
+    shape = solved[0].forces.driving_torque.shape
+    torque = np.zeros((shape[0], len(loaded.mechanisms.names), shape[-1]))
+    for group, one in zip(loaded.mechanisms.groups, solved, strict=True):
+        is_own = loaded.carriers.master[group.index] < 0
+        torque[:, group.index[is_own]] = one.forces.driving_torque[:, is_own]
+    return torque
