@@ -50,7 +50,7 @@ QUICK = (
     "tests/contract/test_compiled.py::test_numbers[slide.slide]",
     "tests/exact/test_valve_gears.py::test_stephenson[1-",
     "tests/exact/test_valve_gears.py::test_walschaerts[1-",
-    "tests/property/test_invariance.py::test_wordings[3d12",
+    "tests/property/test_invariance.py::test_wordings[other_units-0]",
     "tests/unit/viz/test_evenness_pictures.py::test_tangents_are_drawn_at_both_speeds",
     "tests/unit/viz/test_force_pictures.py::test_curves_are_the_results",
     "tests/unit/viz/test_force_pictures.py::test_plan_is_readable[plan_forces-slider_crank]",

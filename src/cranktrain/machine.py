@@ -12,7 +12,7 @@ from pydantic import Field, ValidationError, model_validator
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.errors import InputError, Problem
 from cranktrain.gas import AnyGas
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, Friction, GravitySpec, GuideSpec
 from cranktrain.layout.design import Design
 from cranktrain.layout.frames import Orientation
@@ -52,22 +52,69 @@ class Machine(Spec, frozen=True):
     0.136
     """
 
-    name: str = ""
-    rotation: Literal["clockwise", "anticlockwise"] = "clockwise"
-    running: Literal["ahead", "astern"] = "ahead"
-    crank_zero: Literal["Y"] | Angle = Given(0.0, "0 deg")
-    angle: Angle = Given(0.0, "0 deg")
-    shaft: Mapping[str, ShaftSpec] = Field(default={})
-    mechanism: AnyMechanism | None = None
-    bank: Mapping[str, BankSpec] = Field(default={})
-    cylinder: CylindersSpec = CylindersSpec()
-    masses: Mapping[str, BodySpec] = Field(default={})
-    friction: Mapping[str, Friction] = Field(default={})
-    guide: Mapping[str, GuideSpec] = Field(default={})
-    gravity: bool | GravitySpec = False
-    gas: AnyGas | None = None
-    balance: BalanceSpec | None = None
-    evenness: EvennessSpec | None = None
+    name: str = Field(default="", description=N_("Name of the machine, as tables and plots show it."))
+    rotation: Literal["clockwise", "anticlockwise"] = Field(
+        default="clockwise",
+        description=N_(
+            "Normal sense of rotation, seen from the free end of the shaft; all angles of the file count in it."
+        ),
+    )
+    running: Literal["ahead", "astern"] = Field(
+        default="ahead", description=N_("`astern` is the same machine turning against its normal sense of rotation.")
+    )
+    crank_zero: Literal["Y"] | Angle = Field(
+        default=Given(0.0, "0 deg"),
+        description=N_(
+            "Crank angle that is shown as 0, or `Y`: where throw 1 points up; otherwise 0 is along the first bank."
+        ),
+    )
+    angle: Angle = Field(
+        default=Given(0.0, "0 deg"),
+        description=N_("Direction of the mechanism's x axis, from straight up; for a machine with one [mechanism]."),
+    )
+    shaft: Mapping[str, ShaftSpec] = Field(
+        default={}, description=N_("Shafts by name; the angle of `main` is the crank angle.")
+    )
+    mechanism: AnyMechanism | None = Field(
+        default=None, description=N_("The mechanism of a machine that has only one; otherwise each bank has its own.")
+    )
+    bank: Mapping[str, BankSpec] = Field(
+        default={}, description=N_("Banks by name; the first one in the file is the first bank.")
+    )
+    cylinder: CylindersSpec = Field(
+        default=CylindersSpec(),
+        description=N_("Cylinders: what is common to all, and tables for one bank or one cylinder."),
+    )
+    masses: Mapping[str, BodySpec] = Field(
+        default={},
+        description=N_(
+            "Bodies by the part that they are: piston, rod, crank, a chain's own names; a bank may have its own."
+        ),
+    )
+    friction: Mapping[str, Friction] = Field(
+        default={},
+        description=N_(
+            'Coefficients of friction by what slides: piston, block, or a chain\'s slider S and its slot, "S.slot".'
+        ),
+    )
+    guide: Mapping[str, GuideSpec] = Field(
+        default={},
+        description=N_(
+            "Guides of what slides, by the names of [friction]: how long they are; a bank may have its own."
+        ),
+    )
+    gravity: bool | GravitySpec = Field(
+        default=False, description=N_("Whether weights count, downward; or a table, for another strength or direction.")
+    )
+    gas: AnyGas | None = Field(
+        default=None, description=N_("What the chambers hold: the kind of gas model and its numbers.")
+    )
+    balance: BalanceSpec | None = Field(
+        default=None, description=N_("Counterweights and balance shafts, given or solved for.")
+    )
+    evenness: EvennessSpec | None = Field(
+        default=None, description=N_("What balances the machine, its flywheel, and how evenly it is to run.")
+    )
 
     def __init__(self, /, **data: Any) -> None:
         try:

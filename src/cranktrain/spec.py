@@ -24,6 +24,9 @@ class Spec(BaseModel, frozen=True):
     of_file: ClassVar[frozenset[str]] = frozenset()
     """Fields that say where a curve's numbers are and how they are read: as numbers, they may differ among designs."""
 
+    others: ClassVar[str | None] = None
+    """Field that holds, by name, the tables that stand in the file under keys of the user's own."""
+
     @model_validator(mode="before")
     @classmethod
     def _lists_as_tuples(cls, data: object) -> object:
@@ -161,7 +164,7 @@ def _alternative(union: _Bare, label: str) -> object:
         bare = _bare(alternative)
         table = _table(bare.annotation)
         if table is not None and union.tag is not None:
-            if label in map(str, _literals(table.model_fields[union.tag].annotation)):
+            if label in map(str, words_of(table.model_fields[union.tag].annotation)):
                 return alternative
         elif re.match(rf"{_type_name(bare)}\b", kind):
             return alternative
@@ -200,23 +203,28 @@ def _key(name: str, field: FieldInfo) -> str:
     return field.alias or name
 
 
-def _parts(annotation: object) -> Iterator[object]:
+def parts_of(annotation: object) -> Iterator[object]:
     """Simple types of a declared one, and what marks them."""
     if get_origin(annotation) is Annotated:
         inner, *marks = get_args(annotation)
         for mark in marks:
             yield from mark.metadata if isinstance(mark, FieldInfo) else (mark,)
-        yield from _parts(inner)
+        yield from parts_of(inner)
     elif get_origin(annotation) in (Union, types.UnionType):
         for part in get_args(annotation):
-            yield from _parts(part)
+            yield from parts_of(part)
     else:
         yield annotation
 
 
-def _literals(annotation: object) -> list[object]:
+def quantity_of(annotation: object) -> Quantity | None:
+    """Give the quantity as which a value of a declared type is read; None where it is none."""
+    return next((part for part in parts_of(annotation) if isinstance(part, Quantity)), None)
+
+
+def words_of(annotation: object) -> list[object]:
     """Words that a declared type allows."""
-    return [word for part in _parts(annotation) if get_origin(part) is Literal for word in get_args(part)]
+    return [word for part in parts_of(annotation) if get_origin(part) is Literal for word in get_args(part)]
 
 
 def _fitting_alternatives(
@@ -249,8 +257,8 @@ def _told(detail: ErrorDetails, place: _Place) -> Iterator[Problem]:
     elif kind.startswith("union_tag") and _bare(place.annotation).tag:
         yield _wrong_kind(detail, place)
     elif kind == "missing":
-        yield Problem(place.path, None, _missing(place.annotation))
-    elif kind == "literal_error" and (words := _literals(place.annotation)):
+        yield Problem(place.path, None, missing(place.annotation))
+    elif kind == "literal_error" and (words := words_of(place.annotation)):
         yield unlisted(place.path, detail["input"], words)
     elif isinstance(cause, Exception):
         yield Problem(place.path, given, str(cause))
@@ -267,7 +275,7 @@ def _wrong_kind(detail: ErrorDetails, place: _Place) -> Problem:
     union = _bare(place.annotation)
     tag = union.tag or ""
     tables = filter(None, (_table(_bare(each).annotation) for each in union.alternatives))
-    kinds = [kind for table in tables for kind in _literals(table.model_fields[tag].annotation)]
+    kinds = [kind for table in tables for kind in words_of(table.model_fields[tag].annotation)]
     path = _joined(place.path, tag)
     if detail["type"] == "union_tag_invalid":
         return unlisted(path, value_at(detail["input"], tag), kinds)
@@ -276,10 +284,9 @@ def _wrong_kind(detail: ErrorDetails, place: _Place) -> Problem:
     return Problem(path, None, _("is missing; {expected}").format(expected=one_of(kinds)), repair)
 
 
-def _missing(annotation: object) -> str:
+def missing(annotation: object) -> str:
     """Say that a value is missing, and what it could be."""
-    quantity = next((part for part in _parts(annotation) if isinstance(part, Quantity)), None)
-    words = _literals(annotation)
+    quantity, words = quantity_of(annotation), words_of(annotation)
     if quantity is None and not words:
         return _("is missing")
     wanted = expected(quantity.dimension) if quantity else one_of(words)

@@ -9,7 +9,7 @@ from pydantic import TypeAdapter
 from tests.gas_engines import FOUR_STROKE, TWO_STROKE, Engine, csv
 
 import cranktrain.gas as gas
-from cranktrain.io.fields import described
+from cranktrain.io.schema import described
 from cranktrain.spec import validated
 
 ROOT = Path(__file__).parents[2]

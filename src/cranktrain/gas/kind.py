@@ -1,7 +1,7 @@
 """What every kind of gas model gives: its spec, what it makes of it for a chamber, and the pressure by the state."""
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any, Generic, NamedTuple, TypeAlias, TypeVar
 
 from cranktrain.gas.state import ChamberState, VolumeLimits
 from cranktrain.gas.work import MeanPressures
@@ -65,8 +65,12 @@ def _no_kinks(model: object, limits: VolumeLimits) -> tuple[Kink, ...]:
     return ()
 
 
+_Table = TypeVar("_Table", bound=GasSpec)
+_Model = TypeVar("_Model")
+
+
 @record
-class GasKind:
+class GasKind(Generic[_Table, _Model]):
     """A kind of gas model, as data.
 
     Attributes
@@ -100,14 +104,18 @@ class GasKind:
 
     name: str
     title: str
-    spec: type[GasSpec]
-    model: Callable[[Any, Chamber], Any]
-    pressure: Callable[[ChamberState, Any], Array]
-    doubts: Callable[[Any, Any], tuple[str, ...]]
+    spec: type[_Table]
+    model: Callable[[_Table, Chamber], _Model]
+    pressure: Callable[[ChamberState, _Model], Array]
+    doubts: Callable[[_Table, _Model], tuple[str, ...]]
     example: str
-    findings: Callable[[Any], tuple[str, ...]] = _nothing
-    mean_pressures: Callable[[Any, Array], MeanPressures] | None = None
-    kinks: Callable[[Any, VolumeLimits], tuple[Kink, ...]] = _no_kinks
-    work: Callable[[Any, Callable[[Array], Array]], float] | None = None
-    breaks: Callable[[Any], Array] | None = None
-    jumps: Callable[[Any], Array] | None = None
+    findings: Callable[[_Model], tuple[str, ...]] = _nothing
+    mean_pressures: Callable[[_Model, Array], MeanPressures] | None = None
+    kinks: Callable[[_Model, VolumeLimits], tuple[Kink, ...]] = _no_kinks
+    work: Callable[[_Model, Callable[[Array], Array]], float] | None = None
+    breaks: Callable[[_Model], Array] | None = None
+    jumps: Callable[[_Model], Array] | None = None
+
+
+AnyGasKind: TypeAlias = GasKind[Any, Any]
+"""A kind that is known only when it runs."""

@@ -1,12 +1,12 @@
 """Crank-rocker from swing, time ratio and rocker length, with the best transmission angle; docs/theory/synthesis."""
 
 from math import degrees, pi, sin
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.mechanisms.crank_rocker.facts import CLASSES
 from cranktrain.motion import single
 from cranktrain.synthesis.four_bars import (
@@ -21,6 +21,7 @@ from cranktrain.synthesis.four_bars import (
     with_equal_swings,
 )
 from cranktrain.synthesis.proposal import Alternative, Number, Proposal, Table, found, shaft_table, wanted
+from cranktrain.synthesis.quantities import Angle, Length, Speed, TimeRatio
 from cranktrain.wording import number, precise
 
 Swing = Literal["forward", "backward"]
@@ -35,14 +36,14 @@ _EQUAL = 1e-9
 
 
 def crank_rocker_from_swing(
-    swing: float,
-    time_ratio: float,
-    rocker_length: float,
+    swing: Annotated[Angle, N_("Of the rocker.")],
+    time_ratio: TimeRatio,
+    rocker_length: Length,
     *,
-    transmission_angle: float | None = None,
-    rod_length: float | None = None,
-    slow_swing: Swing = "forward",
-    speed: float | None = None,
+    transmission_angle: Annotated[Angle | None, N_("Least that is permitted.")] = None,
+    rod_length: Annotated[Length | None, N_("With a time ratio of 1 only.")] = None,
+    slow_swing: Annotated[Swing, N_("In the sense of the crank's rotation, or against it; forward.")] = "forward",
+    speed: Speed | None = None,
 ) -> Proposal:
     """Propose the crank-rocker whose smallest transmission angle is the largest.
 

@@ -3,13 +3,13 @@
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Any, ClassVar, NamedTuple
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.gas import Chamber, GasKind, GasSpec, VolumeLimits, chamber_state, kind_of
+from cranktrain.gas import AnyGasKind, Chamber, GasSpec, VolumeLimits, chamber_state, kind_of
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
@@ -69,7 +69,7 @@ class GasInChambers:
     tops: Array
     firing: Array
     cycle: float
-    models: tuple[tuple[Any, ...], ...]
+    models: tuple[tuple[object, ...], ...]
     specs: tuple[GasSpec, ...]
     findings: tuple[str, ...]
     doubts: tuple[str, ...]
@@ -113,11 +113,11 @@ class GasInChambers:
         return least + turns, np.where(is_head, travel.outer[:, of], travel.inner[:, of])
 
     @cached_property
-    def _shared(self) -> tuple[list[tuple[Any, list[int]]], ...]:
+    def _shared(self) -> tuple[list[tuple[object, list[int]]], ...]:
         """What `alike` gives for each design."""
         return tuple(_sharing(of_design) for of_design in self.models)
 
-    def alike(self, design: int) -> list[tuple[Any, list[int]]]:
+    def alike(self, design: int) -> list[tuple[object, list[int]]]:
         """Models of one design's chambers, each with the chambers that share it."""
         return self._shared[design]
 
@@ -161,9 +161,9 @@ class GasInChambers:
         return self.chambers.pushed(pressure) - AMBIENT * np.sum(areas, axis=-1, keepdims=True)
 
 
-def _sharing(models: tuple[Any, ...]) -> list[tuple[Any, list[int]]]:
+def _sharing(models: tuple[object, ...]) -> list[tuple[object, list[int]]]:
     """Pair each model of one design with the chambers that have it."""
-    sharing: dict[int, tuple[Any, list[int]]] = {}
+    sharing: dict[int, tuple[object, list[int]]] = {}
     for place, model in enumerate(models):
         sharing.setdefault(id(model), (model, []))[1].append(place)
     return list(sharing.values())
@@ -258,11 +258,11 @@ class _Told(NamedTuple):
     ratios: Array
 
 
-def _models(spec: GasSpec, chambers: GasInChambers, design: int, told: _Told) -> tuple[Any, ...]:
+def _models(spec: GasSpec, chambers: GasInChambers, design: int, told: _Told) -> tuple[object, ...]:
     """Models of one design's chambers; chambers that are alike but for their phase share one."""
     kind = kind_of(spec)
-    made: dict[tuple[float, ...], Any] = {}
-    found: list[Any] = []
+    made: dict[tuple[float, ...], object] = {}
+    found: list[object] = []
     for place in range(len(chambers.chambers.names)):
         limits = VolumeLimits(*(single(float(part[design, place, 0])) for part in chambers.limits))
         start = float(chambers.firing[design, place, 0])
@@ -279,7 +279,7 @@ def _models(spec: GasSpec, chambers: GasInChambers, design: int, told: _Told) ->
     return tuple(found)
 
 
-def _model(kind: GasKind, spec: GasSpec, chamber: Chamber) -> Any:
+def _model(kind: AnyGasKind, spec: GasSpec, chamber: Chamber) -> object:
     """Make one chamber's model; what does not suit it is wrong in [gas]."""
     try:
         return kind.model(spec, chamber)

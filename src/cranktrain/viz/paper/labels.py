@@ -169,3 +169,16 @@ def dots(line: Array) -> Array:
     of = np.repeat(np.arange(counts.size, dtype=np.intp), counts)
     number = np.arange(of.size) - np.repeat(np.cumsum(counts) - counts, counts)
     return starts[:, of] + steps[:, of] * (number / (counts[of] - 1))
+
+
+def together(points: Array, reach: float) -> list[list[int]]:
+    """Group points, shape (2, n), that lie nearer than `reach` to the first of their group."""
+    groups: list[list[int]] = []
+    for i in range(points.shape[1]):
+        near = (of for of in groups if np.hypot(*(points[:, i] - points[:, of[0]])) < reach)
+        found = next(near, None)
+        if found is None:
+            groups.append([i])
+        else:
+            found.append(i)
+    return groups

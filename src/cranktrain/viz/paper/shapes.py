@@ -35,6 +35,11 @@ class Along(NamedTuple):
         return self.along @ points - self.along @ self.foot
 
 
+def angle_of(vector: Array) -> float:
+    """Direction of a vector from X. [rad]"""
+    return float(np.arctan2(vector[1], vector[0]))
+
+
 def bar(start: Array, end: Array, widths: tuple[float, float], fill: Fill, order: int) -> Line:
     """Tapered bar between two pins."""
     along = (end - start) / np.hypot(*(end - start))
@@ -123,7 +128,7 @@ def arrowhead(tip: Array, direction: float, size: float) -> Line:
 def hull(first: Array, first_radius: float, second: Array, second_radius: float, fill: Fill, order: int) -> Line:
     """Outline that a belt round two circles would have."""
     distance = float(np.hypot(*(second - first)))
-    direction = float(np.arctan2(second[1] - first[1], second[0] - first[0]))
+    direction = angle_of(second - first)
     lean = float(np.arccos(np.clip((first_radius - second_radius) / distance, -1.0, 1.0)))
     points = (
         arc(first, first_radius, direction + lean, direction + 2 * np.pi - lean),

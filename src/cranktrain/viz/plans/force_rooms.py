@@ -10,11 +10,10 @@ from cranktrain.plans.force_polygons import ForcePolygon, rescaled
 from cranktrain.plans.force_sides import INITIAL
 from cranktrain.plans.positions import fitting, rounded_scale
 from cranktrain.viz.paper.labels import label_outline
-from cranktrain.viz.paper.page import Page
+from cranktrain.viz.paper.page import Box, Page
 from cranktrain.viz.paper.sketch import Sketch
 from cranktrain.viz.plans.force_rows import group_words, moment_words
 from cranktrain.viz.plans.force_sketches import force_polygon_sketch
-from cranktrain.viz.plans.sheet import Box
 
 _HEAD, _MOMENT, _GAP = 6.0, 5.0, 6.0
 """Height of a heading, of a line with a crank's moment, and what lies between two polygons. [mm]"""

@@ -16,7 +16,7 @@ from cranktrain.motion import Array, Point
 from cranktrain.plans.placement import first_throw, placed, shaft_places
 from cranktrain.quantities import shown
 from cranktrain.questions.cylinders.declared import cylinders_of
-from cranktrain.viz.paper.shapes import Along
+from cranktrain.viz.paper.shapes import Along, angle_of
 
 _TURN = np.linspace(0.0, 2 * np.pi, 361)
 _OUTLINED = ("slider_crank", "crank_rocker", "articulated_rod")
@@ -199,7 +199,7 @@ class Scene:
         """Direction of a member's throw, unless given the leading one's, from X at a shown crank angle [deg]. [rad]"""
         whose = member or self.leading
         pin = self.pins(whose, angle)[whose.crank_pin] - whose.centre
-        return float(np.arctan2(pin[1], pin[0]))
+        return angle_of(pin)
 
     @property
     def sliders(self) -> tuple[Member, ...]:
