@@ -1,6 +1,7 @@
 """Which tests are quick: all but those listed here, so that `pytest -m quick` takes less than a minute."""
 
 import pytest
+from tests.beside import start_type_checker
 
 SLOW = (
     "docs/pictures.md",
@@ -12,8 +13,12 @@ SLOW = (
     "tests/contract/test_docs.py::test_equations_are_numbered_as_labelled",
     "tests/contract/test_kinds.py::test_gap_is_open_where_the_motion_is_nan",
     "tests/contract/test_language.py::test_template_holds_what_the_code_says",
+    "tests/contract/test_types.py",
     "tests/e2e/test_mutations.py",
     "tests/e2e/test_pictures.py",
+    "tests/e2e/test_program.py::test_closed_streams",
+    "tests/e2e/test_program.py::test_help_and_list_are_light",
+    "tests/e2e/test_program.py::test_the_plotting_library_keeps_its_words_to_itself",
     "tests/exact/test_articulated_rod.py::test_articulated_rod_is_exact",
     "tests/exact/test_chain_forces.py",
     "tests/exact/test_chain_triad.py::test_triads_of_chains_are_exact",
@@ -31,6 +36,9 @@ SLOW = (
     "tests/unit/io/test_editing.py::test_edited_text_says_exactly_what_is_wanted",
     "tests/unit/io/test_editing.py::test_every_place_is_found",
     "tests/unit/plans/test_force_polygons.py::test_levers_with_friction_are_the_exact_torque",
+    "tests/unit/mechanisms/test_closing.py::test_articulated_rod",
+    "tests/unit/mechanisms/test_valve_gears.py::test_what_cannot_be_is_refused_with_its_field",
+    "tests/unit/numerics/test_numerics.py::test_residual_of_derivatives",
     "tests/unit/plans/test_uneven_plans.py::test_polygons_close_and_levers_balance",
     "tests/unit/questions/evenness/test_load_curve.py::test_designs_may_have_curves_of_their_own",
     "tests/unit/questions/forces/test_friction.py::test_reactions_and_work_agree_and_friction_takes_power",
@@ -40,7 +48,7 @@ SLOW = (
     "tests/unit/viz/",
     "tests/validation/test_between_steps.py",
 )
-"""What takes more than two seconds, by the beginning of its name."""
+"""What takes more than a second or two, by the beginning of its name."""
 
 QUICK = (
     "tests/contract/test_compiled.py::test_a_kernel_is_compiled_once",
@@ -79,3 +87,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if is_quick(item.nodeid):
             item.add_marker("quick")
+
+
+def pytest_collection_finish(session: pytest.Session) -> None:
+    """Let the type checker begin with the tests, where they ask for it."""
+    if not session.config.option.collectonly and any("test_types.py" in item.nodeid for item in session.items):
+        start_type_checker()

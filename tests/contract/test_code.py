@@ -1,4 +1,4 @@
-"""What holds for every file: linters, types, layers, docstrings and their examples, length, what a file mentions."""
+"""What holds for every file: linters, layers, docstrings and their examples, length, what a file mentions."""
 
 import ast
 import doctest
@@ -24,7 +24,6 @@ PYTHON = sys.executable
 TOOLS = {
     "ruff check": [PYTHON, "-m", "ruff", "check", "."],
     "ruff format": [PYTHON, "-m", "ruff", "format", "--check", "."],
-    "basedpyright": [PYTHON, "-m", "basedpyright", "--warnings", "--pythonpath", PYTHON],
     "lint-imports": [str(Path(PYTHON).with_name("lint-imports")), "--no-logo"],
 }
 

@@ -61,7 +61,7 @@ def _teach_choices() -> None:
     from numba import types
     from numba.extending import overload
 
-    chosen_elements = numba.vectorize(_chosen_number)
+    chosen_elements = cast(Callable[..., object], numba.vectorize(_chosen_number))
 
     def of_arrays(condition: object, one: object, other: object) -> object:
         return chosen_elements(condition, one, other)

@@ -240,8 +240,9 @@ class TestFailureInTheMiddle:
     @posix
     def test_interrupt_from_the_terminal(self, tmp_path):
         code = """
-            import sys
+            import signal, sys
             from cranktrain.io.output import write_whole
+            signal.signal(signal.SIGINT, signal.default_int_handler)  # whatever these tests were started by
             def pieces():
                 while True:
                     print("going", flush=True)

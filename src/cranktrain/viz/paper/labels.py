@@ -148,8 +148,10 @@ def _cost(away: Array, wish: Wish, under: Array, inside: Array) -> Array:
 def _n_under(boxes: Array, taken: Sequence[Array]) -> Array:
     """How many labels a label would lie over."""
     left, right, low, high = boxes
-    over = [(left < box[1]) & (box[0] < right) & (low < box[3]) & (box[2] < high) for box in taken]
-    return np.sum(over, axis=0) if over else np.zeros(left.size)
+    over = np.zeros(left.size)
+    for box in taken:
+        over += (left < box[1]) & (box[0] < right) & (low < box[3]) & (box[2] < high)
+    return over
 
 
 def _n_inside(boxes: Array, dots: Array) -> Array:
