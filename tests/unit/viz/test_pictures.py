@@ -13,6 +13,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 import pytest
 from matplotlib.text import Text
+from tests.sentences import AT_MOST_TO_A_SHEET, ENDS_IN
 
 import cranktrain as ct
 from cranktrain.errors import InputError
@@ -269,9 +270,7 @@ def test_instant_centres_that_are_not_drawn_are_said():
     assert "too far away to be drawn: $P_{13}$" in words
 
 
-@pytest.mark.parametrize(
-    ("angles", "message"), [(0, "at least one"), ([], "at least one"), (25, "at most 24 to a sheet")]
-)
+@pytest.mark.parametrize(("angles", "message"), [(0, "at least one"), ([], "at least one"), (25, AT_MOST_TO_A_SHEET)])
 def test_plan_of_too_many_or_no_angles_is_refused(angles, message):
     with pytest.raises(InputError, match=message):
         plan_positions(ct.load("vaz_21213"), angles)
@@ -430,7 +429,7 @@ def test_picture_is_refused_before_it_is_drawn(tmp_path):
 
     with pytest.raises(InputError, match="is there already"):
         save(draws, there)
-    with pytest.raises(InputError, match=r"must end in one of: \.png, \.svg, \.pdf"):
+    with pytest.raises(InputError, match=rf"{ENDS_IN}\.png, \.svg, \.pdf"):
         save(draws, tmp_path / "picture.bmp")
     assert there.read_bytes() == b"old"
 
