@@ -30,6 +30,7 @@ from cranktrain.quantities import Angle, Given
 from cranktrain.questions.balance.spec import BalanceSpec
 from cranktrain.questions.cylinders.spec import OVERRIDES, CylindersSpec
 from cranktrain.questions.evenness.spec import EvennessSpec
+from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.spec import Spec, problems, with_tuples
 from cranktrain.wording import around_turn, number
 
@@ -114,6 +115,9 @@ class Machine(Spec, frozen=True):
     )
     evenness: EvennessSpec | None = Field(
         default=None, description=N_("What balances the machine, its flywheel, and how evenly it is to run.")
+    )
+    torsion: TorsionSpec | None = Field(
+        default=None, description=N_("The crankshaft as discs and shafts that vibrate in torsion, with all beside it.")
     )
 
     def __init__(self, /, **data: Any) -> None:

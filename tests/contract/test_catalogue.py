@@ -78,7 +78,7 @@ EVERYTHING = {
         "load_curve": {"file": "load.csv", "text": "angle;torque [N·m]\n0;100\n360;100"},
     },
 }
-"""A machine of all kinds, which declares all there is."""
+"""A machine of all kinds, which declares all there is for such a one."""
 
 
 @pytest.fixture(scope="module")

@@ -6,11 +6,19 @@ from pydantic import Field, model_validator
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
-from cranktrain.quantities import Angle, Dimension, Given, Length, PositiveLength, PositiveMass, Quantity
+from cranktrain.quantities import (
+    Angle,
+    Dimension,
+    Given,
+    Length,
+    NonNegativeInertia,
+    PositiveLength,
+    PositiveMass,
+    Quantity,
+)
 from cranktrain.spec import Refused, Spec
 
 Friction = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]
-NonNegativeInertia = Annotated[Given, Quantity(Dimension.INERTIA, at_least=0.0)]
 PositiveAcceleration = Annotated[Given, Quantity(Dimension.ACCELERATION, above=0.0)]
 
 

@@ -77,7 +77,7 @@ def test_crank_angles_as_typed(plan, at, output, angles):
             ["3d12", "-o", "a.svg", "--plan", "polar", "--sheet", "force"],
             [
                 "--sheet = force: must be left out: a picture is a plan or a sheet",
-                '--sheet = force: must be one of: forces, machine; write "forces"',
+                '--sheet = force: must be one of: forces, machine, torsion; write "forces"',
             ],
         ),
         (
