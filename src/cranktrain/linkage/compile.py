@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from functools import cache
 from types import FunctionType
-from typing import ParamSpec, TypeVar, cast
+from typing import Any, ParamSpec, TypeVar, cast
 
 from cranktrain.motion import chosen
 
@@ -61,7 +61,7 @@ def _teach_choices() -> None:
     from numba import types
     from numba.extending import overload
 
-    chosen_elements = cast(Callable[..., object], numba.vectorize(_chosen_number))
+    chosen_elements: Callable[..., object] = cast(Any, numba).vectorize(_chosen_number)  # its types are partly unknown
 
     def of_arrays(condition: object, one: object, other: object) -> object:
         return chosen_elements(condition, one, other)
