@@ -1,7 +1,7 @@
 """The declared machine: the domains' tables together, and what only they together can check."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cached_property
 from typing import Any, Literal, Self
@@ -14,6 +14,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.gas import AnyGas
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, Friction, GravitySpec, GuideSpec
+from cranktrain.layout.closing import closing_problems
 from cranktrain.layout.design import Design
 from cranktrain.layout.frames import Orientation
 from cranktrain.layout.gearing import first_axis
@@ -22,7 +23,6 @@ from cranktrain.layout.places import Place, places_of
 from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPistonSpec, ShaftSpec
 from cranktrain.layout.standing import standing_problems
 from cranktrain.mechanisms import AnyMechanism
-from cranktrain.mechanisms.closing import OpenRange, open_ranges
 from cranktrain.mechanisms.spec import LISTS
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.paths import PathParts, path_text, quantity_path, replaced, value_at
@@ -32,7 +32,6 @@ from cranktrain.questions.cylinders.spec import OVERRIDES, CylindersSpec
 from cranktrain.questions.evenness.spec import EvennessSpec
 from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.spec import Spec, problems, with_tuples
-from cranktrain.wording import around_turn, number
 
 
 class Machine(Spec, frozen=True):
@@ -339,7 +338,7 @@ class Machine(Spec, frozen=True):
     @cached_property
     def closing_problems(self) -> tuple[Problem, ...]:
         """Over which crank angles a mechanism cannot close, once for each geometry."""
-        return _closing_problems(self, self.places)
+        return closing_problems(self.places, self.zero)
 
     def __copy__(self) -> Self:
         """Copy what was declared alone: what was found may not hold of the copy, which may be given other fields."""
@@ -380,50 +379,3 @@ def machine_problems(machine: Machine, *, partial: bool = False) -> tuple[Proble
     """
     found = machine.table_problems
     return found if partial or machine.arranged[1] else (*found, *machine.closing_problems)
-
-
-def _closing_problems(machine: Machine, places: Sequence[Place]) -> tuple[Problem, ...]:
-    """Look at each geometry once."""
-    different: dict[object, Place] = {}
-    for place in places:
-        different.setdefault((place.path, place.geometry), place)
-    with np.errstate(all="ignore"):
-        ranges = [(place, open_ranges(place.kind, place.geometry)) for place in different.values()]
-        stuck = {place.geometry for place, found in ranges if found}
-        return tuple(
-            _closing_problem(place, found, machine.zero)
-            for place, found in ranges
-            # A slave on a master that cannot close says nothing of its own.
-            if found and getattr(place.geometry, "master", None) not in stuck
-        )
-
-
-def _closing_problem(place: Place, ranges: Sequence[OpenRange], zero: float) -> Problem:
-    """Say where one mechanism cannot close, by how much, and what would help."""
-    short = number(max(one.short for one in ranges), "mm")
-    if ranges[0].end - ranges[0].start >= 2 * np.pi:
-        allowed = _("the links can close at no crank angle (short by {short}); {advice}")
-    elif short == number(0.0, "mm"):
-        allowed = _("the links lie in one line at crank angle {angles}, and the crank cannot pass; {advice}")
-    else:
-        allowed = _("the links cannot close at crank angles {angles} (short by {short}); {advice}")
-    find = place.kind.closing_field
-    field = place.spec.rod_field if find is None else find(place.geometry)
-    given: Given | None = getattr(place.spec, field, None)
-    return Problem(
-        place.path_of(field),
-        given.text if given else None,
-        allowed.format(
-            angles=_(" and ").join(
-                _span(one.start - place.phase - zero, one.end - place.phase - zero) for one in ranges
-            ),
-            short=short,
-            advice=place.kind.closing_advice(place.geometry),
-        ),
-    )
-
-
-def _span(start: float, end: float) -> str:
-    """Say from where to where the crank angle runs; one angle where both are alike."""
-    first, last = (number(float(angle), "deg") for angle in around_turn(np.array([start, end])))
-    return first if first == last else _("{start} to {end}").format(start=first, end=last)

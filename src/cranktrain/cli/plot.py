@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
-from cranktrain.cli.running_speed import OPTION, told_at_option
+from cranktrain.cli.running_speed import OPTION, problems_at_option
 from cranktrain.cli.speed_curve import OPTION as SPEED_CURVE
-from cranktrain.cli.speed_curve import speed_settings, told_as_typed
+from cranktrain.cli.speed_curve import problems_as_typed, speed_settings
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.machine_file import MachineFile, computed, read_machine
 from cranktrain.language import _
@@ -75,12 +75,12 @@ def write_picture(request: Request) -> None:
     order = understood(request)
     # What the plotting library says of its fonts and its folder is nothing that a user asked for.
     logging.getLogger("matplotlib").setLevel(logging.ERROR)
-    with told_as_typed(request.speed_curve):
+    with problems_as_typed(request.speed_curve):
         settings = (*request.settings, *speed_settings(request.speed_curve))
         file = read_machine(request.file, settings, partial=request.is_partial)
     try:
         _check_mechanism(file, request.mechanism)
-        with told_at_option():
+        with problems_at_option():
             _draw(file, order, request)
     except InputError as error:
         raise InputError(_placed(error.problems, file, request)) from None

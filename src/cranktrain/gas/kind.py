@@ -83,7 +83,7 @@ class GasKind(Generic[_Table, _Model]):
         What `pressure` takes. Raises `InputError`, paths relative to the table, where it does not suit the chamber.
     pressure : callable (ChamberState, model) → Array
         Absolute pressure at each crank angle, of the state's shape. [Pa]
-    doubts : callable (spec, model) → tuple of str
+    flags : callable (spec, model) → tuple of str
         What may be meant otherwise than it was given, as sentences.
     example : str
         A commented `[gas]` table to start from.
@@ -107,7 +107,7 @@ class GasKind(Generic[_Table, _Model]):
     spec: type[_Table]
     model: Callable[[_Table, Chamber], _Model]
     pressure: Callable[[ChamberState, _Model], Array]
-    doubts: Callable[[_Table, _Model], tuple[str, ...]]
+    flags: Callable[[_Table, _Model], tuple[str, ...]]
     example: str
     findings: Callable[[_Model], tuple[str, ...]] = _nothing
     mean_pressures: Callable[[_Model, Array], MeanPressures] | None = None

@@ -17,7 +17,7 @@ KIND = GasKind(
     work=diagram_work,
     breaks=breaks,
     jumps=jumps,
-    doubts=lambda spec, diagram: diagram.doubts,
+    flags=lambda spec, diagram: diagram.flags,
     findings=lambda diagram: diagram.findings,
     example="""\
 [gas]

@@ -97,7 +97,7 @@ def flywheel_size(load: ShaftLoad, coefficient: WantedCoefficient, work: ShaftWo
 
 
 def _size_flags(load: ShaftLoad) -> Iterator[str]:
-    """Mind a load for which another flywheel would do."""
+    """Flag a load for which another flywheel would do."""
     if load.motor is not None or load.is_quadratic:
         yield _(
             "The flywheel wanted is for a load that does not depend on the speed;"
@@ -167,7 +167,7 @@ def rim_size(
 
 
 def _rim_flags(inertia: Array, speed: Array, wanted: DeclaredRim, height: Array) -> Iterator[str]:
-    """Mind a rim that runs too fast, or that has no room on its diameter."""
+    """Flag a rim that runs too fast, or that has no room on its diameter."""
     too_fast = speed > wanted.largest_speed
     if np.any(too_fast):
         worst = int(np.argmax(np.where(too_fast, speed / wanted.largest_speed, 0.0)))

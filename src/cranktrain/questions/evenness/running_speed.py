@@ -25,7 +25,7 @@ from cranktrain.wording import Names, number
 _CURVE = ("crank_angle",)
 _THEORY = "docs/theory/evenness"
 _UNLIKELY = 0.5
-"""Coefficient of fluctuation from which a flywheel is doubted."""
+"""Coefficient of fluctuation from which a flywheel is flagged."""
 
 
 @record
@@ -130,7 +130,7 @@ def _load_words(load: ShaftLoad, *, has_curve: bool, is_free: bool) -> str:
 
 
 def _flags(load: ShaftLoad, work: ShaftWork, found: SteadyRunning) -> Iterator[str]:
-    """Mind a load that fixes no speed, a shaft that would stop, a load that nothing drives, and unstable running."""
+    """Flag a load that fixes no speed, a shaft that would stop, a load that nothing drives, and unstable running."""
     speed = found.speed
     is_known = np.isfinite(work.largest_excess_work)
     if np.any(is_known & found.is_free):

@@ -110,7 +110,7 @@ def _gathered(joints: Sequence[_Joint], solved: Sequence[SolvedGroup], part: int
 
 
 def _flags(masses: Masses) -> Iterator[str]:
-    """Mind what has no mass, and rods whose inertia is assumed."""
+    """Flag what has no mass, and rods whose inertia is assumed."""
     if (said := masses.without_mass()) is not None:
         yield said
     if masses.doubtful:
@@ -125,13 +125,13 @@ def _flags(masses: Masses) -> Iterator[str]:
 
 
 def _friction_flags(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
-    """Mind on what friction is counted, and whether it lets the machine turn."""
+    """Flag on what friction is counted, and whether it lets the machine turn."""
     yield from _moments_without_length(loaded, solved)
     yield from _wedged(loaded, solved)
 
 
 def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
-    """Mind what rubs in a guide that carries a moment, where no length says on which edges."""
+    """Flag what rubs in a guide that carries a moment, where no length says on which edges."""
     parts: list[str] = []
     for group, one, made in zip(loaded.mechanisms.groups, solved.groups, loaded.masses.groups, strict=True):
         dynamics = group.kind.dynamics
@@ -149,7 +149,7 @@ def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Itera
 
 
 def _wedged(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
-    """Mind mechanisms that move freely without friction and have no forces with it."""
+    """Flag mechanisms that move freely without friction and have no forces with it."""
     stuck: list[int] = []
     for group, one, made in zip(loaded.mechanisms.groups, solved.groups, loaded.masses.groups, strict=True):
         for name, coefficient in zip(group.kind.dynamics.sliding, made.friction, strict=True):

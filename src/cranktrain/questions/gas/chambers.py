@@ -58,8 +58,8 @@ class GasInChambers:
         [design][chamber], as each design's kind of gas takes it.
     specs : tuple of GasSpec
         Of each design.
-    findings, doubts : tuple of str
-        What was found in a file and changed, and what may be meant otherwise.
+    flags : tuple of str
+        What may be meant otherwise than it was given, and what was found in a file and changed.
     """
 
     pistons: Pistons
@@ -71,8 +71,7 @@ class GasInChambers:
     cycle: float
     models: tuple[tuple[object, ...], ...]
     specs: tuple[GasSpec, ...]
-    findings: tuple[str, ...]
-    doubts: tuple[str, ...]
+    flags: tuple[str, ...]
 
     def volume(self, angle: Array) -> Coefficient:
         """Volume of every chamber at φ [rad], and its derivatives, shape (design, chamber, n). [m³, m³/rad, m³/rad²]"""
@@ -207,25 +206,25 @@ def gas_in_chambers(
         cycle=cycle.length,
         models=(),
         specs=gas.specs,
-        findings=(),
-        doubts=(),
+        flags=(),
     )
     is_central = _central_ratios(pistons, cylinders)[:, of]
     # What the volume is at some angles after firing tells a chamber from those that are not like it.
     every = range(len(chambers.names))
     volumes_then = empty.at_own(empty.firing + _TELLING, every, lambda angle: empty.volume(angle).value)
     models = tuple(
-        _models(spec, empty, design, _Told(volumes_then[design], is_central[design]))
+        _models(spec, empty, design, _Likeness(volumes_then[design], is_central[design]))
         for design, spec in enumerate(gas.specs)
     )
-    told = [
+    each = [
         (kind_of(spec), spec, model) for spec, of_design in zip(gas.specs, models, strict=True) for model in of_design
     ]
+    flags = [flag for kind, spec, model in each for flag in kind.flags(spec, model)]
+    findings = [finding for kind, _spec, model in each for finding in kind.findings(model)]
     return replace(
         empty,
         models=models,
-        findings=tuple(dict.fromkeys(said for kind, _spec, model in told for said in kind.findings(model))),
-        doubts=tuple(dict.fromkeys(said for kind, spec, model in told for said in kind.doubts(spec, model))),
+        flags=tuple(dict.fromkeys((*flags, *findings))),
     )
 
 
@@ -251,14 +250,14 @@ def _central_ratios(pistons: Pistons, cylinders: CylinderPistons) -> Array:
     return np.where(cylinders.is_opposed, np.nan, ratio[:, cylinders.leading])
 
 
-class _Told(NamedTuple):
+class _Likeness(NamedTuple):
     """What tells chambers apart: volumes at some angles, (chamber, n) [m³], and λ of central ones, (chamber,)."""
 
     volumes: Array
     ratios: Array
 
 
-def _models(spec: GasSpec, chambers: GasInChambers, design: int, told: _Told) -> tuple[object, ...]:
+def _models(spec: GasSpec, chambers: GasInChambers, design: int, own: _Likeness) -> tuple[object, ...]:
     """Models of one design's chambers; chambers that are alike but for their phase share one."""
     kind = kind_of(spec)
     made: dict[tuple[float, ...], object] = {}
@@ -270,9 +269,9 @@ def _models(spec: GasSpec, chambers: GasInChambers, design: int, told: _Told) ->
         def volume(angle: Array, start: float = start, place: int = place) -> Array:
             return chambers.volume_of(design, place, angle + start).value
 
-        key = tuple(float(f"{float(value):.9g}") for value in (*limits, *told.volumes[place]))
+        key = tuple(float(f"{float(value):.9g}") for value in (*limits, *own.volumes[place]))
         if key not in made:
-            ratio = float(told.ratios[place])
+            ratio = float(own.ratios[place])
             chamber = Chamber(chambers.cycle, limits, volume, None if np.isnan(ratio) else ratio)
             made[key] = _model(kind, spec, chamber)
         found.append(made[key])

@@ -50,7 +50,7 @@ class Followed:
 
 @record
 class FollowedLinks(Followed):
-    """Links."""
+    """Links by their names, beside the rods and rockers that have results of their own."""
 
     dimension: ClassVar[str] = "link"
 

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import coefficients, extreme, quantity
-from cranktrain.checks import Check, Limit, doubted
+from cranktrain.checks import Check, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
@@ -170,7 +170,7 @@ def piston_speeds(
         smallest_piston_velocity=slowest,
         largest_piston_acceleration=most,
         smallest_piston_acceleration=least,
-        flags=tuple(doubted(_MEAN_SPEED, mean_speed[:, ~pistons.is_valve])),
+        flags=tuple(flagged(_MEAN_SPEED, mean_speed[:, ~pistons.is_valve])),
     )
 
 

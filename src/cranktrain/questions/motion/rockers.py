@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.catalogue import coefficients, extreme, quantity
-from cranktrain.checks import Check, Limit, doubted
+from cranktrain.checks import Check, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Rockers
@@ -129,7 +129,7 @@ def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) 
         time_ratio=swinging(slower / (2 * np.pi - slower)),
         largest_rocker_angle=Extreme(swinging(crank_angle.counted(most.angle)), swinging(most.value)),
         smallest_rocker_angle=Extreme(swinging(crank_angle.counted(least.angle)), swinging(least.value)),
-        flags=tuple(doubted(_SWING, 1 / swing, swing)),
+        flags=tuple(flagged(_SWING, 1 / swing, swing)),
     )
 
 

@@ -16,7 +16,7 @@ from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.forces_times_arms import forces_times_arms
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import driving_torques
-from cranktrain.questions.forces.peaks import felt, largest_of_machine, one_sided
+from cranktrain.questions.forces.peaks import largest_of_machine, one_sided, without_rounding
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.torque import fired as along_shaft
 from cranktrain.questions.torque.sources import TorqueSources
@@ -126,7 +126,7 @@ def shaft_torques(
     whole = np.sum(by_shaft, axis=1)
     mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
     gross = np.sum(forces_times_arms(loaded, solved.groups), axis=-1)
-    most, least = (felt(peak, gross) for peak in (peaks.largest, peaks.smallest))
+    most, least = (without_rounding(peak, gross) for peak in (peaks.largest, peaks.smallest))
     return ShaftTorques(
         gross=gross,
         shaft_torque=by_shaft,
@@ -244,8 +244,8 @@ def reversals(curve: Array) -> Array:
     Neither a zero between two values of one sign is a change, nor what rounding leaves of it; NaN is passed over.
     """
     known = np.nan_to_num(curve)
-    felt = np.abs(known) > _ROUNDING * np.max(np.abs(known), axis=-1, keepdims=True)
-    sign = np.where(felt, np.sign(known), 0.0)
+    is_clear = np.abs(known) > _ROUNDING * np.max(np.abs(known), axis=-1, keepdims=True)
+    sign = np.where(is_clear, np.sign(known), 0.0)
     place: NDArray[np.intp] = np.where(sign == 0, 0, np.arange(1, curve.shape[-1] + 1, dtype=np.intp))
     last: NDArray[np.intp] = np.maximum.accumulate(place, axis=-1)
     # What stands before the first sign is the last one of the cycle before.
