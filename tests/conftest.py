@@ -107,5 +107,5 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 def pytest_collection_finish(session: pytest.Session) -> None:
     """Let the type checker begin with the tests, where they ask for it."""
-    if not session.config.option.collectonly and any("test_types.py" in item.nodeid for item in session.items):
+    if not session.config.option.collectonly and any(item.path.name == "test_types.py" for item in session.items):
         start_type_checker()
