@@ -5,6 +5,7 @@ import copy
 import random
 import re
 import string
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -12,43 +13,18 @@ import pytest
 from tests.machines import ROCKER, V12, slave, slider, throws
 
 import cranktrain as ct
+from cranktrain import textbook
+from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import STAGES, ordered
+from cranktrain.analysis.dimensions import DIMENSIONS
 from cranktrain.analysis.stages import run_stages
 from cranktrain.catalogue import entries
-from cranktrain.mechanisms import KINDS
+from cranktrain.io.examples import example_names
 from cranktrain.questions.forces.unlikely import UnlikelyLoads
 
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "src/cranktrain"
 ENTRIES = [entry for stage in STAGES for entry in entries(stage.gives)]
-DIMENSIONS = {
-    "throw",
-    "piston",
-    "rocker",
-    "mechanism",
-    "cylinder",
-    "chamber",
-    "joint",
-    "bank",
-    "point",
-    "link",
-    "slider",
-    "guide",
-    "shaft",
-    "journal",
-    "order",
-    "method",
-    "force_method",
-    "rod_method",
-    "balance",
-    "weight",
-    "flywheel_method",
-    "disc",
-    "mode",
-    "crank_angle",
-    "design",
-    *(kind.name for kind in KINDS),
-}
 UNITS = {"m", "rad", "deg", "s", "kg", "N", "Pa", "J", "W"}
 POINTS = {"p": {"link": "rod", "along": "10 mm", "across": "5 mm"}}
 
@@ -102,7 +78,7 @@ EVERYTHING = {
         "load_curve": {"file": "load.csv", "text": "angle;torque [N·m]\n0;100\n360;100"},
     },
 }
-"""A machine of all kinds, which declares all there is but torsion, which is of one crankshaft alone."""
+"""A machine of all kinds, which declares all there is for such a one."""
 
 
 @pytest.fixture(scope="module")
@@ -119,7 +95,7 @@ def test_names_are_unique():
 def test_entry(entry):
     factors = [re.fullmatch(r"([A-Za-z]+)(\^[23])?", part) for part in re.split(r"[*/]", entry.unit)]
     assert entry.unit == "1" or all(found and found[1] in UNITS for found in factors), entry.unit
-    assert set(entry.dimensions) <= DIMENSIONS
+    assert set(entry.dimensions) <= DIMENSIONS.keys()
     assert entry.dimensions.count("crank_angle") == 0 or entry.dimensions[-1] == "crank_angle"
     assert re.fullmatch(r"[a-z]+(_[a-z]+)*", entry.name)
     assert entry.sentence[0].isupper()
@@ -127,16 +103,53 @@ def test_entry(entry):
     assert (ROOT / f"{entry.source}.md").is_file(), entry.source
 
 
-def test_a_machine_with_everything_gives_the_whole_catalogue(everything):
-    assert everything.missing == ()
-    torsion = set(ct.run(ct.load("inline_six"), step_degrees=10).catalogue)
-    assert set(everything.catalogue) | torsion == {entry.name for entry in ENTRIES}
+@pytest.fixture(scope="module")
+def examples():
+    """What every example gives, by its name."""
+    return cache(lambda name: set(ct.run(ct.load(name), step_degrees=10).catalogue))
+
+
+GROUPS = {question.name: question.stages for question in QUESTIONS} | {
+    "kinds": [stage for stage in STAGES if stage.gives.__module__.startswith("cranktrain.mechanisms.")],
+    "textbook": textbook.STAGES,
+}
+"""Stages by what they answer."""
+
+
+def test_every_stage_is_of_a_question_a_kind_or_the_textbook():
+    assert {stage.gives for group in GROUPS.values() for stage in group} == {stage.gives for stage in STAGES}
+
+
+@pytest.mark.parametrize("group", GROUPS)
+def test_every_result_is_given_by_the_machine_with_everything_or_by_an_example(everything, examples, group):
+    """The examples are asked for what is of machines that are not of all kinds."""
+    left = {entry.name for stage in GROUPS[group] for entry in entries(stage.gives)} - set(everything.catalogue)
+    for name in example_names() if left else ():
+        left -= examples(name)
+    assert left == set()
+
+
+def test_a_machine_with_everything_misses_nothing_that_it_declares(everything):
+    assert missing_of_declared(everything, {*EVERYTHING, "mechanism"}) == {}
+
+
+def test_nothing_is_given_that_no_stage_declares(everything):
+    assert set(everything.catalogue) <= {entry.name for entry in ENTRIES}
+
+
+def missing_of_declared(result, tables):
+    """Results that are missing although the file has the table of all that they need, by what they need."""
+    return {
+        missing.needs: set(missing.results)
+        for missing in result.missing
+        if all(re.match(r"\[(\w+)", need)[1] in tables for need in missing.needs)
+    }
 
 
 def test_arrays_have_the_shape_that_they_declare(everything):
     lengths = {name: len(labels) for name, labels in everything.labels.items()}
     lengths["crank_angle"] = everything.crank_angle.size
-    assert set(everything.labels) <= DIMENSIONS
+    assert set(everything.labels) <= DIMENSIONS.keys()
     for name, entry in everything.catalogue.items():
         expected = tuple(lengths[dimension] for dimension in entry.dimensions)
         assert np.shape(getattr(everything, name)) == expected, name
@@ -204,13 +217,7 @@ class TestMissing:
                 del table[key]
             else:
                 table[key] = value
-        result = ct.run(ct.Machine(**data), step_degrees=10)
-        return {
-            missing.needs: set(missing.results)
-            for missing in result.missing
-            if not {"[mechanism.points.NAME] link, along, across", "[gas]", "[masses]", "[balance]", "[torsion]"}
-            & set(missing.needs)
-        }
+        return missing_of_declared(ct.run(ct.Machine(**data), step_degrees=10), data)
 
     def test_nothing(self):
         assert self.missing() == {}
@@ -221,7 +228,9 @@ class TestMissing:
         assert {"piston_velocity", "mean_piston_speed"} <= results
 
     def test_spacing(self):
-        assert self.missing(shaft__main__spacing=None) == {("[shaft.main] spacing",): {"axial_position"}}
+        found = self.missing(shaft__main__spacing=None)
+        assert list(found) == [("[shaft.main] spacing",)]
+        assert found["[shaft.main] spacing",] >= {"axial_position"}
 
     def test_bore(self):
         found = self.missing(cylinder__bore=None)
@@ -229,9 +238,9 @@ class TestMissing:
         assert list(found) == [("[cylinder] bore",)]
 
     def test_ratio(self):
-        assert self.missing(cylinder__compression_ratio=None) == {
-            ("[cylinder] compression_ratio",): {"chamber_volume", "clearance_volume", "compression_ratio"}
-        }
+        found = self.missing(cylinder__compression_ratio=None)
+        assert list(found) == [("[cylinder] compression_ratio",)]
+        assert found["[cylinder] compression_ratio",] >= {"chamber_volume", "clearance_volume", "compression_ratio"}
 
     def test_bore_and_ratio(self):
         found = self.missing(cylinder__bore=None, cylinder__compression_ratio=None)
@@ -239,21 +248,18 @@ class TestMissing:
 
     def test_firing_order(self):
         found = self.missing(cylinder__firing_order=None)
-        assert found == {
-            ("[cylinder] firing_order or firing_angles",): {
-                "firing_angle",
-                "firing_dead_centre",
-                "firing_interval",
-                "phase_star_sum",
-            }
-        }
+        assert list(found) == [("[cylinder] firing_order or firing_angles",)]
+        (results,) = found.values()
+        assert results >= {"firing_angle", "firing_dead_centre", "firing_interval", "phase_star_sum"}
 
     def test_cycle(self):
         assert list(self.missing(cylinder__cycle=None)) == [("[cylinder] cycle",)]
 
     def test_what_is_for_another_kind_of_machine_is_not_spoken_of(self):
         result = ct.run(ct.Machine(mechanism=ROCKER))
-        assert sorted({need for missing in result.missing for need in missing.needs}) == [
+        needs = {need for missing in result.missing for need in missing.needs}
+        assert not {need for need in needs if need.startswith(("[cylinder", "[gas", "[guide", "[friction", "[gravity"))}
+        assert needs >= {
             "[balance]",
             "[evenness.rim] mean_diameter",
             "[evenness]",
@@ -263,8 +269,7 @@ class TestMissing:
             "[mechanism.points.NAME] link, along, across",
             "[mechanism] load_radius",
             "[shaft.main] speed",
-            "[torsion]",
-        ]
+        }
 
 
 def placeholders(text):

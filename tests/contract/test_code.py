@@ -1,4 +1,4 @@
-"""What holds for every file: linters, types, layers, docstrings and their examples, length, what a file mentions."""
+"""What holds for every file: linters, layers, docstrings and their examples, length, what a file mentions."""
 
 import ast
 import doctest
@@ -9,6 +9,8 @@ import sys
 from pathlib import Path
 
 import pytest
+from tests import sentences
+from tests.conftest import QUICK, SLOW
 
 ROOT = Path(__file__).parents[2]
 SOURCE = ROOT / "src"
@@ -24,7 +26,6 @@ PYTHON = sys.executable
 TOOLS = {
     "ruff check": [PYTHON, "-m", "ruff", "check", "."],
     "ruff format": [PYTHON, "-m", "ruff", "format", "--check", "."],
-    "basedpyright": [PYTHON, "-m", "basedpyright", "--warnings", "--pythonpath", PYTHON],
     "lint-imports": [str(Path(PYTHON).with_name("lint-imports")), "--no-logo"],
 }
 
@@ -90,3 +91,17 @@ def test_documents_named_in_a_file_exist():
         for name in re.findall(r"\b[\w-]+\.md\b", path.read_text(encoding="utf-8"))
     }
     assert {name: path for name, path in named.items() if name not in present} == {}
+
+
+def test_sentences_of_the_table_stand_nowhere_else():
+    pinned = [text for name, text in vars(sentences).items() if name.isupper()]
+    files = [path for path in (ROOT / "tests").rglob("*.py") if path.name != "sentences.py"]
+    again = {name_of(path): [text for text in pinned if text in path.read_text(encoding="utf-8")] for path in files}
+    assert {name: texts for name, texts in again.items() if texts} == {}
+
+
+@pytest.mark.parametrize("name", [*SLOW, *QUICK])
+def test_slow_tests_and_their_quick_cases_exist(name):
+    path, _, function = name.partition("::")
+    assert (ROOT / path).exists()
+    assert not function or function.partition("[")[0] in (ROOT / path).read_text(encoding="utf-8")

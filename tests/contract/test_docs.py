@@ -53,7 +53,12 @@ BLOCKS_THAT_FAIL = {
     "python": "```python\nassert 1 == 2\n```\n",
     "doctest": "```python\n>>> 1 + 1\n3\n```\n",
 }
-ECHO = "import sys\nprint(*sys.argv[1:])\nsys.exit('crash' in sys.argv)\n"
+ECHO = """\
+def main(arguments):
+    print(*arguments)
+    return "crash" in arguments
+"""
+START = "import sys\nfrom cranktrain.cli import main\nsys.exit(main(sys.argv[1:]))\n"
 
 
 @pytest.fixture(scope="module")
@@ -99,26 +104,33 @@ def test_decision_has_its_heads(page):
     assert re.search(rf"^# {int(page.stem[:4])}\. ", text)
 
 
-def blocks_run(folder: Path, text: str) -> subprocess.CompletedProcess[str]:
-    """Run a README's blocks with this project's conftest and a `cranktrain` that only repeats its arguments."""
+@pytest.fixture(scope="module")
+def blocks_run(tmp_path_factory):
+    """Pages of blocks run with this project's conftest and a `cranktrain` that only repeats its arguments."""
+    folder = tmp_path_factory.mktemp("blocks")
     shutil.copy(ROOT / "conftest.py", folder)
     (folder / "cranktrain").mkdir()
     (folder / "cranktrain/__init__.py").touch()
-    (folder / "cranktrain/__main__.py").write_text(ECHO, encoding="utf-8")
+    (folder / "cranktrain/cli.py").write_text(ECHO, encoding="utf-8")
+    (folder / "cranktrain/__main__.py").write_text(START, encoding="utf-8")
     (folder / "pytest.ini").write_text("[pytest]\n", encoding="utf-8")
-    (folder / "README.md").write_text(text, encoding="utf-8")
-    command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "-p", "no:xdist", "-q", "README.md"]
-    return subprocess.run(command, cwd=folder, capture_output=True, encoding="utf-8", check=False)
+    (folder / "README.md").write_text(BLOCKS_THAT_HOLD, encoding="utf-8")
+    (folder / "docs").mkdir()
+    for reason, text in BLOCKS_THAT_FAIL.items():
+        (folder / f"docs/{reason}.md").write_text(text, encoding="utf-8")
+    command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "-p", "no:xdist", "-rA", "README.md", "docs"]
+    return subprocess.run(command, cwd=folder, capture_output=True, encoding="utf-8", check=False).stdout
 
 
-def test_blocks_that_hold_pass(tmp_path):
-    done = blocks_run(tmp_path, BLOCKS_THAT_HOLD)
-    assert done.returncode == 0, done.stdout
-    assert "4 passed" in done.stdout
+def outcomes(said: str, page: str) -> list[str]:
+    """What became of the blocks of a page."""
+    return re.findall(rf"^([A-Z]+) {re.escape(page)}::", said, re.MULTILINE)
+
+
+def test_blocks_that_hold_pass(blocks_run):
+    assert outcomes(blocks_run, "README.md") == ["PASSED"] * 4, blocks_run
 
 
 @pytest.mark.parametrize("reason", BLOCKS_THAT_FAIL)
-def test_blocks_that_do_not_hold_fail(tmp_path, reason):
-    done = blocks_run(tmp_path, BLOCKS_THAT_FAIL[reason])
-    assert done.returncode == 1, done.stdout
-    assert "1 failed" in done.stdout
+def test_blocks_that_do_not_hold_fail(blocks_run, reason):
+    assert outcomes(blocks_run, f"docs/{reason}.md") == ["FAILED"], blocks_run

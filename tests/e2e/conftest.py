@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from cranktrain.cli import main
+
 SOURCE = Path(__file__).parents[2] / "src"
 
 
@@ -26,6 +28,19 @@ def cranktrain(tmp_path):
         return subprocess.run(command, stderr=subprocess.PIPE, encoding="utf-8", check=False, **settings)
 
     return started
+
+
+@pytest.fixture
+def typed(capsys, monkeypatch, tmp_path):
+    """Run the program in this process, where nothing is asked but what it says and writes."""
+    monkeypatch.chdir(tmp_path)
+
+    def answer(*arguments: str) -> subprocess.CompletedProcess[str]:
+        capsys.readouterr()
+        status = main(arguments)
+        return subprocess.CompletedProcess(arguments, status, *capsys.readouterr())
+
+    return answer
 
 
 @pytest.fixture

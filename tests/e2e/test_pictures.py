@@ -36,20 +36,20 @@ def test_plan(cranktrain, tmp_path):
 
 
 @pytest.mark.parametrize("plan", ["arc", "projection", "brix", "brix-backward", "centres"])
-def test_constructions_and_centres(cranktrain, tmp_path, plan):
-    done = cranktrain("plot", "mud_pump_12p160", "--plan", plan, "-o", "plan.png")
+def test_constructions_and_centres(typed, tmp_path, plan):
+    done = typed("plot", "mud_pump_12p160", "--plan", plan, "-o", "plan.png")
     assert (done.returncode, done.stdout, done.stderr) == (0, "written: plan.png\n", "")
     with Image.open(tmp_path / "plan.png") as picture:
         assert np.allclose(picture.size, np.multiply((297, 210), DOTS_PER_MILLIMETRE), atol=1)
 
 
-def test_twelve_positions_of_the_source(cranktrain, tmp_path):
+def test_twelve_positions_of_the_source(typed, tmp_path):
     """Across the line of stroke and at the pressure angle asin λ of the 78 × 78 engine: λ = 39/128."""
-    done = cranktrain("plot", "textbook_78x78", "--plan", "positions", "--at", "source", "-o", "plan.svg")
+    done = typed("plot", "textbook_78x78", "--plan", "positions", "--at", "source", "-o", "plan.svg")
     assert (done.returncode, done.stdout, done.stderr) == (0, "written: plan.svg\n", "")
-    done = cranktrain("plot", "3d12", "--plan", "velocities", "--at", "source", "-o", "other.svg")
+    done = typed("plot", "3d12", "--plan", "velocities", "--at", "source", "-o", "other.svg")
     assert done.returncode == 2 and "--at = source: must be crank angles" in done.stderr
-    done = cranktrain("plot", "pumping_unit_c57", "--plan", "positions", "--at", "source", "-o", "other.svg")
+    done = typed("plot", "pumping_unit_c57", "--plan", "positions", "--at", "source", "-o", "other.svg")
     assert done.returncode == 2 and "is no slider-crank" in done.stderr
 
 
@@ -60,14 +60,14 @@ def test_animation(cranktrain, tmp_path):
         assert picture.n_frames == 36
 
 
-def test_dxf_is_in_true_millimetres(cranktrain, tmp_path):
+def test_dxf_is_in_true_millimetres(typed, tmp_path):
     """The crank pin's path about the shaft centre is a circle of the crank's radius: 80 mm of stroke, no offset."""
     (tmp_path / "pump.toml").write_text(
         '[mechanism]\nkind = "slider_crank"\nstroke = "80 mm"\nrod_length = "136 mm"\n', encoding="utf-8"
     )
-    done = cranktrain("plot", "pump.toml", "-o", "pump.dxf", "--at", "0")
+    done = typed("plot", "pump.toml", "-o", "pump.dxf", "--at", "0")
     assert (done.returncode, done.stdout) == (2, "")
-    done = cranktrain("plot", "pump.toml", "-o", "pump.dxf", "--at", "0 deg,90")
+    done = typed("plot", "pump.toml", "-o", "pump.dxf", "--at", "0 deg,90")
     assert (done.returncode, done.stdout, done.stderr) == (0, "written: pump.dxf\n", "")
     paths = ezdxf.readfile(tmp_path / "pump.dxf").modelspace().query('LWPOLYLINE[layer=="PATHS"]')
     radii = [np.hypot(*np.array(path.get_points("xy")).T) for path in paths]

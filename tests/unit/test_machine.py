@@ -2,6 +2,7 @@
 
 import pytest
 from tests.machines import ROCKER, V12, banks, slave, slider, throws
+from tests.sentences import HOLDS_NOTHING, KEEP_ONE, NO_PATH, SET_TWICE, TOO_DEEP, WHOLE_NUMBER
 
 import cranktrain as ct
 from cranktrain.machine import machine_problems
@@ -74,7 +75,7 @@ def test_one_value_for_all_angles_or_a_list():
         (bank(angle=["0 deg", "1"]), "bank.L.angle[1]", "must be an angle"),
         (bank(angle="1"), "bank.L.angle", "must be an angle"),
         (bank(throws=[]), "bank.L.throws", "at least 1 items"),
-        (bank(throws=["1"]), "bank.L.throws[0]", "must be a whole number"),
+        (bank(throws=["1"]), "bank.L.throws[0]", WHOLE_NUMBER),
         (bank(throws=[0]), "bank.L.throws[0]", "one of the shaft's throws, 1 to 1"),
         (bank(throws=[1, 1]), "bank.L.throws[1]", "each once"),
         ({"shaft": {"main": {"throws": []}}, "bank": banks(L=0)}, "shaft.main.throws", "at least 1 items"),
@@ -232,9 +233,9 @@ class TestWith:
             ({"shaft.main.throws[9]": "0 deg"}, "shaft.main.throws is a list of 6"),
             ({"name.first": "x"}, "name is no table or list; set it whole"),
             ({"bank[0]": 1}, "bank is a table, whose keys are names"),
-            ({"bank..x": 1}, "is no path of a machine file"),
-            ({"bank.L": {}, "bank.L.angle": "0 deg"}, "is set twice; keep one of the two"),
-            ({".".join(["a"] * 40): 1}, "has more than 32 parts"),
+            ({"bank..x": 1}, NO_PATH),
+            ({"bank.L": {}, "bank.L.angle": "0 deg"}, f"{SET_TWICE}; {KEEP_ONE}"),
+            ({".".join(["a"] * 40): 1}, TOO_DEEP),
         ],
     )
     def test_a_path_that_leads_nowhere_is_refused(self, values, said):
@@ -268,7 +269,7 @@ def test_a_machine_has_at_most_a_thousand_mechanisms():
 
 def test_an_empty_balance_is_refused():
     found = problems(mechanism=slider(), balance={})
-    assert found["balance"].allowed == "must hold weight, counterweights or shafts, or be left out"
+    assert found["balance"].allowed == HOLDS_NOTHING
 
 
 def test_an_empty_key_has_a_path():

@@ -5,13 +5,12 @@ from typing import Annotated, Literal, TypeAlias
 import pytest
 from pydantic import AfterValidator, BaseModel, Field, ValidationError, model_validator
 from pydantic_core import PydanticCustomError
+from tests.sentences import A_LENGTH, AN_ANGLE, NOT_A_KEY, NOT_POSITIVE, TEXT_IN_QUOTES, TRUE_OR_FALSE, WHOLE_NUMBER
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.quantities import Angle, Given, Length, PositiveLength, PositiveRatio
 from cranktrain.spec import Refused, Spec, problems, validated
 
-ANGLE = "must be an angle in deg, rad, rev, such as 30 deg"
-LENGTH = "must be a length in mm, cm, m, in, ft, such as 90 mm"
 KINDS = "must be one of: slider, slave"
 
 
@@ -134,22 +133,22 @@ def test_specs_are_made_in_python_too() -> None:
         # keys
         (
             {"mechanisms": {}, "mechanism": SLIDER},
-            ("mechanisms", None, "is not a key of this table", "did you mean mechanism?"),
+            ("mechanisms", None, NOT_A_KEY, "did you mean mechanism?"),
         ),
-        ({"form": "x"}, ("form", "x", "is not a key of this table", "did you mean from?")),
+        ({"form": "x"}, ("form", "x", NOT_A_KEY, "did you mean from?")),
         (
             {"mechanism": {**SLIDER, "rod_lenght": "3 m"}},
             (
                 "mechanism.rod_lenght",
                 "3 m",
-                "is not a key of this table, whose keys are: kind, crank_radius, rod_length",
+                f"{NOT_A_KEY}, whose keys are: kind, crank_radius, rod_length",
                 "did you mean rod_length?",
             ),
         ),
-        ({"parts": [SLIDER, {"kind": "slave"}]}, ("parts[1].slave", None, f"is missing; {ANGLE}", None)),
-        ({"pair": ["1 mm"]}, ("pair[1]", None, f"is missing; {LENGTH}", None)),
+        ({"parts": [SLIDER, {"kind": "slave"}]}, ("parts[1].slave", None, f"is missing; {AN_ANGLE}", None)),
+        ({"pair": ["1 mm"]}, ("pair[1]", None, f"is missing; {A_LENGTH}", None)),
         ({"bank": {"R": {}}}, ("bank.R.mechanism", None, "is missing", None)),
-        ({"numbers": {"5": 1}}, ("numbers.5", "1", "must be text in quotes", None)),
+        ({"numbers": {"5": 1}}, ("numbers.5", "1", TEXT_IN_QUOTES, None)),
         ({"fuel": {"Gas": "x"}}, ("fuel.Gas", "Gas", "must be one of: gas, oil", 'write "gas"')),
         # kinds
         ({"mechanism": {"kind": "Slider"}}, ("mechanism.kind", "Slider", KINDS, 'write "slider"')),
@@ -161,19 +160,19 @@ def test_specs_are_made_in_python_too() -> None:
             ("mechanism.kind", None, f"is missing; {KINDS}", "write kind instead of knd"),
         ),
         ({"mechanism": 5}, ("mechanism", "5", "must be a table", None)),
-        ({"mechanism": {**SLAVE, "slave": 60}}, ("mechanism.slave", "60", ANGLE, 'write "60 deg"')),
-        ({"either": {**SLAVE, "slave": 60}}, ("either.slave", "60", ANGLE, 'write "60 deg"')),
-        ({"either": [{**SLAVE, "slave": 60}]}, ("either[0].slave", "60", ANGLE, 'write "60 deg"')),
+        ({"mechanism": {**SLAVE, "slave": 60}}, ("mechanism.slave", "60", AN_ANGLE, 'write "60 deg"')),
+        ({"either": {**SLAVE, "slave": 60}}, ("either.slave", "60", AN_ANGLE, 'write "60 deg"')),
+        ({"either": [{**SLAVE, "slave": 60}]}, ("either[0].slave", "60", AN_ANGLE, 'write "60 deg"')),
         ({"either": {"kind": "salve"}}, ("either.kind", "salve", KINDS, 'write "slave"')),
         # words, numbers, texts
         (
             {"cycle": "four stroke"},
             ("cycle", "four stroke", "must be one of: two-stroke, four-stroke", 'write "four-stroke"'),
         ),
-        ({"count": "1"}, ("count", '"1"', "must be a whole number", None)),
-        ({"count": 1.0}, ("count", "1.0", "must be a whole number", None)),
-        ({"count": True}, ("count", "true", "must be a whole number", None)),
-        ({"count": 0}, ("count", "0", "must be more than 0", None)),
+        ({"count": "1"}, ("count", '"1"', WHOLE_NUMBER, None)),
+        ({"count": 1.0}, ("count", "1.0", WHOLE_NUMBER, None)),
+        ({"count": True}, ("count", "true", WHOLE_NUMBER, None)),
+        ({"count": 0}, ("count", "0", NOT_POSITIVE, None)),
         ({"count": 100}, ("count", "100", "must be less than 100", None)),
         ({"count": 2}, ("count", "2", "must be odd", None)),
         ({"count": 11}, ("count", "11", "must be small", None)),
@@ -181,9 +180,9 @@ def test_specs_are_made_in_python_too() -> None:
         ({"efficiency": -1}, ("efficiency", "-1", "must be at least 0.0", None)),
         ({"efficiency": 1.5}, ("efficiency", "1.5", "must be at most 1.0", None)),
         ({"efficiency": float("nan")}, ("efficiency", "nan", "must be a finite number", None)),
-        ({"is_double": "yes"}, ("is_double", '"yes"', "must be true or false", None)),
-        ({"is_double": 1}, ("is_double", "1", "must be true or false", None)),
-        ({"name": 3}, ("name", "3", "must be text in quotes", None)),
+        ({"is_double": "yes"}, ("is_double", '"yes"', TRUE_OR_FALSE, None)),
+        ({"is_double": 1}, ("is_double", "1", TRUE_OR_FALSE, None)),
+        ({"name": 3}, ("name", "3", TEXT_IN_QUOTES, None)),
         ({"name": "x"}, ("name", "x", "must have at least 2 characters", None)),
         ({"name": "x" * 10}, ("name", "x" * 10, "must have at most 9 characters", None)),
         ({"name": "3D12"}, ("name", "3D12", "must match ^[a-z0-9 ]*$", None)),
@@ -196,7 +195,7 @@ def test_specs_are_made_in_python_too() -> None:
         ({"harmonics": [1, 2, 3]}, ("harmonics", None, "must have at most 2 items", None)),
         ([], ("", None, "must be a table", None)),
         # quantities
-        ({"compression_ratio": 0}, ("compression_ratio", "0", "must be more than 0", None)),
+        ({"compression_ratio": 0}, ("compression_ratio", "0", NOT_POSITIVE, None)),
         (
             {"mechanism": {**SLIDER, "rod_length": {"value": "320 mm", "status": "fited"}}},
             (
@@ -209,20 +208,20 @@ def test_specs_are_made_in_python_too() -> None:
         # unions told by their type: only what is wrong with the alternative that fits
         (
             {"bank": {"R": {"angle": "3 mm", "mechanism": SLIDER}}},
-            ("bank.R.angle", "3 mm", f"mm measures a length; {ANGLE}", None),
+            ("bank.R.angle", "3 mm", f"mm measures a length; {AN_ANGLE}", None),
         ),
         (
             {"bank": {"R": {"angle": ["3 deg", "3"], "mechanism": SLIDER}}},
-            ("bank.R.angle[1]", "3", ANGLE, 'write "3 deg"'),
+            ("bank.R.angle[1]", "3", AN_ANGLE, 'write "3 deg"'),
         ),
-        ({"spacing": "Auto"}, ("spacing", "Auto", f"must be one of: auto, or {LENGTH}", 'write "auto"')),
-        ({"spacing": ["180 mm", "-1 mm"]}, ("spacing[1]", "-1 mm", "must be more than 0 mm", None)),
-        ({"plain": {**SLIDER, "rod_length": 1}}, ("plain.rod_length", "1", LENGTH, 'write "1 mm"')),
-        ({"plain": [{**SLAVE, "slave": 1}]}, ("plain[0].slave", "1", ANGLE, 'write "1 deg"')),
-        ({"plain": [{"kind": "slave"}]}, ("plain[0].slave", None, f"is missing; {ANGLE}", None)),
+        ({"spacing": "Auto"}, ("spacing", "Auto", f"must be one of: auto, or {A_LENGTH}", 'write "auto"')),
+        ({"spacing": ["180 mm", "-1 mm"]}, ("spacing[1]", "-1 mm", f"{NOT_POSITIVE} mm", None)),
+        ({"plain": {**SLIDER, "rod_length": 1}}, ("plain.rod_length", "1", A_LENGTH, 'write "1 mm"')),
+        ({"plain": [{**SLAVE, "slave": 1}]}, ("plain[0].slave", "1", AN_ANGLE, 'write "1 deg"')),
+        ({"plain": [{"kind": "slave"}]}, ("plain[0].slave", None, f"is missing; {AN_ANGLE}", None)),
         (
             {"plain": {"kind": "slider", "crank_radius": "1 m"}},
-            ("plain.rod_length", None, f"is missing; {LENGTH}", None),
+            ("plain.rod_length", None, f"is missing; {A_LENGTH}", None),
         ),
         # our own checks across fields
         (
@@ -247,7 +246,7 @@ def test_all_problems_are_told_at_once_in_the_order_of_the_fields() -> None:
         ("mechanism.gaps[1]", "-1 mm", "must be open", None),
         ("mechanism.gaps[2]", "-2 mm", "must be open", None),
         ("cycle", "otto", "must be one of: two-stroke, four-stroke", None),
-        ("typo", "1", "is not a key of this table", None),
+        ("typo", "1", NOT_A_KEY, None),
     ]
 
 

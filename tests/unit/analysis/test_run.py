@@ -5,6 +5,7 @@ import copy
 import numpy as np
 import pytest
 from tests.machines import RADIUS, ROCKER, V12, banks, curve, of, slider, throws
+from tests.sentences import STEP_FROM_TO
 
 import cranktrain as ct
 from cranktrain.analysis import STAGES, ordered
@@ -58,7 +59,7 @@ def test_degrees_of_the_grid_are_round():
 
 @pytest.mark.parametrize("step", [0, -1, 0.001, 7, 91, 360, float("nan")])
 def test_steps_that_make_no_turn(step):
-    with pytest.raises(ct.InputError, match=r"step = .* deg: must be from 0.01 to 90 degrees"):
+    with pytest.raises(ct.InputError, match=rf"step = .* deg: {STEP_FROM_TO} degrees"):
         ct.run(ct.Machine(mechanism=slider()), step_degrees=step)
 
 

@@ -6,6 +6,7 @@ from typing import Any
 import pytest
 from tests.gas_engines import DUAL_CYCLE
 from tests.machines import slider, throws
+from tests.sentences import OF_INERTIA_ALONE, WITHOUT_PISTONS
 
 import cranktrain as ct
 from cranktrain.analysis import sentences
@@ -16,7 +17,7 @@ from cranktrain.io.tables import csv_text, json_text
 AT = throws(0, speed="1500 rpm")
 PISTON = {"piston": {"mass": "1 kg"}}
 CYLINDER = {"bore": "80 mm", "compression_ratio": 8, "cycle": "four-stroke"}
-ALONE = "; forces and torque are of inertia alone."
+ALONE = f"; {OF_INERTIA_ALONE}"
 MOTOR = {"torque": "10 N·m", "speed": "900 rpm", "no_load_speed": "1000 rpm"}
 ROCKER = {
     "kind": "crank_rocker",
@@ -127,7 +128,7 @@ def test_it_is_told_whatever_is_asked_for():
 
 
 def test_gas_without_pistons_is_refused():
-    with pytest.raises(InputError, match="gas: is not for this machine, which has no pistons"):
+    with pytest.raises(InputError, match=f"gas: {WITHOUT_PISTONS}"):
         ct.run(ct.Machine(mechanism=ROCKER, shaft=AT, gas=DUAL_CYCLE))
 
 

@@ -4,6 +4,7 @@ import os
 import threading
 
 import pytest
+from tests.sentences import HOLDS_NOTHING, NOT_A_KEY, TOO_DEEP
 
 from cranktrain.mechanisms import KINDS
 
@@ -38,7 +39,7 @@ def test_fifty_problems_are_told_and_the_rest_counted(typed, written, command):
     assert (answer.status, answer.output) == (2, "")
     lines = answer.errors.splitlines()
     assert len(lines) == 51
-    assert lines[0].startswith(f"{path}:5:6  mechanism.k0 = 0: is not a key of this table")
+    assert lines[0].startswith(f"{path}:5:6  mechanism.k0 = 0: {NOT_A_KEY}")
     assert lines[49].startswith(f"{path}:54:7  mechanism.k49 = 49: ")
     assert lines[50] == "and 1950 more"
 
@@ -54,15 +55,15 @@ def test_settings_are_at_most_a_hundred(typed):
     [
         (
             f"{HEAD}{DEEP} = 1\n",
-            f":5:1  {DEEP[:59]}…: has more than 32 parts",
+            f":5:1  {DEEP[:59]}…: {TOO_DEEP}",
         ),
         (f"{HEAD}[{DEEP}]\n", ":5:2  a.a.a.a"),
         (f'{HEAD}x = {{ "a" . {DEEP} = 1 }}\n', ':5:7  "a" . a.a.a.a'),
         (HEAD + "".join(f"[t{i}]\n" for i in range(30_000)), "  has 30004 keys, and no machine needs more than 20000"),
         (f"{BANK}[shaft.main]\nthrows = [{THROWS}]\n", ':6:10  shaft.main.throws = ["0 deg",'),
-        (f"{HEAD}[balance]\n", ":5:1  balance: must hold weight, counterweights or shafts, or be left out"),
-        (f'"" = 1\n{HEAD}', ':1:6  "" = 1: is not a key of this table'),
-        (f'"a\\nb\\u001b[31m" = 1\n{HEAD}', ':1:20  "a\\nb\\u001b[31m" = 1: is not a key of this table'),
+        (f"{HEAD}[balance]\n", f":5:1  balance: {HOLDS_NOTHING}"),
+        (f'"" = 1\n{HEAD}', f':1:6  "" = 1: {NOT_A_KEY}'),
+        (f'"a\\nb\\u001b[31m" = 1\n{HEAD}', f':1:20  "a\\nb\\u001b[31m" = 1: {NOT_A_KEY}'),
         (f'{HEAD}offset = "\\u001b[31m{"x" * 999}"\n', r":5:10  mechanism.offset = \x1b[31mxxxxxxxx"),
         (
             f"{HEAD}[cylinder]\ncompression_ratio = 1e29\n",

@@ -1,6 +1,19 @@
 """Every bad file is answered with file, line, field, value and what is allowed; nothing is written."""
 
 import pytest
+from tests.sentences import (
+    AN_INERTIA,
+    CANNOT_CLOSE,
+    FIRST_IN_LINE,
+    GAP_IN_DIAGRAM,
+    IS_A_FOLDER,
+    IS_IT_THE_EXAMPLE,
+    NO_FILE,
+    NOT_A_KEY,
+    NOT_POSITIVE,
+    QUOTES,
+    TOO_LARGE,
+)
 
 HEAD = 'name = "x"\n[mechanism]\nkind = "slider_crank"\n'
 BANKS = """\
@@ -58,7 +71,7 @@ FILES = {
     ),
     "inertia in a unit of another size": (
         (ROD + 'inertia = "20 kg·cm²"\n').encode(),
-        "bad.toml:10:11  masses.rod.inertia = 20 kg·cm²: must be a moment of inertia in kg·m², such as 0.5 kg·m²\n",
+        f"bad.toml:10:11  masses.rod.inertia = 20 kg·cm²: {AN_INERTIA}\n",
     ),
     "name before it exists": (
         CHAIN.replace('from = "main.pin"', 'from = "ram.pin"').encode(),
@@ -74,7 +87,7 @@ FILES = {
     ),
     "triad that cannot turn": (
         CHAIN.replace('"100 mm"', '"500 mm"').encode(),
-        "bad.toml:9:1  mechanism.part[0]: the links cannot close at crank angles 33.87 deg to 142.66 deg (short by",
+        f"bad.toml:9:1  mechanism.part[0]: {CANNOT_CLOSE} 33.87 deg to 142.66 deg (short by",
     ),
     "triad of unclear mode": (
         CHAIN.replace(', near = ["0 m", "1.2 m"]', "").encode(),
@@ -94,16 +107,16 @@ FILES = {
     "binary": (b"\x7fELF\x02\x01\x01\x00\x00\x00", "bad.toml  is no text"),
     "utf-16": ('name = "x"\n'.encode("utf-16"), "bad.toml  is written in UTF-16"),
     "latin-1": ('name = "é"\n'.encode("latin-1"), "bad.toml:1:9  the byte 0xE9 here is not UTF-8"),
-    "huge": (b"# " + b"x" * 2**21, "bad.toml  is larger than 1024 KiB"),
+    "huge": (b"# " + b"x" * 2**21, f"bad.toml  {TOO_LARGE}"),
     "syntax": (b'name = "x\n', "bad.toml:1:10"),
     "no quotes": (
         b"[mechanism]\nstroke = 80 mm\n",
-        "bad.toml:2:13  stroke = 80 mm: text and quantities stand in quotes",
+        f"bad.toml:2:13  stroke = 80 mm: {QUOTES}",
     ),
     "no mechanism": (b'name = "x"\n', "bad.toml:1:1  mechanism: is missing"),
     "unknown key": (
         (HEAD + 'strok = "80 mm"\nrod_length = "136 mm"\n').encode(),
-        "bad.toml:4:9  mechanism.strok = 80 mm: is not a key of this table",
+        f"bad.toml:4:9  mechanism.strok = 80 mm: {NOT_A_KEY}",
     ),
     "wrong dimension": (
         (HEAD + 'stroke = "80 kg"\nrod_length = "136 mm"\n').encode(),
@@ -115,7 +128,7 @@ FILES = {
     ),
     "negative": (
         (HEAD + 'stroke = "-80 mm"\nrod_length = "136 mm"\n').encode(),
-        "bad.toml:4:10  mechanism.stroke = -80 mm: must be more than 0 mm",
+        f"bad.toml:4:10  mechanism.stroke = -80 mm: {NOT_POSITIVE} mm",
     ),
     "nan": (
         (HEAD + 'stroke = "nan mm"\nrod_length = "136 mm"\n').encode(),
@@ -131,7 +144,7 @@ FILES = {
     ),
     "does not close": (
         (HEAD + 'crank_radius = "40 mm"\nrod_length = "30 mm"\n').encode(),
-        "bad.toml:5:14  mechanism.rod_length = 30 mm: the links cannot close at crank angles 48.59 deg to 131.41 deg",
+        f"bad.toml:5:14  mechanism.rod_length = 30 mm: {CANNOT_CLOSE} 48.59 deg to 131.41 deg",
     ),
     "no permutation": (
         (BANKS + 'firing_order = "1-1"\n').encode(),
@@ -143,7 +156,7 @@ FILES = {
         ).encode(),
         "bad.toml:10:16  cylinder.firing_order = 1-3-2: cannot fire so",
     ),
-    "twice": ((BANKS + "[bank.A]\n").encode(), "bad.toml:10:7  bank.A: is given twice, first in line 3"),
+    "twice": ((BANKS + "[bank.A]\n").encode(), f"bad.toml:10:7  bank.A: {FIRST_IN_LINE} 3"),
     "no such throw": (
         BANKS.replace("[bank.A]\n", "[bank.A]\nthrows = [1, 3]\n").encode(),
         "bad.toml:4:14  bank.A.throws[1] = 3: must be one of the shaft's throws, 1 to 2",
@@ -179,11 +192,11 @@ def test_all_problems_at_once(typed, written):
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("machin.toml", "machin.toml  there is no such file; is it machine.toml?"),
-        ("3d13", "3d13  there is no such file; is it the example 3d12?"),
+        ("machin.toml", f"machin.toml  {NO_FILE}; is it machine.toml?"),
+        ("3d13", f"3d13  {NO_FILE}{IS_IT_THE_EXAMPLE}"),
         ("", 'FILE = "": must be the name of a machine file, or of an example; `cranktrain list` names all'),
         ("no/such/file.toml", "no/such/file.toml  there is no folder no/such"),
-        (".", ".  is a folder, not a machine file"),
+        (".", f".  {IS_A_FOLDER}"),
         ("a\0b", "a"),
         ("x" * 300, "x" * 300),
     ],
@@ -224,7 +237,7 @@ def test_diagram_with_a_gap_is_refused_in_its_own_line(typed, written):
         '[cylinder]\nbore = "82 mm"\ncompression_ratio = 9.3\ncycle = "four-stroke"\n'
         '[gas]\nkind = "indicator"\nfile = "trace.csv"\n'
     )
-    said = "trace.csv:101  gas: has no samples between 99° and 140°, a gap of 41°; give what is missing"
+    said = f"trace.csv:101  gas: {GAP_IN_DIAGRAM}; give what is missing"
     assert typed("run", "machine.toml").errors.startswith(said)
 
 

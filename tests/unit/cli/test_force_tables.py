@@ -1,6 +1,7 @@
 """`textbook --forces` as typed."""
 
 import pytest
+from tests.sentences import TEXTBOOK_WITHOUT_FILE
 
 import cranktrain as ct
 from cranktrain.plans.force_table import force_table
@@ -52,7 +53,7 @@ def test_a_rod_that_is_two_masses_needs_no_second_table(typed):
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["--forces", "N"], "cranktrain textbook  FILE is missing; such as: cranktrain textbook 3d12 --forces N"),
+        (["--forces", "N"], f"{TEXTBOOK_WITHOUT_FILE}; such as: cranktrain textbook 3d12 --forces N"),
         (["3d12", "--step", "10"], "--step = 10: is for tables of forces: ask for --forces UNIT, too"),
         (
             ["3d12", "--forces", "N", "--piston", "1l"],

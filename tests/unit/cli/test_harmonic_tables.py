@@ -2,6 +2,7 @@
 
 import mpmath
 import pytest
+from tests.sentences import A_RATIO, FOR_MOTION_OR_FORCES, TEXTBOOK_WITHOUT_FILE
 
 CENTRAL = """
 [mechanism]
@@ -68,15 +69,15 @@ def test_an_offset_mechanism_has_none(typed):
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["--harmonics"], ["cranktrain textbook  FILE is missing; such as: cranktrain textbook 3d12 --harmonics"]),
+        (["--harmonics"], [f"{TEXTBOOK_WITHOUT_FILE}; such as: cranktrain textbook 3d12 --harmonics"]),
         (["--crank-to-rod-ratio", "1"], ["--crank-to-rod-ratio = 1: must be at most 0.9999"]),
         (["--crank-to-rod-ratio", "0.2", "--set", "a=b"], ["--set = a=b: is for a machine: name FILE"]),
         (
             ["3d12", "--crank-to-rod-ratio", "1,2", "--forces", "N", "--table"],
             [
-                "--table: is for the motion or its forces: ask for it without harmonics",
-                "--forces = N: is for the motion or its forces: ask for it without harmonics",
-                '--crank-to-rod-ratio = 1,2: must be a number without a unit, such as 0.25; write "1.2"',
+                f"--table: {FOR_MOTION_OR_FORCES}",
+                f"--forces = N: {FOR_MOTION_OR_FORCES}",
+                f'--crank-to-rod-ratio = 1,2: {A_RATIO}; write "1.2"',
                 "FILE = 3d12: has ratios of its own: give one or the other",
             ],
         ),

@@ -1,6 +1,23 @@
 """What `plot` takes and refuses; what is in the pictures is tested where they are drawn, and in tests/e2e."""
 
 import pytest
+from tests.sentences import (
+    ALREADY_THERE,
+    AT_MOST_TO_A_SHEET,
+    BETWEEN_COMMAS,
+    CANNOT_CLOSE_THERE,
+    ENDS_IN,
+    FOLDER_NOT_THERE,
+    GIF_OF_ONE_TURN,
+    IS_IT_THE_EXAMPLE,
+    MISSING_FOR_DIAGRAM,
+    NO_FILE,
+    NOT_ITS_MECHANISM,
+    RUNNING_SPEED_NEEDS,
+    STEADY_RUNNING,
+    WHOLE_MACHINE,
+    WITHOUT_ROD,
+)
 
 from cranktrain.cli.plot import Request, understood
 
@@ -34,18 +51,18 @@ def test_crank_angles_as_typed(plan, at, output, angles):
         (
             ["3d12", "-o", "a.txt", "--plan", "positons", "--at", "3,b", "--size", "A5"],
             [
-                "-o = a.txt: must end in one of: .png, .svg, .pdf, .gif, .dxf",
+                f"-o = a.txt: {ENDS_IN}.png, .svg, .pdf, .gif, .dxf",
                 '--plan = positons: must be one of: wittenbauer, mertsalov, forces, zhukovsky, polar, positions, '
                 'velocities, accelerations, klein, centres, arc, projection, brix, brix-backward; write "positions"',
                 "--size = A5: must be one of: A4, A3",
-                "--at = 3,b: must be crank angles in degrees with commas between, such as 30,60",
+                f"--at = 3,b: {BETWEEN_COMMAS}, such as 30,60",
             ],
         ),
         (
             ["3d12", "-o", "a.gif", "--plan", "positions", "--size", "A3"],
             [
-                "--plan = positions: must be left out: a .gif shows one turn of the first throw",
-                "--size = A3: must be left out: a .gif shows one turn of the first throw",
+                f"--plan = positions: {GIF_OF_ONE_TURN}",
+                f"--size = A3: {GIF_OF_ONE_TURN}",
             ],
         ),
         (
@@ -73,7 +90,7 @@ def test_crank_angles_as_typed(plan, at, output, angles):
         ),
         (
             ["3d12", "-o", "a.svg", "--plan", "polar", "--mechanism", "1R"],
-            ["--mechanism = 1R: has no rod of its own on a crank pin"],
+            [f"--mechanism = 1R: {WITHOUT_ROD}"],
         ),
         (
             ["3d12", "-o", "a.dxf", "--plan", "klein"],
@@ -82,27 +99,27 @@ def test_crank_angles_as_typed(plan, at, output, angles):
         (
             ["3d12", "-o", "a.svg", "--plan", "mertsalov", "--at", "30", "--mechanism", "1L"],
             [
-                "--at = 30: must be left out: this plan is of the whole machine over its cycle",
-                "--mechanism = 1L: must be left out: this plan is of the whole machine over its cycle",
+                f"--at = 30: must be left out: {WHOLE_MACHINE}",
+                f"--mechanism = 1L: must be left out: {WHOLE_MACHINE}",
             ],
         ),
         (
             ["vaz_21213", "-o", "a.dxf", "--mechanism", "9R"],
-            ["--mechanism = 9R: must be one of this machine's mechanisms: 1, 2, 3, 4"],
+            [f"--mechanism = 9R: {NOT_ITS_MECHANISM}: 1, 2, 3, 4"],
         ),
         (
             ["3d12", "-o", "a.svg", "--plan", "positions", "--at", "60"],
-            ['--at  60 crank angles: must be at most 24 to a sheet; for one crank angle, write "60 deg"'],
+            [f'--at  60 crank angles: must be {AT_MOST_TO_A_SHEET}; for one crank angle, write "60 deg"'],
         ),
-        (["3d12", "-o", "a.svg", "--at", ""], ["--at = : must be crank angles in degrees with commas between, "
+        (["3d12", "-o", "a.svg", "--at", ""], [f"--at = : {BETWEEN_COMMAS}, "
                                                "such as 30,60"]),
         (
             ["pumping_unit_c57", "-o", "a.svg", "--running-speed"],
-            ["--running-speed: needs [evenness], [evenness] flywheel or flywheel_moment, [masses] in the file"],
+            [RUNNING_SPEED_NEEDS],
         ),
         (
             ["pumping_unit_c57", "-o", "a.svg", "--plan", "accelerations", "--running-speed"],
-            ["--running-speed: needs [evenness], [evenness] flywheel or flywheel_moment, [masses] in the file"],
+            [RUNNING_SPEED_NEEDS],
         ),
         (
             ["3d12", "-o", "a.svg", "--plan", "wittenbauer", "--running-speed"],
@@ -121,9 +138,9 @@ def test_crank_angles_as_typed(plan, at, output, angles):
             ["3d12", "-o", "a.gif", "--running-speed"],
             ["--running-speed: must be left out: a .gif shows positions in even steps of the crank angle"],
         ),
-        (["3d13", "-o", "a.svg"], ["3d13  there is no such file; is it the example 3d12? "
+        (["3d13", "-o", "a.svg"], [f"3d13  {NO_FILE}{IS_IT_THE_EXAMPLE} "
                                    "`cranktrain list` names all"]),
-        (["3d12", "-o", "no/a.svg"], ["no/a.svg  the folder is not there; make it first, or name another"]),
+        (["3d12", "-o", "no/a.svg"], [f"no/a.svg  {FOLDER_NOT_THERE}; make it first, or name another"]),
     ],
 )  # fmt: skip
 def test_refused_with_everything_that_is_wrong(typed, tmp_path, arguments, said):
@@ -145,7 +162,7 @@ def test_links_that_never_close_where_asked(typed, written):
     arguments = ("plot", "machine.toml", "-o", "a.svg", "--plan", "positions")
     assert typed(*arguments).errors.startswith("machine.toml:4:14  mechanism.rod_length = 30 mm")
     answer = typed(*arguments, "--partial", "--at", "90 deg")
-    assert answer.errors == "--at  φ = 90°: the links of 1 cannot close there\n"
+    assert answer.errors == f"--at  φ = 90°: the links of 1 {CANNOT_CLOSE_THERE}\n"
     assert typed(*arguments, "--partial", "--at", "0,180").output == "written: a.svg\n"
 
 
@@ -154,7 +171,7 @@ def test_a_picture_is_kept_unless_forced(typed, tmp_path):
     path.write_text("old\n", encoding="utf-8")
     arguments = ("plot", "vaz_21213", "--plan", "klein", "-o", "a.svg")
     answer = typed(*arguments)
-    assert answer == (2, "", "a.svg  is there already; choose another name, or replace it with --force\n")
+    assert answer == (2, "", f"a.svg  {ALREADY_THERE}, or replace it with --force\n")
     assert path.read_text(encoding="utf-8") == "old\n"
     assert typed(*arguments, "--force") == (0, "written: a.svg\n", "")
     assert path.read_text(encoding="utf-8").startswith("<?xml")
@@ -173,7 +190,7 @@ def test_a_picture_is_kept_unless_forced(typed, tmp_path):
 def test_at_the_running_speed(typed, tmp_path, kind):
     assert typed("plot", "vaz_21213", "--running-speed", "-o", *kind) == (0, f"written: {kind[0]}\n", "")
     drawn = (tmp_path / kind[0]).read_text(encoding="utf-8")
-    assert "at the speed of steady running" in drawn
+    assert STEADY_RUNNING in drawn
 
 
 def test_diagram_of_the_flywheel(typed, tmp_path):
@@ -196,6 +213,6 @@ mean = "extremes"
     answer = typed(*arguments)
     assert answer.status == 2
     assert "evenness" in answer.errors
-    assert "is missing for a diagram of the flywheel: [evenness] coefficient" in answer.errors
+    assert f"{MISSING_FOR_DIAGRAM}[evenness] coefficient" in answer.errors
     assert typed(*arguments, "--set", "evenness.coefficient=0.001").status == 0
     assert (tmp_path / "a.svg").read_text(encoding="utf-8").startswith("<?xml")

@@ -3,6 +3,19 @@ import re
 
 import numpy as np
 import pytest
+from tests.sentences import (
+    A_LENGTH,
+    ALREADY_THERE,
+    ENDS_IN,
+    FOLDER_NOT_THERE,
+    KEEP_ONE,
+    NO_PATH,
+    NOT_A_KEY,
+    RUNNING_SPEED_NEEDS,
+    SET_TWICE,
+    STEADY_RUNNING,
+    STEP_FROM_TO,
+)
 
 import cranktrain as ct
 from cranktrain.checks import Check
@@ -161,7 +174,7 @@ def test_failed_check_is_shown(typed, capsys):
 def test_step(typed, written):
     written(CENTRAL)
     assert "in steps of 0.5°" in typed("run", "machine.toml", "--step", "0.5").output
-    assert typed("run", "machine.toml", "--step", "0.7").errors.startswith("step = 0.7 deg: must be from 0.01 to 90")
+    assert typed("run", "machine.toml", "--step", "0.7").errors.startswith(f"step = 0.7 deg: {STEP_FROM_TO}")
     assert typed("run", "machine.toml", "--step", "nan").errors.startswith("step = nan deg: must be")
 
 
@@ -178,11 +191,11 @@ def test_set_for_one_run(typed):
         ("cylinder.bore", "--set  cylinder.bore: must be PATH=VALUE"),
         (
             "cylinder.bore=150",
-            '--set  cylinder.bore = 150: must be a length in mm, cm, m, in, ft, such as 90 mm; write "150 mm"',
+            f'--set  cylinder.bore = 150: {A_LENGTH}; write "150 mm"',
         ),
-        ("cylinder.bor=150 mm", "--set  cylinder.bor = 150 mm: is not a key of this table"),
+        ("cylinder.bor=150 mm", f"--set  cylinder.bor = 150 mm: {NOT_A_KEY}"),
         ("bank.R.mechanism.rod_length=45 mm", "--set  bank.R.mechanism.rod_length = 45 mm: the links cannot close"),
-        ("a..b=3", "--set  a..b: is no path of a machine file"),
+        ("a..b=3", f"--set  a..b: {NO_PATH}"),
         ("bank=3", "--set  bank: bank is a table"),
     ],
 )
@@ -200,7 +213,7 @@ def test_a_setting_above_the_banks_is_led_to_the_bank(typed):
 def test_a_setting_is_made_once(typed):
     twice = typed("run", "3d12", "--set", "shaft.main.speed=1 rpm", "--set", "shaft.main.speed=2 rpm")
     assert (twice.status, twice.output) == (2, "")
-    assert twice.errors == "--set  shaft.main.speed = 2 rpm: is set twice; keep one of the two\n"
+    assert twice.errors == f"--set  shaft.main.speed = 2 rpm: {SET_TWICE}; {KEEP_ONE}\n"
 
 
 def test_a_setting_may_spoil_another_value(typed):
@@ -231,7 +244,7 @@ def test_partial_turn(typed, written):
 @pytest.mark.parametrize("name", ["out", "out.txt", "out.xlsx", "out.csv.gz"])
 def test_unknown_suffix_is_refused_before_anything_else(typed, name):
     answer = typed("run", "no-such-file.toml", "-o", name)
-    assert answer == (2, "", f"-o = {name}: must end in one of: .csv, .json\n")
+    assert answer == (2, "", f"-o = {name}: {ENDS_IN}.csv, .json\n")
 
 
 @pytest.mark.parametrize("name", ["out.csv", "OUT.JSON"])
@@ -240,7 +253,7 @@ def test_output_is_kept_unless_forced(typed, tmp_path, name):
     path.write_text("old\n", encoding="utf-8")
     # a step that would be refused is never looked at
     answer = typed("run", "3d12", "-o", name, "--step", "-1")
-    assert answer == (2, "", f"{name}  is there already; choose another name, or replace it with --force\n")
+    assert answer == (2, "", f"{name}  {ALREADY_THERE}, or replace it with --force\n")
     assert path.read_text(encoding="utf-8") == "old\n"
     answer = typed("run", "3d12", "-o", name, "--force", "--step", "10")
     assert (answer.status, answer.errors) == (0, "")
@@ -249,9 +262,7 @@ def test_output_is_kept_unless_forced(typed, tmp_path, name):
 
 
 def test_unwritable_output(typed, tmp_path):
-    assert typed("run", "3d12", "-o", "no/such/folder.csv").errors.startswith(
-        "no/such/folder.csv  the folder is not there"
-    )
+    assert typed("run", "3d12", "-o", "no/such/folder.csv").errors.startswith(f"no/such/folder.csv  {FOLDER_NOT_THERE}")
     (tmp_path / "folder.csv").mkdir()
     assert typed("run", "3d12", "-o", "folder.csv").errors.startswith("folder.csv  is a folder")
     assert list((tmp_path / "folder.csv").iterdir()) == []
@@ -294,15 +305,13 @@ def test_a_notch_from_the_terminal(typed):
 def test_at_the_running_speed(typed, tmp_path):
     """The answer and the file's head say so; what is missing for it is told."""
     output = typed("run", "3d12", "--running-speed", "-o", str(tmp_path / "a.csv"), "--quantities", "piston_velocity")
-    said = (
-        "All of this is at the speed of steady running, 1497.5 rpm to 1502.8 rpm over the cycle, 1500.0 rpm over time."
-    )
+    said = f"All of this is {STEADY_RUNNING}, 1497.5 rpm to 1502.8 rpm over the cycle, 1500.0 rpm over time."
     assert said in " ".join(output.output.split())
     assert f"# crank_speed: {said}" in (tmp_path / "a.csv").read_text(encoding="utf-8")
     (tmp_path / "small.toml").write_text(CENTRAL, encoding="utf-8")
     refused = typed("run", str(tmp_path / "small.toml"), "--running-speed")
     assert refused.status != 0
-    said = "--running-speed: needs [evenness], [evenness] flywheel or flywheel_moment, [masses] in the file\n"
+    said = f"{RUNNING_SPEED_NEEDS}\n"
     assert refused.errors == said
 
 

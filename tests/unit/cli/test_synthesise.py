@@ -7,6 +7,7 @@ import tomllib
 
 import numpy as np
 import pytest
+from tests.sentences import A_LENGTH, A_RATIO, AN_ANGLE, BEYOND_ANY_SIZE, NOT_POSITIVE, WHOLE_NUMBER
 
 from cranktrain.cli.synthesis import wants
 
@@ -106,27 +107,27 @@ def test_the_source_and_its_errors(typed):
             ["slider-crank", "--stroke", "1,6 m", "--pressure-angle", "30 mm", "--offset", "fre", "--working-stroke",
              "towards"],
             [
-                '--stroke = 1,6 m: must be a length in mm, cm, m, in, ft, such as 90 mm; write "1.6 m"',
-                "--pressure-angle = 30 mm: mm measures a length; must be an angle in deg, rad, rev, such as 30 deg",
+                f'--stroke = 1,6 m: {A_LENGTH}; write "1.6 m"',
+                f"--pressure-angle = 30 mm: mm measures a length; {AN_ANGLE}",
                 '--working-stroke = towards: must be one of: toward, away; write "toward"',
-                "--offset = fre: must be a length in mm, cm, m, in, ft, such as 90 mm",
+                f"--offset = fre: {A_LENGTH}",
             ],
         ),
         (
             ["quick-return"],
             [
-                "--stroke: is missing; must be a length in mm, cm, m, in, ft, such as 90 mm",
-                "--time-ratio: is missing; must be a number without a unit, such as 0.25",
+                f"--stroke: is missing; {A_LENGTH}",
+                f"--time-ratio: is missing; {A_RATIO}",
             ],
         ),
         (
             ["quick-return", "--stroke", "0.3 m", "--time-ratio", "3.2", "--speed", "-1 rpm"],
-            ["--speed = -1 rpm: must be more than 0 rpm"],
+            [f"--speed = -1 rpm: {NOT_POSITIVE} rpm"],
         ),
         (
             ["quick-return", "--stroke", "-1 mm", "--time-ratio", "1"],
             [
-                "--stroke = -1 mm: must be more than 0",
+                f"--stroke = -1 mm: {NOT_POSITIVE}",
                 "--time-ratio = 1: must lie between 1 and 3 for an offset slider-crank",
             ],
         ),
@@ -151,7 +152,7 @@ def test_the_source_and_its_errors(typed):
         (
             [*RADIAL, "--cylinders", "2.5", "--strategy", "equal"],
             [
-                "--cylinders = 2.5: must be a whole number up to 99",
+                f"--cylinders = 2.5: {WHOLE_NUMBER} up to 99",
                 "--strategy = equal: must be one of: plain, unshifted, equal_ratio, equal_stroke, "
                 'unshifted_equal_ratio; write "equal_ratio"',
             ],
@@ -162,7 +163,7 @@ def test_the_source_and_its_errors(typed):
         ),
         (
             ["slider-crank", "--stroke", "1e300 m", "--pressure-angle", "30 deg"],
-            ["--stroke = 1e300 m: is beyond the size of any machine"],
+            [f"--stroke = 1e300 m: {BEYOND_ANY_SIZE}"],
         ),
         (
             ["slidercrank"],

@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 import pytest
+from tests.sentences import IS_IT_THE_EXAMPLE, NO_FILE, TEXTBOOK_WITHOUT_FILE
 
 from cranktrain.textbook.slider_crank_synthesis import wrong_steps
 
@@ -120,9 +121,9 @@ def test_set(typed, written):
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        ([], "cranktrain textbook  FILE is missing; such as: cranktrain textbook 3d12\n"),
+        ([], f"{TEXTBOOK_WITHOUT_FILE}; such as: cranktrain textbook 3d12\n"),
         (["3d12", "--set", "x"], "--set  x: must be PATH=VALUE, such as shaft.main.speed=1500rpm\n"),
-        (["3d13"], "3d13  there is no such file; is it the example 3d12? `cranktrain list` names all\n"),
+        (["3d13"], f"3d13  {NO_FILE}{IS_IT_THE_EXAMPLE} `cranktrain list` names all\n"),
     ],
 )
 def test_refused(typed, arguments, said):

@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline
 from tests.gas_engines import FOUR_STROKE, TWO_STROKE, Engine, csv, wiebe, wiebe_cycle
+from tests.sentences import GAP_IN_DIAGRAM, NO_NUMBERS, TWO_PRESSURES
 
 import cranktrain.gas as gas
 from cranktrain.errors import InputError
@@ -160,12 +161,12 @@ def test_a_given_dead_centre_that_the_peak_denies_is_doubted():
         (
             csv(np.delete(DEGREES, slice(100, 140)), np.delete(PRESSURES, slice(100, 140))),
             FOUR_STROKE,
-            "trace.csv:101  has no samples between 99° and 140°, a gap of 41°",
+            f"trace.csv:101  {GAP_IN_DIAGRAM}",
         ),
         (
             csv(np.repeat(DEGREES, 2), np.repeat(PRESSURES, 2) + np.tile([0.0, 1e4], 720)),
             FOUR_STROKE,
-            "trace.csv:3  has two pressures for the angle 0°, the first in line 2 (720 angles are given twice)",
+            f"trace.csv:3  {TWO_PRESSURES}, the first in line 2 (720 angles are given twice)",
         ),
         (csv(DEGREES[::180], PRESSURES[::180]), FOUR_STROKE, "file = trace.csv: has 4 samples"),
         (csv(DEGREES + 100.0, PRESSURES), FOUR_STROKE, "firing_angle: the pressure peaks at the file's 116°"),
@@ -240,7 +241,7 @@ def test_a_jump_of_a_file_against_the_rotation_is_turned_round():
 def test_rows_in_no_order_have_no_jumps():
     """Which of two pressures would be before the jump cannot be told."""
     order = np.random.default_rng(5).permutation(len(JUMPING[0]))
-    with pytest.raises(InputError, match="has two pressures for the angle 0°"):
+    with pytest.raises(InputError, match=TWO_PRESSURES):
         diagram_of(csv(*(part[order] for part in JUMPING)))
 
 
@@ -341,7 +342,7 @@ def test_the_file_must_have_been_read():
         ({"axis_unit": "bar"}, "axis_unit = bar: must be one of: deg"),
         ({"peg": {}}, "peg: must have either pressure or exponent"),
         ({"peg": {"exponent": 1.3, "start": "20 deg"}}, "peg: start and end must lie within the compression"),
-        ({"text": "x"}, "file = trace.csv: has no numbers in it"),
+        ({"text": "x"}, f"file = trace.csv: {NO_NUMBERS}"),
         ({"columns": [1, 7], "text": "a,p [bar]\n0,1\n1,2"}, "columns: must be columns of the file, 1 to 2"),
     ],
 )

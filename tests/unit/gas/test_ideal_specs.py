@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from tests.sentences import NOT_A_KEY, NOT_POSITIVE
 
 import cranktrain.gas as gas
 from cranktrain.errors import InputError
@@ -48,9 +49,9 @@ def test_a_pressure_that_looks_like_gauge_is_doubted():
         ({"cut_off_ratio": 17}, r"cut_off_ratio = 17: must be at most the compression ratio, 16"),
         ({"cut_off_ratio": 0.9}, r"cut_off_ratio = 0.9: must be at least 1"),
         ({"pressure_ratio": 0.5}, r"pressure_ratio = 0.5: must be at least 1"),
-        ({"start_pressure": "0 bar"}, r"start_pressure = 0 bar: must be more than 0"),
+        ({"start_pressure": "0 bar"}, rf"start_pressure = 0 bar: {NOT_POSITIVE}"),
         ({"compression_exponent": "1.3 bar"}, r"compression_exponent = 1.3 bar"),
-        ({"clearance": 1}, r"clearance = 1: is not a key of this table"),
+        ({"clearance": 1}, rf"clearance = 1: {NOT_A_KEY}"),
     ],
 )
 def test_refused(more, message):

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from tests.sentences import BEYOND_ANY_SIZE, NO_NUMBERS, NO_UNIT, NOT_POSITIVE
 
 from cranktrain.errors import InputError
 from cranktrain.gas.indicator.reading import Columns, read_trace
@@ -79,20 +80,20 @@ def test_other_axes(header, axis):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", "file = trace.csv: has no numbers in it"),
-        ("nothing\nhere", "file = trace.csv: has no numbers in it"),
+        ("", f"file = trace.csv: {NO_NUMBERS}"),
+        ("nothing\nhere", f"file = trace.csv: {NO_NUMBERS}"),
         ("angle;p [bar]\n0;1\n1;x\n2;3", "trace.csv:3:3  x: must be a number"),
-        ("angle;p [bar]\n0;1\n1;1e999\n2;3", "trace.csv:3:3  1e999: is beyond the size of any machine"),
+        ("angle;p [bar]\n0;1\n1;1e999\n2;3", f"trace.csv:3:3  1e999: {BEYOND_ANY_SIZE}"),
         ("angle;p [bar]\n0;1\n1; nan\n2;3", "trace.csv:3:4  nan: must be a number"),
         ("angle;p [bar]\n0;1\n1;\n2;3", "trace.csv:3  1 values: must have 2 values"),
         ("angle,p [bar]\n0,1.234.5\n1,2", "trace.csv:2:3  1.234.5: must be a number"),
         ("angle [deg]\n0\n1\n2", "trace.csv:2  has one column"),
-        ("angle;p\n0;1\n1;2", "pressure_unit: the file names no unit of pressure"),
-        ("V;p [bar]\n10;1\n20;2", "axis_unit: the file names no unit of volume"),
+        ("angle;p\n0;1\n1;2", f"pressure_unit: the file {NO_UNIT} pressure"),
+        ("V;p [bar]\n10;1\n20;2", f"axis_unit: the file {NO_UNIT} volume"),
         ("0,5,1,02\n1,0,1,03", "trace.csv:1  0,5,1,02: commas may stand here for decimal points or between columns"),
         (
             "angle;p [bar]\n0;1\n1;-0.2\n2;-0.3",
-            "trace.csv:3:3  -0.2: an absolute pressure must be more than 0 (2 values",
+            f"trace.csv:3:3  -0.2: an absolute pressure {NOT_POSITIVE} (2 values",
         ),
     ],
 )
@@ -150,4 +151,4 @@ def test_a_file_with_one_wrong_number_among_thousands():
     rows[6999] = "699,9; -2,5 "
     with pytest.raises(InputError) as refusal:
         read_trace("angle [deg];p abs [bar]\n" + "\n".join(rows), "trace.csv")
-    assert str(refusal.value).startswith("trace.csv:7001:8  -2.5: an absolute pressure must be more than 0 (1 values")
+    assert str(refusal.value).startswith(f"trace.csv:7001:8  -2.5: an absolute pressure {NOT_POSITIVE} (1 values")

@@ -4,6 +4,7 @@ import codecs
 import os
 
 import pytest
+from tests.sentences import NO_FILE
 
 from cranktrain.gas.indicator.reading import read_trace
 from cranktrain.io.curve_files import LARGEST_FILE, curve_text, with_curves
@@ -65,7 +66,7 @@ def test_nothing_else_is_read(data, tmp_path):
 @pytest.mark.parametrize(
     ("content", "message"),
     [
-        (None, "gas.file = traces/a.csv: there is no such file; is it b.csv?"),
+        (None, f"gas.file = traces/a.csv: {NO_FILE}; is it b.csv?"),
         (b"\x89PNG\r\n\x1a\n\0\0", "gas.file = traces/a.csv: is no text: it has NUL bytes; save it as CSV"),
         (
             b"1" * (LARGEST_FILE + 1),

@@ -3,6 +3,7 @@ import os
 from pathlib import Path
 
 import pytest
+from tests.sentences import CLOSE_QUOTES, FIRST_IN_LINE, IS_A_FOLDER, KEEP_ONE, NO_FILE, QUOTES, TOO_LARGE
 
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.document import LARGEST_FILE, Document
@@ -88,7 +89,7 @@ class TestRead:
     def test_missing_with_the_nearest_name(self, tmp_path):
         (tmp_path / "engine.toml").touch()
         said = str(problem_of(Document.read, tmp_path / "engin.toml"))
-        assert said.endswith("engin.toml  there is no such file; is it engine.toml?")
+        assert said.endswith(f"engin.toml  {NO_FILE}; is it engine.toml?")
 
     def test_missing_with_none_near(self, tmp_path):
         assert problem_of(Document.read, tmp_path / "engine.toml").repair is None
@@ -99,7 +100,7 @@ class TestRead:
     def test_folder(self, tmp_path):
         (tmp_path / "m.toml").touch()
         problem = problem_of(Document.read, str(tmp_path))
-        assert problem.allowed == "is a folder, not a machine file"
+        assert problem.allowed == IS_A_FOLDER
         assert problem.repair == f"name a file in it, such as {tmp_path / 'm.toml'}"
 
     def test_file_in_place_of_a_folder(self, tmp_path):
@@ -130,7 +131,7 @@ class TestRead:
         with (tmp_path / "m.toml").open("wb") as file:
             file.truncate(LARGEST_FILE + 1)
         monkeypatch.setattr(Path, "open", None)
-        assert problem_of(Document.read, tmp_path / "m.toml").allowed.startswith("is larger than 1024 KiB")
+        assert problem_of(Document.read, tmp_path / "m.toml").allowed.startswith(TOO_LARGE)
 
     def test_as_large_as_may_be(self, tmp_path):
         (tmp_path / "m.toml").write_text("#" * LARGEST_FILE)
@@ -138,7 +139,7 @@ class TestRead:
 
     @pytest.mark.skipif(not Path("/dev/zero").exists(), reason="no such device")
     def test_endless_device(self):
-        assert problem_of(Document.read, "/dev/zero").allowed.startswith("is larger than 1024 KiB")
+        assert problem_of(Document.read, "/dev/zero").allowed.startswith(TOO_LARGE)
 
     @pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "utf-16-be", "utf-32", "utf-32-le", "utf-32-be"])
     @pytest.mark.parametrize("text", ["a = 1\r\n", '# Двигатель\nrod_length = "320 мм"\n'])
@@ -176,23 +177,23 @@ class TestSyntax:
         [
             (
                 "# x\n  rod_length = 320 mm # l\n",
-                '2:20  rod_length = 320 mm # l: text and quantities stand in quotes; write rod_length = "320 mm"',
+                f'2:20  rod_length = 320 mm # l: {QUOTES}; write rod_length = "320 mm"',
             ),
-            ("kind = dual", '1:8  kind = dual: text and quantities stand in quotes; write kind = "dual"'),
-            ("a = “3 mm”", '1:5  a = “3 mm”: text and quantities stand in quotes; write a = "3 mm"'),
+            ("kind = dual", f'1:8  kind = dual: {QUOTES}; write kind = "dual"'),
+            ("a = “3 mm”", f'1:5  a = “3 mm”: {QUOTES}; write a = "3 mm"'),
             ("a = 1,5", "1:6  a = 1,5: this is no number and no true or false of TOML; write a = 1.5"),
-            ("a = 1,5 m", '1:6  a = 1,5 m: text and quantities stand in quotes; write a = "1.5 m"'),
+            ("a = 1,5 m", f'1:6  a = 1,5 m: {QUOTES}; write a = "1.5 m"'),
             ("a = True", "1:5  a = True: this is no number and no true or false of TOML; write a = true"),
-            ("a = 1\na = 2", "2:1  a: is given twice, first in line 1; keep one of the two"),
-            ("[x.y]\n[x.z]\n\n[x.y]", "4:4  x.y: is given twice, first in line 1; keep one of the two"),
-            ("[x]\ny.z = 1\n[q]\n[x.y]", "4:4  x.y: is given twice, first in line 2; keep one of the two"),
-            ("[x]\ny = { a.b = 1, a.b = 2 }", "2:18  x.y.a.b: is given twice, first in line 2; keep one of the two"),
-            ("[[x]]\na = 1\n[[x]]\na = 1\na = 2", "5:1  x[1].a: is given twice, first in line 4; keep one of the two"),
-            ("x = [1]\n[[x]]", "2:3  x: is given twice, first in line 1; keep one of the two"),
-            ("x = 1\n[x.y]", "2:4  x: is given twice, first in line 1; keep one of the two"),
-            ('a = "3 mm\nb = 1', '1:10  a = "3 mm: a text is not closed in this line; close it with the same quotes'),
-            ("b = 1\na = '3 mm", "2:5  '3 mm: this text is not closed; close it with the same quotes"),
-            ('b = 1\na = """3 mm\nc', '2:5  """3 mm: this text is not closed; close it with the same quotes'),
+            ("a = 1\na = 2", f"2:1  a: {FIRST_IN_LINE} 1; {KEEP_ONE}"),
+            ("[x.y]\n[x.z]\n\n[x.y]", f"4:4  x.y: {FIRST_IN_LINE} 1; {KEEP_ONE}"),
+            ("[x]\ny.z = 1\n[q]\n[x.y]", f"4:4  x.y: {FIRST_IN_LINE} 2; {KEEP_ONE}"),
+            ("[x]\ny = { a.b = 1, a.b = 2 }", f"2:18  x.y.a.b: {FIRST_IN_LINE} 2; {KEEP_ONE}"),
+            ("[[x]]\na = 1\n[[x]]\na = 1\na = 2", f"5:1  x[1].a: {FIRST_IN_LINE} 4; {KEEP_ONE}"),
+            ("x = [1]\n[[x]]", f"2:3  x: {FIRST_IN_LINE} 1; {KEEP_ONE}"),
+            ("x = 1\n[x.y]", f"2:4  x: {FIRST_IN_LINE} 1; {KEEP_ONE}"),
+            ('a = "3 mm\nb = 1', f'1:10  a = "3 mm: a text is not closed in this line; {CLOSE_QUOTES}'),
+            ("b = 1\na = '3 mm", f"2:5  '3 mm: this text is not closed; {CLOSE_QUOTES}"),
+            ('b = 1\na = """3 mm\nc', f'2:5  """3 mm: this text is not closed; {CLOSE_QUOTES}'),
             ("name: x", "1:5  name: x: a key needs = and a value after it; write key = value"),
         ],
     )

@@ -6,6 +6,7 @@ import tomllib
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.sentences import NO_PATH, SET_A_KEY, WHOLE_LIST
 
 from cranktrain.errors import InputError
 from cranktrain.io.document import Document
@@ -55,7 +56,7 @@ class TestQuantityPath:
         ],
     )
     def test_no_path(self, path):
-        with pytest.raises(InputError, match="is no path of a machine file"):
+        with pytest.raises(InputError, match=NO_PATH):
             quantity_path(path)
 
     @given(st.lists(st.text(st.characters(codec="utf-8"), max_size=5) | st.integers(0, 10**9 - 1), max_size=6))
@@ -146,21 +147,21 @@ class TestWithValue:
     @pytest.mark.parametrize(
         ("path", "said"),
         [
-            ("t[2]", r"t\[2\]: t is a list: only t\[0\] to t\[1\]; or set the whole list: t=\[…\]"),
-            ("t.x", r"t.x: t is a list: only t\[0\] to t\[1\]; or set the whole list: t=\[…\]"),
-            ("one[1]", r"one\[1\]: one is a list: only one\[0\]; or set the whole list: one=\[…\]"),
-            ("none[0]", r"none\[0\]: none is an empty list; or set the whole list: none=\[…\]"),
+            ("t[2]", rf"t\[2\]: t is a list: only t\[0\] to t\[1\]; {WHOLE_LIST}t=\[…\]"),
+            ("t.x", rf"t.x: t is a list: only t\[0\] to t\[1\]; {WHOLE_LIST}t=\[…\]"),
+            ("one[1]", rf"one\[1\]: one is a list: only one\[0\]; {WHOLE_LIST}one=\[…\]"),
+            ("none[0]", rf"none\[0\]: none is an empty list; {WHOLE_LIST}none=\[…\]"),
             (
                 "n.x",
                 'n.x: n is a plain value, with nothing under it; set it whole: n={ value = "…", status',
             ),
             ("n[0]", r"n\[0\]: n is a plain value"),
-            ("a", "a: a is a table: set one of the keys in it; a.b, a.c"),
-            ("a.b", "a.b: a.b is a table: set one of the keys in it; a.b.x"),
-            ("a[0]", r"a\[0\]: a is a table: set one of the keys in it"),
+            ("a", f"a: a {SET_A_KEY}; a.b, a.c"),
+            ("a.b", f"a.b: a.b {SET_A_KEY}; a.b.x"),
+            ("a[0]", rf"a\[0\]: a {SET_A_KEY}"),
             ("m.p", r"m.p: m.p is a list: only m.p\[0\] to m.p\[1\]$"),
             ("m.p[2].x", r"m.p\[2\].x: m.p is a list: only m.p\[0\] to m.p\[1\]$"),
-            ("m.p[1]", r"m.p\[1\]: m.p\[1\] is a table: set one of the keys in it$"),
+            ("m.p[1]", rf"m.p\[1\]: m.p\[1\] {SET_A_KEY}$"),
             ("q.w[0]", r"q.w\[0\]: there is no list q.w; set the whole list: q.w=\[…\]"),
             ("a.c.w[0].y", r"a.c.w\[0\].y: there is no list a.c.w; set the whole list: a.c.w=\[…\]"),
         ],

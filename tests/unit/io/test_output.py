@@ -8,6 +8,7 @@ import textwrap
 from pathlib import Path
 
 import pytest
+from tests.sentences import ALREADY_THERE, FOLDER_NOT_THERE
 
 from cranktrain.errors import InputError
 from cranktrain.io.output import write_whole
@@ -114,7 +115,7 @@ class TestRefused:
     def test_file_is_there(self, tmp_path):
         (tmp_path / "out.csv").write_text("old")
         problem = refusal(tmp_path / "out.csv", (1 / 0 for _ in "x"))
-        assert str(problem).endswith("out.csv  is there already; choose another name, or replace it with --force")
+        assert str(problem).endswith(f"out.csv  {ALREADY_THERE}, or replace it with --force")
         assert (tmp_path / "out.csv").read_text() == "old"
 
     def test_file_comes_meanwhile(self, tmp_path):
@@ -148,7 +149,7 @@ class TestRefused:
         assert names(tmp_path) == []
 
     def test_missing_folder(self, tmp_path):
-        assert refusal(tmp_path / "no" / "out.csv", "x").allowed == "the folder is not there"
+        assert refusal(tmp_path / "no" / "out.csv", "x").allowed == FOLDER_NOT_THERE
 
     @posix
     def test_file_in_place_of_a_folder(self, tmp_path):
@@ -240,8 +241,9 @@ class TestFailureInTheMiddle:
     @posix
     def test_interrupt_from_the_terminal(self, tmp_path):
         code = """
-            import sys
+            import signal, sys
             from cranktrain.io.output import write_whole
+            signal.signal(signal.SIGINT, signal.default_int_handler)  # whatever these tests were started by
             def pieces():
                 while True:
                     print("going", flush=True)

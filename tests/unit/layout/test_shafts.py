@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from tests.machines import slave
+from tests.sentences import ONE_OF_SHAFTS
 
 import cranktrain as ct
 from cranktrain.layout.frames import frame_of, in_machine_axes
@@ -93,7 +94,7 @@ def test_only_the_main_shaft_is_drawn():
         ({"main": {"ratio": -1}}, {}, "shaft.main.ratio", "for another shaft"),
         ({"main": {"phase": "3 deg"}}, {}, "shaft.main.phase", "for another shaft"),
         ({"b": {"ratio": 2}}, {"shaft": "b"}, "shaft.b.ratio", "must be one of: 1, -1"),
-        ({}, {"shaft": "upper"}, "bank.A.shaft", "must be one of the shafts: main"),
+        ({}, {"shaft": "upper"}, "bank.A.shaft", f"{ONE_OF_SHAFTS}: main"),
     ],
 )
 def test_refused(shafts, bank, path, said):

@@ -4,6 +4,7 @@ import mpmath
 import numpy as np
 import pytest
 from tests.machines import RADIUS, ROD, banks, slider, throws
+from tests.sentences import AS_AT_THE_START, GOES_ON, NO_FILE, NO_UNIT, SPEED_AS_GIVEN, THREE_COLUMNS
 
 import cranktrain as ct
 from cranktrain.analysis import speed_over_cycle
@@ -93,7 +94,7 @@ def test_forces_are_at_that_speed_and_acceleration():
     np.testing.assert_allclose(result.piston_acceleration[0], -outward, atol=1e-10)
     np.testing.assert_allclose(result.driving_torque, MASS * first * outward, atol=1e-10)
     assert result.mean_piston_speed[0] == pytest.approx(2 * RADIUS * Exact().mean() / np.pi, rel=1e-12)
-    assert "at the speed that was given" in result.summary()
+    assert SPEED_AS_GIVEN in result.summary()
 
 
 @pytest.mark.parametrize("step", [1.0, 5.0])
@@ -133,7 +134,7 @@ def test_one_turn_is_repeated_in_a_cycle_of_two():
     result = ct.run(machine(two, cylinder=gas))
     coefficient = result.piston_velocity_coefficient[0]
     np.testing.assert_allclose(result.piston_velocity[0], coefficient * drive[0], rtol=1e-12, atol=1e-12)
-    with pytest.raises(ct.InputError, match=r"shaft\.main\.speed_curve\.file: goes on over two turns"):
+    with pytest.raises(ct.InputError, match=rf"shaft\.main\.speed_curve\.file: {GOES_ON}"):
         ct.run(machine(two))
 
 
@@ -156,7 +157,7 @@ def test_units():
 @pytest.mark.parametrize(
     ("text", "curve", "said"),
     [
-        ("0;1\n90;2\n180;1", {}, "shaft.main.speed_curve.speed_unit: the file names no unit of speed"),
+        ("0;1\n90;2\n180;1", {}, f"shaft.main.speed_curve.speed_unit: the file {NO_UNIT} speed"),
         (
             "0;1\n90;2\n180;1",
             {"speed_unit": "mm"},
@@ -171,8 +172,8 @@ def test_units():
         ),
         (csv([0, 180, 360], [1, 2, 1]), {}, "speed_curve.file = speed.csv: must have at least 3 angles"),
         (csv([0, 10, 180, 360], [1, 100, 1, 1]), {}, "speed_curve.file = speed.csv: must have more angles"),
-        (csv([0, 90, 180, 360], [1, 2, 1, 9]), {}, "must be as at the start of the turn, 1"),
-        ("0;1;2\n360;1;2", {}, "columns: must say which of the 3 columns are crank angle and speed"),
+        (csv([0, 90, 180, 360], [1, 2, 1, 9]), {}, f"{AS_AT_THE_START}, 1"),
+        ("0;1;2\n360;1;2", {}, f"columns: {THREE_COLUMNS} are crank angle and speed"),
         ("0\n360", {}, "has one column; a speed curve needs two, crank angle and speed"),
     ],
 )
@@ -228,12 +229,12 @@ def test_in_a_machine_file_and_at_the_terminal(tmp_path, monkeypatch, capsys):
     loaded = ct.run(ct.load("machines/with.toml"))
     np.testing.assert_allclose(loaded.driving_torque, ct.run(machine()).driving_torque, rtol=1e-13)
     speeds = Exact([0, 90, 200], [50, 60, 40]).drive(np.radians(np.arange(360.0)))[0] * 30 / np.pi
-    said = f"All of this is at the speed that was given, {min(speeds):.1f} rpm to {max(speeds):.1f} rpm"
+    said = f"All of this is {SPEED_AS_GIVEN}, {min(speeds):.1f} rpm to {max(speeds):.1f} rpm"
     for name in ("with", "plain"):
         assert main(["run", f"machines/{name}.toml", "--speed-curve", "typed.csv"]) == 0
         assert said in " ".join(capsys.readouterr().out.split())
     assert main(["run", "machines/plain.toml", "--speed-curve", "typo.csv"]) != 0
-    assert "--speed-curve  typo.csv: there is no such file" in capsys.readouterr().err
+    assert f"--speed-curve  typo.csv: {NO_FILE}" in capsys.readouterr().err
     picture = ["plot", "machines/plain.toml", "--speed-curve", "typed.csv", "-o", "a.png"]
     assert main([*picture, "--plan", "klein", "--at", "30 deg"]) != 0
     assert "--speed-curve: must be left out: Klein's construction" in capsys.readouterr().err

@@ -6,6 +6,7 @@ from itertools import combinations
 import mpmath as mp
 import numpy as np
 import pytest
+from tests.sentences import CANNOT_CLOSE_THERE
 
 import cranktrain as ct
 from cranktrain.errors import InputError
@@ -146,7 +147,7 @@ def test_eccentric_and_crank_are_of_one_shaft():
 
 def test_links_that_cannot_close_have_none():
     short = ct.Machine(mechanism={"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "40 mm"})
-    with pytest.raises(InputError, match="cannot close there"):
+    with pytest.raises(InputError, match=CANNOT_CLOSE_THERE):
         instant_centres(short, 90.0)
 
 

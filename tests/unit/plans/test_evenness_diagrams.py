@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from tests.sentences import MISSING_FOR_DIAGRAM
 from tests.unit.questions.evenness.test_evenness import ENGINE, run
 
 import cranktrain as ct
@@ -40,7 +41,7 @@ def test_range_of_mertsalov(engine):
 def test_without_what_they_need(diagram):
     with pytest.raises(InputError, match=r"\[evenness\] coefficient"):
         diagram(run(flywheel="1 kg·m²"))
-    with pytest.raises(InputError, match=r"is missing for a diagram of the flywheel: \[evenness\]"):
+    with pytest.raises(InputError, match=rf"{MISSING_FOR_DIAGRAM}\[evenness\]"):
         diagram(ct.run(ct.Machine(**ENGINE)))
 
 

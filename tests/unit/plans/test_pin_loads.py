@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from tests.sentences import WITHOUT_ROD
 
 import cranktrain as ct
 from cranktrain.errors import InputError
@@ -56,5 +57,5 @@ def test_mean_and_largest():
 
 
 def test_what_has_no_rod_on_a_crank_pin():
-    with pytest.raises(InputError, match="1R: has no rod of its own on a crank pin"):
+    with pytest.raises(InputError, match=f"1R: {WITHOUT_ROD}"):
         pin_loads(ct.load("3d12"), mechanism="1R")

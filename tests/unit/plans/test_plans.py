@@ -3,6 +3,7 @@
 import mpmath as mp
 import numpy as np
 import pytest
+from tests.sentences import CANNOT_CLOSE_THERE, NOT_ITS_MECHANISM
 
 import cranktrain as ct
 from cranktrain.errors import InputError
@@ -173,14 +174,14 @@ def test_scales_are_round(least, scale):
 def test_positions_that_cannot_close_are_left_out_or_refused():
     short = ct.Machine(mechanism={"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "40 mm"})
     assert list(position_plan(short, 12).angles) == [0, 30, 150, 180, 210, 330]
-    with pytest.raises(InputError, match="φ = 90°: the links of 1 cannot close there"):
+    with pytest.raises(InputError, match=f"φ = 90°: the links of 1 {CANNOT_CLOSE_THERE}"):
         velocity_polygons(short, [0.0, 90.0])
     with pytest.raises(InputError, match="cannot close"):
         klein(short, 90.0)
 
 
 def test_unknown_mechanisms_are_refused():
-    with pytest.raises(InputError, match="9X: must be one of this machine's mechanisms: 1L, "):
+    with pytest.raises(InputError, match=f"9X: {NOT_ITS_MECHANISM}: 1L, "):
         position_plan(ct.load("3d12"), mechanism="9X")
     with pytest.raises(InputError, match="no slider-crank"):
         klein(ct.load("pumping_unit_c57"), 30.0)

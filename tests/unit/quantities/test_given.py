@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import TypeAdapter
+from tests.sentences import A_LENGTH, NOT_A_KEY, NOT_POSITIVE, TEXT_IN_QUOTES
 
 from cranktrain import quantities as q
 from cranktrain.errors import InputError
@@ -44,26 +45,26 @@ def test_given_of_another_dimension_or_value_is_refused() -> None:
 def test_everything_wrong_in_a_table_is_told_at_once() -> None:
     wrong = {"value": "90", "statuss": "x", "status": "Fitted", "note": 3, "source": ["[3]"]}
     assert refusals(LENGTH, wrong) == [
-        ("value", "90", "must be a length in mm, cm, m, in, ft, such as 90 mm", 'write "90 mm"'),
+        ("value", "90", A_LENGTH, 'write "90 mm"'),
         (
             "statuss",
             "x",
-            "is not a key of this table, whose keys are: value, status, note, source",
+            f"{NOT_A_KEY}, whose keys are: value, status, note, source",
             "did you mean status?",
         ),
         ("status", "Fitted", "must be one of: published, derived, assumed, fitted", 'write "fitted"'),
-        ("note", "3", "must be text in quotes", None),
-        ("source", None, "must be text in quotes", None),
+        ("note", "3", TEXT_IN_QUOTES, None),
+        ("source", None, TEXT_IN_QUOTES, None),
     ]
-    missing = ("value", None, "is missing; must be a length in mm, cm, m, in, ft, such as 90 mm", None)
+    missing = ("value", None, f"is missing; {A_LENGTH}", None)
     assert refusals(LENGTH, {"status": "fitted"}) == [missing]
 
 
 @pytest.mark.parametrize(
     ("quantity", "text", "allowed"),
     [
-        (LENGTH, "0 mm", "must be more than 0 mm"),
-        (LENGTH, "-1/2 in", "must be more than 0 in"),
+        (LENGTH, "0 mm", f"{NOT_POSITIVE} mm"),
+        (LENGTH, "-1/2 in", f"{NOT_POSITIVE} in"),
         (Quantity(Dimension.LENGTH, at_least=0.05), "45 mm", "must be at least 50 mm"),
         (Quantity(Dimension.ANGLE, below=math.pi), "1 rev", "must be less than 0.5 rev"),
         (Quantity(Dimension.ANGLE, at_most=math.pi / 2), "91 град", "must be at most 90 deg"),
@@ -127,7 +128,7 @@ def test_every_annotation(name: str, accepted: object, refused: object) -> None:
 def test_editors_learn_units_range_and_statuses() -> None:
     schema: dict[str, Any] = TypeAdapter(q.PositiveLength).json_schema()
     text, table = schema["anyOf"]
-    assert text["description"] == "must be a length in mm, cm, m, in, ft, such as 90 mm; must be more than 0 (SI)"
+    assert text["description"] == f"{A_LENGTH}; {NOT_POSITIVE} (SI)"
     assert text["examples"] == ["90 mm"]
     assert table["properties"]["status"] == {"enum": ["published", "derived", "assumed", "fitted"]}
     assert table["required"] == ["value"]

@@ -1,6 +1,7 @@
 """The right word that was meant, and how a wrong one is refused."""
 
 import pytest
+from tests.sentences import NOT_A_KEY
 
 from cranktrain.errors import Problem
 from cranktrain.quantities import nearest, one_of, unknown_key, unlisted, written
@@ -33,8 +34,6 @@ def test_refusals() -> None:
     )
     assert unlisted("strokes", 3, [2, 4]) == Problem("strokes", "3", "must be one of: 2, 4")
     told = unknown_key("bank.boer", "boer", "90 mm", ["bore", "stroke"])
-    assert told == Problem(
-        "bank.boer", "90 mm", "is not a key of this table, whose keys are: bore, stroke", "did you mean bore?"
-    )
+    assert told == Problem("bank.boer", "90 mm", f"{NOT_A_KEY}, whose keys are: bore, stroke", "did you mean bore?")
     many = [f"key_{number}" for number in range(17)]
-    assert unknown_key("x", "x", {}, many) == Problem("x", None, "is not a key of this table")
+    assert unknown_key("x", "x", {}, many) == Problem("x", None, NOT_A_KEY)

@@ -6,6 +6,7 @@ import pkgutil
 import numpy as np
 import pytest
 from tests.gas_engines import DUAL_CYCLE
+from tests.sentences import MORE_THAN_LUBRICATED
 
 import cranktrain as ct
 from cranktrain import questions
@@ -129,7 +130,7 @@ def test_no_example_is_doubted(name):
     ("made", "said"),
     [
         (by_ratio(93), "A compression ratio of 93 is more than engines or compressors have: "),
-        (by_friction(0.99), "A coefficient of friction of 0.99 is more than lubricated guides have, 0.2: "),
+        (by_friction(0.99), f"A coefficient of friction of 0.99 {MORE_THAN_LUBRICATED}"),
         (by_speed(32.5), "A mean piston speed of 32.5 m/s is more than any piston bears: "),
         (by_pressure(140e6), "A pressure of 140 MPa is more than engines bear: "),
     ],
@@ -156,7 +157,7 @@ def test_a_valve_is_no_piston():
 def test_of_several_designs_the_worst_is_told():
     result = ct.run([by_friction(value) for value in (0.1, 0.4, 0.5)])
     assert [flag for flag in result.flags if "friction" in flag] == [
-        "A coefficient of friction of 0.5 is more than lubricated guides have, 0.2: do these run dry?"
+        f"A coefficient of friction of 0.5 {MORE_THAN_LUBRICATED}do these run dry?"
     ]
 
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from tests.gas_engines import DUAL_CYCLE
 from tests.machines import slider, throws
+from tests.sentences import OF_INERTIA_ALONE, TOO_MANY_FORCES, WITHOUT_ROD
 from tests.unit.plans.test_force_polygons import rubbing
 from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
 from tests.weighed_machines import WEIGHED
@@ -67,7 +68,7 @@ def test_two_angles_are_readable(name, draw):
 def test_too_many_forces_for_the_paper():
     """No room for the tables of a valve gear at two angles; the polygon of a radial's master would be a speck."""
     for name in ("stephenson", "r_1340"):
-        with pytest.raises(InputError, match="has too many forces for this paper: ask for one crank angle, or for A3"):
+        with pytest.raises(InputError, match=f"{TOO_MANY_FORCES} this paper: ask for one crank angle, or for A3"):
             plan_forces(WEIGHED[name], [30.0, 200.0])
         assert_words_are_readable(plan_forces(WEIGHED[name], [30.0, 200.0], size="A3"))
 
@@ -79,7 +80,7 @@ def test_polar_diagram_is_readable(name):
 
 @pytest.mark.parametrize("name", NO_ROD)
 def test_no_polar_diagram_without_a_rod(name):
-    with pytest.raises(InputError, match="has no rod of its own on a crank pin"):
+    with pytest.raises(InputError, match=WITHOUT_ROD):
         plan_polar(WEIGHED[name])
 
 
@@ -227,7 +228,7 @@ def test_lever_says_what_is_too_short_to_be_drawn():
 def test_a_valve_gears_lever_with_friction_is_readable():
     gear = rubbing(WEIGHED["walschaerts"])
     assert_words_are_readable(plan_zhukovsky(gear, [60.0], mechanism="1valve"))
-    with pytest.raises(InputError, match=r"has too many forces for this paper: ask for one crank angle$"):
+    with pytest.raises(InputError, match=rf"{TOO_MANY_FORCES} this paper: ask for one crank angle$"):
         plan_zhukovsky(gear, [60.0, 200.0], mechanism="1valve", size="A3")
 
 
@@ -250,10 +251,10 @@ def star(n_sliders):
 
 
 def test_more_forces_than_a_sheet_has_room_for():
-    with pytest.raises(InputError, match=r"has too many forces for A4: ask for A3, --size A3$"):
+    with pytest.raises(InputError, match=rf"{TOO_MANY_FORCES} A4: ask for A3, --size A3$"):
         plan_zhukovsky(star(18), [60.0])
     assert_words_are_readable(plan_zhukovsky(star(18), [60.0], size="A3"))
-    with pytest.raises(InputError, match=r"has too many forces for a sheet$"):
+    with pytest.raises(InputError, match=rf"{TOO_MANY_FORCES} a sheet$"):
         plan_zhukovsky(star(40), [60.0], size="A3")
 
 
@@ -302,6 +303,6 @@ def test_a_table_that_is_not_used_is_told_in_the_head(draw):
         gas=DUAL_CYCLE,
     )
     figure = draw(ct.run(machine))
-    said = "[gas] is not used: [cylinder] compression_ratio is missing; forces and torque are of inertia alone."
+    said = f"[gas] is not used: [cylinder] compression_ratio is missing; {OF_INERTIA_ALONE}"
     assert said in [text for text, _box in words_of(figure)]
     assert_words_are_readable(figure)

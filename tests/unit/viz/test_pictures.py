@@ -3,14 +3,17 @@
 import subprocess
 import sys
 import tomllib
+from functools import cache
 from importlib.resources import files
 from io import BytesIO
 from itertools import combinations, pairwise
 from pathlib import Path
+from weakref import WeakKeyDictionary
 
 import numpy as np
 import pytest
 from matplotlib.text import Text
+from tests.sentences import AT_MOST_TO_A_SHEET, ENDS_IN
 
 import cranktrain as ct
 from cranktrain.errors import InputError
@@ -98,11 +101,24 @@ def results():
     return {name: ct.run(ct.load(name)) for name in example_names()}
 
 
-def words_of(figure):
-    """All words of a picture with their boxes in dots."""
-    from matplotlib.text import Text
+@pytest.fixture(scope="module")
+def sheets(results):
+    """Sheets of the examples by name, each drawn once for all that is asked of it."""
+    return cache(lambda name: sheet(results[name]))
 
-    figure.canvas.draw()
+
+_WORDS = WeakKeyDictionary()
+
+
+def words_of(figure):
+    """All words of a picture with their boxes in dots: it is laid out once, and nothing is painted."""
+    if figure not in _WORDS:
+        _WORDS[figure] = laid_out(figure)
+    return _WORDS[figure]
+
+
+def laid_out(figure):
+    figure.draw_without_rendering()
     beyond = {
         id(label)
         for axes in figure.axes
@@ -120,8 +136,6 @@ def words_of(figure):
 
 def assert_words_are_readable(figure):
     """No words over others, none outside the paper, none smaller than 8 points."""
-    from matplotlib.text import Text
-
     words = words_of(figure)
     width, height = figure.get_size_inches() * figure.dpi
     for text, box in words:
@@ -137,8 +151,8 @@ def assert_words_are_readable(figure):
 
 
 @pytest.mark.parametrize("name", example_names())
-def test_sheet_is_readable(results, name):
-    figure = sheet(results[name])
+def test_sheet_is_readable(sheets, name):
+    figure = sheets(name)
     assert_words_are_readable(figure)
     assert tuple(figure.get_size_inches()) == pytest.approx((297 * MILLIMETRE, 210 * MILLIMETRE))
 
@@ -168,8 +182,8 @@ def test_larger_paper(results):
         sheet(results["r_1340"], size="A7")
 
 
-def test_sheet_says_what_it_shows(results):
-    words = " | ".join(text for text, _box in words_of(sheet(results["3d12"])))
+def test_sheet_says_what_it_shows(sheets):
+    words = " | ".join(text for text, _box in words_of(sheets("3d12")))
     for part in (
         "3D12 marine diesel",
         "12 pistons, 6 throws, banks L, R",
@@ -202,13 +216,13 @@ def test_curves_of_a_valve_are_not_called_a_piston_s():
     ]
 
 
-def test_a_valve_has_no_dead_centres(results):
+def test_a_valve_has_no_dead_centres(sheets):
     """It is farthest and nearest, of an eccentric half a turn apart."""
     eccentric = {"kind": "eccentric", "eccentricity": "60 mm", "rod_length": "1.4 m", "angle_of_advance": "30 deg"}
     alone = [text for text, _box in words_of(sheet(ct.run(ct.Machine(mechanism=eccentric))))]
     assert {"Ends of valve travel", "nearest 60.00°", "farthest 240.00°"} <= set(alone)
     assert not any("TDC" in text or "ead centres" in text for text in alone)
-    both = [text for text, _box in words_of(sheet(results["great_northern"]))]
+    both = [text for text, _box in words_of(sheets("great_northern"))]
     assert {"Dead centres; ends of valve travel", "TDC 0.00°", "farthest 250.16°"} <= set(both)
 
 
@@ -256,9 +270,7 @@ def test_instant_centres_that_are_not_drawn_are_said():
     assert "too far away to be drawn: $P_{13}$" in words
 
 
-@pytest.mark.parametrize(
-    ("angles", "message"), [(0, "at least one"), ([], "at least one"), (25, "at most 24 to a sheet")]
-)
+@pytest.mark.parametrize(("angles", "message"), [(0, "at least one"), ([], "at least one"), (25, AT_MOST_TO_A_SHEET)])
 def test_plan_of_too_many_or_no_angles_is_refused(angles, message):
     with pytest.raises(InputError, match=message):
         plan_positions(ct.load("vaz_21213"), angles)
@@ -315,12 +327,12 @@ def test_links_keep_their_lengths_on_paper(results):
         np.testing.assert_allclose(second["B"], first["B"], rtol=0, atol=1e-9)
 
 
-def test_small_crank_has_a_detail(results):
+def test_small_crank_has_a_detail(sheets):
     """At 1:7.5 the jaw crusher's 12 mm are 1.6 mm: the ring stands in a detail."""
-    words = [text for text, _box in words_of(sheet(results["jaw_crusher"]))]
+    words = [text for text, _box in words_of(sheets("jaw_crusher"))]
     assert {"A", "A (1:1.5)", "200 mm, scale 1:7.5"} <= set(words)
     assert words.count("90") == 2  # one of the curves' axis
-    assert not any("A (" in text for text, _box in words_of(sheet(results["vaz_21213"])))
+    assert not any("A (" in text for text, _box in words_of(sheets("vaz_21213")))
 
 
 def test_every_slider_of_a_chain_is_drawn(results):
@@ -417,7 +429,7 @@ def test_picture_is_refused_before_it_is_drawn(tmp_path):
 
     with pytest.raises(InputError, match="is there already"):
         save(draws, there)
-    with pytest.raises(InputError, match=r"must end in one of: \.png, \.svg, \.pdf"):
+    with pytest.raises(InputError, match=rf"{ENDS_IN}\.png, \.svg, \.pdf"):
         save(draws, tmp_path / "picture.bmp")
     assert there.read_bytes() == b"old"
 
@@ -626,8 +638,8 @@ def test_far_piston_has_its_crown_toward_the_shaft():
     assert "Throws 1, 2 of 2, drawn at φ = 50°" in words
 
 
-def test_sheet_of_opposed_pistons_says_what_it_shows(results):
-    words = " | ".join(text for text, _box in words_of(sheet(results["10d100"])))
+def test_sheet_of_opposed_pistons_says_what_it_shows(sheets):
+    words = " | ".join(text for text, _box in words_of(sheets("10d100")))
     for part in (
         "Volumetric dead centres",
         "inner 6.00°",
@@ -665,9 +677,9 @@ def test_a_sheet_needs_only_the_quantities_that_it_shows(results, tmp_path, name
     assert (tmp_path / "few.png").read_bytes() == (tmp_path / "all.png").read_bytes()
 
 
-def test_rod_that_stands_for_none_is_broken(results):
+def test_rod_that_stands_for_none_is_broken(sheets):
     """A rod of 100000 in would make the sheet 1:25000."""
-    words = [text for text, _box in words_of(sheet(results["great_northern"]))]
+    words = [text for text, _box in words_of(sheets("great_northern"))]
     assert "rod of 1valve broken, its slider drawn nearer to the shaft" in words
     assert "2000 mm, scale 1:50" in words
 

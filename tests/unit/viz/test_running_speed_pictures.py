@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from tests.property.test_running_speed import SLIDER_CRANK, varying
+from tests.sentences import STEADY_RUNNING
 from tests.unit.viz.test_pictures import assert_words_are_readable, words_of
 
 import cranktrain as ct
@@ -20,7 +21,7 @@ from cranktrain.viz import (
 from cranktrain.viz.sheets.motion.panels import panels
 
 ENGINE = ct.load("vaz_21213")
-SAID = "All of this is at the speed of steady running, 5172.8 rpm to 5224.7 rpm over the cycle, 5200.0 rpm over time."
+SAID = f"All of this is {STEADY_RUNNING}, 5172.8 rpm to 5224.7 rpm over the cycle, 5200.0 rpm over time."
 PLANS = (plan_positions, plan_velocities, plan_accelerations, plan_forces, plan_zhukovsky, plan_polar)
 
 

@@ -6,7 +6,6 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.viz.paper.shapes import angle_of
 from cranktrain.viz.paper.sketch import Label
 
 _CHARACTER, _LINE, _SYMBOL_LINE = 1.75, 3.2, 4.2
@@ -71,28 +70,29 @@ def placed_labels(
     """
     obstacles = np.concatenate([dots(line / scale) for line in lines], axis=1)
     points = np.stack([wish.point for wish in wishes], axis=1) / scale
-    taken: list[tuple[float, float, float, float]] = []
+    taken: list[Array] = []
     for wish in wishes:
         size = _size(wish.text.translate({ord(mark): None for mark in "_^"}), is_symbol=wish.manner == "symbol")
-        point = wish.point / scale
-        best = min(
-            (
-                point + reach * np.array([np.cos(direction), np.sin(direction)]) * _stretch(size, direction)
-                for reach in _REACHES[: _NEAR if wish.is_number else None]
-                for direction in _DIRECTIONS
-            ),
-            key=lambda middle: (
-                _cost(middle, point, wish, size, taken, obstacles)
-                + _OVER_MARK * sum(_is_over(_box(middle, size), mark, scale) for mark in marks)
-                + _NOT_ITS_OWN * _is_nearer_to_another(middle, point, points)
-            ),
+        point = wish.point[:, np.newaxis] / scale
+        places = point + _ways(size, _REACHES[: _NEAR if wish.is_number else None])
+        boxes = _boxes(places, size)
+        under = _n_under(boxes, taken)
+        cost = (
+            _cost(places - point, wish, under, _n_inside(boxes, obstacles))
+            + _OVER_MARK * sum(_is_over(boxes, mark, scale) for mark in marks)
+            + _NOT_ITS_OWN * _is_nearer_to_another(places, point, points)
         )
-        if wish.is_number and _n_under(_box(best, size), taken):
+        best = int(np.argmin(cost))
+        if wish.is_number and under[best]:
             continue
-        taken.append(_box(best, size))
+        taken.append(boxes[:, best])
         is_symbol = wish.manner == "symbol"
         yield Label(
-            best * scale, wish.text, is_bold=wish.manner == "name", is_framed=not is_symbol, is_symbol=is_symbol
+            places[:, best] * scale,
+            wish.text,
+            is_bold=wish.manner == "name",
+            is_framed=not is_symbol,
+            is_symbol=is_symbol,
         )
 
 
@@ -108,57 +108,57 @@ def label_outline(label: Label, scale: float) -> Array:
     return label.position[:, np.newaxis] + scale * corners
 
 
-def _is_nearer_to_another(middle: Array, point: Array, points: Array) -> bool:
+def _ways(size: tuple[float, float], reaches: Sequence[float]) -> Array:
+    """Ways from a point to where its label is tried, nearest first; a wide one must stand farther to the side."""
+    stretch = 1.0 + 0.12 * (size[0] - size[1]) * np.abs(np.cos(_DIRECTIONS))
+    once = [reach * np.array([np.cos(_DIRECTIONS), np.sin(_DIRECTIONS)]) * stretch for reach in reaches]
+    return np.concatenate(once, axis=1)
+
+
+def _boxes(places: Array, size: tuple[float, float]) -> Array:
+    """Least and largest x, least and largest y of a label at each place, shape (4, n)."""
+    x, y = places
+    return np.stack([x - size[0] / 2, x + size[0] / 2, y - size[1] / 2, y + size[1] / 2])
+
+
+def _is_nearer_to_another(places: Array, point: Array, points: Array) -> Array:
     """Whether a label would stand nearer to another label's point than to its own."""
-    away = np.hypot(*(points - middle[:, np.newaxis]))
-    return bool(np.min(away) < np.hypot(*(middle - point)) - 0.5)
+    others = points[:, np.newaxis] - places[..., np.newaxis]
+    return np.min(np.hypot(*others), axis=1) < np.hypot(*(places - point)) - 0.5
 
 
-def _stretch(size: tuple[float, float], direction: float) -> float:
-    """How much farther a wide label must stand to the side than above."""
-    return 1.0 + 0.12 * (size[0] - size[1]) * abs(float(np.cos(direction)))
-
-
-def _box(middle: Array, size: tuple[float, float]) -> tuple[float, float, float, float]:
-    """Least and largest x, least and largest y of a label."""
-    x, y = float(middle[0]), float(middle[1])
-    return x - size[0] / 2, x + size[0] / 2, y - size[1] / 2, y + size[1] / 2
-
-
-def _is_over(box: tuple[float, float, float, float], mark: RoundMark, scale: float) -> bool:
+def _is_over(boxes: Array, mark: RoundMark, scale: float) -> Array:
     """Whether a label would lie over a mark."""
-    centre = mark.centre / scale
-    nearest = np.clip(centre, (box[0], box[2]), (box[1], box[3]))
-    return bool(np.hypot(*(nearest - centre)) < mark.radius / scale)
+    left, right, low, high = boxes
+    x, y = mark.centre / scale
+    return np.hypot(np.clip(x, left, right) - x, np.clip(y, low, high) - y) < mark.radius / scale
 
 
-def _cost(
-    middle: Array,
-    point: Array,
-    wish: Wish,
-    size: tuple[float, float],
-    taken: Sequence[tuple[float, float, float, float]],
-    obstacles: Array,
-) -> float:
-    """How bad a place is: over a label, over lines, far away, on the wrong side."""
-    left, right, low, high = _box(middle, size)
-    over = _n_under((left, right, low, high), taken)
-    inside = (obstacles[0] > left) & (obstacles[0] < right) & (obstacles[1] > low) & (obstacles[1] < high)
-    away = middle - point
-    turn = angle_of(away) - wish.towards
-    crossed = (0.15 if wish.is_number else 4.0) * float(np.count_nonzero(inside))
+def _cost(away: Array, wish: Wish, under: Array, inside: Array) -> Array:
+    """How bad each place is: over a label, over lines, far away, on the wrong side."""
+    turn = np.arctan2(away[1], away[0]) - wish.towards
     return (
-        1000.0 * over
-        + crossed
-        + 1.5 * float(np.hypot(*away))
-        + (8.0 if wish.is_number else 2.0) * (1 - float(np.cos(turn)))
+        1000.0 * under
+        + (0.15 if wish.is_number else 4.0) * inside
+        + 1.5 * np.hypot(*away)
+        + (8.0 if wish.is_number else 2.0) * (1 - np.cos(turn))
     )
 
 
-def _n_under(own: tuple[float, float, float, float], taken: Sequence[tuple[float, float, float, float]]) -> int:
+def _n_under(boxes: Array, taken: Sequence[Array]) -> Array:
     """How many labels a label would lie over."""
-    left, right, low, high = own
-    return sum(left < box[1] and box[0] < right and low < box[3] and box[2] < high for box in taken)
+    left, right, low, high = boxes
+    over = np.zeros(left.size)
+    for box in taken:
+        over += (left < box[1]) & (box[0] < right) & (low < box[3]) & (box[2] < high)
+    return over
+
+
+def _n_inside(boxes: Array, dots: Array) -> Array:
+    """How many points of the lines a label would cover."""
+    left, right, low, high = boxes[..., np.newaxis]
+    x, y = dots
+    return np.count_nonzero((x > left) & (x < right) & (y > low) & (y < high), axis=1)
 
 
 def dots(line: Array) -> Array:

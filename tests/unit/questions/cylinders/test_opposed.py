@@ -5,6 +5,7 @@ import re
 import numpy as np
 import pytest
 from tests.machines import slider, turned
+from tests.sentences import ONE_OF_SHAFTS
 
 import cranktrain as ct
 
@@ -186,7 +187,7 @@ def test_a_lead_and_a_phase_must_agree():
         (
             {"exhaust": {"mechanism": CRANK}, "scavenge": {"mechanism": CRANK, "shaft": "lower"}},
             "bank.A.scavenge.shaft",
-            "must be one of the shafts",
+            ONE_OF_SHAFTS,
         ),
         (
             {"exhaust": {"mechanism": CRANK, "throws": [1]}, "scavenge": {"mechanism": CRANK, "shaft": "upper"}},

@@ -5,6 +5,7 @@ import copy
 import numpy as np
 import pytest
 from tests.machines import RADIUS, ROD, V12, banks, curve, of, slider, throws
+from tests.sentences import WITHOUT_PISTONS
 
 import cranktrain as ct
 from cranktrain.questions.cylinders.volumes import Chambers
@@ -134,7 +135,7 @@ def test_bores_of_single_pistons_make_a_whole():
 
 
 def test_cylinders_need_pistons():
-    with pytest.raises(ct.InputError, match="cylinder: is not for this machine, which has no pistons"):
+    with pytest.raises(ct.InputError, match=f"cylinder: {WITHOUT_PISTONS}"):
         ct.run(
             ct.Machine(
                 mechanism={

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad, solve_ivp
 from tests.gas_engines import DUAL_CYCLE
+from tests.sentences import AS_AT_THE_START, DESIGNS_ALIKE, GOES_ON, NO_FILE, NO_NUMBERS, NO_UNIT, THREE_COLUMNS
 
 import cranktrain as ct
 from cranktrain.errors import InputError
@@ -197,19 +198,19 @@ HEAD = "angle [deg];torque [N·m]\n"
         ]),
         (HEAD + "0;1\n3.14159265;2\n6.28318531;1", ["if these are radians, write so in the header: angle [rad]"]),
         (HEAD + "0;1\n90;2\n360;9", [
-            "load.csv:4:1  evenness.load_curve = 9: must be as at the start of the turn, 1, as it begins again there"
+            f"load.csv:4:1  evenness.load_curve = 9: {AS_AT_THE_START}, 1, as it begins again there"
         ]),
         (HEAD + "0;1\n90;\n180;two\n360;1", [
             "load.csv:3  evenness.load_curve = 1 values: must have 2 values, as the first line of numbers has",
             "load.csv:4:5  evenness.load_curve = two: must be a number",
         ]),
         ("0;1\n360;1", [
-            "evenness.load_curve.torque_unit: the file names no unit of torque;"
+            f"evenness.load_curve.torque_unit: the file {NO_UNIT} torque;"
             ' write torque_unit = "N·m" (or '
         ]),
-        ("0;1\n90;2\n300;1", ["reaches from 0° to 300°", "names no unit of torque"]),
-        ("nothing", ["load.csv: has no numbers in it"]),
-        ("0;1;2\n360;1;2", ["evenness.load_curve.columns: must say which of the 3 columns"]),
+        ("0;1\n90;2\n300;1", ["reaches from 0° to 300°", f"{NO_UNIT} torque"]),
+        ("nothing", [f"load.csv: {NO_NUMBERS}"]),
+        ("0;1;2\n360;1;2", [f"evenness.load_curve.columns: {THREE_COLUMNS}"]),
         ("0\n360", ["load.csv:1  evenness.load_curve: has one column; a load curve needs two"]),
     ],
 )  # fmt: skip
@@ -250,7 +251,7 @@ def test_tables_refused(curve, beside, paths):
 
 
 def test_two_turns_are_for_a_four_stroke():
-    with pytest.raises(InputError, match="goes on over two turns, and the cycle of this machine is one"):
+    with pytest.raises(InputError, match=f"{GOES_ON}, and the cycle of this machine is one"):
         run(HEAD + "0;1\n720;1", flywheel=FLYWHEEL)
     assert np.ptp(run(HEAD + "0;1\n720;1", machine=ENGINE).load_torque) == 0
 
@@ -275,7 +276,7 @@ def test_the_file_stands_beside_the_machine_file(tmp_path):
     (tmp_path / "machine.toml").write_text(MACHINE, encoding="utf-8")
     with pytest.raises(InputError) as caught:
         read_machine(tmp_path / "machine.toml")
-    assert "machine.toml:13:8  evenness.load_curve.file = shears.csv: there is no such file" in str(caught.value)
+    assert f"machine.toml:13:8  evenness.load_curve.file = shears.csv: {NO_FILE}" in str(caught.value)
     (tmp_path / "shears.csv").write_text(PULSE.replace(".", ","), encoding="utf-8")
     found = ct.run(read_machine(tmp_path / "machine.toml").machine)
     assert found.largest_load_torque == PEAK
@@ -319,8 +320,8 @@ def test_designs_may_have_curves_of_their_own(machine, scale, balance):
 def test_designs_with_a_curve_and_without_are_refused():
     curve = {"load_curve": {"file": "load.csv", "text": PULSE}, "flywheel": FLYWHEEL}
     machines = [ct.Machine(**DISC, evenness=table) for table in (curve, {"flywheel": FLYWHEEL})]
-    with pytest.raises(InputError, match=r"evenness\.load_curve\.file: must be the same in all designs"):
+    with pytest.raises(InputError, match=rf"evenness\.load_curve\.file: {DESIGNS_ALIKE}"):
         ct.run(machines)
     scaled = ct.Machine(**DISC, evenness={**curve, "load_curve": {**curve["load_curve"], "scale": "balanced"}})
-    with pytest.raises(InputError, match=r"evenness\.load_curve\.scale: must be the same in all designs"):
+    with pytest.raises(InputError, match=rf"evenness\.load_curve\.scale: {DESIGNS_ALIKE}"):
         ct.run([machines[0], scaled])

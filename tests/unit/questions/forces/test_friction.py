@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from tests.sentences import EDGES_ONLY
 
 import cranktrain as ct
 
@@ -128,7 +129,7 @@ def test_the_shaft_gives_what_guides_of_a_triad_and_a_yoke_take():
 def test_what_may_have_friction_is_said():
     with pytest.raises(ct.InputError) as refused:
         run(CHAIN, {"rod": 0.1, "slot": 0.2})
-    listed = "must be what slides in a guide or a slot: ram, ram.slot, die, die.slot, shoe, valve"
+    listed = f"{EDGES_ONLY} or a slot: ram, ram.slot, die, die.slot, shoe, valve"
     assert [(one.path, one.allowed) for one in refused.value.problems] == [
         ("friction.rod", listed),
         ("friction.slot", listed),

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from tests.machines import slider
+from tests.sentences import NOT_POSITIVE, TRUE_OR_FALSE
 
 import cranktrain as ct
 
@@ -93,8 +94,8 @@ def test_designs_may_lean_differently():
 @pytest.mark.parametrize(
     ("gravity", "path", "said"),
     [
-        (5, "gravity", "must be true or false"),
-        ({"acceleration": "0 m/s²"}, "gravity.acceleration", "must be more than 0"),
+        (5, "gravity", TRUE_OR_FALSE),
+        ({"acceleration": "0 m/s²"}, "gravity.acceleration", NOT_POSITIVE),
         ({"acceleration": "9.8 m/s"}, "gravity.acceleration", "must be an acceleration in m/s²"),
         ({"direction": "5 mm"}, "gravity.direction", "must be an angle"),
         ({"angle": "5 deg"}, "gravity.angle", "acceleration, direction"),

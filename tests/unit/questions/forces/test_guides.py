@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from tests.sentences import EDGES_ONLY, NOT_POSITIVE
 from tests.unit.questions.forces.test_friction import CHAIN
 
 import cranktrain as ct
@@ -238,15 +239,15 @@ mass = "4 kg"
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        (SCOTCH + '[guide.piston]\nlength = "0 mm"\n', ":7:10  guide.piston.length = 0 mm: must be more than 0 mm"),
-        (SCOTCH + '[guide.piston]\nlength = "-9 mm"\n', ":7:10  guide.piston.length = -9 mm: must be more than 0 mm"),
+        (SCOTCH + '[guide.piston]\nlength = "0 mm"\n', f":7:10  guide.piston.length = 0 mm: {NOT_POSITIVE} mm"),
+        (SCOTCH + '[guide.piston]\nlength = "-9 mm"\n', f":7:10  guide.piston.length = -9 mm: {NOT_POSITIVE} mm"),
         (
             SCOTCH + '[guide.block]\nlength = "9 mm"\n',
-            ":6:1  guide.block: must be what slides in a guide, which can bear a moment: piston",
+            f":6:1  guide.block: {EDGES_ONLY}, which can bear a moment: piston",
         ),
         (
             ROCKER + '[guide.rocker]\nlength = "9 mm"\n',
-            ":10:1  guide.rocker: must be what slides in a guide, which can bear a moment: nothing does",
+            f":10:1  guide.rocker: {EDGES_ONLY}, which can bear a moment: nothing does",
         ),
         (
             SCOTCH + '[guide.piston]\nlength = "90 mm"\nmiddle = "1 mm"\nat = "2 mm"\n',
