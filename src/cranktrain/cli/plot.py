@@ -56,7 +56,7 @@ class Request:
     speed_curve: str | None = None
 
 
-class Order(NamedTuple):
+class Choice(NamedTuple):
     """A request as it was understood: which picture, at which angles if any were said, on which paper."""
 
     picture: Picture
@@ -72,7 +72,7 @@ def write_picture(request: Request) -> None:
     InputError
         With everything that is wrong with the options, else with the machine, else with what cannot be drawn.
     """
-    order = understood(request)
+    choice = understood(request)
     # What the plotting library says of its fonts and its folder is nothing that a user asked for.
     logging.getLogger("matplotlib").setLevel(logging.ERROR)
     with problems_as_typed(request.speed_curve):
@@ -81,13 +81,13 @@ def write_picture(request: Request) -> None:
     try:
         _check_mechanism(file, request.mechanism)
         with problems_at_option():
-            _draw(file, order, request)
+            _draw(file, choice, request)
     except InputError as error:
         raise InputError(_placed(error.problems, file, request)) from None
     print(_("written: {name}").format(name=one_line(request.output or "")))
 
 
-def understood(request: Request) -> Order:
+def understood(request: Request) -> Choice:
     """Read the options; refuse those that do not go together.
 
     Parameters
@@ -96,7 +96,7 @@ def understood(request: Request) -> Order:
 
     Returns
     -------
-    Order
+    Choice
 
     Raises
     ------
@@ -124,7 +124,7 @@ def understood(request: Request) -> Order:
         problems += error.problems
     if problems or picture is None:
         raise InputError(problems)
-    return Order(picture, angles, size)
+    return Choice(picture, angles, size)
 
 
 def _output_problems(request: Request, suffix: str) -> Iterator[Problem]:
@@ -159,7 +159,7 @@ def _refused(request: Request, picture: Picture) -> Iterator[Problem]:
 
 def _angles(text: str | None, picture: Picture | None) -> Angles | None:
     """Read crank angles: of a plan a count too, of some the source's."""
-    if text is None:
+    if text is None or (picture is not None and "at" in picture.refused):
         return None
     if picture is not None and picture.source_angles and text.strip().casefold() == "source":
         return "source"
@@ -194,21 +194,21 @@ def _check_mechanism(file: MachineFile, name: str | None) -> None:
         raise InputError(replace(problem, path="--mechanism") for problem in error.problems) from None
 
 
-def _draw(file: MachineFile, order: Order, request: Request) -> None:
+def _draw(file: MachineFile, choice: Choice, request: Request) -> None:
     """Draw once the file is known to be possible, and write it."""
-    picture, name, force = order.picture, request.output or "", request.force
+    picture, name, force = choice.picture, request.output or "", request.force
     if picture.name == ".gif":
         save_animation(_result(file, picture, request), name, force=force)
     elif picture.name == ".dxf":
-        options = {"angles": _POSITIONS} | _of_machine(file, order, request)
+        options = {"angles": _POSITIONS} | _of_machine(file, choice, request)
         picture.function(file.machine, path=name, **options, force=force)
     elif picture.over == "angles":
-        options = _of_machine(file, order, request) | {"size": order.size}
+        options = _of_machine(file, choice, request) | {"size": choice.size}
         save(lambda: picture.function(file.machine, **options), name, force=force)
     else:
-        angle = {"at": order.angles[0]} if isinstance(order.angles, list) else {}
+        angle = {"at": choice.angles[0]} if isinstance(choice.angles, list) else {}
         whose = {"piston": request.mechanism} if request.mechanism is not None else {}
-        options = angle | whose | {"size": order.size}
+        options = angle | whose | {"size": choice.size}
         save(lambda: picture.function(_result(file, picture, request), **options), name, force=force)
 
 
@@ -218,16 +218,16 @@ def _result(file: MachineFile, picture: Picture, request: Request) -> "Result":
     return computed(file, speed=speed, partial=request.is_partial, quantities=picture.quantities)
 
 
-def _of_machine(file: MachineFile, order: Order, request: Request) -> dict[str, Any]:
+def _of_machine(file: MachineFile, choice: Choice, request: Request) -> dict[str, Any]:
     """What is said of a picture at crank angles; a speed only where there is one to be chosen."""
     from cranktrain.plans.positions import source_angles
 
-    angles, mechanism = order.angles, request.mechanism
+    angles, mechanism = choice.angles, request.mechanism
     if angles == "source":
-        is_shown = order.picture.source_angles == "shown"
+        is_shown = choice.picture.source_angles == "shown"
         angles = source_angles(file.machine, mechanism=mechanism, is_shown=is_shown)
     options: dict[str, Any] = {"mechanism": mechanism} | ({} if angles is None else {"angles": angles})
-    if "speed" not in order.picture.refused:
+    if "speed" not in choice.picture.refused:
         options["speed"] = "running" if request.is_at_running_speed else "constant"
     return options
 

@@ -42,7 +42,7 @@ class Wish(NamedTuple):
         return self.manner == "number"
 
 
-class Mark(NamedTuple):
+class RoundMark(NamedTuple):
     """A round mark: centre and radius. [mm of the sketch]"""
 
     centre: Array
@@ -50,7 +50,7 @@ class Mark(NamedTuple):
 
 
 def placed_labels(
-    wishes: Sequence[Wish], lines: Iterable[Array], scale: float, marks: Sequence[Mark] = ()
+    wishes: Sequence[Wish], lines: Iterable[Array], scale: float, marks: Sequence[RoundMark] = ()
 ) -> Iterator[Label]:
     """Place labels one by one, each at the free place that is best for it; a number without any is left out.
 
@@ -61,7 +61,7 @@ def placed_labels(
         Polylines to keep clear of. [mm of the sketch]
     scale : float
         Millimetres of the sketch in one of paper.
-    marks : sequence of Mark
+    marks : sequence of RoundMark
         Which a number may not lie over, as it may over lines.
 
     Yields
@@ -127,7 +127,7 @@ def _is_nearer_to_another(places: Array, point: Array, points: Array) -> Array:
     return np.min(np.hypot(*others), axis=1) < np.hypot(*(places - point)) - 0.5
 
 
-def _is_over(boxes: Array, mark: Mark, scale: float) -> Array:
+def _is_over(boxes: Array, mark: RoundMark, scale: float) -> Array:
     """Whether a label would lie over a mark."""
     left, right, low, high = boxes
     x, y = mark.centre / scale

@@ -13,7 +13,7 @@ from cranktrain.plans.lettering import pin_letters
 from cranktrain.plans.positions import PositionPlan, position_plan, rescaled
 from cranktrain.plans.together import placed_together, places_called
 from cranktrain.viz.paper.page import Figure, drawing_settings
-from cranktrain.viz.plans.force_rooms import draw_rows, fitting_pictures
+from cranktrain.viz.plans.force_rooms import draw_rows, fitting_polygons
 from cranktrain.viz.plans.force_rows import TABLE, tables, write_forces
 from cranktrain.viz.plans.sheet import cells_of, centre, few_angles, plan_page, scale_of, write_scales
 from cranktrain.viz.plans.sketches import positions_sketch
@@ -61,7 +61,7 @@ def plan_forces(
     cells = list(cells_of(box._replace(bottom=box.bottom + _FOOT, height=box.height - _FOOT), len(chosen)))
     left, height = _LEFT * box.width, cells[0].height
     middle = box.width - left - TABLE * max(len(tables(group, height, letters)) for group in groups)
-    drawn = fitting_pictures(groups, (middle, height))
+    drawn = fitting_polygons(groups, (middle, height))
     if drawn is None:
         raise InputError([Problem("", polygons[0].mechanism, too_many_words(len(chosen), size))])
     plans = _positions(machine, chosen, mechanism, (left - 14.0, height - 20.0))

@@ -130,21 +130,16 @@ def alike(points: Array, scale: float) -> list[list[int]]:
 def _frame(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[Line | Circle]:
     """Guides and fixed pivots."""
     for guide in drawing.guides:
-        along = np.array([np.cos(guide.direction), np.sin(guide.direction)]).reshape(2)
-        places = along @ pins[guide.pin]
-        foot = pins[guide.pin][:, 0] - places[0] * along
-        across = np.array([-along[1], along[0]])
+        line = shapes.guide_line(guide.direction, pins[guide.pin][:, 0])
+        places = line.along @ pins[guide.pin]
         for side in (-2.0, 2.0):
-            ends = [
-                foot + place * along + side * scale * across
-                for place in (min(places) - 5 * scale, max(places) + 5 * scale)
-            ]
-            yield Line(np.stack(ends, axis=1), "GUIDES", "thin", 2)
-            yield shapes.hatch(ends[0], ends[1], np.sign(side) * across, scale)
-        shafts = [float(along @ pins[name][:, 0]) for name in drawing.fixed if name.startswith("O")]
+            wall = line.path((min(places) - 5 * scale, side * scale), (max(places) + 5 * scale, side * scale))
+            yield Line(wall, "GUIDES", "thin", 2)
+            yield shapes.hatch(wall[:, 0], wall[:, 1], np.sign(side) * line.across, scale)
+        shafts = [float(line.along @ pins[name][:, 0]) for name in drawing.fixed if name.startswith("O")]
         own = min(shafts, key=lambda shaft: abs(shaft - places[0]), default=0.0)
         beyond = max(places) + 8 * scale if places[0] > own else min(places) - 8 * scale
-        yield Line(np.stack([foot + own * along, foot + beyond * along], axis=1), "GUIDES", "axis", 1)
+        yield Line(line.path((own, 0.0), (beyond, 0.0)), "GUIDES", "axis", 1)
     for name in drawing.fixed:
         yield from shapes.pivot(pins[name][:, 0], 2.0 * scale, scale)
 
@@ -159,8 +154,8 @@ def _blocks(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[
         along = ends / np.hypot(*ends)
         line = shapes.Along(pins[block.pin][:, 0], along)
         corners = [(-2.0, -1.2), (2.0, -1.2), (2.0, 1.2), (-2.0, 1.2)]
-        points = [line.at(scale * u, scale * v) for u, v in corners]
-        yield Line(np.stack(points, axis=1), "LINKS", "outline", 2, is_closed=True, fill="light")
+        points = line.path(*((scale * u, scale * v) for u, v in corners))
+        yield Line(points, "LINKS", "outline", 2, is_closed=True, fill="light")
 
 
 def polygon_sketch(polygon: Polygon, *, with_symbols: bool = True) -> Sketch:

@@ -52,8 +52,12 @@ def has_forces(result: Result, piston: str) -> bool:
 
 def is_off(shown: OneDesign, piston: str, error: str) -> bool:
     """Whether the formula's error can be seen; no formula has none."""
-    found = shown(error)[shown.member("force_method", _FORMULA), shown.member("piston", piston)]
-    return bool(found > _SEEN)
+    return formula_error(shown, piston, error) > _SEEN
+
+
+def formula_error(shown: OneDesign, piston: str, error: str) -> float:
+    """Error of a formula for a force of a piston, in parts of the peak."""
+    return float(shown(error)[shown.member("force_method", _FORMULA), shown.member("piston", piston)])
 
 
 def _force(shown: OneDesign, piston: str, name: str, method: str = _EXACT) -> Array:

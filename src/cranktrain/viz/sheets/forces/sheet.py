@@ -11,10 +11,10 @@ from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.head import result_page
-from cranktrain.viz.paper.page import MARGIN, Box, Figure, Page, drawing_settings, mathematics, muted
+from cranktrain.viz.paper.page import LINE, MARGIN, Box, Figure, Page, drawing_settings, mathematics
 from cranktrain.viz.paper.panels import FORCES, draw_curves, draw_panels, prepare
 from cranktrain.viz.paper.style import TEXT
-from cranktrain.viz.sheets.forces.panels import force_panels, has_forces, is_off
+from cranktrain.viz.sheets.forces.panels import force_panels, formula_error, has_forces, is_off
 from cranktrain.viz.sheets.gas.panels import chambers_of, indicator_panel
 from cranktrain.viz.sheets.torque.orders import draw_orders, draw_stars
 from cranktrain.wording import number
@@ -103,18 +103,13 @@ def _draw_indicator(page: Page, shown: OneDesign, piston: str | None, place: tup
 
 def _write_notes(page: Page, shown: OneDesign, piston: str | None, place: tuple[float, float, float]) -> None:
     """Say what the curves rest on, as far as there is room."""
-    result, design = shown
     left, right, top = place
-    notes = list(_notes(result, piston, design))
-    letters = int((right - left) * _LETTERS / 100.0)
-    room = int((top - MARGIN) / 4.2)
-    written = 0
-    for note in notes:
-        lines = wrap(note, letters)
-        if written + len(lines) <= room:
-            for below, line in enumerate(lines):
-                page.text(left, top - 3.0 - 4.2 * (written + below), line, **muted())
-            written += len(lines)
+    room = int((top - MARGIN) / LINE)
+    fitting: list[str] = []
+    for note in _notes(shown, piston):
+        lines = wrap(note, int((right - left) * _LETTERS / 100.0))
+        fitting += lines if len(fitting) + len(lines) <= room else []
+    page.notes(left, top - 3.0, fitting)
 
 
 def _on_forces(shown: OneDesign, piston: str) -> Iterator[str]:
@@ -127,10 +122,8 @@ def _on_forces(shown: OneDesign, piston: str) -> Iterator[str]:
         return
     yield _("P, S, N, K, T: by the reactions in the joints, K without the rod's rotating mass.")
     errors = {"N": "side_force_formula_error", "T": "tangential_force_formula_error"}
-    row = shown.result.labels["piston"].index(piston)
-    method = shown.result.labels["force_method"].index("textbook")
     said = [
-        _("{error} in {symbol}").format(error=number(float(shown(name)[method, row]), "%"), symbol=symbol)
+        _("{error} in {symbol}").format(error=number(formula_error(shown, piston, name), "%"), symbol=symbol)
         for symbol, name in errors.items()
         if is_off(shown, piston, name)
     ]
@@ -138,10 +131,11 @@ def _on_forces(shown: OneDesign, piston: str) -> Iterator[str]:
         yield _("f: the textbook's P·f(β), off by up to {errors}.").format(errors=", ".join(said))
 
 
-def _notes(result: Result, piston: str | None, design: int) -> Iterator[str]:
+def _notes(shown: OneDesign, piston: str | None) -> Iterator[str]:
     """Sentences on what is shown."""
+    result = shown.result
     if piston is not None and has_forces(result, piston):
-        yield from _on_forces(OneDesign(result, design), piston)
+        yield from _on_forces(shown, piston)
     yield _("Torque: reactions of rigid links, each mechanism's thin.")
     if result.labels.get("cylinder"):
         yield _("Filled bars: orders in which all cylinders add up.")
