@@ -142,8 +142,7 @@ def slider_crank_called(machine: Machine, name: str | None) -> Place:
 
 def frame(machine: Machine, place: Place) -> Frame:
     """Where a place's axes lie in the machine's."""
-    clockwise = machine.rotation == "clockwise"
-    return frame_of(place, first_angle=machine.first_axis, clockwise=clockwise)
+    return frame_of(place, machine.orientation)
 
 
 def placed(machine: Machine, place: Place, angle: Array) -> Drawing:
