@@ -11,7 +11,7 @@ from cranktrain.gas.indicator.reading import unit_in
 from cranktrain.gas.indicator.table import Table, read_table
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
-from cranktrain.quantities import Dimension, QuantityError, one_of, read, unit_names
+from cranktrain.quantities import Dimension, is_unit, one_of, read, unit_names
 from cranktrain.spec import Spec
 
 _TURN = 2 * np.pi
@@ -72,11 +72,8 @@ def refuse_unit(field: str, unit: str | None, dimension: Dimension) -> None:
     ------
     InputError
     """
-    if unit is not None:
-        try:
-            read(f"1 {unit}", dimension)
-        except QuantityError:
-            raise InputError([Problem(field, unit, one_of(unit_names(dimension)))]) from None
+    if unit is not None and not is_unit(unit, dimension):
+        raise InputError([Problem(field, unit, one_of(unit_names(dimension)))])
 
 
 def cycle_table(spec: CycleFileSpec, dimension: Dimension, words: Words) -> CycleTable:

@@ -9,21 +9,15 @@ from pydantic import Field, model_validator
 from cranktrain.errors import InputError, Problem
 from cranktrain.gas.indicator.diagram import Interpolation
 from cranktrain.gas.indicator.placing import Sense
-from cranktrain.gas.indicator.reading import STANDARD_ATMOSPHERE, Axis, Columns, Trace, read_trace
+from cranktrain.gas.indicator.reading import AXES, STANDARD_ATMOSPHERE, Axis, Columns, Trace, read_trace
 from cranktrain.gas.kind import GasSpec
 from cranktrain.language import N_, _
-from cranktrain.quantities import Dimension, Given, Quantity, QuantityError, TurnedAngle, one_of, read, unit_names
+from cranktrain.quantities import Dimension, Given, Quantity, TurnedAngle, is_unit, one_of, unit_names
 from cranktrain.spec import Refused, Spec
 
 Pressure = Annotated[Given, Quantity(Dimension.PRESSURE, above=0.0)]
 Exponent = Annotated[Given, Quantity(Dimension.RATIO, above=1.0, at_most=2.0)]
 Width = Annotated[Given, Quantity(Dimension.ANGLE, above=0.0, at_most=pi / 12)]
-
-_AXES: dict[Axis, Dimension] = {
-    "angle": Dimension.ANGLE,
-    "displacement": Dimension.LENGTH,
-    "volume": Dimension.VOLUME,
-}
 
 
 class PegSpec(Spec, frozen=True):
@@ -113,12 +107,12 @@ class IndicatorSpec(GasSpec, frozen=True):
     def _readable(self) -> Self:
         """Refuse units that are none, and a file that cannot be read as a diagram."""
         wrong = [
-            problem
+            Problem(path, unit, one_of(unit_names(dimension)))
             for path, unit, dimension in (
-                ("axis_unit", self.axis_unit, _AXES[self.axis or "angle"]),
+                ("axis_unit", self.axis_unit, AXES[self.axis or "angle"]),
                 ("pressure_unit", self.pressure_unit, Dimension.PRESSURE),
             )
-            if unit is not None and (problem := _unit_problem(path, unit, dimension)) is not None
+            if unit is not None and not is_unit(unit, dimension)
         ]
         if wrong:
             raise InputError(wrong)
@@ -156,12 +150,3 @@ def trace_of(spec: IndicatorSpec) -> Trace:
         ambient=spec.ambient.si,
     )
     return read_trace(spec.text, spec.file, said)
-
-
-def _unit_problem(path: str, unit: str, dimension: Dimension) -> Problem | None:
-    """Refuse a unit that is none of its dimension."""
-    try:
-        read(f"1 {unit}", dimension)
-    except QuantityError:
-        return Problem(path, unit, one_of(unit_names(dimension)))
-    return None
