@@ -1,7 +1,5 @@
 """Wittenbauer's and Mertsalov's diagrams of a machine, as data, out of its result."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from cranktrain.analysis import Result
@@ -10,13 +8,6 @@ from cranktrain.language import _
 from cranktrain.questions.evenness.flywheel import FlywheelSize
 from cranktrain.questions.evenness.shaft_work import ShaftWork
 from cranktrain.textbook.flywheel_diagrams import Mertsalov, Wittenbauer, mertsalov, wittenbauer
-
-
-class _Sized(NamedTuple):
-    """What both diagrams are drawn of."""
-
-    work: ShaftWork
-    size: FlywheelSize
 
 
 def wittenbauer_diagram(result: Result) -> Wittenbauer:
@@ -56,13 +47,13 @@ def mertsalov_diagram(result: Result) -> Mertsalov:
     return mertsalov(work.excess, work.inertia, (size.exact.largest_speed + size.exact.smallest_speed) / 2)
 
 
-def _sized(result: Result) -> _Sized:
+def _sized(result: Result) -> tuple[ShaftWork, FlywheelSize]:
     """Find work and flywheel in a result."""
     gifts = {type(gift): gift for gift in result.gifts}
     work, size = gifts.get(ShaftWork), gifts.get(FlywheelSize)
     if isinstance(work, ShaftWork) and isinstance(size, FlywheelSize):
         if np.all(np.isfinite(size.exact.inertia)):
-            return _Sized(work, size)
+            return work, size
         allowed = _("gives no flywheel to draw: the torque is not known all round")
         raise InputError([Problem("evenness.coefficient", None, allowed)])
     needs = next((one.needs for one in result.missing if "flywheel_inertia" in one.results), ())
