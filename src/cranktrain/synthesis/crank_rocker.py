@@ -18,8 +18,10 @@ from cranktrain.synthesis.four_bars import (
     judged,
     largest_time_ratio,
     rod_with_equal_swings,
+    time_ratio,
     with_equal_swings,
 )
+from cranktrain.synthesis.positive import not_positive, plain
 from cranktrain.synthesis.proposal import Alternative, Number, Proposal, Table, found, shaft_table, wanted
 from cranktrain.wording import number, precise
 
@@ -125,18 +127,12 @@ def _refuse_impossible(
         problems.append(Problem("swing", number(swing, "deg"), _("must lie between 0 and 180 deg")))
     if not time_ratio >= 1:
         allowed = _("must be at least 1: the slow swing's time over the quick one's")
-        problems.append(Problem("time_ratio", f"{time_ratio:g}", allowed))
-    lengths = {"rocker_length": rocker_length, "rod_length": rod_length}
-    problems += [
-        Problem(name, precise(length), _("must be more than 0"))
-        for name, length in lengths.items()
-        if length is not None and not length > 0
-    ]
+        problems.append(Problem("time_ratio", plain(time_ratio), allowed))
+    problems += not_positive({"rocker_length": rocker_length, "rod_length": rod_length})
     if transmission_angle is not None and not 0 < transmission_angle < pi / 2:
         allowed = _("must lie between 0 and 90 deg")
         problems.append(Problem("transmission_angle", number(transmission_angle, "deg"), allowed))
-    if speed is not None and not speed > 0:
-        problems.append(Problem("speed", f"{speed:g}", _("must be more than 0")))
+    problems += not_positive({"speed": speed}, plain)
     if problems:
         raise InputError(problems)
 
@@ -150,7 +146,7 @@ def _refuse_unreachable(swing: float, time_ratio: float, slow_swing: Swing) -> N
     repair = None
     if time_ratio < (forward := largest_time_ratio(swing, -1)):
         repair = _("with the slow swing in the sense of rotation it can be up to {most:.3f}").format(most=forward)
-    raise InputError([Problem("time_ratio", f"{time_ratio:g}", allowed, repair)])
+    raise InputError([Problem("time_ratio", plain(time_ratio), allowed, repair)])
 
 
 def _of_equal_swings(
@@ -261,7 +257,7 @@ def _proposal(
     remarks: tuple[str, ...],
 ) -> Proposal:
     """Put a four-bar together with its machine file."""
-    ratio = (pi + want.excess) / (pi - want.excess)
+    ratio = time_ratio(want.excess)
     how = _("equal swings") if parameter is None else _("swing, time ratio, largest transmission angle")
     free = () if parameter is None else (Number("parameter", "ξ", parameter, "deg", _("Free parameter")),)
     return Proposal(

@@ -52,6 +52,11 @@ def excess_angle(time_ratio: float) -> float:
     return pi * (time_ratio - 1) / (time_ratio + 1)
 
 
+def time_ratio(excess: float) -> float:
+    """Time ratio k = (π + ϑ)/(π − ϑ) of a drive whose slow stroke takes π + ϑ of the turn."""
+    return (pi + excess) / (pi - excess)
+
+
 def largest_time_ratio(swing: float, side: int) -> float:
     """Time ratio that crank-rockers of a swing [rad] come near but do not reach; docs/theory/synthesis, eq. (8.14)."""
     return (3 * pi - side * swing) / (pi + side * swing)

@@ -19,6 +19,7 @@ from cranktrain.synthesis.knuckle_equations import (
 )
 from cranktrain.synthesis.knuckle_numbers import cylinder_table, master_stroke, master_top, slave_numbers
 from cranktrain.synthesis.knuckle_search import is_usable, searched
+from cranktrain.synthesis.positive import not_positive, plain
 from cranktrain.synthesis.proposal import (
     Alternative,
     Proposal,
@@ -150,20 +151,14 @@ def _refuse_impossible(
     speed: float | None,
 ) -> None:
     """Refuse wants that contradict themselves or geometry."""
-    positive = {
+    lengths = {
         "crank_radius": float(master.crank_radius),
         "stroke": wants.stroke,
         "knuckle_radius": given["knuckle_radius"],
         "rod_length": given["rod_length"],
         "bore": bore,
     }
-    problems = [
-        Problem(name, precise(value), _("must be more than 0"))
-        for name, value in positive.items()
-        if value is not None and not value > 0
-    ]
-    if speed is not None and not speed > 0:
-        problems.append(Problem("speed", f"{speed:g}", _("must be more than 0")))
+    problems = [*not_positive(lengths), *not_positive({"speed": speed}, plain)]
     if not -2 * pi < bank_angle < 2 * pi:
         problems.append(Problem("bank_angle", number(bank_angle, "deg"), _("must lie between -360 and 360 deg")))
     least = float(master.crank_radius + abs(master.offset))
@@ -171,7 +166,7 @@ def _refuse_impossible(
         allowed = _("must be more than {least}, or the crank cannot turn").format(least=precise(least))
         problems.append(Problem("master_rod_length", precise(float(master.rod_length)), allowed))
     if wants.same_ratio is not None and not wants.same_ratio > 1:
-        problems.append(Problem("same_ratio", f"{wants.same_ratio:g}", _("must be more than 1")))
+        problems.append(Problem("same_ratio", plain(wants.same_ratio), _("must be more than 1")))
     problems += _count_problems(wants, [name for name, value in given.items() if value is None])
     if problems:
         raise InputError(problems)

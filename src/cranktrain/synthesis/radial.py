@@ -1,6 +1,6 @@
 """Radial engines with articulated rods: five ways to choose the knuckles, each with what it costs elsewhere."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import pi
 from typing import Literal
 
@@ -13,6 +13,7 @@ from cranktrain.quantities import unlisted
 from cranktrain.synthesis.knuckle_equations import Free, Goal, height_goal, ratio_goal, stroke_goal, unshifted_angle
 from cranktrain.synthesis.knuckle_numbers import cylinder_table, slave_numbers
 from cranktrain.synthesis.knuckle_search import Search, is_usable, searched
+from cranktrain.synthesis.positive import not_positive, plain
 from cranktrain.synthesis.proposal import (
     Alternative,
     Number,
@@ -116,12 +117,10 @@ def radial(
 
 
 def _refuse_impossible(
-    n_cylinders: int, strategy: str, compression_ratio: float, lengths: dict[str, float], rod_length: float
+    n_cylinders: int, strategy: str, compression_ratio: float, lengths: Mapping[str, float], rod_length: float
 ) -> None:
     """Refuse wants that contradict themselves."""
-    problems = [
-        Problem(name, precise(length), _("must be more than 0")) for name, length in lengths.items() if not length > 0
-    ]
+    problems = not_positive(lengths)
     if not rod_length > lengths["crank_radius"]:
         allowed = _("must be more than the crank radius, or the crank cannot turn")
         problems.append(Problem("rod_length", precise(rod_length), allowed))
@@ -130,7 +129,7 @@ def _refuse_impossible(
     if strategy not in STRATEGIES:
         problems.append(unlisted("strategy", strategy, list(STRATEGIES)))
     if not compression_ratio > 1:
-        problems.append(Problem("compression_ratio", f"{compression_ratio:g}", _("must be more than 1")))
+        problems.append(Problem("compression_ratio", plain(compression_ratio), _("must be more than 1")))
     if problems:
         raise InputError(problems)
 
