@@ -8,6 +8,7 @@ from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.articulated_rod.kinematics import articulated_rod_gap
 from cranktrain.motion import Array, single
 from cranktrain.numerics import bracketed_roots, smallest, turn_grid
+from cranktrain.numerics.nested import mapped
 from cranktrain.synthesis.knuckle_equations import HALF_THE_DIGITS, Free, Goal, dead_centres, distance_slope
 
 _NEWTON_STEPS = 12
@@ -19,13 +20,7 @@ _LONGEST = 1.2
 
 def _with_value(rod: ArticulatedRod, free: Free, value: Array) -> ArticulatedRod:
     """Give the rod with one of its dimensions replaced."""
-    match free:
-        case "knuckle_radius":
-            return rod._replace(knuckle_radius=value)
-        case "rod_length":
-            return rod._replace(rod_length=value)
-        case "articulation_angle":
-            return rod._replace(articulation_angle=value)
+    return mapped(lambda name, own: value if name == free else own, rod)
 
 
 def _value_of(rod: ArticulatedRod, free: Free) -> Array:
@@ -120,16 +115,8 @@ def _range(rod: ArticulatedRod, free: Free) -> Array:
 
 def _one_by_one(rods: ArticulatedRod, n_rods: int) -> list[ArticulatedRod]:
     """Take stacked rods apart into rods of single numbers."""
-    radii, angles, lengths = (
-        np.broadcast_to(value, n_rods) for value in (rods.knuckle_radius, rods.articulation_angle, rods.rod_length)
-    )
     return [
-        rods._replace(
-            knuckle_radius=single(float(radii[i])),
-            articulation_angle=single(float(angles[i])),
-            rod_length=single(float(lengths[i])),
-        )
-        for i in range(n_rods)
+        mapped(lambda _name, value, i=i: single(float(np.broadcast_to(value, n_rods)[i])), rods) for i in range(n_rods)
     ]
 
 
