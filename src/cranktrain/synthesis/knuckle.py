@@ -1,24 +1,18 @@
 """Knuckle of an articulated rod from a wanted stroke, unshifted dead centre, pin height or compression ratio."""
 
+from collections.abc import Sequence
 from math import pi
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import single
-from cranktrain.synthesis.knuckle_equations import (
-    Free,
-    Goal,
-    height_goal,
-    ratio_goal,
-    stroke_goal,
-    stroke_product,
-    unshifted_angle,
-)
-from cranktrain.synthesis.knuckle_numbers import cylinder_table, master_stroke, master_top, slave_numbers
-from cranktrain.synthesis.knuckle_search import is_usable, searched
+from cranktrain.synthesis.knuckle_equations import Free, stroke_product, unshifted_angle
+from cranktrain.synthesis.knuckle_numbers import cylinder_table, slave_numbers
+from cranktrain.synthesis.knuckle_search import Search, is_usable, searched
+from cranktrain.synthesis.knuckle_wants import Wants
 from cranktrain.synthesis.positive import not_positive, plain
 from cranktrain.synthesis.proposal import (
     Alternative,
@@ -38,24 +32,6 @@ _FACTORS = (0.8, 0.9, 1.1, 1.2)
 _STEPS = tuple(pi / 180 * degree for degree in (-4, -2, 2, 4))
 _KNUCKLE_SHARE = 0.25
 """Where the search for a free knuckle radius begins, in parts of the master rod; the slave rod has the rest."""
-
-
-class Wants(NamedTuple):
-    """What a slave is to have; None and False: no matter.
-
-    stroke [m]; unshifted: the dead centre that must stay where the crank points along the cylinder; same_height: piston
-    pin as high at the top as the master's; same_ratio: the master's compression ratio, which the slave must have too.
-    """
-
-    stroke: float | None
-    unshifted: Literal["top", "bottom"] | None
-    same_height: bool
-    same_ratio: float | None
-
-    @property
-    def decided(self) -> int:
-        """How many dimensions they decide."""
-        return sum([self.stroke is not None, self.unshifted is not None, self.same_height, self.same_ratio is not None])
 
 
 def knuckle_from_wants(
@@ -208,40 +184,22 @@ def _solutions(
         single(known.get("rod_length", max(length - knuckle, _KNUCKLE_SHARE * length))),
         single(0.0),
     )
-    free: list[Free] = [name for name in _FREE if name not in known]
-    if wants.unshifted is not None:
-        rod = rod._replace(articulation_angle=unshifted_angle(rod, wants.unshifted))
-        free.remove("articulation_angle")
-    goals = _goals(wants, master)
-    if not goals:
-        if is_usable(rod):
-            return (rod,)
-        allowed = _("is too short: the slave cannot close")
-        raise InputError([Problem("rod_length", precise(float(rod.rod_length)), allowed)])
-    search = searched(rod, goals, tuple(free))
+    decided = known if wants.unshifted is None else {"articulation_angle", *known}
+    free = tuple(name for name in _FREE if name not in decided)
+    search = searched(rod, wants, free)
     if not search.rods:
-        raise InputError([_unreachable(wants, search.least, search.most, free)])
+        raise InputError([_unreachable(rod, wants, search, free)])
     return search.rods
 
 
-def _goals(wants: Wants, master: SliderCrank) -> tuple[Goal, ...]:
-    """The wants as equations, the stroke first: it varies most with what is chosen first."""
-    goals: list[Goal] = []
-    if wants.stroke is not None:
-        goals.append(stroke_goal(wants.stroke))
-    if wants.same_height:
-        goals.append(height_goal(master_top(master)))
-    if wants.same_ratio is not None:
-        goals.append(ratio_goal(wants.same_ratio, master_top(master), master_stroke(master), wants.same_ratio))
-    return tuple(goals)
-
-
-def _unreachable(wants: Wants, least: float, most: float, free: list[Free]) -> Problem:
+def _unreachable(rod: ArticulatedRod, wants: Wants, search: Search, free: Sequence[Free]) -> Problem:
     """Say what can be reached where a want cannot."""
+    if not free:
+        return Problem("rod_length", precise(float(rod.rod_length)), _("is too short: the slave cannot close"))
     names = ", ".join(free)
-    if wants.stroke is not None and least <= most:
+    if wants.stroke is not None and search.least <= search.most:
         allowed = _("must lie between {least} and {most}, all that {names} can give here").format(
-            least=precise(least), most=precise(most), names=names
+            least=precise(search.least), most=precise(search.most), names=names
         )
         return Problem("stroke", precise(wants.stroke), allowed)
     path = "same_height" if wants.same_height else "same_ratio" if wants.same_ratio is not None else "stroke"
