@@ -7,10 +7,10 @@ import numpy as np
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
+from cranktrain.mechanisms.crank_rocker import CrankRocker
 from cranktrain.mechanisms.crank_rocker.facts import CLASSES
 from cranktrain.motion import single
 from cranktrain.synthesis.four_bars import (
-    FourBar,
     Want,
     best_parameter,
     excess_angle,
@@ -217,7 +217,7 @@ def _alternatives(want: Want, side: int) -> tuple[Alternative, ...]:
     return tuple(chosen)
 
 
-def _alternative(label: str, want: Want, bars: FourBar) -> Alternative:
+def _alternative(label: str, want: Want, bars: CrankRocker) -> Alternative:
     """Numbers of one four-bar, and in its label what keeps it from being used."""
     verdict = judged(want, bars)
     kind = int(verdict.grashof_class)
@@ -228,9 +228,9 @@ def _alternative(label: str, want: Want, bars: FourBar) -> Alternative:
     return Alternative(label, _numbers(bars, float(verdict.transmission_angle)))
 
 
-def _numbers(bars: FourBar, transmission_angle: float) -> tuple[Number, ...]:
+def _numbers(bars: CrankRocker, transmission_angle: float) -> tuple[Number, ...]:
     """Lengths and transmission angle."""
-    radius, rod, rocker, ground = (float(length) for length in bars)
+    radius, rod, rocker, ground = (float(length) for length in bars[:4])
     return (
         Number("crank_radius", "R", radius, "mm", _("Crank radius")),
         Number("rod_length", "l", rod, "mm", _("Rod length")),
@@ -249,7 +249,7 @@ def _transmission_remarks(reached: float) -> tuple[str, ...]:
 
 def _proposal(
     want: Want,
-    bars: FourBar,
+    bars: CrankRocker,
     speed: float | None,
     *,
     parameter: float | None,
