@@ -10,6 +10,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.gas.indicator.diagram import Interpolation
 from cranktrain.gas.indicator.placing import Sense
 from cranktrain.gas.indicator.reading import AXES, STANDARD_ATMOSPHERE, Axis, Columns, Trace, read_trace
+from cranktrain.gas.indicator.table import held_text
 from cranktrain.gas.kind import GasSpec
 from cranktrain.language import N_, _
 from cranktrain.quantities import Dimension, Given, Quantity, TurnedAngle, is_unit, one_of, unit_names
@@ -138,9 +139,6 @@ def trace_of(spec: IndicatorSpec) -> Trace:
     InputError
         With what is wrong in the file, at line and column; or if nobody has read it.
     """
-    if spec.text is None:
-        allowed = _("has not been read: load the machine from its file, or give what the file holds in `text`")
-        raise InputError([Problem("file", spec.file, allowed)])
     said = Columns(
         columns=None if spec.columns is None else (spec.columns[0], spec.columns[1]),
         axis=spec.axis,
@@ -149,4 +147,4 @@ def trace_of(spec: IndicatorSpec) -> Trace:
         is_gauge=None if spec.pressure is None else spec.pressure == "gauge",
         ambient=spec.ambient.si,
     )
-    return read_trace(spec.text, spec.file, said)
+    return read_trace(held_text(spec.file, spec.text), spec.file, said)
