@@ -58,6 +58,11 @@ class Member:
     bodies: tuple[Body, ...]
     gravity: Gravity
 
+    def own(self, values: Array) -> Array:
+        """Give its own, shape (n,), of values of its group's members, broadcastable to (1, member, n)."""
+        members = self.loaded.mechanisms.groups[self.group].index
+        return np.broadcast_to(values, (1, members.size, self.angle.size))[0, self.member]
+
     @property
     def dynamics(self) -> AnyDynamics:
         """What forces its kind gives."""

@@ -29,7 +29,7 @@ from cranktrain.plans.acting import (
 from cranktrain.plans.acting import turned_to_machine as turned
 from cranktrain.plans.placement import place_called
 from cranktrain.plans.positions import closed_angles
-from cranktrain.plans.rubbing import Rubbing, friction_on_links
+from cranktrain.plans.rubbing import Rubbing, friction_on_links, rubbing_force
 
 
 class LeverForce(NamedTuple):
@@ -141,11 +141,10 @@ def _at(symbol: str, value: Array, point: str, velocity: Array, one: Member) -> 
 
 def _of_friction(machine: Machine, one: Member, rubbing: Rubbing, numbers: dict[str, int]) -> LeverForce:
     """Friction at its point, `f_14` of 1 on 4."""
-    value = turned(machine, one.place, rubbing.wrench.x[0], rubbing.wrench.y[0])
     x, y = (_speed(one) * np.array([part]) for part in rubbing.velocity)
     velocity = turned(machine, one.place, x, y)[:, 0]
     symbol = pair_symbol("f", numbers[rubbing.by], numbers[rubbing.on])
-    return _at(symbol, value, rubbing.pin, velocity, one)
+    return _at(symbol, rubbing_force(machine, one, rubbing), rubbing.pin, velocity, one)
 
 
 def _speed(one: Member) -> float:
