@@ -7,7 +7,6 @@ import numpy as np
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
-from cranktrain.layout.ends import ENDS
 from cranktrain.layout.specs import MAIN, BankSpec, OpposedPistonSpec, ShaftSpec
 from cranktrain.motion import single
 from cranktrain.numerics import around_zero
@@ -80,7 +79,13 @@ def shaft_phases(
     """
     first = first_axis(banks)
     pairs = [
-        _Pair(name, *(_crank(shafts, bank, end, first) for end in ENDS), bank.lead.si, bank.lead.text)
+        _Pair(
+            name,
+            _crank(shafts, bank, "exhaust", first),
+            _crank(shafts, bank, "scavenge", first),
+            bank.lead.si,
+            bank.lead.text,
+        )
         for name, bank in banks.items()
         if bank.lead is not None
     ]
@@ -124,8 +129,8 @@ def _propagated(
         if {exhaust.shaft, scavenge.shaft} <= phases.keys():
             excess.append((reached, _around_zero(lead - (angle(exhaust) - angle(scavenge)))))
             continue
-        known, other, ahead = (exhaust, scavenge, -lead) if exhaust.shaft in phases else (scavenge, exhaust, lead)
-        phases[other.shaft] = _around_zero(other.sense * (angle(known) + ahead) - other.ahead)
+        standing, other, ahead = (exhaust, scavenge, -lead) if exhaust.shaft in phases else (scavenge, exhaust, lead)
+        phases[other.shaft] = _around_zero(other.sense * (angle(standing) + ahead) - other.ahead)
     return {name: phases.get(name, 0.0) for name in shafts}, excess
 
 

@@ -65,9 +65,7 @@ def shaft_places(machine: Machine) -> ShaftPlaces:
     """
     known = shaft_centres(machine.shafts)
     missing = [name for name in machine.shafts if name not in known]
-    if len(machine.shafts) != 2 or not missing:
-        return ShaftPlaces(known, ())
-    pair = _facing(machine)
+    pair = _facing(machine) if len(machine.shafts) == 2 and missing else None
     if pair is None:
         return ShaftPlaces(known, ())
     phi = turn_grid()

@@ -1,6 +1,6 @@
 """Knuckle of an articulated rod from a wanted stroke, unshifted dead centre, pin height or compression ratio."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from math import pi
 from typing import Literal
 
@@ -184,8 +184,8 @@ def _solutions(
         single(known.get("rod_length", max(length - knuckle, _KNUCKLE_SHARE * length))),
         single(0.0),
     )
-    decided = known if wants.unshifted is None else {"articulation_angle", *known}
-    free = tuple(name for name in _FREE if name not in decided)
+    decided: Collection[Free] = known if wants.unshifted is None else {"articulation_angle", *known}
+    free: tuple[Free, ...] = tuple(name for name in _FREE if name not in decided)
     search = searched(rod, wants, free)
     if not search.rods:
         raise InputError([_unreachable(rod, wants, search, free)])
