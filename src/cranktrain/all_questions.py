@@ -1,7 +1,7 @@
 """Every question that can be asked of a machine, in the order in which people ask them."""
 
 from cranktrain.layout.question import Question
-from cranktrain.questions import balance, cylinders, evenness, forces, gas, motion, torque
+from cranktrain.questions import balance, cylinders, evenness, forces, gas, motion, torque, torsion
 
 QUESTIONS: tuple[Question, ...] = (
     motion.QUESTION,
@@ -11,4 +11,5 @@ QUESTIONS: tuple[Question, ...] = (
     torque.QUESTION,
     balance.QUESTION,
     evenness.QUESTION,
+    torsion.QUESTION,
 )

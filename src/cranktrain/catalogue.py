@@ -1,9 +1,16 @@
 """What a result holds, as data beside each array: symbol, unit, dimensions, sentence, source."""
 
+import re
 from dataclasses import dataclass, field, fields
+from functools import cache
+from operator import attrgetter
 from typing import Any
 
 from cranktrain.language import translated
+
+_COORDINATE = re.compile("displacement|angle|position")
+"""The word in a coordinate's name for which the names of its derivatives have another."""
+_DERIVATIVES = {".first": "velocity_coefficient", ".second": "acceleration_coefficient"}
 
 
 @dataclass(frozen=True)
@@ -22,6 +29,8 @@ class Entry:
         What it is, in the user's language.
     source : str
         Where its formula is derived: a page of docs/theory or an equation of a source.
+    path : str
+        Where in a stage's result its array is: `stroke`, or `rod_angle.first` where a field holds several.
     """
 
     name: str
@@ -30,6 +39,7 @@ class Entry:
     dimensions: tuple[str, ...]
     sentence: str
     source: str
+    path: str
 
     @property
     def is_fact(self) -> bool:
@@ -39,14 +49,56 @@ class Entry:
 
 def quantity(symbol: str, unit: str, dimensions: tuple[str, ...], sentence: str, source: str) -> Any:
     """Declare a field of a result class as a quantity of the catalogue; the arguments are those of `Entry`."""
-    return field(metadata={"entry": (symbol, unit, dimensions, sentence, source)})
+    return _declared(dimensions, source, ("", symbol, unit, sentence))
 
 
+def extreme(symbol: str, unit: str, dimensions: tuple[str, ...], value: str, angle: str, source: str) -> Any:
+    """Declare a field that holds an `Extreme` or a `Peak` as two quantities: of `x`, how much it is, and `x_at`, where.
+
+    `value` and `angle` are their sentences, each as it is read, so that it can be translated.
+    """
+    return _declared(dimensions, source, (".value", symbol, unit, value), (".angle", f"φ({symbol})", "deg", angle))
+
+
+def coefficients(
+    symbol: str, unit: str, dimensions: tuple[str, ...], value: str, first: str, second: str, source: str
+) -> Any:
+    """Declare a field that holds a `Coefficient` as three quantities: a coordinate and its derivatives.
+
+    Of `rod_angle` these are `rod_velocity_coefficient` and `rod_acceleration_coefficient`; of a displacement or a
+    position likewise. `value`, `first` and `second` are their sentences.
+    """
+    return _declared(
+        dimensions,
+        source,
+        (".value", symbol, unit, value),
+        (".first", f"{symbol}′", f"{unit}/rad", first),
+        (".second", f"{symbol}″", f"{unit}/rad^2", second),
+    )
+
+
+def _declared(dimensions: tuple[str, ...], source: str, *parts: tuple[str, str, str, str]) -> Any:
+    """Field with the quantities that it holds: of each its path in the field's value, symbol, unit and sentence."""
+    return field(metadata={"entries": [(*part, dimensions, source) for part in parts]})
+
+
+@cache
 def entries(result_class: type) -> tuple[Entry, ...]:
     """Give the catalogue entries of a result class, in the order of its fields."""
     return tuple(
-        Entry(part.name, symbol, unit, dimensions, translated(sentence), source)
-        for part in fields(result_class)
-        if "entry" in part.metadata
-        for symbol, unit, dimensions, sentence, source in [part.metadata["entry"]]
+        Entry(_name(held.name, part), symbol, unit, dimensions, translated(sentence), source, held.name + part)
+        for held in fields(result_class)
+        for part, symbol, unit, sentence, dimensions, source in held.metadata.get("entries", ())
     )
+
+
+def _name(held: str, part: str) -> str:
+    """Name of a quantity, by the name of the field that holds it."""
+    if part in _DERIVATIVES:
+        return _COORDINATE.sub(_DERIVATIVES[part], held)
+    return f"{held}_at" if part == ".angle" else held
+
+
+def values(gift: object, entry: Entry) -> Any:
+    """Array of a quantity in a stage's result, in SI and radians, with the design axis."""
+    return attrgetter(entry.path)(gift)

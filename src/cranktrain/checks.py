@@ -1,4 +1,4 @@
-"""Checks: identities that can fail, computed with every result; and limits beyond which numbers are doubted."""
+"""Checks: identities that can fail, computed with every result; and limits beyond which numbers are flagged."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -58,7 +58,7 @@ class Check:
 class Limit(NamedTuple):
     """The most that was ever built, or that digits allow, in SI; the unit of what is told; and the sentence.
 
-    What is beyond it is computed with all the same, and doubted.
+    What is beyond it is computed with all the same, and flagged.
     """
 
     most: float
@@ -66,10 +66,10 @@ class Limit(NamedTuple):
     sentence: str
 
 
-def doubted(limit: Limit, values: Array, told: Array | None = None) -> Iterator[str]:
-    """Doubt the largest of some values if it is beyond a limit, NaN never; tell it, or what stands for it."""
+def flagged(limit: Limit, values: Array, named: Array | None = None) -> Iterator[str]:
+    """Flag the largest of some values if it is beyond a limit, NaN never; name it, or what `named` has in its place."""
     beyond = np.where(values > limit.most, values, -np.inf)
     if np.any(values > limit.most):
-        worst = float(np.ravel(values if told is None else told)[np.argmax(beyond)])
+        worst = float(np.ravel(values if named is None else named)[np.argmax(beyond)])
         written = f"{shown(worst, limit.unit):.4g} {limit.unit}" if limit.unit else f"{worst:.4g}"
         yield _(limit.sentence).format(value=written)

@@ -1,7 +1,7 @@
 """The declared machine: the domains' tables together, and what only they together can check."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cached_property
 from typing import Any, Literal, Self
@@ -12,8 +12,9 @@ from pydantic import Field, ValidationError, model_validator
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.errors import InputError, Problem
 from cranktrain.gas import AnyGas
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, Friction, GravitySpec, GuideSpec
+from cranktrain.layout.closing import closing_problems
 from cranktrain.layout.design import Design
 from cranktrain.layout.frames import Orientation
 from cranktrain.layout.gearing import first_axis
@@ -22,7 +23,6 @@ from cranktrain.layout.places import Place, places_of
 from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPistonSpec, ShaftSpec
 from cranktrain.layout.standing import standing_problems
 from cranktrain.mechanisms import AnyMechanism
-from cranktrain.mechanisms.closing import OpenRange, open_ranges
 from cranktrain.mechanisms.spec import LISTS
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.paths import PathParts, path_text, quantity_path, replaced, value_at
@@ -30,8 +30,8 @@ from cranktrain.quantities import Angle, Given
 from cranktrain.questions.balance.spec import BalanceSpec
 from cranktrain.questions.cylinders.spec import OVERRIDES, CylindersSpec
 from cranktrain.questions.evenness.spec import EvennessSpec
+from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.spec import Spec, problems, with_tuples
-from cranktrain.wording import around_turn, number
 
 
 class Machine(Spec, frozen=True):
@@ -52,22 +52,72 @@ class Machine(Spec, frozen=True):
     0.136
     """
 
-    name: str = ""
-    rotation: Literal["clockwise", "anticlockwise"] = "clockwise"
-    running: Literal["ahead", "astern"] = "ahead"
-    crank_zero: Literal["Y"] | Angle = Given(0.0, "0 deg")
-    angle: Angle = Given(0.0, "0 deg")
-    shaft: Mapping[str, ShaftSpec] = Field(default={})
-    mechanism: AnyMechanism | None = None
-    bank: Mapping[str, BankSpec] = Field(default={})
-    cylinder: CylindersSpec = CylindersSpec()
-    masses: Mapping[str, BodySpec] = Field(default={})
-    friction: Mapping[str, Friction] = Field(default={})
-    guide: Mapping[str, GuideSpec] = Field(default={})
-    gravity: bool | GravitySpec = False
-    gas: AnyGas | None = None
-    balance: BalanceSpec | None = None
-    evenness: EvennessSpec | None = None
+    name: str = Field(default="", description=N_("Name of the machine, as tables and plots show it."))
+    rotation: Literal["clockwise", "anticlockwise"] = Field(
+        default="clockwise",
+        description=N_(
+            "Normal sense of rotation, seen from the free end of the shaft; all angles of the file count in it."
+        ),
+    )
+    running: Literal["ahead", "astern"] = Field(
+        default="ahead", description=N_("`astern` is the same machine turning against its normal sense of rotation.")
+    )
+    crank_zero: Literal["Y"] | Angle = Field(
+        default=Given(0.0, "0 deg"),
+        description=N_(
+            "Crank angle that is shown as 0, or `Y`: where throw 1 points up; otherwise 0 is along the first bank."
+        ),
+    )
+    angle: Angle = Field(
+        default=Given(0.0, "0 deg"),
+        description=N_("Direction of the mechanism's x axis, from straight up; for a machine with one [mechanism]."),
+    )
+    shaft: Mapping[str, ShaftSpec] = Field(
+        default={}, description=N_("Shafts by name; the angle of `main` is the crank angle.")
+    )
+    mechanism: AnyMechanism | None = Field(
+        default=None, description=N_("The mechanism of a machine that has only one; otherwise each bank has its own.")
+    )
+    bank: Mapping[str, BankSpec] = Field(
+        default={}, description=N_("Banks by name; the first one in the file is the first bank.")
+    )
+    cylinder: CylindersSpec = Field(
+        default=CylindersSpec(),
+        description=N_("Cylinders: what is common to all, and tables for one bank or one cylinder."),
+    )
+    masses: Mapping[str, BodySpec] = Field(
+        default={},
+        description=N_(
+            "Bodies by the part that they are: piston, rod, crank, a chain's own names; a bank may have its own."
+        ),
+    )
+    friction: Mapping[str, Friction] = Field(
+        default={},
+        description=N_(
+            'Coefficients of friction by what slides: piston, block, or a chain\'s slider S and its slot, "S.slot".'
+        ),
+    )
+    guide: Mapping[str, GuideSpec] = Field(
+        default={},
+        description=N_(
+            "Guides of what slides, by the names of [friction]: how long they are; a bank may have its own."
+        ),
+    )
+    gravity: bool | GravitySpec = Field(
+        default=False, description=N_("Whether weights count, downward; or a table, for another strength or direction.")
+    )
+    gas: AnyGas | None = Field(
+        default=None, description=N_("What the chambers hold: the kind of gas model and its numbers.")
+    )
+    balance: BalanceSpec | None = Field(
+        default=None, description=N_("Counterweights and balance shafts, given or solved for.")
+    )
+    evenness: EvennessSpec | None = Field(
+        default=None, description=N_("What balances the machine, its flywheel, and how evenly it is to run.")
+    )
+    torsion: TorsionSpec | None = Field(
+        default=None, description=N_("The crankshaft as discs and shafts that vibrate in torsion, with all beside it.")
+    )
 
     def __init__(self, /, **data: Any) -> None:
         try:
@@ -285,7 +335,7 @@ class Machine(Spec, frozen=True):
     @cached_property
     def closing_problems(self) -> tuple[Problem, ...]:
         """Over which crank angles a mechanism cannot close, once for each geometry."""
-        return _closing_problems(self, self.places)
+        return closing_problems(self.places, self.zero)
 
     def __copy__(self) -> Self:
         """Copy what was declared alone: what was found may not hold of the copy, which may be given other fields."""
@@ -326,50 +376,3 @@ def machine_problems(machine: Machine, *, partial: bool = False) -> tuple[Proble
     """
     found = machine.table_problems
     return found if partial or machine.arranged[1] else (*found, *machine.closing_problems)
-
-
-def _closing_problems(machine: Machine, places: Sequence[Place]) -> tuple[Problem, ...]:
-    """Look at each geometry once."""
-    different: dict[object, Place] = {}
-    for place in places:
-        different.setdefault((place.path, place.geometry), place)
-    with np.errstate(all="ignore"):
-        ranges = [(place, open_ranges(place.kind, place.geometry)) for place in different.values()]
-        stuck = {place.geometry for place, found in ranges if found}
-        return tuple(
-            _closing_problem(place, found, machine.zero)
-            for place, found in ranges
-            # A slave on a master that cannot close says nothing of its own.
-            if found and getattr(place.geometry, "master", None) not in stuck
-        )
-
-
-def _closing_problem(place: Place, ranges: Sequence[OpenRange], zero: float) -> Problem:
-    """Say where one mechanism cannot close, by how much, and what would help."""
-    short = number(max(one.short for one in ranges), "mm")
-    if ranges[0].end - ranges[0].start >= 2 * np.pi:
-        allowed = _("the links can close at no crank angle (short by {short}); {advice}")
-    elif short == number(0.0, "mm"):
-        allowed = _("the links lie in one line at crank angle {angles}, and the crank cannot pass; {advice}")
-    else:
-        allowed = _("the links cannot close at crank angles {angles} (short by {short}); {advice}")
-    find = place.kind.closing_field
-    field = place.spec.rod_field if find is None else find(place.geometry)
-    given: Given | None = getattr(place.spec, field, None)
-    return Problem(
-        place.path_of(field),
-        given.text if given else None,
-        allowed.format(
-            angles=_(" and ").join(
-                _span(one.start - place.phase - zero, one.end - place.phase - zero) for one in ranges
-            ),
-            short=short,
-            advice=place.kind.closing_advice(place.geometry),
-        ),
-    )
-
-
-def _span(start: float, end: float) -> str:
-    """Say from where to where the crank angle runs; one angle where both are alike."""
-    first, last = (number(float(angle), "deg") for angle in around_turn(np.array([start, end])))
-    return first if first == last else _("{start} to {end}").format(start=first, end=last)

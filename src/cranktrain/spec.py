@@ -24,6 +24,9 @@ class Spec(BaseModel, frozen=True):
     of_file: ClassVar[frozenset[str]] = frozenset()
     """Fields that say where a curve's numbers are and how they are read: as numbers, they may differ among designs."""
 
+    others: ClassVar[str | None] = None
+    """Field that holds, by name, the tables that stand in the file under keys of the user's own."""
+
     @model_validator(mode="before")
     @classmethod
     def _lists_as_tuples(cls, data: object) -> object:
@@ -93,23 +96,23 @@ def problems(error: ValidationError, model: type[Spec]) -> tuple[Problem, ...]:
         In the order of the fields; of a union, only what is wrong with the alternative that fits best.
     """
     details = error.errors(include_url=False)
-    places = [_place(model, detail["loc"]) for detail in details]
-    fitting = _fitting_alternatives(details, places)
+    locations = [_location(model, detail["loc"]) for detail in details]
+    fitting = _fitting_alternatives(details, locations)
     said: dict[str | int, Problem] = {}
-    for detail, place in zip(details, places, strict=True):
-        if all(label in fitting[union] for union, label in place.alternatives):
-            for problem in _told(detail, place):
+    for detail, where in zip(details, locations, strict=True):
+        if all(label in fitting[union] for union, label in where.alternatives):
+            for problem in _problems_of(detail, where):
                 # alternatives that fit equally well are told in one sentence; otherwise each problem is its own
-                key = problem.path if place.alternatives else len(said)
+                key = problem.path if where.alternatives else len(said)
                 said[key] = _either(said[key], problem) if key in said else problem
     return tuple(said.values())
 
 
-class _Place(NamedTuple):
+class _Location(NamedTuple):
     """Where an error stands.
 
     Its dotted path, what the spec declares there, the spec it is a key of, and of the unions without a `kind` that
-    it lies in, each one's place and the alternative tried.
+    it lies in, each one's location and the alternative tried.
     """
 
     path: str
@@ -126,20 +129,20 @@ class _Bare(NamedTuple):
     tag: str | None = None
 
 
-def _place(model: type[Spec], loc: tuple[str | int, ...]) -> _Place:
+def _location(model: type[Spec], loc: tuple[str | int, ...]) -> _Location:
     """Follow pydantic's location, which also names the alternatives of unions, along the declared types."""
-    place = _Place("", model, None, ())
+    where = _Location("", model, None, ())
     for index, item in enumerate(loc):
-        bare = _bare(place.annotation)
+        bare = _bare(where.annotation)
         if bare.alternatives:
             tried = () if bare.tag else ((loc[:index], item),)
-            place = place._replace(annotation=_alternative(bare, str(item)), alternatives=(*place.alternatives, *tried))
+            where = where._replace(annotation=_alternative(bare, str(item)), alternatives=(*where.alternatives, *tried))
         elif item != "[key]":  # after a key: not its value is wrong, but itself
-            path = _joined(place.path, path_text((item,)))
+            path = _joined(where.path, path_text((item,)))
             is_key = loc[index + 1 :] == ("[key]",)
             inner = get_args(bare.annotation)[0] if is_key else _inner(bare.annotation, item)
-            place = _Place(path, inner, _table(bare.annotation), place.alternatives)
-    return place
+            where = _Location(path, inner, _table(bare.annotation), where.alternatives)
+    return where
 
 
 def _bare(annotation: object, tag: str | None = None) -> _Bare:
@@ -161,7 +164,7 @@ def _alternative(union: _Bare, label: str) -> object:
         bare = _bare(alternative)
         table = _table(bare.annotation)
         if table is not None and union.tag is not None:
-            if label in map(str, _literals(table.model_fields[union.tag].annotation)):
+            if label in map(str, words_of(table.model_fields[union.tag].annotation)):
                 return alternative
         elif re.match(rf"{_type_name(bare)}\b", kind):
             return alternative
@@ -200,33 +203,38 @@ def _key(name: str, field: FieldInfo) -> str:
     return field.alias or name
 
 
-def _parts(annotation: object) -> Iterator[object]:
+def parts_of(annotation: object) -> Iterator[object]:
     """Simple types of a declared one, and what marks them."""
     if get_origin(annotation) is Annotated:
         inner, *marks = get_args(annotation)
         for mark in marks:
             yield from mark.metadata if isinstance(mark, FieldInfo) else (mark,)
-        yield from _parts(inner)
+        yield from parts_of(inner)
     elif get_origin(annotation) in (Union, types.UnionType):
         for part in get_args(annotation):
-            yield from _parts(part)
+            yield from parts_of(part)
     else:
         yield annotation
 
 
-def _literals(annotation: object) -> list[object]:
+def quantity_of(annotation: object) -> Quantity | None:
+    """Give the quantity as which a value of a declared type is read; None where it is none."""
+    return next((part for part in parts_of(annotation) if isinstance(part, Quantity)), None)
+
+
+def words_of(annotation: object) -> list[object]:
     """Words that a declared type allows."""
-    return [word for part in _parts(annotation) if get_origin(part) is Literal for word in get_args(part)]
+    return [word for part in parts_of(annotation) if get_origin(part) is Literal for word in get_args(part)]
 
 
 def _fitting_alternatives(
-    details: Sequence[ErrorDetails], places: Sequence[_Place]
+    details: Sequence[ErrorDetails], locations: Sequence[_Location]
 ) -> dict[tuple[str | int, ...], set[str | int]]:
     """Of every union, the alternatives that got farthest before something was wrong; a wrong type is no start."""
     reached: dict[tuple[str | int, ...], dict[str | int, tuple[int, bool]]] = {}
-    for detail, place in zip(details, places, strict=True):
+    for detail, where in zip(details, locations, strict=True):
         reach = (len(detail["loc"]), not detail["type"].endswith("_type"))
-        for union, label in place.alternatives:
+        for union, label in where.alternatives:
             of_union = reached.setdefault(union, {})
             of_union[label] = max(of_union.get(label, reach), reach)
     return {
@@ -235,40 +243,40 @@ def _fitting_alternatives(
     }
 
 
-def _told(detail: ErrorDetails, place: _Place) -> Iterator[Problem]:
-    """Tell one error of pydantic; an `InputError` of a validator holds several problems."""
+def _problems_of(detail: ErrorDetails, where: _Location) -> Iterator[Problem]:
+    """Say what one error of pydantic is in our words; an `InputError` of a validator holds several problems."""
     kind, context, given = detail["type"], detail.get("ctx", {}), _as_written(detail["input"])
     cause = context.get("error")
     if isinstance(cause, InputError):
         for problem in cause.problems:
             stood = _as_written(value_at(detail["input"], problem.path)) if problem.given is None else problem.given
-            yield replace(problem, path=_joined(place.path, problem.path), given=stood)
-    elif kind == "extra_forbidden" and place.table is not None:
-        known = [_key(name, field) for name, field in place.table.model_fields.items()]
-        yield unknown_key(place.path, str(detail["loc"][-1]), _as_written(detail["input"]), known)
-    elif kind.startswith("union_tag") and _bare(place.annotation).tag:
-        yield _wrong_kind(detail, place)
+            yield replace(problem, path=_joined(where.path, problem.path), given=stood)
+    elif kind == "extra_forbidden" and where.table is not None:
+        known = [_key(name, field) for name, field in where.table.model_fields.items()]
+        yield unknown_key(where.path, str(detail["loc"][-1]), _as_written(detail["input"]), known)
+    elif kind.startswith("union_tag") and _bare(where.annotation).tag:
+        yield _wrong_kind(detail, where)
     elif kind == "missing":
-        yield Problem(place.path, None, _missing(place.annotation))
-    elif kind == "literal_error" and (words := _literals(place.annotation)):
-        yield unlisted(place.path, detail["input"], words)
+        yield Problem(where.path, None, missing(where.annotation))
+    elif kind == "literal_error" and (words := words_of(where.annotation)):
+        yield unlisted(where.path, detail["input"], words)
     elif isinstance(cause, Exception):
-        yield Problem(place.path, given, str(cause))
+        yield Problem(where.path, given, str(cause))
     elif kind in get_args(core_schema.ErrorType):
         if kind in ("int_type", "float_type", "bool_type") and isinstance(detail["input"], str):
             given = f'"{given}"'  # the quotes are what is wrong with "5"
-        yield Problem(place.path, given, _(_ALLOWED.get(kind, _OTHERWISE)).format(**context))
+        yield Problem(where.path, given, _(_ALLOWED.get(kind, _OTHERWISE)).format(**context))
     else:  # a validator's own PydanticCustomError
-        yield Problem(place.path, given, detail["msg"])
+        yield Problem(where.path, given, detail["msg"])
 
 
-def _wrong_kind(detail: ErrorDetails, place: _Place) -> Problem:
+def _wrong_kind(detail: ErrorDetails, where: _Location) -> Problem:
     """Refuse the `kind` of a table, or say that it is missing."""
-    union = _bare(place.annotation)
+    union = _bare(where.annotation)
     tag = union.tag or ""
     tables = filter(None, (_table(_bare(each).annotation) for each in union.alternatives))
-    kinds = [kind for table in tables for kind in _literals(table.model_fields[tag].annotation)]
-    path = _joined(place.path, tag)
+    kinds = [kind for table in tables for kind in words_of(table.model_fields[tag].annotation)]
+    path = _joined(where.path, tag)
     if detail["type"] == "union_tag_invalid":
         return unlisted(path, value_at(detail["input"], tag), kinds)
     meant = nearest(tag, map(str, cast("Mapping[object, object]", detail["input"])))
@@ -276,10 +284,9 @@ def _wrong_kind(detail: ErrorDetails, place: _Place) -> Problem:
     return Problem(path, None, _("is missing; {expected}").format(expected=one_of(kinds)), repair)
 
 
-def _missing(annotation: object) -> str:
+def missing(annotation: object) -> str:
     """Say that a value is missing, and what it could be."""
-    quantity = next((part for part in _parts(annotation) if isinstance(part, Quantity)), None)
-    words = _literals(annotation)
+    quantity, words = quantity_of(annotation), words_of(annotation)
     if quantity is None and not words:
         return _("is missing")
     wanted = expected(quantity.dimension) if quantity else one_of(words)

@@ -30,10 +30,11 @@ _DECIMALS = {
     "kN": 2,
     "kW": 1,
     "J": 1,
+    "Hz": 2,
 }
-_SLOW_TOO = {"m/s", "m/s^2", "N*m", "N", "kN", "kW", "J", "kg*m^2"}
+_SLOW_TOO = {"m/s", "m/s^2", "N*m", "N", "kN", "kW", "J", "kg*m^2", "Hz"}
 """Units in which a slow or small machine's numbers need more decimals: three figures at least."""
-_PLAIN = {"1": 1.0, "%": 100.0, "m/s^2": 1.0, "J": 1.0}
+_PLAIN = {"1": 1.0, "%": 100.0, "m/s^2": 1.0, "J": 1.0, "Hz": 1 / (2 * np.pi)}
 """Units that are no input's, and how many of them one in SI is."""
 
 

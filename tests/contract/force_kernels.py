@@ -331,31 +331,31 @@ EXAMPLES = {
         YokeLoads(wrench(size), wrench(size)),
         crossing_friction(size),
     ),
-    "crank_pin.pin_load": lambda angle, size, side: (
+    "pin_load.pin_load": lambda angle, size, side: (
         wrench(size),
         fixed_guide(size(0.4), size(-0.9), size(0.6)),
     ),
-    "crank_pin.with_rotating_mass": lambda angle, size, side: (
+    "pin_load.with_rotating_mass": lambda angle, size, side: (
         PinLoad(size(3.0), size(-2.0)),
         size(0.4),
         size(0.3),
         drive(size),
     ),
-    "piston.inertia_force": lambda angle, size, side: (
+    "piston_formulas.inertia_force": lambda angle, size, side: (
         slider_crank_at(angle, size, side)[0].slider,
         size(0.6),
         drive(size),
     ),
-    "piston.piston_forces": of_piston,
-    "piston.piston_identities": piston_parts,
-    "piston.rod_forces": lambda angle, size, side: (
+    "piston_formulas.piston_forces": of_piston,
+    "piston_formulas.piston_identities": piston_parts,
+    "piston_formulas.rod_forces": lambda angle, size, side: (
         group(angle, size, side).rod,
         slider_crank_at(angle, size, side)[0].slider,
         (wrench(size), wrench(size)),
         TwoMasses(size(0.7), size(0.4)),
         drive(size),
     ),
-    "piston.two_harmonic_inertia_force": lambda angle, size, side: (
+    "piston_formulas.two_harmonic_inertia_force": lambda angle, size, side: (
         angle,
         SliderCrank(size(0.3), size(1.0), 0.0),
         size(0.6),

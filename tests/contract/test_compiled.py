@@ -120,7 +120,7 @@ def kernels() -> dict[str, Callable[..., Any]]:
     ):
         module = importlib.import_module(path)
         for name, function in inspect.getmembers(module, inspect.isfunction):
-            short = f"{path.split('.')[2]}.{name}"
+            short = f"{path.split('.')[-1 if path in questions else 2]}.{name}"
             if function.__module__ == path and not name.startswith("_") and short not in NO_KERNELS:
                 found[short] = function
     return found

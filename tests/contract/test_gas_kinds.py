@@ -9,7 +9,7 @@ from pydantic import TypeAdapter
 from tests.gas_engines import FOUR_STROKE, TWO_STROKE, Engine, csv
 
 import cranktrain.gas as gas
-from cranktrain.io.fields import described
+from cranktrain.io.schema import described
 from cranktrain.spec import validated
 
 ROOT = Path(__file__).parents[2]
@@ -86,7 +86,7 @@ def test_pressure_of_the_states_shape(kind, cycle):
     assert pressure.shape == angle.shape
     assert np.all(pressure > 0)
     np.testing.assert_allclose(pressure[1], pressure[0], rtol=1e-9)
-    for sentence in (*kind.doubts(spec, model), *kind.findings(model)):
+    for sentence in (*kind.flags(spec, model), *kind.findings(model)):
         assert sentence[0].isupper()
         assert sentence[-1] in ".?"
 

@@ -90,7 +90,7 @@ def test_help_loads_nothing_that_computes(arguments):
         "import sys\n"
         "from cranktrain.cli import main\n"
         f"assert main({[*arguments, '--help']!r}) == 0\n"
-        "assert {'numpy', 'rich', 'matplotlib', 'cranktrain.viz', 'cranktrain.plans'}.isdisjoint(sys.modules)\n"
+        "assert {'numpy', 'rich', 'matplotlib', 'cranktrain.viz.paper', 'cranktrain.plans'}.isdisjoint(sys.modules)\n"
     )
     environment = {"PYTHONPATH": ":".join(filter(None, sys.path)), "PYTHONUTF8": "1"}
     subprocess.run([sys.executable, "-c", script], env=environment, stdout=subprocess.DEVNULL, check=True)

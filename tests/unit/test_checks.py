@@ -121,8 +121,8 @@ def test_what_a_check_says():
 def test_reactions_that_are_a_little_wrong_are_found(mechanism, masses, joint):
     """A driving torque by 10⁻⁹ of force times arm off is seen, also where there is no torque."""
     result = ct.run(ct.Machine(mechanism=mechanism, shaft=SPEED, masses=masses))
-    loaded = next(gift for gift in result.gifts if isinstance(gift, LoadedMachine))
-    solved = next(gift for gift in result.gifts if isinstance(gift, SolvedCycle))
+    loaded = result[LoadedMachine]
+    solved = result[SolvedCycle]
     (group,) = solved.groups
     force = np.max(np.hypot(result.joint_force_x, result.joint_force_y))
     arm = 0.05 if joint else 0.6

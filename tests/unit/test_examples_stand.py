@@ -162,7 +162,7 @@ STANDING = {
     "3d12": ("The right bank is reached 60 deg after the left one", "", v12),
     "kamaz_740": ("the engine's right side is at the left", "", kamaz),
 }
-UPRIGHT = {"3d12_fit_85_235", "3d12_quoted_rods", "m_503", "r_1340", "textbook_78x78", "vaz_21213"}
+UPRIGHT = {"3d12_fit_85_235", "3d12_quoted_rods", "inline_six", "m_503", "r_1340", "textbook_78x78", "vaz_21213"}
 """Examples that say nothing of where things are: their first cylinder, or the middle of a V, stands upright."""
 
 

@@ -7,6 +7,8 @@ Sources, by machine:
   pin heights of the three sets of rods: closed form in 40 digits, and the reference case articulated_V2.
 * VAZ-21213: order from vaz2121.ru; 1689.9 cm³ = 4 · π/4 · 82² · 80 mm³; dead centres at asin(e/(L + R)) =
   asin(−1.2/176) and asin(e/(L − R)) = asin(−1.2/96).
+* In-line six: discs, shafts and dimensions of openTorsion's example (MIT), after Mendes, Meirelles and Zampieri 2008,
+  doi 10.1243/14644193JMBD126; 7.118 L = 6 · π/4 · 105² · 137 mm³. Natural frequencies of these by 40 digits.
 * KamAZ-740.10: 10.857 L = 8 · π/4 · 120³ mm³ (published: 10.86 L), 10.4 m/s = 2 · 0.12 m · 2600/min; cross-plane order.
 * R-1340: 1343.8 in³ = 9 · π/4 · 5.75³ in³ (published: 1344 in³), 10.95 m/s = 2 · 0.14605 m · 2250/min; order from
   FAA-H-8083-32. What the illustrative rods give: a second code in closed form.
@@ -18,6 +20,7 @@ Sources, by machine:
 import tomllib
 from importlib.resources import files
 
+import mpmath as mp
 import numpy as np
 import pytest
 from tests.reference_case import ReferenceCase
@@ -117,6 +120,33 @@ def test_vaz_21213():
     assert result.firing_interval == pytest.approx(np.full(4, 180.0), abs=1e-9)
     assert of_bank(result, "", result.top_shift) == printed("-0.391")
     assert of_bank(result, "", result.bottom_shift) == printed("-0.716")
+
+
+INLINE_SIX_DISCS = (0.0170, 0.0090, 0.0467, 0.0327, 0.0467, 0.0467, 0.0327, 0.0487, 2.0750)
+INLINE_SIX_SHAFTS = (1.106e6, 1.631e6, 1.253e6, 1.253e6, 1.678e6, 1.253e6, 1.253e6, 1.976e6)
+
+
+def test_inline_six():
+    result = run("inline_six")
+    assert result.displacement / LITRE == printed("7.118")
+    assert firing_order(result) == "1-5-3-6-2-4"
+    assert result.firing_interval == pytest.approx(120)
+    np.testing.assert_allclose(result.disc_inertia, INLINE_SIX_DISCS, atol=1e-6)
+    np.testing.assert_allclose(result.disc_stiffness[:-1], INLINE_SIX_SHAFTS, rtol=1e-15)
+    with mp.workdps(40):
+        stiffness = mp.diag([0] * 9)
+        for one, shaft in enumerate(INLINE_SIX_SHAFTS):
+            stiffness[one, one] += shaft
+            stiffness[one + 1, one + 1] += shaft
+            stiffness[one, one + 1] = stiffness[one + 1, one] = -shaft
+        root = mp.diag([1 / mp.sqrt(disc) for disc in INLINE_SIX_DISCS])
+        published = sorted(mp.eigsy(root * stiffness * root, eigvals_only=True))[1:]
+    np.testing.assert_allclose(result.natural_frequency, [float(mp.sqrt(one)) for one in published], rtol=1e-5)
+    assert [result.natural_frequency[i] / (2 * np.pi) for i in range(3)] == [
+        printed("216.58"),
+        printed("592.74"),
+        printed("984.92"),
+    ]
 
 
 def test_kamaz_740():

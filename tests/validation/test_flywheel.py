@@ -16,7 +16,6 @@ from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.stages import STAGES, run_stages
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.speed import Speed
-from cranktrain.layout.speed_curve import SteadyRunning
 from cranktrain.numerics.periodic import cycle_grid, fourier_curve, plus
 from cranktrain.questions.evenness.applied_torque import applied_torque
 from cranktrain.questions.evenness.excess_work import excess_work
@@ -122,7 +121,7 @@ def whole_machine(torque, speed, **evenness: Any) -> dict[type, Any]:
     square = known[Speed].value[0] ** 2
     torques = replace(torques, driving_torque=torques.reduced_inertia_slope * square / 2 - torque)
     load, angle = known[ShaftLoad], known[CrankAngle]
-    applied = applied_torque(load, SteadyRunning(), torques, known[LoadedMachine], angle)
+    applied = applied_torque(torques, known[LoadedMachine], angle)
     rest = applied.applied_torque[:, np.newaxis]
     sources = TorqueSources(((),), rest, *np.zeros((2, *rest[:, 0].shape)), np.zeros(1))
     work = shaft_work(applied, sources, None, torques, angle)

@@ -57,7 +57,7 @@ def test_measured_diesel():
     case.compare_value("imep_net_Pa", split.net)
     case.compare_value("imep_gross_Pa", split.gross)
     assert diagram_work(diagram, engine.slope) / engine.swept == pytest.approx(split.net, rel=1e-6)
-    assert diagram.doubts == ()
+    assert diagram.flags == ()
 
 
 def test_computed_diesel_with_firing_at_360_degrees():
@@ -188,7 +188,7 @@ def test_pressure_over_volume_is_unrolled():
     angle = np.radians(np.arange(-120, 120, 0.1))
     error = np.abs(pressure_at(diagram, angle) - wiebe(ENGINE, WIEBE, angle)) / WIEBE["p_max"]
     assert np.max(error) < 7e-4
-    assert not any("in one step" in doubt for doubt in diagram.doubts)
+    assert not any("in one step" in flag for flag in diagram.flags)
     outward = slice(0, 200)
     at = angle[angle > 0]
     linear = np.interp(ENGINE.volume(at).value, volume[outward], pressure[outward])
@@ -220,7 +220,7 @@ def test_coarse_rows_of_a_burning_cycle(shift):
     diagram = diagram_of(csv(degrees, wiebe_cycle(ENGINE, WIEBE, np.radians(degrees))), ENGINE)
     assert crest(diagram.curve)[1] == pytest.approx(WIEBE["p_max"], rel=0.015)
     assert diagram_work(diagram, ENGINE.slope) / ENGINE.swept == pytest.approx(IMPORT["imep_net"], rel=0.002)
-    assert not any("in one step" in doubt for doubt in diagram.doubts)
+    assert not any("in one step" in flag for flag in diagram.flags)
 
 
 OTTO = PRESSURE["ideal"]["cycles"]["otto"]
@@ -254,7 +254,7 @@ def test_otto_with_its_jumps_as_two_rows(jumps):
     assert diagram_work(diagram, ENGINE.slope) / ENGINE.swept == pytest.approx(OTTO["imep_net"], rel=1e-3)
     assert crest(diagram.curve) == pytest.approx((0.0, OTTO["p3"]), rel=1e-12)
     assert pressure_at(diagram, np.array([-1e-12, 0.0])) == pytest.approx([OTTO["p2"], OTTO["p3"]], rel=1e-9)
-    assert diagram.doubts == ()
+    assert diagram.flags == ()
     assert any("The pressure jumps where the file gives two" in finding for finding in diagram.findings)
 
 
@@ -263,7 +263,7 @@ def test_otto_with_its_jumps_lost_between_rows(shift):
     """2 % of the mean pressure, and a sentence that says where to look."""
     diagram = diagram_of(otto_text([], shift), ENGINE)
     assert diagram_work(diagram, ENGINE.slope) / ENGINE.swept == pytest.approx(OTTO["imep_net"], rel=0.02)
-    (told,) = (doubt for doubt in diagram.doubts if "in one step" in doubt)
+    (told,) = (flag for flag in diagram.flags if "in one step" in flag)
     assert f"Between {710 + shift}° and {720 + shift}°" in told
     assert crest(diagram.curve)[1] < 1.01 * np.max(diagram.pressures)
 

@@ -6,11 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from cranktrain.catalogue import entries
+from cranktrain.catalogue import entries, values
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import Parts
 from cranktrain.motion import Array
+from cranktrain.numerics.nested import mapped
 
 FACTS_STEP = np.pi / 180
 """Of the grid from which facts are found. [rad]"""
@@ -46,9 +47,10 @@ def with_curves(facts: Mapping[type, object], curves: Mapping[type, object], eve
     """
     merged: dict[type, Any] = dict(facts)
     for kind, gift in curves.items() if curves is not facts or every > 1 else ():
-        moved = {entry.name: getattr(gift, entry.name)[..., ::every] for entry in entries(kind) if not entry.is_fact}
-        if moved and kind in merged:
-            merged[kind] = replace(merged[kind], **moved)
+        fields = {entry.path.partition(".")[0]: None for entry in entries(kind) if not entry.is_fact}
+        if fields and kind in merged:
+            held = mapped(lambda _name, curve: curve[..., ::every], tuple(getattr(gift, name) for name in fields))
+            merged[kind] = replace(merged[kind], **dict(zip(fields, held, strict=True)))
     return merged
 
 
@@ -70,7 +72,7 @@ def coarse_curves(facts: Mapping[type, object], curves: Mapping[type, object], s
         for entry in entries(kind) if kind in facts else ():
             if not entry.is_fact:
                 # Designs of one machine differ in numbers alone: the first speaks for all.
-                missed[entry.name] = _missed(getattr(gift, entry.name)[:1], getattr(facts[kind], entry.name)[:1])
+                missed[entry.name] = _missed(values(gift, entry)[:1], values(facts[kind], entry)[:1])
     worst = sorted((name for name in missed if missed[name] > _COARSE), key=lambda name: -missed[name])
     if not worst:
         return ()

@@ -1,8 +1,8 @@
 """The result: every quantity by name, its facts, checks, what is missing, and sentences that answer."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -10,7 +10,7 @@ from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis.dimensions import DIMENSIONS
 from cranktrain.analysis.stages import Missing
 from cranktrain.analysis.unused import Unused, sentences
-from cranktrain.catalogue import Entry, entries
+from cranktrain.catalogue import Entry, entries, values
 from cranktrain.checks import Check
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.machine import Machine
@@ -20,6 +20,8 @@ from cranktrain.record import record
 
 if TYPE_CHECKING:
     import xarray
+
+Gift = TypeVar("Gift")
 
 
 class Fact(NamedTuple):
@@ -34,7 +36,8 @@ class Result:
     """What a machine does, as far as its file says.
 
     Every quantity of `catalogue` is an attribute: a read-only array in the unit of its entry, the same numbers as in a
-    file or dataset, with the entry's dimensions (and `design` before them where several machines were run).
+    file or dataset, with the entry's dimensions (and `design` before them where several machines were run). What a
+    stage gave as a whole is had by its type, `result[FlywheelSize]`.
 
     Attributes
     ----------
@@ -84,18 +87,33 @@ class Result:
         if name.startswith("_"):
             raise AttributeError(name)
         if name not in self._homes:
-            raise AttributeError(self._absence(name))
+            raise AttributeError(self._absence(name, self.needs_of(name), self._homes))
         entry, gift = self._homes[name]
-        inside: Array = getattr(gift, name)
-        values = _read_only(shown(inside, "deg")) if entry.unit == "deg" else inside
-        return values if self.has_designs else values[0]
+        inside: Array = values(gift, entry)
+        given = _read_only(shown(inside, "deg")) if entry.unit == "deg" else inside
+        return given if self.has_designs else given[0]
 
-    def _absence(self, name: str) -> str:
-        """Say why there is no such quantity."""
-        needs = next((missing.needs for missing in self.missing if name in missing.results), ())
+    def get(self, kind: type[Gift]) -> Gift | None:
+        """Give what a stage gave by its type, in SI and radians, with the design axis; None where there is none."""
+        return next((gift for gift in self.gifts if isinstance(gift, kind)), None)
+
+    def __getitem__(self, kind: type[Gift]) -> Gift:
+        """Give what a stage gave, as `get` does; a `KeyError` says why there is none."""
+        found = self.get(kind)
+        if found is None:
+            needs = self.needs_of(*(entry.name for entry in entries(kind)))
+            raise KeyError(self._absence(kind.__name__, needs, (type(gift).__name__ for gift in self.gifts)))
+        return found
+
+    def needs_of(self, *quantities: str) -> tuple[str, ...]:
+        """What the machine file would have to say for quantities that are missing; nothing of others."""
+        return next((one.needs for one in self.missing if not set(quantities).isdisjoint(one.results)), ())
+
+    def _absence(self, wanted: str, needs: Sequence[str], there: Iterable[str]) -> str:
+        """Say why there is no such quantity, or stage's result."""
         if needs:
-            return f"this result has no {name}, which needs {', '.join(needs)}"
-        return f"this result has no {name}; it has {', '.join(self._homes)}"
+            return f"this result has no {wanted}, which needs {', '.join(needs)}"
+        return f"this result has no {wanted}; it has {', '.join(there)}"
 
     def __dir__(self) -> list[str]:
         """List the quantities too, for completion in a notebook."""

@@ -151,7 +151,7 @@ def _needed(stages: Sequence[Stage], names: Sequence[str]) -> tuple[Stage, ...]:
             for name in unknown
         )
     needed = leading_to(stages, [home[name].gives for name in names])
-    # What needs nothing, as doubts, takes what there is.
+    # What needs nothing, as flags on masses, takes what there is.
     return tuple(one for one in stages if one in needed or set(one.needs) <= set(one.optional))
 
 

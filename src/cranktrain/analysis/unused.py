@@ -36,7 +36,7 @@ def sentences(found: Sequence[Unused]) -> list[str]:
 
 
 def _sentence(tables: Sequence[str], needs: Sequence[str], consequence: str) -> str:
-    """Say it of some tables."""
+    """Say that some tables are not used, what they all lack, and what the results are without them."""
     one, more = N_("{tables} is not used: {missing}"), N_("{tables} are not used: {missing}")
     is_one, are_more = N_("{needs} is missing"), N_("{needs} are missing")
     missing = _(is_one if len(needs) == 1 else are_more).format(needs=_listed(needs))

@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from cranktrain import __version__
+from cranktrain.cli.naming_pictures import NamingPictures
 from cranktrain.cli.options import File, Force, Output, Partial, RunningSpeed, Settings, SpeedCurve, degrees
 from cranktrain.cli.task import Task, put_off, task_of
 from cranktrain.language import _
@@ -175,6 +176,7 @@ def _run(
         "  cranktrain plot vaz_21213 --sheet forces --running-speed -o running.pdf\n"
         "  cranktrain plot pumping_unit_c57 -o unit.gif"
     ),
+    cls=NamingPictures,
 )
 @put_off
 def _plot(
@@ -192,16 +194,12 @@ def _plot(
         str | None,
         typer.Option(
             metavar="PLAN",
-            help=_(
-                "A plan of: positions, velocities, accelerations, klein, centres, forces, zhukovsky, polar; "
-                "or a construction: arc, projection, brix, brix-backward; "
-                "of the flywheel: wittenbauer, mertsalov."
-            ),
+            help=_("A plan, a construction of the old texts or a diagram: {pictures}."),
         ),
     ] = None,
     sheet: Annotated[
         str | None,
-        typer.Option(metavar="SHEET", help=_("The sheet of the machine, unless given; or of its forces: `forces`.")),
+        typer.Option(metavar="SHEET", help=_("The sheet of the machine, unless given; one of: {pictures}.")),
     ] = None,
     at: Annotated[
         str | None,
@@ -249,12 +247,11 @@ def _plot(
     context_settings={"ignore_unknown_options": True, "allow_extra_args": True, "allow_interspersed_args": False},
     help=_("Find dimensions for what a mechanism is to do, and write its machine file."),
 )
-def _synthesise(context: typer.Context) -> Task:
-    from cranktrain.cli.synthesis.command import (
-        synthesis_task,  # its many options are told to Typer only when they are needed
-    )
+@put_off
+def _synthesise(context: typer.Context) -> None:
+    from cranktrain.cli.synthesis.command import app  # its many options are told to Typer only when they are needed
 
-    return synthesis_task(context.args)
+    task_of(app, context.args, "cranktrain synthesise")()
 
 
 @_app.command(

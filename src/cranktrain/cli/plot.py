@@ -1,62 +1,36 @@
 """`plot`: a machine as a sheet, a plan, a moving picture or a DXF; the file's name says which."""
 
 import logging
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import PurePath
-from typing import TYPE_CHECKING, Literal, TypeAlias
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
-from cranktrain.cli.running_speed import OPTION, told_at_option
+from cranktrain.cli.running_speed import OPTION, problems_at_option
 from cranktrain.cli.speed_curve import OPTION as SPEED_CURVE
-from cranktrain.cli.speed_curve import speed_settings, told_as_typed
+from cranktrain.cli.speed_curve import problems_as_typed, speed_settings
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.machine_file import MachineFile, computed, read_machine
 from cranktrain.language import _
 from cranktrain.one_line import one_line
 from cranktrain.quantities import Dimension, QuantityError, read, shown, unlisted
+from cranktrain.viz import PICTURES, save, save_animation
+from cranktrain.viz.output import FORMATS
+from cranktrain.viz.picture import Picture
 
 if TYPE_CHECKING:
-    from cranktrain.viz.paper.page import Figure
+    from cranktrain.analysis import Result
 
-Angles: TypeAlias = int | Sequence[float]
-"""How many crank angles over a turn, or which. [deg]"""
+Angles: TypeAlias = int | list[float] | Literal["source"]
+"""How many crank angles over a turn, which [deg], or the twelve positions of [slider-crank-synthesis]."""
 
-PLANS = {
-    "positions": "plan_positions",
-    "velocities": "plan_velocities",
-    "accelerations": "plan_accelerations",
-    "klein": "plan_klein",
-    "centres": "plan_centres",
-    "forces": "plan_forces",
-    "zhukovsky": "plan_zhukovsky",
-    "polar": "plan_polar",
-    "arc": "plan_arc",
-    "projection": "plan_projection",
-    "brix": "plan_brix",
-    "brix-backward": "plan_brix_backward",
-    "wittenbauer": "plan_wittenbauer",
-    "mertsalov": "plan_mertsalov",
-}
-"""Plans by name: what of `cranktrain.viz` draws them."""
+NAMED = {kind: {one.name: one for one in PICTURES if one.kind == kind} for kind in ("plan", "sheet", "file")}
+"""Pictures by their kind and name."""
 
-_WHOLE_CYCLE = ("wittenbauer", "mertsalov")
-"""Plans of the machine over its cycle, not of one mechanism at some angles."""
-
-_AT_A_SPEED = ("positions", "velocities", "accelerations", "forces", "zhukovsky", "polar")
-"""Plans that another speed of the crank changes."""
-SHEETS_OF = {"machine": "sheet", "forces": "sheet_forces"}
-"""Sheets by name: what of `cranktrain.viz` draws them."""
-
-SOURCE_ANGLES = "source"
-"""What `--at` says for the twelve positions of [slider-crank-synthesis]."""
-
-SHEETS, ANIMATION, DRAWING = (".png", ".svg", ".pdf"), ".gif", ".dxf"
-SUFFIXES = (*SHEETS, ANIMATION, DRAWING)
-
-_TWELVE = ("positions", "arc", "projection", "brix")
-"""Plans that can have the source's twelve positions."""
+SUFFIXES = (*FORMATS, *NAMED["file"])
 
 _SIZES = ("A4", "A3")
+_SHEET = "machine"
 _POSITIONS = 12
 """Of a DXF, unless said otherwise."""
 
@@ -82,19 +56,12 @@ class Request:
     speed_curve: str | None = None
 
 
-@dataclass(frozen=True)
-class Picture:
-    """What is drawn: the file's name and ending, and the request as it was understood; None for what was not said."""
+class Choice(NamedTuple):
+    """A request as it was understood: which picture, at which angles if any were said, on which paper."""
 
-    output: str
-    suffix: str
-    plan: str | None
+    picture: Picture
     angles: Angles | None
-    mechanism: str | None
     size: str
-    is_at_source_angles: bool = False
-    sheet: str = "machine"
-    speed: Literal["constant", "running"] = "constant"
 
 
 def write_picture(request: Request) -> None:
@@ -105,22 +72,22 @@ def write_picture(request: Request) -> None:
     InputError
         With everything that is wrong with the options, else with the machine, else with what cannot be drawn.
     """
-    picture = understood(request)
+    choice = understood(request)
     # What the plotting library says of its fonts and its folder is nothing that a user asked for.
     logging.getLogger("matplotlib").setLevel(logging.ERROR)
-    with told_as_typed(request.speed_curve):
+    with problems_as_typed(request.speed_curve):
         settings = (*request.settings, *speed_settings(request.speed_curve))
         file = read_machine(request.file, settings, partial=request.is_partial)
     try:
-        _mechanism_found(file, picture)
-        with told_at_option():
-            _drawn(file, picture, request)
+        _check_mechanism(file, request.mechanism)
+        with problems_at_option():
+            _draw(file, choice, request)
     except InputError as error:
         raise InputError(_placed(error.problems, file, request)) from None
-    print(_("written: {name}").format(name=one_line(picture.output)))
+    print(_("written: {name}").format(name=one_line(request.output or "")))
 
 
-def understood(request: Request) -> Picture:
+def understood(request: Request) -> Choice:
     """Read the options; refuse those that do not go together.
 
     Parameters
@@ -129,106 +96,74 @@ def understood(request: Request) -> Picture:
 
     Returns
     -------
-    Picture
+    Choice
 
     Raises
     ------
     InputError
         With everything that is wrong.
     """
-    problems: list[Problem] = []
     suffix = PurePath(request.output or "").suffix.lower()
+    problems = list(_output_problems(request, suffix))
+    names = {"plan": request.plan, "sheet": request.sheet}
+    found = {kind: NAMED[kind].get(name.strip().casefold()) for kind, name in names.items() if name is not None}
+    file = NAMED["file"].get(suffix)
+    picture = file or next(iter(found.values()), NAMED["sheet"][_SHEET])
+    if picture is not None and suffix in SUFFIXES:
+        problems += _refused(request, picture)
+    if file is None and len(found) > 1:
+        problems.append(Problem("--sheet", request.sheet, _("must be left out: a picture is a plan or a sheet")))
+    problems += [unlisted(f"--{kind}", names[kind], tuple(NAMED[kind])) for kind, one in found.items() if one is None]
+    size = (request.size or _SIZES[0]).strip().upper()
+    if size not in _SIZES:
+        problems.append(unlisted("--size", request.size, _SIZES))
+    angles = None
+    try:
+        angles = _angles(request.at, picture)
+    except InputError as error:
+        problems += error.problems
+    if problems or picture is None:
+        raise InputError(problems)
+    return Choice(picture, angles, size)
+
+
+def _output_problems(request: Request, suffix: str) -> Iterator[Problem]:
+    """Refuse a name of the picture that says nothing of its form."""
     if request.output is None:
         name = one_line(PurePath(request.file).stem) or "3d12"
         example = f"cranktrain plot {one_line(request.file) or name} -o {name}.png"
         allowed = _("is missing: the name of the picture, which ends in one of: {suffixes}")
         repair = _("such as: {example}").format(example=example)
-        problems.append(Problem("-o", None, allowed.format(suffixes=", ".join(SUFFIXES)), repair))
+        yield Problem("-o", None, allowed.format(suffixes=", ".join(SUFFIXES)), repair)
     elif suffix not in SUFFIXES:
         allowed = _("must end in one of: {suffixes}").format(suffixes=", ".join(SUFFIXES))
-        problems.append(Problem("-o", request.output, allowed))
-    else:
-        problems += _misplaced(request, suffix)
-    plan = request.plan and request.plan.strip().casefold()
-    if plan is not None and plan not in PLANS:
-        problems.append(unlisted("--plan", request.plan, tuple(PLANS)))
-    else:
-        options = {OPTION: request.is_at_running_speed, SPEED_CURVE: request.speed_curve is not None}
-        problems += [
-            problem for name, is_so in options.items() if is_so for problem in _speed_misplaced(name, plan, suffix)
-        ]
-    sheet = (request.sheet or "machine").strip().casefold()
-    if sheet not in SHEETS_OF:
-        problems.append(unlisted("--sheet", request.sheet or "", tuple(SHEETS_OF)))
-    size = (request.size or _SIZES[0]).strip().upper()
-    if size not in _SIZES:
-        problems.append(unlisted("--size", request.size, _SIZES))
-    is_at_source_angles = plan in _TWELVE and (request.at or "").strip().casefold() == SOURCE_ANGLES
-    angles = None
-    try:
-        angles = (
-            None if is_at_source_angles else _angles(request.at, is_count_meant=plan is not None or suffix == DRAWING)
-        )
-    except InputError as error:
-        problems += error.problems
-    if problems:
-        raise InputError(problems)
-    speed = "running" if request.is_at_running_speed else "constant"
-    name = request.output or ""
-    return Picture(name, suffix, plan, angles, request.mechanism, size, is_at_source_angles, sheet, speed)
+        yield Problem("-o", request.output, allowed)
 
 
-def _misplaced(request: Request, suffix: str) -> Iterator[Problem]:
-    """Refuse options that mean nothing for the kind of picture."""
-    options = {
-        "--plan": request.plan,
-        "--at": request.at,
-        "--mechanism": request.mechanism,
-        "--size": request.size,
-        "--sheet": request.sheet,
+def _refused(request: Request, picture: Picture) -> Iterator[Problem]:
+    """Refuse options that mean nothing for a picture."""
+    typed = {
+        "plan": request.plan,
+        "at": request.at,
+        "mechanism": request.mechanism,
+        "size": request.size,
+        "sheet": request.sheet,
     }
-    if suffix == ANIMATION:
-        allowed = _("must be left out: a .gif shows one turn of the first throw")
-        unused = tuple(options)
-    elif suffix == DRAWING:
-        allowed = _("must be left out: a .dxf holds all plans, in true millimetres")
-        unused = ("--plan", "--size", "--sheet")
-    elif request.plan is not None and request.sheet is not None:
-        allowed = _("must be left out: a picture is a plan or a sheet")
-        unused = ("--sheet",)
-    elif request.plan is not None and request.plan.strip().casefold() in _WHOLE_CYCLE:
-        allowed = _("must be left out: this plan is of the whole machine over its cycle")
-        unused = ("--at", "--mechanism")
-    elif request.plan is not None:
-        unused, allowed = (), ""
-    elif (request.sheet or "").strip().casefold() == "forces":
-        allowed = _("must be left out: the sheet of forces has the whole cycle")
-        unused = ("--at",)
-    else:
-        allowed = _("must be left out: a sheet shows the first throw; only a plan or a .dxf is of one mechanism")
-        unused = ("--mechanism",)
-    yield from (Problem(name, options[name], allowed) for name in unused if options[name] is not None)
+    for option, given in typed.items():
+        if given is not None and option in picture.refused:
+            yield Problem(f"--{option}", given, _(picture.refused[option]))
+    for option, is_so in {OPTION: request.is_at_running_speed, SPEED_CURVE: request.speed_curve is not None}.items():
+        if is_so and "speed" in picture.refused:
+            yield Problem(option, None, _(picture.refused["speed"]))
 
 
-def _speed_misplaced(option: str, plan: str | None, suffix: str) -> Iterator[Problem]:
-    """Refuse a speed over the cycle for what is alike at every speed, or for what that speed is found from."""
-    if suffix == ANIMATION:
-        allowed = _("must be left out: a .gif shows positions in even steps of the crank angle")
-    elif plan in _WHOLE_CYCLE:
-        allowed = _("must be left out: this diagram is what the running speed is found from")
-    elif plan == "klein":
-        allowed = _("must be left out: Klein's construction is for a crank that turns evenly; ask for accelerations")
-    elif plan is not None and plan not in _AT_A_SPEED:
-        allowed = _("must be left out: this plan is the same at every speed")
-    else:
-        return
-    yield Problem(option, None, allowed)
-
-
-def _angles(text: str | None, *, is_count_meant: bool) -> Angles | None:
-    """Read crank angles, or where it is meant a count."""
-    if text is None:
+def _angles(text: str | None, picture: Picture | None) -> Angles | None:
+    """Read crank angles: of a plan a count too, of some the source's."""
+    if text is None or (picture is not None and "at" in picture.refused):
         return None
+    if picture is not None and picture.source_angles and text.strip().casefold() == "source":
+        return "source"
+    is_count_meant = picture is None or picture.over == "angles"
     if is_count_meant and text.strip().isdecimal():
         return int(text)
     angles: list[float] = []
@@ -247,60 +182,54 @@ def _angles(text: str | None, *, is_count_meant: bool) -> Angles | None:
     return angles
 
 
-def _mechanism_found(file: MachineFile, picture: Picture) -> None:
+def _check_mechanism(file: MachineFile, name: str | None) -> None:
     """Refuse a mechanism that the machine does not have."""
     from cranktrain.plans.placement import place_called
 
-    if picture.mechanism is None:
+    if name is None:
         return
     try:
-        place_called(file.machine, picture.mechanism)
+        place_called(file.machine, name)
     except InputError as error:
         raise InputError(replace(problem, path="--mechanism") for problem in error.problems) from None
 
 
-def _drawn(file: MachineFile, picture: Picture, request: Request) -> None:
+def _draw(file: MachineFile, choice: Choice, request: Request) -> None:
     """Draw once the file is known to be possible, and write it."""
-    from cranktrain.viz import SHEET_QUANTITIES, dxf, save, save_animation
-
-    if picture.suffix == DRAWING:
-        angles = _POSITIONS if picture.angles is None else picture.angles
-        name, whose = picture.output, picture.mechanism
-        dxf(file.machine, angles, name, mechanism=whose, speed=picture.speed, force=request.force)
-    elif picture.suffix == ANIMATION:
-        result = computed(file, partial=request.is_partial, quantities=SHEET_QUANTITIES)
-        save_animation(result, picture.output, force=request.force)
+    picture, name, force = choice.picture, request.output or "", request.force
+    if picture.name == ".gif":
+        save_animation(_result(file, picture, request), name, force=force)
+    elif picture.name == ".dxf":
+        options = {"angles": _POSITIONS} | _of_machine(file, choice, request)
+        picture.function(file.machine, path=name, **options, force=force)
+    elif picture.over == "angles":
+        options = _of_machine(file, choice, request) | {"size": choice.size}
+        save(lambda: picture.function(file.machine, **options), name, force=force)
     else:
-        save(lambda: _figure(file, picture, request), picture.output, force=request.force)
+        angle = {"at": choice.angles[0]} if isinstance(choice.angles, list) else {}
+        whose = {"piston": request.mechanism} if request.mechanism is not None else {}
+        options = angle | whose | {"size": choice.size}
+        save(lambda: picture.function(_result(file, picture, request), **options), name, force=force)
 
 
-def _figure(file: MachineFile, picture: Picture, request: Request) -> "Figure":
-    """Draw a plan, or the sheet."""
-    from cranktrain import viz
-
-    if picture.plan is None:
-        if picture.sheet == "forces":
-            result = computed(file, speed=picture.speed, partial=request.is_partial)
-            return viz.sheet_forces(result, size=picture.size, piston=picture.mechanism)
-        quantities = viz.SHEET_QUANTITIES
-        result = computed(file, speed=picture.speed, partial=request.is_partial, quantities=quantities)
-        if isinstance(picture.angles, Sequence):
-            return viz.sheet(result, size=picture.size, at=picture.angles[0])
-        return viz.sheet(result, size=picture.size)
-    draw: Callable[..., Figure] = getattr(viz, PLANS[picture.plan])
-    if picture.plan in _WHOLE_CYCLE:
-        return draw(computed(file, partial=request.is_partial), size=picture.size)
-    angles = _source_angles(file, picture) if picture.is_at_source_angles else picture.angles
-    chosen = {} if angles is None else {"angles": angles}
-    at_speed = {"speed": picture.speed} if picture.plan in _AT_A_SPEED else {}
-    return draw(file.machine, **chosen, **at_speed, mechanism=picture.mechanism, size=picture.size)
+def _result(file: MachineFile, picture: Picture, request: Request) -> "Result":
+    """What a picture over the cycle is drawn of."""
+    speed = "running" if request.is_at_running_speed else "constant"
+    return computed(file, speed=speed, partial=request.is_partial, quantities=picture.quantities)
 
 
-def _source_angles(file: MachineFile, picture: Picture) -> Sequence[float]:
-    """Crank angles of the source's positions, counted as the plan counts them."""
+def _of_machine(file: MachineFile, choice: Choice, request: Request) -> dict[str, Any]:
+    """What is said of a picture at crank angles; a speed only where there is one to be chosen."""
     from cranktrain.plans.positions import source_angles
 
-    return source_angles(file.machine, mechanism=picture.mechanism, is_shown=picture.plan == "positions")
+    angles, mechanism = choice.angles, request.mechanism
+    if angles == "source":
+        is_shown = choice.picture.source_angles == "shown"
+        angles = source_angles(file.machine, mechanism=mechanism, is_shown=is_shown)
+    options: dict[str, Any] = {"mechanism": mechanism} | ({} if angles is None else {"angles": angles})
+    if "speed" not in choice.picture.refused:
+        options["speed"] = "running" if request.is_at_running_speed else "constant"
+    return options
 
 
 def _placed(problems: Sequence[Problem], file: MachineFile, request: Request) -> Iterator[Problem]:

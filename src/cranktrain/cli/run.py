@@ -4,9 +4,9 @@ from collections.abc import Iterator
 from pathlib import PurePath
 
 from cranktrain.analysis import Result
-from cranktrain.cli.running_speed import told_at_option
+from cranktrain.cli.running_speed import problems_at_option
 from cranktrain.cli.screen.text import page
-from cranktrain.cli.speed_curve import speed_settings, told_as_typed
+from cranktrain.cli.speed_curve import problems_as_typed, speed_settings
 from cranktrain.errors import InputError, Problem
 from cranktrain.io.machine_file import MachineFile, computed, read_machine
 from cranktrain.io.output import write_whole
@@ -38,7 +38,7 @@ def show_run(request: Request, *, with_inputs: bool = False) -> None:
     if request.quantities == ():
         allowed = _("must be names of results, with commas between; `cranktrain list results` names them")
         raise InputError([Problem("--quantities", '""', allowed)])
-    with told_as_typed(request.speed_curve):
+    with problems_as_typed(request.speed_curve):
         settings = (*request.settings, *speed_settings(request.speed_curve))
         file = read_machine(request.file, settings, partial=request.is_partial)
     if request.output is None or suffix is None:
@@ -68,7 +68,7 @@ def _suffix(output: str | None) -> str | None:
 
 def _computed(file: MachineFile, request: Request) -> Result:
     """Compute; refuse a quantity that was asked for and that this machine does not give."""
-    with told_at_option():
+    with problems_at_option():
         result = computed(
             file,
             speed="running" if request.is_at_running_speed else "constant",

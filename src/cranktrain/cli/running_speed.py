@@ -1,4 +1,4 @@
-"""The option `--running-speed`: what is wrong with the speed is told there."""
+"""The option `--running-speed`: what is wrong with the speed is a problem of it."""
 
 from collections.abc import Generator
 from contextlib import contextmanager
@@ -10,8 +10,8 @@ OPTION = "--running-speed"
 
 
 @contextmanager
-def told_at_option() -> Generator[None]:
-    """Tell why there is no running speed at the option that asks for it."""
+def problems_at_option() -> Generator[None]:
+    """Put what is wrong with the running speed to the option that asks for it."""
     try:
         yield
     except InputError as error:

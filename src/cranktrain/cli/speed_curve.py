@@ -18,8 +18,8 @@ def speed_settings(file: str | None) -> tuple[str, ...]:
 
 
 @contextmanager
-def told_as_typed(file: str | None) -> Generator[None]:
-    """Tell what is wrong with the file's name at the option."""
+def problems_as_typed(file: str | None) -> Generator[None]:
+    """Put what is wrong with the file's name to the option that gives it."""
     try:
         yield
     except InputError as error:

@@ -12,12 +12,13 @@ from typing import Annotated
 from pydantic import Field
 
 from cranktrain.gas import diesel, dual, indicator, otto
-from cranktrain.gas.kind import Chamber, GasKind, GasSpec, Kink
+from cranktrain.gas.kind import AnyGasKind, Chamber, GasKind, GasSpec, Kink
 from cranktrain.gas.state import ChamberState, VolumeLimits, chamber_state
 
 __all__ = [
     "KINDS",
     "AnyGas",
+    "AnyGasKind",
     "Chamber",
     "ChamberState",
     "GasKind",
@@ -29,18 +30,18 @@ __all__ = [
     "kind_of",
 ]
 
-KINDS: tuple[GasKind, ...] = (indicator.KIND, otto.KIND, diesel.KIND, dual.KIND)
+KINDS: tuple[AnyGasKind, ...] = (indicator.KIND, otto.KIND, diesel.KIND, dual.KIND)
 
 AnyGas = Annotated[
     indicator.IndicatorSpec | otto.OttoSpec | diesel.DieselSpec | dual.DualSpec, Field(discriminator="kind")
 ]
 
 
-def kind_named(name: str) -> GasKind:
+def kind_named(name: str) -> AnyGasKind:
     """Give the kind of that name."""
     return next(kind for kind in KINDS if kind.name == name)
 
 
-def kind_of(spec: GasSpec) -> GasKind:
+def kind_of(spec: GasSpec) -> AnyGasKind:
     """Give the kind of a gas model."""
     return kind_named(spec.kind)

@@ -1,7 +1,7 @@
 """What every kind of gas model gives: its spec, what it makes of it for a chamber, and the pressure by the state."""
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any, Generic, NamedTuple, TypeAlias, TypeVar
 
 from cranktrain.gas.state import ChamberState, VolumeLimits
 from cranktrain.gas.work import MeanPressures
@@ -53,8 +53,12 @@ class Kink(NamedTuple):
     turn: float
 
 
+_Table = TypeVar("_Table", bound=GasSpec)
+_Model = TypeVar("_Model")
+
+
 @record
-class GasKind:
+class GasKind(Generic[_Table, _Model]):
     """A kind of gas model, as data.
 
     Attributes
@@ -67,7 +71,7 @@ class GasKind:
         What `pressure` takes. Raises `InputError`, paths relative to the table, where it does not suit the chamber.
     pressure : callable (ChamberState, model) → Array
         Absolute pressure at each crank angle, of the state's shape. [Pa]
-    doubts : callable (spec, model) → tuple of str
+    flags : callable (spec, model) → tuple of str
         What may be meant otherwise than it was given, as sentences.
     example : str
         A commented `[gas]` table to start from.
@@ -88,14 +92,18 @@ class GasKind:
 
     name: str
     title: str
-    spec: type[GasSpec]
-    model: Callable[[Any, Chamber], Any]
-    pressure: Callable[[ChamberState, Any], Array]
-    doubts: Callable[[Any, Any], tuple[str, ...]]
+    spec: type[_Table]
+    model: Callable[[_Table, Chamber], _Model]
+    pressure: Callable[[ChamberState, _Model], Array]
+    flags: Callable[[_Table, _Model], tuple[str, ...]]
     example: str
-    findings: Callable[[Any], tuple[str, ...]] = lambda model: ()
-    mean_pressures: Callable[[Any, Array], MeanPressures] | None = None
-    kinks: Callable[[Any, VolumeLimits], tuple[Kink, ...]] = lambda model, limits: ()
-    work: Callable[[Any, Callable[[Array], Array]], float] | None = None
-    breaks: Callable[[Any], Array] | None = None
-    jumps: Callable[[Any], Array] | None = None
+    findings: Callable[[_Model], tuple[str, ...]] = lambda model: ()
+    mean_pressures: Callable[[_Model, Array], MeanPressures] | None = None
+    kinks: Callable[[_Model, VolumeLimits], tuple[Kink, ...]] = lambda model, limits: ()
+    work: Callable[[_Model, Callable[[Array], Array]], float] | None = None
+    breaks: Callable[[_Model], Array] | None = None
+    jumps: Callable[[_Model], Array] | None = None
+
+
+AnyGasKind: TypeAlias = GasKind[Any, Any]
+"""A kind that is known only when it runs."""

@@ -41,9 +41,8 @@ def _sentences(result: Result) -> Iterator[tuple[str, str]]:
     if result.unused:
         yield "unused", " ".join(sentences(result.unused))
     yield "crank_angle", _crank_angle(machine)
-    for gift in result.gifts:
-        if isinstance(gift, SpeedCurve):
-            yield "crank_speed", gift.answer(result.labels, 0)
+    if (curve := result.get(SpeedCurve)) is not None:
+        yield "crank_speed", curve.answer(result.labels, 0)
     if "piston" in result.labels:
         yield (
             "piston_displacement",

@@ -10,7 +10,6 @@ from pydantic import BeforeValidator, TypeAdapter
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
-from cranktrain.io.fields import described
 from cranktrain.language import _
 from cranktrain.layout.specs import BankSpec
 from cranktrain.machine import Machine
@@ -18,7 +17,6 @@ from cranktrain.mechanisms import KINDS
 from cranktrain.quantities import Given, Quantity, Status
 from cranktrain.quantities.dimensions import Dimension, spellings
 from cranktrain.quantities.number import PATTERN
-from cranktrain.questions.cylinders.spec import CylinderSpec, CylindersSpec
 from cranktrain.spec import Spec
 
 Schema = dict[str, Any]
@@ -50,6 +48,12 @@ def machine_schema() -> Schema:
     }
 
 
+def described(spec: type[Spec], field: str) -> str:
+    """Say what a key of the machine file is: what its declaration says, or that of a base class which it narrows."""
+    homes = (base.model_fields[field] for base in spec.__mro__ if issubclass(base, Spec) and field in base.model_fields)
+    return _(next(home.description for home in homes if home.description))
+
+
 class _Writer:
     """Writes schemas of specs; what is used more than once goes into the definitions."""
 
@@ -57,13 +61,15 @@ class _Writer:
         self.definitions = definitions
 
     def table(self, spec: type[Spec]) -> Schema:
-        """Describe a table of fixed keys."""
-        if spec is CylindersSpec:
-            return self._cylinders()
-        properties = {field.alias or name: self._field(spec, name) for name, field in spec.model_fields.items()}
-        schema: Schema = {"type": "object", "description": _summary(spec), "properties": properties}
+        """Describe a table: its keys, and what stands under keys of the user's own."""
+        fields = {field.alias or name: self._field(spec, name) for name, field in spec.model_fields.items()}
+        schema: Schema = {"type": "object", "description": _summary(spec), "properties": fields}
         required = [field.alias or name for name, field in spec.model_fields.items() if field.is_required()]
-        return schema | ({"required": required} if required else {}) | {"additionalProperties": False}
+        others: Schema | bool = False
+        if spec.others is not None:
+            named = fields.pop(spec.model_fields[spec.others].alias or spec.others)
+            others = {"description": named["description"], **named["additionalProperties"]}
+        return schema | ({"required": required} if required else {}) | {"additionalProperties": others}
 
     def _field(self, spec: type[Spec], name: str) -> Schema:
         """Describe a key: its sentence, what may stand there, and what stands there unless given."""
@@ -111,19 +117,6 @@ class _Writer:
         fields: dict[str, Schema] = table["properties"]
         several = {name: field if name in _ONCE else _one_or_many(field) for name, field in fields.items()}
         return self._reference(f"{spec.__name__.removesuffix('Spec')}InBank", table | {"properties": several})
-
-    def _cylinders(self) -> Schema:
-        """Describe the cylinders: what is no key of theirs is a table for one bank or cylinder."""
-        own = [name for name in CylindersSpec.model_fields if name != "overrides"]
-        return {
-            "type": "object",
-            "description": _summary(CylindersSpec),
-            "properties": {name: self._field(CylindersSpec, name) for name in own},
-            "additionalProperties": {
-                "description": described(CylindersSpec, "overrides"),
-                **self.of(CylinderSpec),
-            },
-        }
 
     def _reference(self, name: str, schema: Schema) -> Schema:
         """Put a schema among the definitions and refer to it."""

@@ -2,15 +2,23 @@
 
 from typing import Annotated, Self
 
-from pydantic import model_validator
+from pydantic import Field, model_validator
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
-from cranktrain.quantities import Angle, Dimension, Given, Length, PositiveLength, PositiveMass, Quantity
+from cranktrain.language import N_, _
+from cranktrain.quantities import (
+    Angle,
+    Dimension,
+    Given,
+    Length,
+    NonNegativeInertia,
+    PositiveLength,
+    PositiveMass,
+    Quantity,
+)
 from cranktrain.spec import Refused, Spec
 
 Friction = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]
-NonNegativeInertia = Annotated[Given, Quantity(Dimension.INERTIA, at_least=0.0)]
 PositiveAcceleration = Annotated[Given, Quantity(Dimension.ACCELERATION, above=0.0)]
 
 
@@ -21,12 +29,21 @@ class BodySpec(Spec, frozen=True):
     that is not given is that of two such masses.
     """
 
-    mass: PositiveMass | None = None
-    along: Length | None = None
-    across: Length = Given(0.0, "0 mm")
-    inertia: NonNegativeInertia | None = None
-    big_end: PositiveMass | None = None
-    small_end: PositiveMass | None = None
+    mass: PositiveMass | None = Field(
+        default=None, description=N_("Mass of the body; or, of a rod, those of both its ends.")
+    )
+    along: Length | None = Field(
+        default=None, description=N_("Centroid's distance from the link's first pin, toward its second.")
+    )
+    across: Length = Field(
+        default=Given(0.0, "0 mm"), description=N_("Centroid's distance from the link's line, to its left.")
+    )
+    inertia: NonNegativeInertia | None = Field(
+        default=None,
+        description=N_("Moment of inertia about the centroid; of a rod, that of two masses at its ends unless given."),
+    )
+    big_end: PositiveMass | None = Field(default=None, description=N_("Mass at the rod's first pin, as weighed."))
+    small_end: PositiveMass | None = Field(default=None, description=N_("Mass at the rod's second pin, as weighed."))
 
     @model_validator(mode="after")
     def _weighed_one_way(self) -> Self:
@@ -54,8 +71,14 @@ class GravitySpec(Spec, frozen=True):
     has 0.
     """
 
-    acceleration: PositiveAcceleration = Given(9.80665, "9.80665 m/s²")
-    direction: Angle = Given(0.0, "0 deg")
+    acceleration: PositiveAcceleration = Field(
+        default=Given(9.80665, "9.80665 m/s²"),
+        description=N_("Of free fall in the mechanism's plane; 9.80665 m/s² unless given."),
+    )
+    direction: Angle = Field(
+        default=Given(0.0, "0 deg"),
+        description=N_("How far it is turned from straight down, −Y, in the normal sense of rotation."),
+    )
 
 
 class GuideSpec(Spec, frozen=True):
@@ -65,9 +88,21 @@ class GuideSpec(Spec, frozen=True):
     they stand still. Both count along the guide as the slider's position does.
     """
 
-    length: PositiveLength
-    middle: Length | None = None
-    at: Length | None = None
+    length: PositiveLength = Field(
+        description=N_("Between the guide's outer edges, along it: a skirt's, a shoe's, a bush's.")
+    )
+    middle: Length | None = Field(
+        default=None,
+        description=N_(
+            "Where its middle lies from the slider's pin, ahead as the slider's position counts; 0 unless given."
+        ),
+    )
+    at: Length | None = Field(
+        default=None,
+        description=N_(
+            "Instead of middle, of edges that stand still, such as a bush's: the slider's position in the middle."
+        ),
+    )
 
     @model_validator(mode="after")
     def _one_middle(self) -> Self:

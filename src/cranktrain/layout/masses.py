@@ -23,7 +23,7 @@ from cranktrain.wording import precise
 _CRANK = "crank"
 _TABLE = "masses"
 _LEAST_GYRATION, _MOST_GYRATION = 0.1, 1.0
-"""Radius of gyration, in lengths of the link, beyond which its inertia is doubted: a bar has 0.29, two masses 0.5."""
+"""Radius of gyration, in lengths of the link, beyond which its inertia is flagged: a bar has 0.29, two masses 0.5."""
 
 
 class PlaceMasses(NamedTuple):

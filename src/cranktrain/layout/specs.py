@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal, Self, TypeVar, cast
 from pydantic import BeforeValidator, Field, model_validator
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, GuideSpec
 from cranktrain.layout.ends import ENDS
 from cranktrain.layout.speed_table import SpeedCurveSpec
@@ -49,14 +49,45 @@ class ShaftSpec(Spec, frozen=True):
     from that of `main`, to the right and up.
     """
 
-    throws: tuple[Angle, ...] = Field(default=(Given(0.0, "0 deg"),), min_length=1, max_length=MOST_MECHANISMS)
-    spacing: OneOrMany[NonNegativeLength] | None = None
-    speed: PositiveSpeed | None = None
-    acceleration: AngularAcceleration | None = None
-    speed_curve: SpeedCurveSpec | None = None
-    ratio: Literal[1, -1] = 1
-    phase: Angle | None = None
-    place: tuple[Length, Length] | None = None
+    throws: tuple[Angle, ...] = Field(
+        default=(Given(0.0, "0 deg"),),
+        min_length=1,
+        max_length=MOST_MECHANISMS,
+        description=N_("How far each throw stands ahead of throw 1; one that is to fire later stands behind."),
+    )
+    spacing: OneOrMany[NonNegativeLength] | None = Field(
+        default=None,
+        description=N_("Distance between neighbouring throws along the shaft, or a list of all; 0 for a split pin."),
+    )
+    speed: PositiveSpeed | None = Field(
+        default=None, description=N_("Mean speed of the shaft; with it, velocities and accelerations.")
+    )
+    acceleration: AngularAcceleration | None = Field(
+        default=None,
+        description=N_(
+            "Angular acceleration beside the speed, in the sense of running: all results are then of one moment."
+        ),
+    )
+    speed_curve: SpeedCurveSpec | None = Field(
+        default=None, description=N_("Speed over the crank angle in a file: at it everything is computed.")
+    )
+    ratio: Literal[1, -1] = Field(
+        default=1,
+        description=N_("Of a shaft geared to `main`: 1 where it turns with it, -1 where it turns against it."),
+    )
+    phase: Angle | None = Field(
+        default=None,
+        description=N_(
+            "Of a shaft geared to `main`: where its throw 1 stands at crank angle 0, ahead of throw 1 of `main`;"
+            " unless given, the lead of opposed pistons says so."
+        ),
+    )
+    place: tuple[Length, Length] | None = Field(
+        default=None,
+        description=N_(
+            "Where the shaft's centre lies from that of `main`: to the right, and up; with it, it is drawn."
+        ),
+    )
 
     @property
     def turns_unevenly(self) -> bool:
@@ -93,12 +124,23 @@ class OpposedPistonSpec(Spec, frozen=True):
     the bank's first cylinder; side_rods says that on a shaft that both pistons share this one is the far one.
     """
 
-    mechanism: AnyMechanism
-    shaft: str = MAIN
-    throws: tuple[int, ...] | None = Field(default=None, min_length=1)
-    side_rods: bool = False
-    masses: Mapping[str, BodySpec] = Field(default={})
-    guide: Mapping[str, GuideSpec] = Field(default={})
+    mechanism: AnyMechanism = Field(description=N_("The mechanism of the piston."))
+    shaft: str = Field(default=MAIN, description=N_("The shaft that the piston works on."))
+    throws: tuple[int, ...] | None = Field(
+        default=None,
+        min_length=1,
+        description=N_("Throws on which the bank's pistons work, counted from 1; all unless given."),
+    )
+    side_rods: bool = Field(
+        default=False,
+        description=N_("On a shaft that both pistons share: whether this one is the far one, driven by side rods."),
+    )
+    masses: Mapping[str, BodySpec] = Field(
+        default={}, description=N_("Bodies of this piston's mechanism, where they are not those of all.")
+    )
+    guide: Mapping[str, GuideSpec] = Field(
+        default={}, description=N_("Guides of this piston's mechanism, where they are not those of all.")
+    )
 
 
 class BankSpec(Spec, frozen=True):
@@ -110,16 +152,41 @@ class BankSpec(Spec, frozen=True):
     exhaust piston's shaft to the cylinder, and lead the angle by which the exhaust crank is ahead.
     """
 
-    angle: OneOrMany[Angle] = (Given(0.0, "0 deg"),)
-    mechanism: tuple[AnyMechanism, ...] = ()
-    throws: tuple[int, ...] | None = Field(default=None, min_length=1)
-    stagger: Length = Given(0.0, "0 mm")
-    shaft: str = MAIN
-    exhaust: OpposedPistonSpec | None = None
-    scavenge: OpposedPistonSpec | None = None
-    lead: Angle | None = None
-    masses: Mapping[str, BodySpec] = Field(default={})
-    guide: Mapping[str, GuideSpec] = Field(default={})
+    angle: OneOrMany[Angle] = Field(
+        default=(Given(0.0, "0 deg"),),
+        description=N_("From straight up to the bank's line of stroke, in the sense of rotation; a list makes a star."),
+    )
+    mechanism: tuple[AnyMechanism, ...] = Field(
+        default=(),
+        description=N_(
+            "The mechanism of each cylinder; with a list of angles, a field may be a list, one value for each."
+        ),
+    )
+    throws: tuple[int, ...] | None = Field(
+        default=None, min_length=1, description=N_("Throws on which the bank works, counted from 1; all unless given.")
+    )
+    stagger: Length = Field(
+        default=Given(0.0, "0 mm"), description=N_("By how much the bank is moved along the shaft toward the flywheel.")
+    )
+    shaft: str = Field(default=MAIN, description=N_("The shaft that the bank works on."))
+    exhaust: OpposedPistonSpec | None = Field(
+        default=None,
+        description=N_("With opposed pistons: the piston of each cylinder that uncovers the exhaust ports."),
+    )
+    scavenge: OpposedPistonSpec | None = Field(
+        default=None,
+        description=N_("With opposed pistons: the piston of each cylinder that uncovers the scavenge ports."),
+    )
+    lead: Angle | None = Field(
+        default=None,
+        description=N_("By how much the exhaust crank is ahead of the scavenge crank; it phases their shafts."),
+    )
+    masses: Mapping[str, BodySpec] = Field(
+        default={}, description=N_("Bodies of this bank's mechanisms, where they are not those of all.")
+    )
+    guide: Mapping[str, GuideSpec] = Field(
+        default={}, description=N_("Guides of this bank's mechanisms, where they are not those of all.")
+    )
 
     @property
     def opposed(self) -> "Mapping[str, OpposedPistonSpec]":

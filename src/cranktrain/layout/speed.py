@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.language import N_
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.linkage.forces import Drive
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Coefficient
 from cranktrain.record import record
 
 
@@ -58,6 +58,6 @@ class SteadySpeed:
     reasons: tuple[str, ...]
 
 
-def accelerations(first: Array, second: Array, drive: Drive) -> Array:
-    """Accelerations q″ω² + q′ε of what goes with the crank by q′ and q″."""
-    return second * drive.speed**2 + first * drive.acceleration
+def rates(place: Coefficient, drive: Drive) -> tuple[Array, Array]:
+    """Velocity q′ω and acceleration q″ω² + q′ε of what goes with the crank by q′ and q″."""
+    return place.first * drive.speed, place.second * drive.speed**2 + place.first * drive.acceleration

@@ -3,6 +3,9 @@
 from collections.abc import Mapping
 from typing import Any, ClassVar, NamedTuple
 
+from pydantic import Field
+
+from cranktrain.language import N_
 from cranktrain.quantities import Length
 from cranktrain.spec import Spec
 
@@ -13,16 +16,18 @@ LISTS = frozenset({"part"})
 class LinkPointSpec(Spec, frozen=True):
     """A point fixed on a link, to be followed: `link`, how far `along` it from its first pin, how far `across`."""
 
-    link: str
-    along: Length
-    across: Length
+    link: str = Field(description=N_("The link that carries the point."))
+    along: Length = Field(description=N_("Distance from the link's first pin toward its second."))
+    across: Length = Field(
+        description=N_("Distance from the line of pins, to the side turned 90° from it in the sense of rotation.")
+    )
 
 
 class MechanismSpec(Spec, frozen=True):
     """What every mechanism of a machine file may declare."""
 
-    kind: str
-    points: Mapping[str, LinkPointSpec] = {}
+    kind: str = Field(description=N_("Kind of mechanism."))
+    points: Mapping[str, LinkPointSpec] = Field(default={}, description=N_("Points on links to follow, by name."))
 
     master_field: ClassVar[str | None] = None
     """Field that names the bank whose slider-crank, on the same throw, this mechanism hangs on."""

@@ -84,8 +84,7 @@ def made_ready(machine: Machine, speed: SpeedWanted) -> LoadedMachine:
     """
     refuse_idle(machine)
     curve = speed_over_cycle(machine, speed)  # not on the coarse grid
-    result = run(machine, speed=curve or "constant", step_degrees=_STEP, quantities=("driving_torque",))
-    return next(gift for gift in result.gifts if isinstance(gift, LoadedMachine))
+    return run(machine, speed=curve or "constant", step_degrees=_STEP, quantities=("driving_torque",))[LoadedMachine]
 
 
 def refuse_idle(machine: Machine) -> None:

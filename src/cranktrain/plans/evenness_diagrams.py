@@ -49,13 +49,12 @@ def mertsalov_diagram(result: Result) -> Mertsalov:
 
 def _sized(result: Result) -> tuple[ShaftWork, FlywheelSize]:
     """Find work and flywheel in a result."""
-    gifts = {type(gift): gift for gift in result.gifts}
-    work, size = gifts.get(ShaftWork), gifts.get(FlywheelSize)
-    if isinstance(work, ShaftWork) and isinstance(size, FlywheelSize):
-        if np.all(np.isfinite(size.exact.inertia)):
-            return work, size
+    size = result.get(FlywheelSize)
+    if size is None:
+        allowed = _("is missing for a diagram of the flywheel: {needs}")
+        needs = ", ".join(result.needs_of("flywheel_inertia"))
+        raise InputError([Problem("evenness", None, allowed.format(needs=needs))])
+    if not np.all(np.isfinite(size.exact.inertia)):
         allowed = _("gives no flywheel to draw: the torque is not known all round")
         raise InputError([Problem("evenness.coefficient", None, allowed)])
-    needs = next((one.needs for one in result.missing if "flywheel_inertia" in one.results), ())
-    allowed = _("is missing for a diagram of the flywheel: {needs}").format(needs=", ".join(needs))
-    raise InputError([Problem("evenness", None, allowed)])
+    return result[ShaftWork], size

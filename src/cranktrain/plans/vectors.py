@@ -6,7 +6,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from cranktrain.layout.speed import accelerations
+from cranktrain.layout.speed import rates
 from cranktrain.linkage.forces import Drive
 from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.motion import Array, Coefficient
@@ -126,8 +126,8 @@ def _motions(drawing: Drawing, at: int, drive: Drive) -> tuple[dict[str, PinMoti
 
 def _motion(drawing: Drawing, name: str, at: int, drive: Drive) -> PinMotion:
     """Motion of one pin."""
-    place, first, second = pin_coefficients(drawing, name, at)
-    return PinMotion(place, drive.speed * first, accelerations(first, second, drive))
+    place = pin_coefficients(drawing, name, at)
+    return PinMotion(place.value, *rates(place, drive))
 
 
 def pin_coefficients(drawing: Drawing, name: str, at: int) -> Coefficient:

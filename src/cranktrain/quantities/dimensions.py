@@ -171,6 +171,18 @@ class Dimension(Enum):
         ),
     )
     STIFFNESS = (N_("a stiffness"), "250 N/mm", (_unit("N/mm", "Н/мм", si=1000), _unit("N/m", "Н/м")))
+    TORSIONAL_STIFFNESS = (
+        N_("a torsional stiffness"),
+        "1.25 MN·m/rad",
+        (
+            _unit("MN·m/rad", "МН·м/рад", si=10**6),
+            _unit("kN·m/rad", "кН·м/рад", si=1000),
+            _unit("N·m/rad", "Н·м/рад"),
+            _unit("N·m/deg", "Н·м/град", si=360 / TURN),
+            _unit("kgf·m/rad", "кгс·м/рад", si=_GRAVITY),
+            _unit("lbf·in/rad", "in·lbf/rad", "фунт-сила·дюйм/рад", si=_POUND_FORCE * _INCH),
+        ),
+    )
     DENSITY = (N_("a density"), "7200 kg/m³", (_unit("kg/m³", "кг/м³"), _unit("g/cm³", "г/см³", si=1000)))
     TEMPERATURE = (N_("a temperature"), "20 °C", (_unit("°C", "degC", "°С", offset=_FREEZING), _unit("K", "К")))
 

@@ -1,12 +1,12 @@
 """Crank-rocker from swing, time ratio and rocker length, with the best transmission angle; docs/theory/synthesis."""
 
 from math import degrees, pi, sin
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.mechanisms.crank_rocker import CrankRocker
 from cranktrain.mechanisms.crank_rocker.facts import CLASSES
 from cranktrain.motion import single
@@ -18,11 +18,12 @@ from cranktrain.synthesis.four_bars import (
     judged,
     largest_time_ratio,
     rod_with_equal_swings,
-    time_ratio,
+    time_ratio_of,
     with_equal_swings,
 )
 from cranktrain.synthesis.positive import not_positive, plain
 from cranktrain.synthesis.proposal import Alternative, Number, Proposal, Table, found, shaft_table, wanted
+from cranktrain.synthesis.quantities import Angle, Length, Speed, TimeRatio
 from cranktrain.wording import number, precise
 
 Swing = Literal["forward", "backward"]
@@ -37,14 +38,14 @@ _EQUAL = 1e-9
 
 
 def crank_rocker_from_swing(
-    swing: float,
-    time_ratio: float,
-    rocker_length: float,
+    swing: Annotated[Angle, N_("Of the rocker.")],
+    time_ratio: TimeRatio,
+    rocker_length: Length,
     *,
-    transmission_angle: float | None = None,
-    rod_length: float | None = None,
-    slow_swing: Swing = "forward",
-    speed: float | None = None,
+    transmission_angle: Annotated[Angle | None, N_("Least that is permitted.")] = None,
+    rod_length: Annotated[Length | None, N_("With a time ratio of 1 only.")] = None,
+    slow_swing: Annotated[Swing, N_("In the sense of the crank's rotation, or against it; forward.")] = "forward",
+    speed: Speed | None = None,
 ) -> Proposal:
     """Propose the crank-rocker whose smallest transmission angle is the largest.
 
@@ -257,7 +258,7 @@ def _proposal(
     remarks: tuple[str, ...],
 ) -> Proposal:
     """Put a four-bar together with its machine file."""
-    ratio = time_ratio(want.excess)
+    ratio = time_ratio_of(want.excess)
     how = _("equal swings") if parameter is None else _("swing, time ratio, largest transmission angle")
     free = () if parameter is None else (Number("parameter", "ξ", parameter, "deg", _("Free parameter")),)
     return Proposal(

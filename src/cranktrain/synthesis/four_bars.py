@@ -43,7 +43,7 @@ def excess_angle(time_ratio: float) -> float:
     return pi * (time_ratio - 1) / (time_ratio + 1)
 
 
-def time_ratio(excess: float) -> float:
+def time_ratio_of(excess: float) -> float:
     """Time ratio k = (π + ϑ)/(π − ϑ) of a drive whose slow stroke takes π + ϑ of the turn."""
     return (pi + excess) / (pi - excess)
 

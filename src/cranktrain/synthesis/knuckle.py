@@ -2,10 +2,10 @@
 
 from collections.abc import Collection, Sequence
 from math import pi
-from typing import Literal
+from typing import Annotated, Literal
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import single
@@ -24,6 +24,7 @@ from cranktrain.synthesis.proposal import (
     shaft_table,
     wanted,
 )
+from cranktrain.synthesis.quantities import Angle, Bore, Length, Ratio, Speed
 from cranktrain.wording import number, precise
 
 _FREE: tuple[Free, ...] = ("articulation_angle", "knuckle_radius", "rod_length")
@@ -35,20 +36,20 @@ _KNUCKLE_SHARE = 0.25
 
 
 def knuckle_from_wants(
-    crank_radius: float,
-    master_rod_length: float,
-    bank_angle: float,
+    crank_radius: Length,
+    master_rod_length: Length,
+    bank_angle: Annotated[Angle, N_("From the master's cylinder, in the sense of rotation.")],
     *,
-    master_offset: float = 0.0,
-    stroke: float | None = None,
-    unshifted: Literal["top", "bottom"] | None = None,
-    same_height: bool = False,
-    same_ratio: float | None = None,
-    knuckle_radius: float | None = None,
-    rod_length: float | None = None,
-    articulation_angle: float | None = None,
-    bore: float | None = None,
-    speed: float | None = None,
+    master_offset: Length = 0.0,
+    stroke: Annotated[Length | None, N_("Want: of the slave.")] = None,
+    unshifted: Annotated[Literal["top", "bottom"] | None, N_("Want: a dead centre on the cylinder's axis.")] = None,
+    same_height: Annotated[bool, N_("Want: the master's pin height at the top.")] = False,
+    same_ratio: Annotated[Ratio | None, N_("Want: the master's compression ratio, this.")] = None,
+    knuckle_radius: Length | None = None,
+    rod_length: Length | None = None,
+    articulation_angle: Angle | None = None,
+    bore: Bore | None = None,
+    speed: Speed | None = None,
 ) -> Proposal:
     """Propose a knuckle: of r, l and ζ as many are free as there are wants, the others are given.
 

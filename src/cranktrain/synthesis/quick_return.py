@@ -1,17 +1,18 @@
 """Quick returns: time ratio from geometry and geometry from time ratio, in closed form; docs/theory/synthesis."""
 
 from math import asin, cos, pi, sin, tan
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
-from cranktrain.synthesis.four_bars import excess_angle, time_ratio
+from cranktrain.synthesis.four_bars import excess_angle, time_ratio_of
 from cranktrain.synthesis.positive import not_positive, plain
 from cranktrain.synthesis.proposal import Alternative, Number, Proposal, Table, found, shaft_table, wanted
+from cranktrain.synthesis.quantities import Length, Speed, TimeRatio
 from cranktrain.synthesis.slider_crank import Stroke, slider_crank_numbers
 from cranktrain.synthesis.slider_crank_lengths import Lengths
 from cranktrain.wording import number, precise
@@ -35,7 +36,7 @@ def slotted_lever_time_ratio(crank_to_distance: float) -> float:
     >>> round(slotted_lever_time_ratio(0.5), 12)
     2.0
     """
-    return time_ratio(2 * asin(crank_to_distance))
+    return time_ratio_of(2 * asin(crank_to_distance))
 
 
 def slotted_lever(ratio: float) -> SlottedLever:
@@ -73,7 +74,7 @@ def whitworth_time_ratio(distance_to_crank: float, line_angle: float = pi / 2) -
     >>> round(whitworth_time_ratio(0.5), 12)
     2.0
     """
-    return time_ratio(2 * asin(distance_to_crank * sin(line_angle)))
+    return time_ratio_of(2 * asin(distance_to_crank * sin(line_angle)))
 
 
 def whitworth(ratio: float) -> float:
@@ -131,12 +132,12 @@ def least_pressure_parameter(excess: float) -> float:
 
 
 def quick_return(
-    stroke: float,
-    ratio: float,
+    stroke: Annotated[Length, N_("Between the dead centres.")],
+    time_ratio: TimeRatio,
     *,
-    rod_length: float | None = None,
-    slow_stroke: Stroke = "toward",
-    speed: float | None = None,
+    rod_length: Annotated[Length | None, N_("That of the least pressure angle unless given.")] = None,
+    slow_stroke: Annotated[Stroke, N_("From the shaft's point of view; toward unless given.")] = "toward",
+    speed: Speed | None = None,
 ) -> Proposal:
     """Propose an offset slider-crank with a quick return; beside it a slotted lever and a Whitworth drive.
 
@@ -144,7 +145,7 @@ def quick_return(
     ----------
     stroke : float
         [m]
-    ratio : float
+    time_ratio : float
         Time of the slow stroke over that of the quick one, at constant speed; between 1 and 3.
     rod_length : float, optional
         That with which the largest pressure angle is least unless given. [m]
@@ -169,8 +170,8 @@ def quick_return(
     >>> round(proposal.value("time_ratio"), 12)
     1.2
     """
-    _refuse_impossible(stroke, ratio, speed)
-    excess = excess_angle(ratio)
+    _refuse_impossible(stroke, time_ratio, speed)
+    excess = excess_angle(time_ratio)
     parameter = least_pressure_parameter(excess) if rod_length is None else _parameter_of(stroke, excess, rod_length)
     lengths = offset_slider_crank(stroke, excess, parameter)
     if slow_stroke == "away":
@@ -179,10 +180,10 @@ def quick_return(
     best = _("stroke, time ratio, least pressure angle")
     return Proposal(
         title=_("Offset slider-crank of {stroke} stroke with a quick return, time ratio {ratio:.4g}").format(
-            stroke=number(stroke, "mm"), ratio=ratio
+            stroke=number(stroke, "mm"), ratio=time_ratio
         ),
         numbers=slider_crank_numbers(lengths, slow_stroke, speed),
-        alternatives=_alternatives(stroke, ratio),
+        alternatives=_alternatives(stroke, time_ratio),
         remarks=(
             _("The pressure angle grows fast with the time ratio; a slotted lever or a Whitworth drive does not mind."),
             _("A time ratio of 3 is the end: the slider would turn back where the rod stands across the guide."),
@@ -212,7 +213,7 @@ def _refuse_impossible(stroke: float, ratio: float, speed: float | None) -> None
                 "a slotted lever can, with a crank of {share:.4f} of the distance between shaft and pivot"
             ).format(share=slotted_lever(ratio).crank_to_distance)
         allowed = _("must lie between 1 and 3 for an offset slider-crank")
-        problems.append(Problem("ratio", plain(ratio), allowed, repair))
+        problems.append(Problem("time_ratio", plain(ratio), allowed, repair))
     if problems:
         raise InputError(problems)
 

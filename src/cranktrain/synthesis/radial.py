@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from math import pi
-from typing import Literal
+from typing import Annotated, Literal
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
@@ -28,6 +28,7 @@ from cranktrain.synthesis.proposal import (
     shaft_table,
     wanted,
 )
+from cranktrain.synthesis.quantities import Bore, Count, Length, Ratio, Speed
 from cranktrain.wording import number, precise
 
 Strategy = Literal["plain", "unshifted", "equal_ratio", "equal_stroke", "unshifted_equal_ratio"]
@@ -52,16 +53,16 @@ _FREE: dict[Strategy, tuple[Free, ...]] = {
 
 
 def radial(
-    crank_radius: float,
-    rod_length: float,
-    n_cylinders: int,
+    crank_radius: Length,
+    rod_length: Annotated[Length, N_("Of the master.")],
+    n_cylinders: Annotated[Count, N_("With the master's.")],
     strategy: Strategy,
     *,
-    knuckle_radius: float,
-    slave_rod_length: float,
-    compression_ratio: float,
-    bore: float | None = None,
-    speed: float | None = None,
+    knuckle_radius: Annotated[Length, N_("Of all slaves, or where the search for each begins.")],
+    slave_rod_length: Annotated[Length, N_("Of all slaves, or where the search for each begins.")],
+    compression_ratio: Annotated[Ratio, N_("Of the master.")],
+    bore: Bore | None = None,
+    speed: Speed | None = None,
 ) -> Proposal:
     """Propose the knuckles of a radial engine with equally spaced cylinders, the first one the master's.
 

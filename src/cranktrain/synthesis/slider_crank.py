@@ -1,11 +1,11 @@
 """Slider-crank from stroke, speed and permissible pressure angles, exact with an offset; docs/theory/synthesis."""
 
 from math import isnan, pi, sin, tan
-from typing import Literal
+from typing import Annotated, Literal
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
-from cranktrain.synthesis.four_bars import time_ratio
+from cranktrain.language import N_, _
+from cranktrain.synthesis.four_bars import time_ratio_of
 from cranktrain.synthesis.positive import not_positive, plain
 from cranktrain.synthesis.proposal import (
     Alternative,
@@ -16,6 +16,7 @@ from cranktrain.synthesis.proposal import (
     shaft_table,
     wanted,
 )
+from cranktrain.synthesis.quantities import Angle, Length, Speed, Velocity
 from cranktrain.synthesis.slider_crank_lengths import (
     Lengths,
     Limits,
@@ -39,15 +40,15 @@ _ROUNDING = 1e-12
 
 
 def slider_crank_from_stroke(
-    stroke: float,
-    pressure_angle: float | None = None,
+    stroke: Annotated[Length, N_("Between the dead centres.")],
+    pressure_angle: Annotated[Angle | None, N_("Largest permissible, on the working stroke.")] = None,
     *,
-    return_pressure_angle: float | None = None,
-    working_stroke: Stroke = "toward",
-    rod_length: float | None = None,
-    offset: float | None = 0.0,
-    mean_speed: float | None = None,
-    speed: float | None = None,
+    return_pressure_angle: Annotated[Angle | None, N_("On the other stroke; the same unless given.")] = None,
+    working_stroke: Annotated[Stroke, N_("From the shaft's point of view; toward unless given.")] = "toward",
+    rod_length: Annotated[Length | None, N_("The shortest that keeps the limits unless given.")] = None,
+    offset: Annotated[Length | None, N_("Of the line of stroke toward +y; 0 unless given.")] = 0.0,
+    mean_speed: Annotated[Velocity | None, N_("Of the slider over the turn, instead of --speed.")] = None,
+    speed: Speed | None = None,
 ) -> Proposal:
     """Propose a slider-crank.
 
@@ -214,7 +215,7 @@ def slider_crank_numbers(lengths: Lengths, working_stroke: Stroke, speed: float 
         Number(
             "time_ratio",
             "k",
-            time_ratio(excess_angle_of(lengths)),
+            time_ratio_of(excess_angle_of(lengths)),
             "1",
             _("Time of the slow stroke over that of the quick one"),
         ),

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
+from cranktrain.catalogue import coefficients, extreme
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Group, Pistons
@@ -76,32 +76,38 @@ FORMS: Mapping[str, Mapping[str, Form]] = {
 class TextbookMotion:
     """Motion of every piston by each method, `exact` first; NaN where a source has no form for the mechanism."""
 
-    displacement_by_method: Array = quantity(
-        "x", "m", _CURVE, N_("Piston displacement by each method, from the method's own top"), _THEORY
+    displacement_by_method: Coefficient = coefficients(
+        "x",
+        "m",
+        _CURVE,
+        N_("Piston displacement by each method, from the method's own top"),
+        N_("Piston velocity for each rad/s of the crank, by each method"),
+        N_("Piston acceleration for each (rad/s)² of the crank, by each method"),
+        _THEORY,
     )
-    velocity_coefficient_by_method: Array = quantity(
-        "x′", "m/rad", _CURVE, N_("Piston velocity for each rad/s of the crank, by each method"), _THEORY
+    displacement_error: Extreme = extreme(
+        "Δx",
+        "1",
+        _FACT,
+        N_("Largest error of the method's displacement, in parts of the stroke"),
+        N_("Crank angle of the largest error of displacement"),
+        _THEORY,
     )
-    acceleration_coefficient_by_method: Array = quantity(
-        "x″", "m/rad^2", _CURVE, N_("Piston acceleration for each (rad/s)² of the crank, by each method"), _THEORY
+    velocity_error: Extreme = extreme(
+        "Δv",
+        "1",
+        _FACT,
+        N_("Largest error of the method's velocity, in parts of the exact peak"),
+        N_("Crank angle of the largest error of velocity"),
+        _THEORY,
     )
-    displacement_error: Array = quantity(
-        "Δx", "1", _FACT, N_("Largest error of the method's displacement, in parts of the stroke"), _THEORY
-    )
-    displacement_error_at: Array = quantity(
-        "φ(Δx)", "deg", _FACT, N_("Crank angle of the largest error of displacement"), _THEORY
-    )
-    velocity_error: Array = quantity(
-        "Δv", "1", _FACT, N_("Largest error of the method's velocity, in parts of the exact peak"), _THEORY
-    )
-    velocity_error_at: Array = quantity(
-        "φ(Δv)", "deg", _FACT, N_("Crank angle of the largest error of velocity"), _THEORY
-    )
-    acceleration_error: Array = quantity(
-        "Δj", "1", _FACT, N_("Largest error of the method's acceleration, in parts of the exact peak"), _THEORY
-    )
-    acceleration_error_at: Array = quantity(
-        "φ(Δj)", "deg", _FACT, N_("Crank angle of the largest error of acceleration"), _THEORY
+    acceleration_error: Extreme = extreme(
+        "Δj",
+        "1",
+        _FACT,
+        N_("Largest error of the method's acceleration, in parts of the exact peak"),
+        N_("Crank angle of the largest error of acceleration"),
+        _THEORY,
     )
     flags: tuple[str, ...] = ()
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"method": ("exact", *FORMS)})
@@ -111,15 +117,15 @@ class TextbookMotion:
         said = [
             _("{form} is off by up to {x} of the stroke, {v} in velocity, {j} in acceleration").format(
                 form=form,
-                x=_in_percent(self.displacement_error[design, index]),
-                v=_in_percent(self.velocity_error[design, index]),
-                j=_in_percent(self.acceleration_error[design, index]),
+                x=_in_percent(self.displacement_error.value[design, index]),
+                v=_in_percent(self.velocity_error.value[design, index]),
+                j=_in_percent(self.acceleration_error.value[design, index]),
             )
             for method, form in (
                 ("two_harmonics", _("two harmonics (333)–(337)")),
                 ("reconstructed", _("(I.13), reconstructed,")),
             )
-            if not np.all(np.isnan(self.displacement_error[design, (index := names["method"].index(method))]))
+            if not np.all(np.isnan(self.displacement_error.value[design, (index := names["method"].index(method))]))
         ]
         return _("Textbook: {forms}.").format(forms="; ".join(said)) if said else None
 
@@ -134,12 +140,8 @@ def textbook_motion(
     pistons: Pistons, crank_angle: CrankAngle, turn: PistonTurn, motion: PistonMotion
 ) -> TextbookMotion:
     """Motion of every piston by every method, and each method's largest errors, refined on the kernels."""
-    exact = (
-        motion.piston_displacement,
-        motion.piston_velocity_coefficient,
-        motion.piston_acceleration_coefficient,
-    )
-    n_designs, n_pistons, n_angles = exact[0].shape
+    exact = motion.piston_displacement
+    n_designs, n_pistons, n_angles = exact.value.shape
     n_methods, n_turn = 1 + len(FORMS), crank_angle.first_turn.shape[-1]
     curves = np.full((3, n_designs, n_methods, n_pistons, n_angles // n_turn, n_turn), np.nan)
     errors, angles = np.full((2, 3, n_designs, n_methods, n_pistons), np.nan)
@@ -162,17 +164,9 @@ def textbook_motion(
             errors[:, :, method, group.index] = worst.value[row][:, 0, origin, 0]
             phi = worst.angle[row][:, 0, origin] + pistons.nominal_top[:, group.index]
             angles[:, :, method, group.index] = crank_angle.counted(phi)[..., 0]
-    displacement, velocity, acceleration = curves.reshape(3, n_designs, n_methods, n_pistons, n_angles)
     return TextbookMotion(
-        displacement_by_method=displacement,
-        velocity_coefficient_by_method=velocity,
-        acceleration_coefficient_by_method=acceleration,
-        displacement_error=errors[0],
-        displacement_error_at=angles[0],
-        velocity_error=errors[1],
-        velocity_error_at=angles[1],
-        acceleration_error=errors[2],
-        acceleration_error_at=angles[2],
+        Coefficient(*curves.reshape(3, n_designs, n_methods, n_pistons, n_angles)),
+        *(Extreme(*one) for one in zip(angles, errors, strict=True)),
         flags=_flags(pistons),
     )
 

@@ -5,6 +5,9 @@ import pytest
 from tests.machines import V12, slider, throws
 
 import cranktrain as ct
+from cranktrain.questions.evenness.flywheel import FlywheelSize
+from cranktrain.questions.motion.pistons import PistonSpeeds
+from cranktrain.questions.motion.rockers import RockerMotion
 
 
 @pytest.fixture(scope="module")
@@ -48,6 +51,22 @@ def test_absent_quantities_name_what_they_need():
         AttributeError, match=r"no compression_ratio, which needs \[cylinder\] bore, \[cylinder\] compr"
     ):
         _ = result.compression_ratio
+
+
+def test_what_a_stage_gave_is_had_by_its_type(v12):
+    speeds = v12[PistonSpeeds]
+    np.testing.assert_array_equal(speeds.mean_piston_speed[0], v12.mean_piston_speed)
+    assert v12.get(PistonSpeeds) is speeds
+    assert v12.get(FlywheelSize) is None
+
+
+def test_what_a_stage_did_not_give_names_what_it_needs(v12):
+    with pytest.raises(KeyError, match=r"no FlywheelSize, which needs .*\[evenness\] coefficient"):
+        _ = v12[FlywheelSize]
+    with pytest.raises(KeyError, match=r"no RockerMotion; it has .*DeadCentres.* PistonSpeeds"):
+        _ = v12[RockerMotion]
+    assert "[evenness] coefficient" in v12.needs_of("flywheel_inertia")
+    assert v12.needs_of("stroke") == ()
 
 
 def test_labels(v12):

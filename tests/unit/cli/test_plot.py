@@ -13,7 +13,7 @@ from cranktrain.cli.plot import Request, understood
         ("positions", " 30 , 0.5 rad, -1°", "a.svg", [30.0, 28.647889757, -1.0]),  # 0.5 · 180/π
         ("klein", "60 deg", "a.PDF", [60.0]),
         ("velocities", None, "a.png", None),
-        ("positions", "source", "a.png", None),
+        ("positions", "source", "a.png", "source"),
         (None, "8", "a.dxf", 8),
         (None, "7.5,90", "a.dxf", [7.5, 90.0]),
         (None, "137", "a.png", [137.0]),
@@ -35,8 +35,8 @@ def test_crank_angles_as_typed(plan, at, output, angles):
             ["3d12", "-o", "a.txt", "--plan", "positons", "--at", "3,b", "--size", "A5"],
             [
                 "-o = a.txt: must end in one of: .png, .svg, .pdf, .gif, .dxf",
-                '--plan = positons: must be one of: positions, velocities, accelerations, klein, centres, forces, '
-                'zhukovsky, polar, arc, projection, brix, brix-backward, wittenbauer, mertsalov; write "positions"',
+                '--plan = positons: must be one of: wittenbauer, mertsalov, forces, zhukovsky, polar, positions, '
+                'velocities, accelerations, klein, centres, arc, projection, brix, brix-backward; write "positions"',
                 "--size = A5: must be one of: A4, A3",
                 "--at = 3,b: must be crank angles in degrees with commas between, such as 30,60",
             ],
@@ -60,7 +60,7 @@ def test_crank_angles_as_typed(plan, at, output, angles):
             ["3d12", "-o", "a.svg", "--plan", "polar", "--sheet", "force"],
             [
                 "--sheet = force: must be left out: a picture is a plan or a sheet",
-                '--sheet = force: must be one of: machine, forces; write "forces"',
+                '--sheet = force: must be one of: forces, machine, torsion; write "forces"',
             ],
         ),
         (

@@ -52,7 +52,7 @@ def test_firing_dead_centre_is_found(count):
     diagram = diagram_of(csv(degrees[order], PRESSURES[order]))
     assert diagram.angles == pytest.approx(PLAIN.angles, abs=1e-12)
     assert diagram.pressures == pytest.approx(PLAIN.pressures, rel=1e-12)
-    assert diagram.doubts == ()
+    assert diagram.flags == ()
     assert any(f"at the file's {count:g}°" in finding or "180°" in finding for finding in diagram.findings)
 
 
@@ -72,11 +72,11 @@ def test_noise_reversed_sense_and_wrong_dead_centre_are_recovered_and_told():
     degrees = np.arange(0, 720, 0.5)
     text = csv(degrees, wiebe_cycle(ENGINE, CASE, np.radians(360 - degrees)) + noise)
     doubtful = diagram_of(text)
-    assert any('write sense = "backward", or "found"' in doubt for doubt in doubtful.doubts)
+    assert any('write sense = "backward", or "found"' in flag for flag in doubtful.flags)
     diagram = diagram_of(text, sense="found", smoothing="0.7 deg")
     assert any("turned round" in finding for finding in diagram.findings)
     assert any("at the file's 360°" in finding for finding in diagram.findings)
-    assert diagram.doubts == ()
+    assert diagram.flags == ()
     at = np.radians(np.arange(-170, 170, 0.5))
     error = pressure_at(diagram, at) - wiebe(ENGINE, CASE, at)
     # Of white noise the filter leaves √(step/σ · ∫(1 + x²/2)² exp(−x²) dx/2π) = √(0.476 step/σ); 340° hold some 180
@@ -100,23 +100,23 @@ def test_rows_in_no_order_are_sorted():
 @pytest.mark.parametrize("boost", [1.0, 2.6])
 def test_a_level_that_is_off_by_the_atmosphere_is_doubted(offset, boost):
     """Supercharged, every pressure is one that an engine could have: the exponent of the compression tells."""
-    assert diagram_of(csv(DEGREES, boost * PRESSURES)).doubts == ()
+    assert diagram_of(csv(DEGREES, boost * PRESSURES)).flags == ()
     off = boost * PRESSURES + offset
-    doubts = diagram_of(csv(DEGREES, np.maximum(off, 1e3))).doubts
+    flags = diagram_of(csv(DEGREES, np.maximum(off, 1e3))).flags
     if offset < 0 or boost == 1.0:
-        assert any("the level of the pressures (absolute or gauge)" in doubt for doubt in doubts)
+        assert any("the level of the pressures (absolute or gauge)" in flag for flag in flags)
 
 
 def test_noise_is_doubted_until_it_is_smoothed():
     noise = 0.02 * np.max(PRESSURES) * np.random.default_rng(1).standard_normal(len(DEGREES))
     text = csv(DEGREES, np.maximum(PRESSURES + noise, 1e3))
-    assert any(re.search(r"scatter by (1\.[89]|2\.?[01]?) % of the peak", doubt) for doubt in diagram_of(text).doubts)
-    assert not any("scatter" in doubt for doubt in diagram_of(text, smoothing="2 deg").doubts)
+    assert any(re.search(r"scatter by (1\.[89]|2\.?[01]?) % of the peak", flag) for flag in diagram_of(text).flags)
+    assert not any("scatter" in flag for flag in diagram_of(text, smoothing="2 deg").flags)
 
 
 def test_sense_that_is_wrongly_given_is_not_advised_again():
-    (doubt,) = (one for one in diagram_of(csv(DEGREES, PRESSURES), sense="backward").doubts if "takes work" in one)
-    assert "leave sense out" in doubt
+    (flag,) = (one for one in diagram_of(csv(DEGREES, PRESSURES), sense="backward").flags if "takes work" in one)
+    assert "leave sense out" in flag
 
 
 def test_radians_without_a_word_are_advised():
@@ -131,16 +131,16 @@ def test_motored_cycle_is_told():
     motored = wiebe_cycle(ENGINE, CASE | {"Q": 1e-9}, np.radians(DEGREES + 1.0))
     diagram = diagram_of(csv(DEGREES, motored))
     assert any("motored" in finding for finding in diagram.findings)
-    assert diagram.doubts == ()
+    assert diagram.flags == ()
     late = wiebe_cycle(ENGINE, CASE | {"Q": 1e-9}, np.radians(DEGREES - 1.0))
-    assert any("is the zero right?" in doubt for doubt in diagram_of(csv(DEGREES, late)).doubts)
+    assert any("is the zero right?" in flag for flag in diagram_of(csv(DEGREES, late)).flags)
 
 
 def test_a_given_dead_centre_that_the_peak_denies_is_doubted():
     assert any(
-        "is the zero right?" in doubt for doubt in diagram_of(csv(DEGREES, PRESSURES), firing_angle="-20 deg").doubts
+        "is the zero right?" in flag for flag in diagram_of(csv(DEGREES, PRESSURES), firing_angle="-20 deg").flags
     )
-    assert diagram_of(csv(DEGREES, PRESSURES), firing_angle="360 deg").doubts != ()
+    assert diagram_of(csv(DEGREES, PRESSURES), firing_angle="360 deg").flags != ()
 
 
 @pytest.mark.parametrize(
@@ -180,7 +180,7 @@ def test_refused(text, cycle, message):
 
 def test_small_gap_and_repeated_rows_are_told():
     few = csv(np.delete(DEGREES, slice(200, 206)), np.delete(PRESSURES, slice(200, 206)))
-    assert any("between 199° and 206°: the curve bridges them" in doubt for doubt in diagram_of(few).doubts)
+    assert any("between 199° and 206°: the curve bridges them" in flag for flag in diagram_of(few).flags)
     again = diagram_of(csv(np.insert(DEGREES, 5, 4.0), np.insert(PRESSURES, 5, PRESSURES[4])))
     assert any("1 samples that were given twice" in finding for finding in again.findings)
     np.testing.assert_array_equal(again.pressures, PLAIN.pressures)
@@ -190,14 +190,14 @@ def test_many_gaps_are_told_in_one_sentence():
     """Seventy of three rows, and one of five."""
     left_out = np.concatenate([np.add.outer(np.arange(10, 710, 10), np.arange(3)).ravel(), [713, 714, 715, 716, 717]])
     diagram = diagram_of(csv(np.delete(DEGREES, left_out), np.delete(PRESSURES, left_out)))
-    (told,) = (doubt for doubt in diagram.doubts if "the curve bridges them" in doubt)
+    (told,) = (flag for flag in diagram.flags if "the curve bridges them" in flag)
     assert told == "Samples are missing at 71 places, most of all between 712° and 718°: the curve bridges them."
 
 
 def test_a_cycle_that_does_not_close_is_doubted():
     """And jumps there, as the file says: from the last row's pressure to the first one's."""
     diagram = diagram_of(csv(np.arange(721.0), np.append(PRESSURES, PRESSURES[0] * 1.5)))
-    assert any("the cycle does not close" in doubt for doubt in diagram.doubts)
+    assert any("the cycle does not close" in flag for flag in diagram.flags)
     assert diagram.curve.jumps.tolist() == [0.0]
     assert pressure_at(diagram, np.array([-1e-12, 0.0])) == pytest.approx([1.5 * PRESSURES[0], PRESSURES[0]], rel=1e-9)
 
@@ -252,7 +252,7 @@ def test_work_over_jumps_is_exact():
 
 
 def test_a_step_that_may_hide_a_jump_is_told_with_its_rows():
-    (told,) = (doubt for doubt in diagram_of(csv(DEGREES, STEP)).doubts if "in one step" in doubt)
+    (told,) = (flag for flag in diagram_of(csv(DEGREES, STEP)).flags if "in one step" in flag)
     assert told.startswith("Between 399° and 400° the pressure goes from 20 to 2 bar in one step, far steeper than")
     assert "and so in 1 other steps" in told
 
@@ -266,14 +266,14 @@ def test_noise_and_a_coarse_table_hide_no_jump():
         (DEGREES[::30], PRESSURES[::30]),
         (DEGREES[3::10], PRESSURES[3::10]),
     ):
-        assert not any("in one step" in doubt for doubt in diagram_of(csv(degrees, pressures)).doubts)
+        assert not any("in one step" in flag for flag in diagram_of(csv(degrees, pressures)).flags)
 
 
 def test_smoothing_and_spline_say_that_they_round_jumps_off():
     for more in ({"smoothing": "2 deg"}, {"interpolation": "spline"}):
         diagram = diagram_of(csv(*JUMPING), firing_angle="0 deg", **more)
         assert diagram.curve.jumps.size == 0
-        assert any("a spline rounds that off, and so does smoothing" in doubt for doubt in diagram.doubts)
+        assert any("a spline rounds that off, and so does smoothing" in flag for flag in diagram.flags)
 
 
 def test_largest_sample_and_crest_are_told():
@@ -300,7 +300,7 @@ def test_a_students_table(last):
     diagram = diagram_of(STUDENT + "\n".join(rows), pressure="absolute")
     assert len(diagram.angles) == 72
     assert any("at the file's 360°" in finding for finding in diagram.findings)
-    assert diagram.doubts == ()
+    assert diagram.flags == ()
     assert pressure_at(diagram, np.radians(20.0)) == pytest.approx(bars[38] * 1e5, rel=1e-4)
 
 
@@ -309,7 +309,7 @@ def test_a_textbooks_table_in_steps_of_30_degrees():
     degrees = np.unique(np.concatenate([np.arange(0.0, 721, 30), [10, 20, 40, 50, 370, 380, 390, 700, 710]]))
     diagram = diagram_of(csv(degrees, wiebe_cycle(ENGINE, CASE, np.radians(degrees))))
     assert len(diagram.angles) == len(degrees) - 1
-    assert diagram.doubts == ()
+    assert diagram.flags == ()
 
 
 def test_two_stroke():

@@ -22,14 +22,14 @@ def model_of(**more):
     spec = validated(gas.kind_named("dual").spec, DUAL | more)
     kind = gas.kind_of(spec)
     model = kind.model(spec, CHAMBER)
-    return model, kind.doubts(spec, model)
+    return model, kind.flags(spec, model)
 
 
 def test_exchange_pressures_unless_given():
-    model, doubts = model_of()
+    model, flags = model_of()
     assert model.inlet_pressure == model.exhaust_pressure == model.start_pressure == 1.2e5
     assert model_of(inlet_pressure="1.3 bar")[0].exhaust_pressure == 1.3e5
-    assert doubts == ()
+    assert flags == ()
 
 
 def test_gauge_units_count_from_the_atmosphere():
@@ -37,9 +37,9 @@ def test_gauge_units_count_from_the_atmosphere():
 
 
 def test_a_pressure_that_looks_like_gauge_is_doubted():
-    _, doubts = model_of(start_pressure="0.2 bar", exhaust_pressure="5 kPa")
-    assert [doubt.split(" = ")[0] for doubt in doubts] == ["start_pressure", "exhaust_pressure"]
-    assert "20 kPa absolute" in doubts[0]
+    _, flags = model_of(start_pressure="0.2 bar", exhaust_pressure="5 kPa")
+    assert [flag.split(" = ")[0] for flag in flags] == ["start_pressure", "exhaust_pressure"]
+    assert "20 kPa absolute" in flags[0]
 
 
 @pytest.mark.parametrize(
@@ -69,5 +69,5 @@ def test_heat_beyond_the_bottom_dead_centre_is_no_number():
 
 
 def test_an_exponent_that_no_gas_has_is_doubted():
-    _, doubts = model_of(expansion_exponent=0.5)
-    assert doubts == ("expansion_exponent = 0.5 is no polytrope of an engine; 1.2 to 1.4 are usual.",)
+    _, flags = model_of(expansion_exponent=0.5)
+    assert flags == ("expansion_exponent = 0.5 is no polytrope of an engine; 1.2 to 1.4 are usual.",)

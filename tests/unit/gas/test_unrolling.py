@@ -128,7 +128,7 @@ def test_rounded_volumes_are_no_jumps():
     text = csv(volume, two_stroke_pressure(angle), header="V [cm³],p abs [Pa]")
     diagram = diagram_of(text, cycle=TWO_STROKE)
     assert np.all(np.abs(np.sin(diagram.curve.jumps)) < 1e-9)
-    assert not any("in one step" in doubt for doubt in diagram.doubts)
+    assert not any("in one step" in flag for flag in diagram.flags)
 
 
 @pytest.mark.parametrize(

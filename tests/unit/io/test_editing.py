@@ -9,7 +9,9 @@ from hypothesis import strategies as st
 
 from cranktrain.errors import InputError
 from cranktrain.io.document import Document
-from cranktrain.io.editing import path_text, places, quantity_path, toml_value, with_value
+from cranktrain.io.editing import toml_value, with_value
+from cranktrain.io.places import places
+from cranktrain.paths import path_text, quantity_path
 
 
 class TestQuantityPath:
@@ -266,7 +268,7 @@ def test_every_place_is_found(text):
     found = places(source)
     assert not found.repeated
     for path in list(paths_of(data))[1:]:
-        place = found.root.deepest(path)
+        place = found.deepest(path)
         assert place.path == path
         if place.kind in ("scalar", "list", "inline"):
             assert tomllib.loads(f"x = {source[place.start : place.end].decode()}") == {"x": at(data, path)}

@@ -4,9 +4,9 @@ from importlib.resources import files
 import pytest
 
 import cranktrain as ct
-from cranktrain.io.editing import quantity_path
 from cranktrain.io.examples import example_called, example_names
 from cranktrain.io.machine_file import inputs_of, read_machine
+from cranktrain.paths import quantity_path
 
 MACHINE = '[mechanism]\nkind = "slider_crank"\nstroke = "80 mm"\nrod_length = "136 mm"\n'
 

@@ -29,6 +29,7 @@ DIMENSIONALITY = {
     Dimension.FLYWHEEL_MOMENT: {M: 1, L: 2},
     Dimension.POWER: {M: 1, L: 2, T: -3},
     Dimension.STIFFNESS: {M: 1, T: -2},
+    Dimension.TORSIONAL_STIFFNESS: {M: 1, L: 2, T: -2},
     Dimension.DENSITY: {M: 1, L: -3},
     Dimension.TEMPERATURE: {"[temperature]": 1},
 }
@@ -40,6 +41,8 @@ OF_PINT = {
     "kgf·m": "kilogram_force * m",
     "lbf·ft": "pound_force * ft",
     "lbf·in": "pound_force * in",
+    "kgf·m/rad": "kilogram_force * m / rad",
+    "lbf·in/rad": "pound_force * in / rad",
     "barg": "bar",
     "at": "technical_atmosphere",
     "ati": "technical_atmosphere",

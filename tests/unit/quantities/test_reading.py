@@ -80,6 +80,13 @@ MULTIPLICATIVE = {
         75 * Fraction("9.80665"): ("PS", "л.с.", "л. с.", "лс"),
     },
     D.STIFFNESS: {Fraction(1000): ("N/mm", "Н/мм"), Fraction(1): ("N/m", "Н/м")},
+    D.TORSIONAL_STIFFNESS: {
+        Fraction(10**6): ("MN·m/rad", "MN*m/rad", "MNm/rad", "МН·м/рад"),
+        Fraction(1000): ("kN·m/rad", "kN*m/rad", "kNm/rad", "кН·м/рад"),
+        Fraction(1): ("N·m/rad", "N*m/rad", "Nm/rad", "Н·м/рад"),
+        Fraction("9.80665"): ("kgf·m/rad", "кгс·м/рад"),
+        LBF * INCH: ("lbf·in/rad", "in·lbf/rad", "фунт-сила·дюйм/рад"),
+    },
     D.TEMPERATURE: {Fraction(1): ("K", "К")},
 }
 SPELLED = [

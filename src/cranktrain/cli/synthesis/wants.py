@@ -1,19 +1,20 @@
 """What was typed for a synthesis: each want read as what it must be, and all that is wrong with them at once."""
 
-import inspect
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
-from typing import Any, TypeAlias
+from inspect import Parameter, signature
+from typing import TypeAlias
 
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.language import _
-from cranktrain.quantities import Dimension, Quantity, QuantityError, expected, one_of, unlisted
+from cranktrain.quantities import Dimension, QuantityError, unlisted
+from cranktrain.spec import missing, parts_of, quantity_of, words_of
 from cranktrain.synthesis.crank_rocker import crank_rocker_from_swing
 from cranktrain.synthesis.knuckle import knuckle_from_wants
 from cranktrain.synthesis.proposal import Proposal
 from cranktrain.synthesis.quick_return import quick_return
-from cranktrain.synthesis.radial import STRATEGIES, radial
+from cranktrain.synthesis.radial import radial
 from cranktrain.synthesis.slider_crank import slider_crank_from_stroke
 
 Typed: TypeAlias = Mapping[str, str | bool | None]
@@ -26,52 +27,26 @@ SYNTHESES: Mapping[str, Callable[..., Proposal]] = {
     "knuckle": knuckle_from_wants,
     "radial": radial,
 }
-"""What can be synthesised."""
+"""What can be synthesised; the annotations of its parameters say what each is, and what may be typed for it."""
 
-FREE = "free"
-"""What stands for an offset that is to be chosen."""
-
-_DIMENSIONS = {
-    "stroke": Dimension.LENGTH,
-    "pressure_angle": Dimension.ANGLE,
-    "return_pressure_angle": Dimension.ANGLE,
-    "rod_length": Dimension.LENGTH,
-    "offset": Dimension.LENGTH,
-    "mean_speed": Dimension.VELOCITY,
-    "speed": Dimension.SPEED,
-    "swing": Dimension.ANGLE,
-    "time_ratio": Dimension.RATIO,
-    "ratio": Dimension.RATIO,
-    "rocker_length": Dimension.LENGTH,
-    "transmission_angle": Dimension.ANGLE,
-    "crank_radius": Dimension.LENGTH,
-    "master_rod_length": Dimension.LENGTH,
-    "bank_angle": Dimension.ANGLE,
-    "master_offset": Dimension.LENGTH,
-    "same_ratio": Dimension.RATIO,
-    "knuckle_radius": Dimension.LENGTH,
-    "articulation_angle": Dimension.ANGLE,
-    "bore": Dimension.LENGTH,
-    "n_cylinders": Dimension.RATIO,
-    "slave_rod_length": Dimension.LENGTH,
-    "compression_ratio": Dimension.RATIO,
-}
-
-_CHOICES = {
-    "working_stroke": ("toward", "away"),
-    "slow_stroke": ("toward", "away"),
-    "slow_swing": ("forward", "backward"),
-    "unshifted": ("top", "bottom"),
-    "strategy": tuple(STRATEGIES),
-}
+_FREE = "free"
+"""What stands for None, a dimension that is to be chosen, where something else stands unless given."""
 
 _MOST_CYLINDERS = 99
 
-_POSITIVE = ("bore", "speed")
-"""What not every synthesis looks at itself."""
 
-_OPTIONS = {"ratio": "--time-ratio", "n_cylinders": "--cylinders"}
-"""Options that are not called as their parameters."""
+def wants_of(problem: str) -> Iterable[Parameter]:
+    """Parameters of a synthesis, by its key in `SYNTHESES`."""
+    return signature(SYNTHESES[problem]).parameters.values()
+
+
+def form_of(want: Parameter) -> str:
+    """Say in short what is typed for a parameter."""
+    quantity, words = quantity_of(want.annotation), words_of(want.annotation)
+    if quantity is None:
+        return "|".join(map(str, words)) if len(words) == 2 else want.name.upper()
+    form = "NUMBER" if quantity.dimension is Dimension.RATIO else quantity.dimension.name
+    return f"{form}|{_FREE}" if _can_be_free(want) else form
 
 
 def proposed(problem: str, typed: Typed) -> Proposal:
@@ -92,60 +67,59 @@ def proposed(problem: str, typed: Typed) -> Proposal:
     InputError
         With every want that is missing or no such quantity; else with what the synthesis says, of the options as typed.
     """
-    synthesis = SYNTHESES[problem]
     problems: list[Problem] = []
     wants: dict[str, object] = {}
-    for name, parameter in inspect.signature(synthesis).parameters.items():
-        given = typed.get(name)
-        if given is None:
-            if parameter.default is parameter.empty:
-                problems.append(Problem(option_of(name), None, _("is missing; {must}").format(must=_must(name))))
-            continue
+    for want in wants_of(problem):
+        given = typed.get(want.name)
         try:
-            wants[name] = _want(name, given)
+            if given is not None:
+                wants[want.name] = _value(want, given)
+            elif want.default is Parameter.empty:
+                problems.append(Problem(option_of(want.name), None, missing(want.annotation)))
         except InputError as error:
-            problems += [replace(one, path=option_of(name)) for one in error.problems]
+            problems += [replace(one, path=option_of(want.name)) for one in error.problems]
     if problems:
         raise InputError(problems)
     try:
-        return synthesis(**wants)
+        return SYNTHESES[problem](**wants)
     except InputError as error:
         raise InputError(_in_options(error, typed, Position(f"cranktrain synthesise {problem}"))) from None
 
 
 def option_of(name: str) -> str:
     """Option by which a parameter is typed."""
-    return _OPTIONS.get(name, f"--{name.replace('_', '-')}")
+    return f"--{name.removeprefix('n_').replace('_', '-')}"
 
 
-def _must(name: str) -> str:
-    """Say what a want must be."""
-    return one_of(_CHOICES[name]) if name in _CHOICES else expected(_DIMENSIONS[name])
-
-
-def _want(name: str, given: str | bool) -> object:
+def _value(want: Parameter, given: str | bool) -> object:
     """Read one want."""
+    quantity, words = quantity_of(want.annotation), words_of(want.annotation)
     if isinstance(given, bool):
         return given
-    if name in _CHOICES:
+    if quantity is None:
         chosen = given.strip().casefold().replace("-", "_")
-        if chosen not in _CHOICES[name]:
-            raise InputError([unlisted(name, given, _CHOICES[name])])
+        if chosen not in words:
+            raise InputError([unlisted(want.name, given, words)])
         return chosen
-    if name == "offset" and given.strip().casefold() == FREE:
+    if _can_be_free(want) and given.strip().casefold() == _FREE:
         return None
-    value = Quantity(_DIMENSIONS[name], above=0.0 if name in _POSITIVE else None).given(given).si
-    if name == "n_cylinders":
+    value = quantity.given(given).si
+    if int in parts_of(want.annotation):
         if value != round(value) or value > _MOST_CYLINDERS:
             raise QuantityError(given, _("must be a whole number up to {most}").format(most=_MOST_CYLINDERS))
         return round(value)
     return value
 
 
+def _can_be_free(want: Parameter) -> bool:
+    """Tell whether a parameter may be None, and is something else unless given."""
+    return want.default is not None and type(None) in parts_of(want.annotation)
+
+
 def _in_options(error: InputError, typed: Typed, command: Position) -> Iterator[Problem]:
     """Speak of options, and of what was typed, where a synthesis speaks of its parameters."""
     for problem in error.problems:
-        given: Any = typed.get(problem.path)
+        given = typed.get(problem.path)
         yield Problem(
             option_of(problem.path) if problem.path else "",
             given.strip() if isinstance(given, str) else problem.given,

@@ -39,20 +39,21 @@ def show_errata(console: Console) -> None:
 def show_source_example(console: Console) -> None:
     """Show the wrong steps of the slider-crank's synthesis, and its table of velocities beside the right one."""
     width = console.width - INDENT
-    section(console, f"[{SOURCE}]", [REFERENCES[SOURCE].text, _("Its example: {wants}.").format(wants=_wants())])
+    section(console, f"[{SOURCE}]", [REFERENCES[SOURCE].text, _("Its example: {wants}.").format(wants=_example())])
     for place, step in enumerate(wrong_steps(), start=1):
         words = _(step.step)
-        section(console, f"{place}. {words[:1].upper()}{words[1:]}", list(_told(step, width)))
+        section(console, f"{place}. {words[:1].upper()}{words[1:]}", list(_rows_of(step, width)))
     section(console, _("Its table of slider velocities, m/s"), list(_velocities(width)))
 
 
-def _wants() -> str:
+def _example() -> str:
+    """Dimensions from which the source's example starts."""
     return _("stroke {stroke}, mean slider speed {speed}, permissible pressure angle {angle}").format(
         stroke=SOURCE_EXAMPLE["stroke"], speed=SOURCE_EXAMPLE["mean_speed"], angle=SOURCE_EXAMPLE["pressure_angle"]
     )
 
 
-def _told(step: WrongStep, width: int) -> Iterator[Text]:
+def _rows_of(step: WrongStep, width: int) -> Iterator[Text]:
     """What a step says, gives, and would have to give."""
     rows = [
         (_("printed"), step.printed),

@@ -2,7 +2,7 @@
 
 from cranktrain.gas.diesel.spec import DieselSpec
 from cranktrain.gas.dual.pressure import ideal_kinks, ideal_mean_pressures, ideal_pressure
-from cranktrain.gas.dual.spec import cycle_doubts, ideal_cycle
+from cranktrain.gas.dual.spec import cycle_flags, ideal_cycle
 from cranktrain.gas.kind import GasKind
 from cranktrain.language import N_
 
@@ -14,7 +14,7 @@ KIND = GasKind(
     spec=DieselSpec,
     model=ideal_cycle,
     pressure=ideal_pressure,
-    doubts=cycle_doubts,
+    flags=cycle_flags,
     mean_pressures=ideal_mean_pressures,
     kinks=ideal_kinks,
     example="""\

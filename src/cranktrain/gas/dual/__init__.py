@@ -1,7 +1,7 @@
 """Dual cycle (Sabathé, Trinkler): heat first at constant volume, then at constant pressure."""
 
 from cranktrain.gas.dual.pressure import IdealCycle, ideal_kinks, ideal_mean_pressures, ideal_pressure
-from cranktrain.gas.dual.spec import DualSpec, cycle_doubts, ideal_cycle
+from cranktrain.gas.dual.spec import DualSpec, cycle_flags, ideal_cycle
 from cranktrain.gas.kind import GasKind
 from cranktrain.language import N_
 
@@ -13,7 +13,7 @@ KIND = GasKind(
     spec=DualSpec,
     model=ideal_cycle,
     pressure=ideal_pressure,
-    doubts=cycle_doubts,
+    flags=cycle_flags,
     mean_pressures=ideal_mean_pressures,
     kinks=ideal_kinks,
     example="""\

@@ -88,8 +88,8 @@ def ideal_cycle(spec: IdealCycleSpec, chamber: Chamber) -> IdealCycle:
     )
 
 
-def cycle_doubts(spec: IdealCycleSpec, model: IdealCycle) -> tuple[str, ...]:
-    """Doubt pressures that are so low that gauge pressures may be meant, and exponents that no gas has."""
+def cycle_flags(spec: IdealCycleSpec, model: IdealCycle) -> tuple[str, ...]:
+    """Flag pressures that are so low that gauge pressures may be meant, and exponents that no gas has."""
     del model
     exponents = {name: getattr(spec, name) for name in ("compression_exponent", "expansion_exponent")}
     unusual = tuple(

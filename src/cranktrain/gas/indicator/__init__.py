@@ -17,7 +17,7 @@ KIND = GasKind(
     work=diagram_work,
     breaks=lambda diagram: diagram.curve.places,
     jumps=lambda diagram: diagram.curve.jumps,
-    doubts=lambda spec, diagram: diagram.doubts,
+    flags=lambda spec, diagram: diagram.flags,
     findings=lambda diagram: diagram.findings,
     example="""\
 [gas]

@@ -22,7 +22,7 @@ _WIDEST_GAP = np.radians(15.0)
 _RADIANS = 15.0
 """A cycle of fewer degrees may be in radians."""
 _DOUBTFUL_GAP = 3.5
-"""Steps over which the curve's word is doubted."""
+"""Steps over which the curve is flagged."""
 _IN_ORDER = 0.9
 """Share of the rows that go on in one sense, turns apart, in a file whose rows are in order."""
 _CLOSED = 0.01
@@ -34,7 +34,7 @@ _MOST_JUMPS = 8
 
 
 class Samples(NamedTuple):
-    """One cycle: angles rising within one cycle [rad], absolute pressures [Pa], what was found, and what is doubted.
+    """One cycle: angles rising within one cycle [rad], absolute pressures [Pa], what was found, and flags.
 
     Where the pressure jumps, the angle stands twice, before and after.
     """
@@ -42,7 +42,7 @@ class Samples(NamedTuple):
     angles: Array
     pressures: Array
     findings: tuple[str, ...]
-    doubts: tuple[str, ...]
+    flags: tuple[str, ...]
 
 
 def one_cycle(trace: Trace, cycle: float) -> Samples:
@@ -76,7 +76,7 @@ def one_cycle(trace: Trace, cycle: float) -> Samples:
     _refuse_few(trace, len(samples.angles), cycle)
     samples, lines = _open_ended(samples, lines, cycle, step)
     _refuse_another_cycle(trace, samples.angles, step, cycle)
-    return samples._replace(doubts=(*samples.doubts, *_gap_doubts(trace, samples.angles, lines, cycle, step)))
+    return samples._replace(flags=(*samples.flags, *_gap_flags(trace, samples.angles, lines, cycle, step)))
 
 
 def once_or_jump(
@@ -147,7 +147,7 @@ def _open_ended(
     samples: Samples, lines: NDArray[np.intp], cycle: float, step: float
 ) -> tuple[Samples, NDArray[np.intp]]:
     """Join the last sample to the first one where it is that of the next cycle: one sample, or a jump."""
-    angles, pressures, findings, doubts = samples
+    angles, pressures, findings, flags = samples
     if abs(angles[-1] - angles[0] - cycle) > _SAME * step:
         return samples, lines
     starts, ends = np.flatnonzero(angles == angles[0]), np.flatnonzero(angles == angles[-1])
@@ -158,15 +158,15 @@ def _open_ended(
     if apart <= _ALIKE:
         told = _("First and last sample are the same angle, {first} and {last}: the last is left out.")
         findings = (*findings, told.format(first=first, last=last))
-        return Samples(angles[inner], pressures[inner], findings, doubts), lines[inner]
+        return Samples(angles[inner], pressures[inner], findings, flags), lines[inner]
     if apart > _CLOSED:
         differ = _(
             "The pressures at {first} and {last} differ by {percent:.2g} % of the peak: if they do not jump there, the"
             " cycle does not close."
         )
-        doubts = (*doubts, differ.format(first=first, last=last, percent=100 * float(apart)))
+        flags = (*flags, differ.format(first=first, last=last, percent=100 * float(apart)))
     kept = np.append(before, inner)
-    return Samples(np.append(angles[0], angles[inner]), pressures[kept], findings, doubts), lines[kept]
+    return Samples(np.append(angles[0], angles[inner]), pressures[kept], findings, flags), lines[kept]
 
 
 def _refuse_another_cycle(trace: Trace, angles: Array, step: float, cycle: float) -> None:
@@ -181,8 +181,8 @@ def _refuse_another_cycle(trace: Trace, angles: Array, step: float, cycle: float
         _refuse(trace, allowed.format(own=own))
 
 
-def _gap_doubts(trace: Trace, angles: Array, lines: NDArray[np.intp], cycle: float, step: float) -> tuple[str, ...]:
-    """Refuse gaps over which nothing is known, and doubt smaller ones."""
+def _gap_flags(trace: Trace, angles: Array, lines: NDArray[np.intp], cycle: float, step: float) -> tuple[str, ...]:
+    """Refuse gaps over which nothing is known, and flag smaller ones."""
     steps = np.diff(angles, append=angles[0] + cycle)
     gaps = np.flatnonzero(steps > min(_DOUBTFUL_GAP * step, _WIDEST_STEP))
     if not gaps.size:

@@ -30,13 +30,13 @@ class Diagram:
     ----------
     curve : Curve
         Absolute pressure over the crank angle from firing, its places in [0, cycle). [rad, Pa]
-    findings, doubts : tuple of str
+    findings, flags : tuple of str
         What was found in the file and changed, and what may be meant otherwise, as sentences.
     """
 
     curve: Curve
     findings: tuple[str, ...] = ()
-    doubts: tuple[str, ...] = ()
+    flags: tuple[str, ...] = ()
 
     @property
     def angles(self) -> Array:
@@ -67,7 +67,7 @@ def diagram_through(samples: Samples, cycle: float, interpolation: Interpolation
         It goes through every sample. A spline rings beside plateaus and corners.
     """
     curve = CURVES[interpolation](samples.angles, samples.pressures, cycle)
-    return Diagram(curve, samples.findings, samples.doubts)
+    return Diagram(curve, samples.findings, samples.flags)
 
 
 def pressure_at(diagram: Diagram, angle_from_firing: Array) -> Array:
@@ -144,4 +144,4 @@ def smoothed(diagram: Diagram, width: float, interpolation: Interpolation = "lim
     half_square = (order * width) ** 2 / 2
     series = np.fft.rfft(pressure_at(diagram, angles)) * (1 + half_square) * np.exp(-half_square)
     pressures: Array = np.fft.irfft(series, n_points)
-    return diagram_through(Samples(angles, pressures, diagram.findings, diagram.doubts), cycle, interpolation)
+    return diagram_through(Samples(angles, pressures, diagram.findings, diagram.flags), cycle, interpolation)

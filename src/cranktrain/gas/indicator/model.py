@@ -8,8 +8,8 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.gas.indicator.brix import brix_angle
 from cranktrain.gas.indicator.cycle import Samples, one_cycle
 from cranktrain.gas.indicator.diagram import CURVES, Diagram, diagram_through, pressure_at, smoothed
-from cranktrain.gas.indicator.doubts import compression_doubts, lost_jump_doubts, noise_doubts, rounded_jump_doubts
 from cranktrain.gas.indicator.findings import curve_findings
+from cranktrain.gas.indicator.flags import compression_flags, lost_jump_flags, noise_flags, rounded_jump_flags
 from cranktrain.gas.indicator.pegging import polytropic_offset
 from cranktrain.gas.indicator.placing import placed
 from cranktrain.gas.indicator.spec import IndicatorSpec, PegSpec, trace_of
@@ -44,24 +44,24 @@ def indicator_diagram(spec: IndicatorSpec, chamber: Chamber) -> Diagram:
     if trace.axis == "angle":
         _refuse_strokes(spec)
         samples = one_cycle(trace, chamber.cycle)
-        samples = samples._replace(doubts=(*samples.doubts, *lost_jump_doubts(samples, chamber.cycle)))
+        samples = samples._replace(flags=(*samples.flags, *lost_jump_flags(samples, chamber.cycle)))
         firing = None if spec.firing_angle is None else spec.firing_angle.si
         samples = placed(samples, chamber.cycle, firing, spec.sense)
         samples = _from_nominal(samples, chamber)
     else:
         _refuse_angles(spec, trace.axis)
         samples = unrolled(trace, chamber, CURVES[spec.interpolation], _outward(spec, chamber))
-    samples = samples._replace(findings=(*trace.findings, *samples.findings), doubts=(*trace.doubts, *samples.doubts))
+    samples = samples._replace(findings=(*trace.findings, *samples.findings), flags=(*trace.flags, *samples.flags))
     highest = int(np.argmin(np.abs(samples.pressures - np.max(trace.pressures))))
     if spec.peg is not None:
         diagram = diagram_through(samples, chamber.cycle, spec.interpolation)
         samples = _pegged(samples, diagram, spec.peg, chamber)
-    doubts = (*samples.doubts, *compression_doubts(samples, chamber))
+    flags = (*samples.flags, *compression_flags(samples, chamber))
     if spec.smoothing is None:
-        doubts = (*doubts, *noise_doubts(samples))
+        flags = (*flags, *noise_flags(samples))
     if spec.interpolation == "spline" or spec.smoothing is not None:
-        doubts = (*doubts, *rounded_jump_doubts(samples))
-    diagram = diagram_through(samples._replace(doubts=doubts), chamber.cycle, spec.interpolation)
+        flags = (*flags, *rounded_jump_flags(samples))
+    diagram = diagram_through(samples._replace(flags=flags), chamber.cycle, spec.interpolation)
     if spec.smoothing is not None:
         diagram = smoothed(diagram, spec.smoothing.si, spec.interpolation)
     told = curve_findings(diagram.curve, samples, highest, dead_centres_of(chamber.volume).top)

@@ -84,7 +84,7 @@ def placed(samples: Samples, cycle: float, firing_angle: float | None, sense: Se
         angles=angles[order],
         pressures=samples.pressures[order],
         findings=(*samples.findings, *_findings(own, count, is_backward, sense, firing_angle is not None)),
-        doubts=(*samples.doubts, *_doubts(own, is_backward=is_backward)),
+        flags=(*samples.flags, *_flags(own, is_backward=is_backward)),
     )
 
 
@@ -143,8 +143,8 @@ def _findings(own: _Found, count: float, is_backward: bool, sense: Sense, is_giv
     return tuple(told)
 
 
-def _doubts(own: _Found, *, is_backward: bool) -> tuple[str, ...]:
-    """Doubt the sense and the dead centre where the pressures say otherwise."""
+def _flags(own: _Found, *, is_backward: bool) -> tuple[str, ...]:
+    """Flag the sense and the dead centre where the pressures say otherwise."""
     peak = _degrees(own.peak)
     if own.asymmetry < -_MOTORED:
         counted = _(

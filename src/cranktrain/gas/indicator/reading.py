@@ -41,7 +41,7 @@ _PAIR = 2
 _DEGREES_BEYOND = 15.0
 """Angles that reach farther than two turns in radians are degrees."""
 _LOWEST_USUAL, _HIGHEST_LOWEST, _HIGHEST_USUAL, _LOWEST_PEAK = 0.3e5, 8e5, 350e5, 3e5
-"""Lowest pressure of a cycle below or above which, and peak above or below which, a unit is doubted. [Pa]"""
+"""Lowest pressure of a cycle below or above which, and peak above or below which, a unit is flagged. [Pa]"""
 
 
 class Columns(NamedTuple):
@@ -73,7 +73,7 @@ class Trace:
     pressures : Array, shape (n,)
         Absolute. [Pa]
     lines : array of int, shape (n,)
-    findings, doubts : tuple of str
+    findings, flags : tuple of str
         What was found out, and what may be meant otherwise, as sentences.
     """
 
@@ -83,7 +83,7 @@ class Trace:
     pressures: Array
     lines: NDArray[np.intp]
     findings: tuple[str, ...]
-    doubts: tuple[str, ...]
+    flags: tuple[str, ...]
 
 
 def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
@@ -134,7 +134,7 @@ def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
         pressures=pressures,
         lines=table.lines,
         findings=(*_columns_taken(table, said, level), *findings, *told),
-        doubts=_level_doubts(pressures),
+        flags=_level_flags(pressures),
     )
 
 
@@ -261,23 +261,23 @@ def _negative(pressures: Array, table: Table, level: int) -> list[Problem]:
     return [Problem("", f"{table.rows[first, level]:g}", allowed, repair, table.position(first, level))]
 
 
-def _level_doubts(pressures: Array) -> tuple[str, ...]:
-    """Doubt pressures as no engine has them: gauge for absolute, or a unit that is off by ten."""
+def _level_flags(pressures: Array) -> tuple[str, ...]:
+    """Flag pressures as no engine has them: gauge for absolute, or a unit that is off by ten."""
     lowest, highest = float(np.min(pressures)), float(np.max(pressures))
     low, high = (f"{shown(pressure, 'bar'):.4g}" for pressure in (lowest, highest))
-    doubts: list[str] = []
+    flags: list[str] = []
     if lowest < _LOWEST_USUAL:
-        doubts.append(
+        flags.append(
             _(
                 "The lowest pressure is {low} bar absolute, too low for an engine: gauge pressures, or another unit?"
             ).format(low=low)
         )
     if lowest > _HIGHEST_LOWEST or highest > _HIGHEST_USUAL:
-        doubts.append(
+        flags.append(
             _("Pressures of {low} to {high} bar are too high for an engine: is the unit right?").format(
                 low=low, high=high
             )
         )
     elif highest < _LOWEST_PEAK:
-        doubts.append(_("The peak of {high} bar is too low for an engine: is the unit right?").format(high=high))
-    return tuple(doubts)
+        flags.append(_("The peak of {high} bar is too low for an engine: is the unit right?").format(high=high))
+    return tuple(flags)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from cranktrain.errors import InputError, Problem
 from cranktrain.gas.indicator.curve import Curve, curve_at
 from cranktrain.gas.indicator.cycle import Samples, once_or_jump
-from cranktrain.gas.indicator.doubts import lost_jump_doubts
+from cranktrain.gas.indicator.flags import lost_jump_flags
 from cranktrain.gas.indicator.reading import Trace
 from cranktrain.gas.kind import Chamber
 from cranktrain.language import _
@@ -117,8 +117,8 @@ def unrolled(
     ]
     told = _("Pressures over the stroke are unrolled over the crank angle: {n} strokes.").format(n=n_strokes)
     angles, pressures = _joined(strokes, in_order, chamber.cycle)
-    doubts = tuple(lost_jump_doubts(Samples(angles, pressures, (), ()), chamber.cycle))
-    return Samples(*_filled(angles, pressures, chamber, curve_through), (*findings, told), doubts)
+    flags = tuple(lost_jump_flags(Samples(angles, pressures, (), ()), chamber.cycle))
+    return Samples(*_filled(angles, pressures, chamber, curve_through), (*findings, told), flags)
 
 
 def _travelled(trace: Trace, chamber: Chamber) -> tuple[Array, tuple[str, ...]]:

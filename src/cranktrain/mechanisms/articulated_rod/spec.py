@@ -3,8 +3,9 @@
 from typing import ClassVar, Literal
 
 import numpy as np
+from pydantic import Field
 
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import single
@@ -17,11 +18,16 @@ class ArticulatedRodSpec(MechanismSpec, frozen=True):
     """A slave rod on a knuckle pin of the master rod that works on the same throw in bank `master`."""
 
     kind: Literal["articulated_rod"]
-    master: str
-    knuckle_radius: NonNegativeLength
-    rod_length: PositiveLength
-    articulation_angle: Angle
-    offset: Length = Given(0.0, "0 mm")
+    master: str = Field(description=N_("The bank whose rod, on the same throw, carries the knuckle pin."))
+    knuckle_radius: NonNegativeLength = Field(description=N_("From crank pin to knuckle pin."))
+    rod_length: PositiveLength = Field(description=N_("From knuckle pin to the slave's piston pin."))
+    articulation_angle: Angle = Field(
+        description=N_("From the master rod to the knuckle pin about the crank pin, in the sense of rotation.")
+    )
+    offset: Length = Field(
+        default=Given(0.0, "0 mm"),
+        description=N_("Of the slave's line of stroke from the shaft, in its own cylinder's axes."),
+    )
 
     master_field: ClassVar[str | None] = "master"
 

@@ -1,7 +1,7 @@
 """How a chain is put together where its crank `main` lies along x: sides of swivels and trammels, modes of triads."""
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple, cast
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,7 +15,9 @@ from cranktrain.mechanisms.chain.steps import (
     StartSize,
     StepSize,
     Structure,
+    SwivelSize,
     SwivelStep,
+    TrammelSize,
     TrammelStep,
     TriadSize,
     TriadStep,
@@ -59,18 +61,18 @@ def assembled(structure: Structure, size: ChainSize, near: Mapping[str, Array]) 
 
 def _put_together(structure: Structure, place: int, size: ChainSize, near: Mapping[str, Array]) -> StepSize:
     """One group's size with what it takes from those above it."""
-    step, own = structure.steps[place], cast(Any, size.steps[place])
-    if not isinstance(step, SwivelStep | TrammelStep | TriadStep):
-        return own
-    made = made_above(structure, place, size)
-    match step:
-        case SwivelStep():
-            return own._replace(outside=single(_outside(structure, step, made)))
-        case TrammelStep():
-            side = float(np.sign(trammel_transmission(turned_link(made[step.link], own.direction))))
+    step, own = structure.steps[place], size.steps[place]
+    match step, own:
+        case SwivelStep(), SwivelSize():
+            return own._replace(outside=single(_outside(structure, step, made_above(structure, place, size))))
+        case TrammelStep(), TrammelSize():
+            link = turned_link(made_above(structure, place, size)[step.link], own.direction)
+            side = float(np.sign(trammel_transmission(link)))
             return own._replace(side=single(side if side != 0.0 else 1.0))
-        case TriadStep():
-            return own._replace(start=_start(step, own, made, near[step.link]))
+        case TriadStep(), TriadSize():
+            return own._replace(start=_start(step, own, made_above(structure, place, size), near[step.link]))
+        case _:
+            return own
 
 
 def made_above(structure: Structure, place: int, size: ChainSize) -> Made:

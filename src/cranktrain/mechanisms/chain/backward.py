@@ -37,6 +37,7 @@ from cranktrain.mechanisms.chain.steps import (
     MountStep,
     PinSize,
     PinStep,
+    PointSize,
     PointStep,
     RodLegStep,
     SlideSize,
@@ -168,9 +169,8 @@ def _solve_triad(step: TriadStep, own: TriadSize, walk: BackwardWalk) -> None:
                 walk.drags[leg.slider] = _along(reactions.end, end.cos, end.sin)
 
 
-def _solve_point(step: PointStep | MountStep, own: Any, walk: BackwardWalk) -> None:
+def _solve_point(_step: PointStep | MountStep, _own: PointSize, _walk: BackwardWalk) -> None:
     """Nothing hangs on a point but by the link that carries it."""
-    del step, own, walk
 
 
 _SOLVED: Mapping[type, Callable[[Any, Any, BackwardWalk], None]] = {

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache, partial
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from cranktrain.mechanisms.chain.drawing import chain_drawing
 from cranktrain.mechanisms.chain.forces import chain_dynamics
 from cranktrain.mechanisms.chain.gaps import chain_gap, chain_gaps
 from cranktrain.mechanisms.chain.kinematics import ChainMotion, chain_motion, triad_branch
-from cranktrain.mechanisms.chain.made import SHAFT, made_by, made_names, pin_of
+from cranktrain.mechanisms.chain.made import SHAFT, Part, made_by, made_names, pin_of
 from cranktrain.mechanisms.chain.margin import chain_openings
 from cranktrain.mechanisms.chain.spec import ChainSpec
 from cranktrain.mechanisms.chain.steps import (
@@ -33,7 +33,10 @@ from cranktrain.mechanisms.chain.steps import (
 from cranktrain.mechanisms.chain.table import structure_of
 from cranktrain.mechanisms.geometry import Geometry
 from cranktrain.mechanisms.kind import Kind
+from cranktrain.motion import Array
 from cranktrain.numerics import turn_grid
+
+_Outcome = TypeVar("_Outcome")
 
 _HUNG_ON = ("rod_from", "rocker_from", "pin", "pivot", "link", "through")
 
@@ -93,7 +96,7 @@ def as_chain(
     Returns
     -------
     dict
-        Fields of `Kind`. Of the chain without a triad the gap is searched for its margin as any other kind's.
+        Fields of `Kind`. A triad is walked for its margin; without one the gap is followed as any other kind's.
     """
     made = {name: sort for step in structure.steps for name, sort in made_by(step).items()}
     has_triad = any(isinstance(step, TriadStep) for step in structure.steps)
@@ -101,10 +104,15 @@ def as_chain(
     def named(sort: str) -> tuple[str, ...]:
         return tuple(name for name, own in made.items() if own == sort)
 
+    def of_geometry(
+        of_chain: Callable[[Structure, Array, ChainSize], _Outcome],
+    ) -> Callable[[Array, Geometry], _Outcome]:
+        return lambda angle, geometry: of_chain(structure, angle, size_of(geometry))
+
     return {
-        "motion": lambda angle, geometry: chain_motion(structure, angle, size_of(geometry)),
-        "gap": lambda angle, geometry: chain_gap(structure, angle, size_of(geometry)),
-        "drawing": lambda angle, geometry: chain_drawing(structure, angle, size_of(geometry)),
+        "motion": of_geometry(chain_motion),
+        "gap": of_geometry(chain_gap),
+        "drawing": of_geometry(chain_drawing),
         "dynamics": chain_dynamics(structure, size_of),
         "openings": partial(chain_openings, structure, tuple(lengths), size_of) if has_triad else None,
         "lengths": tuple(lengths),
@@ -144,7 +152,7 @@ def _lengths(step: Step) -> Sequence[tuple[str, str]]:
     ]
 
 
-def _part_named(names: tuple[str, ...], motion: ChainMotion, name: str) -> Any:
+def _part_named(names: tuple[str, ...], motion: ChainMotion, name: str) -> Part:
     """Link, slider or point of a chain's motion."""
     return motion.parts[names.index(name)]
 

@@ -1,6 +1,6 @@
 """A chain, to be drawn."""
 
-from typing import Any, cast
+from typing import cast
 
 import numpy as np
 
@@ -9,16 +9,21 @@ from cranktrain.mechanisms.chain.kinematics import chain_made
 from cranktrain.mechanisms.chain.made import SHAFT, pin_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
+    GuideLegSize,
     GuideLegStep,
     MountStep,
     PinStep,
     PointStep,
     RodLegStep,
+    SlideSize,
     SlideStep,
     Structure,
     SwivelStep,
+    TrammelSize,
     TrammelStep,
+    TriadSize,
     TriadStep,
+    YokeSize,
     YokeStep,
 )
 from cranktrain.mechanisms.drawing import Block, Drawing, DrawnLink, Guide
@@ -63,12 +68,12 @@ def chain_drawing(structure: Structure, angle: Array, size: ChainSize) -> Drawin
                 rods = [leg for leg in step.legs if isinstance(leg, RodLegStep)]
                 links += [DrawnLink(leg.rod, (leg.rod_from, leg.joint)) for leg in rods]
                 links.append(DrawnLink(step.link, (*pins, pins[0])))
-                for leg, size_of_leg in zip(step.legs, cast(Any, own).legs, strict=True):
+                for leg, size_of_leg in zip(step.legs, cast(TriadSize, own).legs, strict=True):
                     if isinstance(leg, GuideLegStep):
-                        guide = Guide(pin_of(leg.slider), size_of_leg.direction)
+                        guide = Guide(pin_of(leg.slider), cast(GuideLegSize, size_of_leg).direction)
                         guides.insert(0 if leg.slider == structure.output else len(guides), guide)
         if isinstance(step, SlideStep | YokeStep | TrammelStep):
-            guide = Guide(pin_of(step.slider), cast(Any, own).direction)
+            guide = Guide(pin_of(step.slider), cast(SlideSize | YokeSize | TrammelSize, own).direction)
             guides.insert(0 if step.slider == structure.output else len(guides), guide)
     fixed = (SHAFT, *structure.fixed)
     points = {name: part for name, part in made.items() if isinstance(part, Point)}

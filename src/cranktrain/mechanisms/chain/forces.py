@@ -161,5 +161,7 @@ def chain_dynamics(
         chain_groups(structure),
         lambda motion, geometry: tuple(chain_links(structure, motion, size_of(geometry)).values()),
         lambda motion, geometry, value: chain_load(structure, motion, size_of(geometry), value),
-        lambda motion, geometry, *acting: chain_forces(structure, motion, size_of(geometry), *acting),
+        lambda motion, geometry, bodies, loads, conditions: chain_forces(
+            structure, motion, size_of(geometry), bodies, loads, conditions
+        ),
     )

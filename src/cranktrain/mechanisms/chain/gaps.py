@@ -1,7 +1,7 @@
 """By how much the groups of a chain can close, at any crank angle."""
 
 from collections.abc import Callable, Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -31,10 +31,11 @@ from cranktrain.mechanisms.chain.steps import (
     MountStep,
     PinSize,
     PinStep,
-    PointSize,
     PointStep,
     SlideSize,
     SlideStep,
+    Step,
+    StepSize,
     Structure,
     SwivelSize,
     SwivelStep,
@@ -121,7 +122,7 @@ def _gaps(structure: Structure, angle: Array, size: ChainSize, radius: Array, tr
             link, gap = triad_of(place, made)
             place_triad(step, own, link, made)
         else:
-            gap = _GAPS[type(step)](step, own, made, radius)
+            gap = _gap_of(step, own, made, radius)
             place_group(step, own, made)
         gaps.append(gap)
     return gaps
@@ -146,49 +147,34 @@ def _gap_of_triad(branch: Branch, ends: TriadEnds, own: TriadSize, motion: Triad
 _HAIR = float(np.finfo(float).tiny)
 
 
-def _gap_of_pin(step: PinStep, own: PinSize, made: Made, _radius: Array) -> Array:
-    return pin_gap(Ends(made[step.rod_from], made[step.rocker_from]), Pin(*own))
+def _gap_of(step: Step, own: StepSize, made: Made, radius: Array) -> Array:
+    """Gap of a group that is no triad."""
+    match step, own:
+        case PinStep(), PinSize():
+            return pin_gap(Ends(made[step.rod_from], made[step.rocker_from]), Pin(*own))
+        case SlideStep(), SlideSize():
+            height = guide_offset(made, step.through, own.direction, own.offset)
+            return slide_gap(in_guide(made, step.rod_from, own.direction), Slide(own.rod_length, height, own.way))
+        case SwivelStep(), SwivelSize():
+            ends = SwivelEnds(made[step.pin], made[step.pivot])
+            return swivel_gap(ends, Swivel(own.offset, own.way)) - _crossed(ends, own.outside)
+        case YokeStep(), YokeSize():
+            return radius * np.abs(np.sin(own.slot_angle)) + 0.0 * made[step.pin].x.value
+        case TrammelStep(), TrammelSize():
+            return radius * own.side * trammel_transmission(turned_link(made[step.link], own.direction))
+        case PointStep(), _:
+            return radius + 0.0 * made[step.link].cos
+        case MountStep(), _:
+            return radius + 0.0 * made[step.pin].x.value
+        case _:
+            raise TypeError(step)
 
 
-def _gap_of_slide(step: SlideStep, own: SlideSize, made: Made, _radius: Array) -> Array:
-    height = guide_offset(made, step.through, own.direction, own.offset)
-    return slide_gap(in_guide(made, step.rod_from, own.direction), Slide(own.rod_length, height, own.way))
-
-
-def _gap_of_swivel(step: SwivelStep, own: SwivelSize, made: Made, _radius: Array) -> Array:
-    """As of a swivel; less what the pivot is on the wrong side of a crank pin's circle, through which it has come."""
-    ends = SwivelEnds(made[step.pin], made[step.pivot])
+def _crossed(ends: SwivelEnds, outside: Array) -> Array:
+    """How far the pivot is on the wrong side of a crank pin's circle, through which it has come. [m]"""
     nearest = _distance(ends.pivot) - _distance(ends.pin)
-    crossed = own.outside * (own.outside * np.abs(nearest) - nearest)
-    return swivel_gap(ends, Swivel(own.offset, own.way)) - crossed
+    return outside * (outside * np.abs(nearest) - nearest)
 
 
 def _distance(moving: Point) -> Array:
     return np.hypot(moving.x.value, moving.y.value)
-
-
-def _gap_of_yoke(step: YokeStep, own: YokeSize, made: Made, radius: Array) -> Array:
-    return radius * np.abs(np.sin(own.slot_angle)) + 0.0 * made[step.pin].x.value
-
-
-def _gap_of_trammel(step: TrammelStep, own: TrammelSize, made: Made, radius: Array) -> Array:
-    return radius * own.side * trammel_transmission(turned_link(made[step.link], own.direction))
-
-
-def _gap_of_point(step: PointStep, _own: PointSize, made: Made, radius: Array) -> Array:
-    return radius + 0.0 * made[step.link].cos
-
-
-def _gap_of_mount(step: MountStep, _own: PointSize, made: Made, radius: Array) -> Array:
-    return radius + 0.0 * made[step.pin].x.value
-
-
-_GAPS: Mapping[type, Callable[[Any, Any, Made, Array], Array]] = {
-    PinStep: _gap_of_pin,
-    SlideStep: _gap_of_slide,
-    SwivelStep: _gap_of_swivel,
-    YokeStep: _gap_of_yoke,
-    TrammelStep: _gap_of_trammel,
-    PointStep: _gap_of_point,
-    MountStep: _gap_of_mount,
-}

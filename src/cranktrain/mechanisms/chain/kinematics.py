@@ -1,12 +1,12 @@
 """Kinematics of a chain: the groups of its structure, one after the other, each on what those above it made."""
 
 from collections.abc import Hashable
-from typing import Any, NamedTuple, TypeAlias
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
 from cranktrain.linkage import TriadDriver, TriadEnds, TriadMotion, triad
-from cranktrain.mechanisms.chain.made import Made
+from cranktrain.mechanisms.chain.made import Made, Part
 from cranktrain.mechanisms.chain.placing import driven, place_group
 from cranktrain.mechanisms.chain.steps import ChainSize, Structure, TriadSize, TriadStep
 from cranktrain.mechanisms.chain.triads import place_triad, triad_at, triad_ends, triad_legs
@@ -18,14 +18,14 @@ from cranktrain.numerics.nested import leaves
 class SliderChainMotion(NamedTuple):
     """All that a chain makes, in the order of `made_names`; the slider that is its output."""
 
-    parts: tuple[Any, ...]
+    parts: tuple[Part, ...]
     slider: Coefficient
 
 
 class LinkChainMotion(NamedTuple):
     """All that a chain makes, in the order of `made_names`; the link that is its output."""
 
-    parts: tuple[Any, ...]
+    parts: tuple[Part, ...]
     rocker: Link
 
 

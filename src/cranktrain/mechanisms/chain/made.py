@@ -16,12 +16,16 @@ from cranktrain.mechanisms.chain.steps import (
     TriadStep,
     YokeStep,
 )
+from cranktrain.motion import Coefficient, Link, Point
 
 SHAFT = "O"
 """Name of the shaft's centre."""
 
+Part: TypeAlias = Point | Link | Coefficient
+"""A point, a link or a slider."""
+
 Made: TypeAlias = dict[str, Any]
-"""Points, links and sliders by name: `Point`, `Link`, `Coefficient`."""
+"""Each `Part` by its name, which says what it is."""
 
 
 def pin_of(name: str) -> str:

@@ -1,8 +1,5 @@
 """One group of a chain, but the triad, put on what those above it made."""
 
-from collections.abc import Callable, Mapping
-from typing import Any
-
 import numpy as np
 
 from cranktrain.linkage import (
@@ -69,77 +66,57 @@ def in_guide(made: Made, name: str, direction: Array) -> Point:
     return turned(made[name], direction)
 
 
-def _on_guide(slider: Coefficient, height: Array, direction: Array) -> Point:
-    """Slider as a point in the file's axes."""
+def place_group(step: Step, own: StepSize, made: Made) -> None:
+    """Add what one group makes, which is no triad."""
+    made |= _made_by(step, own, made)
+
+
+def _made_by(step: Step, own: StepSize, made: Made) -> Made:
+    match step, own:
+        case PinStep(), PinSize():
+            motion = pin(Ends(made[step.rod_from], made[step.rocker_from]), Pin(*own))
+            return {step.joint: motion.joint, step.rod: motion.rod, step.rocker: motion.rocker}
+        case SlideStep(), SlideSize():
+            height = guide_offset(made, step.through, own.direction, own.offset)
+            motion = slide(in_guide(made, step.rod_from, own.direction), Slide(own.rod_length, height, own.way))
+            rod = _in_file(motion.rod, made[step.rod_from], own.direction)
+            return {step.rod: rod, **_on_guide(step.slider, motion.slider, height, own.direction)}
+        case SwivelStep(), SwivelSize():
+            motion = swivel(SwivelEnds(made[step.pin], made[step.pivot]), Swivel(own.offset, own.way))
+            return {step.slider: motion.slider, step.guide: motion.guide}
+        case YokeStep(), YokeSize():
+            height = guide_offset(made, step.through, own.direction, own.offset)
+            motion = yoke(in_guide(made, step.pin, own.direction), Yoke(height, own.slot_angle))
+        case TrammelStep(), TrammelSize():
+            height = guide_offset(made, step.through, own.direction, own.offset)
+            motion = trammel(turned_link(made[step.link], own.direction), Trammel(height, own.shift))
+        case PointStep(), PointSize():
+            return {step.point: point(made[step.link], LinkPoint(*own))}
+        case MountStep(), PointSize():
+            return {step.point: _beside(made[step.pin], own)}
+        case _:
+            raise TypeError(step)
+    slider = _on_guide(step.slider, motion.slider, height, own.direction)
+    return {**slider, slot_of(step.slider): motion.block}
+
+
+def _on_guide(name: str, slider: Coefficient, height: Array, direction: Array) -> Made:
+    """Slider, and its pin in the file's axes."""
     cos, sin = np.cos(direction), np.sin(direction)
-    return Point(
+    place = Point(
         Coefficient(cos * slider.value - sin * height, cos * slider.first, cos * slider.second),
         Coefficient(sin * slider.value + cos * height, sin * slider.first, sin * slider.second),
     )
+    return {name: slider, pin_of(name): place}
 
 
-def _place_pin(step: PinStep, own: PinSize, made: Made) -> None:
-    motion = pin(Ends(made[step.rod_from], made[step.rocker_from]), Pin(*own))
-    made[step.joint], made[step.rod], made[step.rocker] = motion
+def _in_file(rod: Link, start: Point, direction: Array) -> Link:
+    """Rod of a slider in the file's axes."""
+    cos, sin = np.cos(direction), np.sin(direction)
+    angle = rod.angle._replace(value=rod.angle.value + direction)
+    return Link(start, angle, cos * rod.cos - sin * rod.sin, sin * rod.cos + cos * rod.sin)
 
 
-def _place_slide(step: SlideStep, own: SlideSize, made: Made) -> None:
-    height = guide_offset(made, step.through, own.direction, own.offset)
-    motion = slide(in_guide(made, step.rod_from, own.direction), Slide(own.rod_length, height, own.way))
-    rod = motion.rod
-    cos, sin = np.cos(own.direction), np.sin(own.direction)
-    made[step.rod] = Link(
-        made[step.rod_from],
-        rod.angle._replace(value=rod.angle.value + own.direction),
-        cos * rod.cos - sin * rod.sin,
-        sin * rod.cos + cos * rod.sin,
-    )
-    made[step.slider] = motion.slider
-    made[pin_of(step.slider)] = _on_guide(motion.slider, height, own.direction)
-
-
-def _place_swivel(step: SwivelStep, own: SwivelSize, made: Made) -> None:
-    motion = swivel(SwivelEnds(made[step.pin], made[step.pivot]), Swivel(own.offset, own.way))
-    made[step.slider], made[step.guide] = motion
-
-
-def _place_yoke(step: YokeStep, own: YokeSize, made: Made) -> None:
-    height = guide_offset(made, step.through, own.direction, own.offset)
-    motion = yoke(in_guide(made, step.pin, own.direction), Yoke(height, own.slot_angle))
-    made[step.slider] = motion.slider
-    made[pin_of(step.slider)] = _on_guide(motion.slider, height, own.direction)
-    made[slot_of(step.slider)] = motion.block
-
-
-def _place_trammel(step: TrammelStep, own: TrammelSize, made: Made) -> None:
-    height = guide_offset(made, step.through, own.direction, own.offset)
-    motion = trammel(turned_link(made[step.link], own.direction), Trammel(height, own.shift))
-    made[step.slider] = motion.slider
-    made[pin_of(step.slider)] = _on_guide(motion.slider, height, own.direction)
-    made[slot_of(step.slider)] = motion.block
-
-
-def _place_point(step: PointStep, own: PointSize, made: Made) -> None:
-    made[step.point] = point(made[step.link], LinkPoint(*own))
-
-
-def _place_mount(step: MountStep, own: PointSize, made: Made) -> None:
-    pin_x, pin_y = made[step.pin]
+def _beside(place: Point, own: PointSize) -> Point:
     x, y = own.radius * np.cos(own.direction), own.radius * np.sin(own.direction)
-    made[step.point] = Point(pin_x._replace(value=pin_x.value + x), pin_y._replace(value=pin_y.value + y))
-
-
-_PLACED: Mapping[type, Callable[[Any, Any, Made], None]] = {
-    PinStep: _place_pin,
-    SlideStep: _place_slide,
-    SwivelStep: _place_swivel,
-    YokeStep: _place_yoke,
-    TrammelStep: _place_trammel,
-    PointStep: _place_point,
-    MountStep: _place_mount,
-}
-
-
-def place_group(step: Step, own: StepSize, made: Made) -> None:
-    """Add what one group makes, which is no triad."""
-    _PLACED[type(step)](step, own, made)
+    return Point(place.x._replace(value=place.x.value + x), place.y._replace(value=place.y.value + y))

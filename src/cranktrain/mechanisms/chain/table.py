@@ -1,7 +1,6 @@
 """A chain's structure and numbers from its table."""
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 
@@ -39,6 +38,7 @@ from cranktrain.mechanisms.chain.steps import (
     SlideSize,
     SlideStep,
     Step,
+    StepSize,
     Structure,
     SwivelSize,
     SwivelStep,
@@ -93,7 +93,7 @@ def _joint(along: float, across: float, turned: float = 0.0) -> PointSize:
     return PointSize(single(float(np.hypot(along, across))), single(turned + float(np.arctan2(across, along))))
 
 
-def _size(part: PartSpec, guides: Mapping[str, ChainGuideSpec]) -> Any:
+def _size(part: PartSpec, guides: Mapping[str, ChainGuideSpec]) -> StepSize:
     """One part's numbers; what `assembled` finds stands as nothing."""
     match part:
         case PinPartSpec():

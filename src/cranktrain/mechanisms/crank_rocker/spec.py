@@ -2,7 +2,9 @@
 
 from typing import Literal
 
-from cranktrain.language import _
+from pydantic import Field
+
+from cranktrain.language import N_, _
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import single
@@ -21,13 +23,21 @@ class CrankRockerSpec(MechanismSpec, frozen=True):
     """
 
     kind: Literal["crank_rocker"]
-    crank_radius: PositiveLength
-    rod_length: PositiveLength
-    rocker_length: PositiveLength
-    ground_length: PositiveLength
-    side: Literal["left", "right"] = "left"
-    load_radius: PositiveLength | None = None
-    load_direction: Literal["with", "against"] = "with"
+    crank_radius: PositiveLength = Field(description=N_("From shaft centre to crank pin."))
+    rod_length: PositiveLength = Field(description=N_("From crank pin to the joint of rod and rocker."))
+    rocker_length: PositiveLength = Field(description=N_("From the rocker's pivot to its joint with the rod."))
+    ground_length: PositiveLength = Field(description=N_("From shaft centre to the rocker's pivot."))
+    side: Literal["left", "right"] = Field(
+        default="left",
+        description=N_("Of the line from crank pin to pivot, on which the joint lies, seen in the sense of rotation."),
+    )
+    load_radius: PositiveLength | None = Field(
+        default=None,
+        description=N_("About the pivot, at which the load is carried; with it, its travel and the torque factor."),
+    )
+    load_direction: Literal["with", "against"] = Field(
+        default="with", description=N_("Whether the load's travel counts with the rocker's angle or against it.")
+    )
 
 
 def crank_rocker_geometry(spec: CrankRockerSpec, _master: Master | None = None) -> CrankRocker:

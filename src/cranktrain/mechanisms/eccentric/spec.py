@@ -2,10 +2,10 @@
 
 from typing import Literal, Self
 
-from pydantic import model_validator
+from pydantic import Field, model_validator
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.mechanisms.eccentric.kinematics import Eccentric
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.mechanisms.valve_gear import Admission, set_ahead
@@ -18,12 +18,23 @@ class EccentricSpec(MechanismSpec, frozen=True):
     """One eccentric that drives a valve or a pump; set by its angle of advance, or by how far ahead it stands."""
 
     kind: Literal["eccentric"]
-    eccentricity: PositiveLength
-    rod_length: PositiveLength
-    angle_of_advance: Angle | None = None
-    admission: Admission = "outside"
-    angle_ahead: Angle | None = None
-    offset: Length = Given(0.0, "0 mm")
+    eccentricity: PositiveLength = Field(description=N_("From shaft centre to the eccentric's centre."))
+    rod_length: PositiveLength = Field(description=N_("Of the eccentric rod, to the valve's pin."))
+    angle_of_advance: Angle | None = Field(
+        default=None,
+        description=N_("How far the eccentric stands beyond the right angle to the crank; or angle_ahead."),
+    )
+    admission: Admission = Field(
+        default="outside",
+        description=N_("Past the valve's outer edges, with the eccentric 90° + δ ahead, or inner ones, −90° + δ."),
+    )
+    angle_ahead: Angle | None = Field(
+        default=None,
+        description=N_("How far the eccentric stands ahead of the crank, instead of advance and admission."),
+    )
+    offset: Length = Field(
+        default=Given(0.0, "0 mm"), description=N_("Of the valve's line from the shaft, positive toward +y.")
+    )
 
     @model_validator(mode="after")
     def _set_once(self) -> Self:

@@ -2,9 +2,12 @@
 
 from typing import Literal
 
-from cranktrain.language import _
+from pydantic import Field
+
+from cranktrain.language import N_, _
 from cranktrain.linkage import CrankAndPivot
 from cranktrain.mechanisms.rocking_guide import RockingGuideSpec
+from cranktrain.quantities import Given, Length, PositiveLength
 from cranktrain.wording import precise
 
 
@@ -12,6 +15,13 @@ class OscillatingCylinderSpec(RockingGuideSpec, frozen=True):
     """Crank, trunnion and the offset of the cylinder's axis from it."""
 
     kind: Literal["oscillating_cylinder"]
+    ground_length: PositiveLength = Field(
+        description=N_("From shaft centre to the trunnion about which the cylinder rocks.")
+    )
+    offset: Length = Field(
+        default=Given(0.0, "0 mm"),
+        description=N_("Of the cylinder's axis from the trunnion, to the left of its direction toward the crank pin."),
+    )
 
 
 def oscillating_cylinder_advice(geometry: CrankAndPivot) -> str:

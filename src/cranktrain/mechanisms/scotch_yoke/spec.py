@@ -3,9 +3,9 @@
 from math import pi, sin
 from typing import Literal, Self
 
-from pydantic import model_validator
+from pydantic import Field, model_validator
 
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import single
@@ -19,9 +19,17 @@ class ScotchYokeSpec(MechanismSpec, frozen=True):
     """Crank by its radius, line of stroke by its offset, slot by its angle from the line of stroke."""
 
     kind: Literal["scotch_yoke"]
-    crank_radius: PositiveLength
-    offset: Length = Given(0.0, "0 mm")
-    slot_angle: Angle = Given(pi / 2, "90 deg")
+    crank_radius: PositiveLength = Field(description=N_("From shaft centre to crank pin."))
+    offset: Length = Field(
+        default=Given(0.0, "0 mm"),
+        description=N_(
+            "Of the line of stroke from the shaft, positive toward +y: 90° ahead of the stroke's direction."
+        ),
+    )
+    slot_angle: Angle = Field(
+        default=Given(pi / 2, "90 deg"),
+        description=N_("From the line of stroke to the slot, in the sense of rotation."),
+    )
 
     @model_validator(mode="after")
     def _crosses(self) -> Self:

@@ -84,11 +84,11 @@ def slider_crank_forces(
     --------
     A massless one at right angles, pressed by 1 kN: torque P(R − e), the crank pin bears P/cos β.
 
-    >>> from cranktrain.linkage.forces import NO_FRICTION, Drive
+    >>> from cranktrain.linkage.forces import NO_FRICTION, Drive, Gravity
     >>> from cranktrain.mechanisms.slider_crank.kinematics import slider_crank
     >>> geometry = SliderCrank(0.05, 0.13, 0.0)
     >>> motion = slider_crank(1.5707963267948966, geometry)
-    >>> bodies = SliderCrankBodies(*3 * [Body(0.0, 0.0, 0.0, 0.0)])
+    >>> bodies = SliderCrankLinks(*3 * [Body(0.0, 0.0, 0.0, 0.0)])
     >>> load = slider_crank_load(motion, geometry, -1000.0)
     >>> standing = Conditions(Drive(0.0, 0.0), Gravity(0.0, 0.0), (NO_FRICTION,))
     >>> forces = slider_crank_forces(motion, geometry, bodies, load, standing)

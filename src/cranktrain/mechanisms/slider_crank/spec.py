@@ -3,10 +3,10 @@
 from math import sqrt
 from typing import Literal, Self
 
-from pydantic import model_validator
+from pydantic import Field, model_validator
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import single
@@ -22,12 +22,25 @@ class SliderCrankSpec(MechanismSpec, frozen=True):
     """Slider-crank: crank by its radius or the true stroke, rod by its length or either ratio to the crank."""
 
     kind: Literal["slider_crank"]
-    crank_radius: PositiveLength | None = None
-    stroke: PositiveLength | None = None
-    rod_length: PositiveLength | None = None
-    crank_to_rod_ratio: PositiveRatio | None = None
-    rod_to_crank_ratio: PositiveRatio | None = None
-    offset: Length = Given(0.0, "0 mm")
+    crank_radius: PositiveLength | None = Field(
+        default=None, description=N_("From shaft centre to crank pin; or give the stroke.")
+    )
+    stroke: PositiveLength | None = Field(
+        default=None, description=N_("True travel of the piston; or give the crank radius.")
+    )
+    rod_length: PositiveLength | None = Field(
+        default=None, description=N_("From crank pin to piston pin; or give one of the ratios.")
+    )
+    crank_to_rod_ratio: PositiveRatio | None = Field(
+        default=None, description=N_("λ = R/L instead of the rod's length.")
+    )
+    rod_to_crank_ratio: PositiveRatio | None = Field(default=None, description=N_("L/R instead of the rod's length."))
+    offset: Length = Field(
+        default=Given(0.0, "0 mm"),
+        description=N_(
+            "Of the line of stroke from the shaft, positive toward +y: 90° ahead of the stroke's direction."
+        ),
+    )
 
     @property
     def rod_field(self) -> str:

@@ -2,9 +2,12 @@
 
 from typing import Literal
 
-from cranktrain.language import _
+from pydantic import Field
+
+from cranktrain.language import N_, _
 from cranktrain.linkage import CrankAndPivot
 from cranktrain.mechanisms.rocking_guide import RockingGuideSpec
+from cranktrain.quantities import Given, Length, PositiveLength
 from cranktrain.wording import precise
 
 
@@ -12,6 +15,13 @@ class SlottedLeverSpec(RockingGuideSpec, frozen=True):
     """Crank, pivot and the offset of the slot's line from it."""
 
     kind: Literal["slotted_lever"]
+    ground_length: PositiveLength = Field(
+        description=N_("From shaft centre to the lever's pivot; shorter than the crank, the lever turns.")
+    )
+    offset: Length = Field(
+        default=Given(0.0, "0 mm"),
+        description=N_("Of the slot's line from the pivot, to the left of its direction toward the crank pin."),
+    )
 
 
 def slotted_lever_advice(geometry: CrankAndPivot) -> str:

@@ -3,8 +3,9 @@
 from typing import Literal
 
 import numpy as np
+from pydantic import Field
 
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.mechanisms.chain.assembly import assembled
 from cranktrain.mechanisms.chain.steps import NO_START, Structure, TriadSize
 from cranktrain.mechanisms.spec import Master, MechanismSpec
@@ -18,23 +19,41 @@ class StephensonSpec(MechanismSpec, frozen=True):
     """Stephenson's link motion: two eccentrics, a link hung from the reverse shaft's arm, the valve on its line."""
 
     kind: Literal["stephenson"]
-    notch: Notch = Given(1.0, "1")
-    eccentricity: PositiveLength
-    angle_of_advance: Angle
-    admission: Admission = "outside"
-    rods: Literal["open", "crossed"] = "open"
-    eccentric_rod_length: PositiveLength
-    pin_spacing: PositiveLength
-    pin_setback: Length = Given(0.0, "0 mm")
-    link_radius: PositiveLength | None = None
-    saddle_setback: Length = Given(0.0, "0 mm")
-    lifting_link_length: PositiveLength
-    lifting_arm_length: PositiveLength
-    lifting_arm_angle: Angle
-    lifting_arm_swing: TurnedAngle
-    reverse_shaft_x: Length
-    reverse_shaft_y: Length
-    offset: Length = Given(0.0, "0 mm")
+    notch: Notch = Field(
+        default=Given(1.0, "1"), description=N_("Of the reverser: 1 full gear ahead, 0 mid gear, −1 full gear astern.")
+    )
+    eccentricity: PositiveLength = Field(description=N_("From shaft centre to the centre of either eccentric."))
+    angle_of_advance: Angle = Field(
+        description=N_("How far either eccentric stands beyond the right angle to the crank.")
+    )
+    admission: Admission = Field(default="outside", description=N_("Past the valve's outer edges or its inner ones."))
+    rods: Literal["open", "crossed"] = Field(
+        default="open", description=N_("Open, if they do not cross while the eccentrics face the link, or crossed.")
+    )
+    eccentric_rod_length: PositiveLength = Field(description=N_("Of both eccentric rods, to their joints on the link."))
+    pin_spacing: PositiveLength = Field(description=N_("Between the joints of the eccentric rods on the link."))
+    pin_setback: Length = Field(
+        default=Given(0.0, "0 mm"),
+        description=N_("Of the line of these joints from the middle of the slot, toward the shaft."),
+    )
+    link_radius: PositiveLength | None = Field(
+        default=None, description=N_("Of the slot, about a centre toward the shaft; unless given, it is straight.")
+    )
+    saddle_setback: Length = Field(
+        default=Given(0.0, "0 mm"),
+        description=N_("Of the lifting link's joint from the middle of the slot, toward the shaft."),
+    )
+    lifting_link_length: PositiveLength = Field(
+        description=N_("From the arm of the reverse shaft to the middle of the link.")
+    )
+    lifting_arm_length: PositiveLength = Field(description=N_("Of the arm on the reverse shaft."))
+    lifting_arm_angle: Angle = Field(description=N_("Direction of the arm at mid gear, from x toward y."))
+    lifting_arm_swing: TurnedAngle = Field(description=N_("How far the arm turns from mid gear to full gear ahead."))
+    reverse_shaft_x: Length = Field(description=N_("Of the reverse shaft, from the main shaft along the valve's line."))
+    reverse_shaft_y: Length = Field(description=N_("Of the reverse shaft, from the main shaft toward +y."))
+    offset: Length = Field(
+        default=Given(0.0, "0 mm"), description=N_("Of the valve's line from the shaft, positive toward +y.")
+    )
 
     @property
     def rod_field(self) -> str:

@@ -3,8 +3,9 @@
 from typing import ClassVar, Literal
 
 import numpy as np
+from pydantic import Field
 
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.mechanisms.chain.assembly import assembled
 from cranktrain.mechanisms.chain.steps import NO_START, Place, TriadSize
 from cranktrain.mechanisms.spec import Master, MechanismSpec
@@ -18,24 +19,50 @@ class WalschaertsSpec(MechanismSpec, frozen=True):
     """Walschaerts' gear: a return crank rocks the link, and the crosshead of a bank adds its part by a lever."""
 
     kind: Literal["walschaerts"]
-    crosshead: str
-    notch: Notch = Given(1.0, "1")
-    admission: Admission = "inside"
-    eccentricity: PositiveLength
-    eccentric_advance: Angle = Given(0.0, "0 deg")
-    eccentric_rod_length: PositiveLength
-    trunnion_x: Length
-    trunnion_y: Length
-    foot_distance: PositiveLength
-    foot_setback: Length = Given(0.0, "0 mm")
-    full_gear_die: PositiveLength
-    radius_rod_length: PositiveLength
-    lever_length: PositiveLength
-    valve_pin_distance: PositiveLength
-    union_link_length: PositiveLength
-    drop_x: Length = Given(0.0, "0 mm")
-    drop_y: Length
-    offset: Length = Given(0.0, "0 mm")
+    crosshead: str = Field(description=N_("The bank whose crosshead, on the same throw, moves the combination lever."))
+    notch: Notch = Field(
+        default=Given(1.0, "1"), description=N_("Of the reverser: 1 full gear ahead, 0 mid gear, −1 full gear astern.")
+    )
+    admission: Admission = Field(default="inside", description=N_("Past the valve's inner edges or its outer ones."))
+    eccentricity: PositiveLength = Field(description=N_("From shaft centre to the return crank's pin."))
+    eccentric_advance: Angle = Field(
+        default=Given(0.0, "0 deg"),
+        description=N_("How far the return crank stands ahead of the right angle to the main crank."),
+    )
+    eccentric_rod_length: PositiveLength = Field(
+        description=N_("From the return crank's pin to its joint on the link.")
+    )
+    trunnion_x: Length = Field(description=N_("Of the link's trunnion, from the shaft along the valve's line."))
+    trunnion_y: Length = Field(description=N_("Of the link's trunnion, from the shaft toward +y."))
+    foot_distance: PositiveLength = Field(
+        description=N_("From the trunnion, along the link, to the eccentric rod's joint.")
+    )
+    foot_setback: Length = Field(
+        default=Given(0.0, "0 mm"), description=N_("Of that joint from the link, toward the shaft.")
+    )
+    full_gear_die: PositiveLength = Field(
+        description=N_("From the trunnion to the block in full gear ahead, toward the foot.")
+    )
+    radius_rod_length: PositiveLength = Field(
+        description=N_("From the block to the combination lever; the radius of the link's slot, too.")
+    )
+    lever_length: PositiveLength = Field(
+        description=N_("Of the combination lever, from the radius rod's pin to the union link's.")
+    )
+    valve_pin_distance: PositiveLength = Field(
+        description=N_("On the combination lever, from the radius rod's pin to the valve's.")
+    )
+    union_link_length: PositiveLength = Field(description=N_("From the crosshead's drop arm to the combination lever."))
+    drop_x: Length = Field(
+        default=Given(0.0, "0 mm"),
+        description=N_("Of the union link's pin on the crosshead, from the crosshead's pin along the cylinder."),
+    )
+    drop_y: Length = Field(
+        description=N_("Of the union link's pin on the crosshead, from the crosshead's pin toward +y.")
+    )
+    offset: Length = Field(
+        default=Given(0.0, "0 mm"), description=N_("Of the valve's line from the shaft, positive toward +y.")
+    )
 
     master_field: ClassVar[str | None] = "crosshead"
 

@@ -24,7 +24,7 @@ from cranktrain.questions.balance.rotating_weights import RotatingWeights, weigh
 from cranktrain.questions.balance.running_frame import RunningFrame
 
 _GONE = 1e-9
-"""What is less than this share of what all parts could do together is told as none."""
+"""What is less than this share of what all parts could do together is none in words."""
 _ROUNDING = 1e-12
 """What is less than this share of it is 0."""
 BALANCE = ("without", "with")
@@ -77,7 +77,7 @@ def shaken(
     arm: Array,
     balanced: Balanced | None,
 ) -> Shaken:
-    """Sum up.
+    """Sum what all mechanisms and the balance weights do to the frame, in force or couple.
 
     Parameters
     ----------
@@ -196,7 +196,7 @@ def _size(value: float, unit: str) -> str:
     return f"{value / 1e3:.4g} k{unit}" if value >= 1e4 else f"{value:.4g} {unit}"
 
 
-def orders_told(names: Sequence[str], largest: Array, gross: float, unit: str) -> str:
+def orders_in_words(names: Sequence[str], largest: Array, gross: float, unit: str) -> str:
     """Say which orders there are and how large, the largest first: `order 2, 123 N`; or that there is none.
 
     Parameters

@@ -19,7 +19,7 @@ from cranktrain.numerics.plane_vectors import running_axes
 from cranktrain.questions.balance.frame_forces import FrameForces
 from cranktrain.questions.balance.rotating_weights import weight_orders, weight_roll
 from cranktrain.questions.balance.running_frame import RunningFrame
-from cranktrain.questions.balance.shaken import BALANCE, Balanced, orders_told, shaken
+from cranktrain.questions.balance.shaken import BALANCE, Balanced, orders_in_words, shaken
 from cranktrain.questions.balance.weights import BalanceWeights
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
@@ -59,7 +59,7 @@ class ShakingForces:
     def answer(self, labels: Names, design: int) -> str:
         """Say which orders of force shake the frame, and what the balance weights leave of them."""
         of = self.shaking_force_largest[design]
-        said = [orders_told(labels["order"], one, float(self.gross[design]), "N") for one in of]
+        said = [orders_in_words(labels["order"], one, float(self.gross[design]), "N") for one in of]
         if len(said) == 1:
             return _("Shaking force: {force}.").format(force=said[0])
         return _("Shaking force: {force}; left with [balance]: {left}.").format(force=said[0], left=said[1])
@@ -100,7 +100,7 @@ class ShakingCouples:
     def answer(self, labels: Names, design: int) -> str:
         """Say which orders of couple shake the frame, and what the balance weights leave of them."""
         of = self.shaking_couple_largest[design]
-        said = [orders_told(labels["order"], one, float(self.gross[design]), "N*m") for one in of]
+        said = [orders_in_words(labels["order"], one, float(self.gross[design]), "N*m") for one in of]
         if len(said) == 1:
             return _("Shaking couple: {couple}.").format(couple=said[0])
         return _("Shaking couple: {couple}; left with [balance]: {left}.").format(couple=said[0], left=said[1])

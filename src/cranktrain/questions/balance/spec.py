@@ -6,7 +6,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import HIGHEST_ORDER
 from cranktrain.layout.specs import OneOrMany
 from cranktrain.quantities import Angle, Dimension, Given, Length, PositiveLength, PositiveMass, Quantity
@@ -25,13 +25,29 @@ class WeightSpec(Spec, frozen=True):
     against it, and lies at `place` from the crankshaft's centre, to the right and up.
     """
 
-    mass: PositiveMass
-    radius: PositiveLength
-    angle: Angle | None = None
-    throw: int | None = Field(default=None, ge=1)
-    z: Length | None = None
-    ratio: int = Field(default=1, ge=-HIGHEST_ORDER, le=HIGHEST_ORDER)
-    place: Spot = _AT_CRANK
+    mass: PositiveMass = Field(description=N_("Mass of the weight."))
+    radius: PositiveLength = Field(description=N_("Of its centroid from the axis of its shaft."))
+    angle: Angle | None = Field(
+        default=None,
+        description=N_(
+            "Where it stands at crank angle 0 of throw 1, ahead of throw 1; on a throw, opposite that unless given."
+        ),
+    )
+    throw: int | None = Field(
+        default=None, ge=1, description=N_("The throw of the crankshaft that it is on, counted from 1.")
+    )
+    z: Length | None = Field(
+        default=None, description=N_("Its place along the shaft, from throw 1 toward the flywheel.")
+    )
+    ratio: int = Field(
+        default=1,
+        ge=-HIGHEST_ORDER,
+        le=HIGHEST_ORDER,
+        description=N_("Turns for one of the crank, less than 0 against it; 1 unless given."),
+    )
+    place: Spot = Field(
+        default=_AT_CRANK, description=N_("Where its shaft lies from the crankshaft's centre: to the right, and up.")
+    )
 
     @model_validator(mode="after")
     def _stands_somewhere(self) -> Self:
@@ -59,11 +75,22 @@ class BalanceShaftsSpec(Spec, frozen=True):
     in two planes. `forward` and `backward` are where they lie from the crankshaft's centre, to the right and up.
     """
 
-    order: int = Field(ge=1, le=HIGHEST_ORDER)
-    against: Literal["force", "couple", "both"] = "force"
-    planes: OneOrMany[Length] | None = None
-    forward: Spot = _AT_CRANK
-    backward: Spot = _AT_CRANK
+    order: int = Field(ge=1, le=HIGHEST_ORDER, description=N_("How many times as fast as the crank both shafts turn."))
+    against: Literal["force", "couple", "both"] = Field(
+        default="force", description=N_("Whether they take away the force of that order, the couple, or both.")
+    )
+    planes: OneOrMany[Length] | None = Field(
+        default=None,
+        description=N_("Places of their weights along the shaft, from throw 1: one against a force, two for a couple."),
+    )
+    forward: Spot = Field(
+        default=_AT_CRANK,
+        description=N_("Where the shaft lies that turns with the crank: to the right of its centre, and up."),
+    )
+    backward: Spot = Field(
+        default=_AT_CRANK,
+        description=N_("Where the shaft lies that turns against the crank: to the right of its centre, and up."),
+    )
 
     @model_validator(mode="after")
     def _in_planes(self) -> Self:
@@ -87,11 +114,26 @@ class BalanceSpec(Spec, frozen=True):
     the same from the whole shaft, of force and couple.
     """
 
-    weight: tuple[WeightSpec, ...] = ()
-    counterweights: Literal["rotating", "least_force"] | None = None
-    share: Share | None = None
-    planes: Spot | None = None
-    shafts: tuple[BalanceShaftsSpec, ...] = ()
+    weight: tuple[WeightSpec, ...] = Field(
+        default=(), description=N_("Weights that turn: on the crankshaft, or on shafts of their own.")
+    )
+    counterweights: Literal["rotating", "least_force"] | None = Field(
+        default=None,
+        description=N_(
+            "Solved for: `rotating` takes all that rotates on each throw, `least_force` leaves the least largest force."
+        ),
+    )
+    share: Share | None = Field(
+        default=None,
+        description=N_("Share of what reciprocates that counterweights take besides all that rotates: 0 unless given."),
+    )
+    planes: Spot | None = Field(
+        default=None,
+        description=N_("Two places along the shaft, from throw 1, for the counterweights; unless given, every throw."),
+    )
+    shafts: tuple[BalanceShaftsSpec, ...] = Field(
+        default=(), description=N_("Pairs of balance shafts, solved for after all other weights.")
+    )
 
     @model_validator(mode="after")
     def _solved_for(self) -> Self:

@@ -202,7 +202,7 @@ def _given(declared: DeclaredBalance, frames: Frames) -> Iterator[_Named]:
         else:
             position = np.array([0.0 if one.z is None else one.z.si for one in of])
             ahead = [_ahead(one, 0.0) for one in of]
-        place = running_axes(_spots([one.place for one in of]), clockwise=frames.clockwise)
+        place = running_axes(_complex_places([one.place for one in of]), clockwise=frames.clockwise)
         weights = RotatingWeights(
             ratio=np.full(len(of), float(ratio)),
             moment=np.array([one.mass.si * one.radius.si for one in of]),
@@ -219,8 +219,8 @@ def _ahead(weight: WeightSpec, throw_angle: float) -> float:
     return throw_angle + np.pi if weight.angle is None else weight.angle.si
 
 
-def _spots(places: Sequence[Sequence[Given]]) -> ComplexArray:
-    """X + iY of places, shape (design,)."""
+def _complex_places(places: Sequence[Sequence[Given]]) -> ComplexArray:
+    """X + iY of where something lies, shape (design,)."""
     across = _si(places)
     return np.asarray(across[:, 0] + 1j * across[:, 1])
 
@@ -300,8 +300,8 @@ def _shafts(pairs: Sequence[BalanceShaftsSpec], left: Shaking, middle: Array, fr
     """One pair of balance shafts, against what is left of its order."""
     pair, order = pairs[0], pairs[0].order
     places = ShaftPlaces(
-        running_axes(_spots([one.forward for one in pairs]), clockwise=frames.clockwise),
-        running_axes(_spots([one.backward for one in pairs]), clockwise=frames.clockwise),
+        running_axes(_complex_places([one.forward for one in pairs]), clockwise=frames.clockwise),
+        running_axes(_complex_places([one.backward for one in pairs]), clockwise=frames.clockwise),
     )
     given = [one.planes for one in pairs if one.planes is not None]
     planes = _si(given) if given else middle[:, np.newaxis]

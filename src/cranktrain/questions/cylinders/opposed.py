@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
+from cranktrain.catalogue import coefficients, quantity
 from cranktrain.checks import Check
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
-from cranktrain.layout.speed import Speed, accelerations
-from cranktrain.motion import Array
+from cranktrain.layout.speed import Speed, rates
+from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import DERIVATIVES_LIMIT, around_zero, derivatives_residual
 from cranktrain.questions.cylinders.travel import CylinderPistons, CylinderTravel, reach
 from cranktrain.questions.motion.dead_centres import DeadCentres
@@ -130,14 +130,14 @@ def volumetric_dead_centres(
 class CombinedMotion:
     """How the pistons of a cylinder part, both together: as one piston would that sweeps the same volume."""
 
-    combined_displacement: Array = quantity(
-        "x_Σ", "m", _CURVE, N_("By how much both pistons have parted since the inner volumetric dead centre"), _THEORY
-    )
-    combined_velocity_coefficient: Array = quantity(
-        "x_Σ′", "m/rad", _CURVE, N_("Velocity at which they part for each rad/s of the crank"), _THEORY
-    )
-    combined_acceleration_coefficient: Array = quantity(
-        "x_Σ″", "m/rad^2", _CURVE, N_("Acceleration at which they part for each (rad/s)² of the crank"), _THEORY
+    combined_displacement: Coefficient = coefficients(
+        "x_Σ",
+        "m",
+        _CURVE,
+        N_("By how much both pistons have parted since the inner volumetric dead centre"),
+        N_("Velocity at which they part for each rad/s of the crank"),
+        N_("Acceleration at which they part for each (rad/s)² of the crank"),
+        _THEORY,
     )
     checks: tuple[Check, ...] = ()
 
@@ -149,9 +149,7 @@ def combined_motion(
     reached = reach(cylinders, pistons, crank_angle.angle)
     residual = derivatives_residual(lambda phi: reach(cylinders, pistons, phi))
     return CombinedMotion(
-        combined_displacement=travel.reach[..., np.newaxis] - reached.value,
-        combined_velocity_coefficient=-reached.first,
-        combined_acceleration_coefficient=-reached.second,
+        Coefficient(travel.reach[..., np.newaxis] - reached.value, -reached.first, -reached.second),
         checks=(
             Check(
                 "combined_derivatives",
@@ -175,10 +173,4 @@ class CombinedSpeeds:
 
 def combined_speeds(motion: CombinedMotion, speed: Speed, crank_angle: CrankAngle) -> CombinedSpeeds:
     """Velocities q′ω and accelerations q″ω² + q′ε."""
-    drive = speed.drive(crank_angle.angle)
-    return CombinedSpeeds(
-        combined_velocity=motion.combined_velocity_coefficient * drive.speed,
-        combined_acceleration=accelerations(
-            motion.combined_velocity_coefficient, motion.combined_acceleration_coefficient, drive
-        ),
-    )
+    return CombinedSpeeds(*rates(motion.combined_displacement, speed.drive(crank_angle.angle)))

@@ -154,7 +154,7 @@ def _events(
 
 
 def _flags(names: tuple[str, ...], before: Array, opens: Array) -> Iterator[str]:
-    """Mind what works badly: gas that blows back into the receiver, and ports higher than the stroke."""
+    """Flag what works badly: gas that blows back into the receiver, and ports higher than the stroke."""
     late = np.flatnonzero(np.any(before < 0, axis=0)).tolist()
     if late:
         most = number(float(-np.nanmin(before)), "deg")

@@ -1,11 +1,11 @@
 """Cylinders: their table of the machine file."""
 
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal, Self, cast
+from typing import Annotated, Any, ClassVar, Literal, Self, cast
 
 from pydantic import Field, model_validator
 
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.quantities import Angle, Dimension, Given, PositiveLength, Pressure, Quantity
 from cranktrain.spec import Refused, Spec
@@ -21,12 +21,30 @@ CYCLES = {"two-stroke": TURN, "four-stroke": 2 * TURN}
 class CylinderSpec(Spec, frozen=True):
     """One cylinder's own dimensions; what it does not give, the cylinder above it gives."""
 
-    bore: PositiveLength | None = None
-    compression_ratio: Annotated[Given, Quantity(Dimension.RATIO, above=1.0, at_most=1e5)] | None = None
-    exhaust_port: PositiveLength | None = None
-    scavenge_port: PositiveLength | None = None
-    chambers: tuple[Literal["head", "crank"], ...] | None = Field(default=None, min_length=1, max_length=2)
-    piston_rod: PositiveLength | None = None
+    bore: PositiveLength | None = Field(default=None, description=N_("Diameter of the cylinder."))
+    compression_ratio: Annotated[Given, Quantity(Dimension.RATIO, above=1.0, at_most=1e5)] | None = Field(
+        default=None,
+        description=N_(
+            "Largest volume over smallest, by the true stroke; a cylinder without its own has the first one's deck."
+        ),
+    )
+    exhaust_port: PositiveLength | None = Field(
+        default=None, description=N_("Height of the exhaust ports, open where the piston is at its outer dead centre.")
+    )
+    scavenge_port: PositiveLength | None = Field(
+        default=None, description=N_("Height of the scavenge ports, open where the piston is at its outer dead centre.")
+    )
+    chambers: tuple[Literal["head", "crank"], ...] | None = Field(
+        default=None,
+        min_length=1,
+        max_length=2,
+        description=N_(
+            'Sides of the piston that work: ["head", "crank"] is double-acting; the head\'s alone unless given.'
+        ),
+    )
+    piston_rod: PositiveLength | None = Field(
+        default=None, description=N_("Diameter of the piston rod, which takes up room on the crank's side.")
+    )
 
     @model_validator(mode="after")
     def _each_side_once(self) -> Self:
@@ -47,13 +65,39 @@ class CylindersSpec(CylinderSpec, frozen=True):
     order of the file, or by name.
     """
 
-    cycle: Literal["two-stroke", "four-stroke"] | None = None
-    firing_order: str | None = None
-    firing_angles: tuple[Angle, ...] | Mapping[str, Angle] | None = None
-    numbers: Mapping[str, str] = {}
-    mechanical_efficiency: Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=1.0)] | None = None
-    friction_pressure: Pressure | None = None
-    overrides: Mapping[str, CylinderSpec] = Field(default={}, alias=OVERRIDES)
+    cycle: Literal["two-stroke", "four-stroke"] | None = Field(
+        default=None, description=N_("Strokes of one working cycle; the crank angle runs through one or two turns.")
+    )
+    firing_order: str | None = Field(
+        default=None,
+        description=N_('Cylinders in the order in which they fire, such as "1-3-4-2"; with the cycle: firing angles.'),
+    )
+    firing_angles: tuple[Angle, ...] | Mapping[str, Angle] | None = Field(
+        default=None,
+        description=N_(
+            "Crank angles at which the cylinders fire, as shown, instead of an order: a list, one for each cylinder in "
+            'the order of the file, or by name, { 1L = "0 deg", 1R = "60 deg" }.'
+        ),
+    )
+    numbers: Mapping[str, str] = Field(
+        default={},
+        description=N_('A maker\'s own numbers of the cylinders, for use in the firing order: { 5 = "1L" }.'),
+    )
+    mechanical_efficiency: Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=1.0)] | None = Field(
+        default=None,
+        description=N_(
+            "Brake power over indicated power; of a driven machine the other way round. Or give friction_pressure."
+        ),
+    )
+    friction_pressure: Pressure | None = Field(
+        default=None,
+        description=N_("Work that friction takes in a cycle, over the displacement; it is no absolute pressure."),
+    )
+    overrides: Mapping[str, CylinderSpec] = Field(
+        default={}, alias=OVERRIDES, description=N_("What one bank or one cylinder has of its own.")
+    )
+
+    others: ClassVar = "overrides"
 
     @property
     def cycle_length(self) -> float | None:
@@ -90,7 +134,7 @@ class CylindersSpec(CylinderSpec, frozen=True):
         if not isinstance(data, Mapping):
             return data
         table = cast(Mapping[str, Any], data)
-        keys = [name for name in cls.model_fields if name != "overrides"]
+        keys = [name for name in cls.model_fields if name != cls.others]
         own = {
             name: cast(object, value)
             for name, value in table.items()

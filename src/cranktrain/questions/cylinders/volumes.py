@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, Limit, doubted
+from cranktrain.checks import Check, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.questions.cylinders.travel import CylinderTravel
@@ -199,18 +199,18 @@ def chamber_volumes(
     # A chamber on the shaft's side is smallest where its piston is at the bottom.
     smallest = np.where(chambers.is_head, travel.least[:, chambers.cylinder], -travel.stroke[:, chambers.cylinder])
     start = clearance - chambers.area * smallest
-    volume = start[..., np.newaxis] + chambers.summed(motion.piston_displacement)
+    volume = start[..., np.newaxis] + chambers.summed(motion.piston_displacement.value)
     ratio = 1 + swept.swept_volume / clearance
     return ChamberVolumes(
         chamber_volume=volume,
         clearance_volume=clearance,
         compression_ratio=ratio,
-        flags=(*_flags(chambers, clearance), *doubted(RATIO, ratio)),
+        flags=(*_flags(chambers, clearance), *flagged(RATIO, ratio)),
     )
 
 
 def _flags(chambers: Chambers, clearance: Array) -> Iterator[str]:
-    """Mind chambers that a shared deck leaves no room."""
+    """Flag chambers that a shared deck leaves no room."""
     short = np.flatnonzero(np.any(clearance <= 0, axis=0)).tolist()
     if short:
         said = _(

@@ -97,7 +97,7 @@ def flywheel_size(load: ShaftLoad, coefficient: WantedCoefficient, work: ShaftWo
 
 
 def _size_flags(load: ShaftLoad) -> Iterator[str]:
-    """Mind a load for which another flywheel would do."""
+    """Flag a load for which another flywheel would do."""
     if load.motor is not None or load.is_quadratic:
         yield _(
             "The flywheel wanted is for a load that does not depend on the speed;"
@@ -152,7 +152,7 @@ def rim_size(
     if size is not None:
         inertia, largest = size.flywheel_inertia[:, 0], size.exact.largest_speed
     elif flywheel is not None and running is not None:
-        inertia, largest = flywheel.inertia, running.largest_crank_speed
+        inertia, largest = flywheel.inertia, running.largest_crank_speed.value
     found = rim(RimDemand(inertia, wanted.other_share, wanted.mean_diameter, wanted.width_ratio, wanted.density))
     speed = rim_speed(found.outer_diameter, largest)
     return RimSize(
@@ -167,7 +167,7 @@ def rim_size(
 
 
 def _rim_flags(inertia: Array, speed: Array, wanted: DeclaredRim, height: Array) -> Iterator[str]:
-    """Mind a rim that runs too fast, or that has no room on its diameter."""
+    """Flag a rim that runs too fast, or that has no room on its diameter."""
     too_fast = speed > wanted.largest_speed
     if np.any(too_fast):
         worst = int(np.argmax(np.where(too_fast, speed / wanted.largest_speed, 0.0)))

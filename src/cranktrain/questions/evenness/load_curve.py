@@ -129,7 +129,7 @@ def _balance(curve: LoadCurve, load: ShaftLoad) -> str:
 
 
 def _flags(factor: Array, applied: Array) -> Iterator[str]:
-    """Mind a machine to which no load can be scaled."""
+    """Flag a machine to which no load can be scaled."""
     if np.any(np.isnan(factor) & np.all(np.isfinite(applied), axis=-1)):
         yield _(
             'No steady running: a load curve with scale = "balanced" is for a machine that gives work;'

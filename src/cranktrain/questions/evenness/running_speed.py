@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
+from cranktrain.catalogue import extreme, quantity
 from cranktrain.checks import Check
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
@@ -25,7 +25,7 @@ from cranktrain.wording import Names, number
 _CURVE = ("crank_angle",)
 _THEORY = "docs/theory/evenness"
 _UNLIKELY = 0.5
-"""Coefficient of fluctuation from which a flywheel is doubted."""
+"""Coefficient of fluctuation from which a flywheel is flagged."""
 
 
 @record
@@ -45,10 +45,12 @@ class RunningSpeed:
     mean_speed_of_extremes: Array = quantity(
         "ω_a", "rad/s", (), N_("Half the sum of largest and smallest speed"), _THEORY
     )
-    largest_crank_speed: Array = quantity("ω_M", "rad/s", (), N_("Largest speed of the crank"), _THEORY)
-    largest_crank_speed_at: Array = quantity("φ(ω_M)", "deg", (), N_("Crank angle of the largest speed"), _THEORY)
-    smallest_crank_speed: Array = quantity("ω_m", "rad/s", (), N_("Smallest speed of the crank"), _THEORY)
-    smallest_crank_speed_at: Array = quantity("φ(ω_m)", "deg", (), N_("Crank angle of the smallest speed"), _THEORY)
+    largest_crank_speed: Extreme = extreme(
+        "ω_M", "rad/s", (), N_("Largest speed of the crank"), N_("Crank angle of the largest speed"), _THEORY
+    )
+    smallest_crank_speed: Extreme = extreme(
+        "ω_m", "rad/s", (), N_("Smallest speed of the crank"), N_("Crank angle of the smallest speed"), _THEORY
+    )
     checks: tuple[Check, ...] = ()
     flags: tuple[str, ...] = ()
 
@@ -61,8 +63,8 @@ class RunningSpeed:
             " mean {time} over time, {middle} of the extremes."
         ).format(
             load=self.load,
-            least=_speed(self.smallest_crank_speed[design]),
-            most=_speed(self.largest_crank_speed[design]),
+            least=_speed(self.smallest_crank_speed.value[design]),
+            most=_speed(self.largest_crank_speed.value[design]),
             delta=f"{float(self.coefficient_of_fluctuation[design]):.4g}",
             time=_speed(self.mean_speed_over_time[design]),
             middle=_speed(self.mean_speed_of_extremes[design]),
@@ -99,18 +101,17 @@ def running_speed(
         mean_speed_over_time=running.means.time,
         mean_speed_over_angle=running.means.angle,
         mean_speed_of_extremes=running.means.extremes,
-        largest_crank_speed=running.largest.value[:, 0],
-        largest_crank_speed_at=_shown(running.largest, crank_angle),
-        smallest_crank_speed=running.smallest.value[:, 0],
-        smallest_crank_speed_at=_shown(running.smallest, crank_angle),
+        largest_crank_speed=_shown(running.largest, crank_angle),
+        smallest_crank_speed=_shown(running.smallest, crank_angle),
         checks=(motion_check(running.speed, inertia.samples, slope, found.work),),
         flags=tuple(_flags(load, work, found)),
     )
 
 
-def _shown(extreme: Extreme, crank_angle: CrankAngle) -> Array:
-    """Where an extreme is, counted as the grid counts, shape (design,). [rad]"""
-    return crank_angle.counted(extreme.angle[..., np.newaxis] + crank_angle.zero, crank_angle.cycle)[:, 0, 0]
+def _shown(found: Extreme, crank_angle: CrankAngle) -> Extreme:
+    """Extreme whose angle is counted as the grid counts, shape (design,). [rad]"""
+    angle = crank_angle.counted(found.angle[..., np.newaxis] + crank_angle.zero, crank_angle.cycle)
+    return Extreme(angle[:, 0, 0], found.value[:, 0])
 
 
 def _load_words(load: ShaftLoad, *, has_curve: bool, is_free: bool) -> str:
@@ -129,7 +130,7 @@ def _load_words(load: ShaftLoad, *, has_curve: bool, is_free: bool) -> str:
 
 
 def _flags(load: ShaftLoad, work: ShaftWork, found: SteadyRunning) -> Iterator[str]:
-    """Mind a load that fixes no speed, a shaft that would stop, a load that nothing drives, and unstable running."""
+    """Flag a load that fixes no speed, a shaft that would stop, a load that nothing drives, and unstable running."""
     speed = found.speed
     is_known = np.isfinite(work.largest_excess_work)
     if np.any(is_known & found.is_free):

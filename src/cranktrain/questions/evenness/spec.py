@@ -13,6 +13,7 @@ from cranktrain.numerics.polyline import Polyline
 from cranktrain.quantities import (
     Dimension,
     Given,
+    NonNegativeInertia,
     PositiveDensity,
     PositiveLength,
     PositiveRatio,
@@ -26,7 +27,6 @@ from cranktrain.questions.evenness.speed_over_cycle import Mean
 from cranktrain.record import record
 from cranktrain.spec import Refused, Spec
 
-NonNegativeInertia = Annotated[Given, Quantity(Dimension.INERTIA, at_least=0.0)]
 NonNegativeMoment = Annotated[Given, Quantity(Dimension.FLYWHEEL_MOMENT, at_least=0.0)]
 Coefficient = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, below=2.0)]
 Share = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]

@@ -5,13 +5,14 @@ from typing import ClassVar, NamedTuple
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
+from cranktrain.catalogue import extreme, quantity
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Group, Mechanisms
 from cranktrain.linkage import Crank, crank
 from cranktrain.linkage.forces import crank_link
 from cranktrain.motion import ONE, Array
+from cranktrain.numerics import Extreme
 from cranktrain.questions.forces.joint_forces import JointForces, joint_label
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.pin_load import PinLoad, pin_load, with_rotating_mass
@@ -92,21 +93,25 @@ class CrankPinLoads:
     crankpin_share_tangential: Array = quantity(
         "T_i", "N", _CURVE, N_("Share of this piston and rod in the crank pin's load in the sense of rotation"), _THEORY
     )
-    largest_crankpin_load: Array = quantity("R_max", "N", _MECHANISM, N_("Largest load of the crank pin"), _THEORY)
-    largest_crankpin_load_at: Array = quantity(
-        "φ(R_max)", "deg", _MECHANISM, N_("Crank angle of the largest load of the crank pin"), _THEORY
+    largest_crankpin_load: Extreme = extreme(
+        "R_max",
+        "N",
+        _MECHANISM,
+        N_("Largest load of the crank pin"),
+        N_("Crank angle of the largest load of the crank pin"),
+        _THEORY,
     )
 
     def answer(self, names: Names, design: int) -> str | None:
         """Say the largest load of a crank pin."""
-        largest = self.largest_crankpin_load[design]
+        at, largest = (part[design] for part in self.largest_crankpin_load)
         if np.all(np.isnan(largest)):
             return None
         worst = int(np.argmax(largest >= (1 - _ALIKE) * np.nanmax(largest)))
         return _("Largest load of a crank pin {load}, by the rod of {mechanism} at {angle}.").format(
             load=number(float(largest[worst]), "kN"),
             mechanism=names["mechanism"][worst],
-            angle=number(float(self.largest_crankpin_load_at[design, worst]), "deg"),
+            angle=number(float(at[worst]), "deg"),
         )
 
 
@@ -123,7 +128,7 @@ def crank_pin_loads(
     phi = crank_angle.angle
     shape = (len(phi), len(loaded.mechanisms.names), phi.shape[-1])
     whole, without = (PinLoad(*np.full((2, *shape), np.nan)) for _i in range(2))
-    largest, at = np.full((2, *shape[:-1]), np.nan)
+    largest = Extreme(*np.full((2, *shape[:-1]), np.nan))
     for pin in pins.pins:
         group, one = loaded.mechanisms.groups[pin.group], solved.groups[pin.group]
         radius: Array = np.hypot(one.motion.pin.x.value, one.motion.pin.y.value)[..., :1]
@@ -136,8 +141,8 @@ def crank_pin_loads(
         reaction = group.kind.dynamics.reactions[pin.joint]
         names = (joint_label(loaded.mechanisms.names[i], reaction) for i in map(int, group.index))
         rows = [joints.labels["joint"].index(name) for name in names]
-        largest[:, group.index] = joints.largest_joint_force[:, rows]
-        at[:, group.index] = joints.largest_joint_force_at[:, rows]
+        for part, values in zip(largest, joints.largest_joint_force[:2], strict=True):
+            part[:, group.index] = values[:, rows]
     shares = _shares(whole, loaded, solved, phi)
     return CrankPinLoads(
         crankpin_load_radial=whole.radial,
@@ -147,7 +152,6 @@ def crank_pin_loads(
         crankpin_share_radial=shares.radial,
         crankpin_share_tangential=shares.tangential,
         largest_crankpin_load=largest,
-        largest_crankpin_load_at=at,
     )
 
 

@@ -95,8 +95,8 @@ def _signals(loaded: LoadedMachine, solved: Sequence[SolvedGroup], rubbing: _Rub
 def _turns(loaded: LoadedMachine, solved: SolvedCycle, rubbing: _Rubbing, crank_angle: CrankAngle) -> Array:
     """φ at which one of the signals changes its sign, shape (design, member, event)."""
     samples = _signals(loaded, solved.groups, rubbing)
-    felt = np.abs(samples) > _ROUNDING * np.max(np.abs(samples), axis=-1, keepdims=True)
-    sign = np.where(felt, np.sign(samples), 0.0)
+    is_clear = np.abs(samples) > _ROUNDING * np.max(np.abs(samples), axis=-1, keepdims=True)
+    sign = np.where(is_clear, np.sign(samples), 0.0)
     changes = sign != np.roll(sign, -1, axis=-1)
     which, place = np.nonzero(changes.reshape(-1, changes.shape[-1]))
     n_designs, rows = len(samples), np.repeat(rubbing.mechanisms, 3)

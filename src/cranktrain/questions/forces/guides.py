@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
+from cranktrain.catalogue import extreme, quantity
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.guide_tables import bearing_moments
@@ -15,6 +15,7 @@ from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.part_tables import part_name
 from cranktrain.linkage.forces import EdgeForces
 from cranktrain.motion import Array
+from cranktrain.numerics import Peak
 from cranktrain.questions.forces.edges import edges_of
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
@@ -50,15 +51,13 @@ class GuideEdges:
     guide_pressing: Array = quantity(
         "N_Σ", "N", _GUIDE, N_("Sum of what both edges of the guide press, of which friction is the share μ"), _THEORY
     )
-    largest_guide_edge_force: Array = quantity(
+    largest_guide_edge_force: Peak = extreme(
         "N_max",
         "N",
         ("guide",),
         N_("Largest normal force of an edge of the guide"),
+        N_("Crank angle of the largest normal force of an edge of the guide"),
         _THEORY,
-    )
-    largest_guide_edge_force_at: Array = quantity(
-        "φ(N_max)", "deg", ("guide",), N_("Crank angle of the largest normal force of an edge of the guide"), _THEORY
     )
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"guide": ()})
     flags: tuple[str, ...] = ()
@@ -104,8 +103,7 @@ def guide_edges(
         guide_edge_force_ahead=ahead,
         guide_edge_force_behind=behind,
         guide_pressing=np.abs(ahead) + np.abs(behind),
-        largest_guide_edge_force=largest.value,
-        largest_guide_edge_force_at=largest.angle,
+        largest_guide_edge_force=largest,
         labels={"guide": names},
         flags=tuple(one_sided([(_("largest force of an edge of"), largest)], names)),
     )

@@ -6,13 +6,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
+from cranktrain.catalogue import extreme, quantity
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.part_tables import part_name
 from cranktrain.mechanisms.dynamics import Reaction
 from cranktrain.motion import Array
+from cranktrain.numerics import Peak
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
 from cranktrain.questions.forces.peaks import largest_of_each, one_sided
@@ -35,9 +36,13 @@ class JointForces:
     joint_moment: Array = quantity(
         "M_J", "N*m", _JOINT, N_("Moment in the joint: of a guide on what slides in it, about its pin"), _THEORY
     )
-    largest_joint_force: Array = quantity("F_max", "N", ("joint",), N_("Largest force in the joint"), _THEORY)
-    largest_joint_force_at: Array = quantity(
-        "φ(F_max)", "deg", ("joint",), N_("Crank angle of the largest force in the joint"), _THEORY
+    largest_joint_force: Peak = extreme(
+        "F_max",
+        "N",
+        ("joint",),
+        N_("Largest force in the joint"),
+        N_("Crank angle of the largest force in the joint"),
+        _THEORY,
     )
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"joint": ()})
     flags: tuple[str, ...] = ()
@@ -63,8 +68,7 @@ def joint_forces(
         joint_force_x=x,
         joint_force_y=y,
         joint_moment=moment,
-        largest_joint_force=largest.value,
-        largest_joint_force_at=largest.angle,
+        largest_joint_force=largest,
         labels={"joint": names},
         flags=(*_flags(loaded.masses), *friction, *one_sided([(_("largest force in"), largest)], names)),
     )
@@ -106,7 +110,7 @@ def _gathered(joints: Sequence[_Joint], solved: Sequence[SolvedGroup], part: int
 
 
 def _flags(masses: Masses) -> Iterator[str]:
-    """Mind what has no mass, and rods whose inertia is assumed."""
+    """Flag what has no mass, and rods whose inertia is assumed."""
     if (said := masses.without_mass()) is not None:
         yield said
     if masses.doubtful:
@@ -121,13 +125,13 @@ def _flags(masses: Masses) -> Iterator[str]:
 
 
 def _friction_flags(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
-    """Mind on what friction is counted, and whether it lets the machine turn."""
+    """Flag on what friction is counted, and whether it lets the machine turn."""
     yield from _moments_without_length(loaded, solved)
     yield from _wedged(loaded, solved)
 
 
 def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
-    """Mind what rubs in a guide that carries a moment, where no length says on which edges."""
+    """Flag what rubs in a guide that carries a moment, where no length says on which edges."""
     parts: list[str] = []
     for group, one, made in zip(loaded.mechanisms.groups, solved.groups, loaded.masses.groups, strict=True):
         dynamics = group.kind.dynamics
@@ -145,7 +149,7 @@ def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Itera
 
 
 def _wedged(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
-    """Mind mechanisms that move freely without friction and have no forces with it."""
+    """Flag mechanisms that move freely without friction and have no forces with it."""
     stuck: list[int] = []
     for group, one, made in zip(loaded.mechanisms.groups, solved.groups, loaded.masses.groups, strict=True):
         for name, coefficient in zip(group.kind.dynamics.sliding, made.friction, strict=True):

@@ -6,10 +6,11 @@ from dataclasses import field
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import quantity
+from cranktrain.catalogue import extreme, quantity
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
+from cranktrain.numerics import Extreme
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
 from cranktrain.questions.forces.peaks import largest_of_each, one_sided
@@ -33,21 +34,29 @@ _ALIKE = 1e-9
 class LargestForces:
     """Largest forces of every piston with a rod, by the reactions; errors of the formula, in parts of exact peaks."""
 
-    largest_piston_force: Array = quantity(
-        "P_max", "N", _FACT, N_("Largest force along the cylinder, either way"), _THEORY
+    largest_piston_force: Extreme = extreme(
+        "P_max",
+        "N",
+        _FACT,
+        N_("Largest force along the cylinder, either way"),
+        N_("Crank angle of the largest force along the cylinder"),
+        _THEORY,
     )
-    largest_piston_force_at: Array = quantity(
-        "φ(P_max)", "deg", _FACT, N_("Crank angle of the largest force along the cylinder"), _THEORY
+    largest_side_force: Extreme = extreme(
+        "N_max",
+        "N",
+        _FACT,
+        N_("Largest force of the wall, on either side"),
+        N_("Crank angle of the largest force of the wall"),
+        _THEORY,
     )
-    largest_side_force: Array = quantity("N_max", "N", _FACT, N_("Largest force of the wall, on either side"), _THEORY)
-    largest_side_force_at: Array = quantity(
-        "φ(N_max)", "deg", _FACT, N_("Crank angle of the largest force of the wall"), _THEORY
-    )
-    largest_rod_force: Array = quantity(
-        "S_max", "N", _FACT, N_("Largest force along the rod at either pin, in compression or tension"), _THEORY
-    )
-    largest_rod_force_at: Array = quantity(
-        "φ(S_max)", "deg", _FACT, N_("Crank angle of the largest force along the rod"), _THEORY
+    largest_rod_force: Extreme = extreme(
+        "S_max",
+        "N",
+        _FACT,
+        N_("Largest force along the rod at either pin, in compression or tension"),
+        N_("Crank angle of the largest force along the rod"),
+        _THEORY,
     )
     side_force_formula_error: Array = quantity(
         "ΔN_f",
@@ -68,7 +77,8 @@ class LargestForces:
 
     def answer(self, names: Names, design: int) -> str | None:
         """Say the largest forces on pistons, walls and rods, and what the formula misses where slaves hang on a rod."""
-        sizes = [part[design] for part in (self.largest_piston_force, self.largest_side_force, self.largest_rod_force)]
+        found = (self.largest_piston_force, self.largest_side_force, self.largest_rod_force)
+        sizes = [one.value[design] for one in found]
         if not all(np.any(size > 0) for size in sizes):
             return None
         piston, side, rod = (_largest_of(names["piston"], size) for size in sizes)
@@ -131,11 +141,8 @@ def largest_forces(
     names = [f"{_SAID[i]} {loaded.mechanisms.names[j]}" for i, j in zip(which.tolist(), driven.tolist(), strict=True)]
     # What rests on no mass and no gas is no answer.
     value, at = (np.where(value > 0, part, np.nan) for part in (value, at))
-    piston, side, rod = zip(value[:3], at[:3], strict=True)
     return LargestForces(
-        *piston,
-        *side,
-        *rod,
+        *(Extreme(*one) for one in zip(at[:3], value[:3], strict=True)),
         side_force_formula_error=_errors(forces.side_force),
         tangential_force_formula_error=_errors(forces.tangential_force),
         is_master=is_master,

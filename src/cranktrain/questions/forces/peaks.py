@@ -86,14 +86,14 @@ def largest_of_machine(curve: Curve, samples: Array, events: ForceEvents, crank_
 def counted(peak: Peak, crank_angle: CrankAngle) -> Peak:
     """Peaks of shape (design, curve), with angles from the grid's zero in [0, cycle) [rad]; nothing stands nowhere."""
     gross = np.fmax.reduce(np.abs(peak.value), axis=-1, keepdims=True, initial=0.0)
-    return felt(peak._replace(angle=crank_angle.counted_shown(peak.angle)), gross)
+    return without_rounding(peak._replace(angle=crank_angle.counted_shown(peak.angle)), gross)
 
 
-def felt(peak: Peak, gross: Array) -> Peak:
+def without_rounding(peak: Peak, gross: Array) -> Peak:
     """Peaks of which those that are rounding beside something gross are 0, and stand nowhere."""
-    is_felt = ~(np.abs(peak.value) <= _ROUNDING * gross)
-    value, side = (np.where(is_felt, part, 0.0) for part in (peak.value, peak.side))
-    return Peak(np.where(is_felt, peak.angle, np.nan), value, side)
+    is_clear = ~(np.abs(peak.value) <= _ROUNDING * gross)
+    value, side = (np.where(is_clear, part, 0.0) for part in (peak.value, peak.side))
+    return Peak(np.where(is_clear, peak.angle, np.nan), value, side)
 
 
 def one_sided(peaks: Sequence[tuple[str, Peak]], labels: Sequence[str] = ("",)) -> Iterator[str]:

@@ -1,11 +1,11 @@
-"""Masses and friction beyond what was ever built: computed with all the same, and doubted."""
+"""Masses and friction beyond what was ever built: computed with all the same, and flagged."""
 
 from collections.abc import Iterable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.checks import Limit, doubted
+from cranktrain.checks import Limit, flagged
 from cranktrain.language import N_
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.part_tables import SLIDER
@@ -48,10 +48,10 @@ class UnlikelyLoads:
 def unlikely_loads(
     loaded: LoadedMachine | None, travel: DeadCentres | None, chambers: Chambers | None, gas: GasPressures | None
 ) -> UnlikelyLoads:
-    """Doubt what is beyond the limits, as far as it is known; of all designs the worst is told."""
+    """Flag what is beyond the limits, as far as it is known; of all designs the worst is named."""
     found: list[str] = []
     if loaded is not None:
-        found += doubted(_FRICTION, np.array(list(_coefficients(loaded.masses))))
+        found += flagged(_FRICTION, np.array(list(_coefficients(loaded.masses))))
         if chambers is not None and travel is not None:
             found += _of_pistons(loaded, chambers, travel.stroke, None if gas is None else gas.indicated_work > 0)
     return UnlikelyLoads(tuple(found))
@@ -60,7 +60,7 @@ def unlikely_loads(
 def _of_pistons(
     loaded: LoadedMachine, chambers: Chambers, stroke: Array, fired: NDArray[np.bool_] | None
 ) -> Iterator[str]:
-    """Doubt masses of pistons, of engines by the bore, of all by their inertia."""
+    """Flag masses of pistons, of engines by the bore, of all by their inertia."""
     mass = _piston_masses(loaded, stroke.shape)
     areas = np.abs(chambers.areas)
     area = np.max(areas, axis=2)
@@ -68,8 +68,8 @@ def _of_pistons(
     if fired is not None:
         is_engine = np.any((areas > 0) & fired[:, np.newaxis], axis=2)
         density = np.where(is_engine, mass / (area * np.sqrt(4 / np.pi * area)), 0.0)
-        yield from doubted(_DENSITY, density, mass)
-    yield from doubted(_INERTIA_PRESSURE, mass * stroke / 2 * loaded.speed.value[..., 0] ** 2 / area)
+        yield from flagged(_DENSITY, density, mass)
+    yield from flagged(_INERTIA_PRESSURE, mass * stroke / 2 * loaded.speed.value[..., 0] ** 2 / area)
 
 
 def _piston_masses(loaded: LoadedMachine, shape: tuple[int, ...]) -> Array:

@@ -3,13 +3,13 @@
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Any, ClassVar, NamedTuple
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.gas import Chamber, GasKind, GasSpec, VolumeLimits, chamber_state, kind_of
+from cranktrain.gas import AnyGasKind, Chamber, GasSpec, VolumeLimits, chamber_state, kind_of
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
@@ -58,8 +58,8 @@ class GasInChambers:
         [design][chamber], as each design's kind of gas takes it.
     specs : tuple of GasSpec
         Of each design.
-    findings, doubts : tuple of str
-        What was found in a file and changed, and what may be meant otherwise.
+    flags : tuple of str
+        What may be meant otherwise than it was given, and what was found in a file and changed.
     """
 
     pistons: Pistons
@@ -69,10 +69,9 @@ class GasInChambers:
     tops: Array
     firing: Array
     cycle: float
-    models: tuple[tuple[Any, ...], ...]
+    models: tuple[tuple[object, ...], ...]
     specs: tuple[GasSpec, ...]
-    findings: tuple[str, ...]
-    doubts: tuple[str, ...]
+    flags: tuple[str, ...]
 
     def volume(self, angle: Array) -> Coefficient:
         """Volume of every chamber at φ [rad], and its derivatives, shape (design, chamber, n). [m³, m³/rad, m³/rad²]"""
@@ -113,11 +112,11 @@ class GasInChambers:
         return least + turns, np.where(is_head, travel.outer[:, of], travel.inner[:, of])
 
     @cached_property
-    def _shared(self) -> tuple[list[tuple[Any, list[int]]], ...]:
+    def _shared(self) -> tuple[list[tuple[object, list[int]]], ...]:
         """What `alike` gives for each design."""
         return tuple(_sharing(of_design) for of_design in self.models)
 
-    def alike(self, design: int) -> list[tuple[Any, list[int]]]:
+    def alike(self, design: int) -> list[tuple[object, list[int]]]:
         """Models of one design's chambers, each with the chambers that share it."""
         return self._shared[design]
 
@@ -161,9 +160,9 @@ class GasInChambers:
         return self.chambers.pushed(pressure) - AMBIENT * np.sum(areas, axis=-1, keepdims=True)
 
 
-def _sharing(models: tuple[Any, ...]) -> list[tuple[Any, list[int]]]:
+def _sharing(models: tuple[object, ...]) -> list[tuple[object, list[int]]]:
     """Pair each model of one design with the chambers that have it."""
-    sharing: dict[int, tuple[Any, list[int]]] = {}
+    sharing: dict[int, tuple[object, list[int]]] = {}
     for place, model in enumerate(models):
         sharing.setdefault(id(model), (model, []))[1].append(place)
     return list(sharing.values())
@@ -207,25 +206,25 @@ def gas_in_chambers(
         cycle=cycle.length,
         models=(),
         specs=gas.specs,
-        findings=(),
-        doubts=(),
+        flags=(),
     )
     is_central = _central_ratios(pistons, cylinders)[:, of]
     # What the volume is at some angles after firing tells a chamber from those that are not like it.
     every = range(len(chambers.names))
     volumes_then = empty.at_own(empty.firing + _TELLING, every, lambda angle: empty.volume(angle).value)
     models = tuple(
-        _models(spec, empty, design, _Told(volumes_then[design], is_central[design]))
+        _models(spec, empty, design, _Likeness(volumes_then[design], is_central[design]))
         for design, spec in enumerate(gas.specs)
     )
-    told = [
+    each = [
         (kind_of(spec), spec, model) for spec, of_design in zip(gas.specs, models, strict=True) for model in of_design
     ]
+    flags = [flag for kind, spec, model in each for flag in kind.flags(spec, model)]
+    findings = [finding for kind, _spec, model in each for finding in kind.findings(model)]
     return replace(
         empty,
         models=models,
-        findings=tuple(dict.fromkeys(said for kind, _spec, model in told for said in kind.findings(model))),
-        doubts=tuple(dict.fromkeys(said for kind, spec, model in told for said in kind.doubts(spec, model))),
+        flags=tuple(dict.fromkeys((*flags, *findings))),
     )
 
 
@@ -251,18 +250,18 @@ def _central_ratios(pistons: Pistons, cylinders: CylinderPistons) -> Array:
     return np.where(cylinders.is_opposed, np.nan, ratio[:, cylinders.leading])
 
 
-class _Told(NamedTuple):
+class _Likeness(NamedTuple):
     """What tells chambers apart: volumes at some angles, (chamber, n) [m³], and λ of central ones, (chamber,)."""
 
     volumes: Array
     ratios: Array
 
 
-def _models(spec: GasSpec, chambers: GasInChambers, design: int, told: _Told) -> tuple[Any, ...]:
+def _models(spec: GasSpec, chambers: GasInChambers, design: int, own: _Likeness) -> tuple[object, ...]:
     """Models of one design's chambers; chambers that are alike but for their phase share one."""
     kind = kind_of(spec)
-    made: dict[tuple[float, ...], Any] = {}
-    found: list[Any] = []
+    made: dict[tuple[float, ...], object] = {}
+    found: list[object] = []
     for place in range(len(chambers.chambers.names)):
         limits = VolumeLimits(*(single(float(part[design, place, 0])) for part in chambers.limits))
         start = float(chambers.firing[design, place, 0])
@@ -270,16 +269,16 @@ def _models(spec: GasSpec, chambers: GasInChambers, design: int, told: _Told) ->
         def volume(angle: Array, start: float = start, place: int = place) -> Array:
             return chambers.volume_of(design, place, angle + start).value
 
-        key = tuple(float(f"{float(value):.9g}") for value in (*limits, *told.volumes[place]))
+        key = tuple(float(f"{float(value):.9g}") for value in (*limits, *own.volumes[place]))
         if key not in made:
-            ratio = float(told.ratios[place])
+            ratio = float(own.ratios[place])
             chamber = Chamber(chambers.cycle, limits, volume, None if np.isnan(ratio) else ratio)
             made[key] = _model(kind, spec, chamber)
         found.append(made[key])
     return tuple(found)
 
 
-def _model(kind: GasKind, spec: GasSpec, chamber: Chamber) -> Any:
+def _model(kind: AnyGasKind, spec: GasSpec, chamber: Chamber) -> object:
     """Make one chamber's model; what does not suit it is wrong in [gas]."""
     try:
         return kind.model(spec, chamber)

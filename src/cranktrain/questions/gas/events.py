@@ -56,7 +56,7 @@ def _volume_at(gas: GasInChambers, angle: Array, places: Sequence[int]) -> Coeff
 
 def _kinks(gas: GasInChambers, firing: Array, least: Coefficient) -> Array:
     """φ of the kinks of all chambers, by Halley's method from the dead centre, shape (design, chamber, kink). [rad]"""
-    told = _told_kinks(gas)
+    told = _kinks_of_models(gas)
     places = [place for place in gas.distinct for _kink in range(told.shape[-1])]
     volume, sense, turn = told.reshape(3, len(firing), -1)[..., np.newaxis]
     if volume.size == 0:
@@ -91,7 +91,7 @@ def _breaks(gas: GasInChambers) -> Array:
     return filled
 
 
-def _told_kinks(gas: GasInChambers) -> Array:
+def _kinks_of_models(gas: GasInChambers) -> Array:
     """Volume, sense and turn of the kinks of the distinct chambers, (3, design, distinct, kink): NaN fills up."""
     told: list[list[Sequence[Kink]]] = []
     for design, spec in enumerate(gas.specs):

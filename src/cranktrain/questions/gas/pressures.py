@@ -5,13 +5,13 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Limit, doubted
+from cranktrain.catalogue import extreme, quantity
+from cranktrain.checks import Limit, flagged
 from cranktrain.gas import kind_of
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array, Coefficient
-from cranktrain.numerics import around_zero, in_slots, largest_between
+from cranktrain.numerics import Extreme, around_zero, in_slots, largest_between
 from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.cylinders.volumes import RATIO, SweptVolumes
 from cranktrain.questions.gas.chambers import GasInChambers
@@ -52,8 +52,9 @@ class GasPressures:
     indicated_mean_pressure: Array = quantity(
         "p_i", "Pa", _CHAMBER, N_("Indicated mean effective pressure: work over swept volume"), _THEORY
     )
-    peak_pressure: Array = quantity("p_max", "Pa", _CHAMBER, N_("Largest pressure"), _THEORY)
-    peak_pressure_at: Array = quantity("φ(p_max)", "deg", _CHAMBER, N_("Crank angle of the largest pressure"), _THEORY)
+    peak_pressure: Extreme = extreme(
+        "p_max", "Pa", _CHAMBER, N_("Largest pressure"), N_("Crank angle of the largest pressure"), _THEORY
+    )
     peak_pressure_after: Array = quantity(
         "α(p_max)", "deg", _CHAMBER, N_("Largest pressure after the least volume"), _THEORY
     )
@@ -64,7 +65,7 @@ class GasPressures:
         chambers = names["chamber"]
         return _("Indicated mean pressure {mean}; largest {peak}, {after} after the dead centre.").format(
             mean=shared(chambers, self.indicated_mean_pressure[design], "bar"),
-            peak=shared(chambers, self.peak_pressure[design], "bar"),
+            peak=shared(chambers, self.peak_pressure.value[design], "bar"),
             after=shared(chambers, self.peak_pressure_after[design], "deg"),
         )
 
@@ -79,13 +80,8 @@ def gas_pressures(
 ) -> GasPressures:
     """Pressure over the cycle, its force, and, whatever the grid, its work and peak."""
     phi = crank_angle.angle
-    volume = gas.volume_by(
-        Coefficient(
-            gas.tops - motion.piston_displacement,
-            -motion.piston_velocity_coefficient,
-            -motion.piston_acceleration_coefficient,
-        )
-    )
+    displacement = motion.piston_displacement
+    volume = gas.volume_by(Coefficient(gas.tops - displacement.value, -displacement.first, -displacement.second))
     pressure = gas.pressure(phi, volume)
     work = _works(gas, swept)
     firing, _opposite = gas.dead_centres(travel)
@@ -95,19 +91,18 @@ def gas_pressures(
         gas_force=gas.force(pressure),
         indicated_work=work,
         indicated_mean_pressure=work / swept.swept_volume,
-        peak_pressure=peak,
-        peak_pressure_at=crank_angle.counted((firing + after)[..., np.newaxis], gas.cycle)[..., 0],
+        peak_pressure=Extreme(crank_angle.counted((firing + after)[..., np.newaxis], gas.cycle)[..., 0], peak),
         peak_pressure_after=after,
-        flags=(*gas.doubts, *gas.findings, *_engine_doubts(gas, work > 0, peak)),
+        flags=tuple(_unlikely_pressures(gas, work > 0, peak)),
     )
 
 
-def _engine_doubts(gas: GasInChambers, fires: NDArray[np.bool_], peak: Array) -> Iterator[str]:
-    """Doubt what no engine has, of chambers that give work, shape (design, chamber)."""
+def _unlikely_pressures(gas: GasInChambers, fires: NDArray[np.bool_], peak: Array) -> Iterator[str]:
+    """Flags of ratios and peaks that no engine has, of chambers that give work, shape (design, chamber)."""
     ratio = (gas.limits.largest / gas.limits.smallest)[..., 0]
-    # What no machine at all has is doubted where the ratio is found.
-    yield from doubted(_ENGINE_RATIO, ratio[fires & (ratio <= RATIO.most)])
-    yield from doubted(_PEAK_PRESSURE, peak[fires])
+    # What no machine at all has is flagged where the ratio is found.
+    yield from flagged(_ENGINE_RATIO, ratio[fires & (ratio <= RATIO.most)])
+    yield from flagged(_PEAK_PRESSURE, peak[fires])
 
 
 def _works(gas: GasInChambers, swept: SweptVolumes) -> Array:

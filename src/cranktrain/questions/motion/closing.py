@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Limit, doubted
+from cranktrain.checks import Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.distinct import distinct
@@ -72,5 +72,5 @@ def closing(mechanisms: Mechanisms, crank_angle: CrankAngle) -> Closing:
         closing_margin=margins,
         closing_angle=crank_angle.counted(different.angle(angle))[..., 0],
         length_names=tuple(tuple(row) for row in different.spread(length)[..., 0]),
-        flags=tuple(doubted(_CLOSENESS, 1 / margins, margins)),
+        flags=tuple(flagged(_CLOSENESS, 1 / margins, margins)),
     )

@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
+from cranktrain.catalogue import coefficients, quantity
 from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Rockers
-from cranktrain.layout.speed import Speed, accelerations
-from cranktrain.motion import Array
+from cranktrain.layout.speed import Speed, rates
+from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import unwrapped
 from cranktrain.questions.motion.dead_centres import rod_angle
 from cranktrain.record import record
@@ -20,14 +20,14 @@ _THEORY = "docs/theory/crank-rocker"
 class CouplerMotion:
     """Motion of every rocker's rod by the crank angle alone; NaN for a rocker that hangs on none."""
 
-    coupler_angle: Array = quantity(
-        "θ_r", "rad", _CURVE, N_("Direction of the rod, from crank pin to joint, from the mechanism's x"), _THEORY
-    )
-    coupler_velocity_coefficient: Array = quantity(
-        "θ_r′", "rad/rad", _CURVE, N_("Rod's angular velocity for each rad/s of the crank"), _THEORY
-    )
-    coupler_acceleration_coefficient: Array = quantity(
-        "θ_r″", "rad/rad^2", _CURVE, N_("Rod's angular acceleration for each (rad/s)² of the crank"), _THEORY
+    coupler_angle: Coefficient = coefficients(
+        "θ_r",
+        "rad",
+        _CURVE,
+        N_("Direction of the rod, from crank pin to joint, from the mechanism's x"),
+        N_("Rod's angular velocity for each rad/s of the crank"),
+        N_("Rod's angular acceleration for each (rad/s)² of the crank"),
+        _THEORY,
     )
 
 
@@ -39,11 +39,7 @@ def on_rods(rockers: Rockers) -> bool:
 def coupler_motion(rockers: Rockers, crank_angle: CrankAngle) -> CouplerMotion:
     """Angles of the rods, without jumps, and their derivatives."""
     rod = rockers.evaluated(lambda motion: rod_angle(motion, motion.rocker.angle), crank_angle.angle)
-    return CouplerMotion(
-        coupler_angle=unwrapped(rod.value),
-        coupler_velocity_coefficient=rod.first,
-        coupler_acceleration_coefficient=rod.second,
-    )
+    return CouplerMotion(rod._replace(value=unwrapped(rod.value)))
 
 
 @record
@@ -58,10 +54,4 @@ class CouplerSpeeds:
 
 def coupler_speeds(motion: CouplerMotion, speed: Speed, crank_angle: CrankAngle) -> CouplerSpeeds:
     """Velocities θ′ω and accelerations θ″ω² + θ′ε."""
-    drive = speed.drive(crank_angle.angle)
-    return CouplerSpeeds(
-        coupler_angular_velocity=motion.coupler_velocity_coefficient * drive.speed,
-        coupler_angular_acceleration=accelerations(
-            motion.coupler_velocity_coefficient, motion.coupler_acceleration_coefficient, drive
-        ),
-    )
+    return CouplerSpeeds(*rates(motion.coupler_angle, speed.drive(crank_angle.angle)))

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Limit, doubted
+from cranktrain.checks import Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.distinct import Distinct, distinct
@@ -184,5 +184,5 @@ def dead_centres(pistons: Pistons, turn: PistonTurn, crank_angle: CrankAngle) ->
         bottom_shift=different.spread(around_zero(bottom.angle - np.pi))[..., 0],
         top_position=position,
         bottom_position=different.spread(bottom.value)[..., 0],
-        flags=tuple(doubted(_DISTANCE, np.abs(position) / stroke, stroke / np.abs(position))),
+        flags=tuple(flagged(_DISTANCE, np.abs(position) / stroke, stroke / np.abs(position))),
     )

@@ -6,12 +6,12 @@ from typing import Any, ClassVar, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import quantity
+from cranktrain.catalogue import coefficients
 from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.places import Place
-from cranktrain.motion import Array, Coefficient, Link
+from cranktrain.motion import Coefficient, Link
 from cranktrain.numerics import unwrapped
 from cranktrain.record import record
 
@@ -50,7 +50,7 @@ class Followed:
 
 @record
 class FollowedLinks(Followed):
-    """Links."""
+    """Links by their names, beside the rods and rockers that have results of their own."""
 
     dimension: ClassVar[str] = "link"
 
@@ -85,49 +85,45 @@ def followed_of(result: type[FollowedLike], places: Sequence[Place]) -> Followed
 class LinkMotion:
     """Motion of links by their names."""
 
-    link_angle: Array = quantity(
+    link_angle: Coefficient = coefficients(
         "θ",
         "rad",
         _LINK,
         N_("Direction of the link, from its first pin to its second, from the mechanism's x"),
+        N_("Link's angular velocity for each rad/s of the crank"),
+        N_("Link's angular acceleration for each (rad/s)² of the crank"),
         _THEORY,
-    )
-    link_velocity_coefficient: Array = quantity(
-        "θ′", "rad/rad", _LINK, N_("Link's angular velocity for each rad/s of the crank"), _THEORY
-    )
-    link_acceleration_coefficient: Array = quantity(
-        "θ″", "rad/rad^2", _LINK, N_("Link's angular acceleration for each (rad/s)² of the crank"), _THEORY
     )
 
 
 def link_motion(links: FollowedLinks, mechanisms: Mechanisms, crank_angle: CrankAngle) -> LinkMotion:
     """Angles of all links, without jumps, and their derivatives."""
-    angle, first, second = _followed(links, mechanisms, crank_angle)
-    return LinkMotion(unwrapped(angle), first, second)
+    angle = _followed(links, mechanisms, crank_angle)
+    return LinkMotion(angle._replace(value=unwrapped(angle.value)))
 
 
 @record
 class SliderMotion:
     """Motion of what slides, by its name."""
 
-    slider_position: Array = quantity(
-        "t", "m", _SLIDER, N_("Position along the guide or slot, in the direction in which that points"), _THEORY
-    )
-    slider_velocity_coefficient: Array = quantity(
-        "t′", "m/rad", _SLIDER, N_("Velocity along the guide or slot for each rad/s of the crank"), _THEORY
-    )
-    slider_acceleration_coefficient: Array = quantity(
-        "t″", "m/rad^2", _SLIDER, N_("Second derivative of the position by the crank angle"), _THEORY
+    slider_position: Coefficient = coefficients(
+        "t",
+        "m",
+        _SLIDER,
+        N_("Position along the guide or slot, in the direction in which that points"),
+        N_("Velocity along the guide or slot for each rad/s of the crank"),
+        N_("Second derivative of the position by the crank angle"),
+        _THEORY,
     )
 
 
 def slider_motions(sliders: FollowedSliders, mechanisms: Mechanisms, crank_angle: CrankAngle) -> SliderMotion:
     """Positions of all sliders and blocks, and their derivatives."""
-    return SliderMotion(*_followed(sliders, mechanisms, crank_angle))
+    return SliderMotion(_followed(sliders, mechanisms, crank_angle))
 
 
-def _followed(followed: Followed, mechanisms: Mechanisms, crank_angle: CrankAngle) -> Array:
-    """Value and derivatives of every part, (3, design, part, n)."""
+def _followed(followed: Followed, mechanisms: Mechanisms, crank_angle: CrankAngle) -> Coefficient:
+    """Value and derivatives of every part, shape (design, part, n)."""
     curves = np.empty((3, len(crank_angle.zero), len(followed.names), crank_angle.shown.size))
     for group in mechanisms.groups:
         chosen = np.flatnonzero(np.isin(followed.mechanism, group.index))
@@ -139,7 +135,7 @@ def _followed(followed: Followed, mechanisms: Mechanisms, crank_angle: CrankAngl
             moving = _coefficient(group.kind.part(motion, followed.parts[place]))
             for curve, values in zip(curves, moving, strict=True):
                 curve[:, place] = values[:, member]
-    return curves
+    return Coefficient(*curves)
 
 
 def _coefficient(part: Any) -> Coefficient:

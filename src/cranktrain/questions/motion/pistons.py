@@ -3,14 +3,15 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, Limit, doubted
+from cranktrain.catalogue import coefficients, extreme, quantity
+from cranktrain.checks import Check, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
-from cranktrain.layout.speed import Speed, accelerations
+from cranktrain.layout.speed import Speed, rates
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, Extremes, derivatives_residual, extremes
+from cranktrain.numerics.tops import chosen
 from cranktrain.questions.motion.dead_centres import DeadCentres, PistonGrid, PistonTurn, slider_motion
 from cranktrain.record import record
 from cranktrain.wording import Names, by_sort, shared
@@ -26,14 +27,14 @@ _ALIKE = 1e-9
 class PistonMotion:
     """Motion of every piston by the crank angle alone; speed enters with `PistonSpeeds`."""
 
-    piston_displacement: Array = quantity(
-        "x", "m", _CURVE, N_("Travel of the piston from its true top toward the shaft"), _THEORY
-    )
-    piston_velocity_coefficient: Array = quantity(
-        "x′", "m/rad", _CURVE, N_("Piston velocity for each rad/s of the crank"), _THEORY
-    )
-    piston_acceleration_coefficient: Array = quantity(
-        "x″", "m/rad^2", _CURVE, N_("Piston acceleration for each (rad/s)² of the crank"), _THEORY
+    piston_displacement: Coefficient = coefficients(
+        "x",
+        "m",
+        _CURVE,
+        N_("Travel of the piston from its true top toward the shaft"),
+        N_("Piston velocity for each rad/s of the crank"),
+        N_("Piston acceleration for each (rad/s)² of the crank"),
+        _THEORY,
     )
     checks: tuple[Check, ...] = ()
 
@@ -41,12 +42,9 @@ class PistonMotion:
 def piston_motion(grid: PistonGrid, turn: PistonTurn, dead_centres: DeadCentres) -> PistonMotion:
     """Displacement from the true top toward the shaft and its derivatives."""
     motion = grid.value
-    return PistonMotion(
-        piston_displacement=dead_centres.top_position[..., np.newaxis] - motion.position,
-        piston_velocity_coefficient=-motion.position_first,
-        piston_acceleration_coefficient=-motion.position_second,
-        checks=(_derivatives_check(turn),),
-    )
+    travel = dead_centres.top_position[..., np.newaxis] - motion.position
+    displacement = Coefficient(travel, -motion.position_first, -motion.position_second)
+    return PistonMotion(displacement, (_derivatives_check(turn),))
 
 
 def _derivatives_check(turn: PistonTurn) -> Check:
@@ -78,53 +76,43 @@ class PistonSpeeds:
     piston_velocity: Array = quantity("v", "m/s", _CURVE, N_("Piston velocity toward the shaft"), _THEORY)
     piston_acceleration: Array = quantity("j", "m/s^2", _CURVE, N_("Piston acceleration toward the shaft"), _THEORY)
     mean_piston_speed: Array = quantity("c_m", "m/s", _PISTON, N_("Mean piston speed, 2 S n"), _THEORY)
-    largest_piston_speed: Array = quantity(
-        "|v|_max", "m/s", _PISTON, N_("Largest piston speed, toward the shaft or away from it"), _THEORY
-    )
-    largest_piston_speed_at: Array = quantity(
-        "φ(|v|_max)", "deg", _PISTON, N_("Crank angle of the largest piston speed"), _THEORY
-    )
-    largest_piston_velocity: Array = quantity(
-        "v_max", "m/s", _PISTON, N_("Largest piston velocity toward the shaft"), _THEORY
-    )
-    largest_piston_velocity_at: Array = quantity(
-        "φ(v_max)",
-        "deg",
+    largest_piston_speed: Extreme = extreme(
+        "|v|_max",
+        "m/s",
         _PISTON,
+        N_("Largest piston speed, toward the shaft or away from it"),
+        N_("Crank angle of the largest piston speed"),
+        _THEORY,
+    )
+    largest_piston_velocity: Extreme = extreme(
+        "v_max",
+        "m/s",
+        _PISTON,
+        N_("Largest piston velocity toward the shaft"),
         N_("Crank angle of the largest velocity toward the shaft"),
         _THEORY,
     )
-    smallest_piston_velocity: Array = quantity(
-        "v_min", "m/s", _PISTON, N_("Largest piston velocity away from the shaft, negative"), _THEORY
-    )
-    smallest_piston_velocity_at: Array = quantity(
-        "φ(v_min)",
-        "deg",
+    smallest_piston_velocity: Extreme = extreme(
+        "v_min",
+        "m/s",
         _PISTON,
+        N_("Largest piston velocity away from the shaft, negative"),
         N_("Crank angle of the largest velocity away from the shaft"),
         _THEORY,
     )
-    largest_piston_acceleration: Array = quantity(
-        "j_max", "m/s^2", _PISTON, N_("Largest piston acceleration toward the shaft"), _THEORY
-    )
-    largest_piston_acceleration_at: Array = quantity(
-        "φ(j_max)",
-        "deg",
+    largest_piston_acceleration: Extreme = extreme(
+        "j_max",
+        "m/s^2",
         _PISTON,
+        N_("Largest piston acceleration toward the shaft"),
         N_("Crank angle of the largest acceleration toward the shaft"),
         _THEORY,
     )
-    smallest_piston_acceleration: Array = quantity(
+    smallest_piston_acceleration: Extreme = extreme(
         "j_min",
         "m/s^2",
         _PISTON,
         N_("Largest piston acceleration away from the shaft, negative"),
-        _THEORY,
-    )
-    smallest_piston_acceleration_at: Array = quantity(
-        "φ(j_min)",
-        "deg",
-        _PISTON,
         N_("Crank angle of the largest acceleration away from the shaft"),
         _THEORY,
     )
@@ -136,8 +124,8 @@ class PistonSpeeds:
             _("Mean piston speed {mean}, largest {largest}; largest acceleration {acceleration}."),
             _("Mean valve speed {mean}, largest {largest}; largest acceleration {acceleration}."),
         )
-        of_either_sense = np.fmax(self.largest_piston_acceleration, -self.smallest_piston_acceleration)
-        curves = (self.mean_piston_speed, self.largest_piston_speed, of_either_sense)
+        of_either_sense = np.fmax(self.largest_piston_acceleration.value, -self.smallest_piston_acceleration.value)
+        curves = (self.mean_piston_speed, self.largest_piston_speed.value, of_either_sense)
         return " ".join(
             said.format(
                 mean=shared(own, mean, "m/s"),
@@ -160,36 +148,29 @@ def piston_speeds(
 ) -> PistonSpeeds:
     """Velocities q′ω and accelerations q″ω² + q′ε, and their extremes."""
     drive = speed.drive(crank_angle.angle)
-    velocity = motion.piston_velocity_coefficient * drive.speed
-    acceleration = accelerations(motion.piston_velocity_coefficient, motion.piston_acceleration_coefficient, drive)
+    velocity, acceleration = rates(motion.piston_displacement, drive)
     if speed.curve is None:
         found = _at_constant_speed(turn, speed.value)
     else:
         found = _over_cycle(pistons, crank_angle, speed, velocity, acceleration)
-    (slowest, fastest), (least, most) = found
-
-    def at(extreme: Extreme) -> Array:
-        return crank_angle.counted(extreme.angle, 2 * np.pi if speed.curve is None else crank_angle.cycle)[..., 0]
-
+    period = 2 * np.pi if speed.curve is None else crank_angle.cycle
+    slowest, fastest, least, most = (
+        Extreme(crank_angle.counted(one.angle, period)[..., 0], one.value[..., 0]) for pair in found for one in pair
+    )
     # Without an offset both are alike but for rounding, which must not choose.
-    is_away = (-slowest.value > fastest.value * (1 + _ALIKE))[..., 0]
+    is_away = -slowest.value > fastest.value * (1 + _ALIKE)
     mean_speed = dead_centres.stroke * (speed.mean / np.pi)[..., 0]
     return PistonSpeeds(
         is_valve=pistons.is_valve,
         piston_velocity=velocity,
         piston_acceleration=acceleration,
         mean_piston_speed=mean_speed,
-        largest_piston_speed=np.where(is_away, -slowest.value[..., 0], fastest.value[..., 0]),
-        largest_piston_speed_at=np.where(is_away, at(slowest), at(fastest)),
-        largest_piston_velocity=fastest.value[..., 0],
-        largest_piston_velocity_at=at(fastest),
-        smallest_piston_velocity=slowest.value[..., 0],
-        smallest_piston_velocity_at=at(slowest),
-        largest_piston_acceleration=most.value[..., 0],
-        largest_piston_acceleration_at=at(most),
-        smallest_piston_acceleration=least.value[..., 0],
-        smallest_piston_acceleration_at=at(least),
-        flags=tuple(doubted(_MEAN_SPEED, mean_speed[:, ~pistons.is_valve])),
+        largest_piston_speed=chosen(is_away, slowest._replace(value=-slowest.value), fastest),
+        largest_piston_velocity=fastest,
+        smallest_piston_velocity=slowest,
+        largest_piston_acceleration=most,
+        smallest_piston_acceleration=least,
+        flags=tuple(flagged(_MEAN_SPEED, mean_speed[:, ~pistons.is_valve])),
     )
 
 
@@ -214,8 +195,8 @@ def _over_cycle(
 
     def moving(shown: Array) -> tuple[Array, Array]:
         phi = shown + crank_angle.zero
-        slider, drive = slider_motion(pistons, phi), speed.drive(phi)
-        return -slider.first * drive.speed, -accelerations(slider.first, slider.second, drive)
+        velocity, acceleration = rates(slider_motion(pistons, phi), speed.drive(phi))
+        return -velocity, -acceleration
 
     def from_zero(found: Extremes) -> Extremes:
         return Extremes(*(Extreme(one.angle + crank_angle.zero, one.value) for one in found))

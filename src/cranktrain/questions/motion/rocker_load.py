@@ -5,12 +5,12 @@ from typing import ClassVar
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
+from cranktrain.catalogue import coefficients, quantity
 from cranktrain.language import N_, _
 from cranktrain.layout.mechanisms import Rockers
 from cranktrain.layout.places import Place
 from cranktrain.mechanisms.crank_rocker import CrankRockerSpec
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import extremes
 from cranktrain.questions.motion.rockers import DeadPositions, RockerMotion, RockerTurn, rocker_angle
 from cranktrain.record import record
@@ -54,18 +54,14 @@ def load_radius_of(designs: Sequence[Sequence[Place]]) -> LoadRadius | None:
 class LoadMotion:
     """Travel of a load that hangs at the load radius of each rocker."""
 
-    load_displacement: Array = quantity(
-        "x_Q", "m", _CURVE, N_("Travel of the load from the dead position at which it is least"), _THEORY
-    )
-    load_velocity_coefficient: Array = quantity(
-        "x_Q′",
-        "m/rad",
+    load_displacement: Coefficient = coefficients(
+        "x_Q",
+        "m",
         _CURVE,
+        N_("Travel of the load from the dead position at which it is least"),
         N_("Load velocity for each rad/s of the crank: the torque factor of a pumping unit"),
+        N_("Load acceleration for each (rad/s)² of the crank"),
         _THEORY,
-    )
-    load_acceleration_coefficient: Array = quantity(
-        "x_Q″", "m/rad^2", _CURVE, N_("Load acceleration for each (rad/s)² of the crank"), _THEORY
     )
     load_stroke: Array = quantity("S_Q", "m", _ROCKER, N_("Stroke of the load"), _THEORY)
     largest_torque_factor: Array = quantity(
@@ -90,18 +86,17 @@ def load_motion(
 ) -> LoadMotion:
     """Arc that the load travels at its radius, and the torque factor's extremes."""
     radius = load_radius.value
-    start = np.where(
-        radius > 0, dead.smallest_rocker_angle[..., np.newaxis], dead.largest_rocker_angle[..., np.newaxis]
-    )
+    start = np.where(radius[..., 0] > 0, dead.smallest_rocker_angle.value, dead.largest_rocker_angle.value)
+    angle = motion.rocker_angle
     least, most = extremes(
         lambda phi: rocker_angle(rockers, phi).first,
         lambda phi: rocker_angle(rockers, phi).second,
         samples=turn.samples.first,
     )
     return LoadMotion(
-        load_displacement=radius * (motion.rocker_angle - start),
-        load_velocity_coefficient=radius * motion.rocker_velocity_coefficient,
-        load_acceleration_coefficient=radius * motion.rocker_acceleration_coefficient,
+        load_displacement=Coefficient(
+            radius * (angle.value - start[..., np.newaxis]), radius * angle.first, radius * angle.second
+        ),
         load_stroke=np.abs(radius[..., 0]) * dead.swing,
         largest_torque_factor=np.maximum(radius * most.value, radius * least.value)[..., 0],
         smallest_torque_factor=np.minimum(radius * most.value, radius * least.value)[..., 0],

@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, Limit, doubted
+from cranktrain.catalogue import coefficients, extreme, quantity
+from cranktrain.checks import Check, Limit, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Rockers
-from cranktrain.layout.speed import Speed, accelerations
+from cranktrain.layout.speed import Speed, rates
 from cranktrain.motion import Array, Coefficient
-from cranktrain.numerics import DERIVATIVES_LIMIT, derivatives_residual, turn_grid, turning_points, unwrapped
+from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, derivatives_residual, turn_grid, turning_points, unwrapped
 from cranktrain.record import record
 from cranktrain.wording import Names, around_turn, shared
 
@@ -78,17 +78,21 @@ class DeadPositions:
     time_ratio: Array = quantity(
         "k", "1", _ROCKER, N_("Crank travel of the slower swing over that of the faster one"), _THEORY
     )
-    largest_rocker_angle: Array = quantity(
-        "θ_max", "rad", _ROCKER, N_("Rocker angle at its dead position farthest in the sense of rotation"), _THEORY
+    largest_rocker_angle: Extreme = extreme(
+        "θ_max",
+        "rad",
+        _ROCKER,
+        N_("Rocker angle at its dead position farthest in the sense of rotation"),
+        N_("Crank angle of the dead position farthest in the sense of rotation"),
+        _THEORY,
     )
-    largest_rocker_angle_at: Array = quantity(
-        "φ(θ_max)", "deg", _ROCKER, N_("Crank angle of the dead position farthest in the sense of rotation"), _THEORY
-    )
-    smallest_rocker_angle: Array = quantity(
-        "θ_min", "rad", _ROCKER, N_("Rocker angle at its other dead position"), _THEORY
-    )
-    smallest_rocker_angle_at: Array = quantity(
-        "φ(θ_min)", "deg", _ROCKER, N_("Crank angle of the other dead position"), _THEORY
+    smallest_rocker_angle: Extreme = extreme(
+        "θ_min",
+        "rad",
+        _ROCKER,
+        N_("Rocker angle at its other dead position"),
+        N_("Crank angle of the other dead position"),
+        _THEORY,
     )
     flags: tuple[str, ...] = ()
 
@@ -99,8 +103,8 @@ class DeadPositions:
         rockers = names["rocker"]
         return _("The rocker swings {swing}, dead at crank angles {first} and {second}; time ratio {ratio}.").format(
             swing=shared(rockers, self.swing[design], "deg"),
-            first=shared(rockers, around_turn(self.smallest_rocker_angle_at[design]), "deg"),
-            second=shared(rockers, around_turn(self.largest_rocker_angle_at[design]), "deg"),
+            first=shared(rockers, around_turn(self.smallest_rocker_angle.angle[design]), "deg"),
+            second=shared(rockers, around_turn(self.largest_rocker_angle.angle[design]), "deg"),
             ratio=shared(rockers, self.time_ratio[design], "1"),
         )
 
@@ -123,11 +127,9 @@ def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) 
     return DeadPositions(
         swing=swing,
         time_ratio=swinging(slower / (2 * np.pi - slower)),
-        largest_rocker_angle=swinging(most.value),
-        largest_rocker_angle_at=swinging(crank_angle.counted(most.angle)),
-        smallest_rocker_angle=swinging(least.value),
-        smallest_rocker_angle_at=swinging(crank_angle.counted(least.angle)),
-        flags=tuple(doubted(_SWING, 1 / swing, swing)),
+        largest_rocker_angle=Extreme(swinging(crank_angle.counted(most.angle)), swinging(most.value)),
+        smallest_rocker_angle=Extreme(swinging(crank_angle.counted(least.angle)), swinging(least.value)),
+        flags=tuple(flagged(_SWING, 1 / swing, swing)),
     )
 
 
@@ -135,14 +137,14 @@ def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) 
 class RockerMotion:
     """Motion of every rocker by the crank angle alone."""
 
-    rocker_angle: Array = quantity(
-        "θ", "rad", _CURVE, N_("Direction of the rocker, from its pivot to its joint, from the mechanism's x"), _THEORY
-    )
-    rocker_velocity_coefficient: Array = quantity(
-        "θ′", "rad/rad", _CURVE, N_("Rocker's angular velocity for each rad/s of the crank"), _THEORY
-    )
-    rocker_acceleration_coefficient: Array = quantity(
-        "θ″", "rad/rad^2", _CURVE, N_("Rocker's angular acceleration for each (rad/s)² of the crank"), _THEORY
+    rocker_angle: Coefficient = coefficients(
+        "θ",
+        "rad",
+        _CURVE,
+        N_("Direction of the rocker, from its pivot to its joint, from the mechanism's x"),
+        N_("Rocker's angular velocity for each rad/s of the crank"),
+        N_("Rocker's angular acceleration for each (rad/s)² of the crank"),
+        _THEORY,
     )
     checks: tuple[Check, ...] = ()
 
@@ -150,12 +152,7 @@ class RockerMotion:
 def rocker_motion(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) -> RockerMotion:
     """Angles of every rocker, without jumps, and their derivatives."""
     motion = rocker_angle(rockers, crank_angle.angle)
-    return RockerMotion(
-        rocker_angle=_counted(motion.value, turn.middle),
-        rocker_velocity_coefficient=motion.first,
-        rocker_acceleration_coefficient=motion.second,
-        checks=(_derivatives_check(rockers),),
-    )
+    return RockerMotion(motion._replace(value=_counted(motion.value, turn.middle)), (_derivatives_check(rockers),))
 
 
 def _derivatives_check(rockers: Rockers) -> Check:
@@ -191,10 +188,4 @@ class RockerSpeeds:
 
 def rocker_speeds(motion: RockerMotion, speed: Speed, crank_angle: CrankAngle) -> RockerSpeeds:
     """Velocities q′ω and accelerations q″ω² + q′ε."""
-    drive = speed.drive(crank_angle.angle)
-    return RockerSpeeds(
-        rocker_angular_velocity=motion.rocker_velocity_coefficient * drive.speed,
-        rocker_angular_acceleration=accelerations(
-            motion.rocker_velocity_coefficient, motion.rocker_acceleration_coefficient, drive
-        ),
-    )
+    return RockerSpeeds(*rates(motion.rocker_angle, speed.drive(crank_angle.angle)))

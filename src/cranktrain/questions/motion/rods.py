@@ -2,13 +2,14 @@
 
 import numpy as np
 
-from cranktrain.catalogue import quantity
+from cranktrain.catalogue import coefficients, extreme, quantity
 from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Mechanisms, Pistons
-from cranktrain.layout.speed import Speed, accelerations
+from cranktrain.layout.speed import Speed, rates
 from cranktrain.motion import Array, Coefficient
-from cranktrain.numerics import turning_points
+from cranktrain.numerics import Extreme, turning_points
+from cranktrain.numerics.tops import chosen
 from cranktrain.questions.motion.dead_centres import PistonGrid, PistonTurn, rod_angle
 from cranktrain.record import record
 
@@ -22,34 +23,30 @@ _GROUPS = "docs/theory/groups"
 class RodMotion:
     """Motion of every piston's rod by the crank angle alone; NaN for a piston that hangs on none."""
 
-    rod_angle: Array = quantity(
+    rod_angle: Coefficient = coefficients(
         "θ",
         "rad",
         _CURVE,
         N_("Direction of the rod, from its crank-side pin to the piston pin, from the cylinder's axis"),
+        N_("Rod's angular velocity for each rad/s of the crank"),
+        N_("Rod's angular acceleration for each (rad/s)² of the crank"),
         _GROUPS,
     )
-    rod_velocity_coefficient: Array = quantity(
-        "θ′", "rad/rad", _CURVE, N_("Rod's angular velocity for each rad/s of the crank"), _GROUPS
-    )
-    rod_acceleration_coefficient: Array = quantity(
-        "θ″", "rad/rad^2", _CURVE, N_("Rod's angular acceleration for each (rad/s)² of the crank"), _GROUPS
-    )
-    largest_pressure_angle: Array = quantity(
+    largest_pressure_angle: Extreme = extreme(
         "β_max",
         "rad",
         _PISTON,
         N_("Largest angle between rod and cylinder axis; positive where the crank-side pin stands toward +y"),
+        N_("Crank angle of the largest pressure angle"),
         _THEORY,
     )
-    largest_pressure_angle_at: Array = quantity(
-        "φ(β_max)", "deg", _PISTON, N_("Crank angle of the largest pressure angle"), _THEORY
-    )
-    opposite_pressure_angle: Array = quantity(
-        "β_opp", "rad", _PISTON, N_("Largest angle between rod and cylinder axis to the other side"), _THEORY
-    )
-    opposite_pressure_angle_at: Array = quantity(
-        "φ(β_opp)", "deg", _PISTON, N_("Crank angle of the largest pressure angle to the other side"), _THEORY
+    opposite_pressure_angle: Extreme = extreme(
+        "β_opp",
+        "rad",
+        _PISTON,
+        N_("Largest angle between rod and cylinder axis to the other side"),
+        N_("Crank angle of the largest pressure angle to the other side"),
+        _THEORY,
     )
 
 
@@ -70,18 +67,16 @@ def rod_motion(grid: PistonGrid, crank_angle: CrankAngle, turn: PistonTurn) -> R
     opposite, usual = turning_points(
         lambda alpha: Coefficient(*(-part for part in _rod(different.mechanisms, alpha))), -turn.samples.rod
     )
+    usual, opposite = (
+        Extreme(crank_angle.counted(different.angle(one.angle))[..., 0], different.spread(one.value)[..., 0])
+        for one in (usual, opposite)
+    )
     # Without an offset both are alike but for rounding, which must not choose.
-    is_usual = different.spread(usual.value) >= -different.spread(opposite.value) * (1 - 1e-12)
-    angles = [different.spread(one.value)[..., 0] for one in (usual, opposite)]
-    places = [crank_angle.counted(different.angle(one.angle))[..., 0] for one in (usual, opposite)]
+    is_usual = usual.value >= -opposite.value * (1 - 1e-12)
     return RodMotion(
-        rod_angle=motion.rod,
-        rod_velocity_coefficient=motion.rod_first,
-        rod_acceleration_coefficient=motion.rod_second,
-        largest_pressure_angle=np.where(is_usual[..., 0], *angles),
-        largest_pressure_angle_at=np.where(is_usual[..., 0], *places),
-        opposite_pressure_angle=np.where(is_usual[..., 0], *reversed(angles)),
-        opposite_pressure_angle_at=np.where(is_usual[..., 0], *reversed(places)),
+        Coefficient(motion.rod, motion.rod_first, motion.rod_second),
+        largest_pressure_angle=chosen(is_usual, usual, opposite),
+        opposite_pressure_angle=chosen(is_usual, opposite, usual),
     )
 
 
@@ -95,10 +90,4 @@ class RodSpeeds:
 
 def rod_speeds(motion: RodMotion, speed: Speed, crank_angle: CrankAngle) -> RodSpeeds:
     """Velocities θ′ω and accelerations θ″ω² + θ′ε."""
-    drive = speed.drive(crank_angle.angle)
-    return RodSpeeds(
-        rod_angular_velocity=motion.rod_velocity_coefficient * drive.speed,
-        rod_angular_acceleration=accelerations(
-            motion.rod_velocity_coefficient, motion.rod_acceleration_coefficient, drive
-        ),
-    )
+    return RodSpeeds(*rates(motion.rod_angle, speed.drive(crank_angle.angle)))

@@ -176,7 +176,7 @@ def torque_sources(
     if loaded.gas is None or gas_events is None or gas is None or motion is None:
         return TorqueSources(((),) * len(designs), by_shaft, inertia, nothing, spent)
     own = shafts.shaft[loaded.carriers.driven]
-    rest = by_shaft - throw_torque(gas.gas_force * motion.piston_velocity_coefficient, own, len(shafts.names))
+    rest = by_shaft - throw_torque(gas.gas_force * motion.piston_displacement.first, own, len(shafts.names))
     sources = tuple(tuple(_of_chambers(loaded.gas, gas_events, crank_angle, own, design)) for design in designs)
     return TorqueSources(sources, rest, inertia, nothing, spent)
 

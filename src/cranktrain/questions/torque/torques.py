@@ -6,7 +6,7 @@ from dataclasses import field
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.catalogue import quantity
+from cranktrain.catalogue import extreme, quantity
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shafts import Shafts
@@ -16,7 +16,7 @@ from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.forces_times_arms import forces_times_arms
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import driving_torques
-from cranktrain.questions.forces.peaks import felt, largest_of_machine, one_sided
+from cranktrain.questions.forces.peaks import largest_of_machine, one_sided, without_rounding
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.torque import fired as along_shaft
 from cranktrain.questions.torque.sources import TorqueSources
@@ -81,10 +81,12 @@ class ShaftTorques:
         "T_Σ", "N*m", ("crank_angle",), N_("Torque of the machine on all shafts together, at the main shaft"), _THEORY
     )
     mean_torque: Array = quantity("T_m", "N*m", (), N_("Mean torque of the machine over a cycle"), _THEORY)
-    largest_torque: Array = quantity("T_max", "N*m", (), N_("Largest torque of the machine"), _THEORY)
-    largest_torque_at: Array = quantity("φ(T_max)", "deg", (), N_("Crank angle of the largest torque"), _THEORY)
-    smallest_torque: Array = quantity("T_min", "N*m", (), N_("Smallest torque of the machine"), _THEORY)
-    smallest_torque_at: Array = quantity("φ(T_min)", "deg", (), N_("Crank angle of the smallest torque"), _THEORY)
+    largest_torque: Peak = extreme(
+        "T_max", "N*m", (), N_("Largest torque of the machine"), N_("Crank angle of the largest torque"), _THEORY
+    )
+    smallest_torque: Peak = extreme(
+        "T_min", "N*m", (), N_("Smallest torque of the machine"), N_("Crank angle of the smallest torque"), _THEORY
+    )
     gross: Array = field(kw_only=True)
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"shaft": ()})
     flags: tuple[str, ...] = ()
@@ -92,14 +94,15 @@ class ShaftTorques:
     def answer(self, names: Names, design: int) -> str:
         """Say mean, largest and smallest torque; none where it is nothing beside what the forces could do."""
         del names
-        if max(abs(self.largest_torque[design]), abs(self.smallest_torque[design])) <= _NOTHING * self.gross[design]:
+        most, least = self.largest_torque, self.smallest_torque
+        if max(abs(most.value[design]), abs(least.value[design])) <= _NOTHING * self.gross[design]:
             return _("Torque on the shaft: none.")
         return _("Torque on the shaft: mean {mean}, from {least} at {low} to {most} at {high}.").format(
             mean=number(float(self.mean_torque[design]), "N*m"),
-            least=number(float(self.smallest_torque[design]), "N*m"),
-            low=number(float(self.smallest_torque_at[design]), "deg"),
-            most=number(float(self.largest_torque[design]), "N*m"),
-            high=number(float(self.largest_torque_at[design]), "deg"),
+            least=number(float(least.value[design]), "N*m"),
+            low=number(float(least.angle[design]), "deg"),
+            most=number(float(most.value[design]), "N*m"),
+            high=number(float(most.angle[design]), "deg"),
         )
 
 
@@ -123,16 +126,14 @@ def shaft_torques(
     whole = np.sum(by_shaft, axis=1)
     mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
     gross = np.sum(forces_times_arms(loaded, solved.groups), axis=-1)
-    most, least = (felt(peak, gross) for peak in (peaks.largest, peaks.smallest))
+    most, least = (without_rounding(peak, gross) for peak in (peaks.largest, peaks.smallest))
     return ShaftTorques(
         gross=gross,
         shaft_torque=by_shaft,
         machine_torque=whole,
         mean_torque=np.where(np.abs(mean) <= _ROUNDING * np.maximum(np.max(np.abs(whole), axis=-1), gross), 0.0, mean),
-        largest_torque=most.value,
-        largest_torque_at=most.angle,
-        smallest_torque=least.value,
-        smallest_torque_at=least.angle,
+        largest_torque=most,
+        smallest_torque=least,
         labels={"shaft": shafts.names},
         flags=tuple(one_sided([(_("largest torque"), most), (_("smallest torque"), least)])),
     )
@@ -145,11 +146,13 @@ class JournalTorques:
     journal_torque: Array = quantity(
         "T_J", "N*m", ("journal", "crank_angle"), N_("Torque that the main journal passes on to the flywheel"), _THEORY
     )
-    largest_journal_torque: Array = quantity(
-        "T_J,max", "N*m", ("journal",), N_("Largest torque in the journal, of either sense"), _THEORY
-    )
-    largest_journal_torque_at: Array = quantity(
-        "φ(T_J,max)", "deg", ("journal",), N_("Crank angle of the largest torque in the journal"), _THEORY
+    largest_journal_torque: Peak = extreme(
+        "T_J,max",
+        "N*m",
+        ("journal",),
+        N_("Largest torque in the journal, of either sense"),
+        N_("Crank angle of the largest torque in the journal"),
+        _THEORY,
     )
     labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"journal": ()})
 
@@ -160,8 +163,7 @@ def journal_torques(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, 
     What a gear takes or brings is reckoned at the flywheel's end. docs/theory/harmonics-and-orders, eq. (15.13).
     """
     passed = _passed(driving_torques(loaded, solved.groups), shafts)
-    largest = peaks.in_journals
-    return JournalTorques(passed, largest.value, largest.angle, {"journal": shafts.journals})
+    return JournalTorques(passed, peaks.in_journals, {"journal": shafts.journals})
 
 
 def _passed(driving: Array, shafts: Shafts) -> Array:
@@ -242,8 +244,8 @@ def reversals(curve: Array) -> Array:
     Neither a zero between two values of one sign is a change, nor what rounding leaves of it; NaN is passed over.
     """
     known = np.nan_to_num(curve)
-    felt = np.abs(known) > _ROUNDING * np.max(np.abs(known), axis=-1, keepdims=True)
-    sign = np.where(felt, np.sign(known), 0.0)
+    is_clear = np.abs(known) > _ROUNDING * np.max(np.abs(known), axis=-1, keepdims=True)
+    sign = np.where(is_clear, np.sign(known), 0.0)
     place: NDArray[np.intp] = np.where(sign == 0, 0, np.arange(1, curve.shape[-1] + 1, dtype=np.intp))
     last: NDArray[np.intp] = np.maximum.accumulate(place, axis=-1)
     # What stands before the first sign is the last one of the cycle before.

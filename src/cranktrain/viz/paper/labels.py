@@ -6,6 +6,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.viz.paper.shapes import angle_of
 from cranktrain.viz.paper.sketch import Label
 
 _CHARACTER, _LINE, _SYMBOL_LINE = 1.75, 3.2, 4.2
@@ -42,7 +43,7 @@ class Wish(NamedTuple):
         return self.manner == "number"
 
 
-class Mark(NamedTuple):
+class RoundMark(NamedTuple):
     """A round mark: centre and radius. [mm of the sketch]"""
 
     centre: Array
@@ -50,7 +51,7 @@ class Mark(NamedTuple):
 
 
 def placed_labels(
-    wishes: Sequence[Wish], lines: Iterable[Array], scale: float, marks: Sequence[Mark] = ()
+    wishes: Sequence[Wish], lines: Iterable[Array], scale: float, marks: Sequence[RoundMark] = ()
 ) -> Iterator[Label]:
     """Place labels one by one, each at the free place that is best for it; a number without any is left out.
 
@@ -61,7 +62,7 @@ def placed_labels(
         Polylines to keep clear of. [mm of the sketch]
     scale : float
         Millimetres of the sketch in one of paper.
-    marks : sequence of Mark
+    marks : sequence of RoundMark
         Which a number may not lie over, as it may over lines.
 
     Yields
@@ -124,7 +125,7 @@ def _box(middle: Array, size: tuple[float, float]) -> tuple[float, float, float,
     return x - size[0] / 2, x + size[0] / 2, y - size[1] / 2, y + size[1] / 2
 
 
-def _is_over(box: tuple[float, float, float, float], mark: Mark, scale: float) -> bool:
+def _is_over(box: tuple[float, float, float, float], mark: RoundMark, scale: float) -> bool:
     """Whether a label would lie over a mark."""
     centre = mark.centre / scale
     nearest = np.clip(centre, (box[0], box[2]), (box[1], box[3]))
@@ -144,7 +145,7 @@ def _cost(
     over = _n_under((left, right, low, high), taken)
     inside = (obstacles[0] > left) & (obstacles[0] < right) & (obstacles[1] > low) & (obstacles[1] < high)
     away = middle - point
-    turn = np.arctan2(away[1], away[0]) - wish.towards
+    turn = angle_of(away) - wish.towards
     crossed = (0.15 if wish.is_number else 4.0) * float(np.count_nonzero(inside))
     return (
         1000.0 * over
@@ -170,3 +171,16 @@ def dots(line: Array) -> Array:
     of = np.repeat(np.arange(counts.size, dtype=np.intp), counts)
     number = np.arange(of.size) - np.repeat(np.cumsum(counts) - counts, counts)
     return starts[:, of] + steps[:, of] * (number / (counts[of] - 1))
+
+
+def together(points: Array, reach: float) -> list[list[int]]:
+    """Group points, shape (2, n), that lie nearer than `reach` to the first of their group."""
+    groups: list[list[int]] = []
+    for i in range(points.shape[1]):
+        near = (of for of in groups if np.hypot(*(points[:, i] - points[:, of[0]])) < reach)
+        found = next(near, None)
+        if found is None:
+            groups.append([i])
+        else:
+            found.append(i)
+    return groups

@@ -1,10 +1,10 @@
 """A sheet of paper: a figure on which everything is placed in millimetres, and a sketch drawn on it to scale."""
 
 import re
-from collections.abc import Generator, Sequence
+from collections.abc import Generator, Iterable, Sequence
 from contextlib import contextmanager
 from importlib import import_module
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -22,6 +22,9 @@ Figure: TypeAlias = Any
 Text: TypeAlias = Any
 
 MARGIN = 10.0
+LINE = 4.2
+"""From one line of notes to the next. [mm]"""
+
 _INCH = 25.4
 _SIZES = {"A4": (297.0, 210.0), "A3": (420.0, 297.0)}
 _LABEL = 2.5
@@ -43,6 +46,15 @@ INDICES = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 """Figures as indices, in plain text."""
 
 _SCALES = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.5, 10.0)
+
+
+class Box(NamedTuple):
+    """A room on paper. [mm]"""
+
+    left: float
+    bottom: float
+    width: float
+    height: float
 
 
 @contextmanager
@@ -89,6 +101,11 @@ class Page:
     def heading(self, x: float, y: float, words: str) -> Text:
         """Write a heading."""
         return self.text(x, y, words, fontsize=HEADING, fontweight="bold")
+
+    def notes(self, x: float, y: float, sentences: Iterable[str]) -> None:
+        """Write sentences one below the other, as second text."""
+        for number, sentence in enumerate(sentences):
+            self.text(x, y - LINE * number, sentence, **muted())
 
     def end(self, words: Text) -> float:
         """Say where written words end on the right. [mm]"""

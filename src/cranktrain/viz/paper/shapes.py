@@ -30,9 +30,24 @@ class Along(NamedTuple):
         """Give the point. [mm]"""
         return self.foot + along * self.along + across * self.across
 
+    def path(self, *places: tuple[float, float]) -> Array:
+        """Give points along and across the line one after the other, shape (2, n). [mm]"""
+        return np.stack([self.at(*place) for place in places], axis=1)
+
     def place(self, points: Array) -> Array:
         """Say how far along the line points are, shape (2,) or (2, n). [mm]"""
         return self.along @ points - self.along @ self.foot
+
+
+def guide_line(direction: Array | float, pin: Array, shaft: Array | float = 0.0) -> Along:
+    """Line on which a guide of a direction [rad] leads a pin; its foot is nearest the shaft."""
+    along = np.array([np.cos(direction), np.sin(direction)]).reshape(2)
+    return Along(pin - np.dot(pin - shaft, along) * along, along)
+
+
+def angle_of(vector: Array) -> float:
+    """Direction of a vector from X. [rad]"""
+    return float(np.arctan2(vector[1], vector[0]))
 
 
 def bar(start: Array, end: Array, widths: tuple[float, float], fill: Fill, order: int) -> Line:
@@ -80,21 +95,19 @@ def walls(
     places = [span[0], *(place for port in ports for place in port), span[1]]
     for side in (-1.0, 1.0):
         for start, end in zip(places[::2], places[1::2], strict=True):
-            ends = [frame.at(u, side * bore / 2) for u in (start, end)]
-            yield Line(np.stack(ends, axis=1), "GUIDES", "outline", 2), side * frame.across
+            wall = frame.path((start, side * bore / 2), (end, side * bore / 2))
+            yield Line(wall, "GUIDES", "outline", 2), side * frame.across
     if has_head:
-        ends = [frame.at(span[1], side * bore / 2) for side in (-1.0, 1.0)]
-        yield Line(np.stack(ends, axis=1), "GUIDES", "outline", 2), frame.along
+        yield Line(frame.path((span[1], -bore / 2), (span[1], bore / 2)), "GUIDES", "outline", 2), frame.along
 
 
 def piston(frame: Along, pin: float, bore: float, above: float, below: float, fill: Fill) -> Iterator[Line | Circle]:
     """Piston with rings: `pin` its place along the axis, crown `above` it, skirt `below`."""
     half = 0.5 * bore * 0.97
     corners = ((pin - below, -half), (pin + above, -half), (pin + above, half), (pin - below, half))
-    yield Line(np.stack([frame.at(*corner) for corner in corners], axis=1), "LINKS", "outline", 4, True, fill)
-    for ring in (0.16, 0.30, 0.44):
-        ends = [frame.at(pin + above * (1 - ring), side * half) for side in (-1.0, 1.0)]
-        yield Line(np.stack(ends, axis=1), "LINKS", "thin", 4)
+    yield Line(frame.path(*corners), "LINKS", "outline", 4, True, fill)
+    for ring in (pin + above * (1 - share) for share in (0.16, 0.30, 0.44)):
+        yield Line(frame.path((ring, -half), (ring, half)), "LINKS", "thin", 4)
 
 
 def pivot(centre: Array, size: float, scale: float) -> Iterator[Line | Circle]:
@@ -123,7 +136,7 @@ def arrowhead(tip: Array, direction: float, size: float) -> Line:
 def hull(first: Array, first_radius: float, second: Array, second_radius: float, fill: Fill, order: int) -> Line:
     """Outline that a belt round two circles would have."""
     distance = float(np.hypot(*(second - first)))
-    direction = float(np.arctan2(second[1] - first[1], second[0] - first[0]))
+    direction = angle_of(second - first)
     lean = float(np.arccos(np.clip((first_radius - second_radius) / distance, -1.0, 1.0)))
     points = (
         arc(first, first_radius, direction + lean, direction + 2 * np.pi - lean),

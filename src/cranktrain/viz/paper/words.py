@@ -28,11 +28,6 @@ def running_words(machine: Machine) -> str:
     return ", ".join([*said, sense])
 
 
-def speed_of(result: Result) -> SpeedCurve | None:
-    """How the shaft turns in a result; None at a constant speed."""
-    return next((gift for gift in result.gifts if isinstance(gift, SpeedCurve)), None)
-
-
 def speed_words(curve: SpeedCurve | None, design: int = 0) -> str:
     """Say at which speed over the cycle a picture is, as the terminal does; nothing of a constant one."""
     return "" if curve is None else curve.answer({}, design)

@@ -12,20 +12,13 @@ from cranktrain.plans.centres import Body, Centre, InstantCentres, instant_centr
 from cranktrain.plans.positions import PositionPlan, fitting
 from cranktrain.plans.vectors import spoken_name
 from cranktrain.textbook.crank_rocker import pin_velocity_ratio
+from cranktrain.viz.figures import figure
+from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels
-from cranktrain.viz.paper.page import Figure, drawing_settings, formula, mathematics, muted
+from cranktrain.viz.paper.page import Box, Figure, drawing_settings, formula, mathematics
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
-from cranktrain.viz.plans.sheet import (
-    Box,
-    cells_of,
-    centre,
-    few_angles,
-    figure,
-    plan_page,
-    scale_of,
-    write_scales,
-    write_table,
-)
+from cranktrain.viz.paper.tables import write_table
+from cranktrain.viz.plans.sheet import cells_of, centre, few_angles, plan_page, scale_of, write_scales
 from cranktrain.viz.plans.sketches import line_drawing, pin_wishes
 
 _FEW = 5
@@ -44,6 +37,7 @@ _COLUMNS = (0.40, 0.70, 1.0)
 """Where the columns of the table of centres end, in parts of its width."""
 
 
+@drawing_settings()
 def plan_centres(
     machine: Machine, angles: int | Sequence[float] = (60.0,), *, mechanism: str | None = None, size: str = "A4"
 ) -> Figure:
@@ -68,25 +62,23 @@ def plan_centres(
     if len(found) > 1 and n_bodies > _MOST:
         allowed = _("must be one for the instant centres of {n} bodies: their tables fill a sheet").format(n=n_bodies)
         raise InputError([Problem("", _("{n} crank angles").format(n=len(found)), allowed)])
-    with drawing_settings():
-        page, box = plan_page(machine, angles, size, _("Instant centres"), found[0].mechanism)
-        cells = list(cells_of(box, len(found)))
-        wide = _WIDE * cells[0].width
-        room = (wide - 24.0, cells[0].height - 22.0)
-        scale = fitting([_outline(one) for one in found], room)
-        for one, cell in zip(found, cells, strict=True):
-            page.heading(cell.left, cell.bottom + cell.height - 4.0, f"φ = {one.angle:g}°")
-            centre(page, _sketch(one, scale), Box(cell.left, cell.bottom, wide, cell.height - 5.0))
-            start, width = cell.left + wide + 6.0, (1.0 - _WIDE) * cell.width - 6.0
-            top = cell.bottom + cell.height
-            ends = (
-                write_table(page, list(_bodies_table(one)), (start, top, 0.43 * width)),
-                write_table(page, list(_centres_table(one)), (start + 0.49 * width, top, 0.51 * width), _COLUMNS),
-            )
-            for number, note in enumerate(_notes(one)):
-                page.text(start, min(ends) - 1.0 - 4.2 * number, note, **muted())
-        write_scales(page, box, [scale_of("l", scale, "m")], 1e3 * scale)
-        return page.figure
+    page, box = plan_page(machine, angles, size, _("Instant centres"), found[0].mechanism)
+    cells = list(cells_of(box, len(found)))
+    wide = _WIDE * cells[0].width
+    room = (wide - 24.0, cells[0].height - 22.0)
+    scale = fitting([_outline(one) for one in found], room)
+    for one, cell in zip(found, cells, strict=True):
+        page.heading(cell.left, cell.bottom + cell.height - 4.0, f"φ = {one.angle:g}°")
+        centre(page, _sketch(one, scale), Box(cell.left, cell.bottom, wide, cell.height - 5.0))
+        start, width = cell.left + wide + 6.0, (1.0 - _WIDE) * cell.width - 6.0
+        top = cell.bottom + cell.height
+        ends = (
+            write_table(page, list(_bodies_table(one)), (start, top, 0.43 * width)),
+            write_table(page, list(_centres_table(one)), (start + 0.49 * width, top, 0.51 * width), _COLUMNS),
+        )
+        page.notes(start, min(ends) - 1.0, _notes(one))
+    write_scales(page, box, [scale_of("l", scale, "m")], 1e3 * scale)
+    return page.figure
 
 
 def _shown_centres(found: InstantCentres) -> list[Centre]:
@@ -125,7 +117,7 @@ def _sketch(found: InstantCentres, scale: float) -> Sketch:
         for start in _lines_through(found, one):
             sketch.add([Line(np.stack([1e3 * start, place], axis=1), "DIMENSIONS", "construction", 2)])
         sketch.add([Circle(place, 0.9 * sketch.scale, "DIMENSIONS", "outline", 6, "ink")])
-        wishes.append(Wish(place, one.name, float(np.arctan2(*(place - middle)[::-1]))))
+        wishes.append(Wish(place, one.name, shapes.angle_of(place - middle)))
     sketch.add(placed_labels(wishes, [line.points for line in sketch.lines], sketch.scale))
     return sketch
 

@@ -9,11 +9,13 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.plans.constructions import Construction, Method, construction
 from cranktrain.plans.positions import fitting
+from cranktrain.viz.figures import figure, rounded
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels
-from cranktrain.viz.paper.page import Figure, drawing_settings, muted
+from cranktrain.viz.paper.page import Box, Figure, drawing_settings
 from cranktrain.viz.paper.sketch import Circle, Habit, Line, Sketch
-from cranktrain.viz.plans.sheet import Box, centre, figure, plan_page, rounded, scale_of, write_scales, write_table
+from cranktrain.viz.paper.tables import write_table
+from cranktrain.viz.plans.sheet import centre, plan_page, scale_of, write_scales
 from cranktrain.viz.plans.sketches import alike
 
 _PARTS = 10
@@ -70,30 +72,27 @@ def plan_brix_backward(
     return _sheet(machine, "brix_backward", angles, mechanism, size, _("Crank angles by Brix's construction"))
 
 
+@drawing_settings()
 def _sheet(
     machine: Machine, method: Method, angles: int | Sequence[float], mechanism: str | None, size: str, title: str
 ) -> Figure:
     """The construction to scale, beside its readings and the exact ones."""
     found = construction(machine, method, angles, mechanism=mechanism)
-    with drawing_settings():
-        page, box = plan_page(machine, angles, size, title, found.mechanism)
-        wide = 0.62 * box.width
-        left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
-        rough = _SKETCHES[method](found, 1e-9)
-        bounds = np.array(rough.bounds()).reshape(2, 2)
-        scale = fitting([1e-3 * bounds], (left.width - 26.0, left.height - 26.0))
-        sketch = _SKETCHES[method](found, 1e3 * scale)
-        sketch.add(
-            placed_labels(list(_wishes(found, 1e3 * scale)), [line.points for line in sketch.lines], 1e3 * scale)
-        )
-        centre(page, sketch, left)
-        write_scales(page, box, [scale_of("l", scale, "m")], 1e3 * scale)
-        start = box.left + wide + 6.0
-        rows = list((_backward_table if method == "brix_backward" else _forward_table)(found, scale))
-        end = write_table(page, rows, (start, box.bottom + box.height, box.left + box.width - start), _COLUMNS)
-        for number, note in enumerate(_notes(found)):
-            page.text(start, end - 1.0 - 4.2 * number, note, **muted())
-        return page.figure
+    page, box = plan_page(machine, angles, size, title, found.mechanism)
+    wide = 0.62 * box.width
+    left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
+    rough = _SKETCHES[method](found, 1e-9)
+    bounds = np.array(rough.bounds()).reshape(2, 2)
+    scale = fitting([1e-3 * bounds], (left.width - 26.0, left.height - 26.0))
+    sketch = _SKETCHES[method](found, 1e3 * scale)
+    sketch.add(placed_labels(list(_wishes(found, 1e3 * scale)), [line.points for line in sketch.lines], 1e3 * scale))
+    centre(page, sketch, left)
+    write_scales(page, box, [scale_of("l", scale, "m")], 1e3 * scale)
+    start = box.left + wide + 6.0
+    rows = list((_backward_table if method == "brix_backward" else _forward_table)(found, scale))
+    end = write_table(page, rows, (start, box.bottom + box.height, box.left + box.width - start), _COLUMNS)
+    page.notes(start, end - 1.0, _notes(found))
+    return page.figure
 
 
 def _circle_and_line(found: Construction, scale: float, right: float) -> Sketch:
@@ -120,7 +119,7 @@ def _arcs(found: Construction, scale: float) -> Sketch:
     sketch = _circle_and_line(found, scale, float(np.max(drawn.piston[0])))
     length = float(found.geometry.rod_length)
     for pin, piston in zip(drawn.on_circle.T, drawn.piston.T, strict=True):
-        start = float(np.arctan2(*(pin - piston)[::-1])) % (2 * np.pi)
+        start = shapes.angle_of(pin - piston) % (2 * np.pi)
         points = shapes.arc(1e3 * piston, 1e3 * length, start, np.pi)
         sketch.add([Line(points, "LINKS", "construction", 3)])
     first = min(1, drawn.piston.shape[1] - 1)
@@ -182,7 +181,7 @@ def _numbers(points: Array, scale: float, towards: float | None) -> Iterator[Wis
     """Numbers beside points, one direction for all or away from the shaft; those that fall together share a place."""
     for together in alike(points, scale):
         point = points[:, together[0]]
-        outward = float(np.arctan2(point[1], point[0])) if towards is None else towards
+        outward = shapes.angle_of(point) if towards is None else towards
         yield Wish(point, ",".join(map(str, together)), outward, "number")
 
 

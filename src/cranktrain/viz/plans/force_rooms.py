@@ -10,11 +10,10 @@ from cranktrain.plans.force_polygons import ForcePolygon, rescaled
 from cranktrain.plans.force_sides import INITIAL
 from cranktrain.plans.positions import fitting, rounded_scale
 from cranktrain.viz.paper.labels import label_outline
-from cranktrain.viz.paper.page import Page
+from cranktrain.viz.paper.page import Box, Page
 from cranktrain.viz.paper.sketch import Sketch
 from cranktrain.viz.plans.force_rows import group_words, moment_words
 from cranktrain.viz.plans.force_sketches import force_polygon_sketch
-from cranktrain.viz.plans.sheet import Box
 
 _HEAD, _MOMENT, _GAP = 6.0, 5.0, 6.0
 """Height of a heading, of a line with a crank's moment, and what lies between two polygons. [mm]"""
@@ -26,7 +25,7 @@ _SMALLEST = 18.0
 """Size of a sheet's polygon of the most forces that can be read. [mm]"""
 
 
-class Picture(NamedTuple):
+class DrawnPolygon(NamedTuple):
     """A polygon with its sketch, and the corners of what that covers with its labels. [mm]"""
 
     polygon: ForcePolygon
@@ -47,17 +46,17 @@ class Picture(NamedTuple):
         return np.array([max(float(width), words) + _GAP, float(height) + self.above + _GAP])
 
 
-def pictured(polygon: ForcePolygon) -> Picture:
+def drawn_polygon(polygon: ForcePolygon) -> DrawnPolygon:
     """Draw a polygon, and measure it with its labels."""
     sketch = force_polygon_sketch(polygon)
     outlines = [*sketch.outline(), *(label_outline(label, sketch.scale) for label in sketch.labels)]
     points = np.concatenate(outlines, axis=1)
-    return Picture(polygon, sketch, np.min(points, axis=1), np.max(points, axis=1))
+    return DrawnPolygon(polygon, sketch, np.min(points, axis=1), np.max(points, axis=1))
 
 
-def fitting_pictures(
+def fitting_polygons(
     groups: Sequence[Sequence[ForcePolygon]], room: tuple[float, float]
-) -> list[list[list[Picture]]] | None:
+) -> list[list[list[DrawnPolygon]]] | None:
     """Draw the polygons of each angle as large as they fit in rows, all to one scale; None where they would be specks.
 
     Parameters
@@ -78,16 +77,16 @@ def fitting_pictures(
     largest = max(outlines, key=lambda outline: (outline.shape[1], float(np.max(np.ptp(outline, axis=1)))))
     coarsest = float(np.max(np.ptp(largest, axis=1))) / _SMALLEST
     while scale <= coarsest:
-        found = [_rows([pictured(rescaled(one, scale)) for one in group], room) for group in groups]
+        found = [_rows([drawn_polygon(rescaled(one, scale)) for one in group], room) for group in groups]
         if all(rows for rows in found):
             return found
         scale = rounded_scale(1.01 * scale)
     return None
 
 
-def _rows(pictures: Sequence[Picture], room: tuple[float, float]) -> list[list[Picture]]:
+def _rows(pictures: Sequence[DrawnPolygon], room: tuple[float, float]) -> list[list[DrawnPolygon]]:
     """Put pictures side by side in as many rows as they need; none where the room does not suffice."""
-    rows: list[list[Picture]] = [[]]
+    rows: list[list[DrawnPolygon]] = [[]]
     for picture in pictures:
         if rows[-1] and sum(one.size[0] for one in (*rows[-1], picture)) > room[0]:
             rows.append([])
@@ -96,11 +95,11 @@ def _rows(pictures: Sequence[Picture], room: tuple[float, float]) -> list[list[P
     return rows if max(widths) <= room[0] and sum(map(_height, rows)) <= room[1] else []
 
 
-def _height(row: Sequence[Picture]) -> float:
+def _height(row: Sequence[DrawnPolygon]) -> float:
     return max(float(one.size[1]) for one in row)
 
 
-def draw_rows(page: Page, rows: Sequence[Sequence[Picture]], box: Box) -> None:
+def draw_rows(page: Page, rows: Sequence[Sequence[DrawnPolygon]], box: Box) -> None:
     """Draw rows of polygons in a room, of which what is left is shared among them."""
     top = box.bottom + box.height
     whole = sum(map(_height, rows))
@@ -113,7 +112,7 @@ def draw_rows(page: Page, rows: Sequence[Sequence[Picture]], box: Box) -> None:
         top -= height
 
 
-def _draw(page: Page, picture: Picture, box: Box) -> None:
+def _draw(page: Page, picture: DrawnPolygon, box: Box) -> None:
     """Draw a polygon in the middle of its room, below its heading."""
     top = box.bottom + box.height
     page.heading(box.left + 4.0, top - 4.0, group_words(picture.polygon))

@@ -7,9 +7,9 @@ from cranktrain.language import _
 from cranktrain.plans.force_polygons import ForcePolygon
 from cranktrain.plans.force_sides import INITIAL, PolygonForce
 from cranktrain.plans.vectors import spoken_name
+from cranktrain.viz.figures import figure
 from cranktrain.viz.paper.page import Page, in_words, is_formula, mathematics
 from cranktrain.viz.paper.style import SYMBOL
-from cranktrain.viz.plans.sheet import figure
 
 TABLE = 66.0
 """Width of a table of forces. [mm]"""

@@ -49,7 +49,7 @@ class _Drawn(NamedTuple):
     @property
     def direction(self) -> float:
         """Direction from X. [rad]"""
-        return float(np.arctan2(*(self.end - self.start)[::-1]))
+        return shapes.angle_of(self.end - self.start)
 
 
 def force_polygon_sketch(polygon: ForcePolygon) -> Sketch:
@@ -136,4 +136,4 @@ def _outward(away: Array, along: float) -> float:
     """Direction across a side, away from the middle; to its left where the middle is on it."""
     across = np.array([-np.sin(along), np.cos(along)])
     side = -1.0 if float(across @ away) < -1e-6 else 1.0
-    return float(np.arctan2(side * across[1], side * across[0]))
+    return shapes.angle_of(side * across)

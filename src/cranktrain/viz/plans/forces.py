@@ -12,8 +12,8 @@ from cranktrain.plans.force_polygons import force_polygons
 from cranktrain.plans.lettering import pin_letters
 from cranktrain.plans.positions import PositionPlan, position_plan, rescaled
 from cranktrain.plans.together import placed_together, places_called
-from cranktrain.viz.paper.page import Figure, drawing_settings, muted
-from cranktrain.viz.plans.force_rooms import draw_rows, fitting_pictures
+from cranktrain.viz.paper.page import Figure, drawing_settings
+from cranktrain.viz.plans.force_rooms import draw_rows, fitting_polygons
 from cranktrain.viz.plans.force_rows import TABLE, tables, write_forces
 from cranktrain.viz.plans.sheet import cells_of, centre, few_angles, plan_page, scale_of, write_scales
 from cranktrain.viz.plans.sketches import positions_sketch
@@ -25,6 +25,7 @@ _FOOT = 8.0
 """Height of the notes below the polygons. [mm]"""
 
 
+@drawing_settings()
 def plan_forces(
     machine: Machine,
     angles: int | Sequence[float] = (30.0,),
@@ -56,28 +57,26 @@ def plan_forces(
     polygons = force_polygons(machine, chosen, mechanism=mechanism, speed=curve or "constant")
     groups = [[polygon for polygon in polygons if polygon.angle == angle] for angle in chosen]
     letters = pin_letters(placed_together(machine, places_called(machine, mechanism), np.zeros(1)))
-    with drawing_settings():
-        page, box = plan_page(machine, angles, size, _("Polygons of forces"), mechanism, curve=curve)
-        cells = list(cells_of(box._replace(bottom=box.bottom + _FOOT, height=box.height - _FOOT), len(chosen)))
-        left, height = _LEFT * box.width, cells[0].height
-        middle = box.width - left - TABLE * max(len(tables(group, height, letters)) for group in groups)
-        drawn = fitting_pictures(groups, (middle, height))
-        if drawn is None:
-            raise InputError([Problem("", polygons[0].mechanism, too_many_words(len(chosen), size))])
-        plans = _positions(machine, chosen, mechanism, (left - 14.0, height - 20.0))
-        for plan, pictures, cell in zip(plans, drawn, cells, strict=True):
-            page.heading(cell.left, cell.bottom + height - 4.0, f"φ = {plan.angles[0]:g}°")
-            centre(page, positions_sketch(plan), cell._replace(width=left, height=height - 5.0))
-            draw_rows(page, pictures, cell._replace(left=cell.left + left, width=middle))
-            group = [picture.polygon for row in pictures for picture in row]
-            for number, rows in enumerate(tables(group, height, letters)):
-                start = cell.left + left + middle + number * TABLE + 3.0
-                write_forces(page, rows, (start, cell.bottom + height, TABLE - 3.0))
-        scale = drawn[0][0][0].polygon.scale
-        write_scales(page, box, [scale_of("l", plans[0].scale, "m"), scale_of("F", scale, "N")], None)
-        for i, note in enumerate(_notes()):
-            page.text(box.left + left, box.bottom + 12.6 - 4.2 * i, note, **muted())
-        return page.figure
+    page, box = plan_page(machine, angles, size, _("Polygons of forces"), mechanism, curve=curve)
+    cells = list(cells_of(box._replace(bottom=box.bottom + _FOOT, height=box.height - _FOOT), len(chosen)))
+    left, height = _LEFT * box.width, cells[0].height
+    middle = box.width - left - TABLE * max(len(tables(group, height, letters)) for group in groups)
+    drawn = fitting_polygons(groups, (middle, height))
+    if drawn is None:
+        raise InputError([Problem("", polygons[0].mechanism, too_many_words(len(chosen), size))])
+    plans = _positions(machine, chosen, mechanism, (left - 14.0, height - 20.0))
+    for plan, pictures, cell in zip(plans, drawn, cells, strict=True):
+        page.heading(cell.left, cell.bottom + height - 4.0, f"φ = {plan.angles[0]:g}°")
+        centre(page, positions_sketch(plan), cell._replace(width=left, height=height - 5.0))
+        draw_rows(page, pictures, cell._replace(left=cell.left + left, width=middle))
+        group = [picture.polygon for row in pictures for picture in row]
+        for number, rows in enumerate(tables(group, height, letters)):
+            start = cell.left + left + middle + number * TABLE + 3.0
+            write_forces(page, rows, (start, cell.bottom + height, TABLE - 3.0))
+    scale = drawn[0][0][0].polygon.scale
+    write_scales(page, box, [scale_of("l", plans[0].scale, "m"), scale_of("F", scale, "N")], None)
+    page.notes(box.left + left, box.bottom + 12.6, _notes())
+    return page.figure
 
 
 def _positions(

@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.language import _
 from cranktrain.layout.places import Place
-from cranktrain.layout.speed import accelerations
+from cranktrain.layout.speed import rates
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
@@ -28,26 +28,24 @@ from cranktrain.plans.together import places_called
 from cranktrain.plans.turning import turning
 from cranktrain.plans.vectors import Vector
 from cranktrain.quantities import shown
-from cranktrain.viz.paper.page import INDICES, Figure, Page, drawing_settings, mathematics, muted
+from cranktrain.viz.figures import figure
+from cranktrain.viz.paper.page import INDICES, Box, Figure, Page, drawing_settings, mathematics, muted
+from cranktrain.viz.paper.tables import LEAST_ROW, ROW, write_table
 from cranktrain.viz.plans.sheet import (
-    LEAST_ROW,
-    ROW,
     VECTOR_COLUMNS,
     WITH_TABLE,
-    Box,
     cells_of,
     centre,
     few_angles,
-    figure,
     plan_page,
     scale_of,
     unit_words,
     write_scales,
-    write_table,
 )
 from cranktrain.viz.plans.sketches import klein_sketch, polygon_sketch, positions_sketch
 
 
+@drawing_settings()
 def plan_positions(
     machine: Machine,
     angles: int | Sequence[float] = 12,
@@ -74,29 +72,28 @@ def plan_positions(
     Figure
     """
     curve = speed_over_cycle(machine, speed)
-    with drawing_settings():
-        is_single = len(plan_angles(angles)) == 1  # pins of several positions have numbers instead of letters
-        title = _("Plan of positions")
-        page, box = plan_page(machine, angles, size, title, mechanism, has_key=is_single, curve=curve)
-        places = places_called(machine, mechanism)
-        wide = (0.62 if len(places) == 1 else 0.42) * box.width
-        left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
-        room = (left.width - 22.0, left.height - 22.0)
-        scale = position_plan(machine, 180, mechanism=mechanism, room=room).scale
-        plan = rescaled(position_plan(machine, angles, mechanism=mechanism, room=room, is_lettered=True), scale)
-        centre(page, positions_sketch(plan, lettered(track(machine, scale, mechanism=mechanism))), left)
-        write_scales(page, box, [scale_of("l", scale, "m")], 1e3 * scale)
-        rows = list(_positions_table(machine, plan, curve))
-        start = box.left + wide + 8.0
-        end = write_table(page, rows, (start, box.bottom + box.height, box.left + box.width - start))
-        if places[0].kind.output == "slider":
-            counted = (
-                _("from the shaft along the line of stroke, positive away from it")
-                if plan.drawing.guides
-                else _("in the cylinder, positive toward its head")
-            )
-            page.text(start, end - 2.0, counted, **muted())
-        return page.figure
+    is_single = len(plan_angles(angles)) == 1  # pins of several positions have numbers instead of letters
+    title = _("Plan of positions")
+    page, box = plan_page(machine, angles, size, title, mechanism, has_key=is_single, curve=curve)
+    places = places_called(machine, mechanism)
+    wide = (0.62 if len(places) == 1 else 0.42) * box.width
+    left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
+    room = (left.width - 22.0, left.height - 22.0)
+    scale = position_plan(machine, 180, mechanism=mechanism, room=room).scale
+    plan = rescaled(position_plan(machine, angles, mechanism=mechanism, room=room, is_lettered=True), scale)
+    centre(page, positions_sketch(plan, lettered(track(machine, scale, mechanism=mechanism))), left)
+    write_scales(page, box, [scale_of("l", scale, "m")], 1e3 * scale)
+    rows = list(_positions_table(machine, plan, curve))
+    start = box.left + wide + 8.0
+    end = write_table(page, rows, (start, box.bottom + box.height, box.left + box.width - start))
+    if places[0].kind.output == "slider":
+        counted = (
+            _("from the shaft along the line of stroke, positive away from it")
+            if plan.drawing.guides
+            else _("in the cylinder, positive toward its head")
+        )
+        page.text(start, end - 2.0, counted, **muted())
+    return page.figure
 
 
 def plan_velocities(
@@ -123,6 +120,7 @@ def plan_accelerations(
     return _polygon_sheet(machine, angles, mechanism, size, speed, acceleration_polygons, _("Plan of accelerations"))
 
 
+@drawing_settings()
 def _polygon_sheet(
     machine: Machine,
     angles: int | Sequence[float],
@@ -134,27 +132,24 @@ def _polygon_sheet(
 ) -> Figure:
     """Polygons, few of them beside the mechanism and a table of vectors."""
     curve = speed_over_cycle(machine, speed)
-    with drawing_settings():
-        page, box = plan_page(machine, angles, size, title, mechanism, curve=curve)
-        n = len(closed_angles(machine, places_called(machine, mechanism), angles))
-        cells = list(cells_of(box, n))
-        has_table = n <= WITH_TABLE
-        cell = cells[0]
-        width = 0.38 * cell.width if has_table else cell.width
-        room = (width - 22.0, cell.height - (18.0 if has_table else 16.0))
-        polygons = polygons_of(
-            machine, angles, mechanism=mechanism, room=room, is_lettered=True, speed=curve or "constant"
-        )
-        symbol = "v" if polygons[0].quantity == "velocity" else "a"
-        scales = [scale_of(symbol, polygons[0].scale, unit_words(polygons[0].unit))]
-        if has_table:
-            scales.append(_beside(page, machine, polygons, cells, mechanism))
-        else:
-            for polygon, place in zip(polygons, cells, strict=True):
-                page.heading(place.left, place.bottom + place.height - 4.0, f"φ = {polygon.angle:g}°")
-                centre(page, polygon_sketch(polygon, with_symbols=False), place._replace(height=place.height - 6.0))
-        write_scales(page, box, scales, None)
-        return page.figure
+    page, box = plan_page(machine, angles, size, title, mechanism, curve=curve)
+    n = len(closed_angles(machine, places_called(machine, mechanism), angles))
+    cells = list(cells_of(box, n))
+    has_table = n <= WITH_TABLE
+    cell = cells[0]
+    width = 0.38 * cell.width if has_table else cell.width
+    room = (width - 22.0, cell.height - (18.0 if has_table else 16.0))
+    polygons = polygons_of(machine, angles, mechanism=mechanism, room=room, is_lettered=True, speed=curve or "constant")
+    symbol = "v" if polygons[0].quantity == "velocity" else "a"
+    scales = [scale_of(symbol, polygons[0].scale, unit_words(polygons[0].unit))]
+    if has_table:
+        scales.append(_beside(page, machine, polygons, cells, mechanism))
+    else:
+        for polygon, place in zip(polygons, cells, strict=True):
+            page.heading(place.left, place.bottom + place.height - 4.0, f"φ = {polygon.angle:g}°")
+            centre(page, polygon_sketch(polygon, with_symbols=False), place._replace(height=place.height - 6.0))
+    write_scales(page, box, scales, None)
+    return page.figure
 
 
 def _beside(
@@ -184,39 +179,38 @@ def _beside(
     return scale_of("l", scale, "m")
 
 
+@drawing_settings()
 def plan_klein(
     machine: Machine, angles: int | Sequence[float] = (60.0,), *, mechanism: str | None = None, size: str = "A4"
 ) -> Figure:
     """Draw Klein's construction of a slider-crank; parameters as `plan_positions` takes them, two angles at most."""
     chosen = few_angles(angles, _("Klein's construction"))
     constructions = [klein(machine, float(angle), mechanism=mechanism) for angle in chosen]
-    with drawing_settings():
-        page, box = plan_page(machine, angles, size, _("Klein's construction"), constructions[0].mechanism)
-        cells = list(cells_of(box, len(constructions)))
-        wide = 0.62 * cells[0].width
-        room = (wide - 16.0, cells[0].height - 14.0)
-        rough = [klein_sketch(construction, 1.0).bounds() for construction in constructions]
-        spans = [max((b[1] - b[0]) / room[0], (b[3] - b[2]) / room[1]) for b in rough]
-        scale = 1e3 * rounded_scale(1e-3 * max(spans))
-        for construction, cell in zip(constructions, cells, strict=True):
-            page.heading(cell.left, cell.bottom + cell.height - 4.0, f"φ = {construction.angle:g}°")
-            centre(page, klein_sketch(construction, scale), cell._replace(width=wide))
-            rows = list(_klein_table(machine, construction))
-            start = cell.left + wide + 6.0
-            end = write_table(page, rows, (start, cell.bottom + cell.height, cell.left + cell.width - start))
-            for number, note in enumerate(_klein_notes(construction)):
-                page.text(start, end - 2.0 - 4.2 * number, note, **muted())
-        speed = machine.main_shaft.speed
-        omega = 1.0 if speed is None else speed.si
-        units = ("m/rad", "m/rad²") if speed is None else ("m/s", "m/s²")
-        metre = 1e-3 * scale
-        scales = [
-            scale_of("l", metre, "m"),
-            scale_of("v", omega * metre, units[0]),
-            scale_of("a", omega**2 * metre, units[1]),
-        ]
-        write_scales(page, box, scales, scale)
-        return page.figure
+    page, box = plan_page(machine, angles, size, _("Klein's construction"), constructions[0].mechanism)
+    cells = list(cells_of(box, len(constructions)))
+    wide = 0.62 * cells[0].width
+    room = (wide - 16.0, cells[0].height - 14.0)
+    rough = [klein_sketch(construction, 1.0).bounds() for construction in constructions]
+    spans = [max((b[1] - b[0]) / room[0], (b[3] - b[2]) / room[1]) for b in rough]
+    scale = 1e3 * rounded_scale(1e-3 * max(spans))
+    for construction, cell in zip(constructions, cells, strict=True):
+        page.heading(cell.left, cell.bottom + cell.height - 4.0, f"φ = {construction.angle:g}°")
+        centre(page, klein_sketch(construction, scale), cell._replace(width=wide))
+        rows = list(_klein_table(machine, construction))
+        start = cell.left + wide + 6.0
+        end = write_table(page, rows, (start, cell.bottom + cell.height, cell.left + cell.width - start))
+        page.notes(start, end - 2.0, _klein_notes(construction))
+    speed = machine.main_shaft.speed
+    omega = 1.0 if speed is None else speed.si
+    units = ("m/rad", "m/rad²") if speed is None else ("m/s", "m/s²")
+    metre = 1e-3 * scale
+    scales = [
+        scale_of("l", metre, "m"),
+        scale_of("v", omega * metre, units[0]),
+        scale_of("a", omega**2 * metre, units[1]),
+    ]
+    write_scales(page, box, scales, scale)
+    return page.figure
 
 
 def _positions_table(machine: Machine, plan: PositionPlan, curve: SpeedCurve | None) -> Iterator[tuple[str, ...]]:
@@ -246,7 +240,7 @@ def _output_columns(
     angle = np.deg2rad(plan.angles)
     drive = turning(machine, curve, angle + machine.zero)
     moving = output_motion(machine, place, angle)
-    motion = (moving.value, moving.first * drive.speed, accelerations(moving.first, moving.second, drive))
+    motion = (moving.value, *rates(moving, drive))
     if place.kind.output == "slider":
         names = ("x, mm", "v, m/s", "a, m/s²") if has_speed else ("x, mm", "x′, mm/rad", "x″, mm/rad²")
         factors = (1e3, 1.0, 1.0) if has_speed else (1e3, 1e3, 1e3)

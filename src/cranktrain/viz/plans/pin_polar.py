@@ -10,11 +10,14 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.plans.pin_loads import PinLoads, pin_loads
 from cranktrain.plans.positions import fitting, plan_angles
-from cranktrain.viz.paper.labels import Mark, Wish, placed_labels
-from cranktrain.viz.paper.page import Figure, drawing_settings, mathematics, muted, rounded_down
+from cranktrain.viz.figures import rounded
+from cranktrain.viz.paper.labels import RoundMark, Wish, placed_labels
+from cranktrain.viz.paper.page import Box, Figure, drawing_settings, mathematics, muted, rounded_down
+from cranktrain.viz.paper.shapes import angle_of
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
 from cranktrain.viz.paper.style import INK
-from cranktrain.viz.plans.sheet import Box, centre, plan_page, rounded, scale_of, write_scales, write_table
+from cranktrain.viz.paper.tables import write_table
+from cranktrain.viz.plans.sheet import centre, plan_page, scale_of, write_scales
 
 _MARKS = 30
 """Between marks of the crank angle. [deg]"""
@@ -32,6 +35,7 @@ _RINGS, _BEYOND = 3.0, 5.0
 _ROUND = np.linspace(0.0, 2 * np.pi, 721)
 
 
+@drawing_settings()
 def plan_polar(
     machine: Machine,
     angles: int | Sequence[float] | None = None,
@@ -62,43 +66,41 @@ def plan_polar(
     curve = speed_over_cycle(machine, speed)
     loads = pin_loads(machine, mechanism=mechanism, speed=curve or "constant")
     chosen = np.arange(0.0, loads.cycle, _MARKS) if angles is None else plan_angles(angles)
-    with drawing_settings():
-        page, box = plan_page(
-            machine,
-            chosen.tolist(),
-            size,
-            _("Polar diagram of the crank pin's load"),
-            loads.mechanism,
-            curve=curve,
-        )
-        width = (box.width - _TABLE) / 2
-        pairs = ((loads.on_pin, loads.on_pin_without), (loads.in_rod, loads.in_rod_without))
-        heads = (_("On the pin, in the crank's axes"), _("On the rod's bearing, in the rod's axes"))
-        upward = (_("up: away from the shaft"), _("up: toward the piston"))
-        across = (_("right: in the sense of rotation"), _("right: 90° from it in the sense of rotation"))
-        for number, pair in enumerate(pairs):
-            cell = Box(box.left + number * width, box.bottom + 8.0, width - 4.0, box.height - 8.0)
-            top = cell.bottom + cell.height
-            page.heading(cell.left, top - 4.0, heads[number])
-            page.text(cell.left, top - 8.5, upward[number], **muted())
-            page.text(cell.left, top - 12.7, across[number], **muted())
-            outline = np.concatenate([*pair, np.zeros((2, 1))], axis=1)
-            scale = fitting([outline], (width - 26.0, box.height - 42.0), _STEPS)
-            rings = _("rings each {step:g} kN").format(step=ring_step(pair[0]) / 1e3)
-            page.text(cell.left, top - 17.2, f"{scale_of('F', scale / 1e3, _('kN'))}, {rings}")
-            centre(page, polar_sketch(loads, pair, scale), cell._replace(height=cell.height - 19.0))
-        start = box.left + 2 * width + 4.0
-        rows = list(_table(loads, chosen))
-        end = write_table(page, rows, (start, box.bottom + box.height, _TABLE - 4.0), _COLUMNS)
-        for number, note in enumerate(_notes(loads)):
-            page.text(start, end - 2.0 - 4.2 * number, note, **muted())
-        page.sample(box.left, box.left + 8.0, box.bottom + 0.5, color=INK, lw=1.0)
-        page.text(box.left + 10.0, box.bottom - 0.4, _("with the rod's rotating mass"))
-        if np.any(np.isfinite(loads.on_pin_without)):
-            page.sample(box.left + 62.0, box.left + 70.0, box.bottom + 0.5, color=INK, lw=0.6, dashes=(5.0, 2.5))
-            page.text(box.left + 72.0, box.bottom - 0.4, _("without it"))
-        write_scales(page, box, [], None)
-        return page.figure
+    page, box = plan_page(
+        machine,
+        chosen.tolist(),
+        size,
+        _("Polar diagram of the crank pin's load"),
+        loads.mechanism,
+        curve=curve,
+    )
+    width = (box.width - _TABLE) / 2
+    pairs = ((loads.on_pin, loads.on_pin_without), (loads.in_rod, loads.in_rod_without))
+    heads = (_("On the pin, in the crank's axes"), _("On the rod's bearing, in the rod's axes"))
+    upward = (_("up: away from the shaft"), _("up: toward the piston"))
+    across = (_("right: in the sense of rotation"), _("right: 90° from it in the sense of rotation"))
+    for number, pair in enumerate(pairs):
+        cell = Box(box.left + number * width, box.bottom + 8.0, width - 4.0, box.height - 8.0)
+        top = cell.bottom + cell.height
+        page.heading(cell.left, top - 4.0, heads[number])
+        page.text(cell.left, top - 8.5, upward[number], **muted())
+        page.text(cell.left, top - 12.7, across[number], **muted())
+        outline = np.concatenate([*pair, np.zeros((2, 1))], axis=1)
+        scale = fitting([outline], (width - 26.0, box.height - 42.0), _STEPS)
+        rings = _("rings each {step:g} kN").format(step=ring_step(pair[0]) / 1e3)
+        page.text(cell.left, top - 17.2, f"{scale_of('F', scale / 1e3, _('kN'))}, {rings}")
+        centre(page, polar_sketch(loads, pair, scale), cell._replace(height=cell.height - 19.0))
+    start = box.left + 2 * width + 4.0
+    rows = list(_table(loads, chosen))
+    end = write_table(page, rows, (start, box.bottom + box.height, _TABLE - 4.0), _COLUMNS)
+    page.notes(start, end - 2.0, _notes(loads))
+    page.sample(box.left, box.left + 8.0, box.bottom + 0.5, color=INK, lw=1.0)
+    page.text(box.left + 10.0, box.bottom - 0.4, _("with the rod's rotating mass"))
+    if np.any(np.isfinite(loads.on_pin_without)):
+        page.sample(box.left + 62.0, box.left + 70.0, box.bottom + 0.5, color=INK, lw=0.6, dashes=(5.0, 2.5))
+        page.text(box.left + 72.0, box.bottom - 0.4, _("without it"))
+    write_scales(page, box, [], None)
+    return page.figure
 
 
 def polar_sketch(loads: PinLoads, pair: tuple[Array, Array], scale: float) -> Sketch:
@@ -127,8 +129,8 @@ def polar_sketch(loads: PinLoads, pair: tuple[Array, Array], scale: float) -> Sk
     ]
     middle = np.nanmean(full, axis=1)
     named = marked[loads.angle[marked] % (_MARKS * round(loads.cycle / 360.0)) == 0]
-    wishes += [Wish(full[:, i], f"{loads.angle[i]:g}°", _away(full[:, i] - middle), "number") for i in named]
-    marks = [Mark(circle.centre, circle.radius) for circle in sketch.circles]
+    wishes += [Wish(full[:, i], f"{loads.angle[i]:g}°", angle_of(full[:, i] - middle), "number") for i in named]
+    marks = [RoundMark(circle.centre, circle.radius) for circle in sketch.circles]
     sketch.add(placed_labels(wishes, lines, 1.0, marks))
     return sketch
 
@@ -143,10 +145,6 @@ def _ring(radius: float, low: Array, high: Array) -> Array:
     points = radius * np.stack([np.cos(_ROUND), np.sin(_ROUND)])
     inside = np.all((points >= low[:, np.newaxis]) & (points <= high[:, np.newaxis]), axis=0)
     return np.where(inside, points, np.nan)
-
-
-def _away(direction: Array) -> float:
-    return float(np.arctan2(direction[1], direction[0]))
 
 
 def _table(loads: PinLoads, angles: Array) -> Iterator[tuple[str, ...]]:

@@ -11,8 +11,11 @@ from cranktrain.plans.polygons import Polygon
 from cranktrain.plans.positions import PositionPlan
 from cranktrain.plans.vectors import POLE, Part, spoken_name
 from cranktrain.viz.paper import shapes
-from cranktrain.viz.paper.labels import Wish, placed_labels
+from cranktrain.viz.paper.labels import Wish, placed_labels, together
 from cranktrain.viz.paper.sketch import Circle, Habit, Layer, Line, Sketch
+
+_ONE_PLACE = 0.4
+"""Points nearer to each other have one place with all their names. [mm]"""
 
 _CORNER = 3.0
 """A normal part shorter than this leaves no room to name its end; nor does a tangential part to name its start. [mm]"""
@@ -92,7 +95,7 @@ def pin_wishes(drawing: Drawing, pins: dict[str, Array]) -> list[Wish]:
     """Names of the pins in the first position, outside the mechanism."""
     middle = np.mean(np.concatenate(list(pins.values()), axis=1), axis=1)
     return [
-        Wish(pin[:, 0], spoken_name(name), _away(pin[:, 0] - middle))
+        Wish(pin[:, 0], spoken_name(name), shapes.angle_of(pin[:, 0] - middle))
         for name, pin in pins.items()
         if name not in drawing.ends
     ]
@@ -103,14 +106,14 @@ def _numbers(name: str, pins: dict[str, Array], drawing: Drawing, scale: float) 
     pin = pins[name]
     bases = [link.pins[0] for link in drawing.links if name in link.pins[1:] and link.pins[0] in drawing.fixed]
     across = [float(np.squeeze(guide.direction)) - np.pi / 2 for guide in drawing.guides if guide.pin == name]
-    for number, together in enumerate(sorted(alike(pin, scale), key=lambda few: tuple(pin[:, few[0]]))):
-        point = pin[:, together[0]]
+    for number, few in enumerate(sorted(alike(pin, scale), key=lambda one: tuple(pin[:, one[0]]))):
+        point = pin[:, few[0]]
         if across:
             outward = across[0] + np.pi * (number % 2)
             point = point + 2.6 * scale * np.array([np.cos(outward), np.sin(outward)])
         else:
-            outward = _away(point - pins[bases[0] if bases else "O"][:, 0])
-        yield Wish(point, ",".join(map(str, together)), outward, "number")
+            outward = shapes.angle_of(point - pins[bases[0] if bases else "O"][:, 0])
+        yield Wish(point, ",".join(map(str, few)), outward, "number")
 
 
 def alike(points: Array, scale: float) -> list[list[int]]:
@@ -127,21 +130,16 @@ def alike(points: Array, scale: float) -> list[list[int]]:
 def _frame(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[Line | Circle]:
     """Guides and fixed pivots."""
     for guide in drawing.guides:
-        along = np.array([np.cos(guide.direction), np.sin(guide.direction)]).reshape(2)
-        places = along @ pins[guide.pin]
-        foot = pins[guide.pin][:, 0] - places[0] * along
-        across = np.array([-along[1], along[0]])
+        line = shapes.guide_line(guide.direction, pins[guide.pin][:, 0])
+        places = line.along @ pins[guide.pin]
         for side in (-2.0, 2.0):
-            ends = [
-                foot + place * along + side * scale * across
-                for place in (min(places) - 5 * scale, max(places) + 5 * scale)
-            ]
-            yield Line(np.stack(ends, axis=1), "GUIDES", "thin", 2)
-            yield shapes.hatch(ends[0], ends[1], np.sign(side) * across, scale)
-        shafts = [float(along @ pins[name][:, 0]) for name in drawing.fixed if name.startswith("O")]
+            wall = line.path((min(places) - 5 * scale, side * scale), (max(places) + 5 * scale, side * scale))
+            yield Line(wall, "GUIDES", "thin", 2)
+            yield shapes.hatch(wall[:, 0], wall[:, 1], np.sign(side) * line.across, scale)
+        shafts = [float(line.along @ pins[name][:, 0]) for name in drawing.fixed if name.startswith("O")]
         own = min(shafts, key=lambda shaft: abs(shaft - places[0]), default=0.0)
         beyond = max(places) + 8 * scale if places[0] > own else min(places) - 8 * scale
-        yield Line(np.stack([foot + own * along, foot + beyond * along], axis=1), "GUIDES", "axis", 1)
+        yield Line(line.path((own, 0.0), (beyond, 0.0)), "GUIDES", "axis", 1)
     for name in drawing.fixed:
         yield from shapes.pivot(pins[name][:, 0], 2.0 * scale, scale)
 
@@ -156,12 +154,8 @@ def _blocks(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[
         along = ends / np.hypot(*ends)
         line = shapes.Along(pins[block.pin][:, 0], along)
         corners = [(-2.0, -1.2), (2.0, -1.2), (2.0, 1.2), (-2.0, 1.2)]
-        points = [line.at(scale * u, scale * v) for u, v in corners]
-        yield Line(np.stack(points, axis=1), "LINKS", "outline", 2, is_closed=True, fill="light")
-
-
-def _away(direction: Array) -> float:
-    return float(np.arctan2(direction[1], direction[0]))
+        points = line.path(*((scale * u, scale * v) for u, v in corners))
+        yield Line(points, "LINKS", "outline", 2, is_closed=True, fill="light")
 
 
 def polygon_sketch(polygon: Polygon, *, with_symbols: bool = True) -> Sketch:
@@ -177,7 +171,7 @@ def polygon_sketch(polygon: Polygon, *, with_symbols: bool = True) -> Sketch:
         ends = np.stack([points[vector.start], points[vector.end]], axis=1)
         sketch.add([Line(ends, layer, habits[vector.part], 3)])
         if polygon.length(vector) > 2.5:
-            head = shapes.arrowhead(ends[:, 1], _away(ends[:, 1] - ends[:, 0]), 2.0)
+            head = shapes.arrowhead(ends[:, 1], shapes.angle_of(ends[:, 1] - ends[:, 0]), 2.0)
             sketch.add([head._replace(layer=layer)])
     sketch.add([Circle(points[POLE], 0.7, layer, "outline", 6, "paper")])
     middle = np.mean(np.stack(list(points.values())), axis=0)
@@ -185,7 +179,7 @@ def polygon_sketch(polygon: Polygon, *, with_symbols: bool = True) -> Sketch:
     corners = {vector.end for vector in short if vector.part == "normal"}
     corners |= {vector.start for vector in short if vector.part == "tangential"}
     named = {name: point for name, point in points.items() if name not in corners}
-    wishes = [Wish(point, name, _away(point - middle)) for name, point in _separate(named)]
+    wishes = [Wish(point, name, shapes.angle_of(point - middle)) for name, point in _separate(named)]
     if with_symbols:
         is_crowded = len(polygon.vectors) > _MANY
         for vector in polygon.vectors:
@@ -195,24 +189,17 @@ def polygon_sketch(polygon: Polygon, *, with_symbols: bool = True) -> Sketch:
                 vector.part != "relative" and polygon.length(vector) > 12.0
             ):
                 half = 0.5 * (points[vector.start] + points[vector.end])
-                wishes.append(Wish(half, vector.symbol, _away(half - middle)))
+                wishes.append(Wish(half, vector.symbol, shapes.angle_of(half - middle)))
     sketch.add(placed_labels(wishes, list(sketch.outline()), 1.0))
     return sketch
 
 
 def _separate(points: dict[str, Array]) -> Iterator[tuple[str, Array]]:
     """Give points by name; those that fall together share their names."""
-    groups: list[tuple[list[str], Array]] = []
-    for name, point in points.items():
-        for names, other in groups:
-            if np.hypot(*(point - other)) < 0.4:
-                names.append(name)
-                break
-        else:
-            groups.append(([name], point))
-    for names, point in groups:
-        for i, name in enumerate(names):
-            yield name, point + np.array([0.0, -1e-6 * i])
+    names, places = list(points), np.stack(list(points.values()), axis=1)
+    for of in together(places, _ONE_PLACE):
+        for number, i in enumerate(of):
+            yield names[i], places[:, of[0]] + np.array([0.0, -1e-6 * number])
 
 
 def klein_sketch(construction: Klein, scale: float) -> Sketch:
@@ -242,6 +229,6 @@ def klein_sketch(construction: Klein, scale: float) -> Sketch:
         sketch.add([Circle(points[name], 0.7 * scale, "LINKS", "outline", 6, "paper")])
     middle = points["A"]
     shown_points = {name: point for name, point in points.items() if np.all(np.isfinite(point))}
-    wishes = [Wish(point, name, _away(point - middle)) for name, point in shown_points.items()]
+    wishes = [Wish(point, name, shapes.angle_of(point - middle)) for name, point in shown_points.items()]
     sketch.add(placed_labels(wishes, [line.points for line in sketch.lines], scale))
     return sketch

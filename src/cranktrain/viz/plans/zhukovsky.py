@@ -16,24 +16,14 @@ from cranktrain.plans.positions import position_plan, rounded_scale
 from cranktrain.plans.positions import rescaled as rescaled_plan
 from cranktrain.plans.vectors import POLE, spoken_name
 from cranktrain.plans.zhukovsky import Lever, LeverForce, zhukovsky_lever
+from cranktrain.viz.figures import figure
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels
-from cranktrain.viz.paper.page import Figure, drawing_settings, mathematics, muted
+from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings, mathematics, muted
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
+from cranktrain.viz.paper.tables import LEAST_ROW, ROW, write_table
 from cranktrain.viz.plans.forces import too_many_words
-from cranktrain.viz.plans.sheet import (
-    LEAST_ROW,
-    ROW,
-    Box,
-    cells_of,
-    centre,
-    few_angles,
-    figure,
-    plan_page,
-    scale_of,
-    write_scales,
-    write_table,
-)
+from cranktrain.viz.plans.sheet import cells_of, centre, few_angles, plan_page, scale_of, write_scales
 from cranktrain.viz.plans.sketches import positions_sketch
 
 _LONGEST = 0.30
@@ -48,14 +38,15 @@ _TO_A_LINE = 8
 _NOTES = 22.0
 """Height of the notes below the mechanism. [mm]"""
 
-_HEAD, _NOTE = 6.0, 4.2
-"""Height of a table's head, and of a line of notes. [mm]"""
+_HEAD = 6.0
+"""Height of a table's head. [mm]"""
 
 _COLUMNS = (0.26, 0.62, 1.0)
 _HEADED = 2.5
 """A force shorter than this has no arrowhead. [mm]"""
 
 
+@drawing_settings()
 def plan_zhukovsky(
     machine: Machine,
     angles: int | Sequence[float] = (30.0,),
@@ -71,44 +62,39 @@ def plan_zhukovsky(
     levers = [zhukovsky_lever(machine, angle, mechanism=mechanism, speed=turning) for angle in chosen]
     mechanism = levers[0].mechanism
     letters = pin_letters(placed(machine, place_called(machine, mechanism), np.zeros(1)))
-    with drawing_settings():
-        page, box = plan_page(machine, angles, size, _("Zhukovsky's lever"), mechanism, curve=curve)
-        cells = list(cells_of(box, len(chosen)))
-        left, middle = 0.26 * box.width, 0.46 * box.width
-        height = cells[0].height
-        room = ((1 - 2 * _LONGEST) * middle + 6.0, max((1 - 2 * _LONGEST) * height, 0.4 * height) - 4.0)
-        polygons = velocity_polygons(machine, chosen, mechanism=mechanism, room=room, is_lettered=True, speed=turning)
-        longest = max(_longest(lever, polygon) for lever, polygon in zip(levers, polygons, strict=True))
-        newton = rounded_scale(longest / (_LONGEST * min(middle, height)))
-        own = Box(box.left, box.bottom, left, height - 5.0 - _NOTES)
-        plans = [
-            position_plan(
-                machine, [angle], mechanism=mechanism, room=(left - 14.0, own.height - 15.0), is_lettered=True
-            )
-            for angle in chosen
-        ]
-        metal = max(plan.scale for plan in plans)
-        for plan, lever, polygon, cell in zip(plans, levers, polygons, cells, strict=True):
-            page.heading(cell.left, cell.bottom + cell.height - 4.0, f"φ = {lever.angle:g}°")
-            sketch = positions_sketch(rescaled_plan(plan, metal))
-            centre(page, sketch, own._replace(bottom=cell.bottom + _NOTES))
-            for number, note in enumerate(_notes(lever)):
-                page.text(cell.left, cell.bottom + _NOTES - 4.0 - 4.2 * number, note, **muted())
-            centre(page, lever_sketch(lever, polygon, newton), Box(cell.left + left, cell.bottom, middle, height - 4.0))
-            start = cell.left + left + middle + 6.0
-            rows = list(_table(lever, letters))
-            notes = list(_short_words(lever, newton))
-            line = min(ROW, (height - _HEAD - _NOTE * len(notes)) / len(rows))
-            if line < LEAST_ROW:
-                raise InputError([Problem("", lever.mechanism, too_many_words(len(chosen), size))])
-            end = write_table(page, rows, (start, cell.bottom + height, cell.left + cell.width - start), _COLUMNS, line)
-            for number, note in enumerate(notes):
-                page.text(start, end - _NOTE * number, note, **muted())
-        velocity = scale_of("v", polygons[0].scale, polygons[0].unit)
-        write_scales(page, box, [scale_of("l", metal, "m"), velocity, scale_of("F", newton, "N")], None)
-        words = _("Velocities turned by 90° clockwise: a force's anticlockwise moment about p is its power")
-        page.text(box.left + left, box.bottom + 4.4, words, **muted())
-        return page.figure
+    page, box = plan_page(machine, angles, size, _("Zhukovsky's lever"), mechanism, curve=curve)
+    cells = list(cells_of(box, len(chosen)))
+    left, middle = 0.26 * box.width, 0.46 * box.width
+    height = cells[0].height
+    room = ((1 - 2 * _LONGEST) * middle + 6.0, max((1 - 2 * _LONGEST) * height, 0.4 * height) - 4.0)
+    polygons = velocity_polygons(machine, chosen, mechanism=mechanism, room=room, is_lettered=True, speed=turning)
+    longest = max(_longest(lever, polygon) for lever, polygon in zip(levers, polygons, strict=True))
+    newton = rounded_scale(longest / (_LONGEST * min(middle, height)))
+    own = Box(box.left, box.bottom, left, height - 5.0 - _NOTES)
+    plans = [
+        position_plan(machine, [angle], mechanism=mechanism, room=(left - 14.0, own.height - 15.0), is_lettered=True)
+        for angle in chosen
+    ]
+    metal = max(plan.scale for plan in plans)
+    for plan, lever, polygon, cell in zip(plans, levers, polygons, cells, strict=True):
+        page.heading(cell.left, cell.bottom + cell.height - 4.0, f"φ = {lever.angle:g}°")
+        sketch = positions_sketch(rescaled_plan(plan, metal))
+        centre(page, sketch, own._replace(bottom=cell.bottom + _NOTES))
+        page.notes(cell.left, cell.bottom + _NOTES - 4.0, _notes(lever))
+        centre(page, lever_sketch(lever, polygon, newton), Box(cell.left + left, cell.bottom, middle, height - 4.0))
+        start = cell.left + left + middle + 6.0
+        rows = list(_table(lever, letters))
+        notes = list(_short_words(lever, newton))
+        line = min(ROW, (height - _HEAD - LINE * len(notes)) / len(rows))
+        if line < LEAST_ROW:
+            raise InputError([Problem("", lever.mechanism, too_many_words(len(chosen), size))])
+        end = write_table(page, rows, (start, cell.bottom + height, cell.left + cell.width - start), _COLUMNS, line)
+        page.notes(start, end, notes)
+    velocity = scale_of("v", polygons[0].scale, polygons[0].unit)
+    write_scales(page, box, [scale_of("l", metal, "m"), velocity, scale_of("F", newton, "N")], None)
+    words = _("Velocities turned by 90° clockwise: a force's anticlockwise moment about p is its power")
+    page.text(box.left + left, box.bottom + 4.4, words, **muted())
+    return page.figure
 
 
 def _longest(lever: Lever, polygon: Polygon) -> float:
@@ -127,7 +113,7 @@ def lever_sketch(lever: Lever, polygon: Polygon, newton: float) -> Sketch:
     sketch.add(Circle(point, 0.5, "PLAN_V", "outline", 5, "paper") for point in points.values())
     middle = np.mean(np.stack(list(points.values())), axis=0)
     named = {name: point for i, (name, point) in enumerate(points.items()) if not _is_at_earlier(i, points)}
-    wishes = [Wish(point, name, _away(point - middle)) for name, point in named.items()]
+    wishes = [Wish(point, name, shapes.angle_of(point - middle)) for name, point in named.items()]
     for force in lever.forces:
         if not force.point:
             continue
@@ -135,11 +121,11 @@ def lever_sketch(lever: Lever, polygon: Polygon, newton: float) -> Sketch:
         if _is_short(force, newton):
             continue
         drawn = _arrow(sketch, at, np.array(force.value) / newton, is_dashed=force.symbol.startswith("Φ"))
-        wishes.append(Wish(drawn, force.symbol, _away(drawn - at)))
+        wishes.append(Wish(drawn, force.symbol, shapes.angle_of(drawn - at)))
         if force.point.startswith("s_") and not any(np.hypot(*(at - point)) < 0.7 for point in named.values()):
             sketch.add([Circle(at, 0.5, "PLAN_V", "outline", 5, "paper")])
             named[force.point] = at
-            wishes.append(Wish(at, force.point, _away(at - middle)))
+            wishes.append(Wish(at, force.point, shapes.angle_of(at - middle)))
     wishes.append(_balancing(sketch, lever, polygon, newton))
     sketch.add([Circle(points[POLE], 0.8, "PLAN_V", "outline", 6, "paper")])
     sketch.add(placed_labels(wishes, list(sketch.outline()), 1.0))
@@ -162,7 +148,7 @@ def _balancing(sketch: Sketch, lever: Lever, polygon: Polygon, newton: float) ->
     velocity, force = _balancing_force(lever, polygon)
     at = _quarter_turned(velocity) / polygon.scale
     drawn = _arrow(sketch, at, force / newton, is_dashed=False)
-    return Wish(drawn, "F_b", _away(drawn - at))
+    return Wish(drawn, "F_b", shapes.angle_of(drawn - at))
 
 
 def _balancing_force(lever: Lever, polygon: Polygon) -> tuple[Array, Array]:
@@ -177,17 +163,13 @@ def _arrow(sketch: Sketch, at: Array, force: Array, *, is_dashed: bool) -> Array
     end = at + force
     sketch.add([Line(np.stack([at, end], axis=1), "LINKS", "part" if is_dashed else "vector", 3)])
     if np.hypot(*force) > _HEADED:
-        sketch.add([shapes.arrowhead(end, _away(force), 2.0)])
+        sketch.add([shapes.arrowhead(end, shapes.angle_of(force), 2.0)])
     return end
 
 
 def _quarter_turned(vector: Array) -> Array:
     """Turn by 90° clockwise."""
     return np.array([vector[1], -vector[0]])
-
-
-def _away(direction: Array) -> float:
-    return float(np.arctan2(direction[1], direction[0]))
 
 
 def _table(lever: Lever, letters: Mapping[str, str]) -> Iterator[tuple[str, ...]]:

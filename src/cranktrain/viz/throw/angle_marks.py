@@ -67,7 +67,7 @@ def _is_covered(scene: Scene, lines: Sequence[tuple[Array, float]], point: Array
 def _free_direction(scene: Scene, shaft: str) -> tuple[float, float]:
     """Direction farthest from all cylinders of a shaft, or from the rocker's pivot, and how far it is. [rad]"""
     taken = [
-        np.arctan2(*member.stroke_line.along[::-1])
+        shapes.angle_of(member.stroke_line.along)
         if member.output is not None
         else np.arctan2(*member.turn_pins[member.turn.fixed[-1]][::-1, 0])
         for member in scene.members

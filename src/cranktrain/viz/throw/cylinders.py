@@ -58,7 +58,7 @@ def common_cylinder(scene: Scene, pair: tuple[Member, Member], scale: float, *, 
 
     last = other.travel[1] + skirt(scene, other) if other.place.is_far else wall_start(scene, other)
     span = (wall_start(scene, one), along(other, last - 0.25 * other.width if other.place.is_far else last))
-    yield Line(np.stack([line.at(0.0, 0.0), line.at(max(far, span[1]), 0.0)], axis=1), "GUIDES", "axis", 2)
+    yield Line(line.path((0.0, 0.0), (max(far, span[1]), 0.0)), "GUIDES", "axis", 2)
     gaps: list[tuple[float, float]] = []
     for member in pair:
         height = scene.ports[one.place.cylinder].get(member.place.name.rpartition(".")[2])

@@ -91,9 +91,9 @@ def _dead_positions(scene: Scene, member: Member, angles: Sequence[float]) -> It
                 yield Circle(point, 0.05 * scene.crank_radius, "LINKS", "thin", 3, "paper")
         if member.output is not None:
             line = member.stroke_line
-            crown = line.place(pins[member.output]) + member.toward_chamber * member.above
-            ends = [line.at(float(crown), side * 0.5 * member.width) for side in (-1.0, 1.0)]
-            yield Line(np.stack(ends, axis=1), "LINKS", "thin", 3)
+            crown = float(line.place(pins[member.output])) + member.toward_chamber * member.above
+            half = 0.5 * member.width
+            yield Line(line.path((crown, -half), (crown, half)), "LINKS", "thin", 3)
 
 
 def _chains(member: Member, pins: dict[str, Array]) -> list[Array]:
@@ -184,21 +184,19 @@ def _other_sliders(scene: Scene, member: Member, pins: dict[str, Array], scale: 
     """Sliders beside the output: blocks between short guides, joined to the pin that drives them in a slot."""
     size = max(0.4 * scene.crank_radius, 1.5 * scale)
     for guide in member.turn.guides[1:]:
-        along = np.array([np.cos(guide.direction), np.sin(guide.direction)]).reshape(2)
-        travel = along @ member.turn_pins[guide.pin]
         pin = pins[guide.pin]
-        line = shapes.Along(pin - (along @ pin) * along, along)
+        line = shapes.guide_line(guide.direction, pin)
+        travel = line.along @ member.turn_pins[guide.pin]
         low, high = float(np.nanmin(travel)) - 1.4 * size, float(np.nanmax(travel)) + 1.4 * size
         for side in (-1.0, 1.0):
-            ends = [line.at(place, side * 0.55 * size) for place in (low, high)]
-            yield Line(np.stack(ends, axis=1), "GUIDES", "thin", 7)
+            yield Line(line.path((low, side * 0.55 * size), (high, side * 0.55 * size)), "GUIDES", "thin", 7)
         for block in member.turn.blocks:
             if block.link == (guide.pin,):
                 yield Line(np.stack([pin, pins[block.pin]], axis=1), "LINKS", "outline", 7)
-        middle = float(along @ pin)
+        middle = float(line.along @ pin)
         corners = [(-size, -0.55 * size), (size, -0.55 * size), (size, 0.55 * size), (-size, 0.55 * size)]
-        points = [line.at(middle + ahead, across) for ahead, across in corners]
-        yield Line(np.stack(points, axis=1), "LINKS", "rod", 7, is_closed=True, fill="light")
+        block = line.path(*((middle + ahead, across) for ahead, across in corners))
+        yield Line(block, "LINKS", "rod", 7, is_closed=True, fill="light")
 
 
 def _slider(scene: Scene, member: Member, pins: dict[str, Array]) -> Iterator[Line | Circle]:

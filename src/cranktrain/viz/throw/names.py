@@ -7,6 +7,7 @@ import numpy as np
 from cranktrain.motion import Array
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, label_outline, placed_labels
+from cranktrain.viz.paper.shapes import angle_of
 from cranktrain.viz.paper.sketch import Label, Line, Sketch
 from cranktrain.viz.throw.cylinders import wall_end
 from cranktrain.viz.throw.scene import Member, Scene
@@ -26,7 +27,9 @@ def piston_names(scene: Scene, angle: float, sketch: Sketch) -> Iterator[Label |
     named: list[Array] = []
     for member in scene.singles:
         line = member.stroke_line
-        wishes.append(Wish(line.at(wall_end(member) + 2.0 * scale, 0.0), member.place.name, _away(line.along), "name"))
+        wishes.append(
+            Wish(line.at(wall_end(member) + 2.0 * scale, 0.0), member.place.name, angle_of(line.along), "name")
+        )
         is_piston = member.place.kind.has_chambers or member.output is None
         named.append(wishes[-1].point if is_piston else scene.pins(member, angle)[str(member.output)])
     # Names of pistons in one cylinder stand beside its hatched walls, others beyond their end.
@@ -39,7 +42,9 @@ def piston_names(scene: Scene, angle: float, sketch: Sketch) -> Iterator[Label |
         outer = across * np.sign(lies_out if abs(lies_out) > 1e-6 * scale else across @ np.array([1.0, -1e-3]))
         beside = 0.5 * pair[0].width * outer
         for member in pair:
-            wishes.append(Wish(_middle(member) + beside + 1.5 * scale * outer, member.place.name, _away(outer), "name"))
+            wishes.append(
+                Wish(_middle(member) + beside + 1.5 * scale * outer, member.place.name, angle_of(outer), "name")
+            )
             named.append(wishes[-1].point)
         ends = np.stack([_end_of_travel(member) for member in pair], axis=1)
         obstacles += [ends + side * beside[:, np.newaxis] for side in (-1.0, 0.0, 1.0)]
@@ -65,16 +70,12 @@ def _middle(member: Member) -> Array:
     return member.stroke_line.at(0.5 * sum(member.travel), 0.0)
 
 
-def _away(direction: Array) -> float:
-    return float(np.arctan2(direction[1], direction[0]))
-
-
 def bank_angle(scene: Scene, scale: float) -> Iterator[Line | Label]:
     """Angle between two banks."""
     if len(scene.singles) != _PAIR or scene.pairs:
         return
     first, second = scene.singles
-    directions = [float(np.arctan2(*member.stroke_line.along[::-1])) for member in (first, second)]
+    directions = [angle_of(member.stroke_line.along) for member in (first, second)]
     between = (directions[1] - directions[0] + np.pi) % (2 * np.pi) - np.pi
     radius = 0.86 * min(wall_end(first), wall_end(second))
     covered = np.arcsin(min((0.5 * max(first.width, second.width) + 3.0 * scale) / radius, 1.0))

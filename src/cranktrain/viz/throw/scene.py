@@ -16,7 +16,7 @@ from cranktrain.motion import Array, Point
 from cranktrain.plans.placement import first_throw, placed, shaft_places
 from cranktrain.quantities import shown
 from cranktrain.questions.cylinders.declared import cylinders_of
-from cranktrain.viz.paper.shapes import Along
+from cranktrain.viz.paper.shapes import Along, angle_of, guide_line
 
 _TURN = np.linspace(0.0, 2 * np.pi, 361)
 _OUTLINED = ("slider_crank", "crank_rocker", "articulated_rod")
@@ -89,9 +89,7 @@ class Member:
     def stroke_line(self) -> Along:
         """Line on which the output pin travels; its foot is nearest the shaft."""
         guide = self.turn.guides[0]
-        along = np.array([np.cos(guide.direction), np.sin(guide.direction)]).reshape(2)
-        pin = self.turn_pins[guide.pin][:, 0]
-        return Along(pin - np.dot(pin - self.centre, along) * along, along)
+        return guide_line(guide.direction, self.turn_pins[guide.pin][:, 0], self.centre)
 
     @cached_property
     def travel(self) -> tuple[float, float]:
@@ -199,7 +197,7 @@ class Scene:
         """Direction of a member's throw, unless given the leading one's, from X at a shown crank angle [deg]. [rad]"""
         whose = member or self.leading
         pin = self.pins(whose, angle)[whose.crank_pin] - whose.centre
-        return float(np.arctan2(pin[1], pin[0]))
+        return angle_of(pin)
 
     @property
     def sliders(self) -> tuple[Member, ...]:

@@ -395,7 +395,7 @@ def test_no_flywheel_needed_is_told():
 
 def test_kinks_are_joined_by_splines_and_smooth_curves_by_series(engine):
     def by(result):
-        return next(gift for gift in result.gifts if isinstance(gift, AppliedTorque)).by.curve.__name__
+        return result[AppliedTorque].by.curve.__name__
 
     assert by(engine) == "spline_curve"
     assert by(run(machine=MASSES_ALONE, flywheel="1 kg·m²")) == "fourier_curve"

@@ -4,14 +4,15 @@ import os
 from collections.abc import Callable, Iterator
 from io import BytesIO
 from pathlib import PurePath
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.output import write_whole_bytes
 from cranktrain.language import _
-from cranktrain.viz.gif import animation
-from cranktrain.viz.paper.page import Figure, drawing_settings
+
+if TYPE_CHECKING:
+    from cranktrain.analysis import Result
+    from cranktrain.viz.paper.page import Figure
 
 DOTS_PER_INCH = 150
 
@@ -26,7 +27,7 @@ FORMATS = tuple(_UNDATED)
 """Suffixes of pictures that `save` writes."""
 
 
-def save(figure: Figure | Callable[[], Figure], path: "str | os.PathLike[str]", *, force: bool = False) -> None:
+def save(figure: "Figure | Callable[[], Figure]", path: "str | os.PathLike[str]", *, force: bool = False) -> None:
     """Save a picture, in the form that the file's name asks for.
 
     Parameters
@@ -50,7 +51,7 @@ def save(figure: Figure | Callable[[], Figure], path: "str | os.PathLike[str]", 
     write_whole_bytes(path, _pieces(figure, suffix), force=force)
 
 
-def save_animation(result: Result, path: "str | os.PathLike[str]", *, force: bool = False, design: int = 0) -> None:
+def save_animation(result: "Result", path: "str | os.PathLike[str]", *, force: bool = False, design: int = 0) -> None:
     """Save the moving picture of a result as a GIF.
 
     Parameters
@@ -67,11 +68,15 @@ def save_animation(result: Result, path: "str | os.PathLike[str]", *, force: boo
     InputError
         If a file is there, or it cannot be written; the picture is drawn only after that is known.
     """
+    from cranktrain.viz.throw.gif import animation
+
     write_whole_bytes(path, (animation(result, design=design) for _once in range(1)), force=force)
 
 
-def _pieces(figure: Figure | Callable[[], Figure], suffix: str) -> Iterator[bytes]:
+def _pieces(figure: "Figure | Callable[[], Figure]", suffix: str) -> Iterator[bytes]:
     """Draw and give the file's bytes."""
+    from cranktrain.viz.paper.page import drawing_settings
+
     drawn: Figure = figure() if callable(figure) else figure
     with drawing_settings():
         content = BytesIO()

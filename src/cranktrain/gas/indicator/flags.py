@@ -22,7 +22,7 @@ _LOWEST, _HIGHEST = 1.2, 1.45
 _FINE = np.radians(2.01)
 """Up to such steps the fourth differences are noise, not the curve. [rad]"""
 _NOISY = 0.005
-"""Noise that is doubted, in parts of the peak."""
+"""Noise that is flagged, in parts of the peak."""
 _OF_NOISE = 0.6745 * np.sqrt(70.0)
 """Median size of the fourth differences of white noise of standard deviation 1."""
 
@@ -32,8 +32,8 @@ _STEEP, _STEEPER = 5.0, 2.0
 """How much steeper a step is that may hide a jump: than steps beside it in its own sense; than any beside it."""
 
 
-def compression_doubts(samples: Samples, chamber: Chamber) -> Iterator[str]:
-    """Doubt a fired cycle whose compression is no polytrope of a usual exponent.
+def compression_flags(samples: Samples, chamber: Chamber) -> Iterator[str]:
+    """Flag a fired cycle whose compression is no polytrope of a usual exponent.
 
     Parameters
     ----------
@@ -65,8 +65,8 @@ def compression_doubts(samples: Samples, chamber: Chamber) -> Iterator[str]:
         ).format(exponent=exponent)
 
 
-def noise_doubts(samples: Samples) -> Iterator[str]:
-    """Doubt samples that scatter, by the median of their fourth differences, which a smooth curve hardly has.
+def noise_flags(samples: Samples) -> Iterator[str]:
+    """Flag samples that scatter, by the median of their fourth differences, which a smooth curve hardly has.
 
     Parameters
     ----------
@@ -87,8 +87,8 @@ def noise_doubts(samples: Samples) -> Iterator[str]:
         ).format(percent=100 * noise / peak)
 
 
-def lost_jump_doubts(samples: Samples, cycle: float) -> Iterator[str]:
-    """Doubt steps so much steeper than those beside them that a jump may be lost in them.
+def lost_jump_flags(samples: Samples, cycle: float) -> Iterator[str]:
+    """Flag steps so much steeper than those beside them that a jump may be lost in them.
 
     Parameters
     ----------
@@ -126,8 +126,8 @@ def lost_jump_doubts(samples: Samples, cycle: float) -> Iterator[str]:
         yield told.format(start=start, end=end, before=before, after=after, more=more)
 
 
-def rounded_jump_doubts(samples: Samples) -> Iterator[str]:
-    """Doubt a spline, or smoothing, of samples that jump.
+def rounded_jump_flags(samples: Samples) -> Iterator[str]:
+    """Flag a spline, or smoothing, of samples that jump.
 
     Parameters
     ----------

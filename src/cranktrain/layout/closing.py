@@ -1,0 +1,70 @@
+"""Over which crank angles the links of a machine cannot close, by how much, and what would help."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from cranktrain.errors import Problem
+from cranktrain.language import _
+from cranktrain.layout.places import Place
+from cranktrain.mechanisms.closing import OpenRange, open_ranges
+from cranktrain.quantities import Given
+from cranktrain.wording import around_turn, number
+
+
+def closing_problems(places: Sequence[Place], zero: float) -> tuple[Problem, ...]:
+    """Over which crank angles a mechanism cannot close, once for each geometry.
+
+    Parameters
+    ----------
+    places : sequence of Place
+    zero : float
+        Crank angle that is shown as 0. [rad]
+
+    Returns
+    -------
+    tuple of Problem
+    """
+    different: dict[object, Place] = {}
+    for place in places:
+        different.setdefault((place.path, place.geometry), place)
+    with np.errstate(all="ignore"):
+        ranges = [(place, open_ranges(place.kind, place.geometry)) for place in different.values()]
+        stuck = {place.geometry for place, found in ranges if found}
+        return tuple(
+            _closing_problem(place, found, zero)
+            for place, found in ranges
+            # A slave on a master that cannot close says nothing of its own.
+            if found and getattr(place.geometry, "master", None) not in stuck
+        )
+
+
+def _closing_problem(place: Place, ranges: Sequence[OpenRange], zero: float) -> Problem:
+    """Say where one mechanism cannot close, by how much, and what would help."""
+    short = number(max(one.short for one in ranges), "mm")
+    if ranges[0].end - ranges[0].start >= 2 * np.pi:
+        allowed = _("the links can close at no crank angle (short by {short}); {advice}")
+    elif short == number(0.0, "mm"):
+        allowed = _("the links lie in one line at crank angle {angles}, and the crank cannot pass; {advice}")
+    else:
+        allowed = _("the links cannot close at crank angles {angles} (short by {short}); {advice}")
+    find = place.kind.closing_field
+    field = place.spec.rod_field if find is None else find(place.geometry)
+    given: Given | None = getattr(place.spec, field, None)
+    return Problem(
+        place.path_of(field),
+        given.text if given else None,
+        allowed.format(
+            angles=_(" and ").join(
+                _span(one.start - place.phase - zero, one.end - place.phase - zero) for one in ranges
+            ),
+            short=short,
+            advice=place.kind.closing_advice(place.geometry),
+        ),
+    )
+
+
+def _span(start: float, end: float) -> str:
+    """Say from where to where the crank angle runs; one angle where both are alike."""
+    first, last = (number(float(angle), "deg") for angle in around_turn(np.array([start, end])))
+    return first if first == last else _("{start} to {end}").format(start=first, end=last)

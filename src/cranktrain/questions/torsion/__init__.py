@@ -1,0 +1,44 @@
+"""Torsion: the crankshaft's natural frequencies and modes, and the speeds that are critical for them."""
+
+from collections.abc import Iterator
+
+from cranktrain.errors import Problem
+from cranktrain.language import N_
+from cranktrain.layout.design import Design, Designs
+from cranktrain.layout.question import Dimension, Parts, Question, Stage, Use
+from cranktrain.layout.uses import table
+from cranktrain.questions.torsion.critical import critical_speeds, mode_vector_sums
+from cranktrain.questions.torsion.modes import TorsionalModes, of_one_crankshaft, torsional_modes, torsional_train
+from cranktrain.questions.torsion.parts import declared_train, torsion_problems
+from cranktrain.questions.torsion.spec import TorsionSpec
+
+_TABLE = "torsion"
+
+
+def _problems(design: Design) -> Iterator[Problem]:
+    spec = design.table(TorsionSpec)
+    if spec is not None:
+        yield from torsion_problems(spec, design)
+
+
+def _parts(designs: Designs, _known: Parts) -> Iterator[object]:
+    specs = designs.tables(TorsionSpec)
+    if specs:
+        yield declared_train(specs, len(designs.first.main_shaft.throws))
+
+
+QUESTION = Question(
+    "torsion",
+    tables={_TABLE: TorsionSpec},
+    problems=_problems,
+    parts=_parts,
+    stages=(
+        Stage(torsional_train, applies=of_one_crankshaft),
+        Stage(torsional_modes),
+        Stage(critical_speeds),
+        Stage(mode_vector_sums),
+    ),
+    dimensions=(Dimension("disc", N_("disc")), Dimension("mode", N_("mode"), is_number=True)),
+    headline=("natural_frequency",),
+    uses=(Use(table(_TABLE), (TorsionalModes,)),),
+)

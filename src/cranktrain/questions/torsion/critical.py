@@ -1,0 +1,115 @@
+"""Critical speeds of torsional vibration: where orders meet natural frequencies, and how far cylinders add up there."""
+
+from collections.abc import Mapping
+from dataclasses import field
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle, order_labels, orders
+from cranktrain.layout.shafts import Shafts
+from cranktrain.layout.speed import Speed
+from cranktrain.motion import Array
+from cranktrain.questions.cylinders.firing import Cycle, Firing
+from cranktrain.questions.cylinders.travel import CylinderPistons
+from cranktrain.questions.forces.carriers import Carriers
+from cranktrain.questions.torque.stars import phase_stars
+from cranktrain.questions.torsion.modes import TorsionalModes
+from cranktrain.questions.torsion.parts import DeclaredTrain
+from cranktrain.record import record
+from cranktrain.wording import Names, number
+
+_ORDER = ("mode", "order")
+_THEORY = "docs/theory/torsion"
+_NAMED = 3
+"""How many of the largest vector sums the answer says, and of the orders that have one."""
+_DECIMALS = 9
+"""To which vector sums are alike; firing makes the same one for many orders."""
+
+
+@record
+class CriticalSpeeds:
+    """Speeds at which an order of the torque has a natural frequency; speed is the declared one, if any."""
+
+    critical_speed: Array = quantity(
+        "Ω", "rad/s", _ORDER, N_("Speed of the crank at which the order has the mode's natural frequency"), _THEORY
+    )
+    speed: Array | None = field(kw_only=True)
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"order": ()})
+
+    def answer(self, names: Names, design: int) -> str | None:
+        """Say between which critical speeds of the first mode the machine runs."""
+        of_mode = self.critical_speed[design, 0]
+        if self.speed is None or not np.all(np.isfinite(of_mode)):
+            return None
+        running = float(self.speed[design])
+        above = int(np.count_nonzero(of_mode > running))
+        said = [
+            _("{speed} (order {order})").format(speed=number(float(of_mode[place]), "rpm"), order=names["order"][place])
+            for place in (above, above - 1)
+            if 0 <= place < of_mode.size
+        ]
+        return _("The critical speeds of mode 1 next to {running}: {speeds}.").format(
+            running=number(running, "rpm"), speeds=", ".join(said)
+        )
+
+
+def critical_speeds(modes: TorsionalModes, crank_angle: CrankAngle, speed: Speed | None) -> CriticalSpeeds:
+    """Divide every natural frequency by every order; docs/theory/torsion, eq. (23.9)."""
+    return CriticalSpeeds(
+        modes.natural_frequency[..., np.newaxis] / orders(crank_angle.cycle),
+        speed=None if speed is None else speed.mean[:, 0, 0],
+        labels=order_labels(crank_angle.cycle),
+    )
+
+
+@record
+class ModeVectorSums:
+    """How far the cylinders' torques of one order add up in a mode of the shaft."""
+
+    mode_vector_sum: Array = quantity(
+        "S_n",
+        "1",
+        _ORDER,
+        N_("Sum of the cylinders' phase vectors of the order, each times its mode's amplitude"),
+        _THEORY,
+    )
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"order": ()})
+
+    def answer(self, names: Names, design: int) -> str | None:
+        """Name the orders that excite the first mode most."""
+        of_mode = self.mode_vector_sum[design, 0]
+        if not np.all(np.isfinite(of_mode)):
+            return None
+        alike: dict[str, list[str]] = {}
+        ranked = np.argsort(-of_mode.round(_DECIMALS), kind="stable")
+        for place in map(int, ranked):
+            alike.setdefault(f"{float(of_mode[place]):.3g}", []).append(names["order"][place])
+        said = [
+            _("{sum} of order {orders}").format(
+                sum=size, orders=", ".join([*own[:_NAMED], *["…"] * (len(own) > _NAMED)])
+            )
+            for size, own in [*alike.items()][:_NAMED]
+        ]
+        return _("Largest vector sums of mode 1: {sums}.").format(sums="; ".join(said))
+
+
+def mode_vector_sums(
+    declared: DeclaredTrain,
+    modes: TorsionalModes,
+    firing: Firing,
+    cycle: Cycle,
+    cylinders: CylinderPistons,
+    carriers: Carriers,
+    shafts: Shafts,
+) -> ModeVectorSums:
+    """Stars of the cylinders' phase vectors, weighed with the amplitudes of their throws.
+
+    Notes
+    -----
+    docs/theory/torsion, eq. (23.10).
+    """
+    on_disc = declared.throws[shafts.throw[carriers.driven[cylinders.leading]]]
+    stars = phase_stars(orders(cycle.length), firing.firing_angle[:, np.newaxis], modes.mode_shape[..., on_disc])
+    return ModeVectorSums(stars.length, order_labels(cycle.length))

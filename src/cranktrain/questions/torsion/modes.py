@@ -1,0 +1,188 @@
+"""Torsional vibration of the crankshaft: its train of discs, natural frequencies, modes and Holzer's table."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.catalogue import quantity
+from cranktrain.checks import Check
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.masses import Masses
+from cranktrain.layout.mechanisms import Mechanisms
+from cranktrain.layout.shafts import Shafts
+from cranktrain.linkage.forces import reduced_inertia
+from cranktrain.motion import Array
+from cranktrain.questions.cylinders.travel import CylinderPistons
+from cranktrain.questions.torsion.parts import DeclaredTrain
+from cranktrain.questions.torsion.train import (
+    Train,
+    cross_inertia,
+    holzer_remainder,
+    holzer_table,
+    natural_modes,
+    nodes,
+    scaled,
+)
+from cranktrain.record import record
+from cranktrain.wording import Names, number
+
+_DISC = ("disc",)
+_MODE = ("mode", "disc")
+_THEORY = "docs/theory/torsion"
+_LIMIT = 1e-12
+_NAMED = 3
+"""How many of the lowest frequencies the answer says."""
+
+
+@record
+class TorsionalTrain:
+    """Discs and shafts, referred to the crank, by the rows of Holzer's table."""
+
+    disc_inertia: Array = quantity(
+        "J_i", "kg*m^2", _DISC, N_("Inertia of the disc, referred to the crank; of a throw the mean of a turn"), _THEORY
+    )
+    disc_ratio: Array = quantity("i", "1", _DISC, N_("Turns of the disc for one of the crank"), _THEORY)
+    disc_stiffness: Array = quantity(
+        "k_i",
+        "N*m/rad",
+        _DISC,
+        N_("Stiffness of the shaft that leads on from the disc, referred to the crank"),
+        _THEORY,
+    )
+    train: Train = field(kw_only=True)
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"disc": ()})
+
+
+def of_one_crankshaft(shafts: Shafts, sharing: CylinderPistons | None) -> bool:
+    """Whether a machine has one crankshaft, and one piston in a cylinder."""
+    return len(shafts.names) == 1 and not (sharing is not None and np.any(sharing.is_opposed))
+
+
+def torsional_train(
+    declared: DeclaredTrain, mechanisms: Mechanisms, shafts: Shafts, masses: Masses | None, crank_angle: CrankAngle
+) -> TorsionalTrain:
+    """Add to what is declared the mean inertia of what moves on each throw; docs/theory/torsion, eq. (23.1)."""
+    inertia = declared.inertia.copy()
+    if masses is not None:
+        moving = mean_inertias(mechanisms, masses, crank_angle)
+        for mechanism, throw in enumerate(shafts.throw.tolist()):
+            inertia[:, declared.throws[throw]] += moving[:, mechanism]
+    last = np.full((len(inertia), 1), np.nan)
+    return TorsionalTrain(
+        disc_inertia=inertia,
+        disc_ratio=declared.ratio,
+        disc_stiffness=np.concatenate([declared.stiffness, last], axis=-1),
+        train=Train(inertia, declared.stiffness, declared.following),
+        labels={"disc": declared.names},
+    )
+
+
+def mean_inertias(mechanisms: Mechanisms, masses: Masses, crank_angle: CrankAngle) -> Array:
+    """Mean over a turn of every mechanism's inertia reduced to the crank, shape (design, mechanism). [kg·m²]"""
+    found = np.zeros((len(crank_angle.zero), len(mechanisms.names)))
+    for group, made in zip(mechanisms.groups, masses.groups, strict=True):
+        motion = group.kind.motion(crank_angle.first_turn + group.members.phase, group.members.geometry)
+        links = group.kind.dynamics.links(motion, group.members.geometry)
+        for link, body in zip(links, tuple(made.bodies), strict=True):
+            found[:, group.index] += np.mean(reduced_inertia(link, body).value, axis=-1)
+    return found
+
+
+@record
+class TorsionalModes:
+    """Free torsional vibration, and Holzer's table of every mode: for 1 rad where the amplitude is 1.
+
+    unit: array of int, shape (design, mode), the disc where it is.
+    """
+
+    natural_frequency: Array = quantity(
+        "ω_n", "rad/s", ("mode",), N_("Natural frequency of the torsional vibration"), _THEORY
+    )
+    mode_shape: Array = quantity(
+        "a", "1", _MODE, N_("Amplitude of the disc, referred to the crank; 1 at the free end"), _THEORY
+    )
+    mode_node: Array = quantity(
+        "s", "1", _MODE, N_("Where on the shaft that leads on the node is: share of the shaft from the disc"), _THEORY
+    )
+    holzer_torque: Array = quantity(
+        "Jω²a", "N*m/rad", _MODE, N_("Holzer's table: torque of the disc's inertia"), _THEORY
+    )
+    holzer_sum: Array = quantity(
+        "ΣJω²a", "N*m/rad", _MODE, N_("Holzer's table: torque in the shaft that leads on from the disc"), _THEORY
+    )
+    holzer_twist: Array = quantity(
+        "Δa", "1", _MODE, N_("Holzer's table: twist of the shaft that leads on, taken off the amplitude"), _THEORY
+    )
+    unit: NDArray[np.intp] = field(kw_only=True)
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"mode": ()})
+    checks: tuple[Check, ...] = ()
+    flags: tuple[str, ...] = ()
+
+    def answer(self, _names: Names, design: int) -> str | None:
+        """Say the lowest natural frequencies."""
+        speeds = self.natural_frequency[design]
+        if not np.all(np.isfinite(speeds)):
+            return None
+        said = ", ".join(number(float(speed), "Hz") for speed in speeds[:_NAMED])
+        if len(speeds) <= _NAMED:
+            return _("Torsional natural frequencies: {frequencies}.").format(frequencies=said)
+        return _("Torsional natural frequencies: {frequencies} and {n} more.").format(
+            frequencies=said, n=len(speeds) - _NAMED
+        )
+
+
+def torsional_modes(declared: DeclaredTrain, discs: TorsionalTrain) -> TorsionalModes:
+    """Natural frequencies and modes, and how well they are some; docs/theory/torsion, eqs. (23.4) to (23.8)."""
+    train = discs.train
+    modes = natural_modes(train)
+    shape, unit = scaled(modes.shape, declared.free_end)
+    table = holzer_table(train, modes.speed, shape)
+    is_known = np.all(np.isfinite(modes.speed), axis=-1)
+    closes = np.all(np.isfinite(train.inertia), axis=-1)
+    unknown = np.where(closes, np.inf, np.nan)
+    reasons = (_("needs an inertia of every disc"),) * len(unknown)
+    return TorsionalModes(
+        natural_frequency=modes.speed,
+        mode_shape=shape,
+        mode_node=nodes(train, shape),
+        holzer_torque=table.torque,
+        holzer_sum=table.total,
+        holzer_twist=table.twist,
+        unit=unit,
+        labels={"mode": tuple(str(n + 1) for n in range(modes.speed.shape[-1]))},
+        checks=(
+            Check(
+                "holzer",
+                _("Torques left over by Holzer's table at the natural frequencies, relative to the sum of |Jω²a|"),
+                np.where(is_known, holzer_remainder(train, table, shape), unknown),
+                _LIMIT,
+                reasons,
+            ),
+            Check(
+                "torsional_modes",
+                _("Kinetic energy that two modes of torsional vibration share, relative to their own"),
+                np.where(is_known, cross_inertia(train, shape), unknown),
+                _LIMIT,
+                reasons,
+            ),
+        ),
+        flags=tuple(_flags(declared, discs, unit)),
+    )
+
+
+def _flags(declared: DeclaredTrain, discs: TorsionalTrain, unit: NDArray[np.intp]) -> Iterator[str]:
+    """Mind discs of no inertia, and modes in which the free end is a node."""
+    without = np.flatnonzero(np.any(discs.disc_inertia <= 0, axis=0)).tolist()
+    if without:
+        yield _(
+            "Nothing vibrates, as these throws have no inertia: {throws}; give it in [masses] or [torsion]."
+        ).format(throws=", ".join(declared.names[disc] for disc in without))
+    design, mode = (found.tolist() for found in np.nonzero(unit != declared.free_end))
+    for n in dict.fromkeys(mode):
+        disc = int(unit[design[mode.index(n)], n])
+        yield _("In mode {mode} the free end {end} is a node: its amplitudes are 1 at {disc}.").format(
+            mode=n + 1, end=declared.names[declared.free_end], disc=declared.names[disc]
+        )

@@ -1,0 +1,181 @@
+"""The declared train of several designs as SI arrays, in the order of Holzer's table; and what does not fit it."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.errors import Problem
+from cranktrain.language import N_, _
+from cranktrain.layout.design import Design
+from cranktrain.motion import Array
+from cranktrain.questions.torsion.spec import TorsionSpec
+from cranktrain.record import record
+
+Node = int | str
+"""What moves by itself: a throw, by its number from 1, or a disc on a shaft of its own, by its name."""
+
+
+@record
+class DeclaredTrain:
+    """Discs as they are declared, by the rows of Holzer's table: from the free end to the output, branches before.
+
+    Attributes
+    ----------
+    names : tuple of str, one for each disc
+        A throw's is its number.
+    throws : array of int, shape (throw,)
+        Which discs the throws of `main` are.
+    following : array of int, shape (disc − 1,)
+        To which disc the shaft of each but the last leads, always a later one.
+    free_end : int
+        The disc whose amplitude is 1.
+    inertia : Array, shape (design, disc)
+        What is declared in [torsion], referred to the crank. [kg·m²]
+    stiffness : Array, shape (design, disc − 1)
+        Of the shaft that leads on from each disc, referred to the crank. [N·m/rad]
+    ratio : Array, shape (design, disc)
+        Turns for one of the crank.
+    """
+
+    needs: ClassVar[str] = N_("[torsion]")
+
+    names: tuple[str, ...]
+    throws: NDArray[np.intp]
+    following: NDArray[np.intp]
+    free_end: int
+    inertia: Array
+    stiffness: Array
+    ratio: Array
+
+
+def declared_train(specs: Sequence[TorsionSpec], n_throws: int) -> DeclaredTrain:
+    """Put the discs of several designs, which differ in numbers alone, into one order."""
+    order, following = _order(specs[0], n_throws)
+    at = {node: place for place, node in enumerate(order)}
+    return DeclaredTrain(
+        names=tuple(map(str, order)),
+        throws=np.array([at[throw] for throw in range(1, n_throws + 1)], dtype=np.intp),
+        following=np.array([at[following[node]] for node in order[:-1]], dtype=np.intp),
+        free_end=at[specs[0].free_end or 1],
+        inertia=np.array([_in_order(_inertias(spec, n_throws), order) for spec in specs]),
+        stiffness=np.array(
+            [
+                [of[frozenset((node, following[node]))] for node in order[:-1]]
+                for of in (_shafts(spec, n_throws) for spec in specs)
+            ]
+        ),
+        ratio=np.array([[_ratio(spec, node) for node in order] for spec in specs]),
+    )
+
+
+def _in_order(values: Mapping[Node, float], order: Sequence[Node]) -> list[float]:
+    return [values[node] for node in order]
+
+
+def _order(spec: TorsionSpec, n_throws: int) -> tuple[list[Node], dict[Node, Node]]:
+    """Order of the discs, every one after all that lead to it, and to which each leads.
+
+    The last is the disc that the file has last on the flywheel's side.
+    """
+    neighbours: dict[Node, list[Node]] = {}
+    for one, other in map(tuple, _shafts(spec, n_throws)):
+        neighbours.setdefault(one, []).append(other)
+        neighbours.setdefault(other, []).append(one)
+    outer = [name for name, disc in spec.disc.items() if disc.stiffness and (_throw(spec, name) > 1 or n_throws == 1)]
+    last: Node = outer[-1] if outer else n_throws
+    backward: list[Node] = []
+    following: dict[Node, Node] = {}
+    open_ends = [last]
+    while open_ends:
+        node = open_ends.pop()
+        backward.append(node)
+        onward = [other for other in neighbours.get(node, []) if other != following.get(node)]
+        following |= dict.fromkeys(onward, node)
+        open_ends += onward
+    return backward[::-1], following
+
+
+def _shafts(spec: TorsionSpec, n_throws: int) -> dict[frozenset[Node], float]:
+    """Stiffness of every shaft by the two that it joins, referred to the crank, in the order of the file. [N·m/rad]"""
+    gaps = [gap.si for gap in spec.stiffness or ()]
+    gaps = gaps * (n_throws - 1) if len(gaps) == 1 else gaps
+    found: dict[frozenset[Node], float] = {frozenset((throw, throw + 1)): gap for throw, gap in enumerate(gaps, 1)}
+    return found | {
+        frozenset((name, _node(spec, disc.beside))): disc.stiffness.si * _ratio(spec, name) ** 2
+        for name, disc in spec.disc.items()
+        if disc.stiffness is not None
+    }
+
+
+def _inertias(spec: TorsionSpec, n_throws: int) -> dict[Node, float]:
+    """Declared inertia of everything that moves by itself, with what sits on it rigidly. [kg·m²]"""
+    throws = [inertia.si for inertia in spec.throw_inertia or ()] or [0.0]
+    throws = throws * n_throws if len(throws) == 1 else throws
+    found: dict[Node, float] = dict(enumerate(throws, 1))
+    for name, disc in spec.disc.items():
+        node = _node(spec, name)
+        found[node] = found.get(node, 0.0) + disc.inertia.si * _ratio(spec, name) ** 2
+    return found
+
+
+def _node(spec: TorsionSpec, name: Node) -> Node:
+    """What moves a throw or a disc: itself, or what it sits on rigidly."""
+    while isinstance(name, str) and spec.disc[name].stiffness is None:
+        name = spec.disc[name].beside
+    return name
+
+
+def _throw(spec: TorsionSpec, name: Node) -> int:
+    """The throw to which a disc leads at last."""
+    while isinstance(name, str):
+        name = spec.disc[name].beside
+    return name
+
+
+def _ratio(spec: TorsionSpec, name: Node) -> float:
+    """Turns of a throw or a disc for one of the crank."""
+    ratio = 1.0
+    while isinstance(name, str):
+        ratio *= spec.disc[name].ratio.si
+        name = spec.disc[name].beside
+    return ratio
+
+
+def torsion_problems(spec: TorsionSpec, design: Design) -> Iterator[Problem]:
+    """Find what does not fit the crankshaft, what nothing weighs, and machines whose trains are of another kind."""
+    n_throws, places = len(design.main_shaft.throws), design.places
+    if len(design.shafts) > 1 or any(place.name != place.cylinder for place in places):
+        allowed = _("is for a machine with one crankshaft and one piston in a cylinder; this version knows no other")
+        yield Problem("torsion", None, allowed)
+        return
+    yield from _counts(spec, n_throws)
+    allowed = _("must be one of the throws of the shaft `main`, 1 to {n}").format(n=n_throws)
+    for name, disc in spec.disc.items():
+        if isinstance(disc.beside, int) and disc.beside > n_throws:
+            yield Problem(f"torsion.disc.{name}.beside", str(disc.beside), allowed)
+    if n_throws == 1 and not any(disc.stiffness for disc in spec.disc.values()):
+        allowed = _("must hold a disc with a stiffness, or there is nothing that one throw could twist against")
+        yield Problem("torsion.disc", None, allowed)
+    carrying = {place.throw for place in places} if design.weighed.bodies else set[int]()
+    if spec.throw_inertia is None and (bare := sorted(set(range(n_throws)) - carrying)):
+        allowed = _("is missing; in [masses] there is nothing on throw {throws}")
+        yield Problem("torsion.throw_inertia", None, allowed.format(throws=", ".join(str(throw + 1) for throw in bare)))
+
+
+def _counts(spec: TorsionSpec, n_throws: int) -> Iterator[Problem]:
+    """Find lists that are as long as neither throws nor gaps are."""
+    n_gaps = n_throws - 1
+    if spec.stiffness is None:
+        if n_gaps:
+            allowed = _("is missing; give one value, or one for each of the {gaps} gaps between throws")
+            yield Problem("torsion.stiffness", None, allowed.format(gaps=n_gaps))
+    elif n_gaps == 0:
+        yield Problem("torsion.stiffness", None, _("is for the gaps between throws; this crankshaft has one throw"))
+    elif len(spec.stiffness) not in (1, n_gaps):
+        allowed = _("must be one value, or one for each gap between throws: {gaps}").format(gaps=n_gaps)
+        yield Problem("torsion.stiffness", _("a list of {n}").format(n=len(spec.stiffness)), allowed)
+    if spec.throw_inertia is not None and len(spec.throw_inertia) not in (1, n_throws):
+        allowed = _("must be one value, or one for each throw: {throws}").format(throws=n_throws)
+        yield Problem("torsion.throw_inertia", _("a list of {n}").format(n=len(spec.throw_inertia)), allowed)

@@ -1,0 +1,15 @@
+"""What a synthesis wants: numbers in SI, annotated with the quantity as which each is typed."""
+
+from typing import Annotated, TypeAlias
+
+from cranktrain.language import N_
+from cranktrain.quantities import Dimension, Quantity
+
+Length: TypeAlias = Annotated[float, Quantity(Dimension.LENGTH)]
+Angle: TypeAlias = Annotated[float, Quantity(Dimension.ANGLE)]
+Ratio: TypeAlias = Annotated[float, Quantity(Dimension.RATIO)]
+Velocity: TypeAlias = Annotated[float, Quantity(Dimension.VELOCITY)]
+Count: TypeAlias = Annotated[int, Quantity(Dimension.RATIO)]
+TimeRatio: TypeAlias = Annotated[Ratio, N_("Time of the slow stroke over that of the quick one.")]
+Bore: TypeAlias = Annotated[float, Quantity(Dimension.LENGTH, above=0.0), N_("For the machine file.")]
+Speed: TypeAlias = Annotated[float, Quantity(Dimension.SPEED, above=0.0), N_("Of the crank.")]

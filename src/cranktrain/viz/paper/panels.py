@@ -1,0 +1,161 @@
+"""Panels of curves on paper: one above the other over one crank angle, each with its head."""
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.language import _
+from cranktrain.motion import Array
+from cranktrain.viz.panel import Curve, Panel, Role
+from cranktrain.viz.paper.page import Axes, Box, Page, formula
+from cranktrain.viz.paper.style import COLOURS, GRID, HEADING, INK, MUTED, SYMBOL, TEXT
+
+_MIDDLE = (4.0, 96.0)
+"""Which of the values set the scale where the links cannot close all round. [%]"""
+
+_RINGS = np.arange(15.0, 360.0, 30.0)
+"""Where a second curve has its rings. [deg]"""
+
+_TURN = 360.0
+"""A longer cycle has ticks twice as far apart. [deg]"""
+
+_FOOT = 9.0
+"""Below panels for the crank angle. [mm]"""
+
+
+class Look(NamedTuple):
+    """How a sheet's panels look.
+
+    head, gap, tallest: room above the first panel for its words, between panels, and of the largest ones; lift: of
+    words above their panel; reach, sample: from symbol to symbol of a legend, and where the line before each begins and
+    ends [mm]. beside: room over and under the curves, in parts of their height. zero: width of the line at zero [pt];
+    it is drawn where curves cross it, or has_zero. is_unit_bold: as the title is.
+    """
+
+    head: float
+    gap: float
+    tallest: float
+    lift: float
+    reach: float
+    sample: tuple[float, float]
+    beside: float
+    zero: float
+    has_zero: bool
+    is_unit_bold: bool
+
+
+MOTION = Look(7.0, 7.0, np.inf, 1.9, 15.0, (10.5, 3.5), 0.09, 0.5, has_zero=False, is_unit_bold=False)
+FORCES = Look(5.2, 9.0, 60.0, 2.2, 18.0, (14.0, 6.5), 0.08, 0.6, has_zero=True, is_unit_bold=True)
+
+
+class LinePen(NamedTuple):
+    """Width of a curve [pt], its dashes in widths, and its layer."""
+
+    width: float
+    dashes: tuple[float, ...] = ()
+    layer: float = 2.0
+
+
+PENS: Mapping[Role, LinePen] = {
+    "first": LinePen(1.9, layer=4),
+    "second": LinePen(0.9, layer=3),
+    "other": LinePen(0.6, layer=3),
+    "textbook": LinePen(0.6, (4.0, 8.0), layer=5),
+    "error": LinePen(1.1),
+    "main": LinePen(1.6),
+    "side": LinePen(1.1, (8.0, 2.0)),
+    "radial": LinePen(0.9, (6.0, 2.0)),
+    "resultant": LinePen(0.8, (2.0, 2.0)),
+    "formula": LinePen(0.5, (3.0, 2.0)),
+    "chamber": LinePen(0.9, (5.0, 2.0)),
+    "whole": LinePen(1.9),
+    "mean": LinePen(0.9, (6.0, 3.0)),
+    "each": LinePen(0.45),
+    "carried": LinePen(1.1, (6.0, 2.5)),
+    "card": LinePen(1.4),
+    "later_card": LinePen(0.9),
+}
+
+_ERROR_DASHES = {"s": (1.5, 1.5), "v": (5.0, 2.0), "j": (9.0, 2.0, 2.0, 2.0)}
+"""Dashes of an error by the letter of its quantity, for prints in grey."""
+
+
+def line_of(curve: Curve) -> dict[str, object]:
+    """How a curve's line is drawn: a textbook's in ink, others in the colour of their quantity."""
+    pen = PENS[curve.role]
+    dashes = _ERROR_DASHES[curve.letter] if curve.role == "error" else pen.dashes
+    colour = INK if curve.role == "textbook" else COLOURS[curve.letter]
+    return {"color": colour, "linewidth": pen.width, "linestyle": (0, dashes) if dashes else "-"}
+
+
+def draw_panels(page: Page, panels: Sequence[Panel], box: Box, look: Look) -> None:
+    """Stack panels over one crank angle in a room."""
+    each = min((box.height - _FOOT - look.head - look.gap * (len(panels) - 1)) / len(panels), look.tallest)
+    low = box.bottom + box.height - look.head + look.gap
+    for panel in panels:
+        low -= each + look.gap
+        axes = page.axes(box.left, low, box.width, each)
+        _draw_panel(axes, panel, look)
+        axes.tick_params(labelbottom=panel is panels[-1])
+        _write_head(page, panel, (box.left, box.left + box.width, low + each + look.lift), look)
+    page.text(box.left + box.width / 2, low - _FOOT, _("Crank angle φ, °"), ha="center")
+
+
+def draw_curves(axes: Axes, panel: Panel) -> None:
+    """Draw the curves of a panel; a second one has hollow rings."""
+    for curve, across in zip(panel.curves, np.broadcast_to(panel.across, panel.values.shape), strict=True):
+        axes.plot(across, curve.values, **line_of(curve), zorder=PENS[curve.role].layer)
+        if curve.role == "second":
+            rings = np.interp(_RINGS, across, curve.values)
+            axes.plot(_RINGS, rings, "o", ms=3.2, mfc="white", mec=COLOURS[curve.letter], mew=0.8, zorder=3.5)
+
+
+def prepare(axes: Axes, beside: float = FORCES.beside) -> None:
+    """Give axes our grid, few round ticks and our frame."""
+    from matplotlib.ticker import MaxNLocator
+
+    axes.grid(color=GRID, linewidth=0.5)
+    axes.set_axisbelow(True)
+    axes.margins(y=beside)
+    axes.tick_params(labelsize=TEXT, pad=2.0)
+    axes.yaxis.set_major_locator(MaxNLocator(nbins=4, steps=[1, 2, 5, 10], min_n_ticks=3))
+    axes.spines[["top", "right"]].set_visible(False)
+
+
+def _draw_panel(axes: Axes, panel: Panel, look: Look) -> None:
+    """Draw curves over the crank angle, with a line at zero."""
+    values, end = panel.values, float(panel.across[-1])
+    if look.has_zero or np.any((np.nanmin(values, axis=1) <= 0.0) & (np.nanmax(values, axis=1) >= 0.0)):
+        axes.axhline(0.0, color=MUTED, linewidth=look.zero, zorder=1)
+    draw_curves(axes, panel)
+    prepare(axes, look.beside)
+    axes.set(xlim=(0.0, end), xticks=np.arange(0.0, end + 1.0, 30.0 if end <= _TURN else 60.0))
+    if np.any(np.isnan(values)):
+        _leave_open(axes, panel.across, values)
+
+
+def _leave_open(axes: Axes, angle: Array, values: Array) -> None:
+    """Shade where the links cannot close, and take the scale from what is not the steep edge beside that."""
+    open_there = np.any(np.isnan(values), axis=0)
+    axes.fill_between(angle, 0.0, 1.0, where=open_there, transform=axes.get_xaxis_transform(), color=GRID, linewidth=0)
+    low, high = np.nanpercentile(values, _MIDDLE)
+    axes.set_ylim(low - 0.3 * (high - low), high + 0.3 * (high - low))
+
+
+def _write_head(page: Page, panel: Panel, place: tuple[float, float, float], look: Look) -> None:
+    """Name a panel over its left end, with symbol and unit; over its right end the curves that have symbols."""
+    left, right, y = place
+    if look.is_unit_bold:
+        page.heading(left, y, f"{panel.title}, {panel.unit}")
+    else:
+        end = page.end(page.heading(left, y, panel.title))
+        if panel.symbol:
+            words, colour = formula(panel.symbol.replace("'", "′")), COLOURS[panel.curves[0].letter]
+            end = page.end(page.text(end + 1.5, y, words, color=colour, fontsize=SYMBOL))
+        page.text(end, y, f", {panel.unit}", fontsize=HEADING)
+    for number, curve in enumerate(reversed([curve for curve in panel.curves if curve.symbol])):
+        x = right - look.reach * number
+        page.text(x, y, formula(curve.symbol), ha="right", color=COLOURS[curve.letter], fontsize=SYMBOL)
+        start, end = look.sample
+        page.sample(x - start, x - end, y + 0.9, **line_of(curve))

@@ -1,0 +1,67 @@
+"""What can be drawn by a name."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import field
+from functools import wraps
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, Literal
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.record import record
+
+if TYPE_CHECKING:
+    from cranktrain.analysis import Result
+
+
+@record
+class Picture:
+    """A picture that a question has: as data alone, so that naming all of them loads nothing that draws.
+
+    Attributes
+    ----------
+    kind : "plan", "sheet" or "file"
+    name : str
+        As one asks for it; of a file the ending of its name.
+    home : str
+        The function that draws it, module:function.
+    over : "angles" or "cycle"
+        At crank angles it is drawn of a machine, with `angles`, `mechanism`, `speed`; over the cycle of a result, with
+        `at` for one crank angle, and `piston`.
+    needs : mapping of quantities to sentences
+        What its result must have, and what is said where that is not there; {needs} is what the machine lacks.
+    quantities : tuple of str, or None
+        What of a result suffices for it; None for all.
+    refused : mapping of "plan", "sheet", "at", "mechanism", "size", "speed" to sentences
+        What cannot be chosen for it, and why.
+    source_angles : "shown", "cylinder" or None
+        Whether it has the source's twelve positions, and from where their crank angles count: as the machine shows
+        them, or from where the crank points along the cylinder.
+    """
+
+    kind: Literal["plan", "sheet", "file"]
+    name: str
+    home: str
+    over: Literal["angles", "cycle"]
+    needs: Mapping[str, str] = field(default_factory=dict[str, str])
+    quantities: tuple[str, ...] | None = None
+    refused: Mapping[str, str] = field(default_factory=dict[str, str])
+    source_angles: Literal["shown", "cylinder"] | None = None
+
+    @property
+    def function(self) -> Callable[..., Any]:
+        """What draws it; first it looks whether the result has what is needed."""
+        module, _colon, name = self.home.partition(":")
+        draw: Callable[..., Any] = getattr(import_module(module), name)
+        if not self.needs:
+            return draw
+
+        @wraps(draw)
+        def drawn(result: "Result", **options: Any) -> Any:
+            for quantity, sentence in self.needs.items():
+                if quantity not in result.catalogue:
+                    needs = ", ".join(result.needs_of(quantity))
+                    raise InputError([Problem("", None, _(sentence).format(needs=needs))])
+            return draw(result, **options)
+
+        return drawn

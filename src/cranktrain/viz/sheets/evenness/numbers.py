@@ -1,0 +1,58 @@
+"""Speeds and flywheels as tables beside a diagram of evenness."""
+
+from collections.abc import Iterator, Sequence
+
+from cranktrain.language import _
+from cranktrain.quantities import shown as in_unit
+from cranktrain.questions.evenness.flywheel import FlywheelSize
+from cranktrain.textbook.flywheel_diagrams import Tangent
+from cranktrain.viz.figures import figure
+from cranktrain.viz.panel import OneDesign
+from cranktrain.viz.paper.page import Page, muted
+from cranktrain.viz.paper.style import INK
+from cranktrain.viz.paper.tables import write_table
+
+TABLE = 86.0
+"""Width of the tables. [mm]"""
+
+UPPER, LOWER = (9.0, 3.0), (3.0, 2.0)
+"""Dashes of the tangents at the largest and the smallest speed."""
+
+
+def write_numbers(page: Page, shown: OneDesign, place: tuple[float, float], tangents: Sequence[Tangent]) -> float:
+    """Write speeds and flywheels beside a diagram, and what its tangents are; give where the tables end. [mm]"""
+    left, top = place
+    y = write_table(page, list(_speeds(shown, tangents)), (left, top, TABLE))
+    y = write_table(page, list(_flywheels(shown)), (left, y - 3.0, TABLE), (0.52, 0.77, 1.0))
+    if tangents:
+        for words, dashes in ((_("tangent at the largest speed"), UPPER), (_("tangent at the smallest"), LOWER)):
+            page.sample(left, left + 10.0, y - 1.0, color=INK, lw=0.9, dashes=dashes)
+            page.text(left + 12.0, y - 2.0, words, **muted())
+            y -= 4.6
+    return y
+
+
+def _speeds(shown: OneDesign, tangents: Sequence[Tangent]) -> Iterator[tuple[str, str]]:
+    """What is wanted, the speeds, where they are, and energies."""
+    size = shown.result[FlywheelSize]
+    exact = size.exact
+    yield _("Wanted"), ""
+    yield _("Coefficient of fluctuation δ"), f"{float(size.wanted[shown.design]):.5g}"
+    yield _("Largest speed, rpm"), figure(in_unit(float(exact.largest_speed[shown.design]), "rpm"))
+    yield _("Smallest speed, rpm"), figure(in_unit(float(exact.smallest_speed[shown.design]), "rpm"))
+    yield _("Largest excess work, J"), figure(float(shown("largest_excess_work")))
+    yield _("Energy at φ = 0, E₀, J"), figure(float(exact.initial_energy[shown.design]))
+    for name, tangent in zip((_("Largest speed at φ, °"), _("Smallest speed at φ, °")), tangents, strict=False):
+        yield name, f"{float(in_unit(tangent.angle, 'deg')) % shown.cycle[-1]:.2f}"
+
+
+def _flywheels(shown: OneDesign) -> Iterator[tuple[str, str, str, str]]:
+    """Flywheel by each method, and the error of that; the exact one comes first."""
+    titles = {"exact": _("exact"), "mertsalov": _("Mertsalov"), "textbook": _("textbook, ΔA/(δω²)")}
+    inertias, errors = (shown(name).tolist() for name in ("flywheel_inertia", "flywheel_inertia_error"))
+    yield _("Flywheel"), "J, kg·m²", "GD², kg·m²", _("error")
+    for name, inertia, error in zip(shown.result.labels["flywheel_method"], inertias, errors, strict=True):
+        is_told = inertia > 0 and inertias[0] > 0
+        share = f"{100 * error:+.2f} %".replace("-", "−") if is_told else "–"
+        moment, doubled = (figure(inertia), figure(4 * inertia)) if inertia > 0 else (_("not needed"), "–")
+        yield titles[name], moment, doubled, "" if name == "exact" else share

@@ -1,0 +1,36 @@
+"""Curves of the gas at a piston: its pressure over the crank angle, and over the volume."""
+
+import numpy as np
+
+from cranktrain.analysis import Result
+from cranktrain.language import _
+from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
+
+
+def pressure_panel(shown: OneDesign, piston: str) -> Panel:
+    """Absolute pressure in the chambers of a piston over the cycle, in MPa."""
+    curves = tuple(
+        Curve(closed(shown("gas_pressure")[chamber]) / 1e6, "chamber" if later else "main", "p", "p")
+        for later, chamber in enumerate(chambers_of(shown.result, piston))
+    )
+    return Panel(_("Gas pressure at piston {piston}, absolute").format(piston=piston), "MPa", shown.cycle, curves)
+
+
+def indicator_panel(shown: OneDesign, piston: str) -> Panel:
+    """Pressure over the volume of each of a piston's chambers, in MPa and litres."""
+    chambers = chambers_of(shown.result, piston)
+    curves = tuple(
+        Curve(closed(shown("gas_pressure")[chamber]) / 1e6, "later_card" if later else "card", "p")
+        for later, chamber in enumerate(chambers)
+    )
+    volumes = np.stack([closed(shown("chamber_volume")[chamber]) * 1e3 for chamber in chambers])
+    return Panel(_("Indicator diagram, pressure in MPa over volume in litres"), "MPa", volumes, curves)
+
+
+def chambers_of(result: Result, piston: str) -> list[int]:
+    """Places of a piston's chambers: of its own name, of both its sides, or of the cylinder that it shares."""
+    return [
+        i
+        for i, name in enumerate(result.labels["chamber"])
+        if name == piston or name.startswith(f"{piston}.") or piston.startswith(f"{name}.")
+    ] or [0]

@@ -1,0 +1,251 @@
+"""Curves of motion over one turn: of pistons with what the textbook says, of opposed pistons, of a rocker."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.analysis import Result
+from cranktrain.language import _
+from cranktrain.layout.speed import rates
+from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.linkage.forces import Drive
+from cranktrain.machine import Machine
+from cranktrain.motion import Array, Coefficient
+from cranktrain.plans.placement import first_throw
+from cranktrain.plans.turning import turning
+from cranktrain.quantities import shown
+from cranktrain.viz.panel import Curve, OneDesign, Panel, Role
+
+_LETTERS = "svj"
+"""Of travel, velocity and acceleration."""
+
+_FORMS = {"slider_crank": "two_harmonics", "articulated_rod": "reconstructed"}
+"""Which of the textbook's forms stands beside each kind."""
+
+_PAIR = 2
+_FEW = 2
+"""Up to so many pistons, each has the textbook's curve beside its own."""
+
+_PISTON = ("piston_displacement", "piston_velocity_coefficient", "piston_acceleration_coefficient")
+_TEXTBOOK = ("displacement_by_method", "velocity_coefficient_by_method", "acceleration_coefficient_by_method")
+_ROCKER = ("rocker_angle", "rocker_velocity_coefficient", "rocker_acceleration_coefficient")
+"""Results that are a motion's value and its two derivatives."""
+
+
+class _Turn(NamedTuple):
+    """One turn of a result: which points of its grid, and the angles, closed at 360. [deg]"""
+
+    shown: OneDesign
+    points: NDArray[np.intp]
+    angle: Array
+
+    def curve(self, name: str, *at: int) -> Array:
+        """Give a quantity of a member over the turn; an angle that goes round goes on at the end."""
+        whole = self.shown(name)[at][self.points]
+        if name.endswith("angle"):
+            whole[-1] += 2 * np.pi * np.rint((whole[-2] - whole[-1]) / (2 * np.pi))
+        return whole
+
+    @property
+    def drive(self) -> Drive:
+        """How the crank turns at each angle; by 1 rad/s where the machine has no speed."""
+        result, design = self.shown
+        phi = np.deg2rad(self.angle) + result.grid.zero[design, 0, 0]
+        return turning(result.machines[design], result.get(SpeedCurve), phi, design)
+
+    def moved(self, order: int, names: tuple[str, str, str], *at: int) -> Array:
+        """Give travel, velocity or acceleration of a member, by its motion's value and two derivatives."""
+        motion = Coefficient(*(self.curve(name, *at) for name in names))
+        return (motion.value, *rates(motion, self.drive))[order]
+
+
+class _Row(NamedTuple):
+    """A panel of a motion: order of the derivative, title, symbol, unit, and the factor to it."""
+
+    order: int
+    title: str
+    symbol: str
+    unit: str
+    factor: float
+
+    def panel(self, turn: _Turn, curves: Iterable[Curve]) -> Panel:
+        """Its panel with some curves."""
+        return Panel(self.title, self.unit, turn.angle, tuple(curves), self.symbol)
+
+    def curves(self, turn: _Turn, dimension: str, names: Sequence[str]) -> Iterator[Curve]:
+        """Curves of some pistons or rockers."""
+        motion = {"piston": _PISTON, "rocker": _ROCKER}[dimension]
+        for name, role in zip(names, _roles(names), strict=True):
+            values = self.factor * turn.moved(self.order, motion, turn.shown.member(dimension, name))
+            yield Curve(values, role, _LETTERS[self.order], name=name)
+
+
+def panels(result: Result, design: int = 0) -> tuple[Panel, ...]:
+    """Collect the curves that a sheet shows.
+
+    Parameters
+    ----------
+    result : Result
+    design : int
+
+    Returns
+    -------
+    tuple of Panel
+        Travel, velocity, acceleration of the first throw's pistons and the textbook's error; of opposed pistons those
+        of the first cylinder, with what both do together; or angle and derivatives of the rocker.
+    """
+    within = np.flatnonzero(result.crank_angle < 360.0)
+    index = np.append(within, within.size % result.crank_angle.size)
+    turn = _Turn(OneDesign(result, design), index, np.append(result.crank_angle[within], 360.0))
+    pair = opposed_names(result.machines[design])
+    if pair:
+        return tuple(_opposed_panels(turn, pair))
+    if "piston" in result.labels:
+        return tuple(_piston_panels(turn))
+    return tuple(_rocker_panels(turn))
+
+
+def drawn_names(result: Result, dimension: str) -> tuple[str, ...]:
+    """Name the pistons or rockers of the first throw."""
+    names = [place.name for place in first_throw(result.machines[0])]
+    return tuple(name for name in result.labels.get(dimension, ()) if name in names)
+
+
+def opposed_names(machine: Machine) -> tuple[str, ...]:
+    """Name the two pistons of the first drawn cylinder that has two; none where none has."""
+    cylinders: dict[str, list[str]] = {}
+    for place in first_throw(machine):
+        cylinders.setdefault(place.cylinder, []).append(place.name)
+    return next((tuple(names) for names in cylinders.values() if len(names) == _PAIR), ())
+
+
+def told_forms(shown: OneDesign) -> dict[str, int]:
+    """Pistons beside which the textbook's curve stands, with its form: of many only the one that it misses most."""
+    forms = _forms(shown)
+    worst = _worst(shown, forms)
+    if worst is None or len(drawn_names(shown.result, "piston")) <= _FEW:
+        return forms
+    return {worst: forms[worst]}
+
+
+def _forms(shown: OneDesign) -> dict[str, int]:
+    """Drawn pistons for which a source has a form, and the number of that."""
+    if not shown.has("displacement_error"):
+        return {}
+    kinds = {place.name: place.kind.name for place in shown.result.machines[shown.design].places}
+    forms = {
+        name: shown.member("method", _FORMS[kinds[name]])
+        for name in drawn_names(shown.result, "piston")
+        if kinds[name] in _FORMS
+    }
+    errors = shown("displacement_error")
+    return {name: form for name, form in forms.items() if not np.isnan(errors[form, shown.member("piston", name)])}
+
+
+def _worst(shown: OneDesign, forms: dict[str, int]) -> str | None:
+    """Find the piston with the largest error of acceleration."""
+    if not forms:
+        return None
+    errors = shown("acceleration_error")
+    return max(forms, key=lambda name: float(errors[forms[name], shown.member("piston", name)]))
+
+
+def _roles(names: Sequence[str]) -> Iterator[Role]:
+    """The first one, and a second or many others."""
+    for number in range(len(names)):
+        yield "first" if number == 0 else "second" if len(names) == _PAIR else "other"
+
+
+def _piston_rows(turn: _Turn) -> tuple[_Row, ...]:
+    """Travel, velocity and acceleration; without a speed by the crank angle."""
+    titles = _titles(turn.shown)
+    travel = _Row(0, titles[0], "s", "mm", 1e3)
+    if turn.shown.has("piston_velocity"):
+        return travel, _Row(1, titles[1], "v", "m/s", 1.0), _Row(2, titles[2], "j", "m/s²", 1.0)
+    return travel, _Row(1, titles[1], "s'", "mm/rad", 1e3), _Row(2, titles[2], "s''", "mm/rad²", 1e3)
+
+
+def _titles(shown: OneDesign) -> tuple[str, str, str]:
+    """Titles of travel, velocity and acceleration: of pistons, of valves, or of both."""
+    result, design = shown
+    names = drawn_names(result, "piston")
+    are_pistons = {place.kind.has_chambers for place in result.machines[design].places if place.name in names}
+    if are_pistons == {False}:
+        return _("Valve travel"), _("Valve velocity"), _("Valve acceleration")
+    if False in are_pistons:
+        return (
+            _("Travel of piston and valve"),
+            _("Velocity of piston and valve"),
+            _("Acceleration of piston and valve"),
+        )
+    return _("Piston travel"), _("Piston velocity"), _("Piston acceleration")
+
+
+def _opposed_panels(turn: _Turn, names: Sequence[str]) -> Iterator[Panel]:
+    """Travel of both pistons of a cylinder and of both together, its volume, both velocities and accelerations."""
+    result, design = turn.shown
+    travel, *rates = (row.panel(turn, row.curves(turn, "piston", names)) for row in _piston_rows(turn))
+    yield travel
+    cylinder = next(p.cylinder for p in result.machines[design].places if p.name == names[0])
+    both = shown(1.0, "mm") * turn.curve("combined_displacement", turn.shown.member("cylinder", cylinder))
+    title = _("Travel of both together, cylinder {cylinder}").format(cylinder=cylinder)
+    yield Panel(title, "mm", turn.angle, (Curve(both, "first", "s", name=cylinder),), r"x_\Sigma")
+    if turn.shown.has("chamber_volume") and cylinder in result.labels.get("chamber", ()):
+        volume = shown(1.0, "L") * turn.curve("chamber_volume", turn.shown.member("chamber", cylinder))
+        yield Panel(_("Volume between them"), "L", turn.angle, (Curve(volume, "first", "T", name=cylinder),), "V")
+    yield from rates
+
+
+def _piston_panels(turn: _Turn) -> Iterator[Panel]:
+    """Travel, velocity, acceleration; and how far the textbook is off."""
+    told = told_forms(turn.shown)
+    for row in _piston_rows(turn):
+        exact = row.curves(turn, "piston", drawn_names(turn.shown.result, "piston"))
+        textbook = (
+            Curve(row.factor * _by_textbook(turn, row.order, name, form), "textbook", _LETTERS[row.order], name=name)
+            for name, form in told.items()
+        )
+        yield row.panel(turn, (*exact, *textbook))
+    worst = _worst(turn.shown, told)
+    if worst is not None:
+        yield _error_panel(turn, worst, told[worst])
+
+
+def _by_textbook(turn: _Turn, order: int, piston: str, form: int) -> Array:
+    """Travel, velocity or acceleration of a piston by a textbook's form."""
+    return turn.moved(order, _TEXTBOOK, form, turn.shown.member("piston", piston))
+
+
+def _error_panel(turn: _Turn, piston: str, form: int) -> Panel:
+    """Error of a textbook's form in % of the stroke and of the exact peaks."""
+    curves: list[Curve] = []
+    for order, letter in enumerate(_LETTERS):
+        right = turn.moved(order, _PISTON, turn.shown.member("piston", piston))
+        error = 100.0 * (_by_textbook(turn, order, piston, form) - right) / np.nanmax(np.abs(right))
+        curves.append(Curve(error, "error", letter, letter))
+    title = _("Textbook error, piston {piston}").format(piston=piston)
+    return Panel(title, _("% of own maximum"), turn.angle, tuple(curves))
+
+
+def _rocker_panels(turn: _Turn) -> Iterator[Panel]:
+    """Rocker angle and its derivatives; torque factor where a load hangs on it."""
+    result, design = turn.shown
+    names = drawn_names(result, "rocker")
+    has_speed = result.machines[design].main_shaft.speed is not None or result.get(SpeedCurve) is not None
+    titles = _("Rocker angle"), _("Rocker angular velocity"), _("Rocker angular acceleration")
+    symbols = (r"\theta", r"\omega_3", r"\varepsilon_3") if has_speed else (r"\theta", r"\theta'", r"\theta''")
+    units = ("°", "rad/s", "rad/s²") if has_speed else ("°", "rad/rad", "rad/rad²")
+    factors = (shown(1.0, "deg"), 1.0, 1.0)
+    for row in map(_Row, range(len(titles)), titles, symbols, units, factors):
+        yield row.panel(turn, row.curves(turn, "rocker", names))
+    if turn.shown.has("load_velocity_coefficient"):
+        title = _("Torque factor: load velocity for each rad/s of the crank")
+        curves = (
+            Curve(
+                1e3 * turn.curve("load_velocity_coefficient", turn.shown.member("rocker", name)), role, "T", name=name
+            )
+            for name, role in zip(names, _roles(names), strict=True)
+        )
+        yield Panel(title, "mm", turn.angle, tuple(curves), "x_Q'")

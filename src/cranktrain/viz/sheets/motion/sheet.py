@@ -1,0 +1,139 @@
+"""The sheet of a machine: its throw to scale, its curves, and what both rest on."""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from cranktrain.analysis import Result
+from cranktrain.language import _
+from cranktrain.machine import Machine
+from cranktrain.viz.paper.head import result_page
+from cranktrain.viz.paper.labels import label_outline
+from cranktrain.viz.paper.page import MARGIN, Box, Figure, Page, drawing_settings, fitting_scale, muted
+from cranktrain.viz.paper.panels import MOTION, draw_panels
+from cranktrain.viz.paper.sketch import Sketch
+from cranktrain.viz.sheets.motion.dead_centres import Mark, ruler_of
+from cranktrain.viz.sheets.motion.panels import panels
+from cranktrain.viz.sheets.motion.ruler import draw_ruler
+from cranktrain.viz.throw.detail import draw_detail, wants_detail
+from cranktrain.viz.throw.mechanism import mechanism_sketch
+from cranktrain.viz.throw.scene import Scene, scene_of
+
+_NOTE = 4.0
+"""Height of a line of notes at the foot. [mm]"""
+
+_ROUGH, _PASSES = 20.0, 3
+"""Crank radius on paper to begin with, and how often the scale is corrected: hatches keep their size on paper."""
+
+_ANGLE = 50.0
+"""Crank angle at which the throw is drawn, unless given. [deg]"""
+
+
+@drawing_settings()
+def sheet(result: Result, *, size: str = "A4", at: float = _ANGLE, design: int = 0) -> Figure:
+    """Draw the sheet of a machine.
+
+    Parameters
+    ----------
+    result : Result
+    size : "A4" or "A3"
+        Lying.
+    at : float
+        Crank angle at which the throw is drawn. [deg]
+    design : int
+        Which of the result's machines.
+
+    Returns
+    -------
+    Figure
+        In millimetres of paper: the throw is to the scale that the sheet says.
+    """
+    page, top = result_page(result, design, size)
+    ruler = ruler_of(result, design)
+    middle = MARGIN + 0.48 * (page.width - 2 * MARGIN)
+    room = (MARGIN, MARGIN, middle - 4.0 - MARGIN, top - 4.0 - MARGIN)
+    _draw_mechanism(page, result.machines[design], ruler.marks, at, room)
+    left, right = middle + 12.0, page.width - MARGIN
+    below = draw_ruler(page, ruler, (left, right, top - 4.0))
+    draw_panels(page, panels(result, design), Box(left, MARGIN, right - left, below - MARGIN), MOTION)
+    return page.figure
+
+
+def _draw_mechanism(
+    page: Page, machine: Machine, found: Sequence[Mark], at: float, box: tuple[float, float, float, float]
+) -> None:
+    """Draw the throw as large as a round scale allows."""
+    left, bottom, width, height = box
+    scene = scene_of(machine)
+    at = scene.closing_angle(at)
+    notes = list(_notes(scene, at))
+    foot = 6.0 + _NOTE * len(notes)
+    room = (width, height - foot)
+    names = [(member.place.name, member.place.cylinder) for member in scene.members]
+    dead = [[mark.angle for mark in found if mark.name in own] for own in names]
+    sketch = mechanism_sketch(scene, at, scene.crank_radius / _ROUGH, dead)
+    for _pass in range(_PASSES):
+        low_x, high_x, low_y, high_y = _extent(sketch)
+        scale = fitting_scale(high_x - low_x, high_y - low_y, (room[0] - 1.0, room[1] - 6.0))
+        sketch = mechanism_sketch(scene, at, scale, dead, has_ring=not wants_detail(scene, scale))
+    low_x, high_x, low_y, high_y = (value / sketch.scale for value in _extent(sketch))
+    origin = (left + room[0] / 2 - (low_x + high_x) / 2, bottom + foot + room[1] / 2 - (low_y + high_y) / 2)
+    page.draw(sketch, origin)
+    if wants_detail(scene, sketch.scale):
+        draw_detail(page, scene, (at, dead), sketch, origin, (left, bottom + foot, *room))
+    page.scale_bar(left, bottom + foot - 5.0, sketch.scale)
+    for number, note in enumerate(reversed(notes)):
+        page.text(left, bottom - 0.4 + _NOTE * number, note, **muted())
+
+
+def _extent(sketch: Sketch) -> tuple[float, float, float, float]:
+    """Least and largest X and Y of a sketch with its words. [mm of the sketch]"""
+    points = np.concatenate(
+        [*sketch.outline(), *(label_outline(label, sketch.scale) for label in sketch.labels)], axis=1
+    )
+    low, high = np.nanmin(points, axis=1), np.nanmax(points, axis=1)
+    return float(low[0]), float(high[0]), float(low[1]), float(high[1])
+
+
+def _notes(scene: Scene, angle: float) -> Iterator[str]:
+    """Say what is drawn, at which crank angle, and what of it is to scale."""
+    yield _drawn_words(scene, angle)
+    if scene.assumed:
+        yield _("distance of the shafts assumed for the drawing: the file does not give it")
+    if any(member.place.is_far for member in scene.members):
+        yield _("dashed: side rods, which pass outside the cylinder")
+    broken = [member.place.name for member in scene.members if member.cut]
+    if broken:
+        yield _("rod of {names} broken, its slider drawn nearer to the shaft").format(names=", ".join(broken))
+    shapes = _("pins to scale, shapes schematic")
+    pistons = [member for member in scene.sliders if member.place.kind.has_chambers]
+    if pistons and all(member.bore is not None for member in pistons):
+        shapes = _("pins and bores to scale, other shapes schematic")
+    thin = _("thin: volumetric dead centres") if scene.pairs else _("thin: dead positions")
+    yield f"{shapes}; {thin}"
+
+
+def _drawn_words(scene: Scene, angle: float) -> str:
+    """Say which throws are drawn, of which shafts, and at which crank angle."""
+    machine = scene.machine
+    n = len(machine.main_shaft.throws)
+    places = [member.place for member in scene.cranks]
+    shafts = [shaft for shaft in machine.shafts if shaft in {place.shaft for place in places}]
+    throws = sorted({place.throw + 1 for place in places})
+    if len(shafts) > 1 and len(throws) > 1:
+        each = ", ".join(f"{place.shaft} {place.throw + 1}" for place in places)
+        drawn = _("Throws {throws}, drawn at φ = {angle:g}°").format(throws=each, angle=angle)
+    elif len(throws) > 1:
+        words = _("Throws {throws} of {n}, drawn at φ = {angle:g}°")
+        drawn = words.format(throws=", ".join(map(str, throws)), n=n, angle=angle)
+    elif n > 1:
+        drawn = _("Throw {throw} of {n}, drawn at φ = {angle:g}°").format(throw=throws[0], n=n, angle=angle)
+    else:
+        drawn = _("Drawn at φ = {angle:g}°").format(angle=angle)
+    if len(shafts) == len(machine.shafts):
+        if len(shafts) > 1:
+            drawn = _("{drawn}; shafts {shafts}").format(drawn=drawn, shafts=", ".join(shafts))
+        return drawn
+    if len(shafts) == 1:
+        return _("{drawn}; of shaft {shaft}, no other is drawn").format(drawn=drawn, shaft=shafts[0])
+    return _("{drawn}; shafts {shafts}, no other is drawn").format(drawn=drawn, shafts=", ".join(shafts))

@@ -1,0 +1,75 @@
+"""Curves of the torque on the shaft, the amplitudes of its orders, and the stars of the cylinders' phases."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.language import _
+from cranktrain.layout.crank_angle import orders
+from cranktrain.motion import Array
+from cranktrain.questions.torque.stars import phase_stars
+from cranktrain.viz.figures import figure
+from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
+
+_MANY = 20e3
+"""From here on newton metres are shown by the thousand."""
+
+STARS = 3
+"""How many of the largest orders have a star."""
+
+_NOTHING = 1e-9
+"""An amplitude below this part of a cylinder's largest torque is none."""
+
+
+class OrderBars(NamedTuple):
+    """Orders of the torque, their amplitudes, 0 where they are rounding alone [N·m], and which all cylinders share."""
+
+    order: Array
+    amplitude: Array
+    is_major: NDArray[np.bool_]
+
+
+class Star(NamedTuple):
+    """Phase star of an order: directions of the cylinders as complex numbers, and the length of their sum."""
+
+    order: float
+    vectors: Array
+    length: float
+
+
+def torque_panel(shown: OneDesign) -> Panel:
+    """Torque of all mechanisms together and its mean over the cycle, and of several mechanisms each one's."""
+    torque = shown("machine_torque")
+    factor, unit = (1e3, "kN·m") if np.nanmax(np.abs(torque)) >= _MANY else (1.0, "N·m")
+    mean = float(shown("mean_torque")) / factor
+    each = [Curve(closed(values) / factor, "each", "T") for values in shown("mechanism_torque") if np.any(values)]
+    whole = Curve(closed(torque) / factor, "whole", "T", r"T_\Sigma")
+    average = Curve(np.full_like(whole.values, mean), "mean", "F", "T_m")
+    title = _("Torque on the shaft, mean {mean}").format(mean=figure(mean))
+    return Panel(title, unit, shown.cycle, (*(each if len(each) > 1 else ()), whole, average))
+
+
+def order_bars(shown: OneDesign) -> OrderBars:
+    """Amplitudes of the torque's orders; without a firing order none is shared."""
+    order = orders(shown.result.grid.cycle)
+    amplitude = np.nan_to_num(shown("torque_order_amplitude"))
+    largest = np.max(np.abs(shown("mechanism_torque")))
+    has_stars = shown.has("phase_star_sum")
+    is_major = phase_stars(order, _firing(shown)).is_major if has_stars else np.zeros(order.shape, dtype=np.bool_)
+    return OrderBars(order, np.where(amplitude > _NOTHING * largest, amplitude, 0.0), is_major)
+
+
+def largest_stars(shown: OneDesign) -> list[Star]:
+    """Phase stars of the largest orders, by nominal firing; none without a firing order, or of one cylinder."""
+    if not shown.has("phase_star_sum") or len(shown("firing_angle")) < 2:
+        return []
+    bars = order_bars(shown)
+    largest = np.argsort(-bars.amplitude, kind="stable")[:STARS]
+    order = bars.order[largest[bars.amplitude[largest] > 0.0]]
+    stars = phase_stars(order, _firing(shown))
+    return list(map(Star, order.tolist(), stars.vectors, stars.length.tolist()))
+
+
+def _firing(shown: OneDesign) -> Array:
+    return np.deg2rad(shown("firing_angle"))

@@ -1,0 +1,131 @@
+"""Campbell's diagram on paper, and a table of critical speeds."""
+
+import numpy as np
+
+from cranktrain.language import _
+from cranktrain.quantities import shown
+from cranktrain.viz.paper.page import Axes, Box, Page, formula, muted, set_words
+from cranktrain.viz.paper.panels import prepare
+from cranktrain.viz.paper.style import COLOURS, INK, MUTED, SYMBOL
+from cranktrain.viz.paper.tables import write_table
+from cranktrain.viz.sheets.torsion.panels import Campbell, Crossing
+
+_ROWS = 8
+"""Critical speeds in the table."""
+_LARGEST_MARK, _LEAST_MARK = 10.0, 1.6
+"""Diameter of the marks of vector sums as large as the number of cylinders, and of hardly any. [pt]"""
+_WHOLE, _HALF = 0.7, 0.35
+"""Width of the rays of whole and half orders. [pt]"""
+_APART = 4.5
+"""Between the numbers of rays, and the names of levels. [mm]"""
+
+
+def draw_campbell(page: Page, of: Campbell, n_cylinders: int, box: Box) -> None:
+    """Draw frequencies over the speed, and below them the critical speeds that have the largest marks.
+
+    Parameters
+    ----------
+    page : Page
+    of : Campbell
+    n_cylinders : int
+        To which the marks are scaled.
+    box : Box
+    """
+    height = 0.54 * box.height
+    page.heading(box.left, (box.bottom + box.height) - 3.0, _("Campbell's diagram: frequency in Hz over speed in rpm"))
+    room = Box(box.left + 2.0, (box.bottom + box.height) - 9.5 - height, box.width - 12.0, height)
+    axes = page.axes(*room)
+    prepare(axes)
+    end, high = float(shown(of.largest_speed, "rpm")), _hertz(of.highest_frequency)
+    axes.set(xlim=(0.0, end), ylim=(0.0, high))
+    for order in of.order.tolist():
+        reach = min(end, 60.0 * high / order)
+        width = _WHOLE if order == int(order) else _HALF
+        axes.plot([0.0, reach], [0.0, order * reach / 60.0], color=MUTED, linewidth=width)
+    _number_rays(page, of, room)
+    if of.speed is not None:
+        axes.axvline(float(shown(of.speed, "rpm")), color=COLOURS["T"], linewidth=0.9, dashes=(6.0, 3.0))
+    _draw_levels(axes, of, room)
+    for one in of.crossings:
+        place = [shown(one.speed, "rpm")], [_hertz(one.frequency)]
+        axes.plot(*place, "o", ms=_mark(one, n_cylinders), color=INK, mew=0, zorder=6)
+    _write_speeds(page, of, (box.left, room.bottom - 9.0, box.width))
+
+
+def _draw_levels(axes: Axes, of: Campbell, room: Box) -> None:
+    """Draw the natural frequencies in sight, and name them as far as they have room one above the other."""
+    below = -np.inf
+    for mode, frequency in enumerate(of.frequency.tolist(), start=1):
+        height = room.height * frequency / of.highest_frequency
+        if height > room.height:
+            return
+        axes.axhline(_hertz(frequency), color=COLOURS["s"], linewidth=1.2)
+        if height - below < _APART:
+            continue
+        below = height
+        axes.annotate(
+            set_words(formula(rf"\omega_{{{mode}}}"))["s"],
+            xy=(axes.get_xlim()[1], _hertz(frequency)),
+            xytext=(-2.0, 2.0),
+            textcoords="offset points",
+            ha="right",
+            va="bottom",
+            fontsize=SYMBOL,
+            color=COLOURS["s"],
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.4},
+            zorder=5,
+        )
+
+
+def _number_rays(page: Page, of: Campbell, room: Box) -> None:
+    """Write whole orders at the ends of their rays, as far as they have room side by side. [mm]"""
+    steepest = of.highest_frequency / of.largest_speed
+    before = np.inf, np.inf
+    for order in (order for order in of.order.tolist() if order == int(order)):
+        x = room.left + room.width * min(1.0, steepest / order)
+        y = room.bottom + room.height * min(1.0, order / steepest)
+        if np.hypot(x - before[0], y - before[1]) < _APART:
+            continue
+        before = x, y
+        manner = {"ha": "center", "va": "bottom"} if order > steepest else {"ha": "left", "va": "center_baseline"}
+        page.text(x if order > steepest else x + 1.0, y + 0.6 * (order > steepest), f"{order:g}", **muted(), **manner)
+
+
+def _hertz(speed: float) -> float:
+    return speed / (2 * np.pi)
+
+
+def _mark(one: Crossing, n_cylinders: int) -> float:
+    """Diameter of the mark of a critical speed. [pt]"""
+    if np.isnan(one.weight):
+        return _LARGEST_MARK / 3
+    return max(_LEAST_MARK, _LARGEST_MARK * float(np.sqrt(one.weight / n_cylinders)))
+
+
+def _write_speeds(page: Page, of: Campbell, place: tuple[float, float, float]) -> None:
+    """Write the critical speeds in sight that have the largest marks, by their speed."""
+    left, top, width = place
+    if not of.crossings:
+        words = _("No order up to {order:g} has a natural frequency at the speeds of the diagram.")
+        page.text(left, top, words.format(order=float(of.order[-1])))
+        return
+    has_sums = bool(np.isfinite(of.crossings[0].weight))
+    chosen = sorted(of.crossings, key=lambda one: -one.weight if has_sums else one.order)[:_ROWS]
+    page.heading(left, top, _("Critical speeds with the largest marks") if has_sums else _("Critical speeds"))
+    head = [_("mode"), _("order"), _("speed, rpm"), *([_("vector sum")] if has_sums else [])]
+    rows = [
+        [
+            f"{one.mode}",
+            f"{one.order:g}",
+            f"{shown(one.speed, 'rpm'):.1f}",
+            *([f"{one.vector_sum:.3f}"] if has_sums else []),
+        ]
+        for one in sorted(chosen, key=lambda one: one.speed)
+    ]
+    below = write_table(page, [head, *rows], (left, top - 2.0, width), (0.3, 0.65, 1.0)[: len(head) - 1])
+    if has_sums:
+        notes = (
+            _("Vector sums are those of amplitude 1 at the free end; the marks' areas are"),
+            _("as those of amplitude 1 where the mode has its largest."),
+        )
+        page.notes(left, below + 1.0, notes)

@@ -1,0 +1,96 @@
+"""What holds for every picture: its question has it, its name is its own, it is drawn; panels need no paper."""
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+from pkgutil import iter_modules
+
+import pytest
+
+import cranktrain as ct
+from cranktrain import viz
+from cranktrain.all_questions import QUESTIONS
+from cranktrain.analysis import STAGES
+from cranktrain.catalogue import entries
+from cranktrain.viz import sheets
+
+PACKAGE = Path(viz.__file__).parents[1]
+FOLDERS = sorted(module.name for module in iter_modules(sheets.__path__))
+ABOVE = ("viz", "cli")
+"""Folders whose modules may speak of pictures."""
+
+DATA = [f"{sheets.__name__}.{folder}.panels" for folder in FOLDERS]
+
+
+@pytest.fixture(scope="module")
+def engine():
+    """An example that has all that any picture needs, once its crankshaft twists."""
+    return ct.load("vaz_21213").with_({"torsion": {"stiffness": "0.4 MN·m/rad"}})
+
+
+@pytest.fixture(scope="module")
+def result(engine):
+    return ct.run(engine)
+
+
+def test_folders_are_named_after_questions():
+    assert set(FOLDERS) <= {question.name for question in QUESTIONS}
+
+
+def test_names_are_their_own():
+    names = [(picture.kind, picture.name) for picture in viz.PICTURES]
+    assert len(set(names)) == len(names)
+    functions = [picture.home.partition(":")[2] for picture in viz.PICTURES]
+    assert len(set(functions)) == len(functions)
+    assert set(functions) <= set(dir(viz))
+
+
+def test_what_is_needed_and_what_suffices_are_results():
+    known = {entry.name for stage in STAGES for entry in entries(stage.gives)}
+    for picture in viz.PICTURES:
+        assert set(picture.needs) <= known
+        assert set(picture.quantities or ()) <= known
+
+
+@pytest.mark.parametrize("picture", viz.PICTURES, ids=lambda picture: f"{picture.kind} {picture.name}")
+def test_every_picture_is_drawn(engine, result, tmp_path, picture):
+    draw = getattr(viz, picture.home.partition(":")[2])
+    options = {} if "size" in picture.refused else {"size": "A3"}
+    if picture.name == ".dxf":
+        draw(engine, [30.0], tmp_path / "a.dxf")
+        assert (tmp_path / "a.dxf").stat().st_size > 0
+    elif picture.name == ".gif":
+        assert draw(result, n_frames=2).startswith(b"GIF")
+    elif picture.over == "angles":
+        speed = {} if "speed" in picture.refused else {"speed": "constant"}
+        assert draw(engine, [30.0], **options, **speed).axes
+    else:
+        angle = {} if "at" in picture.refused else {"at": 30.0}
+        assert draw(result, **options, **angle).axes
+
+
+def test_a_picture_says_what_the_machine_lacks():
+    pump = ct.run(ct.Machine(mechanism={"kind": "slider_crank", "stroke": "80 mm", "rod_length": "136 mm"}))
+    for picture in viz.PICTURES:
+        if picture.over == "cycle" and picture.needs:
+            with pytest.raises(ct.InputError, match=r"needs .*\["):
+                picture.function(pump)
+
+
+def test_panels_need_nothing_that_draws():
+    code = f"import sys\nfrom importlib import import_module\nfor name in {DATA!r}: import_module(name)\n"
+    code += "print([name for name in sys.modules if name == 'matplotlib' or name.startswith('cranktrain.viz.paper')])"
+    environment = {"PYTHONPATH": ":".join(filter(None, sys.path))}
+    done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
+    assert done.stdout == "[]\n"
+
+
+def test_nothing_below_names_pictures():
+    """No string of a module below says where its pictures are: faces look for questions, and not the other way."""
+    for path in PACKAGE.rglob("*.py"):
+        if path.relative_to(PACKAGE).parts[0] in ABOVE:
+            continue
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        constants = [node.value for node in ast.walk(tree) if isinstance(node, ast.Constant)]
+        assert not any("viz" in word for word in constants if isinstance(word, str)), path

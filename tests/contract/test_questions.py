@@ -1,0 +1,173 @@
+"""What every question brings: its folder with README, its tables, results, dimensions and sources, in its place."""
+
+import re
+import tomllib
+import types
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Annotated, Any, get_args, get_origin, get_type_hints
+
+import pytest
+
+from cranktrain import textbook
+from cranktrain.all_questions import QUESTIONS
+from cranktrain.analysis import STAGES
+from cranktrain.analysis.dimensions import DIMENSIONS
+from cranktrain.catalogue import entries
+from cranktrain.layout import parts as layout
+from cranktrain.machine import Machine
+from cranktrain.spec import Spec
+
+ROOT = Path(__file__).parents[2]
+FOLDER = ROOT / "src/cranktrain/questions"
+OF_LAYOUT = {"name", "rotation", "running", "crank_zero", "angle", "shaft", "mechanism", "bank"}
+HEADS = ["Tables", "Parts", "Results", "Rests on", "Theory", "What it does not do"]
+
+every_question = pytest.mark.parametrize("question", QUESTIONS, ids=lambda question: question.name)
+
+
+def quantities(question) -> list[str]:
+    """Names of its results, in the order of their stages."""
+    return [entry.name for stage in question.stages for entry in entries(stage.gives)]
+
+
+def levels() -> dict[str, int]:
+    """Of the questions' layers in the settings, the lowest first."""
+    contracts = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["importlinter"]
+    (layers,) = (one["layers"] for one in contracts["contracts"] if one.get("containers") == ["cranktrain.questions"])
+    return {name: level for level, names in enumerate(reversed(layers)) for name in names.split(" | ")}
+
+
+def classes_in(annotation: Any) -> Iterator[type]:
+    """Classes that values of a field are of: of a union all, of a mapping what stands in it by name."""
+    if get_origin(annotation) is Annotated:
+        annotation = get_args(annotation)[0]
+    inner = get_args(annotation)
+    if isinstance(annotation, type) and not isinstance(annotation, types.GenericAlias):
+        yield annotation
+    for one in inner[1:] if len(inner) == 2 and inner[0] is str else inner:
+        yield from classes_in(one)
+
+
+def section(question, head: str) -> str:
+    """What its README has below a head."""
+    text = (FOLDER / question.name / "README.md").read_text(encoding="utf-8")
+    return text.partition(f"\n## {head}\n")[2].partition("\n## ")[0]
+
+
+def test_questions_are_the_folders():
+    folders = {path.parent.name for path in FOLDER.glob("*/__init__.py")}
+    assert sorted(question.name for question in QUESTIONS) == sorted(folders)
+
+
+def test_questions_come_in_the_order_of_their_layers():
+    level = levels()
+    order = [level[question.name] for question in QUESTIONS]
+    assert order == sorted(order)
+
+
+@every_question
+def test_folder_and_pages(question):
+    assert (ROOT / f"docs/questions/{question.name}.md").is_file()
+    text = (FOLDER / question.name / "README.md").read_text(encoding="utf-8")
+    assert text.startswith(f"# {question.name.capitalize()}\n")
+    assert [head for head in re.findall(r"^## (.+)$", text, re.MULTILINE) if head in HEADS] == HEADS
+
+
+@every_question
+def test_readme_names_results_that_there_are_in_their_order(question):
+    """Not all of them: what is new need not be written there."""
+    rows = [line.split(" | ") for line in section(question, "Results").splitlines() if line.startswith("| `")]
+    classes = [stage.gives.__name__ for stage in question.stages]
+    named = [name for row in rows for name in re.findall(r"`(\w+)`", row[0])]
+    assert named == [name for name in classes if name in named]
+    for row in rows:
+        own = re.findall(r"`(\w+)`", row[0])
+        names = [
+            entry.name for stage in question.stages if stage.gives.__name__ in own for entry in entries(stage.gives)
+        ]
+        told = [name for name in re.findall(r"`([a-z_]+)`", row[-1]) if name not in DIMENSIONS]
+        assert told == [name for name in names if name in told]
+
+
+@every_question
+def test_readme_names_its_tables_and_headline(question):
+    assert {key for key in question.tables if f"[{key}" not in section(question, "Tables")} <= {"gravity"}
+    assert [name for name in question.headline if f"`{name}`" not in section(question, "Results")] == []
+
+
+@every_question
+def test_readme_rests_on_the_questions_whose_results_it_needs(question):
+    homes = {stage.gives: one.name for one in QUESTIONS for stage in one.stages}
+    needed = {homes[need] for stage in question.stages for need in stage.needs.values() if need in homes}
+    linked = set(re.findall(r"/docs/questions/(\w+)\.md\)", section(question, "Rests on")))
+    assert needed - {question.name} <= linked
+
+
+@every_question
+def test_sources_are_pages_of_the_theory(question):
+    index = (ROOT / "docs/theory/index.md").read_text(encoding="utf-8")
+    pages = {f"docs/theory/{name}" for name in re.findall(r"^[a-z0-9-]+$", index, re.MULTILINE)} | {"docs/conventions"}
+    sources = {entry.source for stage in question.stages for entry in entries(stage.gives)}
+    assert sources <= pages
+    assert all((ROOT / f"{source}.md").is_file() for source in sources)
+    links = {
+        f"docs/{page}" for page in re.findall(r"\(\.\./\.\./\.\./\.\./docs/(.+?)\.md", section(question, "Theory"))
+    }
+    assert sources <= links
+
+
+@every_question
+def test_dimensions_are_declared(question):
+    for stage in question.stages:
+        for entry in entries(stage.gives):
+            assert set(entry.dimensions) <= set(DIMENSIONS), entry.name
+    used = {name for stage in STAGES for entry in entries(stage.gives) for name in entry.dimensions}
+    assert {dimension.name for dimension in question.dimensions} <= used
+
+
+def test_dimensions_are_declared_once():
+    declared = (
+        *layout.DIMENSIONS,
+        *(one for question in QUESTIONS for one in question.dimensions),
+        *textbook.DIMENSIONS,
+    )
+    assert [name for name, n in Counter(dimension.name for dimension in declared).items() if n > 1] == []
+
+
+@every_question
+def test_headline_is_of_its_own_facts(question):
+    facts = {entry.name for stage in question.stages for entry in entries(stage.gives) if entry.is_fact}
+    assert len(set(question.headline)) == len(question.headline) > 0
+    assert set(question.headline) <= facts
+
+
+@every_question
+def test_tables_are_fields_of_the_machine(question):
+    hints = get_type_hints(Machine, include_extras=True)
+    for key, table in question.tables.items():
+        found = [one for one in classes_in(hints[key]) if issubclass(one, table)]
+        assert found, key
+        assert [one for one in classes_in(hints[key]) if issubclass(one, Spec) and one not in found] == [], key
+
+
+def test_every_table_of_the_machine_is_of_one_question_or_the_layout():
+    keys = [*OF_LAYOUT, *(key for question in QUESTIONS for key in question.tables)]
+    assert sorted(keys) == sorted(Machine.model_fields)
+
+
+@every_question
+def test_stages_live_in_its_folder(question):
+    home = f"cranktrain.questions.{question.name}"
+    for stage in question.stages:
+        assert stage.function.__module__.startswith(f"{home}.")
+        assert stage.gives.__module__.startswith((f"{home}.", "cranktrain.layout."))
+
+
+@every_question
+def test_what_shows_a_use_is_computed_by_then(question):
+    before = QUESTIONS[: QUESTIONS.index(question) + 1]
+    results = {stage.gives for one in before for stage in one.stages}
+    for use in question.uses:
+        assert {*use.results, *filter(None, [use.instead])} <= results
