@@ -279,8 +279,7 @@ class Machine(Spec, frozen=True):
             self.friction,
             {f"{home}guide": table.guide for home, table in homes.items() if table.guide},
             GravitySpec() if self.gravity is True else self.gravity or None,
-            self.first_axis,
-            self.rotation == "clockwise",
+            self.orientation,
         )
 
     @property
@@ -329,9 +328,7 @@ class Machine(Spec, frozen=True):
         """What only the tables together can show to be wrong."""
         places, found = self.arranged
         return found or (
-            *standing_problems(
-                self.shafts, places, first_angle=self.first_axis, clockwise=self.rotation == "clockwise"
-            ),
+            *standing_problems(self.shafts, places, self.orientation),
             *(problem for question in QUESTIONS for problem in question.problems(self.design)),
         )
 

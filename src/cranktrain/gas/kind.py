@@ -53,18 +53,6 @@ class Kink(NamedTuple):
     turn: float
 
 
-def _nothing(model: object) -> tuple[str, ...]:
-    """Tell nothing, for models that read no file."""
-    del model
-    return ()
-
-
-def _no_kinks(model: object, limits: VolumeLimits) -> tuple[Kink, ...]:
-    """Give no kinks, for models that are smooth between the dead centres."""
-    del model, limits
-    return ()
-
-
 _Table = TypeVar("_Table", bound=GasSpec)
 _Model = TypeVar("_Model")
 
@@ -88,11 +76,11 @@ class GasKind(Generic[_Table, _Model]):
     example : str
         A commented `[gas]` table to start from.
     findings : callable (model) → tuple of str
-        What was found in a file and changed, as sentences.
+        What was found in a file and changed, as sentences; nothing of a model that reads no file.
     mean_pressures : callable (model, compression ratio) → MeanPressures, optional
         In closed form, where there is one.
     kinks : callable (model, VolumeLimits) → tuple of Kink
-        Where the pressure is not smooth, beside the dead centres: quadrature stops there.
+        Where the pressure is not smooth, beside the dead centres: quadrature stops there. Nowhere unless given.
     work : callable (model, volume slope) → float, optional
         ∮ p dV of a model that goes through samples, exactly; takes dV/dφ at angles since nominal firing. [J]
     breaks : callable (model) → Array, shape (n,), optional
@@ -109,9 +97,9 @@ class GasKind(Generic[_Table, _Model]):
     pressure: Callable[[ChamberState, _Model], Array]
     flags: Callable[[_Table, _Model], tuple[str, ...]]
     example: str
-    findings: Callable[[_Model], tuple[str, ...]] = _nothing
+    findings: Callable[[_Model], tuple[str, ...]] = lambda model: ()
     mean_pressures: Callable[[_Model, Array], MeanPressures] | None = None
-    kinks: Callable[[_Model, VolumeLimits], tuple[Kink, ...]] = _no_kinks
+    kinks: Callable[[_Model, VolumeLimits], tuple[Kink, ...]] = lambda model, limits: ()
     work: Callable[[_Model, Callable[[Array], Array]], float] | None = None
     breaks: Callable[[_Model], Array] | None = None
     jumps: Callable[[_Model], Array] | None = None

@@ -8,10 +8,10 @@ from pydantic import Field
 
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.gas.indicator.reading import unit_in
-from cranktrain.gas.indicator.table import Table, read_table
+from cranktrain.gas.indicator.table import Table, held_text, read_table
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
-from cranktrain.quantities import Dimension, QuantityError, one_of, read, unit_names
+from cranktrain.quantities import Dimension, is_unit, one_of, read, unit_names
 from cranktrain.spec import Spec
 
 _TURN = 2 * np.pi
@@ -72,11 +72,8 @@ def refuse_unit(field: str, unit: str | None, dimension: Dimension) -> None:
     ------
     InputError
     """
-    if unit is not None:
-        try:
-            read(f"1 {unit}", dimension)
-        except QuantityError:
-            raise InputError([Problem(field, unit, one_of(unit_names(dimension)))]) from None
+    if unit is not None and not is_unit(unit, dimension):
+        raise InputError([Problem(field, unit, one_of(unit_names(dimension)))])
 
 
 def cycle_table(spec: CycleFileSpec, dimension: Dimension, words: Words) -> CycleTable:
@@ -99,10 +96,7 @@ def cycle_table(spec: CycleFileSpec, dimension: Dimension, words: Words) -> Cycl
     InputError
         With what cannot be read in the file, at line and column; or if nobody has read it.
     """
-    if spec.text is None:
-        allowed = _("has not been read: load the machine from its file, or give what the file holds in `text`")
-        raise InputError([Problem("file", spec.file, allowed)])
-    table = read_table(spec.text, spec.file)
+    table = read_table(held_text(spec.file, spec.text), spec.file)
     where, level = _columns(spec, table, words)
     numbers = table.rows
     labels = table.labels or ("",) * numbers.shape[1]

@@ -23,25 +23,31 @@ class Frame(NamedTuple):
     sense: float
 
 
-def frame_of(place: Place, *, first_angle: float, clockwise: bool) -> Frame:
+class Orientation(NamedTuple):
+    """How a machine stands: direction of the first bank's axis from Y in its normal sense [rad], that sense, astern."""
+
+    first_angle: float
+    is_clockwise: bool
+    is_astern: bool
+
+
+def frame_of(place: Place, orientation: Orientation) -> Frame:
     """Find how a place of a machine lies.
 
     Parameters
     ----------
     place : Place
         Its axis counts from the first bank's, in the sense of its crank.
-    first_angle : float
-        Of the first bank's axis from Y, in the machine's normal sense. [rad]
-    clockwise : bool
-        The machine's normal sense. Where a crank turns against it, the metal stays and y is turned the other way.
+    orientation : Orientation
+        Where a crank turns against the machine's normal sense, the metal stays and y is turned the other way.
 
     Returns
     -------
     Frame
     """
-    normal = 1.0 if clockwise else -1.0
+    normal = 1.0 if orientation.is_clockwise else -1.0
     sense = normal * place.sense
-    return Frame(normal * first_angle + sense * place.axis, sense)
+    return Frame(normal * orientation.first_angle + sense * place.axis, sense)
 
 
 def in_machine_axes(x: Array, y: Array, frame: Frame) -> tuple[Array, Array]:
@@ -67,14 +73,6 @@ def in_machine_axes(x: Array, y: Array, frame: Frame) -> tuple[Array, Array]:
     """
     cos, sin = np.cos(frame.direction), np.sin(frame.direction)
     return x * sin + frame.sense * y * cos, x * cos - frame.sense * y * sin
-
-
-class Orientation(NamedTuple):
-    """How a machine stands: direction of the first bank's axis from Y in its normal sense [rad], that sense, astern."""
-
-    first_angle: float
-    is_clockwise: bool
-    is_astern: bool
 
 
 @record
@@ -114,13 +112,13 @@ def frames_of(designs: Sequence[Sequence[Place]], orientations: Sequence[Orienta
     running = -1.0 if orientations[0].is_astern else 1.0
     sense = running if orientations[0].is_clockwise else -running
     frames = [
-        [frame_of(place, first_angle=of.first_angle, clockwise=of.is_clockwise) for place in design]
-        for design, of in zip(designs, orientations, strict=True)
+        [frame_of(place, orientation) for place in design]
+        for design, orientation in zip(designs, orientations, strict=True)
     ]
     return Frames(
         direction=sense * np.array([[frame.direction for frame in design] for design in frames]),
         sense=sense * np.array([frame.sense for frame in frames[0]]),
-        first=running * np.array([of.first_angle for of in orientations]),
+        first=running * np.array([orientation.first_angle for orientation in orientations]),
         running=running,
         clockwise=sense > 0,
     )

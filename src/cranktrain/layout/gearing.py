@@ -25,12 +25,16 @@ class _Crank(NamedTuple):
 
 
 class _Pair(NamedTuple):
-    """A bank of opposed pistons as a tie between two shafts: the exhaust crank is ahead by the lead. [rad]"""
+    """A bank of opposed pistons as a tie between two shafts: the exhaust crank is ahead by the lead. [rad]
+
+    And what the file gives for the lead.
+    """
 
     bank: str
     exhaust: _Crank
     scavenge: _Crank
     lead: float
+    given: str
 
 
 def opposed_angle(bank: BankSpec, end: str) -> float:
@@ -75,14 +79,20 @@ def shaft_phases(
     """
     first = first_axis(banks)
     pairs = [
-        _Pair(name, _crank(shafts, bank, "exhaust", first), _crank(shafts, bank, "scavenge", first), bank.lead.si)
+        _Pair(
+            name,
+            _crank(shafts, bank, "exhaust", first),
+            _crank(shafts, bank, "scavenge", first),
+            bank.lead.si,
+            bank.lead.text,
+        )
         for name, bank in banks.items()
         if bank.lead is not None
     ]
     given = {name: shaft.phase.si for name, shaft in shafts.items() if shaft.phase is not None}
     phases, excess = _propagated(tuple(shafts), {MAIN: 0.0, **given}, pairs)
     return phases, tuple(
-        Problem(f"bank.{pair.bank}.lead", _given(banks, pair), _allowed(shafts, given, pairs, pair, over))
+        Problem(f"bank.{pair.bank}.lead", pair.given, _allowed(shafts, given, pairs, pair, over))
         for pair, over in excess
         if abs(over) > _CLOSED
     )
@@ -103,6 +113,11 @@ def _propagated(
     phases = dict(known)
     rest = list(pairs)
     excess: list[tuple[_Pair, float]] = []
+
+    def angle(crank: _Crank) -> float:
+        """Of a crank on a shaft that stands, from its cylinder's axis, in its own sense. [rad]"""
+        return crank.sense * (phases[crank.shaft] + crank.ahead)
+
     while rest:
         reached = next((pair for pair in rest if {pair.exhaust.shaft, pair.scavenge.shaft} & phases.keys()), None)
         if reached is None:
@@ -111,33 +126,17 @@ def _propagated(
             continue
         rest.remove(reached)
         exhaust, scavenge, lead = reached.exhaust, reached.scavenge, reached.lead
-        if exhaust.shaft in phases and scavenge.shaft in phases:
-            excess.append((reached, _around_zero(lead - _lead(phases, reached))))
-        elif exhaust.shaft in phases:
-            angle = exhaust.sense * (phases[exhaust.shaft] + exhaust.ahead) - lead
-            phases[scavenge.shaft] = _around_zero(scavenge.sense * angle - scavenge.ahead)
-        else:
-            angle = scavenge.sense * (phases[scavenge.shaft] + scavenge.ahead) + lead
-            phases[exhaust.shaft] = _around_zero(exhaust.sense * angle - exhaust.ahead)
+        if {exhaust.shaft, scavenge.shaft} <= phases.keys():
+            excess.append((reached, _around_zero(lead - (angle(exhaust) - angle(scavenge)))))
+            continue
+        standing, other, ahead = (exhaust, scavenge, -lead) if exhaust.shaft in phases else (scavenge, exhaust, lead)
+        phases[other.shaft] = _around_zero(other.sense * (angle(standing) + ahead) - other.ahead)
     return {name: phases.get(name, 0.0) for name in shafts}, excess
-
-
-def _lead(phases: Mapping[str, float], pair: _Pair) -> float:
-    """By how much the exhaust crank is ahead as the shafts stand. [rad]"""
-    exhaust, scavenge = (crank.sense * (phases[crank.shaft] + crank.ahead) for crank in (pair.exhaust, pair.scavenge))
-    return exhaust - scavenge
 
 
 def _around_zero(angle: float) -> float:
     """Bring an angle into [−π, π)."""
     return float(around_zero(single(angle)))
-
-
-def _given(banks: Mapping[str, BankSpec], pair: _Pair) -> str:
-    """What stands in the file."""
-    lead = banks[pair.bank].lead
-    assert lead is not None  # it is one of the pairs
-    return lead.text
 
 
 def _allowed(

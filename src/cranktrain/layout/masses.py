@@ -9,7 +9,7 @@ import numpy as np
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, GravitySpec, GuideSpec
-from cranktrain.layout.frames import frame_of
+from cranktrain.layout.frames import Orientation, frame_of
 from cranktrain.layout.guide_tables import Edges, edges_of
 from cranktrain.layout.part_tables import PISTON, SLIDER, nearest_item, part_name, table_paths
 from cranktrain.layout.places import Place
@@ -85,16 +85,14 @@ def bodies_given(masses: Masses | None) -> bool | str:
 class Weighed(NamedTuple):
     """What a machine file says of masses: bodies by path of their table, friction by slider, and what weighs on them.
 
-    guides has the guides of what slides, by path of their table; gravity is None where weights do not count;
-    first_angle [rad] and is_clockwise say how the machine's axes lie.
+    guides has the guides of what slides, by path of their table; gravity is None where weights do not count.
     """
 
     bodies: Mapping[str, Mapping[str, BodySpec]]
     friction: Mapping[str, Given]
     guides: Mapping[str, Mapping[str, GuideSpec]]
     gravity: GravitySpec | None
-    first_angle: float
-    is_clockwise: bool
+    orientation: Orientation
 
 
 def _length(place: Place, part: str) -> float | None:
@@ -237,8 +235,8 @@ def _gravity(place: Place, given: Weighed) -> Gravity:
     """Gravity in the mechanism's axes. [m/s²]"""
     if given.gravity is None:
         return Gravity(single(0.0), single(0.0))
-    direction, sense = frame_of(place, first_angle=given.first_angle, clockwise=given.is_clockwise)
-    tilt = given.gravity.direction.si if given.is_clockwise else -given.gravity.direction.si
+    direction, sense = frame_of(place, given.orientation)
+    tilt = given.gravity.direction.si if given.orientation.is_clockwise else -given.gravity.direction.si
     up, pull = direction - tilt, given.gravity.acceleration.si
     return Gravity(single(-pull * cos(up)), single(pull * sense * sin(up)))
 

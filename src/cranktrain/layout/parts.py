@@ -71,8 +71,8 @@ def layout_parts(designs: Designs) -> Iterator[object | None]:
     yield from _speed_parts(designs)
 
 
-def _speed_parts(designs: Designs) -> Iterator[object]:
-    """Give what the file says of how the main shaft turns."""
+def _speed_parts(designs: Designs) -> Iterator[object | None]:
+    """What the file says of how the main shaft turns; None stands for a curve that it has not."""
     shafts = [design.main_shaft for design in designs.each]
     grid = designs.crank_angle
     speeds = np.array([shaft.speed.si for shaft in shafts if shaft.speed is not None])
@@ -87,5 +87,4 @@ def _speed_parts(designs: Designs) -> Iterator[object]:
         yield Speed(speeds[:, np.newaxis, np.newaxis], curve)
     elif curve is not None:
         yield Speed(curve.mean, curve)
-    if curve is not None:
-        yield curve
+    yield curve

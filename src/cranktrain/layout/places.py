@@ -15,8 +15,8 @@ from cranktrain.record import record
 
 
 @record
-class Place:
-    """One mechanism of a machine.
+class _Slot:
+    """Where a mechanism works, before its geometry is known.
 
     Attributes
     ----------
@@ -28,21 +28,11 @@ class Place:
         The shaft that it works on.
     throw : int
         Which throw of the shaft, from 0.
-    sense : float
-        +1 where its crank turns in the machine's normal sense, −1 where it turns against it: astern, or on a shaft that
-        is geared the other way.
     stagger : float
         Of its bank along the shaft, toward the flywheel. [m]
-    axis : float
-        Direction of the mechanism's x from the first bank's, in the sense of its crank. [rad]
-    throw_angle : float
-        Of its throw at φ = 0, ahead of where throw 1 of the main shaft stands, in the sense of its crank. [rad]
-    phase : float
-        Angle of the kernel's crank where φ is 0; a slave's kernel counts from its master's axis. [rad]
-    kind : Kind
+    file_axis : float
+        Direction of the mechanism's x from Y, in the file's sense. [rad]
     spec : MechanismSpec
-    geometry : NamedTuple of floats
-        Mirrored where its crank turns against the normal sense.
     path : str
         Of the mechanism's table in the machine file.
     lists : mapping of str to str
@@ -55,14 +45,9 @@ class Place:
     is_far: bool
     shaft: str
     throw: int
-    sense: float
     stagger: float
-    axis: float
-    throw_angle: float
-    phase: float
-    kind: AnyKind
+    file_axis: float
     spec: MechanismSpec
-    geometry: AnyGeometry
     path: str
     lists: Mapping[str, str]
 
@@ -70,27 +55,38 @@ class Place:
         """Path of one of its fields in the machine file."""
         return f"{self.path}.{field}{self.lists.get(field, '')}"
 
+
+@record
+class Place(_Slot):
+    """One mechanism of a machine: where it works, and how it stands there.
+
+    Attributes
+    ----------
+    sense : float
+        +1 where its crank turns in the machine's normal sense, −1 where it turns against it: astern, or on a shaft that
+        is geared the other way.
+    axis : float
+        Direction of the mechanism's x from the first bank's, in the sense of its crank. [rad]
+    throw_angle : float
+        Of its throw at φ = 0, ahead of where throw 1 of the main shaft stands, in the sense of its crank. [rad]
+    phase : float
+        Angle of the kernel's crank where φ is 0; a slave's kernel counts from its master's axis. [rad]
+    kind : Kind
+    geometry : NamedTuple of floats
+        Mirrored where its crank turns against the normal sense.
+    """
+
+    sense: float
+    axis: float
+    throw_angle: float
+    phase: float
+    kind: AnyKind
+    geometry: AnyGeometry
+
     @property
     def nominal_top(self) -> float:
         """φ at which the crank points along the mechanism's x. [rad]"""
         return self.axis - self.throw_angle
-
-
-@record
-class _Slot:
-    """A place before its geometry is known: bank and throw by index, angle of its axis from Y in the file's sense."""
-
-    name: str
-    cylinder: str
-    bank: str
-    is_far: bool
-    shaft: str
-    throw: int
-    stagger: float
-    angle: float
-    spec: MechanismSpec
-    path: str
-    lists: Mapping[str, str]
 
 
 def places_of(
@@ -129,31 +125,22 @@ def places_of(
         hung = None
         if master is not None:
             master_kind = kind_of(master.spec)
-            hung = Master(master_kind.geometry(master.spec, None), slot.angle - master.angle)
+            hung = Master(master_kind.geometry(master.spec, None), slot.file_axis - master.file_axis)
         geometry = kind.geometry(slot.spec, hung)
-        kernel_axis = (master or slot).angle - first
+        kernel_axis = (master or slot).file_axis - first
         shaft = shafts[slot.shaft]
         throw_angle = phases[slot.shaft] + shaft.throws[slot.throw].si - shaft.throws[0].si
         # A crank that turns the other way is the same metal seen with y reversed, at the same φ.
         sense = -float(shaft.ratio) if astern else float(shaft.ratio)
         places.append(
             Place(
-                name=slot.name,
-                cylinder=slot.cylinder,
-                bank=slot.bank,
-                is_far=slot.is_far,
-                shaft=slot.shaft,
-                throw=slot.throw,
+                **vars(slot),
                 sense=sense,
-                stagger=slot.stagger,
-                axis=sense * (slot.angle - first),
+                axis=sense * (slot.file_axis - first),
                 throw_angle=sense * throw_angle,
                 phase=sense * (throw_angle - kernel_axis),
                 kind=kind,
-                spec=slot.spec,
                 geometry=mirrored(geometry) if sense < 0 else geometry,
-                path=slot.path,
-                lists=slot.lists,
             )
         )
     return (() if problems else tuple(places)), tuple(dict.fromkeys(problems))
@@ -181,7 +168,7 @@ def _slots(
                     shaft=spec.shaft,
                     throw=throw - 1,
                     stagger=spec.stagger.si,
-                    angle=spec.angle[k].si,
+                    file_axis=spec.angle[k].si,
                     spec=spec.mechanism[k],
                     path=f"{path}mechanism",
                     lists=dict.fromkeys(lists, f"[{k}]"),
@@ -203,7 +190,7 @@ def _slots(
                     shaft=piston.shaft,
                     throw=throw - 1,
                     stagger=spec.stagger.si,
-                    angle=opposed_angle(spec, end),
+                    file_axis=opposed_angle(spec, end),
                     spec=piston.mechanism,
                     path=f"{path}{end}.mechanism",
                     lists={},
@@ -252,7 +239,7 @@ def _master_of(slot: _Slot, slots: Sequence[_Slot]) -> _Slot | Problem | None:
     if field is None:
         return None
     name = getattr(spec, field)
-    path = f"{slot.path}.{field}{slot.lists.get(field, '')}"
+    path = slot.path_of(field)
     in_bank = [other for other in slots if other.bank == name]
     if not in_bank:
         banks = ", ".join(dict.fromkeys(other.bank for other in slots if other.bank != slot.bank and other.bank))

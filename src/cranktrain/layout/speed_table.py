@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import ClassVar, NamedTuple, Self
+from typing import ClassVar, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -41,20 +41,12 @@ class SpeedCurveSpec(CycleFileSpec, frozen=True):
         """Refuse a unit that is none, and a file that cannot be read as a speed curve."""
         refuse_unit("speed_unit", self.speed_unit, Dimension.SPEED)
         if self.text is not None:
-            speed_knots(self)
+            speeds_of(self)
         return self
 
 
-class SpeedKnots(NamedTuple):
-    """Speeds as a file gives them, over one turn or two: angles as crank angles are shown [rad], speeds [rad/s]."""
-
-    angles: Array
-    speeds: Array
-    period: float
-
-
 @lru_cache(maxsize=8)
-def speed_knots(spec: SpeedCurveSpec) -> SpeedKnots:
+def speeds_of(spec: SpeedCurveSpec) -> CycleTable:
     """Read the speeds that the spec holds.
 
     Parameters
@@ -63,7 +55,8 @@ def speed_knots(spec: SpeedCurveSpec) -> SpeedKnots:
 
     Returns
     -------
-    SpeedKnots
+    CycleTable
+        With speeds in SI, its angles as crank angles are shown. [rad/s, rad]
 
     Raises
     ------
@@ -80,7 +73,7 @@ def speed_knots(spec: SpeedCurveSpec) -> SpeedKnots:
         problems = _shape_problems(spec, table)
     if problems:
         raise InputError(problems)
-    return SpeedKnots(table.angles, table.values * read(f"1 {unit}", Dimension.SPEED), table.period)
+    return table._replace(values=table.values * read(f"1 {unit}", Dimension.SPEED))
 
 
 def _shape_problems(spec: CycleFileSpec, table: CycleTable) -> list[Problem]:
@@ -89,7 +82,7 @@ def _shape_problems(spec: CycleFileSpec, table: CycleTable) -> list[Problem]:
         return [Problem("file", spec.file, _("must have at least {n} angles of a turn").format(n=_FEWEST))]
     if not np.all(table.values > 0):
         return [Problem("file", spec.file, _("must have speeds of more than 0 all round"))]
-    square = _square(SpeedKnots(table.angles, table.values, table.period), len(table.angles), table.period)
+    square = _square(table, len(table.angles), table.period)
     steps = np.diff(table.angles, append=table.angles[0] + table.period)
     between = table.angles[:, np.newaxis] + steps[:, np.newaxis] * np.arange(_LOOKED_AT) / _LOOKED_AT
     if np.all(square.value(between.ravel()) > 0):
@@ -99,9 +92,9 @@ def _shape_problems(spec: CycleFileSpec, table: CycleTable) -> list[Problem]:
     ]
 
 
-def _square(knots: SpeedKnots, n_points: int, cycle: float) -> PeriodicCurve:
+def _square(speeds: CycleTable, n_points: int, cycle: float) -> PeriodicCurve:
     """ω² over the crank angle as it is shown: the spline through that of the file. [rad²/s²]"""
-    return knotted_curve(knots.angles, knots.speeds**2, knots.period, n_points, cycle)
+    return knotted_curve(speeds.angles, speeds.values**2, speeds.period, n_points, cycle)
 
 
 def tabled_speed(specs: Sequence[SpeedCurveSpec], n_points: int, cycle: float, *, zero: Array) -> SpeedCurve:
@@ -130,20 +123,20 @@ def tabled_speed(specs: Sequence[SpeedCurveSpec], n_points: int, cycle: float, *
     -----
     ω² is the periodic cubic spline through the file's, wherever its angles are. docs/theory/evenness, eq. (17.19).
     """
-    files = [speed_knots(spec) for spec in specs]
-    if any(knots.period > cycle * 1.5 for knots in files):
+    files = [speeds_of(spec) for spec in specs]
+    if any(speeds.period > cycle * 1.5 for speeds in files):
         allowed = _("goes on over two turns, and the cycle of this machine is one")
         raise InputError([Problem("shaft.main.speed_curve.file", None, allowed)])
-    squares = [_square(knots, n_points, cycle) for knots in files]
+    squares = [_square(speeds, n_points, cycle) for speeds in files]
     together = side_by_side(squares)
     square = together._replace(samples=np.stack([one.samples for one in squares]))
-    mean = np.array([_mean_over_time(knots, one) for knots, one in zip(files, squares, strict=True)])
+    mean = np.array([_mean_over_time(speeds, one) for speeds, one in zip(files, squares, strict=True)])
     return SpeedCurve(square, zero, mean[:, np.newaxis, np.newaxis], is_steady_running=False)
 
 
-def _mean_over_time(knots: SpeedKnots, square: PeriodicCurve) -> float:
+def _mean_over_time(speeds: CycleTable, square: PeriodicCurve) -> float:
     """Angle of a period over the time that it takes. [rad/s]"""
-    half = np.diff(knots.angles, append=knots.angles[0] + knots.period)[:, np.newaxis] / 2
-    angle = knots.angles[:, np.newaxis] + half * (1 + _NODES)
+    half = np.diff(speeds.angles, append=speeds.angles[0] + speeds.period)[:, np.newaxis] / 2
+    angle = speeds.angles[:, np.newaxis] + half * (1 + _NODES)
     time = np.sum(half * _WEIGHTS / np.sqrt(square.value(angle.ravel()).reshape(angle.shape)))
-    return float(knots.period / time)
+    return float(speeds.period / time)

@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
-from cranktrain.layout.frames import frame_of, in_machine_axes
+from cranktrain.layout.frames import Orientation, frame_of, in_machine_axes
 from cranktrain.layout.places import Place
 from cranktrain.layout.specs import MAIN, ShaftSpec
 from cranktrain.motion import Array, single
@@ -24,7 +24,7 @@ def shaft_centres(shafts: Mapping[str, ShaftSpec]) -> dict[str, Array]:
 
 
 def standing_problems(
-    shafts: Mapping[str, ShaftSpec], places: Sequence[Place], *, first_angle: float, clockwise: bool
+    shafts: Mapping[str, ShaftSpec], places: Sequence[Place], orientation: Orientation
 ) -> tuple[Problem, ...]:
     """Find shafts that stand so that opposed pistons would not share a cylinder, or would meet in it.
 
@@ -32,9 +32,7 @@ def standing_problems(
     ----------
     shafts : mapping of name to ShaftSpec
     places : sequence of Place
-    first_angle : float
-        Of the first bank's axis from Y, in the machine's normal sense. [rad]
-    clockwise : bool
+    orientation : Orientation
 
     Returns
     -------
@@ -50,16 +48,16 @@ def standing_problems(
         if len(pair) != 2 or pair[0].shaft == pair[1].shaft or not {pair[0].shaft, pair[1].shaft} <= centres.keys():
             continue
         named = next(place.shaft for place in reversed(pair) if place.shaft != MAIN)
-        allowed = _wrong(pair, centres, first_angle=first_angle, clockwise=clockwise)
+        allowed = _wrong(pair, centres, orientation)
         given = shafts[named].place
         if allowed is not None and given is not None:
             found.setdefault(named, Problem(f"shaft.{named}.place", ", ".join(part.text for part in given), allowed))
     return tuple(found.values())
 
 
-def _wrong(pair: Sequence[Place], centres: Mapping[str, Array], *, first_angle: float, clockwise: bool) -> str | None:
+def _wrong(pair: Sequence[Place], centres: Mapping[str, Array], orientation: Orientation) -> str | None:
     """Say what is wrong with the places of two pistons' shafts; None where nothing is."""
-    frames = [frame_of(place, first_angle=first_angle, clockwise=clockwise) for place in pair]
+    frames = [frame_of(place, orientation) for place in pair]
     along = np.array(in_machine_axes(single(1.0), single(0.0), frames[0]))
     lines = [
         centres[place.shaft]

@@ -10,7 +10,6 @@ from cranktrain.language import N_
 from cranktrain.layout.places import Place
 from cranktrain.layout.specs import MAIN, ShaftSpec
 from cranktrain.layout.standing import shaft_centres
-from cranktrain.motion import Array
 from cranktrain.numerics.gathering import gathered
 from cranktrain.numerics.harmonics import ComplexArray
 from cranktrain.record import record
@@ -74,10 +73,6 @@ def shaft_centres_of(
         return None
     return ShaftCentres(
         np.array(
-            [[_point(known[place.shaft]) for place in design] for known, design in zip(centres, designs, strict=True)]
+            [[complex(*known[place.shaft]) for place in design] for known, design in zip(centres, designs, strict=True)]
         )
     )
-
-
-def _point(place: Array) -> complex:
-    return complex(place[0], place[1])

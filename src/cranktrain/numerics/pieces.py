@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
+from cranktrain.numerics.series import around_zero
 
 _ABOUT = 1.2
 """How far from a grid point that is a peak the curve's own may be, in steps: a break on the next point lies within."""
@@ -168,7 +169,7 @@ def _places(known: Array, scale: Array, has_break: NDArray[np.bool_]) -> NDArray
 def _edges(breaks: Array, centre: Array, step: float, n_points: int) -> Array:
     """Ends of the pieces about each peak, from its grid point, shape (curve, peak, piece + 1). [rad]"""
     wide, period = _ABOUT * step, step * n_points
-    away = np.mod(breaks[:, np.newaxis, :] - centre[..., np.newaxis] + period / 2, period) - period / 2
+    away = around_zero(breaks[:, np.newaxis, :] - centre[..., np.newaxis], period)
     inside = np.sort(np.where(np.abs(away) < wide - _ONE_BREAK, away, wide), axis=-1)
     if inside.shape[-1]:
         inside[..., 1:][np.diff(inside, axis=-1) < _ONE_BREAK] = wide

@@ -18,9 +18,9 @@ def turn_grid(n_points: int = 720) -> Array:
     return np.arange(n_points, dtype=np.float64) * (2 * np.pi / n_points)
 
 
-def around_zero(angle: Array) -> Array:
-    """Bring angles into [−π, π). [rad]"""
-    return np.mod(angle + np.pi, 2 * np.pi) - np.pi
+def around_zero(angle: Array, period: float = 2 * np.pi) -> Array:
+    """Bring angles into the period whose middle is 0: into [−π, π) unless said. [rad]"""
+    return np.mod(angle + period / 2, period) - period / 2
 
 
 def unwrapped(angle: Array) -> Array:

@@ -6,8 +6,6 @@ All axes are the machine's, X right and Y up, seen from the free end.
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-import numpy as np
-
 from cranktrain.linkage.forces import Wrench
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.dynamics import FRAME, AnyDynamics, Reaction
@@ -119,9 +117,7 @@ def _reactions(machine: Machine, one: Member, joints: Sequence[Wrench]) -> Itera
     """Reactions of a mechanism's own joints, X and Y of shape (2, n); a slave's share of its master's are none."""
     for reaction, wrench in zip(one.dynamics.reactions, joints, strict=True):
         if reaction.on in one.dynamics.moving:
-            shape = (1, len(one.loaded.mechanisms.groups[one.group].index), len(one.angle))
-            x, y = (np.broadcast_to(part, shape)[0, one.member] for part in (wrench.x, wrench.y))
-            yield reaction, turned_to_machine(machine, one.place, x, y)
+            yield reaction, turned_to_machine(machine, one.place, one.own(wrench.x), one.own(wrench.y))
 
 
 def _reactions_on(

@@ -5,7 +5,7 @@ All axes are the machine's, X right and Y up, seen from the free end.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -14,12 +14,12 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.layout.frames import in_machine_axes
 from cranktrain.layout.places import Place
-from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity, Wrench
+from cranktrain.linkage.forces import NO_FRICTION, WEIGHTLESS, Body, Conditions, Drive, Gravity, Wrench
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.dynamics import FRAME, AnyDynamics
 from cranktrain.mechanisms.geometry import rows
 from cranktrain.mechanisms.kind import AnyGeometry, AnyMotion
-from cranktrain.motion import Array
+from cranktrain.motion import ZERO, Array
 from cranktrain.plans.placement import frame
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 
@@ -27,6 +27,9 @@ Cause = Literal["load", "weight", "inertia", "reaction"]
 
 _STEP = 10.0
 """Of the grid on which a machine is made ready; the forces themselves are asked for at any angle. [deg]"""
+
+NO_BODY = Body(ZERO, ZERO, ZERO, ZERO)
+"""A link without mass."""
 
 MASTER_ROD = "master_rod"
 """What a slave calls its master's rod."""
@@ -54,6 +57,11 @@ class Member:
     size: AnyGeometry
     bodies: tuple[Body, ...]
     gravity: Gravity
+
+    def own(self, values: Array) -> Array:
+        """Give its own, shape (n,), of values of its group's members, broadcastable to (1, member, n)."""
+        members = self.loaded.mechanisms.groups[self.group].index
+        return np.broadcast_to(values, (1, members.size, self.angle.size))[0, self.member]
 
     @property
     def dynamics(self) -> AnyDynamics:
@@ -143,17 +151,21 @@ def loads_of(one: Member) -> Sequence[Wrench]:
     return [Wrench(*(np.broadcast_to(part, value.shape) for part in load)) for load in loads]
 
 
+def unloaded(one: Member) -> Any:
+    """Loads of nothing on all links."""
+    return one.dynamics.load(one.motion, one.size, np.zeros((1, 1)))
+
+
+def body_alone(one: Member, i: int, body: Body) -> Any:
+    """Bodies of all links, of which only one has mass."""
+    return one.dynamics.bodies(*(body if j == i else NO_BODY for j in range(len(one.bodies))))
+
+
 def _inertia(one: Member, i: int) -> tuple[Array, Array]:
     """Inertia force of one link, in the mechanism's axes: what the frame bears where nothing else has mass. [N]"""
-    nothing = Body(*(np.zeros((1, 1)) for _part in Body._fields))
-    bodies = one.dynamics.bodies(*(body if j == i else nothing for j, body in enumerate(one.bodies)))
-    unloaded = one.dynamics.load(one.motion, one.size, np.zeros((1, 1)))
-    conditions = Conditions(
-        one.drive,
-        Gravity(np.zeros((1, 1)), np.zeros((1, 1))),
-        tuple(NO_FRICTION for _slider in one.dynamics.sliding),
-    )
-    joints = one.dynamics.forces(one.motion, one.size, bodies, unloaded, conditions).joints
+    bodies = body_alone(one, i, one.bodies[i])
+    conditions = Conditions(one.drive, WEIGHTLESS, tuple(NO_FRICTION for _slider in one.dynamics.sliding))
+    joints = one.dynamics.forces(one.motion, one.size, bodies, unloaded(one), conditions).joints
     on_frame = [w for reaction, w in zip(one.dynamics.reactions, joints, strict=True) if reaction.by == FRAME]
     x, y = (
         -np.sum([np.broadcast_to(part, (1, len(one.angle)))[0] for part in parts], axis=0)

@@ -21,7 +21,7 @@ from cranktrain.plans.acted_links import (
 )
 from cranktrain.plans.acting import Force, Member, pair_symbol, turned_to_machine
 from cranktrain.plans.force_sides import INITIAL, GroupForces, PolygonForce, Span
-from cranktrain.plans.rubbing import friction_on_links
+from cranktrain.plans.rubbing import friction_on_links, rubbing_force
 
 _NOTHING = 1e-9
 """A force less than this part of the mechanism's largest is none."""
@@ -73,11 +73,10 @@ def _of_mechanism(machine: Machine, seen: Seen) -> Iterator[GroupForces]:
 
 def _friction(machine: Machine, seen: Seen) -> dict[tuple[str, str], Array]:
     """Forces of friction, shape (2,), by the links on and by which they act."""
-    found: dict[tuple[str, str], Array] = {}
-    for rubbing in friction_on_links(seen.one):
-        x, y = rubbing.wrench.x[0], rubbing.wrench.y[0]
-        found[rubbing.on, rubbing.by] = turned_to_machine(machine, seen.one.place, x, y)[:, 0]
-    return found
+    return {
+        (rubbing.on, rubbing.by): rubbing_force(machine, seen.one, rubbing)[:, 0]
+        for rubbing in friction_on_links(seen.one)
+    }
 
 
 class _Laying(NamedTuple):
@@ -188,6 +187,4 @@ class _Laying(NamedTuple):
     def _moment(self) -> float:
         """Balancing moment on the crank, in the sense in which its shaft turns. [N·m]"""
         one = self.seen.one
-        group = one.loaded.mechanisms.groups[one.group]
-        torque = one.loaded.solved(one.angle)[one.group].forces.driving_torque
-        return float(np.broadcast_to(torque, (1, len(group.index), 1))[0, one.member, 0])
+        return float(one.own(one.loaded.solved(one.angle)[one.group].forces.driving_torque)[0])

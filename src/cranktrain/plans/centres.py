@@ -9,11 +9,11 @@ import numpy as np
 
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.drawing import Block, Drawing
-from cranktrain.motion import Array
+from cranktrain.motion import Array, Coefficient
 from cranktrain.plans.lettering import lettered
 from cranktrain.plans.placement import place_called, placed
 from cranktrain.plans.positions import closed_angles
-from cranktrain.plans.vectors import spoken_name
+from cranktrain.plans.vectors import cross, pin_coefficients, spoken_name, turned_left
 
 _Sort = Literal["frame", "link", "slider", "block"]
 
@@ -126,47 +126,26 @@ def instant_centres(
     drawing = placed(machine, place, np.array([np.deg2rad(angle) + machine.zero]))
     if is_lettered:
         drawing = lettered(drawing)
-    pins = {name: _pin_motion(drawing, name) for name in drawing.pins}
+    pins = {name: pin_coefficients(drawing, name, 0) for name in drawing.pins}
     with np.errstate(all="ignore"):  # where links only just close velocities have no bound, and centres are nowhere
         bodies, across = _bodies(drawing, pins)
         centres = tuple(_centre(bodies, pair, pins, across) for pair in combinations(range(len(bodies)), 2))
     return InstantCentres(place.name, angle, bodies, centres, drawing)
 
 
-class _PinMotion(NamedTuple):
-    """Place of a pin, its first and second derivative by the crank angle: X and Y. [m, m/rad, m/rad²]"""
-
-    place: Array
-    first: Array
-    second: Array
-
-
-def _pin_motion(drawing: Drawing, name: str) -> _PinMotion:
-    return _PinMotion(*(np.array([x[0], y[0]]) for x, y in zip(*drawing.pins[name], strict=True)))
-
-
-def _cross(one: Array, other: Array) -> float:
-    return float(one[0] * other[1] - one[1] * other[0])
-
-
-def _turned(vector: Array) -> Array:
-    """Turn by 90° anticlockwise."""
-    return np.array([-vector[1], vector[0]])
-
-
 def _away(vector: Array) -> float:
     return float(np.arctan2(vector[1], vector[0]))
 
 
-_Pins = Mapping[str, _PinMotion]
+_Pins = Mapping[str, Coefficient]
 
 
 def _turning(pins: _Pins, link: Sequence[str]) -> float:
     """Turn of a link for each radian of the crank, anticlockwise, by its first pin and the one farthest from it."""
     first = pins[link[0]]
-    last = max((pins[name] for name in link[1:]), key=lambda pin: float(np.hypot(*(pin.place - first.place))))
-    arm = last.place - first.place
-    return _cross(arm, last.first - first.first) / float(np.dot(arm, arm))
+    last = max((pins[name] for name in link[1:]), key=lambda pin: float(np.hypot(*(pin.value - first.value))))
+    arm = last.value - first.value
+    return cross(arm, last.first - first.first) / float(np.dot(arm, arm))
 
 
 def _bodies(drawing: Drawing, pins: _Pins) -> tuple[tuple[Body, ...], dict[tuple[int, int], float]]:
@@ -175,7 +154,7 @@ def _bodies(drawing: Drawing, pins: _Pins) -> tuple[tuple[Body, ...], dict[tuple
 
     def body(sort: _Sort, name: str, its_pins: tuple[str, ...], turning: float) -> Body:
         pin = pins[its_pins[0]]
-        return Body(sort, name, its_pins, turning, pin.first / sense - turning * _turned(pin.place))
+        return Body(sort, name, its_pins, turning, pin.first / sense - turning * turned_left(pin.value))
 
     found = [Body("frame", "", tuple(drawing.fixed), 0.0, np.zeros(2))]
     found += [body("link", link.name, link.pins, _turning(pins, link.pins) / sense) for link in drawing.links]
@@ -203,7 +182,7 @@ def _slot_direction(block: Block, pins: _Pins) -> float:
     """Direction of a slot: of its link, or if that does not turn the one in which the pin slides. [rad]"""
     pin, base, end = (pins[name] for name in (block.pin, block.link[0], block.link[-1]))
     if len(block.link) > 1:
-        return _away(end.place - base.place)
+        return _away(end.value - base.value)
     slides = pin.first - base.first
     is_at_its_end = np.hypot(*slides) < _PARALLEL * np.hypot(*pin.first)
     return _away(pin.second - base.second if is_at_its_end else slides)
@@ -218,12 +197,12 @@ def _centre(
     nowhere = np.full(2, np.nan)
     common = [pin for pin in one.pins if pin in other.pins]
     if common:
-        return Centre(*numbers, pins[common[0]].place, np.nan, is_joint=True)
+        return Centre(*numbers, pins[common[0]].value, np.nan, is_joint=True)
     if pair in across:
         return Centre(*numbers, nowhere, across[pair], is_joint=True)
-    drift = _turned(one.drift - other.drift)
+    drift = turned_left(one.drift - other.drift)
     turning = one.turning - other.turning
     if abs(turning) > _PARALLEL:
         return Centre(*numbers, drift / turning, np.nan, is_joint=False)
-    is_at_rest = np.hypot(*drift) < _PARALLEL * np.hypot(*pins[bodies[1].pins[-1]].place)
+    is_at_rest = np.hypot(*drift) < _PARALLEL * np.hypot(*pins[bodies[1].pins[-1]].value)
     return Centre(*numbers, nowhere, np.nan if is_at_rest else _away(drift), is_joint=False)

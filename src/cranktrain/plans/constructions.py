@@ -41,7 +41,27 @@ class Drawn(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Construction:
+class Readings:
+    """What is read off a construction, and what it draws.
+
+    Attributes
+    ----------
+    angle, exact_angle : Array, shape (n,)
+        Crank angle; read backwards, as constructed and as it is, else both as given. [rad]
+    displacement, exact_displacement : Array, shape (n,)
+        As constructed and as it is; read backwards, both as given. [m]
+    drawn : Drawn
+    """
+
+    angle: Array
+    exact_angle: Array
+    displacement: Array
+    exact_displacement: Array
+    drawn: Drawn
+
+
+@dataclass(frozen=True)
+class Construction(Readings):
     """A construction of one mechanism in several positions.
 
     Attributes
@@ -51,11 +71,6 @@ class Construction:
     geometry : SliderCrank
     pole : float
         x of Brix's pole. [m]
-    angle, exact_angle : Array, shape (n,)
-        Crank angle; read backwards, as constructed and as it is, else both as given. [rad]
-    displacement, exact_displacement : Array, shape (n,)
-        As constructed and as it is; read backwards, both as given. [m]
-    drawn : Drawn
     source : str
         Citation key.
     condition : str
@@ -68,11 +83,6 @@ class Construction:
     method: Method
     geometry: SliderCrank
     pole: float
-    angle: Array
-    exact_angle: Array
-    displacement: Array
-    exact_displacement: Array
-    drawn: Drawn
     source: str
     condition: str
     is_outside: bool
@@ -136,15 +146,11 @@ def construction(
     limits = next((one for one in RANGES if one.method == _RANGES.get(method)), None)
     ratio = geometry.crank_radius / geometry.rod_length
     return Construction(
+        **vars(made),
         mechanism=place.name,
         method=method,
         geometry=geometry,
         pole=-float(largest_difference(geometry.crank_radius, ratio)),
-        angle=made.angle,
-        exact_angle=made.exact_angle,
-        displacement=made.displacement,
-        exact_displacement=made.exact_displacement,
-        drawn=made.drawn,
         source="steam-engine",
         condition="" if limits is None else _(limits.condition),
         is_outside=limits is not None and bool(limits.outside(ratio, geometry.offset)),
@@ -175,16 +181,6 @@ def exact_crank_angle(displacement: Array, geometry: SliderCrank) -> Array:
         2 * geometry.crank_radius * np.sqrt(square)
     )
     return np.arctan2(geometry.offset, along) + np.arccos(_kept_at_ends(cosine))
-
-
-class _Made(NamedTuple):
-    """Readings of a construction and what it draws."""
-
-    angle: Array
-    exact_angle: Array
-    displacement: Array
-    exact_displacement: Array
-    drawn: Drawn
 
 
 def _top(geometry: SliderCrank) -> float:
@@ -219,16 +215,16 @@ def _exact(phi: Array, geometry: SliderCrank) -> Array:
         return slider_crank(phi, geometry).slider.value
 
 
-def _arc(geometry: SliderCrank, phi: Array) -> _Made:
+def _arc(geometry: SliderCrank, phi: Array) -> Readings:
     """The arc about the piston's pin through the crank pin meets the line of stroke nearer to the shaft."""
     on_circle, piston = _on_circle(phi, geometry), _on_line(_exact(phi, geometry), geometry)
     foot = piston[0] - np.hypot(*(on_circle - piston))
     start = _top(geometry) - geometry.rod_length
     drawn = Drawn(on_circle, _on_line(foot, geometry), _on_line(piston[0] - geometry.rod_length, geometry), piston)
-    return _Made(phi, phi, start - foot, _top(geometry) - piston[0], drawn)
+    return Readings(phi, phi, start - foot, _top(geometry) - piston[0], drawn)
 
 
-def _read_on_diameter(geometry: SliderCrank, phi: Array, on_circle: Array, displacement: Array) -> _Made:
+def _read_on_diameter(geometry: SliderCrank, phi: Array, on_circle: Array, displacement: Array) -> Readings:
     """Readings from the end of the crank circle's diameter."""
     piston = _exact(phi, geometry)
     exact = _top(geometry) - piston
@@ -239,22 +235,22 @@ def _read_on_diameter(geometry: SliderCrank, phi: Array, on_circle: Array, displ
         np.stack([geometry.crank_radius - exact, level]),
         _on_line(piston, geometry),
     )
-    return _Made(phi, phi, displacement, exact, drawn)
+    return Readings(phi, phi, displacement, exact, drawn)
 
 
-def _projection(geometry: SliderCrank, phi: Array) -> _Made:
+def _projection(geometry: SliderCrank, phi: Array) -> Readings:
     displacement = infinite_rod(phi, geometry.crank_radius).value
     return _read_on_diameter(geometry, phi, _on_circle(phi, geometry), displacement)
 
 
-def _brix(geometry: SliderCrank, phi: Array) -> _Made:
+def _brix(geometry: SliderCrank, phi: Array) -> Readings:
     ratio = geometry.crank_radius / geometry.rod_length
     about_centre = phi + np.arcsin(ratio / 2 * np.sin(phi))
     displacement = brix(phi, geometry.crank_radius, ratio).value
     return _read_on_diameter(geometry, phi, _on_circle(about_centre, geometry), displacement)
 
 
-def _backward(geometry: SliderCrank, chosen: int | Array) -> _Made:
+def _backward(geometry: SliderCrank, chosen: int | Array) -> Readings:
     """From displacements: equal parts of the stroke, or those of crank angles, to angles on the way to the shaft."""
     whole = _top(geometry) - _bottom(geometry)
     if isinstance(chosen, int):
@@ -269,10 +265,10 @@ def _backward(geometry: SliderCrank, chosen: int | Array) -> _Made:
     height = np.sqrt(np.maximum(geometry.crank_radius**2 - along**2, 0.0))
     foot = np.stack([along, np.zeros_like(along)])
     drawn = Drawn(np.stack([along, height]), foot, foot, _on_line(_top(geometry) - displacement, geometry))
-    return _Made(angle, exact, displacement, displacement, drawn)
+    return Readings(angle, exact, displacement, displacement, drawn)
 
 
-_FORWARD: Mapping[str, Callable[[SliderCrank, Array], _Made]] = {
+_FORWARD: Mapping[str, Callable[[SliderCrank, Array], Readings]] = {
     "arc": _arc,
     "projection": _projection,
     "brix": _brix,

@@ -1,7 +1,5 @@
 """Wittenbauer's and Mertsalov's diagrams of a machine, as data, out of its result."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from cranktrain.analysis import Result
@@ -10,13 +8,6 @@ from cranktrain.language import _
 from cranktrain.questions.evenness.flywheel import FlywheelSize
 from cranktrain.questions.evenness.shaft_work import ShaftWork
 from cranktrain.textbook.flywheel_diagrams import Mertsalov, Wittenbauer, mertsalov, wittenbauer
-
-
-class _Sized(NamedTuple):
-    """What both diagrams are drawn of."""
-
-    work: ShaftWork
-    size: FlywheelSize
 
 
 def wittenbauer_diagram(result: Result) -> Wittenbauer:
@@ -56,7 +47,7 @@ def mertsalov_diagram(result: Result) -> Mertsalov:
     return mertsalov(work.excess, work.inertia, (size.exact.largest_speed + size.exact.smallest_speed) / 2)
 
 
-def _sized(result: Result) -> _Sized:
+def _sized(result: Result) -> tuple[ShaftWork, FlywheelSize]:
     """Find work and flywheel in a result."""
     size = result.get(FlywheelSize)
     if size is None:
@@ -66,4 +57,4 @@ def _sized(result: Result) -> _Sized:
     if not np.all(np.isfinite(size.exact.inertia)):
         allowed = _("gives no flywheel to draw: the torque is not known all round")
         raise InputError([Problem("evenness.coefficient", None, allowed)])
-    return _Sized(result[ShaftWork], size)
+    return result[ShaftWork], size

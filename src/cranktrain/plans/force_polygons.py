@@ -3,7 +3,7 @@
 One drawing millimetre is μ_F newtons. All axes are the machine's: X right, Y up.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -21,45 +21,24 @@ from cranktrain.plans.together import numbered_pin, places_called, together_name
 
 
 @dataclass(frozen=True)
-class ForcePolygon:
-    """All forces on an Assur group, or on the crank, at one crank angle, head to tail.
+class ForcePolygon(GroupForces):
+    """Forces on an Assur group, or on the crank, drawn to scale.
 
     Attributes
     ----------
-    mechanism, sort : str
-        Sort of the group, such as `RRP`; `initial` of the crank.
-    links : tuple of str
-    numbers : tuple of int
-        Of the links: 1 is the frame, 2 the crank; `F_34` is the force of link 3 on link 4.
+    mechanism : str
     angle : float
         Crank angle as the machine shows it. [deg]
     scale : float
         μ_F: what one drawing millimetre is. [N]
-    forces : tuple of PolygonForce
-        Link by link: load, weight, inertia, what hangs on the group, and its outer reactions. A pin's is in two parts
-        where moments about another pin give the one across the link, `F_23^t`; `F_23^n` is along it. A guide's with
-        friction is `N_14`, across the guide, and `f_14`.
     corners : Array, shape (2, n + 1)
         Where each force starts, and where the last one ends. [drawing mm]
-    wholes : tuple of Span
-        Outer reactions of which sides are the parts.
-    chords : tuple of Span
-        Reactions in inner joints, which split the polygon into those of the links.
-    moment : float
-        Of the crank: the balancing moment in the sense in which its shaft turns [N·m]; NaN for a group.
     """
 
     mechanism: str
-    sort: str
-    links: tuple[str, ...]
-    numbers: tuple[int, ...]
     angle: float
     scale: float
-    forces: tuple[PolygonForce, ...]
     corners: Array
-    wholes: tuple[Span, ...] = ()
-    chords: tuple[Span, ...] = ()
-    moment: float = float("nan")
 
     def length(self, force: PolygonForce) -> float:
         """Give a force's length on paper. [drawing mm]"""
@@ -147,31 +126,16 @@ def force_polygons(
         allowed = _("no force acts on the links of {name} there").format(name=together_name(places))
         raise InputError([Problem("", ", ".join(f"φ = {angle:g}°" for angle in shown), allowed)])
     scale = fitting([_corners(group.forces) for _name, _angle, group in found], room)
-    return tuple(_polygons(found, scale))
+    return tuple(
+        ForcePolygon(**vars(group), mechanism=name, angle=angle, scale=scale, corners=_corners(group.forces) / scale)
+        for name, angle, group in found
+    )
 
 
 def _numbered(group: GroupForces, i: int) -> GroupForces:
     """Call pins of one of several mechanisms as they are drawn together."""
     forces = (force._replace(about=numbered_pin(force.about, i)) if force.about else force for force in group.forces)
-    return group._replace(forces=tuple(forces))
-
-
-def _polygons(found: Sequence[tuple[str, float, GroupForces]], scale: float) -> Iterator[ForcePolygon]:
-    """Draw groups to scale."""
-    for mechanism, angle, group in found:
-        yield ForcePolygon(
-            mechanism,
-            group.sort,
-            group.links,
-            group.numbers,
-            angle,
-            scale,
-            group.forces,
-            _corners(group.forces) / scale,
-            group.wholes,
-            group.chords,
-            group.moment,
-        )
+    return replace(group, forces=tuple(forces))
 
 
 def rescaled(polygon: ForcePolygon, scale: float) -> ForcePolygon:

@@ -1,5 +1,6 @@
 """Sides of a polygon of forces, and the forces between its corners."""
 
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -42,8 +43,28 @@ class Span(NamedTuple):
     end: int
 
 
-class GroupForces(NamedTuple):
-    """What acts on a group, head to tail; its links' names and numbers; a crank's balancing moment [N·m], else NaN."""
+@dataclass(frozen=True)
+class GroupForces:
+    """All forces on an Assur group, or on the crank, at one crank angle, head to tail.
+
+    Attributes
+    ----------
+    sort : str
+        Of the group, such as `RRP`; `initial` of the crank.
+    links : tuple of str
+    numbers : tuple of int
+        Of the links: 1 is the frame, 2 the crank; `F_34` is the force of link 3 on link 4.
+    forces : tuple of PolygonForce
+        Link by link: load, weight, inertia, what hangs on the group, and its outer reactions. A pin's is in two parts
+        where moments about another pin give the one across the link, `F_23^t`; `F_23^n` is along it. A guide's with
+        friction is `N_14`, across the guide, and `f_14`.
+    wholes : tuple of Span
+        Outer reactions of which sides are the parts.
+    chords : tuple of Span
+        Reactions in inner joints, which split the polygon into those of the links.
+    moment : float
+        Of the crank: the balancing moment in the sense in which its shaft turns [N·m]; NaN for a group.
+    """
 
     sort: str
     links: tuple[str, ...]

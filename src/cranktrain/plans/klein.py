@@ -10,6 +10,7 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.plans.placement import frame, placed, slider_crank_called
 from cranktrain.plans.positions import closed_angles
+from cranktrain.plans.vectors import turned_left
 
 
 class Klein(NamedTuple):
@@ -71,13 +72,13 @@ def klein(machine: Machine, angle: float, *, mechanism: str | None = None) -> Kl
     axes = frame(machine, place)
     pins = placed(machine, place, np.array([np.deg2rad(angle) + machine.zero])).positions
     stroke = np.array([np.sin(axes.direction), np.cos(axes.direction)])
-    across = np.array([-stroke[1], stroke[0]])
+    across = turned_left(stroke)
     pin, piston = (pins[name][:, 0] for name in "AB")
     rod = piston - pin
     length = float(np.hypot(*rod))
     crossing = pin - np.dot(pin, stroke) / np.dot(rod, stroke) * rod
     foot = float(np.sum((crossing - pin) ** 2)) / length
-    chord = np.array([-rod[1], rod[0]]) / length
+    chord = turned_left(rod) / length
     half = np.sqrt(foot * (length - foot)) if foot <= length else np.nan
     middle = pin + foot / length * rod
     reach = -np.dot(middle, across) / np.dot(chord, across)

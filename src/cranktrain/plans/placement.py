@@ -65,9 +65,7 @@ def shaft_places(machine: Machine) -> ShaftPlaces:
     """
     known = shaft_centres(machine.shafts)
     missing = [name for name in machine.shafts if name not in known]
-    if len(machine.shafts) != 2 or not missing:
-        return ShaftPlaces(known, ())
-    pair = _facing(machine)
+    pair = _facing(machine) if len(machine.shafts) == 2 and missing else None
     if pair is None:
         return ShaftPlaces(known, ())
     phi = turn_grid()
@@ -142,8 +140,7 @@ def slider_crank_called(machine: Machine, name: str | None) -> Place:
 
 def frame(machine: Machine, place: Place) -> Frame:
     """Where a place's axes lie in the machine's."""
-    clockwise = machine.rotation == "clockwise"
-    return frame_of(place, first_angle=machine.first_axis, clockwise=clockwise)
+    return frame_of(place, machine.orientation)
 
 
 def placed(machine: Machine, place: Place, angle: Array) -> Drawing:

@@ -6,9 +6,10 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.linkage.forces import Wrench
+from cranktrain.machine import Machine
 from cranktrain.mechanisms.dynamics import FRAME, Contact
 from cranktrain.motion import Array, Link, Point
-from cranktrain.plans.acting import Member
+from cranktrain.plans.acting import Member, turned_to_machine
 
 _STANDING = 1e-12
 """Of the crank pin's velocity: what slides less than this stands still, and its friction does no work."""
@@ -65,6 +66,11 @@ def friction_on_links(one: Member) -> Iterator[Rubbing]:
         yield from _of_contact(one, contact, joints, links, pins[contact.pin], fastest)
 
 
+def rubbing_force(machine: Machine, one: Member, rubbing: Rubbing) -> Array:
+    """Friction in machine axes, shape (2, 1). [N]"""
+    return turned_to_machine(machine, one.place, rubbing.wrench.x[0], rubbing.wrench.y[0])
+
+
 def _of_contact(
     one: Member, contact: Contact, joints: Sequence[Wrench], links: dict[str, Link], pin: Point, fastest: float
 ) -> Iterator[Rubbing]:
@@ -76,8 +82,7 @@ def _of_contact(
     if rate <= _STANDING * fastest:
         return
     along = (on - by) / rate
-    shape = (1, len(one.loaded.mechanisms.groups[one.group].index), 1)
-    force = np.array([np.broadcast_to(part, shape)[0, one.member, 0] for part in (wrench.x, wrench.y)])
+    force = np.array([one.own(part)[0] for part in (wrench.x, wrench.y)])
     drag = float(along @ force) * along
     bodies = ((reaction.on, reaction.by, drag, on), (reaction.by, reaction.on, -drag, by))
     for body, other, value, velocity in bodies:

@@ -126,19 +126,23 @@ def _motions(drawing: Drawing, at: int, drive: Drive) -> tuple[dict[str, PinMoti
 
 def _motion(drawing: Drawing, name: str, at: int, drive: Drive) -> PinMotion:
     """Motion of one pin."""
-    pin = drawing.pins[name]
-    place = Coefficient(*(np.array([x[at], y[at]]) for x, y in zip(pin.x, pin.y, strict=True)))
+    place = pin_coefficients(drawing, name, at)
     return PinMotion(place.value, *rates(place, drive))
+
+
+def pin_coefficients(drawing: Drawing, name: str, at: int) -> Coefficient:
+    """Place of a pin in one of a drawing's positions, with its derivatives: X and Y each. [m, m/rad, m/rad²]"""
+    return Coefficient(*(np.array([x[at], y[at]]) for x, y in zip(*drawing.pins[name], strict=True)))
 
 
 def _point_under(pin: PinMotion, base: PinMotion, other: PinMotion) -> tuple[PinMotion, float]:
     """Point of a link that lies under a pin, by two pins of the link; how fast the link turns. [rad/s]"""
     arm = other.place - base.place
     square = np.dot(arm, arm)
-    turning = _cross(arm, other.velocity - base.velocity) / square
-    rate = _cross(arm, other.acceleration - base.acceleration) / square
+    turning = cross(arm, other.velocity - base.velocity) / square
+    rate = cross(arm, other.acceleration - base.acceleration) / square
     reach = pin.place - base.place
-    across = np.array([-reach[1], reach[0]])
+    across = turned_left(reach)
     return PinMotion(
         pin.place,
         base.velocity + turning * across,
@@ -146,7 +150,13 @@ def _point_under(pin: PinMotion, base: PinMotion, other: PinMotion) -> tuple[Pin
     ), turning
 
 
-def _cross(one: Array, other: Array) -> float:
+def turned_left(vector: Array) -> Array:
+    """A vector turned by 90° anticlockwise."""
+    return np.array([-vector[1], vector[0]])
+
+
+def cross(one: Array, other: Array) -> float:
+    """Vector product of two vectors, across the plane, positive where the other one lies anticlockwise."""
     return float(one[0] * other[1] - one[1] * other[0])
 
 
@@ -193,7 +203,7 @@ def _along_slot(plan: _Plan, leg: _Leg, turning: float) -> Iterator[Vector]:
         yield plan.vector(pair, "relative", ends, whole)
         return
     sliding = plan.motions[leg.pin].velocity - plan.motions[leg.about].velocity
-    coriolis = 2.0 * turning * np.array([-sliding[1], sliding[0]])
+    coriolis = 2.0 * turning * turned_left(sliding)
     corner = f"k_{_index(pair)}"
     yield plan.vector(pair, "coriolis", (ends[0], corner), coriolis, "c")
     yield plan.vector(pair, "relative", (corner, ends[1]), whole - coriolis, "r")

@@ -3,31 +3,33 @@
 The plan is turned by 90° clockwise, so that a force's moment about the pole, anticlockwise, is its power.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from cranktrain.analysis import SpeedWanted
-from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Gravity, Wrench, added, torque_by_work
+from cranktrain.linkage.forces import NO_FRICTION, WEIGHTLESS, Conditions, Gravity, Wrench, added, torque_by_work
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.numerics.nested import remade
 from cranktrain.plans.acting import (
-    Force,
+    NO_BODY,
     Member,
+    body_alone,
     known_forces,
     link_numbers,
     loads_of,
     made_ready,
     member_of,
     pair_symbol,
+    unloaded,
 )
 from cranktrain.plans.acting import turned_to_machine as turned
 from cranktrain.plans.placement import place_called
 from cranktrain.plans.positions import closed_angles
-from cranktrain.plans.rubbing import Rubbing, friction_on_links
+from cranktrain.plans.rubbing import Rubbing, friction_on_links, rubbing_force
 
 
 class LeverForce(NamedTuple):
@@ -120,35 +122,29 @@ def zhukovsky_lever(
 def _of_link(machine: Machine, one: Member, i: int, number: int) -> Iterator[LeverForce]:
     """Load at a link's pin, weight and inertia at its centroid, couples of both."""
     load, weight, inertia = known_forces(machine, one, i, number)
-    pin = _velocity(machine, one, i, is_centroid=False)
-    centroid = _velocity(machine, one, i, is_centroid=True)
-    yield _at(load, _pin_name(one, i), pin, one)
-    yield _at(weight, f"s_{number}", centroid, one)
-    yield _at(inertia, f"s_{number}", centroid, one)
+    pin = _velocity(machine, one, i, _work_at_pin)
+    centroid = _velocity(machine, one, i, _work_at_centroid)
+    yield _at(load.symbol, load.value, _pin_name(one, i), pin, one)
+    yield _at(weight.symbol, weight.value, f"s_{number}", centroid, one)
+    yield _at(inertia.symbol, inertia.value, f"s_{number}", centroid, one)
     nowhere = (np.nan, np.nan)
     torque = float(loads_of(one)[i].moment[0, 0])
-    turning = _work(one, i, Wrench(*map(np.asarray, ((0.0,), (0.0,), (1.0,)))))
-    yield LeverForce("M", "", nowhere, nowhere, torque * turning)
+    yield LeverForce("M", "", nowhere, nowhere, torque * _work_at_pin(one, i, 0.0, 0.0, moment=1.0))
     yield LeverForce(f"M_Φ{number}", "", nowhere, nowhere, -_couple(one, i))
 
 
-def _at(force: Force, point: str, velocity: Array, one: Member) -> LeverForce:
-    """Put a force to its point."""
-    value = force.value[:, 0]
-    speed = _speed(one)
-    moment = float(value @ velocity) / speed
-    return LeverForce(force.symbol, point, _pair(value), _pair(velocity), moment)
+def _at(symbol: str, value: Array, point: str, velocity: Array, one: Member) -> LeverForce:
+    """Put a force, shape (2, 1), to its point."""
+    force = value[:, 0]
+    return LeverForce(symbol, point, _pair(force), _pair(velocity), float(force @ velocity) / _speed(one))
 
 
 def _of_friction(machine: Machine, one: Member, rubbing: Rubbing, numbers: dict[str, int]) -> LeverForce:
     """Friction at its point, `f_14` of 1 on 4."""
-    speed = _speed(one)
-    wrench = rubbing.wrench
-    value = turned(machine, one.place, wrench.x[0], wrench.y[0])[:, 0]
-    x, y = (speed * np.array([part]) for part in rubbing.velocity)
+    x, y = (_speed(one) * np.array([part]) for part in rubbing.velocity)
     velocity = turned(machine, one.place, x, y)[:, 0]
     symbol = pair_symbol("f", numbers[rubbing.by], numbers[rubbing.on])
-    return LeverForce(symbol, rubbing.pin, _pair(value), _pair(velocity), float(value @ velocity) / speed)
+    return _at(symbol, rubbing_force(machine, one, rubbing), rubbing.pin, velocity, one)
 
 
 def _speed(one: Member) -> float:
@@ -167,60 +163,32 @@ def _pin_name(one: Member, i: int) -> str:
     return guides[0].pin if guides and name == "slider" else name
 
 
-def _velocity(machine: Machine, one: Member, i: int, *, is_centroid: bool) -> Array:
-    """Velocity of a link's first pin or centroid, by the work of unit forces there. [m/s]"""
-    speed = _speed(one)
-    units = ((1.0, 0.0), (0.0, 1.0))
-    if is_centroid:
-        parts = [_work_of_weight(one, i, Gravity(*map(np.asarray, ((x,), (y,))))) for x, y in units]
-    else:
-        parts = [_work(one, i, Wrench(*map(np.asarray, ((x,), (y,), (0.0,))))) for x, y in units]
-    x, y = (speed * np.array([part]) for part in parts)
+def _velocity(machine: Machine, one: Member, i: int, work: Callable[[Member, int, float, float], float]) -> Array:
+    """Velocity of a point of a link, by the work of unit forces along x and y there. [m/s]"""
+    x, y = (_speed(one) * np.array([work(one, i, *unit)]) for unit in ((1.0, 0.0), (0.0, 1.0)))
     return turned(machine, one.place, x, y)[:, 0]
 
 
-def _nothing(one: Member) -> Any:
-    """Loads of nothing on all links."""
-    return one.dynamics.load(one.motion, one.size, np.zeros((1, 1)))
+def _work_at_pin(one: Member, i: int, x: float, y: float, moment: float = 0.0) -> float:
+    """Work by the crank angle of a force at one link's first pin, and of a moment on it."""
+    loads = list(unloaded(one))
+    loads[i] = Wrench(*(np.array([part]) for part in (x, y, moment)))
+    acting = remade(unloaded(one), loads)
+    bodies = body_alone(one, i, NO_BODY)
+    return float(np.ravel(one.dynamics.reduced(one.motion, one.size, bodies, acting, WEIGHTLESS).load)[0])
 
 
-def _loads(one: Member, wrenches: Sequence[Wrench]) -> Any:
-    """Loads of all links as the kind's kernels take them."""
-    return remade(_nothing(one), wrenches)
-
-
-def _bodies(one: Member, i: int, body: Body) -> Any:
-    """Bodies of all links, of which only one has mass."""
-    nothing = Body(*(np.zeros((1, 1)) for _part in Body._fields))
-    return one.dynamics.bodies(*(body if j == i else nothing for j in range(len(one.bodies))))
-
-
-_NO_BODY = Body(*(np.zeros((1, 1)) for _part in Body._fields))
-_NO_GRAVITY = Gravity(np.zeros((1, 1)), np.zeros((1, 1)))
-
-
-def _work(one: Member, i: int, wrench: Wrench) -> float:
-    """Work by the crank angle of a wrench on one link, about its first pin."""
-    loads = list(_nothing(one))
-    loads[i] = wrench
-    acting = _loads(one, loads)
-    return float(
-        np.ravel(one.dynamics.reduced(one.motion, one.size, _bodies(one, i, _NO_BODY), acting, _NO_GRAVITY).load)[0]
-    )
-
-
-def _work_of_weight(one: Member, i: int, gravity: Gravity) -> float:
-    """Work by the crank angle of 1 N at a link's centroid."""
-    body = one.bodies[i]._replace(mass=np.ones((1, 1)))
-    return float(
-        np.ravel(one.dynamics.reduced(one.motion, one.size, _bodies(one, i, body), _nothing(one), gravity).load)[0]
-    )
+def _work_at_centroid(one: Member, i: int, x: float, y: float) -> float:
+    """Work by the crank angle of a force at one link's centroid: the weight of 1 kg in a field of that strength."""
+    bodies = body_alone(one, i, one.bodies[i]._replace(mass=np.ones((1, 1))))
+    gravity = Gravity(np.array([x]), np.array([y]))
+    return float(np.ravel(one.dynamics.reduced(one.motion, one.size, bodies, unloaded(one), gravity).load)[0])
 
 
 def _couple(one: Member, i: int) -> float:
     """Torque on the crank that a link's inertia about its own centroid takes: ½J′ω² + Jε of a link without mass."""
-    body = one.bodies[i]._replace(mass=np.zeros((1, 1)))
-    equation = one.dynamics.reduced(one.motion, one.size, _bodies(one, i, body), _nothing(one), _NO_GRAVITY)
+    bodies = body_alone(one, i, one.bodies[i]._replace(mass=np.zeros((1, 1))))
+    equation = one.dynamics.reduced(one.motion, one.size, bodies, unloaded(one), WEIGHTLESS)
     return float(np.ravel(torque_by_work(equation, one.drive))[0])
 
 
@@ -230,6 +198,6 @@ def _driving_torque(one: Member, rubbing: Sequence[Rubbing]) -> float:
     acting = dict(zip(one.dynamics.moving, loads_of(one), strict=True))
     for each in rubbing:
         acting[each.on] = added(acting[each.on], each.wrench)
-    loads = _loads(one, list(acting.values()))
+    loads = remade(unloaded(one), acting.values())
     forces = one.dynamics.forces(one.motion, one.size, one.dynamics.bodies(*one.bodies), loads, conditions)
     return float(np.ravel(forces.driving_torque)[0])

@@ -1,7 +1,7 @@
 """Units at the edge: "180 mm" is read, checked and rounded once where it enters; inside, all is SI and radians."""
 
 from cranktrain.quantities.conversion import shown
-from cranktrain.quantities.dimensions import Dimension, expected, unit_names
+from cranktrain.quantities.dimensions import Dimension, expected, is_unit, unit_names
 from cranktrain.quantities.fields import (
     Angle,
     AngularAcceleration,
@@ -75,6 +75,7 @@ __all__ = [
     "Velocity",
     "Volume",
     "expected",
+    "is_unit",
     "nearest",
     "one_of",
     "read",

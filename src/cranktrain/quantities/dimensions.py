@@ -218,3 +218,14 @@ def spellings(dimension: Dimension) -> Mapping[str, tuple[Unit, str]]:
     """Every plain spelling of every unit of a dimension, also without dots (Nm), with the unit and the listed form."""
     listed = [(unit, form) for unit in dimension.units for form in (unit.name, *unit.also)]
     return {key: (unit, form) for unit, form in listed for key in (plain(form), plain(form).replace("·", ""))}
+
+
+def is_unit(text: str, dimension: Dimension) -> bool:
+    """Whether a text names a unit of a dimension, in any of its spellings.
+
+    Examples
+    --------
+    >>> is_unit("N m", Dimension.TORQUE), is_unit("bar", Dimension.TORQUE)
+    (True, False)
+    """
+    return plain(text) in spellings(dimension)

@@ -7,10 +7,10 @@ import numpy as np
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
+from cranktrain.mechanisms.crank_rocker import CrankRocker
 from cranktrain.mechanisms.crank_rocker.facts import CLASSES
 from cranktrain.motion import single
 from cranktrain.synthesis.four_bars import (
-    FourBar,
     Want,
     best_parameter,
     excess_angle,
@@ -18,8 +18,10 @@ from cranktrain.synthesis.four_bars import (
     judged,
     largest_time_ratio,
     rod_with_equal_swings,
+    time_ratio_of,
     with_equal_swings,
 )
+from cranktrain.synthesis.positive import not_positive, plain
 from cranktrain.synthesis.proposal import Alternative, Number, Proposal, Table, found, shaft_table, wanted
 from cranktrain.synthesis.quantities import Angle, Length, Speed, TimeRatio
 from cranktrain.wording import number, precise
@@ -126,18 +128,12 @@ def _refuse_impossible(
         problems.append(Problem("swing", number(swing, "deg"), _("must lie between 0 and 180 deg")))
     if not time_ratio >= 1:
         allowed = _("must be at least 1: the slow swing's time over the quick one's")
-        problems.append(Problem("time_ratio", f"{time_ratio:g}", allowed))
-    lengths = {"rocker_length": rocker_length, "rod_length": rod_length}
-    problems += [
-        Problem(name, precise(length), _("must be more than 0"))
-        for name, length in lengths.items()
-        if length is not None and not length > 0
-    ]
+        problems.append(Problem("time_ratio", plain(time_ratio), allowed))
+    problems += not_positive({"rocker_length": rocker_length, "rod_length": rod_length})
     if transmission_angle is not None and not 0 < transmission_angle < pi / 2:
         allowed = _("must lie between 0 and 90 deg")
         problems.append(Problem("transmission_angle", number(transmission_angle, "deg"), allowed))
-    if speed is not None and not speed > 0:
-        problems.append(Problem("speed", f"{speed:g}", _("must be more than 0")))
+    problems += not_positive({"speed": speed}, plain)
     if problems:
         raise InputError(problems)
 
@@ -151,7 +147,7 @@ def _refuse_unreachable(swing: float, time_ratio: float, slow_swing: Swing) -> N
     repair = None
     if time_ratio < (forward := largest_time_ratio(swing, -1)):
         repair = _("with the slow swing in the sense of rotation it can be up to {most:.3f}").format(most=forward)
-    raise InputError([Problem("time_ratio", f"{time_ratio:g}", allowed, repair)])
+    raise InputError([Problem("time_ratio", plain(time_ratio), allowed, repair)])
 
 
 def _of_equal_swings(
@@ -222,7 +218,7 @@ def _alternatives(want: Want, side: int) -> tuple[Alternative, ...]:
     return tuple(chosen)
 
 
-def _alternative(label: str, want: Want, bars: FourBar) -> Alternative:
+def _alternative(label: str, want: Want, bars: CrankRocker) -> Alternative:
     """Numbers of one four-bar, and in its label what keeps it from being used."""
     verdict = judged(want, bars)
     kind = int(verdict.grashof_class)
@@ -233,9 +229,9 @@ def _alternative(label: str, want: Want, bars: FourBar) -> Alternative:
     return Alternative(label, _numbers(bars, float(verdict.transmission_angle)))
 
 
-def _numbers(bars: FourBar, transmission_angle: float) -> tuple[Number, ...]:
+def _numbers(bars: CrankRocker, transmission_angle: float) -> tuple[Number, ...]:
     """Lengths and transmission angle."""
-    radius, rod, rocker, ground = (float(length) for length in bars)
+    radius, rod, rocker, ground = (float(length) for length in bars[:4])
     return (
         Number("crank_radius", "R", radius, "mm", _("Crank radius")),
         Number("rod_length", "l", rod, "mm", _("Rod length")),
@@ -254,7 +250,7 @@ def _transmission_remarks(reached: float) -> tuple[str, ...]:
 
 def _proposal(
     want: Want,
-    bars: FourBar,
+    bars: CrankRocker,
     speed: float | None,
     *,
     parameter: float | None,
@@ -262,7 +258,7 @@ def _proposal(
     remarks: tuple[str, ...],
 ) -> Proposal:
     """Put a four-bar together with its machine file."""
-    ratio = (pi + want.excess) / (pi - want.excess)
+    ratio = time_ratio_of(want.excess)
     how = _("equal swings") if parameter is None else _("swing, time ratio, largest transmission angle")
     free = () if parameter is None else (Number("parameter", "ξ", parameter, "deg", _("Free parameter")),)
     return Proposal(

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from cranktrain.mechanisms.crank_rocker import CrankRocker
 from cranktrain.mechanisms.crank_rocker.facts import grashof_class
-from cranktrain.motion import Array, single
+from cranktrain.motion import ONE, Array, single
 from cranktrain.numerics import bracketed_roots
 
 _SAMPLES = 400
@@ -25,15 +25,6 @@ class Want(NamedTuple):
     swing: float
     excess: float
     rocker_length: float
-
-
-class FourBar(NamedTuple):
-    """Crank, rod, rocker and ground lengths that swing as wanted. [m]"""
-
-    crank_radius: Array
-    rod_length: Array
-    rocker_length: Array
-    ground_length: Array
 
 
 class Judged(NamedTuple):
@@ -52,12 +43,17 @@ def excess_angle(time_ratio: float) -> float:
     return pi * (time_ratio - 1) / (time_ratio + 1)
 
 
+def time_ratio_of(excess: float) -> float:
+    """Time ratio k = (π + ϑ)/(π − ϑ) of a drive whose slow stroke takes π + ϑ of the turn."""
+    return (pi + excess) / (pi - excess)
+
+
 def largest_time_ratio(swing: float, side: int) -> float:
     """Time ratio that crank-rockers of a swing [rad] come near but do not reach; docs/theory/synthesis, eq. (8.14)."""
     return (3 * pi - side * swing) / (pi + side * swing)
 
 
-def four_bar(want: Want, parameter: Array, side: int) -> FourBar:
+def four_bar(want: Want, parameter: Array, side: int) -> CrankRocker:
     """Four-bar whose dead positions are as wanted, one for each value of the free parameter.
 
     Parameters
@@ -71,7 +67,7 @@ def four_bar(want: Want, parameter: Array, side: int) -> FourBar:
 
     Returns
     -------
-    FourBar, of the parameter's shape
+    CrankRocker, of the parameter's shape
 
     Notes
     -----
@@ -83,7 +79,8 @@ def four_bar(want: Want, parameter: Array, side: int) -> FourBar:
     rod = half_chord * np.sin(parameter) / sin(excess / 2)
     aside = side * (rod - radius) * (rod + radius) * sin(excess) / (2 * half_chord)
     along = rod * radius / half_chord
-    return FourBar(radius, rod, rocker + 0.0 * radius, np.hypot(along, aside + rocker * cos(swing / 2)))
+    ground = np.hypot(along, aside + rocker * cos(swing / 2))
+    return CrankRocker(radius, rod, rocker + 0.0 * radius, ground, ONE)
 
 
 def parameter_range(want: Want, side: int) -> tuple[float, float]:
@@ -102,13 +99,13 @@ def parameter_range(want: Want, side: int) -> tuple[float, float]:
     return want.excess / 2, pi / 2 - abs(want.swing / 2 + side * want.excess / 2)
 
 
-def judged(want: Want, bars: FourBar) -> Judged:
+def judged(want: Want, bars: CrankRocker) -> Judged:
     """Analyse four-bars: class, branch of the dead positions, transmission angle.
 
     Parameters
     ----------
     want : Want
-    bars : FourBar, of any shape
+    bars : CrankRocker, of any shape
 
     Returns
     -------
@@ -120,7 +117,7 @@ def judged(want: Want, bars: FourBar) -> Judged:
     On one branch the swing between the dead positions is the difference of the rocker's angles there, on two their
     sum: docs/theory/crank-rocker, eq. (3.6), answers which.
     """
-    radius, rod, rocker, ground = bars
+    radius, rod, rocker, ground, _side = bars
     with np.errstate(invalid="ignore"):
         at_dead = [
             np.arccos((ground**2 + rocker**2 - reach**2) / (2 * ground * rocker))
@@ -129,7 +126,7 @@ def judged(want: Want, bars: FourBar) -> Judged:
         cosines = [(rod**2 + rocker**2 - (ground + sign * radius) ** 2) / (2 * rod * rocker) for sign in (-1.0, 1.0)]
         transmission = np.arccos(np.maximum(cosines[0], -cosines[1]))
     return Judged(
-        grashof_class=grashof_class(CrankRocker(radius, rod, rocker, ground, np.ones_like(radius))),
+        grashof_class=grashof_class(bars),
         is_one_branch=np.abs(np.abs(at_dead[0] - at_dead[1]) - want.swing) < _SWING_ROUNDING,
         transmission_angle=transmission,
     )
@@ -163,7 +160,7 @@ def best_parameter(want: Want, side: int) -> float:
 def _slope(want: Want, parameter: Array, side: int) -> Array:
     """Derivative by ξ of the cosine of the extreme transmission angle that decides on this side."""
     swing, excess, rocker = want
-    radius, rod, _rocker, ground = four_bar(want, parameter, side)
+    radius, rod, _rocker, ground, _side = four_bar(want, parameter, side)
     half_chord = rocker * sin(swing / 2)
     radius_first = -half_chord * np.sin(parameter) / cos(excess / 2)
     rod_first = half_chord * np.cos(parameter) / sin(excess / 2)
@@ -174,12 +171,12 @@ def _slope(want: Want, parameter: Array, side: int) -> Array:
     return (rod * rod_first - reach * reach_first) / (rod * rocker) - cosine * rod_first / rod
 
 
-def with_equal_swings(want: Want, rod: float) -> FourBar:
+def with_equal_swings(want: Want, rod: float) -> CrankRocker:
     """Four-bar of time ratio 1 with a given rod, docs/theory/synthesis, eq. (8.15)."""
     rocker = want.rocker_length
     radius = rocker * sin(want.swing / 2)
     ground = sqrt(rod**2 + (rocker * cos(want.swing / 2)) ** 2)
-    return FourBar(single(radius), single(rod), single(rocker), single(ground))
+    return CrankRocker(single(radius), single(rod), single(rocker), single(ground), ONE)
 
 
 def rod_with_equal_swings(want: Want, transmission_angle: float) -> float:

@@ -1,24 +1,19 @@
 """Knuckle of an articulated rod from a wanted stroke, unshifted dead centre, pin height or compression ratio."""
 
+from collections.abc import Collection, Sequence
 from math import pi
-from typing import Annotated, Literal, NamedTuple
+from typing import Annotated, Literal
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import single
-from cranktrain.synthesis.knuckle_equations import (
-    Free,
-    Goal,
-    height_goal,
-    ratio_goal,
-    stroke_goal,
-    stroke_product,
-    unshifted_angle,
-)
-from cranktrain.synthesis.knuckle_numbers import cylinder_table, master_stroke, master_top, slave_numbers
-from cranktrain.synthesis.knuckle_search import is_usable, searched
+from cranktrain.synthesis.knuckle_equations import Free, stroke_product, unshifted_angle
+from cranktrain.synthesis.knuckle_numbers import cylinder_table, slave_numbers
+from cranktrain.synthesis.knuckle_search import Search, is_usable, searched
+from cranktrain.synthesis.knuckle_wants import Wants
+from cranktrain.synthesis.positive import not_positive, plain
 from cranktrain.synthesis.proposal import (
     Alternative,
     Proposal,
@@ -38,24 +33,6 @@ _FACTORS = (0.8, 0.9, 1.1, 1.2)
 _STEPS = tuple(pi / 180 * degree for degree in (-4, -2, 2, 4))
 _KNUCKLE_SHARE = 0.25
 """Where the search for a free knuckle radius begins, in parts of the master rod; the slave rod has the rest."""
-
-
-class Wants(NamedTuple):
-    """What a slave is to have; None and False: no matter.
-
-    stroke [m]; unshifted: the dead centre that must stay where the crank points along the cylinder; same_height: piston
-    pin as high at the top as the master's; same_ratio: the master's compression ratio, which the slave must have too.
-    """
-
-    stroke: float | None
-    unshifted: Literal["top", "bottom"] | None
-    same_height: bool
-    same_ratio: float | None
-
-    @property
-    def decided(self) -> int:
-        """How many dimensions they decide."""
-        return sum([self.stroke is not None, self.unshifted is not None, self.same_height, self.same_ratio is not None])
 
 
 def knuckle_from_wants(
@@ -151,20 +128,14 @@ def _refuse_impossible(
     speed: float | None,
 ) -> None:
     """Refuse wants that contradict themselves or geometry."""
-    positive = {
+    lengths = {
         "crank_radius": float(master.crank_radius),
         "stroke": wants.stroke,
         "knuckle_radius": given["knuckle_radius"],
         "rod_length": given["rod_length"],
         "bore": bore,
     }
-    problems = [
-        Problem(name, precise(value), _("must be more than 0"))
-        for name, value in positive.items()
-        if value is not None and not value > 0
-    ]
-    if speed is not None and not speed > 0:
-        problems.append(Problem("speed", f"{speed:g}", _("must be more than 0")))
+    problems = [*not_positive(lengths), *not_positive({"speed": speed}, plain)]
     if not -2 * pi < bank_angle < 2 * pi:
         problems.append(Problem("bank_angle", number(bank_angle, "deg"), _("must lie between -360 and 360 deg")))
     least = float(master.crank_radius + abs(master.offset))
@@ -172,7 +143,7 @@ def _refuse_impossible(
         allowed = _("must be more than {least}, or the crank cannot turn").format(least=precise(least))
         problems.append(Problem("master_rod_length", precise(float(master.rod_length)), allowed))
     if wants.same_ratio is not None and not wants.same_ratio > 1:
-        problems.append(Problem("same_ratio", f"{wants.same_ratio:g}", _("must be more than 1")))
+        problems.append(Problem("same_ratio", plain(wants.same_ratio), _("must be more than 1")))
     problems += _count_problems(wants, [name for name, value in given.items() if value is None])
     if problems:
         raise InputError(problems)
@@ -214,40 +185,22 @@ def _solutions(
         single(known.get("rod_length", max(length - knuckle, _KNUCKLE_SHARE * length))),
         single(0.0),
     )
-    free: list[Free] = [name for name in _FREE if name not in known]
-    if wants.unshifted is not None:
-        rod = rod._replace(articulation_angle=unshifted_angle(rod, wants.unshifted))
-        free.remove("articulation_angle")
-    goals = _goals(wants, master)
-    if not goals:
-        if is_usable(rod):
-            return (rod,)
-        allowed = _("is too short: the slave cannot close")
-        raise InputError([Problem("rod_length", precise(float(rod.rod_length)), allowed)])
-    search = searched(rod, goals, tuple(free))
+    decided: Collection[Free] = known if wants.unshifted is None else {"articulation_angle", *known}
+    free: tuple[Free, ...] = tuple(name for name in _FREE if name not in decided)
+    search = searched(rod, wants, free)
     if not search.rods:
-        raise InputError([_unreachable(wants, search.least, search.most, free)])
+        raise InputError([_unreachable(rod, wants, search, free)])
     return search.rods
 
 
-def _goals(wants: Wants, master: SliderCrank) -> tuple[Goal, ...]:
-    """The wants as equations, the stroke first: it varies most with what is chosen first."""
-    goals: list[Goal] = []
-    if wants.stroke is not None:
-        goals.append(stroke_goal(wants.stroke))
-    if wants.same_height:
-        goals.append(height_goal(master_top(master)))
-    if wants.same_ratio is not None:
-        goals.append(ratio_goal(wants.same_ratio, master_top(master), master_stroke(master), wants.same_ratio))
-    return tuple(goals)
-
-
-def _unreachable(wants: Wants, least: float, most: float, free: list[Free]) -> Problem:
+def _unreachable(rod: ArticulatedRod, wants: Wants, search: Search, free: Sequence[Free]) -> Problem:
     """Say what can be reached where a want cannot."""
+    if not free:
+        return Problem("rod_length", precise(float(rod.rod_length)), _("is too short: the slave cannot close"))
     names = ", ".join(free)
-    if wants.stroke is not None and least <= most:
+    if wants.stroke is not None and search.least <= search.most:
         allowed = _("must lie between {least} and {most}, all that {names} can give here").format(
-            least=precise(least), most=precise(most), names=names
+            least=precise(search.least), most=precise(search.most), names=names
         )
         return Problem("stroke", precise(wants.stroke), allowed)
     path = "same_height" if wants.same_height else "same_ratio" if wants.same_ratio is not None else "stroke"

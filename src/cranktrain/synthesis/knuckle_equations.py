@@ -1,7 +1,6 @@
-"""Dead centres of an articulated rod, their slopes by its dimensions, and wants as equations of them.
+"""Dead centres of an articulated rod and their slopes by its dimensions, in closed form.
 
-Every want here is linear in the distances H, h of the two dead centres from the shaft, and those have slopes in closed
-form: docs/theory/synthesis, eqs. (8.30) and (8.31).
+docs/theory/synthesis, eqs. (8.30) and (8.31).
 """
 
 from typing import Literal, NamedTuple
@@ -31,40 +30,6 @@ class DeadCentres(NamedTuple):
     bottom_angle: Array
     top: Array
     bottom: Array
-
-
-class Goal(NamedTuple):
-    """A want as an equation of the distances H and h: `of_top`·H + `of_bottom`·h = `target`. [m]"""
-
-    of_top: float
-    of_bottom: float
-    target: float
-
-
-def stroke_goal(stroke: float) -> Goal:
-    """Want a stroke H − h. [m]"""
-    return Goal(1.0, -1.0, stroke)
-
-
-def height_goal(top: float) -> Goal:
-    """Want a pin height H at the top dead centre. [m]"""
-    return Goal(1.0, 0.0, top)
-
-
-def ratio_goal(ratio: float, master_top: float, master_stroke: float, master_ratio: float) -> Goal:
-    """Want a compression ratio with the master's deck and chamber, (H − h) = (ε − 1)(c_m + H_m − H).
-
-    Parameters
-    ----------
-    ratio : float
-        ε of the slave.
-    master_top, master_stroke : float
-        H_m and S_m [m]
-    master_ratio : float
-        ε_m, which sets the clearance c_m = S_m/(ε_m − 1).
-    """
-    clearance = master_stroke / (master_ratio - 1)
-    return Goal(ratio, -1.0, (ratio - 1) * (clearance + master_top))
 
 
 def dead_centres(rod: ArticulatedRod) -> DeadCentres:

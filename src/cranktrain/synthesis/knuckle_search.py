@@ -1,5 +1,6 @@
 """Search for the knuckle geometry that meets wants: every solution over the range of a dimension, to rounding."""
 
+from collections.abc import Sequence
 from typing import NamedTuple, cast
 
 import numpy as np
@@ -8,7 +9,15 @@ from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.articulated_rod.kinematics import articulated_rod_gap
 from cranktrain.motion import Array, single
 from cranktrain.numerics import bracketed_roots, smallest, turn_grid
-from cranktrain.synthesis.knuckle_equations import HALF_THE_DIGITS, Free, Goal, dead_centres, distance_slope
+from cranktrain.numerics.nested import mapped
+from cranktrain.synthesis.knuckle_equations import (
+    HALF_THE_DIGITS,
+    Free,
+    dead_centres,
+    distance_slope,
+    unshifted_angle,
+)
+from cranktrain.synthesis.knuckle_wants import Goal, Wants, goals_of
 
 _NEWTON_STEPS = 12
 _SAMPLES = 480
@@ -19,13 +28,7 @@ _LONGEST = 1.2
 
 def _with_value(rod: ArticulatedRod, free: Free, value: Array) -> ArticulatedRod:
     """Give the rod with one of its dimensions replaced."""
-    match free:
-        case "knuckle_radius":
-            return rod._replace(knuckle_radius=value)
-        case "rod_length":
-            return rod._replace(rod_length=value)
-        case "articulation_angle":
-            return rod._replace(articulation_angle=value)
+    return mapped(lambda name, own: value if name == free else own, rod)
 
 
 def _value_of(rod: ArticulatedRod, free: Free) -> Array:
@@ -55,31 +58,39 @@ def _solved(rod: ArticulatedRod, goal: Goal, free: Free) -> ArticulatedRod:
 
 
 class Search(NamedTuple):
-    """What a search found: rods that meet the goals, and the range that the first goal's left side takes. [m]"""
+    """What a search found: rods that meet the wants, and the range of what the first goal is of. [m]
+
+    The range is NaN where there is nothing to search.
+    """
 
     rods: tuple[ArticulatedRod, ...]
     least: float
     most: float
 
 
-def searched(rod: ArticulatedRod, goals: tuple[Goal, ...], free: tuple[Free, ...]) -> Search:
-    """Meet one goal by one dimension, or two by two.
+def searched(rod: ArticulatedRod, wants: Wants, free: Sequence[Free]) -> Search:
+    """Meet wants: an unshifted dead centre in closed form, one goal by one dimension, or two by two.
 
     Parameters
     ----------
     rod : ArticulatedRod
         With its given dimensions; the free ones are where the search for the second begins.
-    goals : tuple of Goal
-        One or two.
-    free : tuple of str
-        As many dimensions. The first goal is met by the first over its whole range, the second, if any, by the second
-        at every step.
+    wants : Wants
+        With two goals at most.
+    free : sequence of str
+        As many dimensions as goals. The first goal is met by the first over its whole range, the second, if any, by the
+        second at every step.
 
     Returns
     -------
     Search
         Rods that close all round the turn, the one nearest to the start first.
     """
+    if wants.unshifted is not None:
+        rod = rod._replace(articulation_angle=unshifted_angle(rod, wants.unshifted))
+    goals = goals_of(wants, rod.master)
+    if not goals:
+        return Search((rod,) if is_usable(rod) else (), np.nan, np.nan)
 
     def at(value: Array) -> ArticulatedRod:
         tried = _with_value(rod, free[0], value)
@@ -120,16 +131,8 @@ def _range(rod: ArticulatedRod, free: Free) -> Array:
 
 def _one_by_one(rods: ArticulatedRod, n_rods: int) -> list[ArticulatedRod]:
     """Take stacked rods apart into rods of single numbers."""
-    radii, angles, lengths = (
-        np.broadcast_to(value, n_rods) for value in (rods.knuckle_radius, rods.articulation_angle, rods.rod_length)
-    )
     return [
-        rods._replace(
-            knuckle_radius=single(float(radii[i])),
-            articulation_angle=single(float(angles[i])),
-            rod_length=single(float(lengths[i])),
-        )
-        for i in range(n_rods)
+        mapped(lambda _name, value, i=i: single(float(np.broadcast_to(value, n_rods)[i])), rods) for i in range(n_rods)
     ]
 
 

@@ -9,7 +9,8 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
-from cranktrain.synthesis.four_bars import excess_angle
+from cranktrain.synthesis.four_bars import excess_angle, time_ratio_of
+from cranktrain.synthesis.positive import not_positive, plain
 from cranktrain.synthesis.proposal import Alternative, Number, Proposal, Table, found, shaft_table, wanted
 from cranktrain.synthesis.quantities import Length, Speed, TimeRatio
 from cranktrain.synthesis.slider_crank import Stroke, slider_crank_numbers
@@ -27,11 +28,6 @@ class SlottedLever(NamedTuple):
     swing: float
 
 
-def time_ratio(excess: float) -> float:
-    """Time ratio k = (π + ϑ)/(π − ϑ) of a drive whose slow stroke takes π + ϑ of the turn."""
-    return (pi + excess) / (pi - excess)
-
-
 def slotted_lever_time_ratio(crank_to_distance: float) -> float:
     """Time ratio of a slotted lever, sin(ϑ/2) = R/d < 1.
 
@@ -40,7 +36,7 @@ def slotted_lever_time_ratio(crank_to_distance: float) -> float:
     >>> round(slotted_lever_time_ratio(0.5), 12)
     2.0
     """
-    return time_ratio(2 * asin(crank_to_distance))
+    return time_ratio_of(2 * asin(crank_to_distance))
 
 
 def slotted_lever(ratio: float) -> SlottedLever:
@@ -78,7 +74,7 @@ def whitworth_time_ratio(distance_to_crank: float, line_angle: float = pi / 2) -
     >>> round(whitworth_time_ratio(0.5), 12)
     2.0
     """
-    return time_ratio(2 * asin(distance_to_crank * sin(line_angle)))
+    return time_ratio_of(2 * asin(distance_to_crank * sin(line_angle)))
 
 
 def whitworth(ratio: float) -> float:
@@ -209,11 +205,7 @@ def quick_return(
 
 def _refuse_impossible(stroke: float, ratio: float, speed: float | None) -> None:
     """Refuse wants that contradict geometry."""
-    problems: list[Problem] = []
-    if not stroke > 0:
-        problems.append(Problem("stroke", precise(stroke), _("must be more than 0")))
-    if speed is not None and not speed > 0:
-        problems.append(Problem("speed", f"{speed:g}", _("must be more than 0")))
+    problems = [*not_positive({"stroke": stroke}), *not_positive({"speed": speed}, plain)]
     if not 1 < ratio < 3:
         repair = None
         if ratio >= 3:
@@ -221,7 +213,7 @@ def _refuse_impossible(stroke: float, ratio: float, speed: float | None) -> None
                 "a slotted lever can, with a crank of {share:.4f} of the distance between shaft and pivot"
             ).format(share=slotted_lever(ratio).crank_to_distance)
         allowed = _("must lie between 1 and 3 for an offset slider-crank")
-        problems.append(Problem("time_ratio", f"{ratio:g}", allowed, repair))
+        problems.append(Problem("time_ratio", plain(ratio), allowed, repair))
     if problems:
         raise InputError(problems)
 

@@ -1,6 +1,6 @@
 """Radial engines with articulated rods: five ways to choose the knuckles, each with what it costs elsewhere."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import pi
 from typing import Annotated, Literal
 
@@ -10,9 +10,11 @@ from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import single
 from cranktrain.quantities import unlisted
-from cranktrain.synthesis.knuckle_equations import Free, Goal, height_goal, ratio_goal, stroke_goal, unshifted_angle
+from cranktrain.synthesis.knuckle_equations import Free
 from cranktrain.synthesis.knuckle_numbers import cylinder_table, slave_numbers
-from cranktrain.synthesis.knuckle_search import Search, is_usable, searched
+from cranktrain.synthesis.knuckle_search import Search, searched
+from cranktrain.synthesis.knuckle_wants import Wants
+from cranktrain.synthesis.positive import not_positive, plain
 from cranktrain.synthesis.proposal import (
     Alternative,
     Number,
@@ -39,6 +41,15 @@ STRATEGIES: dict[Strategy, str] = {
     "unshifted_equal_ratio": N_("no shift of a top dead centre, each l for the same compression ratio"),
 }
 """Strategies by name, in words."""
+
+_FREE: dict[Strategy, tuple[Free, ...]] = {
+    "plain": (),
+    "unshifted": (),
+    "equal_ratio": ("rod_length",),
+    "equal_stroke": ("articulation_angle", "knuckle_radius"),
+    "unshifted_equal_ratio": ("rod_length",),
+}
+"""Dimensions of each slave that a strategy chooses."""
 
 
 def radial(
@@ -117,12 +128,10 @@ def radial(
 
 
 def _refuse_impossible(
-    n_cylinders: int, strategy: str, compression_ratio: float, lengths: dict[str, float], rod_length: float
+    n_cylinders: int, strategy: str, compression_ratio: float, lengths: Mapping[str, float], rod_length: float
 ) -> None:
     """Refuse wants that contradict themselves."""
-    problems = [
-        Problem(name, precise(length), _("must be more than 0")) for name, length in lengths.items() if not length > 0
-    ]
+    problems = not_positive(lengths)
     if not rod_length > lengths["crank_radius"]:
         allowed = _("must be more than the crank radius, or the crank cannot turn")
         problems.append(Problem("rod_length", precise(rod_length), allowed))
@@ -131,35 +140,25 @@ def _refuse_impossible(
     if strategy not in STRATEGIES:
         problems.append(unlisted("strategy", strategy, list(STRATEGIES)))
     if not compression_ratio > 1:
-        problems.append(Problem("compression_ratio", f"{compression_ratio:g}", _("must be more than 1")))
+        problems.append(Problem("compression_ratio", plain(compression_ratio), _("must be more than 1")))
     if problems:
         raise InputError(problems)
 
 
-def _goals(rod: ArticulatedRod, strategy: Strategy, ratio: float) -> tuple[tuple[Goal, ...], tuple[Free, ...]]:
-    """What a strategy demands of a slave, and which dimensions it may choose."""
-    master = rod.master
-    top, stroke = float(master.crank_radius + master.rod_length), float(2 * master.crank_radius)
-    if strategy == "equal_stroke":
-        return (stroke_goal(stroke), height_goal(top)), ("articulation_angle", "knuckle_radius")
-    if strategy in ("equal_ratio", "unshifted_equal_ratio"):
-        return (ratio_goal(ratio, top, stroke, ratio),), ("rod_length",)
-    return (), ()
+def _wants(strategy: Strategy, master: SliderCrank, ratio: float) -> Wants:
+    """What a strategy demands of a slave."""
+    is_equal = strategy == "equal_stroke"
+    return Wants(
+        stroke=float(2 * master.crank_radius) if is_equal else None,
+        unshifted="top" if strategy.startswith("unshifted") else None,
+        same_height=is_equal,
+        same_ratio=ratio if strategy.endswith("equal_ratio") else None,
+    )
 
 
 def _chosen(rod: ArticulatedRod, strategy: Strategy, ratio: float) -> ArticulatedRod:
     """Geometry of one slave by a strategy."""
-    if strategy.startswith("unshifted"):
-        rod = rod._replace(articulation_angle=unshifted_angle(rod, "top"))
-    goals, free = _goals(rod, strategy, ratio)
-    if not goals:
-        if not is_usable(rod):
-            allowed = _("too short: the slave at {angle} cannot close").format(
-                angle=number(float(rod.bank_angle), "deg")
-            )
-            raise InputError([Problem("slave_rod_length", precise(float(rod.rod_length)), allowed)])
-        return rod
-    search = searched(rod, goals, free)
+    search = searched(rod, _wants(strategy, rod.master, ratio), _FREE[strategy])
     if not search.rods:
         raise InputError([_unreachable(rod, strategy, search)])
     return search.rods[0]
@@ -168,6 +167,9 @@ def _chosen(rod: ArticulatedRod, strategy: Strategy, ratio: float) -> Articulate
 def _unreachable(rod: ArticulatedRod, strategy: Strategy, search: Search) -> Problem:
     """Say which slave defeats a strategy, and how near it comes."""
     angle = number(float(rod.bank_angle), "deg")
+    if not _FREE[strategy]:
+        allowed = _("too short: the slave at {angle} cannot close").format(angle=angle)
+        return Problem("slave_rod_length", precise(float(rod.rod_length)), allowed)
     allowed = _("cannot be had for the slave at {angle} with this knuckle radius and rod").format(angle=angle)
     if strategy == "equal_stroke" and search.least <= search.most:
         allowed = _("cannot be had: the slave at {angle} can have strokes from {least} to {most}").format(
@@ -209,12 +211,11 @@ def _tables(
 ) -> tuple[Table, ...]:
     """Tables of the machine file: the master's bank, the slaves', and the cylinders."""
     master = rods[0].master
-    free = _goals(rods[0], strategy, ratio)[1]
     how = _("strategy {name}").format(name=strategy)
 
     def each(name: Free, unit: str) -> str:
         values = [float(getattr(rod, name)) for rod in rods]
-        if name in free:
+        if name in _FREE[strategy]:
             return listed_in_lines([found(value, unit, how, "fitted") for value in values])
         if name == "articulation_angle":
             return listed_in_lines([found(value, unit, how) for value in values])

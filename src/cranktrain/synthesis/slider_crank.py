@@ -5,6 +5,8 @@ from typing import Annotated, Literal
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
+from cranktrain.synthesis.four_bars import time_ratio_of
+from cranktrain.synthesis.positive import not_positive, plain
 from cranktrain.synthesis.proposal import (
     Alternative,
     Number,
@@ -27,7 +29,6 @@ from cranktrain.synthesis.slider_crank_lengths import (
     shortest_rod,
     shortest_rod_and_offset,
     stroke_of,
-    time_ratio_of,
 )
 from cranktrain.textbook.slider_crank_synthesis import largest_pressure_angle, rod_by_tangent
 from cranktrain.wording import number, precise
@@ -116,17 +117,8 @@ def _refuse_impossible(
     speed: float | None,
 ) -> None:
     """Refuse wants that contradict themselves or geometry."""
-    lengths = {"stroke": stroke, "rod_length": rod_length}
-    problems = [
-        Problem(name, precise(value), _("must be more than 0"))
-        for name, value in lengths.items()
-        if value is not None and not value > 0
-    ]
-    problems += [
-        Problem(name, f"{value:g}", _("must be more than 0"))
-        for name, value in {"mean_speed": mean_speed, "speed": speed}.items()
-        if value is not None and not value > 0
-    ]
+    problems = not_positive({"stroke": stroke, "rod_length": rod_length})
+    problems += not_positive({"mean_speed": mean_speed, "speed": speed}, plain)
     angles = {"pressure_angle": pressure_angle, "return_pressure_angle": return_pressure_angle}
     problems += [
         Problem(name, number(value, "deg"), _("must lie between 0 and 90 deg"))
@@ -137,7 +129,7 @@ def _refuse_impossible(
         allowed = _("is missing; without a rod_length it decides how long the rod must be")
         problems.append(Problem("pressure_angle", None, allowed))
     if mean_speed is not None and speed is not None:
-        problems.append(Problem("speed", f"{speed:g}", _("must not stand beside mean_speed; give one of them")))
+        problems.append(Problem("speed", plain(speed), _("must not stand beside mean_speed; give one of them")))
     if not problems and rod_length is not None and rod_length <= (least := least_rod(stroke, offset or 0.0)):
         allowed = _("must be more than {least} for this stroke, or the crank cannot turn").format(least=precise(least))
         problems.append(Problem("rod_length", precise(rod_length), allowed))
@@ -220,7 +212,13 @@ def slider_crank_numbers(lengths: Lengths, working_stroke: Stroke, speed: float 
         Number(
             "side_force_share", "N/P", tan(working), "1", _("Largest side force on the working stroke, of the load")
         ),
-        Number("time_ratio", "k", time_ratio_of(lengths), "1", _("Time of the slow stroke over that of the quick one")),
+        Number(
+            "time_ratio",
+            "k",
+            time_ratio_of(excess_angle_of(lengths)),
+            "1",
+            _("Time of the slow stroke over that of the quick one"),
+        ),
         *moving,
     )
 

@@ -1,7 +1,7 @@
 """Lengths of slider-cranks within permissible pressure angles, exact with an offset; docs/theory/synthesis."""
 
 from collections.abc import Callable
-from math import asin, pi, sqrt
+from math import asin, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -35,12 +35,6 @@ def excess_angle_of(lengths: Lengths) -> float:
     """Angle ϑ by which the crank travels more than half a turn on the slow stroke, eq. (2.8). [rad]"""
     radius, rod, offset = lengths[0], lengths[1], abs(lengths[2])
     return asin(offset / (rod - radius)) - asin(offset / (rod + radius))
-
-
-def time_ratio_of(lengths: Lengths) -> float:
-    """Time of the slow stroke over that of the quick one, at constant speed."""
-    excess = excess_angle_of(lengths)
-    return (pi + excess) / (pi - excess)
 
 
 def pressure_angles_of(lengths: Lengths) -> tuple[float, float]:

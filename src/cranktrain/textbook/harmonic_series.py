@@ -63,8 +63,7 @@ def acceleration_series(rod_ratio: Array) -> HarmonicsByMethod:
     >>> float(acceleration_series(0.25).error[2]) < 0
     True
     """
-    exact = acceleration_harmonics(rod_ratio, HIGHEST_ACCELERATION)
-    return _compared(exact, rod_ratio, _ACCELERATION)
+    return _compared(acceleration_harmonics(rod_ratio, HIGHEST_ACCELERATION), rod_ratio, _ACCELERATION)
 
 
 def torque_series(rod_ratio: Array) -> HarmonicsByMethod:

@@ -45,14 +45,9 @@ class Range:
     outside: Callable[[Array, Array], Flags]
 
 
-def _outside_central_to_03(ratio: Array, offset: Array) -> Flags:
-    """Outside λ ≤ 0.3 or not central."""
-    return (ratio > 0.3 * (1 + _ROUNDING)) | (offset != 0)
-
-
-def _outside_central_below_01(ratio: Array, offset: Array) -> Flags:
-    """Outside λ < 0.1 or not central."""
-    return (ratio >= 0.1 * (1 - _ROUNDING)) | (offset != 0)
+def _outside_central(most: float) -> Callable[[Array, Array], Flags]:
+    """Outside λ up to the most, or not central."""
+    return lambda ratio, offset: (ratio > most) | (offset != 0)
 
 
 def _never_outside(ratio: Array, offset: Array) -> Flags:
@@ -67,7 +62,7 @@ RANGES: tuple[Range, ...] = (
         ("(333)", "(336)", "(337)"),
         "steam-engine",
         N_("central mechanism, λ ≤ 0.3"),
-        _outside_central_to_03,
+        _outside_central(0.3 * (1 + _ROUNDING)),
     ),
     Range(
         N_("infinitely long rod (orthogonal projection of the crank pin)"),
@@ -75,7 +70,7 @@ RANGES: tuple[Range, ...] = (
         ("(334)",),
         "steam-engine",
         N_("central mechanism, λ < 0.1"),
-        _outside_central_below_01,
+        _outside_central(0.1 * (1 - _ROUNDING)),
     ),
     Range(
         N_("Brix's construction"),
@@ -83,7 +78,7 @@ RANGES: tuple[Range, ...] = (
         ("fig. 147",),
         "steam-engine",
         N_("central mechanism, λ ≤ 0.3"),
-        _outside_central_to_03,
+        _outside_central(0.3 * (1 + _ROUNDING)),
     ),
     Range(
         N_("two harmonics of an articulated rod, derived anew"),

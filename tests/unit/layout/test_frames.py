@@ -25,7 +25,7 @@ def axes_of(**options):
     machine = ct.Machine(**(V12 | options))
     found = []
     for place in machine.places:
-        frame = frame_of(place, first_angle=np.deg2rad(-30), clockwise=machine.rotation == "clockwise")
+        frame = frame_of(place, machine.orientation)
         found.append([in_machine_axes(np.array(x), np.array(y), frame) for x, y in ((1.0, 0.0), (0.0, 1.0))])
     return np.array(found)
 

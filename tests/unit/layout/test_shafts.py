@@ -62,7 +62,7 @@ def test_metal_stands_where_it_stands(ratio):
     """Crank pin and followed point of 1B in machine axes, at φ = 0: clockwise from Y, whichever way the shaft turns."""
     two = machine(ratio, "35 deg", crank_zero="0 deg")
     place = two.places[2]
-    frame = frame_of(place, first_angle=two.first_axis, clockwise=True)
+    frame = frame_of(place, two.orientation)
     motion = place.kind.motion(np.array([place.phase]), place.geometry)
     right, up = in_machine_axes(motion.pin.x.value, motion.pin.y.value, frame)
     direction = np.deg2rad(-10 + 35)
@@ -73,7 +73,7 @@ def test_metal_stands_where_it_stands(ratio):
     expected = in_machine_axes(
         still.point_x[0, :1],
         still.point_y[0, :1],
-        frame_of(machine(1, "35 deg").places[2], first_angle=two.first_axis, clockwise=True),
+        frame_of(machine(1, "35 deg").places[2], two.orientation),
     )
     np.testing.assert_allclose(point, expected, rtol=0, atol=1e-15)
 

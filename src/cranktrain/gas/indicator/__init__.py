@@ -1,12 +1,12 @@
 """Indicator diagram: a measured or computed trace of pressure over crank angle, volume or displacement."""
 
-from cranktrain.gas.indicator.diagram import Diagram, breaks, diagram_work, jumps, pressure_at
+from cranktrain.gas.indicator.diagram import Diagram, diagram_work, pressure_at
 from cranktrain.gas.indicator.model import indicator_diagram, indicator_pressure
 from cranktrain.gas.indicator.spec import IndicatorSpec
 from cranktrain.gas.kind import GasKind
 from cranktrain.language import N_
 
-__all__ = ["KIND", "Diagram", "IndicatorSpec", "breaks", "diagram_work", "indicator_diagram", "jumps", "pressure_at"]
+__all__ = ["KIND", "Diagram", "IndicatorSpec", "diagram_work", "indicator_diagram", "pressure_at"]
 
 KIND = GasKind(
     name="indicator",
@@ -15,8 +15,8 @@ KIND = GasKind(
     model=indicator_diagram,
     pressure=indicator_pressure,
     work=diagram_work,
-    breaks=breaks,
-    jumps=jumps,
+    breaks=lambda diagram: diagram.curve.places,
+    jumps=lambda diagram: diagram.curve.jumps,
     flags=lambda spec, diagram: diagram.flags,
     findings=lambda diagram: diagram.findings,
     example="""\

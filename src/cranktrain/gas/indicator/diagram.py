@@ -117,16 +117,6 @@ def diagram_work(diagram: Diagram, volume_slope: Callable[[Array], Array]) -> fl
     return work
 
 
-def breaks(diagram: Diagram) -> Array:
-    """Crank angles between which the interpolant is one polynomial, rising in [0, cycle); a jump stands there once."""
-    return diagram.curve.places
-
-
-def jumps(diagram: Diagram) -> Array:
-    """Crank angles at which the pressure jumps, rising in [0, cycle)."""
-    return diagram.curve.jumps
-
-
 def smoothed(diagram: Diagram, width: float, interpolation: Interpolation = "limited") -> Diagram:
     """Take noise out of a diagram, round the cycle.
 

@@ -7,6 +7,8 @@ import numpy as np
 from cranktrain.gas.indicator.curve import Curve, crest
 from cranktrain.gas.indicator.cycle import Samples
 from cranktrain.language import _
+from cranktrain.motion import single
+from cranktrain.numerics import around_zero
 from cranktrain.quantities import shown
 
 
@@ -56,4 +58,4 @@ def _bar(pressure: float) -> str:
 
 def _from_firing(angle: float, cycle: float) -> str:
     """Write an angle in degrees from firing, half a cycle before it to half a cycle after; no −0."""
-    return f"{shown(float(np.mod(angle + cycle / 2, cycle) - cycle / 2), 'deg') + 0.0:.2f}°"
+    return f"{shown(float(around_zero(single(angle), cycle)), 'deg') + 0.0:.2f}°"

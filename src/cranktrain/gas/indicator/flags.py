@@ -9,6 +9,7 @@ from cranktrain.gas.indicator.cycle import Samples
 from cranktrain.gas.indicator.pegging import polytropic_exponent
 from cranktrain.gas.kind import Chamber
 from cranktrain.language import _
+from cranktrain.numerics import around_zero
 from cranktrain.quantities import shown
 
 _START, _END = np.radians(-80.0), np.radians(-40.0)
@@ -49,7 +50,7 @@ def compression_flags(samples: Samples, chamber: Chamber) -> Iterator[str]:
     Gauge pressures taken as absolute raise the exponent, absolute ones taken as gauge lower it: supercharged, both are
     pressures that an engine could have.
     """
-    from_firing = np.mod(samples.angles + chamber.cycle / 2, chamber.cycle) - chamber.cycle / 2
+    from_firing = around_zero(samples.angles, chamber.cycle)
     chosen = (from_firing >= _START) & (from_firing <= _END)
     pressures = samples.pressures[chosen]
     volume = chamber.volume(np.append(samples.angles, samples.angles[0]))

@@ -18,6 +18,7 @@ from cranktrain.gas.kind import Chamber
 from cranktrain.gas.state import ChamberState
 from cranktrain.language import _
 from cranktrain.motion import Array, single
+from cranktrain.numerics import around_zero
 from cranktrain.quantities import shown
 
 
@@ -131,7 +132,7 @@ def _pegged(samples: Samples, diagram: Diagram, peg: PegSpec, chamber: Chamber) 
         offset = peg.pressure.si - float(pressure_at(diagram, np.array(peg.angle.si)))
     else:
         assert peg.exponent is not None  # the spec asks for one of the two
-        from_firing = np.mod(samples.angles + chamber.cycle / 2, chamber.cycle) - chamber.cycle / 2
+        from_firing = around_zero(samples.angles, chamber.cycle)
         chosen = (peg.start.si <= from_firing) & (from_firing <= peg.end.si)
         if np.count_nonzero(chosen) < 2:
             allowed = _("must be a piece of the compression with two samples at least")

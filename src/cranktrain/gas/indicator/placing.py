@@ -7,7 +7,8 @@ import numpy as np
 from cranktrain.errors import InputError, Problem
 from cranktrain.gas.indicator.cycle import Samples
 from cranktrain.language import _
-from cranktrain.motion import Array
+from cranktrain.motion import Array, single
+from cranktrain.numerics import around_zero
 from cranktrain.quantities import shown
 
 Sense: TypeAlias = Literal["forward", "backward", "found"]
@@ -97,8 +98,8 @@ def _found(samples: Samples, cycle: float, firing_angle: float | None) -> _Found
     """Find the dead centre by the peak, unless it is given, and judge the turn about it."""
     at = float(samples.angles[np.argmax(samples.pressures)])
     dead_centre = _dead_centre_by(at) if firing_angle is None else firing_angle
-    peak = float(np.mod(at - dead_centre + cycle / 2, cycle) - cycle / 2)
-    from_it = np.mod(samples.angles - dead_centre + cycle / 2, cycle) - cycle / 2
+    peak = float(around_zero(single(at - dead_centre), cycle))
+    from_it = around_zero(samples.angles - dead_centre, cycle)
     width = _widths(samples.angles, cycle)
     about = np.where(np.abs(from_it) < np.pi, width * samples.pressures, 0.0)
     asymmetry = np.sum(about * np.sin(from_it)) / np.sum(about * np.abs(np.sin(from_it)))

@@ -11,7 +11,7 @@ from cranktrain.errors import InputError, Position, Problem
 from cranktrain.gas.indicator.table import Table, read_table
 from cranktrain.language import _
 from cranktrain.motion import Array
-from cranktrain.quantities import Dimension, QuantityError, read, shown, unit_names
+from cranktrain.quantities import Dimension, is_unit, read, shown, unit_names
 from cranktrain.record import record
 
 Axis: TypeAlias = Literal["angle", "displacement", "volume"]
@@ -19,7 +19,12 @@ Axis: TypeAlias = Literal["angle", "displacement", "volume"]
 STANDARD_ATMOSPHERE = 101325.0
 """What gauge pressures count from, unless said. [Pa]"""
 
-_DIMENSIONS = {"angle": Dimension.ANGLE, "displacement": Dimension.LENGTH, "volume": Dimension.VOLUME}
+AXES: dict[Axis, Dimension] = {
+    "angle": Dimension.ANGLE,
+    "displacement": Dimension.LENGTH,
+    "volume": Dimension.VOLUME,
+}
+"""What pressures may be given over."""
 _ANGLE_UNITS = r"(?:°|deg|grad|град)?\.?\s*(?:ca|cad|kw|atdc|п\.?\s?к\.?\s?в\.?|пкв)|degrees?|градус\w*"
 """Degrees of crank angle as programs write them."""
 _WORDS = {
@@ -174,9 +179,9 @@ def _axis_of(label: str) -> Axis | None:
     for axis in ("angle", "volume", "displacement"):
         if re.search(_WORDS[axis], words, re.IGNORECASE):
             return axis
-    for axis, dimension in _DIMENSIONS.items():
+    for axis, dimension in AXES.items():
         if unit_in(label, dimension):
-            return "angle" if axis == "angle" else "volume" if axis == "volume" else "displacement"
+            return axis
     return None
 
 
@@ -197,25 +202,16 @@ def unit_in(label: str, dimension: Dimension) -> str | None:
     for piece in map(str.strip, pieces):
         if dimension is Dimension.ANGLE and re.fullmatch(_ANGLE_UNITS, piece, re.IGNORECASE):
             return "deg"
-        if piece and _is_unit(piece, dimension):
+        if is_unit(piece, dimension):
             return piece
     return None
 
 
-def _is_unit(text: str, dimension: Dimension) -> bool:
-    """Whether a text names a unit of a dimension."""
-    try:
-        read(f"1 {text}", dimension)
-    except QuantityError:
-        return False
-    return True
-
-
 def _place_scale(axis: Axis, label: str, said: Columns, table: Table, column: int) -> tuple[float, tuple[str, ...]]:
     """Give the SI value of one of the axis's units, and say what was taken for granted."""
-    unit = said.axis_unit or unit_in(label, _DIMENSIONS[axis])
+    unit = said.axis_unit or unit_in(label, AXES[axis])
     if unit is not None:
-        return read(f"1 {unit}", _DIMENSIONS[axis]), ()
+        return read(f"1 {unit}", AXES[axis]), ()
     if axis == "displacement":
         return 1.0, ()
     if axis == "volume":

@@ -9,21 +9,16 @@ from pydantic import Field, model_validator
 from cranktrain.errors import InputError, Problem
 from cranktrain.gas.indicator.diagram import Interpolation
 from cranktrain.gas.indicator.placing import Sense
-from cranktrain.gas.indicator.reading import STANDARD_ATMOSPHERE, Axis, Columns, Trace, read_trace
+from cranktrain.gas.indicator.reading import AXES, STANDARD_ATMOSPHERE, Axis, Columns, Trace, read_trace
+from cranktrain.gas.indicator.table import held_text
 from cranktrain.gas.kind import GasSpec
 from cranktrain.language import N_, _
-from cranktrain.quantities import Dimension, Given, Quantity, QuantityError, TurnedAngle, one_of, read, unit_names
+from cranktrain.quantities import Dimension, Given, Quantity, TurnedAngle, is_unit, one_of, unit_names
 from cranktrain.spec import Refused, Spec
 
 Pressure = Annotated[Given, Quantity(Dimension.PRESSURE, above=0.0)]
 Exponent = Annotated[Given, Quantity(Dimension.RATIO, above=1.0, at_most=2.0)]
 Width = Annotated[Given, Quantity(Dimension.ANGLE, above=0.0, at_most=pi / 12)]
-
-_AXES: dict[Axis, Dimension] = {
-    "angle": Dimension.ANGLE,
-    "displacement": Dimension.LENGTH,
-    "volume": Dimension.VOLUME,
-}
 
 
 class PegSpec(Spec, frozen=True):
@@ -113,12 +108,12 @@ class IndicatorSpec(GasSpec, frozen=True):
     def _readable(self) -> Self:
         """Refuse units that are none, and a file that cannot be read as a diagram."""
         wrong = [
-            problem
+            Problem(path, unit, one_of(unit_names(dimension)))
             for path, unit, dimension in (
-                ("axis_unit", self.axis_unit, _AXES[self.axis or "angle"]),
+                ("axis_unit", self.axis_unit, AXES[self.axis or "angle"]),
                 ("pressure_unit", self.pressure_unit, Dimension.PRESSURE),
             )
-            if unit is not None and (problem := _unit_problem(path, unit, dimension)) is not None
+            if unit is not None and not is_unit(unit, dimension)
         ]
         if wrong:
             raise InputError(wrong)
@@ -144,9 +139,6 @@ def trace_of(spec: IndicatorSpec) -> Trace:
     InputError
         With what is wrong in the file, at line and column; or if nobody has read it.
     """
-    if spec.text is None:
-        allowed = _("has not been read: load the machine from its file, or give what the file holds in `text`")
-        raise InputError([Problem("file", spec.file, allowed)])
     said = Columns(
         columns=None if spec.columns is None else (spec.columns[0], spec.columns[1]),
         axis=spec.axis,
@@ -155,13 +147,4 @@ def trace_of(spec: IndicatorSpec) -> Trace:
         is_gauge=None if spec.pressure is None else spec.pressure == "gauge",
         ambient=spec.ambient.si,
     )
-    return read_trace(spec.text, spec.file, said)
-
-
-def _unit_problem(path: str, unit: str, dimension: Dimension) -> Problem | None:
-    """Refuse a unit that is none of its dimension."""
-    try:
-        read(f"1 {unit}", dimension)
-    except QuantityError:
-        return Problem(path, unit, one_of(unit_names(dimension)))
-    return None
+    return read_trace(held_text(spec.file, spec.text), spec.file, said)

@@ -61,6 +61,14 @@ class _Field:
     column: int
 
 
+def held_text(file: str, text: str | None) -> str:
+    """What a file that a table names holds; refuse one that nobody has read."""
+    if text is None:
+        allowed = _("has not been read: load the machine from its file, or give what the file holds in `text`")
+        raise InputError([Problem("file", file, allowed)])
+    return text
+
+
 def read_table(text: str, name: str) -> Table:
     r"""Read a table of numbers.
 

@@ -14,7 +14,7 @@ from cranktrain.gas.indicator.reading import Trace
 from cranktrain.gas.kind import Chamber
 from cranktrain.language import _
 from cranktrain.motion import Array
-from cranktrain.numerics import bracketed_roots, extremes, turn_grid
+from cranktrain.numerics import around_zero, bracketed_roots, extremes, turn_grid
 from cranktrain.quantities import shown
 
 _JUMP = 0.5
@@ -67,7 +67,7 @@ def dead_centres_of(volume: Callable[[Array], Array]) -> DeadCentres:
         What is within 1e-8 of 0 or π stands there: a curve without its derivative says no more.
     """
     found = extremes(volume, samples=volume(turn_grid()))
-    top = float(np.mod(found.smallest.angle[0] + np.pi, 2 * np.pi) - np.pi)
+    top = float(around_zero(found.smallest.angle[0]))
     bottom = float(np.mod(found.largest.angle[0] - top, 2 * np.pi)) + top
     return DeadCentres(0.0 if abs(top) < _AT_NOMINAL else top, np.pi if abs(bottom - np.pi) < _AT_NOMINAL else bottom)
 
