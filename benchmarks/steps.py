@@ -52,14 +52,14 @@ def in_turn(stages):
 def ready_stages(example):
     """Stages of an example by name, without arguments: what they need is there."""
     parts = parts_of((load(example),), step=np.radians(1.0))
-    gifts, _missing = run_stages(STAGES, dict(parts))
-    known = {**parts, **gifts}
+    outcomes, _missing = run_stages(STAGES, dict(parts))
+    known = {**parts, **outcomes}
 
     def ready(one):
         given = {name: known.get(need) for name, need in one.needs.items()}
         return lambda: one.function(**given)
 
-    return {one.function.__name__: ready(one) for one in STAGES if one.gives in gifts}
+    return {one.function.__name__: ready(one) for one in STAGES if one.gives in outcomes}
 
 
 def nothing(_outcome):

@@ -99,6 +99,6 @@ def _name(held: str, part: str) -> str:
     return f"{held}_at" if part == ".angle" else held
 
 
-def values(gift: object, entry: Entry) -> Any:
+def values(outcome: object, entry: Entry) -> Any:
     """Array of a quantity in a stage's result, in SI and radians, with the design axis."""
-    return attrgetter(entry.path)(gift)
+    return attrgetter(entry.path)(outcome)

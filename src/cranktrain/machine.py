@@ -19,7 +19,7 @@ from cranktrain.layout.design import Design
 from cranktrain.layout.frames import Orientation
 from cranktrain.layout.gearing import first_axis
 from cranktrain.layout.masses import Weighed
-from cranktrain.layout.places import Place, places_of
+from cranktrain.layout.places import PlacedMechanism, places_of
 from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPistonSpec, ShaftSpec
 from cranktrain.layout.standing import standing_problems
 from cranktrain.mechanisms import AnyMechanism
@@ -288,19 +288,19 @@ class Machine(Spec, frozen=True):
         return Orientation(self.first_axis, self.rotation == "clockwise", self.is_astern)
 
     @property
-    def places(self) -> tuple[Place, ...]:
+    def places(self) -> tuple[PlacedMechanism, ...]:
         """Every mechanism of the machine, arranged on shaft and banks; none where they cannot be arranged."""
         return self.arranged[0]
 
     @property
-    def pistons(self) -> tuple[Place, ...]:
+    def pistons(self) -> tuple[PlacedMechanism, ...]:
         """Those of its mechanisms that drive a slider."""
         return tuple(place for place in self.places if place.kind.output == "slider")
 
     # A machine does not change: how it is arranged and what is wrong with it is found once, however often it runs.
 
     @cached_property
-    def arranged(self) -> tuple[tuple[Place, ...], tuple[Problem, ...]]:
+    def arranged(self) -> tuple[tuple[PlacedMechanism, ...], tuple[Problem, ...]]:
         """Its mechanisms in their places, and what is wrong with these; with problems there are no places."""
         if self.mechanism is None:
             with np.errstate(all="ignore"):  # sizes that cannot be are found where their links do not close

@@ -170,11 +170,11 @@ def test_checks_have_names_of_their_own(everything):
 def test_stages_can_be_declared_in_any_order(seed):
     shuffled = random.Random(seed).sample(STAGES, len(STAGES))
     known: set[type] = set()
-    gifts = {stage.gives for stage in STAGES}
+    outcomes = {stage.gives for stage in STAGES}
     for stage in ordered(shuffled):
-        assert {need for need in stage.needs.values() if need in gifts} <= known
+        assert {need for need in stage.needs.values() if need in outcomes} <= known
         known.add(stage.gives)
-    assert known == gifts
+    assert known == outcomes
 
 
 def test_results_come_in_the_order_of_the_declaration():
@@ -190,17 +190,17 @@ def test_results_come_in_the_order_of_the_declaration():
 def test_needed_stages_are_those_that_are_run(n_designs):
     """Every quantity, asked for alone, comes with nothing that it does not need; doubts take what there is."""
     machines = [ct.Machine(**V12)] * n_designs
-    by_gift = {stage.gives: stage for stage in STAGES}
+    by_outcome = {stage.gives: stage for stage in STAGES}
     for stage in STAGES:
         for entry in entries(stage.gives)[:1]:
             needed, left = set(), [stage.gives]
             while left:
-                gift = left.pop()
-                if gift in by_gift:
-                    needed.add(gift)
-                    left += by_gift[gift].needs.values()
+                outcome = left.pop()
+                if outcome in by_outcome:
+                    needed.add(outcome)
+                    left += by_outcome[outcome].needs.values()
             result = ct.run(machines, quantities=[entry.name], step_degrees=10)
-            assert {type(gift) for gift in result.gifts} <= needed | {UnlikelyLoads}, entry.name
+            assert {type(outcome) for outcome in result.outcomes} <= needed | {UnlikelyLoads}, entry.name
 
 
 class TestMissing:

@@ -24,10 +24,10 @@ from cranktrain.mechanisms.chain.gaps import chain_gap
 from cranktrain.mechanisms.chain.kinematics import chain_made
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
+    Coordinates,
     CrankSize,
     PinSize,
     PinStep,
-    Place,
     PointSize,
     PointStep,
     SlideSize,
@@ -97,7 +97,7 @@ def test_toggle_with_an_eccentric():
     one = np.ones((N, 1))
     size = ChainSize(
         (CrankSize(radius, 0.0 * radius), CrankSize(eccentric, ahead)),
-        (Place(x, y),),
+        (Coordinates(x, y),),
         (
             PinSize(rod, rocker, one),
             SlideSize(link, one, direction, offset),
@@ -148,7 +148,7 @@ def test_shaper():
     zero = 0.0 * radius
     size = ChainSize(
         (CrankSize(radius, zero),),
-        (Place(zero, -ground),),
+        (Coordinates(zero, -ground),),
         (SwivelSize(zero, zero + 1, zero + 1), PointSize(length, zero), SlideSize(link, zero + 1, zero, height)),
     )
     angle = random.uniform(0, 2 * np.pi, (N, 4))

@@ -18,11 +18,11 @@ from cranktrain.mechanisms.chain.kinematics import chain_made, chain_motion
 from cranktrain.mechanisms.chain.made import pin_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
+    Coordinates,
     CrankSize,
     MountStep,
     PinSize,
     PinStep,
-    Place,
     PointSize,
     PointStep,
     RodLegStep,
@@ -87,7 +87,7 @@ def any_chain(seed, phi):
     while len(steps) < N_STEPS:
         step, own = step_of(random, len(steps), points, links)
         structure = Structure(("main", "second"), ("C",), (*steps, step), "main")
-        size = ChainSize(cranks, (Place(0.7, 0.3),), (*sizes, own))
+        size = ChainSize(cranks, (Coordinates(0.7, 0.3),), (*sizes, own))
         with np.errstate(all="ignore"):
             gap = (
                 np.abs(chain_gaps(structure, phi, size)[-1])
@@ -103,7 +103,7 @@ def any_chain(seed, phi):
     sliders = [step.slider for step in steps if not isinstance(step, PinStep | PointStep)]
     output = random.choice([*sliders, *links])
     return Structure(("main", "second"), ("C",), tuple(steps), str(output)), ChainSize(
-        cranks, (Place(0.7, 0.3),), tuple(sizes)
+        cranks, (Coordinates(0.7, 0.3),), tuple(sizes)
     )
 
 

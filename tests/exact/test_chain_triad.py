@@ -12,10 +12,10 @@ from cranktrain.mechanisms.chain.gaps import chain_gap
 from cranktrain.mechanisms.chain.kinematics import chain_made
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
+    Coordinates,
     CrankSize,
     GuideLegSize,
     GuideLegStep,
-    Place,
     PointSize,
     RodLegSize,
     RodLegStep,
@@ -71,7 +71,7 @@ def drawn(random: np.random.Generator) -> ChainSize:
     )
     size = ChainSize(
         (CrankSize(radius, 0.0),),
-        (Place(second.real, second.imag), Place(through.real, through.imag)),
+        (Coordinates(second.real, second.imag), Coordinates(through.real, through.imag)),
         (TriadSize(legs, StartSize(0.0, 0.0, 0.0, 0.0, 1.0)),),
     )
     return assembled(STRUCTURE, size, {"plate": np.array([[point.real, point.imag] for point in at])})

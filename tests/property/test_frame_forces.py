@@ -16,10 +16,10 @@ from cranktrain.mechanisms.chain.gaps import chain_gap
 from cranktrain.mechanisms.chain.kinematics import chain_motion
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
+    Coordinates,
     CrankSize,
     PinSize,
     PinStep,
-    Place,
     PointSize,
     PointStep,
     SlideSize,
@@ -143,7 +143,7 @@ def test_a_chain_of_all_groups():
     zero = np.zeros((N, 1))
     size = ChainSize(
         (CrankSize(about(0.1), zero), CrankSize(about(0.08), about(1.0))),
-        (Place(about(0.7), about(0.3)), Place(about(-0.1), about(-0.5))),
+        (Coordinates(about(0.7), about(0.3)), Coordinates(about(-0.1), about(-0.5))),
         (
             PinSize(about(0.7), about(0.5), zero + 1),
             PointSize(about(0.6), about(0.4)),

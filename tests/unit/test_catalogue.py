@@ -61,6 +61,6 @@ def test_derivatives_are_named_for_what_moves():
 )
 def test_every_quantity_has_its_array(name, expected):
     one, two, three, four, five, six = (np.full((1, 1, 8), float(i)) for i in range(1, 7))
-    gift = Swings(0.0, Coefficient(one, two, three), Extreme(angle=four, value=five), six)
+    outcome = Swings(0.0, Coefficient(one, two, three), Extreme(angle=four, value=five), six)
     (entry,) = (entry for entry in entries(Swings) if entry.name == name)
-    np.testing.assert_array_equal(values(gift, entry), expected)
+    np.testing.assert_array_equal(values(outcome, entry), expected)

@@ -123,7 +123,7 @@ def test_reactions_that_are_a_little_wrong_are_found(mechanism, masses, joint):
     result = ct.run(ct.Machine(mechanism=mechanism, shaft=SPEED, masses=masses))
     loaded = result[LoadedMachine]
     solved = result[SolvedCycle]
-    (group,) = solved.groups
+    (group,) = solved.batches
     force = np.max(np.hypot(result.joint_force_x, result.joint_force_y))
     arm = 0.05 if joint else 0.6
     wrong = group.forces._replace(driving_torque=group.forces.driving_torque + 1e-9 * force * arm)

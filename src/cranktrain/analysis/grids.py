@@ -30,9 +30,9 @@ def on_grid(parts: Parts, step: float) -> Parts:
     return {**parts, CrankAngle: replace(grid, shown=np.arange(n_angles) * grid.cycle / n_angles)}
 
 
-def has_curves(gift: type) -> bool:
+def has_curves(outcome: type) -> bool:
     """Whether a stage's result holds any curve."""
-    return any(not entry.is_fact for entry in entries(gift))
+    return any(not entry.is_fact for entry in entries(outcome))
 
 
 def with_curves(facts: Mapping[type, object], curves: Mapping[type, object], every: int) -> dict[type, object]:
@@ -46,10 +46,10 @@ def with_curves(facts: Mapping[type, object], curves: Mapping[type, object], eve
         Of so many points one is taken.
     """
     merged: dict[type, Any] = dict(facts)
-    for kind, gift in curves.items() if curves is not facts or every > 1 else ():
+    for kind, outcome in curves.items() if curves is not facts or every > 1 else ():
         fields = {entry.path.partition(".")[0]: None for entry in entries(kind) if not entry.is_fact}
         if fields and kind in merged:
-            held = mapped(lambda _name, curve: curve[..., ::every], tuple(getattr(gift, name) for name in fields))
+            held = mapped(lambda _name, curve: curve[..., ::every], tuple(getattr(outcome, name) for name in fields))
             merged[kind] = replace(merged[kind], **dict(zip(fields, held, strict=True)))
     return merged
 
@@ -68,11 +68,11 @@ def coarse_curves(facts: Mapping[type, object], curves: Mapping[type, object], s
     if step <= FACTS_STEP:
         return ()
     missed: dict[str, float] = {}
-    for kind, gift in curves.items():
+    for kind, outcome in curves.items():
         for entry in entries(kind) if kind in facts else ():
             if not entry.is_fact:
                 # Designs of one machine differ in numbers alone: the first speaks for all.
-                missed[entry.name] = _missed(values(gift, entry)[:1], values(facts[kind], entry)[:1])
+                missed[entry.name] = _missed(values(outcome, entry)[:1], values(facts[kind], entry)[:1])
     worst = sorted((name for name in missed if missed[name] > _COARSE), key=lambda name: -missed[name])
     if not worst:
         return ()

@@ -21,7 +21,7 @@ from cranktrain.record import record
 if TYPE_CHECKING:
     import xarray
 
-Gift = TypeVar("Gift")
+Outcome = TypeVar("Outcome")
 
 
 class Fact(NamedTuple):
@@ -46,7 +46,7 @@ class Result:
         Whether arrays have the leading dimension `design`.
     grid : CrankAngle
     labels : mapping of dimension to names
-    gifts : tuple of result objects
+    outcomes : tuple of result objects
         One from each stage, in SI and radians, always with the design axis; before them the speed where it varies over
         the cycle.
     missing : tuple of Missing
@@ -60,7 +60,7 @@ class Result:
     has_designs: bool
     grid: CrankAngle
     labels: Mapping[str, tuple[str, ...]]
-    gifts: tuple[object, ...]
+    outcomes: tuple[object, ...]
     missing: tuple[Missing, ...]
     coarse: tuple[str, ...] = ()
     unused: tuple[Unused, ...] = ()
@@ -68,7 +68,7 @@ class Result:
     @cached_property
     def _homes(self) -> dict[str, tuple[Entry, object]]:
         """Entry and stage result of every quantity."""
-        return {entry.name: (entry, gift) for gift in self.gifts for entry in entries(type(gift))}
+        return {entry.name: (entry, outcome) for outcome in self.outcomes for entry in entries(type(outcome))}
 
     @cached_property
     def catalogue(self) -> Mapping[str, Entry]:
@@ -88,21 +88,21 @@ class Result:
             raise AttributeError(name)
         if name not in self._homes:
             raise AttributeError(self._absence(name, self.needs_of(name), self._homes))
-        entry, gift = self._homes[name]
-        inside: Array = values(gift, entry)
+        entry, outcome = self._homes[name]
+        inside: Array = values(outcome, entry)
         given = _read_only(shown(inside, "deg")) if entry.unit == "deg" else inside
         return given if self.has_designs else given[0]
 
-    def get(self, kind: type[Gift]) -> Gift | None:
+    def get(self, kind: type[Outcome]) -> Outcome | None:
         """Give what a stage gave by its type, in SI and radians, with the design axis; None where there is none."""
-        return next((gift for gift in self.gifts if isinstance(gift, kind)), None)
+        return next((outcome for outcome in self.outcomes if isinstance(outcome, kind)), None)
 
-    def __getitem__(self, kind: type[Gift]) -> Gift:
+    def __getitem__(self, kind: type[Outcome]) -> Outcome:
         """Give what a stage gave, as `get` does; a `KeyError` says why there is none."""
         found = self.get(kind)
         if found is None:
             needs = self.needs_of(*(entry.name for entry in entries(kind)))
-            raise KeyError(self._absence(kind.__name__, needs, (type(gift).__name__ for gift in self.gifts)))
+            raise KeyError(self._absence(kind.__name__, needs, (type(outcome).__name__ for outcome in self.outcomes)))
         return found
 
     def needs_of(self, *quantities: str) -> tuple[str, ...]:
@@ -133,17 +133,17 @@ class Result:
     @property
     def checks(self) -> tuple[Check, ...]:
         """Identities that can fail, with their residuals."""
-        return tuple(check for gift in self.gifts for check in getattr(gift, "checks", ()))
+        return tuple(check for outcome in self.outcomes for check in getattr(outcome, "checks", ()))
 
     @property
     def flags(self) -> tuple[str, ...]:
         """Warnings of the stages: a textbook form outside its source's range, and the like."""
-        return (*self.coarse, *(flag for gift in self.gifts for flag in getattr(gift, "flags", ())))
+        return (*self.coarse, *(flag for outcome in self.outcomes for flag in getattr(outcome, "flags", ())))
 
     def answers(self, design: int = 0) -> Iterator[str]:
         """Give the stages' answer sentences for one design."""
-        for gift in self.gifts:
-            answer = getattr(gift, "answer", None)
+        for outcome in self.outcomes:
+            answer = getattr(outcome, "answer", None)
             sentence = answer(self.labels, design) if answer is not None else None
             if sentence:
                 yield sentence

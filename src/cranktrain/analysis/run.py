@@ -75,23 +75,23 @@ def run(
     parts = with_speed(declared, speed, stages, step)
     names = (quantities,) if isinstance(quantities, str) else quantities
     chosen = stages if names is None else _needed(stages, tuple(names))
-    gifts, missing = run_stages(chosen, parts)
+    outcomes, missing = run_stages(chosen, parts)
     # Curves want points as close as facts, or closer: of these a coarser step takes some.
     n_between = int(np.ceil(step / FACTS_STEP - _ONE_STEP))
-    curves = gifts
+    curves = outcomes
     if abs(step / n_between - FACTS_STEP) > _ONE_STEP:
         drawn = leading_to(chosen, [one.gives for one in chosen if has_curves(one.gives)])
         curves, _missing = run_stages(drawn, on_grid(parts, step / n_between))
     parts = on_grid(parts, step)
     grid: CrankAngle = _part(parts, CrankAngle)
-    shown = with_curves(gifts, curves, n_between)
+    shown = with_curves(outcomes, curves, n_between)
     return Result(
         machines=machines,
         has_designs=not isinstance(machine, Machine),
         grid=grid,
-        coarse=coarse_curves(gifts, shown, grid.shown),
+        coarse=coarse_curves(outcomes, shown, grid.shown),
         labels=_labels(parts, machines, shown),
-        gifts=(*(parts[part] for part in (SpeedCurve,) if part in parts), *shown.values()),
+        outcomes=(*(parts[part] for part in (SpeedCurve,) if part in parts), *shown.values()),
         missing=missing,
         unused=unused(machines[0], lacking(stages, parts)),
     )
@@ -160,9 +160,9 @@ def _part(parts: Parts, kind: type[Any]) -> Any:
     return parts[kind]
 
 
-def _labels(parts: Parts, machines: Sequence[Machine], gifts: Mapping[type, object]) -> dict[str, tuple[str, ...]]:
+def _labels(parts: Parts, machines: Sequence[Machine], outcomes: Mapping[type, object]) -> dict[str, tuple[str, ...]]:
     """Names along each dimension, as parts and results have them."""
     labels: dict[str, tuple[str, ...]] = {"design": tuple(str(i + 1) for i in range(len(machines)))}
-    for one in (*parts.values(), *gifts.values()):
+    for one in (*parts.values(), *outcomes.values()):
         labels |= getattr(one, "labels", {})
     return labels

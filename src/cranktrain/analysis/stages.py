@@ -35,21 +35,21 @@ def ordered(stages: Iterable[Stage]) -> tuple[Stage, ...]:
 @cache
 def _ordered(stages: tuple[Stage, ...]) -> tuple[Stage, ...]:
     """Put stages in order once, however often they run."""
-    by_gift = {one.gives: one for one in stages}
-    graph = {one.gives: [need for need in one.needs.values() if need in by_gift] for one in by_gift.values()}
-    return tuple(by_gift[gift] for gift in TopologicalSorter(graph).static_order())
+    by_outcome = {one.gives: one for one in stages}
+    graph = {one.gives: [need for need in one.needs.values() if need in by_outcome] for one in by_outcome.values()}
+    return tuple(by_outcome[outcome] for outcome in TopologicalSorter(graph).static_order())
 
 
-def leading_to(stages: Sequence[Stage], gifts: Iterable[type]) -> tuple[Stage, ...]:
-    """Those stages that gifts need, and their own, in the order of `stages`."""
-    by_gift = {one.gives: one for one in stages}
+def leading_to(stages: Sequence[Stage], outcomes: Iterable[type]) -> tuple[Stage, ...]:
+    """Those stages that outcomes need, and their own, in the order of `stages`."""
+    by_outcome = {one.gives: one for one in stages}
     wanted: set[type] = set()
-    open_ends = list(gifts)
+    open_ends = list(outcomes)
     while open_ends:
-        gift = open_ends.pop()
-        if gift in by_gift and gift not in wanted:
-            wanted.add(gift)
-            open_ends += by_gift[gift].needs.values()
+        outcome = open_ends.pop()
+        if outcome in by_outcome and outcome not in wanted:
+            wanted.add(outcome)
+            open_ends += by_outcome[outcome].needs.values()
     return tuple(one for one in stages if one.gives in wanted)
 
 
@@ -62,7 +62,7 @@ STAGES: tuple[Stage, ...] = (
 
 
 def lacking(stages: Sequence[Stage], parts: Mapping[type, object]) -> dict[type, tuple[str, ...]]:
-    """Which gifts cannot be made of some parts, and what is missing for them.
+    """Which outcomes cannot be made of some parts, and what is missing for them.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def lacking(stages: Sequence[Stage], parts: Mapping[type, object]) -> dict[type,
     Returns
     -------
     dict of type to tuple of str
-        In words, for what a machine file could say; none of a gift that is not for this machine.
+        In words, for what a machine file could say; none of a outcome that is not for this machine.
     """
     known = set(parts)
     roots: dict[type, frozenset[str]] = {}
@@ -87,8 +87,8 @@ def lacking(stages: Sequence[Stage], parts: Mapping[type, object]) -> dict[type,
         else:
             known.add(one.gives)
     return {
-        gift: () if _NOT_FOR_IT in words else tuple(sorted(translated(word) for word in words))
-        for gift, words in roots.items()
+        outcome: () if _NOT_FOR_IT in words else tuple(sorted(translated(word) for word in words))
+        for outcome, words in roots.items()
     }
 
 
@@ -104,7 +104,7 @@ def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict
 
     Returns
     -------
-    gifts : mapping of type to object
+    outcomes : mapping of type to object
     missing : tuple of Missing
         In words, for the stages that lack something that a machine file could say; a stage for another kind of
         machine is not spoken of.
@@ -113,16 +113,16 @@ def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict
     seen: set[int] = set()
     for part in parts.values():
         _freeze(part, seen)
-    gifts: dict[type, object] = {}
+    outcomes: dict[type, object] = {}
     absent = lacking(stages, parts)
     for one in ordered(stages):
         if one.gives not in absent:
             # NaN stands for links that cannot close, and is no news.
             with np.errstate(all="ignore"):
-                gift = one.function(**{name: known.get(need) for name, need in one.needs.items()})
-            _freeze(gift, seen)
-            known[one.gives] = gifts[one.gives] = gift
-    in_order = {one.gives: gifts[one.gives] for one in stages if one.gives in gifts}
+                outcome = one.function(**{name: known.get(need) for name, need in one.needs.items()})
+            _freeze(outcome, seen)
+            known[one.gives] = outcomes[one.gives] = outcome
+    in_order = {one.gives: outcomes[one.gives] for one in stages if one.gives in outcomes}
     missing: dict[tuple[str, ...], list[str]] = {}
     for one in stages:
         results = [entry.name for entry in entries(one.gives)] if absent.get(one.gives) else []
@@ -131,9 +131,9 @@ def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict
     return in_order, tuple(Missing(tuple(results), needs) for needs, results in missing.items())
 
 
-def _freeze(gift: object, seen: set[int]) -> None:
-    """Make all arrays of a gift read-only: stages and users share them. `seen` holds what has been gone through."""
-    open_ends: list[object] = [gift]
+def _freeze(outcome: object, seen: set[int]) -> None:
+    """Make all arrays of a outcome read-only: stages and users share them. `seen` holds what has been gone through."""
+    open_ends: list[object] = [outcome]
     while open_ends:
         value = open_ends.pop()
         if isinstance(value, np.ndarray):

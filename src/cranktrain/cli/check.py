@@ -16,7 +16,7 @@ def show_check(source: str) -> None:
     print(_("{file}: nothing wrong").format(file=one_line(file.document.name)))
     for sentence in sentences(result.unused):
         print(f"! {one_line(sentence)}")
-    groups = ", ".join(_words(type(gift).__name__) for gift in result.gifts if entries(type(gift)))
+    groups = ", ".join(_words(type(outcome).__name__) for outcome in result.outcomes if entries(type(outcome)))
     print(_("can compute {n} results: {groups}").format(n=len(result.catalogue), groups=groups))
     for missing in result.missing:
         print(

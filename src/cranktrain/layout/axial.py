@@ -6,7 +6,7 @@ from typing import ClassVar
 import numpy as np
 
 from cranktrain.language import N_
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import MAIN, ShaftSpec
 from cranktrain.motion import Array
 from cranktrain.record import record
@@ -27,7 +27,7 @@ class AxialPlaces:
 
 
 def axial_places_of(
-    shafts: Sequence[Mapping[str, ShaftSpec]], designs: Sequence[Sequence[Place]]
+    shafts: Sequence[Mapping[str, ShaftSpec]], designs: Sequence[Sequence[PlacedMechanism]]
 ) -> AxialPlaces | None:
     """Add up the gaps between throws, and the banks' stagger; None where several throws have no spacing."""
     throws = [{name: throw_positions(shaft) for name, shaft in design.items()} for design in shafts]

@@ -6,18 +6,18 @@ import numpy as np
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.closing import OpenRange, open_ranges
 from cranktrain.quantities import Given
 from cranktrain.wording import around_turn, number
 
 
-def closing_problems(places: Sequence[Place], zero: float) -> tuple[Problem, ...]:
+def closing_problems(places: Sequence[PlacedMechanism], zero: float) -> tuple[Problem, ...]:
     """Over which crank angles a mechanism cannot close, once for each geometry.
 
     Parameters
     ----------
-    places : sequence of Place
+    places : sequence of PlacedMechanism
     zero : float
         Crank angle that is shown as 0. [rad]
 
@@ -25,7 +25,7 @@ def closing_problems(places: Sequence[Place], zero: float) -> tuple[Problem, ...
     -------
     tuple of Problem
     """
-    different: dict[object, Place] = {}
+    different: dict[object, PlacedMechanism] = {}
     for place in places:
         different.setdefault((place.path, place.geometry), place)
     with np.errstate(all="ignore"):
@@ -39,7 +39,7 @@ def closing_problems(places: Sequence[Place], zero: float) -> tuple[Problem, ...
         )
 
 
-def _closing_problem(place: Place, ranges: Sequence[OpenRange], zero: float) -> Problem:
+def _closing_problem(place: PlacedMechanism, ranges: Sequence[OpenRange], zero: float) -> Problem:
     """Say where one mechanism cannot close, by how much, and what would help."""
     short = number(max(one.short for one in ranges), "mm")
     if ranges[0].end - ranges[0].start >= 2 * np.pi:

@@ -8,7 +8,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.frames import Orientation
 from cranktrain.layout.masses import Weighed
 from cranktrain.layout.mechanisms import Mechanisms, Pistons, Rockers
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import MAIN, ShaftSpec
 from cranktrain.record import record
 
@@ -22,7 +22,7 @@ class Design:
 
     Attributes
     ----------
-    places : tuple of Place
+    places : tuple of PlacedMechanism
         Its mechanisms, arranged on shafts and banks.
     shafts : mapping of str to ShaftSpec
     orientation : Orientation
@@ -34,7 +34,7 @@ class Design:
         Those of its file, by key.
     """
 
-    places: tuple[Place, ...]
+    places: tuple[PlacedMechanism, ...]
     shafts: Mapping[str, ShaftSpec]
     orientation: Orientation
     zero: float
@@ -46,11 +46,11 @@ class Design:
         return next((table for table in self.tables.values() if isinstance(table, kind)), None)
 
     @property
-    def pistons(self) -> tuple[Place, ...]:
+    def pistons(self) -> tuple[PlacedMechanism, ...]:
         """Those of its mechanisms that drive a slider."""
         return self.driving("slider")
 
-    def driving(self, output: str) -> tuple[Place, ...]:
+    def driving(self, output: str) -> tuple[PlacedMechanism, ...]:
         """Those of its mechanisms that have this output."""
         return tuple(place for place in self.places if place.kind.output == output)
 
@@ -95,7 +95,7 @@ class Designs:
         return self.each[0]
 
     @property
-    def places(self) -> Sequence[tuple[Place, ...]]:
+    def places(self) -> Sequence[tuple[PlacedMechanism, ...]]:
         """Mechanisms of each design."""
         return [design.places for design in self.each]
 

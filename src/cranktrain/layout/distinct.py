@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.layout.mechanisms import Group, Mechanisms
+from cranktrain.layout.mechanisms import Batch, Mechanisms
 from cranktrain.mechanisms.geometry import rows
 from cranktrain.motion import Array
 from cranktrain.numerics.nested import leaves
@@ -44,18 +44,18 @@ class Distinct:
 def distinct(mechanisms: Mechanisms) -> Distinct:
     """Find the mechanisms that differ in more than their phase."""
     origin = np.empty(mechanisms.nominal_top.shape[:2], dtype=np.intp)
-    groups: list[Group] = []
+    batches: list[Batch] = []
     names: list[str] = []
-    for group in mechanisms.groups:
-        members = group.members
-        lead = members.phase + mechanisms.nominal_top[:, group.index]
+    for batch in mechanisms.batches:
+        members = batch.members
+        lead = members.phase + mechanisms.nominal_top[:, batch.index]
         # Rounding leaves the leads of like mechanisms on different throws some 1e-16 apart.
         columns = np.stack([value.ravel() for value in (np.round(lead, 12), *leaves(members.geometry))], axis=1)
         seen: dict[bytes, int] = {}
         # Adding 0 makes −0 and 0 the same bytes.
         alike = np.array([seen.setdefault(row.tobytes(), len(seen)) for row in columns + 0.0], dtype=np.intp)
         _numbers, first = np.unique(alike, return_index=True)
-        origin[:, group.index] = len(names) + alike.reshape(lead.shape[:2])
+        origin[:, batch.index] = len(names) + alike.reshape(lead.shape[:2])
         one_design = first[np.newaxis]
         own = replace(
             members,
@@ -63,7 +63,7 @@ def distinct(mechanisms: Mechanisms) -> Distinct:
             geometry=rows(members.geometry, one_design),
             phase=lead.reshape(-1, 1)[one_design],
         )
-        groups.append(Group(group.kind, np.arange(len(names), len(names) + len(first)), own))
+        batches.append(Batch(batch.kind, np.arange(len(names), len(names) + len(first)), own))
         names += own.names
-    one = Mechanisms(tuple(names), tuple(names), tuple(groups), np.zeros((1, len(names), 1)))
+    one = Mechanisms(tuple(names), tuple(names), tuple(batches), np.zeros((1, len(names), 1)))
     return Distinct(one, origin, mechanisms.nominal_top)

@@ -6,7 +6,7 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import ComplexArray, phasor
 from cranktrain.record import record
@@ -31,12 +31,12 @@ class Orientation(NamedTuple):
     is_astern: bool
 
 
-def frame_of(place: Place, orientation: Orientation) -> Frame:
+def frame_of(place: PlacedMechanism, orientation: Orientation) -> Frame:
     """Find how a place of a machine lies.
 
     Parameters
     ----------
-    place : Place
+    place : PlacedMechanism
         Its axis counts from the first bank's, in the sense of its crank.
     orientation : Orientation
         Where a crank turns against the machine's normal sense, the metal stays and y is turned the other way.
@@ -107,7 +107,7 @@ class Frames:
         return np.asarray((x + 1j * self.sense[index, np.newaxis] * y) * turn)
 
 
-def frames_of(designs: Sequence[Sequence[Place]], orientations: Sequence[Orientation]) -> Frames:
+def frames_of(designs: Sequence[Sequence[PlacedMechanism]], orientations: Sequence[Orientation]) -> Frames:
     """Lay out the axes of several designs of one machine, [design][place]."""
     running = -1.0 if orientations[0].is_astern else 1.0
     sense = running if orientations[0].is_clockwise else -running

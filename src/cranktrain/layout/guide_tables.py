@@ -7,7 +7,7 @@ from cranktrain.errors import Problem
 from cranktrain.language import _
 from cranktrain.layout.bodies import GuideSpec
 from cranktrain.layout.part_tables import nearest_item, part_name, table_paths
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.dynamics import AnyDynamics
 from cranktrain.motion import ZERO, Array, single
 
@@ -29,7 +29,7 @@ Guides = Mapping[str, Mapping[str, GuideSpec]]
 """Guides by path of their table and by name of what slides."""
 
 
-def edges_of(place: Place, sliding: str, guides: Guides) -> Edges:
+def edges_of(place: PlacedMechanism, sliding: str, guides: Guides) -> Edges:
     """Edges of the guide of what slides in a mechanism."""
     spec = nearest_item(place, sliding, _TABLE, guides)
     if spec is None:
@@ -49,7 +49,7 @@ def bearing_moments(dynamics: AnyDynamics) -> tuple[str, ...]:
     )
 
 
-def guide_problems(places: Sequence[Place], guides: Guides) -> list[Problem]:
+def guide_problems(places: Sequence[PlacedMechanism], guides: Guides) -> list[Problem]:
     """Find guides of what no mechanism has, and of what bears no moment in its guide."""
     found: list[Problem] = []
     for path, specs in guides.items():

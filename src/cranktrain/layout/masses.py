@@ -12,7 +12,7 @@ from cranktrain.layout.bodies import BodySpec, GravitySpec, GuideSpec
 from cranktrain.layout.frames import Orientation, frame_of
 from cranktrain.layout.guide_tables import Edges, edges_of
 from cranktrain.layout.part_tables import PISTON, SLIDER, nearest_item, part_name, table_paths
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage.forces import Body, Gravity
 from cranktrain.mechanisms.geometry import stacked
 from cranktrain.motion import Array, single
@@ -26,7 +26,7 @@ _LEAST_GYRATION, _MOST_GYRATION = 0.1, 1.0
 """Radius of gyration, in lengths of the link, beyond which its inertia is flagged: a bar has 0.29, two masses 0.5."""
 
 
-class PlaceMasses(NamedTuple):
+class MechanismMasses(NamedTuple):
     """What one mechanism is made of, in floats; or several, in arrays of shape (design, member, 1).
 
     bodies: a `Body` for each moving part; gravity: in the mechanism's axes [m/s²]; of its sliders, friction [1] and the
@@ -45,8 +45,8 @@ class Masses:
 
     Attributes
     ----------
-    groups : tuple of PlaceMasses
-        One for each of `Mechanisms.groups`.
+    batches : tuple of MechanismMasses
+        One for each of `Mechanisms.batches`.
     are_given : bool
         Whether anything has a mass: without it nothing shakes, and nothing is balanced.
     weightless : tuple of str
@@ -59,7 +59,7 @@ class Masses:
 
     needs: ClassVar[str] = N_("[masses]")
 
-    groups: tuple[PlaceMasses, ...]
+    batches: tuple[MechanismMasses, ...]
     are_given: bool
     weightless: tuple[str, ...]
     assumed: tuple[str, ...]
@@ -68,11 +68,11 @@ class Masses:
     @property
     def has_friction(self) -> bool:
         """Whether any slider of any design rubs."""
-        return any(np.any(coefficient != 0.0) for group in self.groups for coefficient in group.friction)
+        return any(np.any(coefficient != 0.0) for batch in self.batches for coefficient in batch.friction)
 
     def without_mass(self) -> str | None:
         """Say what has no mass; None where all has."""
-        if all(not np.any(body.mass) for group in self.groups for body in group.bodies):
+        if all(not np.any(body.mass) for batch in self.batches for body in batch.bodies):
             return _("No masses are given: forces and torque are of the gas alone.")
         return _("Without mass: {parts}.").format(parts=", ".join(self.weightless)) if self.weightless else None
 
@@ -95,13 +95,13 @@ class Weighed(NamedTuple):
     orientation: Orientation
 
 
-def _length(place: Place, part: str) -> float | None:
+def _length(place: PlacedMechanism, part: str) -> float | None:
     """Length of a link between its pins, where the mechanism's geometry names it. [m]"""
     length = getattr(place.geometry, f"{part}_length", None)
     return None if length is None else float(length)
 
 
-def mass_problems(places: Sequence[Place], given: Weighed) -> tuple[Problem, ...]:
+def mass_problems(places: Sequence[PlacedMechanism], given: Weighed) -> tuple[Problem, ...]:
     """Find masses and friction of parts that no mechanism has, and bodies that cannot be the link's."""
     found: list[Problem] = []
     for path, bodies in given.bodies.items():
@@ -124,7 +124,7 @@ def mass_problems(places: Sequence[Place], given: Weighed) -> tuple[Problem, ...
     return tuple(dict.fromkeys(found))
 
 
-def _body_problems(where: str, name: str, body: BodySpec, places: Sequence[Place]) -> list[Problem]:
+def _body_problems(where: str, name: str, body: BodySpec, places: Sequence[PlacedMechanism]) -> list[Problem]:
     """Find what a body lacks, and a centroid that lies far outside its link."""
     found: list[Problem] = []
     lengths = [length for place in places if (length := _length(place, name)) is not None]
@@ -150,10 +150,10 @@ def _body_problems(where: str, name: str, body: BodySpec, places: Sequence[Place
     return found
 
 
-def masses_of(designs: Sequence[Sequence[Place]], given: Sequence[Weighed]) -> Masses:
+def masses_of(designs: Sequence[Sequence[PlacedMechanism]], given: Sequence[Weighed]) -> Masses:
     """Stack the bodies of several designs of one machine, [design][place], by kind as `mechanisms_of` does."""
     first = designs[0]
-    groups = [
+    batches = [
         stacked(
             [
                 [
@@ -173,7 +173,7 @@ def masses_of(designs: Sequence[Sequence[Place]], given: Sequence[Weighed]) -> M
         if part != _CRANK
     ]
     return Masses(
-        tuple(groups),
+        tuple(batches),
         are_given=bool(given[0].bodies),
         weightless=tuple(f"{place.name}.{part_name(part)}" for place, part, spec in moving if spec is None),
         assumed=tuple(
@@ -189,7 +189,7 @@ def masses_of(designs: Sequence[Sequence[Place]], given: Sequence[Weighed]) -> M
     )
 
 
-def _has_likely_inertia(place: Place, part: str, spec: BodySpec) -> bool:
+def _has_likely_inertia(place: PlacedMechanism, part: str, spec: BodySpec) -> bool:
     """Whether a given inertia that is not 0 is one that a link of its mass and length can have."""
     length = _length(place, part)
     if length is None or spec.inertia is None or spec.inertia.si == 0:
@@ -199,7 +199,7 @@ def _has_likely_inertia(place: Place, part: str, spec: BodySpec) -> bool:
     return (_LEAST_GYRATION * length) ** 2 <= square <= (_MOST_GYRATION * length) ** 2
 
 
-def _carries_crank(places: Sequence[Place], index: int) -> bool:
+def _carries_crank(places: Sequence[PlacedMechanism], index: int) -> bool:
     """Whether the throw's own body counts with this mechanism: the first on it that has a crank."""
     place = places[index]
     on_throw = [
@@ -210,7 +210,7 @@ def _carries_crank(places: Sequence[Place], index: int) -> bool:
     return on_throw[:1] == [index]
 
 
-def _place_masses(place: Place, given: Weighed, *, has_crank: bool) -> PlaceMasses:
+def _place_masses(place: PlacedMechanism, given: Weighed, *, has_crank: bool) -> MechanismMasses:
     """Bodies, gravity, friction and guides of one mechanism."""
     dynamics = place.kind.dynamics
     nothing = Body(*map(single, (0.0, 0.0, 0.0, 0.0)))
@@ -220,7 +220,7 @@ def _place_masses(place: Place, given: Weighed, *, has_crank: bool) -> PlaceMass
         else _body(place, part, spec)
         for part in dynamics.moving
     ]
-    return PlaceMasses(
+    return MechanismMasses(
         dynamics.bodies(*bodies),
         _gravity(place, given),
         tuple(
@@ -231,7 +231,7 @@ def _place_masses(place: Place, given: Weighed, *, has_crank: bool) -> PlaceMass
     )
 
 
-def _gravity(place: Place, given: Weighed) -> Gravity:
+def _gravity(place: PlacedMechanism, given: Weighed) -> Gravity:
     """Gravity in the mechanism's axes. [m/s²]"""
     if given.gravity is None:
         return Gravity(single(0.0), single(0.0))
@@ -241,7 +241,7 @@ def _gravity(place: Place, given: Weighed) -> Gravity:
     return Gravity(single(-pull * cos(up)), single(pull * sense * sin(up)))
 
 
-def _body(place: Place, part: str, spec: BodySpec) -> Body:
+def _body(place: PlacedMechanism, part: str, spec: BodySpec) -> Body:
     """One body in SI; what is across counts to the left in the mechanism's own axes."""
     length = _length(place, part)
     along = 0.0 if spec.along is None else spec.along.si

@@ -6,7 +6,7 @@ from typing import ClassVar, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage import in_blocks
 from cranktrain.mechanisms.geometry import rows, stacked
 from cranktrain.mechanisms.kind import AnyGeometry, AnyKind, AnyMotion, Members
@@ -18,7 +18,7 @@ Outcome = TypeVar("Outcome", bound=tuple[Array, ...])
 
 
 @record
-class Group:
+class Batch:
     """Mechanisms of one kind among those of a `Mechanisms`: which of its places they take."""
 
     kind: AnyKind
@@ -36,7 +36,7 @@ class Mechanisms:
         `1L`, `2L`, …
     banks : tuple of str
         Bank of each.
-    groups : tuple of Group
+    batches : tuple of Batch
     nominal_top : Array, shape (design, mechanism, 1)
         φ at which the crank points along the mechanism's own x. [rad]
     """
@@ -46,20 +46,20 @@ class Mechanisms:
 
     names: tuple[str, ...]
     banks: tuple[str, ...]
-    groups: tuple[Group, ...]
+    batches: tuple[Batch, ...]
     nominal_top: Array
 
     @property
     def labels(self) -> dict[str, tuple[str, ...]]:
         """Names of the mechanisms, and of those of each kind that has results of its own."""
-        own = {group.kind.name: group.members.names for group in self.groups if group.kind.stages}
+        own = {batch.kind.name: batch.members.names for batch in self.batches if batch.kind.stages}
         return {self.dimension: self.names} | (own if self.dimension == Mechanisms.dimension else {})
 
     def marked(self, is_so: Callable[[AnyKind], bool]) -> NDArray[np.bool_]:
         """Whether something is so of each mechanism's kind, shape (mechanism,)."""
         found = np.zeros(len(self.names), dtype=np.bool_)
-        for group in self.groups:
-            found[group.index] = is_so(group.kind)
+        for batch in self.batches:
+            found[batch.index] = is_so(batch.kind)
         return found
 
     @property
@@ -80,30 +80,30 @@ class Mechanisms:
         -------
         NamedTuple of arrays, shape (design, mechanism, n)
         """
-        picked: list[tuple[Group, Outcome]] = []
-        for group in self.groups:
-            own = angle[:, group.index, :] if angle.ndim == 3 and angle.shape[1] > 1 else angle
+        picked: list[tuple[Batch, Outcome]] = []
+        for batch in self.batches:
+            own = angle[:, batch.index, :] if angle.ndim == 3 and angle.shape[1] > 1 else angle
             picked.append(
-                (group, pick(in_blocks(group.kind.motion, own + group.members.phase, group.members.geometry)))
+                (batch, pick(in_blocks(batch.kind.motion, own + batch.members.phase, batch.members.geometry)))
             )
         first = picked[0][1]
         shape = (first[0].shape[0], len(self.names), first[0].shape[-1])
         columns: list[Array] = []
         for part in range(len(first)):
             column = np.empty(shape)
-            for group, values in picked:
-                column[:, group.index, :] = values[part]
+            for batch, values in picked:
+                column[:, batch.index, :] = values[part]
             columns.append(column)
         return remade(first, columns)
 
     def alone(self, design: int, mechanism: int, angle: Array) -> AnyMotion:
         """Motion of one mechanism of one design at φ [rad], shape (n,): parts of shape (1, n)."""
-        for group in self.groups:
-            member = np.flatnonzero(group.index == mechanism)
+        for batch in self.batches:
+            member = np.flatnonzero(batch.index == mechanism)
             if member.size:
-                place = np.array([design * group.index.size + member[0]])
-                return group.kind.motion(
-                    angle + group.members.phase[design, member], rows(group.members.geometry, place)
+                place = np.array([design * batch.index.size + member[0]])
+                return batch.kind.motion(
+                    angle + batch.members.phase[design, member], rows(batch.members.geometry, place)
                 )
         raise IndexError(mechanism)
 
@@ -130,10 +130,10 @@ class Rockers(Mechanisms):
 MechanismsLike = TypeVar("MechanismsLike", bound=Mechanisms)
 
 
-def mechanisms_of(result: type[MechanismsLike], designs: Sequence[Sequence[Place]]) -> MechanismsLike:
+def mechanisms_of(result: type[MechanismsLike], designs: Sequence[Sequence[PlacedMechanism]]) -> MechanismsLike:
     """Stack the places of several designs of one machine, [design][place], by kind."""
     first = designs[0]
-    groups: list[Group] = []
+    batches: list[Batch] = []
     for chosen in dict.fromkeys(place.kind for place in first):
         index = [i for i, place in enumerate(first) if place.kind == chosen]
         members = chosen.members(
@@ -141,10 +141,10 @@ def mechanisms_of(result: type[MechanismsLike], designs: Sequence[Sequence[Place
             geometry=stacked([[design[i].geometry for i in index] for design in designs]),
             phase=np.array([[[design[i].phase] for i in index] for design in designs]),
         )
-        groups.append(Group(chosen, np.array(index, dtype=np.intp), members))
+        batches.append(Batch(chosen, np.array(index, dtype=np.intp), members))
     return result(
         names=tuple(place.name for place in first),
         banks=tuple(place.bank for place in first),
-        groups=tuple(groups),
+        batches=tuple(batches),
         nominal_top=np.array([[[place.nominal_top] for place in design] for design in designs]),
     )

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import TypeVar
 
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 
 Item = TypeVar("Item")
 
@@ -16,13 +16,13 @@ def part_name(moving: str) -> str:
     return PISTON if moving == SLIDER else moving
 
 
-def table_paths(place: Place, table: str) -> tuple[str, ...]:
+def table_paths(place: PlacedMechanism, table: str) -> tuple[str, ...]:
     """Paths of the tables of a name that speak of a mechanism, the nearest first."""
     home = place.path.rpartition(".")[0]
     return (f"{home}.{table}", table) if home else (table,)
 
 
-def nearest_item(place: Place, part: str, table: str, given: Mapping[str, Mapping[str, Item]]) -> Item | None:
+def nearest_item(place: PlacedMechanism, part: str, table: str, given: Mapping[str, Mapping[str, Item]]) -> Item | None:
     """Find what the nearest table that speaks of a part gives it; None where none does."""
     found = (given.get(path, {}).get(part_name(part)) for path in table_paths(place, table))
     return next((item for item in found if item is not None), None)

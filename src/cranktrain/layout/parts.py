@@ -60,7 +60,7 @@ def layout_parts(designs: Designs) -> Iterator[object | None]:
     places, shafts = designs.places, designs.shafts
     yield designs.crank_angle
     yield designs.mechanisms
-    yield from (group.members for group in designs.mechanisms.groups)
+    yield from (batch.members for batch in designs.mechanisms.batches)
     yield designs.pistons
     yield designs.rockers
     yield axial_places_of(shafts, places)

@@ -57,7 +57,7 @@ class _Slot:
 
 
 @record
-class Place(_Slot):
+class PlacedMechanism(_Slot):
     """One mechanism of a machine: where it works, and how it stands there.
 
     Attributes
@@ -91,7 +91,7 @@ class Place(_Slot):
 
 def places_of(
     shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec], *, astern: bool, prefix: str = "bank."
-) -> tuple[tuple[Place, ...], tuple[Problem, ...]]:
+) -> tuple[tuple[PlacedMechanism, ...], tuple[Problem, ...]]:
     """Arrange a machine's mechanisms.
 
     Parameters
@@ -106,7 +106,7 @@ def places_of(
 
     Returns
     -------
-    tuple of Place, tuple of Problem
+    tuple of PlacedMechanism, tuple of Problem
         Places in the order of the file. With problems, no places.
     """
     slots, problems = _slots(shafts, banks, prefix)
@@ -115,7 +115,7 @@ def places_of(
     phases, problems = shaft_phases(shafts, banks)
     problems = problems or tuple(lead_problems(shafts, banks))
     first = first_axis(banks)
-    places: list[Place] = []
+    places: list[PlacedMechanism] = []
     for slot in slots:
         master = _master_of(slot, slots)
         if isinstance(master, Problem):
@@ -133,7 +133,7 @@ def places_of(
         # A crank that turns the other way is the same metal seen with y reversed, at the same φ.
         sense = -float(shaft.ratio) if astern else float(shaft.ratio)
         places.append(
-            Place(
+            PlacedMechanism(
                 **vars(slot),
                 sense=sense,
                 axis=sense * (slot.file_axis - first),

@@ -6,7 +6,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import MAIN, ShaftSpec
 from cranktrain.record import record
 
@@ -46,7 +46,7 @@ class Shafts:
         )
 
 
-def shafts_of(shafts: Mapping[str, ShaftSpec], places: Sequence[Place]) -> Shafts:
+def shafts_of(shafts: Mapping[str, ShaftSpec], places: Sequence[PlacedMechanism]) -> Shafts:
     """Say where every mechanism works."""
     names = tuple(shafts)
     return Shafts(

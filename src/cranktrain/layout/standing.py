@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.errors import Problem
 from cranktrain.language import _
 from cranktrain.layout.frames import Orientation, frame_of, in_machine_axes
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import MAIN, ShaftSpec
 from cranktrain.motion import Array, single
 from cranktrain.numerics import turn_grid
@@ -24,14 +24,14 @@ def shaft_centres(shafts: Mapping[str, ShaftSpec]) -> dict[str, Array]:
 
 
 def standing_problems(
-    shafts: Mapping[str, ShaftSpec], places: Sequence[Place], orientation: Orientation
+    shafts: Mapping[str, ShaftSpec], places: Sequence[PlacedMechanism], orientation: Orientation
 ) -> tuple[Problem, ...]:
     """Find shafts that stand so that opposed pistons would not share a cylinder, or would meet in it.
 
     Parameters
     ----------
     shafts : mapping of name to ShaftSpec
-    places : sequence of Place
+    places : sequence of PlacedMechanism
     orientation : Orientation
 
     Returns
@@ -41,7 +41,7 @@ def standing_problems(
     """
     centres = shaft_centres(shafts)
     found: dict[str, Problem] = {}
-    cylinders: dict[str, list[Place]] = {}
+    cylinders: dict[str, list[PlacedMechanism]] = {}
     for place in places:
         cylinders.setdefault(place.cylinder, []).append(place)
     for pair in cylinders.values():
@@ -55,7 +55,7 @@ def standing_problems(
     return tuple(found.values())
 
 
-def _wrong(pair: Sequence[Place], centres: Mapping[str, Array], orientation: Orientation) -> str | None:
+def _wrong(pair: Sequence[PlacedMechanism], centres: Mapping[str, Array], orientation: Orientation) -> str | None:
     """Say what is wrong with the places of two pistons' shafts; None where nothing is."""
     frames = [frame_of(place, orientation) for place in pair]
     along = np.array(in_machine_axes(single(1.0), single(0.0), frames[0]))

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.language import N_
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import MAIN, ShaftSpec
 from cranktrain.layout.standing import shaft_centres
 from cranktrain.numerics.gathering import gathered
@@ -43,7 +43,7 @@ class Throws:
         return gathered(values, self.carrying, len(self.names))
 
 
-def throws_of(places: Sequence[Place]) -> Throws:
+def throws_of(places: Sequence[PlacedMechanism]) -> Throws:
     """List the throws in the order of the mechanisms."""
     carriers = [(place.shaft, place.throw) for place in places]
     throws = list(dict.fromkeys(carriers))
@@ -65,7 +65,7 @@ class ShaftCentres:
 
 
 def shaft_centres_of(
-    shafts: Sequence[Mapping[str, ShaftSpec]], designs: Sequence[Sequence[Place]]
+    shafts: Sequence[Mapping[str, ShaftSpec]], designs: Sequence[Sequence[PlacedMechanism]]
 ) -> ShaftCentres | None:
     """Find the centres; None where a shaft that carries a mechanism has no place."""
     centres = [shaft_centres(design) for design in shafts]

@@ -20,7 +20,7 @@ from cranktrain.plans.acting import (
     pair_symbol,
     turned_to_machine,
 )
-from cranktrain.questions.forces.loaded_machine import SolvedGroup
+from cranktrain.questions.forces.loaded_machine import SolvedBatch
 
 _CRANK, _ROD, _MASTER = "crank", "rod", "master_"
 """What a master calls its crank and rod; before what its slaves call its rod and slider."""
@@ -88,7 +88,7 @@ def acted_links(machine: Machine, seen: Seen) -> dict[str, tuple[Force, ...]]:
     """
     one, numbers = seen.one, seen.numbers
     solved = one.loaded.solved(one.angle)
-    reactions = list(_reactions(machine, one, solved[one.group].forces.joints))
+    reactions = list(_reactions(machine, one, solved[one.batch].forces.joints))
     bodies = _on_shaft(one.dynamics)
     found: dict[str, list[Force]] = {body: [] for body in bodies.values()}
     for i, (name, body) in enumerate(bodies.items()):
@@ -131,7 +131,7 @@ def _reactions_on(
             yield Force(pair_symbol("F", numbers[reaction.on], numbers[name]), "reaction", reaction.name, -value)
 
 
-def _hanging(machine: Machine, seen: Seen, solved: Sequence[SolvedGroup]) -> Iterator[Force]:
+def _hanging(machine: Machine, seen: Seen, solved: Sequence[SolvedBatch]) -> Iterator[Force]:
     """Forces of the rods that hang on a mechanism's rod."""
     one = seen.one
     loaded = one.loaded
@@ -141,6 +141,6 @@ def _hanging(machine: Machine, seen: Seen, solved: Sequence[SolvedGroup]) -> Ite
             slave = member_of(machine, loaded, place, one.angle)
             number = seen.hung.get(place.name)
             symbol = f"F_{place.name}" if number is None else pair_symbol("F", number, seen.numbers[_ROD])
-            for reaction, value in _reactions(machine, slave, solved[slave.group].forces.joints):
+            for reaction, value in _reactions(machine, slave, solved[slave.batch].forces.joints):
                 if reaction.by == MASTER_ROD:
                     yield Force(symbol, "reaction", f"{place.name}.{reaction.name}", -value)

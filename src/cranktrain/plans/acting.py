@@ -13,7 +13,7 @@ from cranktrain.analysis import SpeedWanted, run, speed_over_cycle
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.layout.frames import in_machine_axes
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage.forces import NO_FRICTION, WEIGHTLESS, Body, Conditions, Drive, Gravity, Wrench
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.dynamics import FRAME, AnyDynamics
@@ -46,11 +46,11 @@ class Force(NamedTuple):
 
 @dataclass(frozen=True)
 class Member:
-    """One mechanism of a loaded machine: its place, group, member of it; motion of shape (1, n), size and masses."""
+    """One mechanism of a loaded machine: its place, batch, member of it; motion of shape (1, n), size and masses."""
 
     loaded: LoadedMachine
-    place: Place
-    group: int
+    place: PlacedMechanism
+    batch: int
     member: int
     angle: Array
     motion: AnyMotion
@@ -59,8 +59,8 @@ class Member:
     gravity: Gravity
 
     def own(self, values: Array) -> Array:
-        """Give its own, shape (n,), of values of its group's members, broadcastable to (1, member, n)."""
-        members = self.loaded.mechanisms.groups[self.group].index
+        """Give its own, shape (n,), of values of its batch's members, broadcastable to (1, member, n)."""
+        members = self.loaded.mechanisms.batches[self.batch].index
         return np.broadcast_to(values, (1, members.size, self.angle.size))[0, self.member]
 
     @property
@@ -98,20 +98,20 @@ def refuse_idle(machine: Machine) -> None:
         raise InputError(problems)
 
 
-def member_of(machine: Machine, loaded: LoadedMachine, place: Place, angle: Array) -> Member:
+def member_of(machine: Machine, loaded: LoadedMachine, place: PlacedMechanism, angle: Array) -> Member:
     """Find a mechanism in a loaded machine, at φ of shape (n,). [rad]"""
     index = loaded.mechanisms.names.index(place.name)
-    at = next(i for i, group in enumerate(loaded.mechanisms.groups) if index in group.index)
-    group = loaded.mechanisms.groups[at]
-    member = group.index.tolist().index(index)
+    at = next(i for i, batch in enumerate(loaded.mechanisms.batches) if index in batch.index)
+    batch = loaded.mechanisms.batches[at]
+    member = batch.index.tolist().index(index)
     own = np.array([member])
-    size = rows(group.members.geometry, own)
-    made = rows(loaded.masses.groups[at], own)
-    motion = group.kind.motion(angle + rows((group.members.phase,), own)[0], size)
+    size = rows(batch.members.geometry, own)
+    made = rows(loaded.masses.batches[at], own)
+    motion = batch.kind.motion(angle + rows((batch.members.phase,), own)[0], size)
     return Member(loaded, place, at, member, angle, motion, size, tuple(made.bodies), made.gravity)
 
 
-def link_numbers(place: Place, after: int = 1) -> dict[str, int]:
+def link_numbers(place: PlacedMechanism, after: int = 1) -> dict[str, int]:
     """Number bodies: 1 the frame; after a number crank, a slave's master rod, what else moves."""
     dynamics = place.kind.dynamics
     joined = [body for reaction in dynamics.reactions for body in (reaction.on, reaction.by)]
@@ -125,7 +125,7 @@ def pair_symbol(letter: str, by: int, on: int) -> str:
     return f"{letter}_{by}{on}" if max(by, on) < 10 else f"{letter}_{by},{on}"
 
 
-def turned_to_machine(machine: Machine, place: Place, x: Array, y: Array) -> Array:
+def turned_to_machine(machine: Machine, place: PlacedMechanism, x: Array, y: Array) -> Array:
     """Give a vector of a mechanism's axes in the machine's, shape (2, n)."""
     return np.stack(in_machine_axes(x, y, frame(machine, place)))
 

@@ -187,4 +187,4 @@ class _Laying(NamedTuple):
     def _moment(self) -> float:
         """Balancing moment on the crank, in the sense in which its shaft turns. [N·m]"""
         one = self.seen.one
-        return float(one.own(one.loaded.solved(one.angle)[one.group].forces.driving_torque)[0])
+        return float(one.own(one.loaded.solved(one.angle)[one.batch].forces.driving_torque)[0])

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from cranktrain.analysis import Result, run
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.plans.acting import refuse_idle
@@ -138,7 +138,7 @@ def _column(symbol: str, unit: str, curves: Array, kept: NDArray[np.bool_]) -> F
     return ForceColumn(symbol, unit, exact[kept], *(values for pair in taken for values in pair))
 
 
-def _sort(machine: Machine, place: Place) -> Literal["plain", "master", "slave"]:
+def _sort(machine: Machine, place: PlacedMechanism) -> Literal["plain", "master", "slave"]:
     """What a piston's rod is: on another's, with others on it, or neither."""
     if place.kind.dynamics.on_master is not None:
         return "slave"
@@ -161,7 +161,7 @@ def _is_gauge(unit: str) -> bool:
     return shown(0.0, unit) != 0.0
 
 
-def _piston(machine: Machine, wanted: str | None) -> Place:
+def _piston(machine: Machine, wanted: str | None) -> PlacedMechanism:
     """Find a piston with a rod; unless named, the first whose rod is on a crank pin."""
     rods = {place.name: place for place in machine.pistons if place.kind.has_rod}
     if not rods:

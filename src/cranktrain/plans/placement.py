@@ -9,7 +9,7 @@ import numpy as np
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.layout.frames import Frame, frame_of, in_machine_axes
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import MAIN
 from cranktrain.layout.standing import shaft_centres
 from cranktrain.machine import Machine
@@ -19,7 +19,7 @@ from cranktrain.numerics import turn_grid
 from cranktrain.questions.cylinders.declared import cylinders_of
 
 
-def first_throw(machine: Machine) -> tuple[Place, ...]:
+def first_throw(machine: Machine) -> tuple[PlacedMechanism, ...]:
     """Give the places on the main shaft's first throw that carries any, and all that share cylinders with these.
 
     Opposed pistons lead from shaft to shaft: the other piston of each cylinder is drawn, with all that is on its throw.
@@ -85,9 +85,9 @@ def shaft_places(machine: Machine) -> ShaftPlaces:
     return ShaftPlaces({**known, missing[0]: np.ravel(lines[0] - lines[1])}, tuple(missing))
 
 
-def _facing(machine: Machine) -> tuple[Place, Place] | None:
+def _facing(machine: Machine) -> tuple[PlacedMechanism, PlacedMechanism] | None:
     """Find the first two pistons on both shafts that share a cylinder, if all others face each other as they do."""
-    cylinders: dict[str, list[Place]] = {}
+    cylinders: dict[str, list[PlacedMechanism]] = {}
     for place in machine.places:
         cylinders.setdefault(place.cylinder, []).append(place)
     pairs = [pair for pair in cylinders.values() if len({place.shaft for place in pair}) == 2]
@@ -95,13 +95,13 @@ def _facing(machine: Machine) -> tuple[Place, Place] | None:
     return (pairs[0][0], pairs[0][1]) if len(lines) == 1 else None
 
 
-def _bore(machine: Machine, place: Place, motion: Array) -> float:
+def _bore(machine: Machine, place: PlacedMechanism, motion: Array) -> float:
     """Bore of a piston's cylinder; where the file has none, 0.6 of the stroke. [m]"""
     bore = cylinders_of(machine.cylinder, [place])[0].spec.bore
     return 0.6 * float(np.ptp(motion[np.isfinite(motion)])) if bore is None else bore.si
 
 
-def place_called(machine: Machine, name: str | None) -> Place:
+def place_called(machine: Machine, name: str | None) -> PlacedMechanism:
     """Find a place by its name, or the first one by its cylinder's.
 
     Unless named, the first slave of the first throw, which shows its master too.
@@ -122,7 +122,7 @@ def place_called(machine: Machine, name: str | None) -> Place:
     raise InputError([Problem("", name, allowed.format(names=names))])
 
 
-def slider_crank_called(machine: Machine, name: str | None) -> Place:
+def slider_crank_called(machine: Machine, name: str | None) -> PlacedMechanism:
     """Find a slider-crank by name; the first one unless given.
 
     Raises
@@ -138,18 +138,18 @@ def slider_crank_called(machine: Machine, name: str | None) -> Place:
     return place
 
 
-def frame(machine: Machine, place: Place) -> Frame:
+def frame(machine: Machine, place: PlacedMechanism) -> Frame:
     """Where a place's axes lie in the machine's."""
     return frame_of(place, machine.orientation)
 
 
-def placed(machine: Machine, place: Place, angle: Array) -> Drawing:
+def placed(machine: Machine, place: PlacedMechanism, angle: Array) -> Drawing:
     """Give a place's drawing in machine axes.
 
     Parameters
     ----------
     machine : Machine
-    place : Place
+    place : PlacedMechanism
     angle : Array, shape (n,)
         φ of the machine. [rad]
 
@@ -169,13 +169,13 @@ def placed(machine: Machine, place: Place, angle: Array) -> Drawing:
     return replace(own, pins=pins, guides=guides)
 
 
-def output_motion(machine: Machine, place: Place, angle: Array) -> Coefficient:
+def output_motion(machine: Machine, place: PlacedMechanism, angle: Array) -> Coefficient:
     """Give a place's output: distance of the slider from the shaft along its own x, or direction of the rocker.
 
     Parameters
     ----------
     machine : Machine
-    place : Place
+    place : PlacedMechanism
     angle : Array, shape (n,)
         Crank angle as the machine shows it. [rad]
 

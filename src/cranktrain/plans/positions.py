@@ -10,7 +10,7 @@ import numpy as np
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.motion import Array
@@ -97,7 +97,7 @@ def track(machine: Machine, scale: float, *, mechanism: str | None = None) -> Dr
     return placed_together(machine, places_called(machine, mechanism), phi).scaled(1.0 / scale)
 
 
-def closed_angles(machine: Machine, places: Sequence[Place], angles: int | Sequence[float]) -> Array:
+def closed_angles(machine: Machine, places: Sequence[PlacedMechanism], angles: int | Sequence[float]) -> Array:
     """Give the crank angles that are asked for; of a number spread over the turn, those at which the links close.
 
     Raises

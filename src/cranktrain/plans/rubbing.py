@@ -54,13 +54,13 @@ def friction_on_links(one: Member) -> Iterator[Rubbing]:
     -----
     Friction is what a reaction has along the relative velocity of the two links. docs/theory/forces, eq. (13.9).
     """
-    coefficients = one.loaded.masses.groups[one.group].friction
+    coefficients = one.loaded.masses.batches[one.batch].friction
     links = dict(zip(one.dynamics.moving, one.dynamics.links(one.motion, one.size), strict=True))
     if not any(np.any(coefficient) for coefficient in coefficients):
         return
-    group = one.loaded.mechanisms.groups[one.group]
-    joints = one.loaded.solved(one.angle)[one.group].forces.joints
-    pins = one.place.kind.drawing(one.angle + group.members.phase[0, one.member], one.place.geometry).pins
+    batch = one.loaded.mechanisms.batches[one.batch]
+    joints = one.loaded.solved(one.angle)[one.batch].forces.joints
+    pins = one.place.kind.drawing(one.angle + batch.members.phase[0, one.member], one.place.geometry).pins
     fastest = max(float(np.hypot(*_velocity(pin))) for pin in pins.values())
     for contact in one.dynamics.contacts:
         yield from _of_contact(one, contact, joints, links, pins[contact.pin], fastest)

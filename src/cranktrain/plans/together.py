@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.motion import Array, Point
@@ -13,7 +13,7 @@ from cranktrain.plans.lettering import renamed
 from cranktrain.plans.placement import place_called, placed, shaft_places
 
 
-def places_called(machine: Machine, name: str | None) -> tuple[Place, ...]:
+def places_called(machine: Machine, name: str | None) -> tuple[PlacedMechanism, ...]:
     """Find the mechanisms that a plan shows: one; of a cylinder with opposed pistons those of both.
 
     A cylinder is meant by its name, or where nothing is named. What is on a shaft whose place is not known is left out,
@@ -45,13 +45,13 @@ def places_called(machine: Machine, name: str | None) -> tuple[Place, ...]:
     return (first, *(others if first.shaft in centres else ()))
 
 
-def placed_together(machine: Machine, places: Sequence[Place], angle: Array) -> Drawing:
+def placed_together(machine: Machine, places: Sequence[PlacedMechanism], angle: Array) -> Drawing:
     """Give the drawing of several places in machine axes about the first one's shaft.
 
     Parameters
     ----------
     machine : Machine
-    places : sequence of Place
+    places : sequence of PlacedMechanism
         On shafts that stand somewhere known.
     angle : Array, shape (n,)
         φ of the machine. [rad]
@@ -84,7 +84,7 @@ def numbered_pin(name: str, i: int) -> str:
     return f"{name}{i + 1}" if i else name
 
 
-def together_name(places: Sequence[Place]) -> str:
+def together_name(places: Sequence[PlacedMechanism]) -> str:
     """Name of what is drawn together: a mechanism, or a cylinder."""
     return places[0].name if len(places) == 1 else places[0].cylinder
 

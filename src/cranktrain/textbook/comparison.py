@@ -9,7 +9,7 @@ import numpy as np
 from cranktrain.catalogue import coefficients, extreme
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.mechanisms import Group, Pistons
+from cranktrain.layout.mechanisms import Batch, Pistons
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array, Coefficient
@@ -147,23 +147,23 @@ def textbook_motion(
     errors, angles = np.full((2, 3, n_designs, n_methods, n_pistons), np.nan)
     curves[:, :, 0] = np.reshape(exact, (3, n_designs, n_pistons, -1, n_turn))
     errors[:, :, 0] = 0.0
-    for group, alike in zip(pistons.groups, turn.distinct.mechanisms.groups, strict=True):
-        forms = {i: form[group.kind.name] for i, form in enumerate(FORMS.values(), 1) if group.kind.name in form}
+    for batch, alike in zip(pistons.batches, turn.distinct.mechanisms.batches, strict=True):
+        forms = {i: form[batch.kind.name] for i, form in enumerate(FORMS.values(), 1) if batch.kind.name in form}
         if not forms:
             continue
-        members = group.members
+        members = batch.members
         for method, form in forms.items():
             own = form(members.geometry)(crank_angle.first_turn + members.phase)
             for curve, values in zip(curves, own, strict=True):
-                curve[:, method, group.index] = values[..., np.newaxis, :]
+                curve[:, method, batch.index] = values[..., np.newaxis, :]
         samples = Coefficient(*(part[:, alike.index] for part in turn.samples[:3]))
         peaks = Extremes(*(Extreme(*(part[:, :, alike.index] for part in one)) for one in turn.peaks))
         worst = _largest_errors(tuple(forms.values()), alike, samples, peaks)
-        origin = turn.distinct.origin[:, group.index] - alike.index[0]
+        origin = turn.distinct.origin[:, batch.index] - alike.index[0]
         for row, method in enumerate(forms):
-            errors[:, :, method, group.index] = worst.value[row][:, 0, origin, 0]
-            phi = worst.angle[row][:, 0, origin] + pistons.nominal_top[:, group.index]
-            angles[:, :, method, group.index] = crank_angle.counted(phi)[..., 0]
+            errors[:, :, method, batch.index] = worst.value[row][:, 0, origin, 0]
+            phi = worst.angle[row][:, 0, origin] + pistons.nominal_top[:, batch.index]
+            angles[:, :, method, batch.index] = crank_angle.counted(phi)[..., 0]
     return TextbookMotion(
         Coefficient(*curves.reshape(3, n_designs, n_methods, n_pistons, n_angles)),
         *(Extreme(*one) for one in zip(angles, errors, strict=True)),
@@ -171,17 +171,17 @@ def textbook_motion(
     )
 
 
-def _largest_errors(forms: Sequence[Form], group: Group, samples: Coefficient, peaks: Extremes) -> Extreme:
+def _largest_errors(forms: Sequence[Form], batch: Batch, samples: Coefficient, peaks: Extremes) -> Extreme:
     """Largest errors of displacement, velocity and acceleration and own crank angles there, (form, 3, 1, member, 1).
 
     Displacement in parts of the exact stroke, the others of their exact peak. `samples` is the exact slider on
     `turn_grid()`, with its peaks.
     """
-    members = group.members
+    members = batch.members
     curves = [form(members.geometry) for form in forms]
 
     def slider(alpha: Array) -> Coefficient:
-        return group.kind.motion(alpha + members.phase, members.geometry).slider
+        return batch.kind.motion(alpha + members.phase, members.geometry).slider
 
     low, high = peaks
     top = high.value[0]
@@ -210,10 +210,10 @@ def _flags(pistons: Pistons) -> tuple[str, ...]:
     """Say which methods are outside their source's range, for which pistons, and what the source says."""
     flags: list[str] = []
     for one in RANGES:
-        for group in pistons.groups:
-            if group.kind.name not in FORMS[one.method]:
+        for batch in pistons.batches:
+            if batch.kind.name not in FORMS[one.method]:
                 continue
-            geometry = group.members.geometry
+            geometry = batch.members.geometry
             plain = getattr(geometry, "master", geometry)
             outside = one.outside(plain.crank_radius / plain.rod_length, plain.offset)[..., 0]
             members = np.flatnonzero(np.any(outside, axis=0)).tolist()
@@ -225,7 +225,7 @@ def _flags(pistons: Pistons) -> tuple[str, ...]:
                         method=_(one.name),
                         equations=", ".join(one.equations),
                         condition=_(one.condition),
-                        pistons=ranged(group.members.names, members),
+                        pistons=ranged(batch.members.names, members),
                         source=one.source,
                     )
                 )

@@ -18,7 +18,7 @@ from cranktrain.questions.motion.dead_centres import DeadCentres, PistonTurn
 def test_only_what_is_asked_for_is_computed():
     result = ct.run(ct.Machine(**V12), quantities=["displacement"])
     computed = {PistonTurn, DeadCentres, CylinderTravel, SweptVolumes}
-    assert {type(gift) for gift in result.gifts} == {*computed, UnlikelyLoads}  # which takes what there is
+    assert {type(outcome) for outcome in result.outcomes} == {*computed, UnlikelyLoads}  # which takes what there is
     assert result.displacement == ct.run(ct.Machine(**V12)).displacement
     assert "closing_margin" not in result.catalogue
 

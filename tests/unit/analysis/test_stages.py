@@ -1,4 +1,4 @@
-"""Stages: their needs and gifts are read from annotations; what is missing is said in words."""
+"""Stages: their needs and outcomes are read from annotations; what is missing is said in words."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -63,22 +63,22 @@ def test_needs_come_before_their_use():
 
 
 def test_gifts_in_the_order_of_the_declaration():
-    gifts, missing = run_stages(STAGES, {Bore: Bore(3.0), Other: Other()})
-    assert list(gifts) == [Odd, Force, Area]
-    assert gifts[Force].force == 18.0
+    outcomes, missing = run_stages(STAGES, {Bore: Bore(3.0), Other: Other()})
+    assert list(outcomes) == [Odd, Force, Area]
+    assert outcomes[Force].force == 18.0
     assert missing == ()
 
 
 def test_an_optional_need_is_not_missed():
-    gifts, missing = run_stages(STAGES, {Bore: Bore(3.0)})
-    assert gifts[Force].force == 9.0
-    assert Odd not in gifts
+    outcomes, missing = run_stages(STAGES, {Bore: Bore(3.0)})
+    assert outcomes[Force].force == 9.0
+    assert Odd not in outcomes
     assert missing == ()  # no machine file can give what it lacks
 
 
 def test_what_is_missing_is_traced_to_the_file():
-    gifts, missing = run_stages(STAGES, {Other: Other()})
-    assert gifts == {}
+    outcomes, missing = run_stages(STAGES, {Other: Other()})
+    assert outcomes == {}
     (found,) = missing
     assert found.needs == ("[x] bore",)
     assert sorted(found.results) == ["area", "force", "odd"]
@@ -90,8 +90,8 @@ def test_division_by_zero_within_a_stage_is_nan_and_no_warning():
     def nothing(bore: Bore) -> Area:
         return Area(float(np.divide(0.0 * bore.value, 0.0)))
 
-    gifts, _missing = run_stages([Stage(nothing)], {Bore: Bore(1.0)})
-    assert gifts[Area].area != gifts[Area].area
+    outcomes, _missing = run_stages([Stage(nothing)], {Bore: Bore(1.0)})
+    assert outcomes[Area].area != outcomes[Area].area
 
 
 def test_stages_that_need_each_other_cannot_be_ordered():

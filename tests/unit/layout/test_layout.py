@@ -67,7 +67,7 @@ def test_every_mechanism_is_evaluated_in_its_place():
     bank = banks(A=0, C=90) | {"B": {"mechanism": ROCKER}}
     found = mechanisms(ct.Machine(bank={name: bank[name] for name in ("A", "B", "C")}))
     assert found.names == ("1A", "1B", "1C")
-    assert [(group.kind.name, group.index.tolist()) for group in found.groups] == [
+    assert [(batch.kind.name, batch.index.tolist()) for batch in found.batches] == [
         ("slider_crank", [0, 2]),
         ("crank_rocker", [1]),
     ]

@@ -16,7 +16,7 @@ from cranktrain.cli.textbook.errata import show_errata
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.machine_file import read_machine
 from cranktrain.language import _
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.motion import Array, single
 from cranktrain.plans.constructions import Construction, construction
@@ -182,7 +182,7 @@ def _errors(result: Result, method: str, piston: str) -> tuple[str, ...]:
     return tuple(texts)
 
 
-def _show_motion(console: Console, result: Result, places: Sequence[Place]) -> None:
+def _show_motion(console: Console, result: Result, places: Sequence[PlacedMechanism]) -> None:
     """Show the motion of the first of several pistons by each method."""
     first = places[0]
     piston = result.labels["piston"].index(first.name)
@@ -210,7 +210,7 @@ def _millimetres(value: float) -> str:
     return number(value, "mm").removesuffix(" mm")
 
 
-def _alike(places: Sequence[Place]) -> list[list[Place]]:
+def _alike(places: Sequence[PlacedMechanism]) -> list[list[PlacedMechanism]]:
     """Put pistons together that move alike, as far as any source has a form for them."""
     spoken_of = [place for place in places if any(place.kind.name in form for form in FORMS.values())]
     groups = _grouped([(place.kind.name, place.geometry) for place in spoken_of])
@@ -225,13 +225,13 @@ def _grouped(keys: Sequence[_Key]) -> dict[_Key, list[int]]:
     return groups
 
 
-def _ratio(place: Place) -> Array:
+def _ratio(place: PlacedMechanism) -> Array:
     """Crank radius by rod, of a slave its master's, as ranges have it."""
     geometry = getattr(place.geometry, "master", place.geometry)
     return single(geometry.crank_radius / geometry.rod_length)
 
 
-def _offset(place: Place) -> Array:
+def _offset(place: PlacedMechanism) -> Array:
     """Offset of the line of stroke, of a slave its master's. [m]"""
     return single(getattr(place.geometry, "master", place.geometry).offset)
 

@@ -104,7 +104,7 @@ class CrankSize(NamedTuple):
     ahead: Array
 
 
-class Place(NamedTuple):
+class Coordinates(NamedTuple):
     """Where a fixed point is. [m]"""
 
     x: Array
@@ -214,5 +214,5 @@ class ChainSize(NamedTuple):
     """All numbers of a chain, in the order of its structure."""
 
     cranks: tuple[CrankSize, ...]
-    fixed: tuple[Place, ...]
+    fixed: tuple[Coordinates, ...]
     steps: tuple[StepSize, ...]

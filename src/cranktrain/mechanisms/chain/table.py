@@ -24,13 +24,13 @@ from cranktrain.mechanisms.chain.parts import (
 from cranktrain.mechanisms.chain.steps import (
     NO_START,
     ChainSize,
+    Coordinates,
     CrankSize,
     GuideLegSize,
     GuideLegStep,
     MountStep,
     PinSize,
     PinStep,
-    Place,
     PointSize,
     PointStep,
     RodLegSize,
@@ -67,7 +67,7 @@ def _size_of(spec: ChainTable) -> ChainSize:
     guides = _guides(spec)
     return ChainSize(
         tuple(CrankSize(single(one.radius.si), single(one.angle.si)) for one in spec.crank.values()),
-        tuple(Place(single(x.si), single(y.si)) for x, y in spec.fixed.values()),
+        tuple(Coordinates(single(x.si), single(y.si)) for x, y in spec.fixed.values()),
         tuple(_size(part, guides) for part in spec.part),
     )
 

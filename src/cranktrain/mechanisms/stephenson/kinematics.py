@@ -7,8 +7,8 @@ import numpy as np
 from cranktrain.linkage import AHEAD
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
+    Coordinates,
     CrankSize,
-    Place,
     PointSize,
     PointStep,
     RodLegSize,
@@ -114,8 +114,8 @@ def stephenson_size(structure: Structure, geometry: Stephenson) -> ChainSize:
     return ChainSize(
         (CrankSize(geometry.eccentricity, geometry.ahead), CrankSize(geometry.eccentricity, -geometry.ahead)),
         (
-            Place(arm.x + arm.length * np.cos(arm.direction), arm.y + arm.length * np.sin(arm.direction)),
-            Place(arm.x, arm.y),
+            Coordinates(arm.x + arm.length * np.cos(arm.direction), arm.y + arm.length * np.sin(arm.direction)),
+            Coordinates(arm.x, arm.y),
         ),
         (TriadSize(legs, geometry.start), *rest),
     )

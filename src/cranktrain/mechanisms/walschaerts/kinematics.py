@@ -7,13 +7,13 @@ import numpy as np
 from cranktrain.linkage import AHEAD
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
+    Coordinates,
     CrankSize,
     GuideLegSize,
     GuideLegStep,
     MountStep,
     PinSize,
     PinStep,
-    Place,
     PointSize,
     PointStep,
     RodLegSize,
@@ -74,14 +74,14 @@ class Walschaerts(NamedTuple):
     eccentricity: Array
     ahead: Array
     rod_length: Array
-    trunnion: Place
+    trunnion: Coordinates
     foot: Array
     foot_setback: Array
     die: Array
     radius_rod_length: Array
     lever: Lever
     union_link_length: Array
-    drop: Place
+    drop: Coordinates
     offset: Array
     side: Array
     start: StartSize

@@ -7,7 +7,7 @@ from pydantic import Field
 
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.chain.assembly import assembled
-from cranktrain.mechanisms.chain.steps import NO_START, Place, TriadSize
+from cranktrain.mechanisms.chain.steps import NO_START, Coordinates, TriadSize
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.mechanisms.valve_gear import Admission, Notch, set_ahead
 from cranktrain.mechanisms.walschaerts.kinematics import STRUCTURE, Lever, Walschaerts, upright, walschaerts_size
@@ -82,14 +82,14 @@ def walschaerts_geometry(spec: WalschaertsSpec, master: Master | None) -> Walsch
         eccentricity=single(spec.eccentricity.si),
         ahead=single(set_ahead(spec.eccentric_advance.si, spec.admission)),
         rod_length=single(spec.eccentric_rod_length.si),
-        trunnion=Place(single(spec.trunnion_x.si), single(spec.trunnion_y.si)),
+        trunnion=Coordinates(single(spec.trunnion_x.si), single(spec.trunnion_y.si)),
         foot=single(spec.foot_distance.si),
         foot_setback=single(spec.foot_setback.si),
         die=single(spec.notch.si * spec.full_gear_die.si),
         radius_rod_length=single(spec.radius_rod_length.si),
         lever=Lever(single(spec.lever_length.si), single(valve_pin)),
         union_link_length=single(spec.union_link_length.si),
-        drop=Place(single(spec.drop_x.si), single(spec.drop_y.si)),
+        drop=Coordinates(single(spec.drop_x.si), single(spec.drop_y.si)),
         offset=single(spec.offset.si),
         side=single(float(-np.copysign(1.0, spec.trunnion_y.si))),
         start=NO_START,

@@ -25,7 +25,7 @@ from cranktrain.numerics.harmonics import ComplexArray
 from cranktrain.numerics.plane_vectors import PlaneVectors, curve_vectors, delayed_vectors
 from cranktrain.questions.forces.carriers import Carriers
 from cranktrain.questions.forces.forces_times_arms import largest_in_joints
-from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.record import record
 
 _LIMIT = 1e-11
@@ -116,22 +116,22 @@ def frame_forces(
 
 def without_loads(masses: Masses) -> Masses:
     """Masses that nothing weighs on and that nothing rubs."""
-    groups = tuple(
-        group._replace(gravity=WEIGHTLESS, friction=tuple(ZERO for _slider in group.friction))
-        for group in masses.groups
+    batches = tuple(
+        batch._replace(gravity=WEIGHTLESS, friction=tuple(ZERO for _slider in batch.friction))
+        for batch in masses.batches
     )
-    return replace(masses, groups=groups)
+    return replace(masses, batches=batches)
 
 
 def momenta(machine: LoadedMachine, motions: Sequence[AnyMotion], frames: Frames) -> Momenta:
     """Add up the links of every mechanism."""
     parts: list[Momenta] = []
-    for group, made, motion in zip(machine.mechanisms.groups, machine.masses.groups, motions, strict=True):
-        links = group.kind.dynamics.links(motion, group.members.geometry)
+    for batch, made, motion in zip(machine.mechanisms.batches, machine.masses.batches, motions, strict=True):
+        links = batch.kind.dynamics.links(motion, batch.members.geometry)
         total = reduce(lambda one, other: Momentum(*map(np.add, one, other)), map(momentum, links, tuple(made.bodies)))
-        vector = frames.common(group.index, total.x, total.y)
-        parts.append(Momenta(vector, frames.sense[group.index, np.newaxis] * total.moment))
-    order = np.argsort(np.concatenate([group.index for group in machine.mechanisms.groups]))
+        vector = frames.common(batch.index, total.x, total.y)
+        parts.append(Momenta(vector, frames.sense[batch.index, np.newaxis] * total.moment))
+    order = np.argsort(np.concatenate([batch.index for batch in machine.mechanisms.batches]))
     return Momenta(*(np.concatenate(columns, axis=1)[:, order] for columns in zip(*parts, strict=True)))
 
 
@@ -141,17 +141,17 @@ def derivative(vector: ComplexArray) -> ComplexArray:
 
 
 def force_on_frame(
-    machine: LoadedMachine, solved: Sequence[SolvedGroup], frames: Frames, shape: tuple[int, ...]
+    machine: LoadedMachine, solved: Sequence[SolvedBatch], frames: Frames, shape: tuple[int, ...]
 ) -> ComplexArray:
     """Force of every mechanism on what stands still."""
     force = np.zeros(shape, dtype=np.complex128)
-    for group, one in zip(machine.mechanisms.groups, solved, strict=True):
-        dynamics = group.kind.dynamics
+    for batch, one in zip(machine.mechanisms.batches, solved, strict=True):
+        dynamics = batch.kind.dynamics
         for reaction, joint in zip(dynamics.reactions, one.forces.joints, strict=True):
             # A slave's share of its master's joints is in its master's own.
             if reaction.by == FRAME and reaction.on in dynamics.moving:
                 borne: Wrench = joint
-                force[:, group.index] -= frames.common(group.index, borne.x, borne.y)
+                force[:, batch.index] -= frames.common(batch.index, borne.x, borne.y)
     return force
 
 

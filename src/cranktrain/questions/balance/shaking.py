@@ -170,7 +170,7 @@ def rolling_moment(
     elif frame is not None:
         turns = round(crank_angle.cycle / (2 * np.pi))
         without = without + drive.speed**2 * np.tile(_roll_of_masses(frame, centre), turns)
-    if any(np.any(made.gravity) for made in loaded.masses.groups):
+    if any(np.any(made.gravity) for made in loaded.masses.batches):
         without = without + _weights_moment(loaded, solved, frames, centres)
     curves = [without]
     if weights is not None:
@@ -190,13 +190,13 @@ def _roll_of_masses(of: FrameForces | RunningFrame, centre: ComplexArray) -> Arr
 def _weights_moment(loaded: LoadedMachine, solved: SolvedCycle, frames: Frames, centres: ShaftCentres) -> Array:
     """Moment of the weights of all moving parts about the main shaft, in the sense of rotation. [N·m]"""
     total = np.zeros(())
-    for group, made, one in zip(loaded.mechanisms.groups, loaded.masses.groups, solved.groups, strict=True):
-        links = group.kind.dynamics.links(one.motion, group.members.geometry)
+    for batch, made, one in zip(loaded.mechanisms.batches, loaded.masses.batches, solved.batches, strict=True):
+        links = batch.kind.dynamics.links(one.motion, batch.members.geometry)
         for link, body in zip(links, tuple(made.bodies), strict=True):
             own = weight(link, body, made.gravity)
             moment = own.moment + link.origin.x.value * own.y - link.origin.y.value * own.x
-            force = frames.common(group.index, own.x, own.y)
-            centre = running_axes(centres.value[:, group.index], clockwise=frames.clockwise)[..., np.newaxis]
-            about_main = frames.sense[group.index, np.newaxis] * moment + np.imag(np.conj(centre) * force)
+            force = frames.common(batch.index, own.x, own.y)
+            centre = running_axes(centres.value[:, batch.index], clockwise=frames.clockwise)[..., np.newaxis]
+            about_main = frames.sense[batch.index, np.newaxis] * moment + np.imag(np.conj(centre) * force)
             total = total + np.sum(about_main, axis=1)
     return total

@@ -5,7 +5,7 @@ from typing import Any
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.questions.cylinders.spec import CylinderSpec, CylindersSpec
 from cranktrain.record import record
 
@@ -50,7 +50,7 @@ class Cylinder:
 _COMMON_RATIO = "cylinder.compression_ratio"
 
 
-def cylinders_of(common: CylindersSpec, pistons: Sequence[Place]) -> tuple[Cylinder, ...]:
+def cylinders_of(common: CylindersSpec, pistons: Sequence[PlacedMechanism]) -> tuple[Cylinder, ...]:
     """Give every cylinder its pistons and its dimensions; a valve has none."""
     members: dict[str, list[int]] = {}
     for i, place in enumerate(pistons):
@@ -59,7 +59,7 @@ def cylinders_of(common: CylindersSpec, pistons: Sequence[Place]) -> tuple[Cylin
     return tuple(_cylinder(common, pistons, tuple(index)) for index in members.values())
 
 
-def _cylinder(common: CylindersSpec, pistons: Sequence[Place], index: tuple[int, ...]) -> Cylinder:
+def _cylinder(common: CylindersSpec, pistons: Sequence[PlacedMechanism], index: tuple[int, ...]) -> Cylinder:
     """Take each field from the nearest table that gives it."""
     places = [pistons[i] for i in index]
     name, bank = places[0].cylinder, places[0].bank
@@ -85,7 +85,7 @@ def _cylinder(common: CylindersSpec, pistons: Sequence[Place], index: tuple[int,
 
 
 def cylinder_problems(
-    common: CylindersSpec, pistons: Sequence[Place], cylinders: Sequence[Cylinder]
+    common: CylindersSpec, pistons: Sequence[PlacedMechanism], cylinders: Sequence[Cylinder]
 ) -> tuple[Problem, ...]:
     """Find cylinders and overrides of nothing, bores given for some pistons only, piston rods that do not fit."""
     pistons = [place for place in pistons if place.kind.has_chambers]

@@ -7,7 +7,7 @@ import numpy as np
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.cylinders.firing import FiringOrder, firing_angles, within_turn
@@ -17,7 +17,7 @@ from cranktrain.wording import number
 
 
 def firing_order_of(
-    common: CylindersSpec, leading: Sequence[Place], *, zero: float, astern: bool
+    common: CylindersSpec, leading: Sequence[PlacedMechanism], *, zero: float, astern: bool
 ) -> tuple[FiringOrder | None, tuple[Problem, ...]]:
     """Read the firing order of cylinders, each by its leading piston, or their firing angles; None without either.
 
@@ -45,7 +45,7 @@ def firing_order_of(
     return (None if problems else FiringOrder(np.array(index, dtype=np.intp), numbers)), problems
 
 
-def _own_order(common: CylindersSpec, leading: Sequence[Place]) -> FiringOrder | None:
+def _own_order(common: CylindersSpec, leading: Sequence[PlacedMechanism]) -> FiringOrder | None:
     """Order in which cylinders fire that have no choice: one alone, and those of a two-stroke as their cranks come."""
     if not leading or (len(leading) > 1 and common.cycle != "two-stroke"):
         return None

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.quantities import Given
 from cranktrain.questions.cylinders.firing import FiringOrder, within_turn
 from cranktrain.questions.cylinders.spec import CylindersSpec
@@ -19,7 +19,7 @@ _PATH = "cylinder.firing_angles"
 
 
 def given_firing(
-    common: CylindersSpec, leading: Sequence[Place], cycle: float, *, zero: float, astern: bool
+    common: CylindersSpec, leading: Sequence[PlacedMechanism], cycle: float, *, zero: float, astern: bool
 ) -> tuple[FiringOrder | None, tuple[Problem, ...]]:
     """Read at which crank angles the cylinders fire.
 
@@ -27,7 +27,7 @@ def given_firing(
     ----------
     common : CylindersSpec
         With `firing_angles`, which count as crank angles are shown, ahead.
-    leading : sequence of Place
+    leading : sequence of PlacedMechanism
         Of each cylinder, the piston along whose axis the crank lies at nominal firing.
     cycle : float
         2π or 4π. [rad]

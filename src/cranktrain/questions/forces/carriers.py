@@ -6,7 +6,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.record import record
 
 MASTER = "slider_crank"
@@ -37,7 +37,7 @@ class Carriers:
         return found[np.argsort(self.piston[found])]
 
 
-def carriers_of(places: Sequence[Place]) -> Carriers:
+def carriers_of(places: Sequence[PlacedMechanism]) -> Carriers:
     """Find every slave's master: the slider-crank of the bank that it names, on the same throw."""
     master: list[int] = []
     pistons = 0

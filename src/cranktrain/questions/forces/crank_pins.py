@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.catalogue import extreme, quantity
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.mechanisms import Group, Mechanisms
+from cranktrain.layout.mechanisms import Batch, Mechanisms
 from cranktrain.linkage import Crank, crank
 from cranktrain.linkage.forces import crank_link
 from cranktrain.motion import ONE, Array
@@ -30,9 +30,9 @@ _ALIKE = 1e-9
 
 
 class CrankPin(NamedTuple):
-    """A group of mechanisms with crank pins: its place among the groups, the joint's among the reactions."""
+    """A batch of mechanisms with crank pins: its place among the batches, the joint's among the reactions."""
 
-    group: int
+    batch: int
     joint: int
     has_rod: bool
 
@@ -53,8 +53,8 @@ def crank_pins_of(mechanisms: Mechanisms) -> CrankPins | None:
 
 
 def _pins(mechanisms: Mechanisms) -> Iterator[CrankPin]:
-    for place, group in enumerate(mechanisms.groups):
-        dynamics = group.kind.dynamics
+    for place, batch in enumerate(mechanisms.batches):
+        dynamics = batch.kind.dynamics
         joint = dynamics.joint("crank_pin")
         if joint is not None:
             yield CrankPin(place, joint, dynamics.reactions[joint].on == _ROD)
@@ -130,19 +130,19 @@ def crank_pin_loads(
     whole, without = (PinLoad(*np.full((2, *shape), np.nan)) for _i in range(2))
     largest = Extreme(*np.full((2, *shape[:-1]), np.nan))
     for pin in pins.pins:
-        group, one = loaded.mechanisms.groups[pin.group], solved.groups[pin.group]
+        batch, one = loaded.mechanisms.batches[pin.batch], solved.batches[pin.batch]
         radius: Array = np.hypot(one.motion.pin.x.value, one.motion.pin.y.value)[..., :1]
         load = pin_load(one.forces.joints[pin.joint], crank_link(one.motion.pin, Crank(radius)))
-        _fill(whole, group, load)
+        _fill(whole, batch, load)
         if pin.has_rod:
-            rod = loaded.masses.groups[pin.group].bodies.rod
-            rotating = weighed_ends(rod, group.members.geometry.rod_length).first
-            _fill(without, group, with_rotating_mass(load, -rotating, radius, loaded.speed.drive(phi)))
-        reaction = group.kind.dynamics.reactions[pin.joint]
-        names = (joint_label(loaded.mechanisms.names[i], reaction) for i in map(int, group.index))
+            rod = loaded.masses.batches[pin.batch].bodies.rod
+            rotating = weighed_ends(rod, batch.members.geometry.rod_length).first
+            _fill(without, batch, with_rotating_mass(load, -rotating, radius, loaded.speed.drive(phi)))
+        reaction = batch.kind.dynamics.reactions[pin.joint]
+        names = (joint_label(loaded.mechanisms.names[i], reaction) for i in map(int, batch.index))
         rows = [joints.labels["joint"].index(name) for name in names]
         for part, values in zip(largest, joints.largest_joint_force[:2], strict=True):
-            part[:, group.index] = values[:, rows]
+            part[:, batch.index] = values[:, rows]
     shares = _shares(whole, loaded, solved, phi)
     return CrankPinLoads(
         crankpin_load_radial=whole.radial,
@@ -155,22 +155,22 @@ def crank_pin_loads(
     )
 
 
-def _fill(loads: PinLoad, group: Group, load: PinLoad) -> None:
+def _fill(loads: PinLoad, batch: Batch, load: PinLoad) -> None:
     for part, values in zip(loads, load, strict=True):
-        part[:, group.index] = values
+        part[:, batch.index] = values
 
 
 def _shares(whole: PinLoad, loaded: LoadedMachine, solved: SolvedCycle, phi: Array) -> PinLoad:
     """What of the pins' loads is each mechanism's own; a master has what its slaves leave, its guide's friction too."""
     shares = PinLoad(*(part.copy() for part in whole))
-    for group, one in zip(loaded.mechanisms.groups, solved.groups, strict=True):
-        joint = group.kind.dynamics.share_of_masters("crank_pin")
+    for batch, one in zip(loaded.mechanisms.batches, solved.batches, strict=True):
+        joint = batch.kind.dynamics.share_of_masters("crank_pin")
         if joint is None:
             continue
-        direction = crank(phi - loaded.mechanisms.nominal_top[:, group.index], Crank(ONE))
+        direction = crank(phi - loaded.mechanisms.nominal_top[:, batch.index], Crank(ONE))
         load = pin_load(one.forces.joints[joint], crank_link(direction, Crank(ONE)))
-        _fill(shares, group, load)
-        for member, master in enumerate(loaded.carriers.master[group.index].tolist()):
+        _fill(shares, batch, load)
+        for member, master in enumerate(loaded.carriers.master[batch.index].tolist()):
             for part, values in zip(shares, load, strict=True):
                 part[:, master] -= values[:, member]
     return shares

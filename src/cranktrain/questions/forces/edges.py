@@ -2,15 +2,15 @@
 
 import numpy as np
 
-from cranktrain.layout.mechanisms import Group
+from cranktrain.layout.mechanisms import Batch
 from cranktrain.linkage.forces import EdgeForces, edge_forces
-from cranktrain.questions.forces.loaded_machine import SolvedGroup
+from cranktrain.questions.forces.loaded_machine import SolvedBatch
 
 
-def edges_of(group: Group, one: SolvedGroup, place: int) -> EdgeForces:
+def edges_of(batch: Batch, one: SolvedBatch, place: int) -> EdgeForces:
     """What both edges press of the guides in which one part of a kind slides, shape (design, member, n)."""
-    dynamics = group.kind.dynamics
-    links = dict(zip(dynamics.moving, dynamics.links(one.motion, group.members.geometry), strict=True))
+    dynamics = batch.kind.dynamics
+    links = dict(zip(dynamics.moving, dynamics.links(one.motion, batch.members.geometry), strict=True))
     contact = dynamics.contacts[place]
     joint = next(i for i, reaction in enumerate(dynamics.reactions) if reaction.name == contact.joint)
     link, wrench, friction = links[dynamics.sliding[place]], one.forces.joints[joint], one.conditions.friction[place]

@@ -10,7 +10,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots, in_slots
 from cranktrain.questions.forces.edges import edges_of
-from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.gas.events import GasEvents
 from cranktrain.record import record
@@ -37,9 +37,9 @@ class ForceEvents:
 
 
 class _Rubbing(NamedTuple):
-    """One thing that slides and rubs: its group, its place among what slides in the kind, its mechanisms."""
+    """One thing that slides and rubs: its batch, its place among what slides in the kind, its mechanisms."""
 
-    group: int
+    batch: int
     place: int
     mechanisms: NDArray[np.intp]
 
@@ -68,33 +68,33 @@ def force_events(
 
 def _rubbing(loaded: LoadedMachine) -> Iterator[_Rubbing]:
     """Find what rubs."""
-    for place, (group, made) in enumerate(zip(loaded.mechanisms.groups, loaded.masses.groups, strict=True)):
+    for place, (batch, made) in enumerate(zip(loaded.mechanisms.batches, loaded.masses.batches, strict=True)):
         for sliding, coefficient in enumerate(made.friction):
             if np.any(coefficient != 0.0):
-                yield _Rubbing(place, sliding, group.index)
+                yield _Rubbing(place, sliding, batch.index)
 
 
-def _signals(loaded: LoadedMachine, solved: Sequence[SolvedGroup], rubbing: _Rubbing) -> Array:
+def _signals(loaded: LoadedMachine, solved: Sequence[SolvedBatch], rubbing: _Rubbing) -> Array:
     """Speed of what slides, and what presses it: friction has kinks where one of these changes its sign.
 
     Shape (design, member · 3, n). A guide presses by both its edges; of a slot both parts of the force are 0 at once.
     """
-    group, one = loaded.mechanisms.groups[rubbing.group], solved[rubbing.group]
-    dynamics = group.kind.dynamics
+    batch, one = loaded.mechanisms.batches[rubbing.batch], solved[rubbing.batch]
+    dynamics = batch.kind.dynamics
     name, contact = dynamics.sliding[rubbing.place], dynamics.contacts[rubbing.place]
     if name in dynamics.moving:
-        pressing = edges_of(group, one, rubbing.place)
+        pressing = edges_of(batch, one, rubbing.place)
     else:
         joint = next(i for i, reaction in enumerate(dynamics.reactions) if reaction.name == contact.joint)
         pressing = one.forces.joints[joint][:2]
     shape = one.forces.driving_torque.shape
-    parts = [np.broadcast_to(part, shape) for part in (group.kind.part(one.motion, name).first, *pressing)]
+    parts = [np.broadcast_to(part, shape) for part in (batch.kind.part(one.motion, name).first, *pressing)]
     return np.stack(parts, axis=2).reshape(shape[0], -1, shape[-1])
 
 
 def _turns(loaded: LoadedMachine, solved: SolvedCycle, rubbing: _Rubbing, crank_angle: CrankAngle) -> Array:
     """φ at which one of the signals changes its sign, shape (design, member, event)."""
-    samples = _signals(loaded, solved.groups, rubbing)
+    samples = _signals(loaded, solved.batches, rubbing)
     is_clear = np.abs(samples) > _ROUNDING * np.max(np.abs(samples), axis=-1, keepdims=True)
     sign = np.where(is_clear, np.sign(samples), 0.0)
     changes = sign != np.roll(sign, -1, axis=-1)

@@ -6,22 +6,22 @@ from functools import reduce
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 
 
-def largest_in_joints(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Array:
+def largest_in_joints(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Array:
     """Largest force in any joint of each mechanism, shape (design, mechanism). [N]"""
     return _by_mechanism(loaded, (_largest_force(one) for one in solved))
 
 
-def forces_times_arms(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Array:
+def forces_times_arms(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Array:
     """What the joints of each mechanism could do to the shaft at most, shape (design, mechanism). [N·m]
 
     Its largest force by the longest way of its pins for a turn of 1 rad, and its largest moment by the fastest turn.
     """
     found: list[Array] = []
-    for group, one in zip(loaded.mechanisms.groups, solved, strict=True):
-        links = group.kind.dynamics.links(one.motion, group.members.geometry)
+    for batch, one in zip(loaded.mechanisms.batches, solved, strict=True):
+        links = batch.kind.dynamics.links(one.motion, batch.members.geometry)
         way = np.sqrt(_largest(link.origin.x.first**2 + link.origin.y.first**2 for link in links))
         turn = _largest(np.abs(link.angle.first) for link in links)
         moment = _largest(np.abs(joint.moment) for joint in one.forces.joints)
@@ -29,7 +29,7 @@ def forces_times_arms(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> A
     return _by_mechanism(loaded, found)
 
 
-def _largest_force(one: SolvedGroup) -> Array:
+def _largest_force(one: SolvedBatch) -> Array:
     """Largest force in any joint of each mechanism of one kind, shape (design, member)."""
     return np.sqrt(_largest(joint.x * joint.x + joint.y * joint.y for joint in one.forces.joints))
 
@@ -39,13 +39,13 @@ def _largest(curves: Iterable[Array]) -> Array:
     return reduce(np.maximum, (np.max(curve, axis=-1) for curve in map(np.atleast_1d, curves)))
 
 
-def _by_mechanism(loaded: LoadedMachine, groups: Iterable[Array]) -> Array:
+def _by_mechanism(loaded: LoadedMachine, batches: Iterable[Array]) -> Array:
     """Put what the mechanisms of each kind have into the machine's order."""
-    values = list(groups)
-    order = np.argsort(np.concatenate([group.index for group in loaded.mechanisms.groups]))
+    values = list(batches)
+    order = np.argsort(np.concatenate([batch.index for batch in loaded.mechanisms.batches]))
     n_designs = max(len(value) for value in values)
     shaped = (
-        np.broadcast_to(value, (n_designs, group.index.size))
-        for value, group in zip(values, loaded.mechanisms.groups, strict=True)
+        np.broadcast_to(value, (n_designs, batch.index.size))
+        for value, batch in zip(values, loaded.mechanisms.batches, strict=True)
     )
     return np.concatenate(list(shaped), axis=1)[:, order]

@@ -18,7 +18,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics import Peak
 from cranktrain.questions.forces.edges import edges_of
 from cranktrain.questions.forces.events import ForceEvents
-from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.peaks import largest_of_each, one_sided
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
@@ -64,21 +64,21 @@ class GuideEdges:
 
 
 class _Guide(NamedTuple):
-    """One mechanism's guide: its name; the mechanism; its group, member and place among what slides in the kind."""
+    """One mechanism's guide: its name; the mechanism; its batch, member and place among what slides in the kind."""
 
     name: str
     mechanism: int
-    group: int
+    batch: int
     member: int
     place: int
 
 
 def have_length(mechanisms: Mechanisms, masses: Masses | None) -> bool | str:
     """Whether a guide has a length; it is worth asking for where something slides in a guide that bears moments."""
-    if not any(bearing_moments(group.kind.dynamics) for group in mechanisms.groups):
+    if not any(bearing_moments(batch.kind.dynamics) for batch in mechanisms.batches):
         return False
-    groups = () if masses is None else masses.groups
-    return any(np.any(edges.per_length) for group in groups for edges in group.edges) or N_("[guide]")
+    batches = () if masses is None else masses.batches
+    return any(np.any(edges.per_length) for batch in batches for edges in batch.edges) or N_("[guide]")
 
 
 def guide_edges(
@@ -89,14 +89,14 @@ def guide_edges(
 ) -> GuideEdges:
     """Forces of the edges, from the reaction in each guide. docs/theory/forces, eq. (13.43)."""
     guides = _with_length(loaded)
-    ahead, behind = found = _pressing(loaded, guides, solved.groups)
+    ahead, behind = found = _pressing(loaded, guides, solved.batches)
     largest = largest_of_each(
         loaded,
         events,
         crank_angle,
         np.array([guide.mechanism for guide in guides], dtype=np.intp),
         _larger(found),
-        lambda groups: _larger(_pressing(loaded, guides, groups)),
+        lambda batches: _larger(_pressing(loaded, guides, batches)),
     )
     names = tuple(guide.name for guide in guides)
     return GuideEdges(
@@ -111,27 +111,27 @@ def guide_edges(
 
 def _with_length(loaded: LoadedMachine) -> list[_Guide]:
     """Guides with a length, mechanism by mechanism."""
-    groups = enumerate(zip(loaded.mechanisms.groups, loaded.masses.groups, strict=True))
+    batches = enumerate(zip(loaded.mechanisms.batches, loaded.masses.batches, strict=True))
     found = [
         _Guide(f"{loaded.mechanisms.names[mechanism]}.{part_name(name)}", mechanism, number, member, place)
-        for number, (group, made) in groups
-        for place, (name, edges) in enumerate(zip(group.kind.dynamics.sliding, made.edges, strict=True))
+        for number, (batch, made) in batches
+        for place, (name, edges) in enumerate(zip(batch.kind.dynamics.sliding, made.edges, strict=True))
         if np.any(edges.per_length)
-        for member, mechanism in enumerate(group.index.tolist())
+        for member, mechanism in enumerate(batch.index.tolist())
         if np.asarray(edges.per_length)[0, member, 0]
     ]
     return sorted(found, key=lambda guide: guide.mechanism)
 
 
-def _pressing(loaded: LoadedMachine, guides: Sequence[_Guide], solved: Sequence[SolvedGroup]) -> EdgeForces:
+def _pressing(loaded: LoadedMachine, guides: Sequence[_Guide], solved: Sequence[SolvedBatch]) -> EdgeForces:
     """What both edges of every guide press, shape (design, guide, n)."""
     made = {
-        (guide.group, guide.place): edges_of(loaded.mechanisms.groups[guide.group], solved[guide.group], guide.place)
+        (guide.batch, guide.place): edges_of(loaded.mechanisms.batches[guide.batch], solved[guide.batch], guide.place)
         for guide in guides
     }
     return EdgeForces(
         *(
-            np.stack([made[guide.group, guide.place][edge][:, guide.member] for guide in guides], axis=1)
+            np.stack([made[guide.batch, guide.place][edge][:, guide.member] for guide in guides], axis=1)
             for edge in range(2)
         )
     )

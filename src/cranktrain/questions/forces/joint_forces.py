@@ -15,7 +15,7 @@ from cranktrain.mechanisms.dynamics import Reaction
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
 from cranktrain.questions.forces.events import ForceEvents
-from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.peaks import largest_of_each, one_sided
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
@@ -53,7 +53,7 @@ def joint_forces(
 ) -> JointForces:
     """Reactions of all joints; a master's hold what its slaves do to it."""
     joints = _joints(loaded)
-    x, y, moment = (_gathered(joints, solved.groups, part) for part in range(3))
+    x, y, moment = (_gathered(joints, solved.batches, part) for part in range(3))
     largest = largest_of_each(
         loaded,
         events,
@@ -75,11 +75,11 @@ def joint_forces(
 
 
 class _Joint(NamedTuple):
-    """One joint of one mechanism: its name; the mechanism; its group, member and place among the kind's reactions."""
+    """One joint of one mechanism: its name; the mechanism; its batch, member and place among the kind's reactions."""
 
     name: str
     mechanism: int
-    group: int
+    batch: int
     member: int
     place: int
 
@@ -93,19 +93,19 @@ def _joints(loaded: LoadedMachine) -> list[_Joint]:
     """All joints, mechanism by mechanism; a slave's share of its master's is left out, as that has it already."""
     found = [
         _Joint(joint_label(loaded.mechanisms.names[mechanism], reaction), mechanism, place, member, number)
-        for place, group in enumerate(loaded.mechanisms.groups)
-        for number, reaction in enumerate(group.kind.dynamics.reactions)
-        if reaction.on in group.kind.dynamics.moving
-        for member, mechanism in enumerate(map(int, group.index))
+        for place, batch in enumerate(loaded.mechanisms.batches)
+        for number, reaction in enumerate(batch.kind.dynamics.reactions)
+        if reaction.on in batch.kind.dynamics.moving
+        for member, mechanism in enumerate(map(int, batch.index))
     ]
     return sorted(found, key=lambda joint: joint.mechanism)
 
 
-def _gathered(joints: Sequence[_Joint], solved: Sequence[SolvedGroup], part: int) -> Array:
+def _gathered(joints: Sequence[_Joint], solved: Sequence[SolvedBatch], part: int) -> Array:
     """One part of the wrench in every joint, shape (design, joint, n)."""
     gathered = np.empty((len(solved[0].forces.driving_torque), len(joints), solved[0].forces.driving_torque.shape[-1]))
     for row, joint in enumerate(joints):
-        gathered[:, row] = solved[joint.group].forces.joints[joint.place][part][:, joint.member]
+        gathered[:, row] = solved[joint.batch].forces.joints[joint.place][part][:, joint.member]
     return gathered
 
 
@@ -133,14 +133,14 @@ def _friction_flags(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]
 def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
     """Flag what rubs in a guide that carries a moment, where no length says on which edges."""
     parts: list[str] = []
-    for group, one, made in zip(loaded.mechanisms.groups, solved.groups, loaded.masses.groups, strict=True):
-        dynamics = group.kind.dynamics
+    for batch, one, made in zip(loaded.mechanisms.batches, solved.batches, loaded.masses.batches, strict=True):
+        dynamics = batch.kind.dynamics
         joints = dict(zip((reaction.name for reaction in dynamics.reactions), one.forces.joints, strict=True))
         for place, (name, contact) in enumerate(zip(dynamics.sliding, dynamics.contacts, strict=True)):
             wrench, rubs = joints[contact.joint], (made.friction[place] > 0) & (made.edges[place].per_length == 0)
             turned = np.abs(wrench.moment) > _NO_ARM * np.max(np.hypot(wrench.x, wrench.y), axis=-1, keepdims=True)
             found = np.any(turned & rubs, axis=(0, 2))
-            parts += [f"{loaded.mechanisms.names[i]}.{part_name(name)}" for i in group.index[found].tolist()]
+            parts += [f"{loaded.mechanisms.names[i]}.{part_name(name)}" for i in batch.index[found].tolist()]
     if parts:
         yield _(
             "A moment acts where {parts} slides, and the guide's length is not given:"
@@ -151,11 +151,11 @@ def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Itera
 def _wedged(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
     """Flag mechanisms that move freely without friction and have no forces with it."""
     stuck: list[int] = []
-    for group, one, made in zip(loaded.mechanisms.groups, solved.groups, loaded.masses.groups, strict=True):
-        for name, coefficient in zip(group.kind.dynamics.sliding, made.friction, strict=True):
-            moves = ~np.isnan(group.kind.part(one.motion, name).first)
+    for batch, one, made in zip(loaded.mechanisms.batches, solved.batches, loaded.masses.batches, strict=True):
+        for name, coefficient in zip(batch.kind.dynamics.sliding, made.friction, strict=True):
+            moves = ~np.isnan(batch.kind.part(one.motion, name).first)
             found = (coefficient > 0) & moves & np.isnan(one.forces.driving_torque)
-            stuck += group.index[np.any(found, axis=(0, 2))].tolist()
+            stuck += batch.index[np.any(found, axis=(0, 2))].tolist()
     if stuck:
         yield _(
             "Friction wedges {mechanisms}: at some crank angles nothing can turn the shaft, and there are no forces."

@@ -12,7 +12,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
 from cranktrain.questions.forces.events import ForceEvents
-from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.peaks import largest_of_each, one_sided
 from cranktrain.questions.forces.piston_forces import FORCE_METHODS, PistonForceSet
 from cranktrain.questions.forces.rods_in_pistons import rods_in_pistons
@@ -121,7 +121,7 @@ def largest_forces(
     )
     which, asked = _asked(samples)
 
-    def sizes(found: tuple[SolvedGroup, ...]) -> Array:
+    def sizes(found: tuple[SolvedBatch, ...]) -> Array:
         curves = np.full((*samples.shape[:3], found[0].forces.driving_torque.shape[-1]), np.nan)
         for one in rods_in_pistons(loaded, found):
             for curve, values in zip(curves, one.forces[1:], strict=True):

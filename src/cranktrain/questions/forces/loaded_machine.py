@@ -21,7 +21,7 @@ from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.record import record
 
 
-class SolvedGroup(NamedTuple):
+class SolvedBatch(NamedTuple):
     """Forces of the mechanisms of one kind, arrays of shape (design, member, n).
 
     motion; loads, those of the mechanism alone; conditions; and `Forces`, whose joints bear what slaves hand over as
@@ -54,10 +54,10 @@ class LoadedMachine:
     speed: Speed
 
     def motions(self, angle: Array) -> tuple[AnyMotion, ...]:
-        """Motion of every mechanism at crank angles φ [rad], in the order of `mechanisms.groups`."""
+        """Motion of every mechanism at crank angles φ [rad], in the order of `mechanisms.batches`."""
         return tuple(
-            group.kind.motion(_own(angle, group.index) + group.members.phase, group.members.geometry)
-            for group in self.mechanisms.groups
+            batch.kind.motion(_own(angle, batch.index) + batch.members.phase, batch.members.geometry)
+            for batch in self.mechanisms.batches
         )
 
     def solved(
@@ -67,7 +67,7 @@ class LoadedMachine:
         *,
         gas_force: Array | None = None,
         motions: Sequence[AnyMotion] | None = None,
-    ) -> tuple[SolvedGroup, ...]:
+    ) -> tuple[SolvedBatch, ...]:
         """Solve every mechanism.
 
         Parameters
@@ -84,39 +84,39 @@ class LoadedMachine:
 
         Returns
         -------
-        tuple of SolvedGroup
-            In the order of `mechanisms.groups`.
+        tuple of SolvedBatch
+            In the order of `mechanisms.batches`.
         """
         moving = self.motions(angle) if motions is None else motions
         toward = self._gas_force(angle, moving) if gas_force is None else gas_force
         drives = self.speed.drive(angle)
         on_rods: dict[int, Wrench] = {}
-        found: dict[int, SolvedGroup] = {}
-        groups = list(enumerate(self.mechanisms.groups))
+        found: dict[int, SolvedBatch] = {}
+        batches = list(enumerate(self.mechanisms.batches))
         # Slaves first: what they do to their masters' rods is a load there.
-        for place, group in sorted(groups, key=lambda one: one[1].kind.dynamics.on_master is None):
-            dynamics, size = group.kind.dynamics, group.members.geometry
+        for place, batch in sorted(batches, key=lambda one: one[1].kind.dynamics.on_master is None):
+            dynamics, size = batch.kind.dynamics, batch.members.geometry
             motion = moving[place]
-            made = self.masses.groups[place]
-            loads = borne = dynamics.load(motion, size, self._pressing(group.index, toward))
-            handed = _of_slaves(group.index, on_rods) if group.kind.name == MASTER else None
+            made = self.masses.batches[place]
+            loads = borne = dynamics.load(motion, size, self._pressing(batch.index, toward))
+            handed = _of_slaves(batch.index, on_rods) if batch.kind.name == MASTER else None
             if handed is not None:
                 borne = loads._replace(rod=added(loads.rod, handed))
             friction = tuple(
-                _friction(group.kind.part(motion, name), coefficient, edges, friction_sense)
+                _friction(batch.kind.part(motion, name), coefficient, edges, friction_sense)
                 for name, coefficient, edges in zip(dynamics.sliding, made.friction, made.edges, strict=True)
             )
-            drive = Drive(*(_own(part, group.index) for part in drives))
+            drive = Drive(*(_own(part, batch.index) for part in drives))
             conditions = Conditions(drive, made.gravity, friction)
             forces = dynamics.forces(motion, size, made.bodies, borne, conditions)
-            found[place] = SolvedGroup(motion, loads, conditions, forces)
+            found[place] = SolvedBatch(motion, loads, conditions, forces)
             if dynamics.on_master is not None and (knuckle := dynamics.joint("knuckle_pin")) is not None:
                 wrench = dynamics.on_master(motion, size, forces.joints[knuckle])
-                for member, mechanism in enumerate(group.index.tolist()):
+                for member, mechanism in enumerate(batch.index.tolist()):
                     master = int(self.carriers.master[mechanism])
                     own = Wrench(*(part[:, member : member + 1] for part in wrench))
                     on_rods[master] = Wrench(*map(np.add, on_rods[master], own)) if master in on_rods else own
-        return tuple(found[place] for place, _group in groups)
+        return tuple(found[place] for place, _batch in batches)
 
     @cached_property
     def sharing(self) -> NDArray[np.intp]:
@@ -135,7 +135,7 @@ class LoadedMachine:
         rows: NDArray[np.intp],
         which: NDArray[np.intp],
         angle: Array,
-        pick: Callable[[tuple[SolvedGroup, ...]], Array],
+        pick: Callable[[tuple[SolvedBatch, ...]], Array],
     ) -> Array:
         """Solve the machine where some of its curves are asked for, each at angles of its own.
 
@@ -172,8 +172,8 @@ class LoadedMachine:
             return None
         driven = self.carriers.driven
         slider = np.empty((3, len(self.speed.value), len(driven), angle.shape[-1]))
-        for group, motion in zip(self.mechanisms.groups, motions, strict=True):
-            piston = self.carriers.piston[group.index]
+        for batch, motion in zip(self.mechanisms.batches, motions, strict=True):
+            piston = self.carriers.piston[batch.index]
             if piston[0] >= 0:
                 for part, values in zip(slider, motion.slider, strict=True):
                     part[:, piston] = values

@@ -10,7 +10,7 @@ from cranktrain.language import N_, _
 from cranktrain.linkage.forces import torque_by_work
 from cranktrain.motion import Array
 from cranktrain.questions.forces.forces_times_arms import forces_times_arms
-from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 
@@ -40,20 +40,20 @@ class MechanismTorques:
 
 def mechanism_torques(loaded: LoadedMachine, solved: SolvedCycle) -> MechanismTorques:
     """Torques by virtual work and by reactions, which share little, and the reduced inertia."""
-    by_reactions = driving_torques(loaded, solved.groups)
+    by_reactions = driving_torques(loaded, solved.batches)
     shape = by_reactions.shape
     by_work = np.empty(shape)
     inertia, slope = np.zeros((2, shape[0], shape[-1]))
-    for place, (group, one) in enumerate(zip(loaded.mechanisms.groups, solved.groups, strict=True)):
-        dynamics, size, made = group.kind.dynamics, group.members.geometry, loaded.masses.groups[place]
+    for place, (batch, one) in enumerate(zip(loaded.mechanisms.batches, solved.batches, strict=True)):
+        dynamics, size, made = batch.kind.dynamics, batch.members.geometry, loaded.masses.batches[place]
         # What slaves hand over is their own work, which counts once: the mechanism's own loads.
         equation = dynamics.reduced(one.motion, size, made.bodies, one.loads, made.gravity)
-        by_work[:, group.index] = torque_by_work(equation, one.conditions.drive) - one.forces.friction_torque
+        by_work[:, batch.index] = torque_by_work(equation, one.conditions.drive) - one.forces.friction_torque
         inertia = inertia + np.sum(equation.inertia.value, axis=1)
         slope = slope + np.sum(equation.inertia.first, axis=1)
     driving = np.sum(by_reactions, axis=1)
     # Where forces stand across the way of their pins there is no torque, but rounding of forces times arms.
-    scale = np.max(np.sum(np.abs(by_work), axis=1), axis=-1) + np.sum(forces_times_arms(loaded, solved.groups), axis=1)
+    scale = np.max(np.sum(np.abs(by_work), axis=1), axis=-1) + np.sum(forces_times_arms(loaded, solved.batches), axis=1)
     residual = np.max(np.abs(driving - np.sum(by_work, axis=1)), axis=-1) / np.where(scale > 0, scale, 1.0)
     return MechanismTorques(
         mechanism_torque=-by_work,
@@ -71,13 +71,13 @@ def mechanism_torques(loaded: LoadedMachine, solved: SolvedCycle) -> MechanismTo
     )
 
 
-def driving_torques(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Array:
+def driving_torques(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Array:
     """Torque that must be applied at each mechanism's crank, by the reactions.
 
     Parameters
     ----------
     loaded : LoadedMachine
-    solved : sequence of SolvedGroup
+    solved : sequence of SolvedBatch
         What `LoadedMachine.solved` gave.
 
     Returns
@@ -87,7 +87,7 @@ def driving_torques(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Arr
     """
     shape = solved[0].forces.driving_torque.shape
     torque = np.zeros((shape[0], len(loaded.mechanisms.names), shape[-1]))
-    for group, one in zip(loaded.mechanisms.groups, solved, strict=True):
-        is_own = loaded.carriers.master[group.index] < 0
-        torque[:, group.index[is_own]] = one.forces.driving_torque[:, is_own]
+    for batch, one in zip(loaded.mechanisms.batches, solved, strict=True):
+        is_own = loaded.carriers.master[batch.index] < 0
+        torque[:, batch.index[is_own]] = one.forces.driving_torque[:, is_own]
     return torque

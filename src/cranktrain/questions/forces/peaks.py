@@ -10,7 +10,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 from cranktrain.numerics import Curve, Peak, in_slots, largest_between
 from cranktrain.questions.forces.events import ForceEvents
-from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.wording import number
 
 _ROUNDING = 1e-12
@@ -25,7 +25,7 @@ def largest_of_each(
     crank_angle: CrankAngle,
     rows: NDArray[np.intp],
     samples: Array,
-    pick: Callable[[tuple[SolvedGroup, ...]], Array],
+    pick: Callable[[tuple[SolvedBatch, ...]], Array],
 ) -> Peak:
     """Largest value of curves of which each is of one mechanism, over the cycle.
 

@@ -10,7 +10,7 @@ from cranktrain.catalogue import quantity
 from cranktrain.checks import Check
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.mechanisms import Group, Pistons
+from cranktrain.layout.mechanisms import Batch, Pistons
 from cranktrain.motion import Array
 from cranktrain.questions.forces.crank_pins import CrankPinLoads
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
@@ -35,12 +35,12 @@ DIRECT = "slider_crank"
 
 def have_direct_rods(pistons: Pistons) -> bool:
     """Whether any piston's rod sits on the crank pin itself."""
-    return any(group.kind.name == DIRECT for group in pistons.groups)
+    return any(batch.kind.name == DIRECT for batch in pistons.batches)
 
 
-def direct_groups(loaded: LoadedMachine) -> Iterator[tuple[int, Group]]:
-    """Those groups of the mechanisms whose rods join piston and crank pin, with their places."""
-    return ((place, group) for place, group in enumerate(loaded.mechanisms.groups) if group.kind.name == DIRECT)
+def direct_batches(loaded: LoadedMachine) -> Iterator[tuple[int, Batch]]:
+    """Those batches of the mechanisms whose rods join piston and crank pin, with their places."""
+    return ((place, batch) for place, batch in enumerate(loaded.mechanisms.batches) if batch.kind.name == DIRECT)
 
 
 @record
@@ -95,16 +95,16 @@ def piston_force_set(
     """
     phi = crank_angle.angle
     curves = np.full((7, len(phi), len(FORCE_METHODS), len(pistons.names), phi.shape[-1]), np.nan)
-    found = [(one, one.forces) for one in rods_in_pistons(loaded, solved.groups)]
+    found = [(one, one.forces) for one in rods_in_pistons(loaded, solved.batches)]
     residuals: list[Array] = []
     for one, exact in found:
         _fill(curves[:, :, 0], one.piston, (*exact[:-1], *_at_pin(one, exact, crank_pins)))
-        if one.group.kind.name == DIRECT:
+        if one.batch.kind.name == DIRECT:
             two_harmonics = two_harmonic_inertia_force(
-                phi + one.group.members.phase, one.group.members.geometry, one.reciprocating, one.drive
+                phi + one.batch.members.phase, one.batch.members.geometry, one.reciprocating, one.drive
             )
             for method, inertia in enumerate((exact.inertia, two_harmonics), start=1):
-                taken = piston_forces(one.pressed + inertia, one.motion, one.group.members.geometry)
+                taken = piston_forces(one.pressed + inertia, one.motion, one.batch.members.geometry)
                 piston, side, rod, *pin = taken
                 _fill(curves[:, :, method], one.piston, (inertia, piston, side, rod, rod, *pin))
                 residuals.append(_formula_residual(taken, one))
@@ -119,7 +119,7 @@ def _fill(curves: Array, piston: NDArray[np.intp], values: Sequence[Array]) -> N
 def _at_pin(one: RodsInPistons, forces: ForcesOfRods, crank_pins: CrankPinLoads) -> tuple[Array, Array, Array]:
     """S, K and T at the crank pin; NaN for rods that are on none."""
     loads = (crank_pins.crankpin_radial_without_rod, crank_pins.crankpin_tangential_without_rod)
-    radial, tangential = (load[:, one.group.index] for load in loads)
+    radial, tangential = (load[:, one.batch.index] for load in loads)
     return np.where(np.isnan(radial), np.nan, forces.at_crank), radial, tangential
 
 
@@ -142,7 +142,7 @@ def _checks(formula: Sequence[Array], rods: Array) -> Iterator[Check]:
 
 def _formula_residual(forces: PistonForces, one: RodsInPistons) -> Array:
     """Largest residual of the identities, each relative to its peak, shape (design,); NaN where all are."""
-    geometry = one.group.members.geometry
+    geometry = one.batch.members.geometry
     found = piston_identities(forces, one.motion, geometry)
     peak = np.fmax.reduce(np.abs(forces.rod), axis=-1)
     arm = (geometry.crank_radius + geometry.rod_length)[..., 0]

@@ -14,7 +14,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.periodic import cycle_grid
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
-from cranktrain.questions.forces.piston_forces import direct_groups
+from cranktrain.questions.forces.piston_forces import direct_batches
 from cranktrain.questions.forces.rod_masses import ROD_METHODS
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
@@ -91,14 +91,14 @@ def rod_methods(pistons: Pistons, loaded: LoadedMachine, solved: SolvedCycle, cr
     n_turns = 1 if loaded.speed.curve is None else round(crank_angle.cycle / TURN)
     angle = cycle_grid(360 * n_turns, n_turns * TURN)
     drive = loaded.speed.drive(angle)
-    for place, group in direct_groups(loaded):
-        size = group.members.geometry
-        rod = group.kind.motion(angle + group.members.phase, size).rod
-        body = loaded.masses.groups[place].bodies.rod
-        forces = solved.groups[place].forces
-        guide_place = group.kind.dynamics.joint("guide")
+    for place, batch in direct_batches(loaded):
+        size = batch.members.geometry
+        rod = batch.kind.motion(angle + batch.members.phase, size).rod
+        body = loaded.masses.batches[place].bodies.rod
+        forces = solved.batches[place].forces
+        guide_place = batch.kind.dynamics.joint("guide")
         assert guide_place is not None  # of each piston that is driven directly
-        piston = loaded.carriers.piston[group.index]
+        piston = loaded.carriers.piston[batch.index]
         found = {name: method(rod, body, size.rod_length, drive, WEIGHTLESS) for name, method in ROD_METHODS.items()}
         for row, wrench in enumerate(found.values()):
             off = Wrench(*(np.subtract(one, true) for one, true in zip(wrench, found["exact"], strict=True)))

@@ -6,12 +6,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.layout.mechanisms import Group
+from cranktrain.layout.mechanisms import Batch
 from cranktrain.linkage.forces import Body, Drive, Gravity, Wrench, turned_wrench
 from cranktrain.mechanisms.dynamics import Role
 from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.motion import Array
-from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.piston_formulas import inertia_force, rod_forces
 from cranktrain.questions.forces.rod_masses import TwoMasses, weighed_ends
 
@@ -31,13 +31,13 @@ class ForcesOfRods(NamedTuple):
 
 
 class RodsInPistons(NamedTuple):
-    """Rods of one kind of mechanism: their group, which pistons they drive; motion and joints; bodies and conditions.
+    """Rods of one kind of mechanism: their batch, which pistons they drive; motion and joints; bodies and conditions.
 
     pressed: force of the gas toward the shaft [N]; shares: the rod's at its ends, and reciprocating that with the
     piston's mass [kg].
     """
 
-    group: Group
+    batch: Batch
     piston: NDArray[np.intp]
     motion: AnyMotion
     joints: Sequence[Wrench]
@@ -62,18 +62,18 @@ class RodsInPistons(NamedTuple):
 
     def _joint(self, *roles: Role) -> Wrench:
         """Reaction in the mechanism's own joint with the first of some roles that any has."""
-        places = (self.group.kind.dynamics.joint(role) for role in roles)
+        places = (self.batch.kind.dynamics.joint(role) for role in roles)
         return self.joints[next(place for place in places if place is not None)]
 
 
-def rods_in_pistons(loaded: LoadedMachine, solved: Sequence[SolvedGroup]) -> Iterator[RodsInPistons]:
+def rods_in_pistons(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Iterator[RodsInPistons]:
     """Find the rods of pistons in what `LoadedMachine.solved` gave."""
-    for group, one, made in zip(loaded.mechanisms.groups, solved, loaded.masses.groups, strict=True):
-        if group.kind.has_rod and group.kind.output == "slider":
-            shares = weighed_ends(made.bodies.rod, group.members.geometry.rod_length)
+    for batch, one, made in zip(loaded.mechanisms.batches, solved, loaded.masses.batches, strict=True):
+        if batch.kind.has_rod and batch.kind.output == "slider":
+            shares = weighed_ends(made.bodies.rod, batch.members.geometry.rod_length)
             yield RodsInPistons(
-                group,
-                loaded.carriers.piston[group.index],
+                batch,
+                loaded.carriers.piston[batch.index],
                 one.motion,
                 one.forces.joints,
                 made.bodies.rod,
@@ -94,7 +94,7 @@ def end_residual(loaded: LoadedMachine, rods: Sequence[tuple[RodsInPistons, Forc
     handed = _handed_over(loaded, [one for one, _forces in rods])
     worst = [np.zeros(len(loaded.speed.value))]
     for one, forces in rods:
-        link, body, index = one.motion.rod, one.rod, one.group.index
+        link, body, index = one.motion.rod, one.rod, one.batch.index
         turning = link.angle.second * (one.drive.speed * one.drive.speed) + link.angle.first * one.drive.acceleration
         between = (body.mass * one.gravity.x + handed.x[:, index]) * link.cos
         between = between + (body.mass * one.gravity.y + handed.y[:, index]) * link.sin
@@ -110,10 +110,10 @@ def _handed_over(loaded: LoadedMachine, rods: Sequence[RodsInPistons]) -> Wrench
     top, master = loaded.mechanisms.nominal_top, loaded.carriers.master
     x, y = np.zeros((2, len(top), len(master), rods[0].motion.slider.value.shape[-1]))
     for one in rods:
-        place = one.group.kind.dynamics.joint("knuckle_pin")
+        place = one.batch.kind.dynamics.joint("knuckle_pin")
         if place is not None:
-            on = master[one.group.index]
-            turned = turned_wrench(one.joints[place], top[:, on] - top[:, one.group.index])
+            on = master[one.batch.index]
+            turned = turned_wrench(one.joints[place], top[:, on] - top[:, one.batch.index])
             for member, mechanism in enumerate(on.tolist()):
                 x[:, mechanism] -= turned.x[:, member]
                 y[:, mechanism] -= turned.y[:, member]

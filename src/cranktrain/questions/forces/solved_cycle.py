@@ -1,7 +1,7 @@
 """Forces of every mechanism on the grid of crank angles."""
 
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedGroup
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.record import record
 
@@ -10,7 +10,7 @@ from cranktrain.record import record
 class SolvedCycle:
     """Forces of every mechanism on the grid of crank angles; nothing that people read as it is."""
 
-    groups: tuple[SolvedGroup, ...]
+    batches: tuple[SolvedBatch, ...]
 
 
 def solved_cycle(loaded: LoadedMachine, crank_angle: CrankAngle, gas: GasPressures | None) -> SolvedCycle:

@@ -75,8 +75,8 @@ def _of_pistons(
 def _piston_masses(loaded: LoadedMachine, shape: tuple[int, ...]) -> Array:
     """Mass of what slides with each piston, shape (design, piston). [kg]"""
     found = np.zeros(shape)
-    for group, made in zip(loaded.mechanisms.groups, loaded.masses.groups, strict=True):
-        piston = loaded.carriers.piston[group.index]
+    for batch, made in zip(loaded.mechanisms.batches, loaded.masses.batches, strict=True):
+        piston = loaded.carriers.piston[batch.index]
         slider: Body | None = getattr(made.bodies, SLIDER, None)
         if slider is not None and piston[0] >= 0:
             found[:, piston] = slider.mass[..., 0]
@@ -85,4 +85,4 @@ def _piston_masses(loaded: LoadedMachine, shape: tuple[int, ...]) -> Array:
 
 def _coefficients(masses: Masses) -> Iterable[float]:
     """Coefficients of friction of all that slides."""
-    return (float(one) for group in masses.groups for part in group.friction for one in np.ravel(part))
+    return (float(one) for batch in masses.batches for part in batch.friction for one in np.ravel(part))

@@ -243,10 +243,10 @@ def _refuse_chambers_without_room(chambers: Chambers, volumes: ChamberVolumes) -
 def _central_ratios(pistons: Pistons, cylinders: CylinderPistons) -> Array:
     """λ of every cylinder with a single central slider-crank, shape (design, cylinder); NaN for others."""
     ratio = np.full(pistons.nominal_top.shape[:2], np.nan)
-    for group in pistons.groups:
-        if group.kind.name == "slider_crank":
-            size = group.members.geometry
-            ratio[:, group.index] = np.where(size.offset == 0.0, size.crank_radius / size.rod_length, np.nan)[..., 0]
+    for batch in pistons.batches:
+        if batch.kind.name == "slider_crank":
+            size = batch.members.geometry
+            ratio[:, batch.index] = np.where(size.offset == 0.0, size.crank_radius / size.rod_length, np.nan)[..., 0]
     return np.where(cylinders.is_opposed, np.nan, ratio[:, cylinders.leading])
 
 

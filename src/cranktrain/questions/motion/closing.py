@@ -62,11 +62,11 @@ def closing(mechanisms: Mechanisms, crank_angle: CrankAngle) -> Closing:
     shape = different.mechanisms.nominal_top.shape
     margin, angle = np.empty(shape), np.empty(shape)
     length = np.empty(shape, dtype=object)
-    for group in different.mechanisms.groups:
-        found = closing_margin(group.kind, group.members.geometry)
-        margin[:, group.index] = found.margin
-        angle[:, group.index] = found.angle - group.members.phase
-        length[:, group.index] = np.array([*group.kind.length_names, ""], dtype=object)[found.length]
+    for batch in different.mechanisms.batches:
+        found = closing_margin(batch.kind, batch.members.geometry)
+        margin[:, batch.index] = found.margin
+        angle[:, batch.index] = found.angle - batch.members.phase
+        length[:, batch.index] = np.array([*batch.kind.length_names, ""], dtype=object)[found.length]
     margins = different.spread(margin)[..., 0]
     return Closing(
         closing_margin=margins,

@@ -10,7 +10,7 @@ from cranktrain.catalogue import coefficients
 from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Mechanisms
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.motion import Coefficient, Link
 from cranktrain.numerics import unwrapped
 from cranktrain.record import record
@@ -65,7 +65,7 @@ class FollowedSliders(Followed):
 FollowedLike = TypeVar("FollowedLike", bound=Followed)
 
 
-def followed_of(result: type[FollowedLike], places: Sequence[Place]) -> FollowedLike | None:
+def followed_of(result: type[FollowedLike], places: Sequence[PlacedMechanism]) -> FollowedLike | None:
     """Collect the links or the sliders of every mechanism; None where there are none."""
     parts = [
         (i, place, name)
@@ -125,14 +125,14 @@ def slider_motions(sliders: FollowedSliders, mechanisms: Mechanisms, crank_angle
 def _followed(followed: Followed, mechanisms: Mechanisms, crank_angle: CrankAngle) -> Coefficient:
     """Value and derivatives of every part, shape (design, part, n)."""
     curves = np.empty((3, len(crank_angle.zero), len(followed.names), crank_angle.shown.size))
-    for group in mechanisms.groups:
-        chosen = np.flatnonzero(np.isin(followed.mechanism, group.index))
+    for batch in mechanisms.batches:
+        chosen = np.flatnonzero(np.isin(followed.mechanism, batch.index))
         if not chosen.size:
             continue
-        motion = group.kind.motion(crank_angle.angle + group.members.phase, group.members.geometry)
-        members = np.searchsorted(group.index, followed.mechanism[chosen])
+        motion = batch.kind.motion(crank_angle.angle + batch.members.phase, batch.members.geometry)
+        members = np.searchsorted(batch.index, followed.mechanism[chosen])
         for place, member in zip(chosen.tolist(), members.tolist(), strict=True):
-            moving = _coefficient(group.kind.part(motion, followed.parts[place]))
+            moving = _coefficient(batch.kind.part(motion, followed.parts[place]))
             for curve, values in zip(curves, moving, strict=True):
                 curve[:, place] = values[:, member]
     return Coefficient(*curves)

@@ -11,7 +11,7 @@ from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Mechanisms
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage import LinkPoint, point
 from cranktrain.motion import Array, Link
 from cranktrain.numerics.nested import Nested, mapped
@@ -50,7 +50,7 @@ class LinkPoints:
         return {"point": self.names}
 
 
-def point_problems(places: Sequence[Place]) -> tuple[Problem, ...]:
+def point_problems(places: Sequence[PlacedMechanism]) -> tuple[Problem, ...]:
     """Find points on links that the mechanism does not have."""
     return tuple(
         Problem(
@@ -64,7 +64,7 @@ def point_problems(places: Sequence[Place]) -> tuple[Problem, ...]:
     )
 
 
-def link_points_of(designs: Sequence[Sequence[Place]]) -> LinkPoints | None:
+def link_points_of(designs: Sequence[Sequence[PlacedMechanism]]) -> LinkPoints | None:
     """Collect the points of every mechanism, and its joints that have names; None where there are none."""
     first = [
         (i, place, name, is_joint)
@@ -120,12 +120,12 @@ def point_motion(points: LinkPoints, mechanisms: Mechanisms, crank_angle: CrankA
     """Paths of all points, with derivatives by the crank angle."""
     shape = (len(crank_angle.zero), len(points.names), crank_angle.shown.size)
     curves = np.empty((6, *shape))
-    for group in mechanisms.groups:
-        on_group = np.isin(points.mechanism, group.index)
-        motion = group.kind.motion(crank_angle.angle + group.members.phase, group.members.geometry)
-        for carrier in (*group.kind.links, *group.kind.joints):
-            chosen = np.flatnonzero(on_group & (np.array(points.carriers) == carrier))
-            carried = _members(group.kind.part(motion, carrier), np.searchsorted(group.index, points.mechanism[chosen]))
+    for batch in mechanisms.batches:
+        on_batch = np.isin(points.mechanism, batch.index)
+        motion = batch.kind.motion(crank_angle.angle + batch.members.phase, batch.members.geometry)
+        for carrier in (*batch.kind.links, *batch.kind.joints):
+            chosen = np.flatnonzero(on_batch & (np.array(points.carriers) == carrier))
+            carried = _members(batch.kind.part(motion, carrier), np.searchsorted(batch.index, points.mechanism[chosen]))
             geometry = LinkPoint(points.geometry.radius[:, chosen], points.geometry.angle[:, chosen])
             moving = point(carried, geometry) if isinstance(carried, Link) else carried
             for curve, values in zip(curves, (*moving.x, *moving.y), strict=True):

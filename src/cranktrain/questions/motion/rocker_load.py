@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.catalogue import coefficients, quantity
 from cranktrain.language import N_, _
 from cranktrain.layout.mechanisms import Rockers
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.crank_rocker import CrankRockerSpec
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import extremes
@@ -35,7 +35,7 @@ class LoadRadius:
     value: Array
 
 
-def load_radius_of(designs: Sequence[Sequence[Place]]) -> LoadRadius | None:
+def load_radius_of(designs: Sequence[Sequence[PlacedMechanism]]) -> LoadRadius | None:
     """Collect the load radius of every rocker, NaN for one that carries no load; None where there is none at all."""
     radii = [
         [

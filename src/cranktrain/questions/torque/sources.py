@@ -159,7 +159,7 @@ def torque_sources(
     torques: MechanismTorques,
 ) -> TorqueSources:
     """Take the torque apart; docs/theory/harmonics-and-orders, eq. (15.17)."""
-    by_shaft = throw_torque(-driving_torques(loaded, solved.groups), shafts.shaft, len(shafts.names))
+    by_shaft = throw_torque(-driving_torques(loaded, solved.batches), shafts.shaft, len(shafts.names))
     drive = Drive(*(part[:, 0] for part in loaded.speed.drive(crank_angle.angle)))
     nothing = np.zeros_like(by_shaft[:, 0])
     spent = np.zeros(len(by_shaft))

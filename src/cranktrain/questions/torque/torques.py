@@ -59,7 +59,7 @@ def torque_peaks(
 
     found = largest_of_machine(
         lambda angle: curves(driving_torques(loaded, loaded.solved(angle))),
-        curves(driving_torques(loaded, solved.groups)),
+        curves(driving_torques(loaded, solved.batches)),
         events,
         crank_angle,
     )
@@ -121,11 +121,11 @@ def shaft_torques(
     A mechanism's crank angle counts in its own shaft's sense and all shafts turn alike fast, so the torques of all
     simply add up to what the main shaft feels. docs/theory/forces, eq. (13.38).
     """
-    by_mechanism = -driving_torques(loaded, solved.groups)
+    by_mechanism = -driving_torques(loaded, solved.batches)
     by_shaft = along_shaft.throw_torque(by_mechanism, shafts.shaft, len(shafts.names))
     whole = np.sum(by_shaft, axis=1)
     mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
-    gross = np.sum(forces_times_arms(loaded, solved.groups), axis=-1)
+    gross = np.sum(forces_times_arms(loaded, solved.batches), axis=-1)
     most, least = (without_rounding(peak, gross) for peak in (peaks.largest, peaks.smallest))
     return ShaftTorques(
         gross=gross,
@@ -162,7 +162,7 @@ def journal_torques(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, 
 
     What a gear takes or brings is reckoned at the flywheel's end. docs/theory/harmonics-and-orders, eq. (15.13).
     """
-    passed = _passed(driving_torques(loaded, solved.groups), shafts)
+    passed = _passed(driving_torques(loaded, solved.batches), shafts)
     return JournalTorques(passed, peaks.in_journals, {"journal": shafts.journals})
 
 

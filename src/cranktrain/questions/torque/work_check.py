@@ -52,7 +52,7 @@ def work_balance(
     # What inertia takes at a moment of acceleration, the shaft does not get.
     done = np.sum(sources.mean(crank_angle.cycle), axis=-1) * crank_angle.cycle + sources.spent
     # Gas may do no work at all, and what works on the shaft may cancel: that leaves rounding of forces times arms.
-    on_the_way = np.sum(forces_times_arms(loaded, solved.groups), axis=1)
+    on_the_way = np.sum(forces_times_arms(loaded, solved.batches), axis=1)
     residual = np.abs(done - total) / np.maximum(np.sum(np.abs(works), axis=-1), _SHARE * on_the_way)
     sentence = _("Work of the torque by the reactions, by quadrature, against that of the gas")
     return WorkBalance(total, (Check("work", sentence, residual, _EXACT_LIMIT),))

@@ -83,11 +83,11 @@ def torsional_train(
 def mean_inertias(mechanisms: Mechanisms, masses: Masses, crank_angle: CrankAngle) -> Array:
     """Mean over a turn of every mechanism's inertia reduced to the crank, shape (design, mechanism). [kg·m²]"""
     found = np.zeros((len(crank_angle.zero), len(mechanisms.names)))
-    for group, made in zip(mechanisms.groups, masses.groups, strict=True):
-        motion = group.kind.motion(crank_angle.first_turn + group.members.phase, group.members.geometry)
-        links = group.kind.dynamics.links(motion, group.members.geometry)
+    for batch, made in zip(mechanisms.batches, masses.batches, strict=True):
+        motion = batch.kind.motion(crank_angle.first_turn + batch.members.phase, batch.members.geometry)
+        links = batch.kind.dynamics.links(motion, batch.members.geometry)
         for link, body in zip(links, tuple(made.bodies), strict=True):
-            found[:, group.index] += np.mean(reduced_inertia(link, body).value, axis=-1)
+            found[:, batch.index] += np.mean(reduced_inertia(link, body).value, axis=-1)
     return found
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.language import _
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.speed import rates
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
@@ -233,7 +233,7 @@ def _indexed(head: str, i: int) -> str:
 
 
 def _output_columns(
-    machine: Machine, place: Place, plan: PositionPlan, curve: SpeedCurve | None
+    machine: Machine, place: PlacedMechanism, plan: PositionPlan, curve: SpeedCurve | None
 ) -> Iterator[tuple[str, Array]]:
     """Heads and values of the motion of a place's output."""
     has_speed = machine.main_shaft.speed is not None or curve is not None

@@ -8,7 +8,7 @@ import numpy as np
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.layout.places import Place
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import MAIN
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.drawing import Drawing
@@ -41,7 +41,7 @@ class Member:
 
     Attributes
     ----------
-    place : Place
+    place : PlacedMechanism
     is_first : bool
         Drawn filled; all others hollow.
     turn : Drawing
@@ -56,7 +56,7 @@ class Member:
         By how much its rod is drawn too short, broken. [mm]
     """
 
-    place: Place
+    place: PlacedMechanism
     is_first: bool
     turn: Drawing
     bore: float | None
