@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from cranktrain.gas.indicator.brix import brix_angle
 from cranktrain.textbook import steam_engine
 
 ANGLE = np.radians(np.arange(0, 360, 0.02))
@@ -91,7 +92,7 @@ def test_error_orders(ratio):
 @pytest.mark.parametrize(("ratio", "printed"), [(0.1, "0.04"), (0.2, "0.19"), (0.25, "0.32"), (0.3, "0.51")])
 def test_error_of_brix_read_backwards_in_degrees(ratio, printed):
     outward = np.linspace(0, np.pi, 9001)
-    found = steam_engine.brix_angle(exact(outward, ratio)[0], RADIUS, ratio)
+    found = brix_angle(exact(outward, ratio)[0], RADIUS, ratio)
     assert abs(np.degrees(np.abs(found - outward).max()) - float(printed)) <= half_a_unit(printed)
 
 

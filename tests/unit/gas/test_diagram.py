@@ -5,7 +5,7 @@ import re
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline
 from tests.gas_engines import FOUR_STROKE, TWO_STROKE, Engine, csv, wiebe, wiebe_cycle
@@ -399,6 +399,7 @@ CHOICES = [{}, {"sense": "found"}, {"pressure": "gauge"}, {"peg": {"exponent": 1
     st.lists(st.tuples(st.floats(0, 1), st.integers(0, 40), st.sampled_from(PIECES)), max_size=5),
     st.sampled_from(CHOICES),
 )
+@example([(0.5625, 10, "0")], {"peg": {"exponent": 1.3}})
 def test_a_spoilt_file_is_read_or_refused(spoilt, more):
     """Whatever stands in it: numbers that are finite, or what is wrong."""
     text = csv(DEGREES[::10], PRESSURES[::10])

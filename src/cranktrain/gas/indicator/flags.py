@@ -51,7 +51,8 @@ def compression_flags(samples: Samples, chamber: Chamber) -> Iterator[str]:
     pressures that an engine could have.
     """
     from_firing = around_zero(samples.angles, chamber.cycle)
-    chosen = (from_firing >= _START) & (from_firing <= _END)
+    # A sample of no pressure has no logarithm, and is no compression.
+    chosen = (from_firing >= _START) & (from_firing <= _END) & (samples.pressures > 0)
     pressures = samples.pressures[chosen]
     volume = chamber.volume(np.append(samples.angles, samples.angles[0]))
     work = np.trapezoid(np.append(samples.pressures, samples.pressures[0]), volume)
