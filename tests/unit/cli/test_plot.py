@@ -20,6 +20,9 @@ from tests.sentences import (
 )
 
 from cranktrain.cli.plot import Request, understood
+from cranktrain.viz.sheets import PICTURES
+
+NAMES = {kind: ", ".join(one.name for one in PICTURES if one.kind == kind) for kind in ("plan", "sheet")}
 
 
 @pytest.mark.parametrize(
@@ -52,8 +55,7 @@ def test_crank_angles_as_typed(plan, at, output, angles):
             ["3d12", "-o", "a.txt", "--plan", "positons", "--at", "3,b", "--size", "A5"],
             [
                 f"-o = a.txt: {ENDS_IN}.png, .svg, .pdf, .gif, .dxf",
-                '--plan = positons: must be one of: wittenbauer, mertsalov, forces, zhukovsky, polar, positions, '
-                'velocities, accelerations, klein, centres, arc, projection, brix, brix-backward; write "positions"',
+                f'--plan = positons: must be one of: {NAMES["plan"]}; write "positions"',
                 "--size = A5: must be one of: A4, A3",
                 f"--at = 3,b: {BETWEEN_COMMAS}, such as 30,60",
             ],
@@ -77,7 +79,7 @@ def test_crank_angles_as_typed(plan, at, output, angles):
             ["3d12", "-o", "a.svg", "--plan", "polar", "--sheet", "force"],
             [
                 "--sheet = force: must be left out: a picture is a plan or a sheet",
-                '--sheet = force: must be one of: forces, machine, torsion; write "forces"',
+                f'--sheet = force: must be one of: {NAMES["sheet"]}; write "forces"',
             ],
         ),
         (
