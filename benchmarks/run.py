@@ -27,10 +27,10 @@ from cranktrain.mechanisms.chain.kinematics import chain_motion
 from cranktrain.mechanisms.chain.made import made_names
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
+    Coordinates,
     CrankSize,
     PinSize,
     PinStep,
-    Place,
     SlideSize,
     SlideStep,
     Structure,
@@ -62,7 +62,7 @@ CHAIN = Structure(
 """Ten parts: five cranks, each with a pin group and a slide."""
 CHAIN_SIZE = ChainSize(
     tuple(CrankSize(*one) for one in CHAIN_CRANKS),
-    (Place(0.3, 0.35),),
+    (Coordinates(0.3, 0.35),),
     tuple(
         size
         for (rod, rocker, _x, _y, side), (link, direction, offset) in zip(CHAIN_PINS, CHAIN_SLIDES, strict=True)

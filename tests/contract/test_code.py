@@ -105,3 +105,12 @@ def test_slow_tests_and_their_quick_cases_exist(name):
     path, _, function = name.partition("::")
     assert (ROOT / path).exists()
     assert not function or function.partition("[")[0] in (ROOT / path).read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "benchmarks").glob("*.py")), ids=name_of)
+def test_what_benchmarks_import_is_there(path):
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("cranktrain"):
+            module = importlib.import_module(str(node.module))
+            missing = [name.name for name in node.names if not hasattr(module, name.name)]
+            assert missing == [], node.module
