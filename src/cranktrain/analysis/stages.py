@@ -74,7 +74,7 @@ def lacking(stages: Sequence[Stage], parts: Mapping[type, object]) -> dict[type,
     Returns
     -------
     dict of type to tuple of str
-        In words, for what a machine file could say; none of a outcome that is not for this machine.
+        In words, for what a machine file could say; none of an outcome that is not for this machine.
     """
     known = set(parts)
     roots: dict[type, frozenset[str]] = {}
@@ -132,7 +132,7 @@ def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict
 
 
 def _freeze(outcome: object, seen: set[int]) -> None:
-    """Make all arrays of a outcome read-only: stages and users share them. `seen` holds what has been gone through."""
+    """Make all arrays of an outcome read-only: stages and users share them. `seen` holds what has been gone through."""
     open_ends: list[object] = [outcome]
     while open_ends:
         value = open_ends.pop()

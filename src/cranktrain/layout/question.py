@@ -59,6 +59,10 @@ class Stage:
     def _needs(self) -> Needs:
         return needs_of(self.function)
 
+    @cached_property
+    def _asked(self) -> Needs:
+        return Needs({}, frozenset()) if self.applies is None else needs_of(self.applies)
+
     @property
     def needs(self) -> Mapping[str, type]:
         """Type of every parameter."""
@@ -73,7 +77,7 @@ class Stage:
         """Say whether it applies to a machine of some parts; where it asks for one that is not there, it does not."""
         if self.applies is None:
             return True
-        asked = needs_of(self.applies)
+        asked = self._asked
         given = {name: parts.get(kind) for name, kind in asked.types.items()}
         if any(part is None and name not in asked.optional for name, part in given.items()):
             return False

@@ -47,7 +47,10 @@ def piston_mean(mass, radius, rod):
     """Mean over a turn of m x′² of a piston at a central slider-crank, in 30 digits."""
     with mp.workdps(30):
         r, l = mp.mpf(radius), mp.mpf(rod)
-        slope = lambda p: r * mp.sin(p) * (1 + r * mp.cos(p) / mp.sqrt(l**2 - r**2 * mp.sin(p) ** 2))  # noqa: E731
+
+        def slope(p):
+            return r * mp.sin(p) * (1 + r * mp.cos(p) / mp.sqrt(l**2 - r**2 * mp.sin(p) ** 2))
+
         quarters = [i * mp.pi / 2 for i in range(5)]
         return float(mp.mpf(mass) * mp.quad(lambda p: slope(p) ** 2, quarters) / (2 * mp.pi))
 
