@@ -100,7 +100,7 @@ def integral_to(of: Panels, values: Array, angle: Array) -> Array:
     for n_nodes in np.unique(of.size[panel]).tolist():
         chosen = np.flatnonzero(of.size[panel] == n_nodes)
         place: NDArray[np.intp] = of.first[panel[chosen], np.newaxis] + np.arange(n_nodes, dtype=np.intp)
-        part = np.sum(values[..., place] * (_legendre_integrals(way[chosen], n_nodes) @ _to_series(n_nodes)), axis=-1)
+        part = np.sum(values[..., place] * partial_integrals(way[chosen], n_nodes), axis=-1)
         total[..., chosen] += of.width[panel[chosen]] / 2 * part
     return total
 
@@ -109,6 +109,16 @@ def integral_to(of: Panels, values: Array, angle: Array) -> Array:
 def leggauss(n_nodes: int) -> tuple[Array, Array]:
     """Gauss's points in (−1, 1) and their weights."""
     return np.polynomial.legendre.leggauss(n_nodes)
+
+
+def interpolation(way: Array, n_nodes: int) -> Array:
+    """Weights of values at Gauss's points for the value at some ways in [−1, 1], shape (..., n)."""
+    return np.polynomial.legendre.legvander(way, n_nodes - 1) @ _to_series(n_nodes)
+
+
+def partial_integrals(way: Array, n_nodes: int) -> Array:
+    """Weights of values at Gauss's points for the integral from −1 to some ways, shape (k, n)."""
+    return _legendre_integrals(way, n_nodes) @ _to_series(n_nodes)
 
 
 @cache
