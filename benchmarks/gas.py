@@ -5,8 +5,8 @@ import loops
 import numpy as np
 from comparison import Comparison, filled
 
-from cranktrain.gas import VolumeLimits, chamber_state
-from cranktrain.gas.dual import IdealCycle, ideal_pressure
+from cranktrain.fluids import VolumeLimits, chamber_state
+from cranktrain.fluids.dual import IdealCycle, ideal_pressure
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 from cranktrain.motion import Coefficient
 

@@ -7,8 +7,8 @@ nobody reads, the compiler leaves out what it can.
 import numpy as np
 from numba import njit
 
-from cranktrain.gas import VolumeLimits, chamber_state
-from cranktrain.gas.dual import ideal_pressure
+from cranktrain.fluids import VolumeLimits, chamber_state
+from cranktrain.fluids.dual import ideal_pressure
 from cranktrain.linkage import compiled
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
 from cranktrain.mechanisms.slider_crank.forces import slider_crank_forces, slider_crank_load

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cranktrain.gas import Chamber, VolumeLimits
+from cranktrain.fluids import Chamber, VolumeLimits
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 from cranktrain.motion import Coefficient
 from cranktrain.numerics import extremes

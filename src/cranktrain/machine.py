@@ -11,7 +11,7 @@ from pydantic import Field, ValidationError, model_validator
 
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.errors import InputError, Problem
-from cranktrain.gas import AnyGas
+from cranktrain.fluids import AnyGas
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, Friction, GravitySpec, GuideSpec
 from cranktrain.layout.closing import closing_problems

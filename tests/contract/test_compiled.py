@@ -16,11 +16,11 @@ import numpy as np
 import pytest
 from tests.contract import force_kernels
 
-import cranktrain.gas
+import cranktrain.fluids
 import cranktrain.linkage
 import cranktrain.mechanisms
-from cranktrain.gas.dual.pressure import IdealCycle
-from cranktrain.gas.state import ChamberState, VolumeLimits
+from cranktrain.fluids.dual.pressure import IdealCycle
+from cranktrain.fluids.state import ChamberState, VolumeLimits
 from cranktrain.linkage import (
     GUIDE,
     ROD,
@@ -106,8 +106,8 @@ def kernels() -> dict[str, Callable[..., Any]]:
         for file in Path(cranktrain.mechanisms.__path__[0]).glob(f"*/{name}")
     ]
     gases = [
-        f"cranktrain.gas.{folder.parent.name}.{folder.stem}"
-        for folder in Path(cranktrain.gas.__path__[0]).glob("*/pressure.py")
+        f"cranktrain.fluids.{folder.parent.name}.{folder.stem}"
+        for folder in Path(cranktrain.fluids.__path__[0]).glob("*/pressure.py")
     ]
     found: dict[str, Callable[..., Any]] = {}
     questions = [f"cranktrain.questions.forces.{name}" for name in ("pin_load", "piston_formulas", "rod_masses")]
@@ -116,7 +116,7 @@ def kernels() -> dict[str, Callable[..., Any]]:
         + mechanisms
         + questions
         + gases
-        + ["cranktrain.gas.state", "cranktrain.gas.polytrope", "cranktrain.gas.work"]
+        + ["cranktrain.fluids.state", "cranktrain.fluids.polytrope", "cranktrain.fluids.work"]
     ):
         module = importlib.import_module(path)
         for name, function in inspect.getmembers(module, inspect.isfunction):

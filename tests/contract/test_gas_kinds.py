@@ -8,12 +8,12 @@ import pytest
 from pydantic import TypeAdapter
 from tests.gas_engines import FOUR_STROKE, TWO_STROKE, Engine, csv
 
-import cranktrain.gas as gas
+import cranktrain.fluids as gas
 from cranktrain.io.schema import described
 from cranktrain.spec import validated
 
 ROOT = Path(__file__).parents[2]
-FOLDER = ROOT / "src/cranktrain/gas"
+FOLDER = ROOT / "src/cranktrain/fluids"
 ENGINE = Engine(0.045, 0.15, 0.08, 16.0, offset=-0.004)
 ANGLE = np.radians(np.arange(0.0, 720.0, 1.0))
 FILE = csv(np.degrees(ANGLE), 1e5 * (20 + 18 * np.cos(ANGLE / 2 - 0.1)))

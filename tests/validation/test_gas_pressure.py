@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import cranktrain.gas as gas
-from cranktrain.gas.dual.pressure import IdealCycle, corner_pressures, ideal_mean_pressures
-from cranktrain.gas.polytrope import polytropic_work
+import cranktrain.fluids as gas
+from cranktrain.fluids.dual.pressure import IdealCycle, corner_pressures, ideal_mean_pressures
+from cranktrain.fluids.polytrope import polytropic_work
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 from cranktrain.motion import Coefficient
 from cranktrain.spec import validated

@@ -12,11 +12,11 @@ import pytest
 from tests.gas_engines import FOUR_STROKE, TWO_STROKE, Engine, csv, wiebe, wiebe_cycle
 from tests.reference_case import GOLDEN, ReferenceCase
 
-import cranktrain.gas as gas
-from cranktrain.gas.indicator import IndicatorSpec, diagram_work, pressure_at
-from cranktrain.gas.indicator.curve import crest
-from cranktrain.gas.indicator.pegging import polytropic_offset
-from cranktrain.gas.work import indicated_power, indicated_work, split_mean_pressures
+import cranktrain.fluids as gas
+from cranktrain.fluids.indicator import IndicatorSpec, diagram_work, pressure_at
+from cranktrain.fluids.indicator.curve import crest
+from cranktrain.fluids.indicator.pegging import polytropic_offset
+from cranktrain.fluids.work import indicated_power, indicated_work, split_mean_pressures
 from cranktrain.spec import validated
 
 PRESSURE = json.loads((GOLDEN / "gas_pressure/case.json").read_text(encoding="utf-8"))

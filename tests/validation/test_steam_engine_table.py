@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cranktrain.gas.indicator.brix import brix_angle
+from cranktrain.fluids.indicator.brix import brix_angle
 from cranktrain.textbook import steam_engine
 
 ANGLE = np.radians(np.arange(0, 360, 0.02))

@@ -7,8 +7,8 @@ import numpy as np
 from pydantic import Field
 
 from cranktrain.errors import InputError, Position, Problem
-from cranktrain.gas.indicator.reading import unit_in
-from cranktrain.gas.indicator.table import Table, held_text, read_table
+from cranktrain.fluids.indicator.reading import unit_in
+from cranktrain.fluids.indicator.table import Table, held_text, read_table
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.quantities import Dimension, is_unit, one_of, read, unit_names

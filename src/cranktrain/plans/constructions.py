@@ -11,7 +11,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.gas.indicator.brix import brix_angle
+from cranktrain.fluids.indicator.brix import brix_angle
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.slider_crank import SliderCrank, slider_crank

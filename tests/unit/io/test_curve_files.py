@@ -6,7 +6,7 @@ import os
 import pytest
 from tests.sentences import NO_FILE
 
-from cranktrain.gas.indicator.reading import read_trace
+from cranktrain.fluids.indicator.reading import read_trace
 from cranktrain.io.curve_files import LARGEST_FILE, curve_text, with_curves
 
 TEXT = "Угол, °;Давление, бар\r\n0;50,5\r\n1;51"

@@ -2,7 +2,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from cranktrain.gas.indicator.brix import brix_angle
+from cranktrain.fluids.indicator.brix import brix_angle
 from cranktrain.textbook import steam_engine
 
 ANGLES = np.radians([0.0, 1e-3, 17.0, 60.0, 90.0, 133.0, 180.0, 251.0, 270.0, 359.0, -40.0, 725.0])

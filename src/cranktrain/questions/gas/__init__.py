@@ -2,8 +2,10 @@
 
 from collections.abc import Iterator
 
+from typing import cast
+
 from cranktrain.errors import Problem
-from cranktrain.gas import GasSpec
+from cranktrain.fluids import FluidSpec
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts, Question, Stage, TableFile, Use
@@ -12,27 +14,27 @@ from cranktrain.questions.cylinders.firing import Cycle, FiringOrder
 from cranktrain.questions.cylinders.parts import cylinders
 from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.questions.cylinders.volumes import Chambers, CompressionRatios
-from cranktrain.questions.gas import chambers, events, powers, pressures
+from cranktrain.questions.gas import chambers, declared, events, powers, pressures
 
-PRESSING = (chambers.DeclaredGas, Chambers, CompressionRatios, Cycle, FiringOrder)
+PRESSING = (declared.DeclaredGas, Chambers, CompressionRatios, Cycle, FiringOrder)
 """Parts that it takes for gas to press on pistons."""
 
 
 def _problems(design: Design) -> Iterator[Problem]:
-    if design.table(GasSpec) is not None and not design.once(cylinders):
+    if design.table(FluidSpec) is not None and not design.once(cylinders):
         yield Problem("gas", None, _("is not for this machine, which has no pistons"))
 
 
-def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
+def _parts(designs: Designs, known: Parts) -> Iterator[object | None]:
     if designs.pistons is not None:
-        specs = designs.tables(GasSpec)
-        yield chambers.DeclaredGas(specs) if specs else None
+        specs = designs.tables(FluidSpec)
+        yield declared.declared_gas(specs, cast("Chambers | None", known.get(Chambers))) if specs else None
         yield powers.losses_of(designs.tables(CylindersSpec))
 
 
 QUESTION = Question(
     "gas",
-    tables={"gas": GasSpec},
+    tables={"gas": FluidSpec},
     problems=_problems,
     parts=_parts,
     stages=(

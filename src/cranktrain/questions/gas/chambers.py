@@ -3,44 +3,49 @@
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.gas import AnyGasKind, Chamber, GasSpec, VolumeLimits, chamber_state, kind_of
+from cranktrain.fluids import AnyFluid, ChamberState, Rooms, VolumeLimits, chamber_state
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.motion import Array, Coefficient, single
 from cranktrain.questions.cylinders.firing import Cycle, Firing
-from cranktrain.questions.cylinders.travel import CylinderPistons, CylinderTravel
+from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.cylinders.volumes import Chambers, ChamberVolumes, SweptVolumes
+from cranktrain.questions.gas.declared import DeclaredGas
 from cranktrain.questions.motion.dead_centres import DeadCentres, slider_motion
 from cranktrain.record import record
 from cranktrain.wording import ranged
 
-_CHAMBER = ("chamber",)
-_CURVE = ("chamber", "crank_angle")
-_THEORY = "docs/theory/gas"
 AMBIENT = 101325.0
 """Pressure under the pistons. [Pa]"""
 _TELLING = np.array([0.0, 0.6, 1.7, 3.9])
+_DIGITS = 9
+"""Of volumes that are one."""
 
 
-@record
-class DeclaredGas:
-    """The gas model of every design, as its file declares it."""
+class Filling(NamedTuple):
+    """Chambers that one table fills: which, as its fluid asks for them, and what its pressure takes."""
 
-    needs: ClassVar[str] = N_("[gas]")
+    fluid: AnyFluid
+    places: NDArray[np.intp]
+    rooms: Rooms
+    ready: Any
 
-    specs: tuple[GasSpec, ...]
+    def of_chamber(self, design: int, place: int) -> Any:
+        """What the pressure takes of one chamber of one design."""
+        own = int(np.searchsorted(self.places, place))
+        return type(self.ready)(*(part[min(design, len(part) - 1), min(own, part.shape[1] - 1)] for part in self.ready))
 
 
 @record
 class GasInChambers:
-    """The gas model of every chamber, to be asked at any crank angle.
+    """The gas in every chamber, to be asked at any crank angle.
 
     Attributes
     ----------
@@ -54,10 +59,9 @@ class GasInChambers:
         φ of each chamber's nominal firing. [rad]
     cycle : float
         [rad]
-    models : tuple of tuples
-        [design][chamber], as each design's kind of gas takes it.
-    specs : tuple of GasSpec
-        Of each design.
+    origin : array of int, shape (design, chamber)
+        The first of its design's chambers that is like it but for the phase.
+    fillings : tuple of Filling
     flags : tuple of str
         What may be meant otherwise than it was given, and what was found in a file and changed.
     """
@@ -69,9 +73,9 @@ class GasInChambers:
     tops: Array
     firing: Array
     cycle: float
-    models: tuple[tuple[object, ...], ...]
-    specs: tuple[GasSpec, ...]
-    flags: tuple[str, ...]
+    origin: NDArray[np.intp]
+    fillings: tuple[Filling, ...] = ()
+    flags: tuple[str, ...] = ()
 
     def volume(self, angle: Array) -> Coefficient:
         """Volume of every chamber at φ [rad], and its derivatives, shape (design, chamber, n). [m³, m³/rad, m³/rad²]"""
@@ -96,13 +100,19 @@ class GasInChambers:
     def pressure(self, angle: Array, volume: Coefficient) -> Array:
         """Absolute pressure in every chamber at φ [rad], where its volume is known, shape (design, chamber, n). [Pa]"""
         state = chamber_state(volume, self.limits, angle - self.firing, np.array(self.cycle))
-        found = np.empty(volume.value.shape)
-        for design, spec in enumerate(self.specs):
-            kind = kind_of(spec)
-            for model, places in self.alike(design):
-                own = type(state)(*(_rows(part, design, places) for part in state))
-                found[design, places] = kind.pressure(own, model)
+        shape = volume.value.shape
+        found = np.empty(shape)
+        for fluid, places, _rooms, ready in self.fillings:
+            own = ChamberState(*(np.broadcast_to(part, shape)[:, places] for part in state))
+            found[:, places] = fluid.pressure(own, ready)
         return found
+
+    def pressure_of(self, design: int, place: int, angle: Array, volume: Coefficient) -> Array:
+        """Absolute pressure in one chamber of one design, angles since its nominal firing, shape (n,). [Pa]"""
+        limits = VolumeLimits(*(single(float(part[design, place, 0])) for part in self.limits))
+        state = chamber_state(volume, limits, angle, single(self.cycle))
+        filling = next(one for one in self.fillings if place in one.places)
+        return filling.fluid.pressure(state, filling.of_chamber(design, place))
 
     def dead_centres(self, travel: CylinderTravel) -> tuple[Array, Array]:
         """φ of every chamber's least volume at its firing, and of its greatest, shape (design, chamber). [rad]"""
@@ -111,28 +121,20 @@ class GasInChambers:
         turns = 2 * np.pi * np.rint((self.firing[..., 0] - least) / (2 * np.pi))
         return least + turns, np.where(is_head, travel.outer[:, of], travel.inner[:, of])
 
-    @cached_property
-    def _shared(self) -> tuple[list[tuple[object, list[int]]], ...]:
-        """What `alike` gives for each design."""
-        return tuple(_sharing(of_design) for of_design in self.models)
-
-    def alike(self, design: int) -> list[tuple[object, list[int]]]:
-        """Models of one design's chambers, each with the chambers that share it."""
-        return self._shared[design]
+    def alike(self, design: int) -> list[NDArray[np.intp]]:
+        """Chambers of one design that are alike but for their phase, together."""
+        own = self.origin[design]
+        return [np.flatnonzero(own == first) for first in np.unique(own)]
 
     @cached_property
-    def distinct(self) -> list[int]:
-        """Chambers that stand for all others of their design which share their model."""
-        return sorted({places[0] for of_design in self._shared for _model, places in of_design})
+    def distinct(self) -> NDArray[np.intp]:
+        """Chambers that stand for all others which are like them, of any design."""
+        return np.unique(self.origin)
 
     @cached_property
-    def origin(self) -> NDArray[np.intp]:
+    def among_distinct(self) -> NDArray[np.intp]:
         """Which of the distinct chambers stands for each, shape (design, chamber)."""
-        found = np.empty((len(self.models), len(self.chambers.names)), dtype=np.intp)
-        for design, of_design in enumerate(self._shared):
-            for _model, places in of_design:
-                found[design, places] = self.distinct.index(places[0])
-        return found
+        return np.searchsorted(self.distinct, self.origin)
 
     def at_own(self, angle: Array, places: Sequence[int], values: Callable[[Array], Array]) -> Array:
         """Values of some chambers, each at its own angles φ.
@@ -160,27 +162,10 @@ class GasInChambers:
         return self.chambers.pushed(pressure) - AMBIENT * np.sum(areas, axis=-1, keepdims=True)
 
 
-def _sharing(models: tuple[object, ...]) -> list[tuple[object, list[int]]]:
-    """Pair each model of one design with the chambers that have it."""
-    sharing: dict[int, tuple[object, list[int]]] = {}
-    for place, model in enumerate(models):
-        sharing.setdefault(id(model), (model, []))[1].append(place)
-    return list(sharing.values())
-
-
-def _rows(part: Array, design: int, places: list[int]) -> Array:
-    """Some chambers' values of a state's part, which may stand for all."""
-    if part.ndim < 3:
-        return part
-    of_design = part[min(design, part.shape[0] - 1)]
-    return of_design if len(of_design) == 1 else of_design[places]
-
-
 def gas_in_chambers(
     gas: DeclaredGas,
     cycle: Cycle,
     pistons: Pistons,
-    cylinders: CylinderPistons,
     chambers: Chambers,
     dead_centres: DeadCentres,
     travel: CylinderTravel,
@@ -189,7 +174,7 @@ def gas_in_chambers(
     crank_angle: CrankAngle,
     firing: Firing,
 ) -> GasInChambers:
-    """Make each chamber's model out of the file."""
+    """Fill the chambers as the file says."""
     _refuse_chambers_without_room(chambers, volumes)
     of = chambers.cylinder
     nominal = firing.firing_angle[:, of] + crank_angle.zero[..., 0] + np.where(chambers.is_head, 0.0, np.pi)
@@ -204,28 +189,47 @@ def gas_in_chambers(
         tops=dead_centres.top_position[..., np.newaxis],
         firing=nominal[..., np.newaxis],
         cycle=cycle.length,
-        models=(),
-        specs=gas.specs,
-        flags=(),
+        origin=np.zeros(nominal.shape, dtype=np.intp),
     )
-    is_central = _central_ratios(pistons, cylinders)[:, of]
-    # What the volume is at some angles after firing tells a chamber from those that are not like it.
-    every = range(len(chambers.names))
-    volumes_then = empty.at_own(empty.firing + _TELLING, every, lambda angle: empty.volume(angle).value)
-    models = tuple(
-        _models(spec, empty, design, _Likeness(volumes_then[design], is_central[design]))
-        for design, spec in enumerate(gas.specs)
+    like = replace(empty, origin=_origin(empty, gas))
+    _least, bottom = empty.dead_centres(travel)
+    fillings = tuple(_filled(like, gas, table, bottom) for table in range(len(gas.tables)))
+    notes = [note for one in fillings for note in one.fluid.notes(one.ready)]
+    flags = [flag for table in gas.tables for flag in table.flags]
+    return replace(like, fillings=fillings, flags=tuple(dict.fromkeys((*flags, *notes))))
+
+
+def _filled(gas: GasInChambers, declared: DeclaredGas, table: int, bottom: Array) -> Filling:
+    """Fill the chambers of one table; `bottom`: φ of greatest volumes, shape (design, chamber)."""
+    path, fluid, numbers, _flags = declared.tables[table]
+    places = np.flatnonzero(declared.table == table)
+    after = np.mod(bottom - gas.firing[..., 0], 2 * np.pi)
+
+    def volume_of(design: int, own: int, angle: Array) -> Coefficient:
+        place = int(places[own])
+        return gas.volume_of(design, place, angle + gas.firing[design, place])
+
+    rooms = Rooms(
+        path=path,
+        cycle=gas.cycle,
+        limits=VolumeLimits(*(part[:, places] for part in gas.limits)),
+        area=gas.chambers.area[:, places, np.newaxis],
+        bottoms=np.stack([after - 2 * np.pi, after], axis=-1)[:, places],
+        alike=np.searchsorted(places, gas.origin[:, places]),
+        volume_of=volume_of,
     )
-    each = [
-        (kind_of(spec), spec, model) for spec, of_design in zip(gas.specs, models, strict=True) for model in of_design
-    ]
-    flags = [flag for kind, spec, model in each for flag in kind.flags(spec, model)]
-    findings = [finding for kind, _spec, model in each for finding in kind.findings(model)]
-    return replace(
-        empty,
-        models=models,
-        flags=tuple(dict.fromkeys((*flags, *findings))),
-    )
+    return Filling(fluid, places, rooms, fluid.prepared(numbers, rooms))
+
+
+def _origin(gas: GasInChambers, declared: DeclaredGas) -> NDArray[np.intp]:
+    """Find the first chamber of each design that one table fills too, and that goes through the same volumes."""
+    every = range(len(gas.chambers.names))
+    then = gas.at_own(gas.firing + _TELLING, every, lambda angle: gas.volume(angle).value)
+    seen = np.concatenate([*gas.limits, then], axis=-1)
+    place = 10.0 ** (_DIGITS - 1 - np.floor(np.log10(np.abs(seen))))
+    told = np.rint(seen * place) / place
+    is_same = np.all(told[:, :, np.newaxis] == told[:, np.newaxis], axis=-1)
+    return np.argmax(is_same & (declared.table[:, np.newaxis] == declared.table), axis=-1)
 
 
 def _refuse_chambers_without_room(chambers: Chambers, volumes: ChamberVolumes) -> None:
@@ -238,51 +242,3 @@ def _refuse_chambers_without_room(chambers: Chambers, volumes: ChamberVolumes) -
         bank = chambers.banks[short[0]] or chambers.names[short[0]]
         problem = Problem("cylinder.compression_ratio", None, allowed.format(chambers=names), repair.format(name=bank))
         raise InputError([problem])
-
-
-def _central_ratios(pistons: Pistons, cylinders: CylinderPistons) -> Array:
-    """λ of every cylinder with a single central slider-crank, shape (design, cylinder); NaN for others."""
-    ratio = np.full(pistons.nominal_top.shape[:2], np.nan)
-    for batch in pistons.batches:
-        if batch.kind.name == "slider_crank":
-            size = batch.members.geometry
-            ratio[:, batch.index] = np.where(size.offset == 0.0, size.crank_radius / size.rod_length, np.nan)[..., 0]
-    return np.where(cylinders.is_opposed, np.nan, ratio[:, cylinders.leading])
-
-
-class _Likeness(NamedTuple):
-    """What tells chambers apart: volumes at some angles, (chamber, n) [m³], and λ of central ones, (chamber,)."""
-
-    volumes: Array
-    ratios: Array
-
-
-def _models(spec: GasSpec, chambers: GasInChambers, design: int, own: _Likeness) -> tuple[object, ...]:
-    """Models of one design's chambers; chambers that are alike but for their phase share one."""
-    kind = kind_of(spec)
-    made: dict[tuple[float, ...], object] = {}
-    found: list[object] = []
-    for place in range(len(chambers.chambers.names)):
-        limits = VolumeLimits(*(single(float(part[design, place, 0])) for part in chambers.limits))
-        start = float(chambers.firing[design, place, 0])
-
-        def volume(angle: Array, start: float = start, place: int = place) -> Array:
-            return chambers.volume_of(design, place, angle + start).value
-
-        key = tuple(float(f"{float(value):.9g}") for value in (*limits, *own.volumes[place]))
-        if key not in made:
-            ratio = float(own.ratios[place])
-            chamber = Chamber(chambers.cycle, limits, volume, None if np.isnan(ratio) else ratio)
-            made[key] = _model(kind, spec, chamber)
-        found.append(made[key])
-    return tuple(found)
-
-
-def _model(kind: AnyGasKind, spec: GasSpec, chamber: Chamber) -> object:
-    """Make one chamber's model; what does not suit it is wrong in [gas]."""
-    try:
-        return kind.model(spec, chamber)
-    except InputError as error:
-        raise InputError(
-            replace(problem, path=f"gas.{problem.path}".removesuffix(".")) for problem in error.problems
-        ) from None

@@ -4,8 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from cranktrain.gas import Kink, VolumeLimits, kind_of
-from cranktrain.motion import Array, Coefficient, single
+from cranktrain.motion import Array, Coefficient
 from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.record import record
@@ -56,7 +55,7 @@ def _volume_at(gas: GasInChambers, angle: Array, places: Sequence[int]) -> Coeff
 
 def _kinks(gas: GasInChambers, firing: Array, least: Coefficient) -> Array:
     """φ of the kinks of all chambers, by Halley's method from the dead centre, shape (design, chamber, kink). [rad]"""
-    told = _kinks_of_models(gas)
+    told = _kinks_told(gas)
     places = [place for place in gas.distinct for _kink in range(told.shape[-1])]
     volume, sense, turn = told.reshape(3, len(firing), -1)[..., np.newaxis]
     if volume.size == 0:
@@ -75,33 +74,23 @@ def _kinks(gas: GasInChambers, firing: Array, least: Coefficient) -> Array:
     after = np.where(turn > 0, 0.0, 2 * np.pi) + sense * away
     each = after.reshape(len(firing), len(gas.distinct), -1)
     design = np.arange(len(firing))[:, np.newaxis]
-    return firing[..., np.newaxis] + each[design, gas.origin]
+    return firing[..., np.newaxis] + each[design, gas.among_distinct]
 
 
 def _breaks(gas: GasInChambers) -> Array:
     """Where the pieces of measured cards meet, from nominal firing, shape (design, chamber, break): NaN fills up."""
-    told = [
-        [np.empty(0) if kind.breaks is None else kind.breaks(model) for model in models]
-        for kind, models in ((kind_of(spec), models) for spec, models in zip(gas.specs, gas.models, strict=True))
-    ]
-    filled = np.full((*gas.firing.shape[:2], max(own.size for of_design in told for own in of_design)), np.nan)
-    for design, of_design in enumerate(told):
-        for place, own in enumerate(of_design):
-            filled[design, place, : own.size] = own
+    each = [(one.places, one.fluid.breaks(one.ready)) for one in gas.fillings if one.fluid.breaks is not None]
+    filled = np.full((*gas.firing.shape[:2], max((own.shape[-1] for _places, own in each), default=0)), np.nan)
+    for places, own in each:
+        filled[:, places, : own.shape[-1]] = own
     return filled
 
 
-def _kinks_of_models(gas: GasInChambers) -> Array:
+def _kinks_told(gas: GasInChambers) -> Array:
     """Volume, sense and turn of the kinks of the distinct chambers, (3, design, distinct, kink): NaN fills up."""
-    told: list[list[Sequence[Kink]]] = []
-    for design, spec in enumerate(gas.specs):
-        limits = [VolumeLimits(*(single(float(part[design, i, 0])) for part in gas.limits)) for i in gas.distinct]
-        models = [gas.models[design][place] for place in gas.distinct]
-        told.append([kind_of(spec).kinks(model, own) for model, own in zip(models, limits, strict=True)])
-    most = max(len(kinks) for of_design in told for kinks in of_design)
-    filled = np.full((3, len(told), len(gas.distinct), most), np.nan)
-    for design, of_design in enumerate(told):
-        for place, kinks in enumerate(of_design):
-            for number, kink in enumerate(kinks):
-                filled[:, design, place, number] = (float(kink.volume), kink.sense, kink.turn)
-    return filled
+    each = [(one.places, kink) for one in gas.fillings for kink in one.fluid.kinks(one.ready, one.rooms.limits)]
+    filled = np.full((3, *gas.firing.shape[:2], len(each)), np.nan)
+    for number, (places, kink) in enumerate(each):
+        for part, value in zip(filled, (kink.volume[..., 0], kink.sense, kink.turn), strict=True):
+            part[:, places, number] = value
+    return filled[:, :, gas.distinct]

@@ -6,7 +6,7 @@ from typing import ClassVar
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.gas.work import friction_power, friction_power_by_efficiency, indicated_power
+from cranktrain.fluids.work import friction_power, friction_power_by_efficiency, indicated_power
 from cranktrain.language import N_, _
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array

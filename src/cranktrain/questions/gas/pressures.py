@@ -1,13 +1,12 @@
 """Pressure of the gas over the cycle, its force on every piston, and, whatever the grid, its work and its peak."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import extreme, quantity
 from cranktrain.checks import Limit, flagged
-from cranktrain.gas import kind_of
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array, Coefficient
@@ -83,7 +82,7 @@ def gas_pressures(
     displacement = motion.piston_displacement
     volume = gas.volume_by(Coefficient(gas.tops - displacement.value, -displacement.first, -displacement.second))
     pressure = gas.pressure(phi, volume)
-    work = _works(gas, swept)
+    work = _works(gas)
     firing, _opposite = gas.dead_centres(travel)
     after, peak = _peaks(gas, events, firing, crank_angle, pressure)
     return GasPressures(
@@ -105,30 +104,12 @@ def _unlikely_pressures(gas: GasInChambers, fires: NDArray[np.bool_], peak: Arra
     yield from flagged(_PEAK_PRESSURE, peak[fires])
 
 
-def _works(gas: GasInChambers, swept: SweptVolumes) -> Array:
+def _works(gas: GasInChambers) -> Array:
     """∮ p dV in closed form, or exactly over what was laid through samples, shape (design, chamber). [J]"""
-    works = np.full(gas.firing.shape[:2], np.nan)
-    for design, spec in enumerate(gas.specs):
-        kind = kind_of(spec)
-        for model, places in gas.alike(design):
-            if kind.mean_pressures is not None:
-                ratio = (gas.limits.largest / gas.limits.smallest)[design, places, 0]
-                found = kind.mean_pressures(model, ratio)
-                mean = found.net if gas.cycle > 3 * np.pi else found.gross
-                works[design, places] = mean * swept.swept_volume[design, places]
-            elif kind.work is not None:
-                works[design, places] = kind.work(model, _slope_of(gas, design, places[0]))
+    works = np.empty(gas.firing.shape[:2])
+    for fluid, places, rooms, ready in gas.fillings:
+        works[:, places] = fluid.work(ready, rooms)
     return works
-
-
-def _slope_of(gas: GasInChambers, design: int, place: int) -> Callable[[Array], Array]:
-    """dV/dφ of one chamber by angles since its nominal firing, of any shape."""
-    start = float(gas.firing[design, place, 0])
-
-    def slope(angle: Array) -> Array:
-        return gas.volume_of(design, place, angle.ravel() + start).first.reshape(angle.shape)
-
-    return slope
 
 
 def _peaks(
@@ -136,17 +117,17 @@ def _peaks(
 ) -> tuple[Array, Array]:
     """Angle of the largest pressure after the dead centre at firing, and the pressure, shape (design, chamber)."""
     places = gas.distinct
-    n_rows, zero = len(gas.models) * len(places), crank_angle.zero
+    n_rows, zero = len(gas.firing) * len(places), crank_angle.zero
 
     def own(which: NDArray[np.intp], shown: Array) -> Array:
         """Pressure in the distinct chambers at their own angles, shape (p, k)."""
         asked, slot = in_slots(which, shown, n_rows)
-        phi = asked.reshape(len(gas.models), len(places), -1) + zero
+        phi = asked.reshape(len(gas.firing), len(places), -1) + zero
         found = gas.at_own(phi, places, lambda angle: gas.pressure(angle, gas.volume(angle)))
         return found.reshape(asked.shape)[which, slot]
 
     found = largest_between(own, crank_angle.shown, pressure[:, places], events.angle[:, places] - zero)
     after = around_zero(found.angle + zero[..., 0] - firing[:, places])
     after = np.where(np.abs(after) <= ANGLE_ROUNDING, 0.0, after)
-    design = np.arange(len(gas.models))[:, np.newaxis]
-    return after[design, gas.origin], found.value[design, gas.origin]
+    design = np.arange(len(gas.firing))[:, np.newaxis]
+    return after[design, gas.among_distinct], found.value[design, gas.among_distinct]

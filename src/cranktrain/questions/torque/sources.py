@@ -10,11 +10,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.gas import VolumeLimits, chamber_state, kind_of
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shafts import Shafts
 from cranktrain.linkage.forces import Drive, Reduced, ReducedInertia, torque_by_work
-from cranktrain.motion import ZERO, Array, single
+from cranktrain.motion import ZERO, Array
 from cranktrain.numerics import Panels, integral_to, panels
 from cranktrain.numerics.harmonics import ComplexArray, harmonics, phasor
 from cranktrain.numerics.periodic import fourier_integral
@@ -203,20 +202,19 @@ def _of_chambers(
     gas: GasInChambers, events: GasEvents, crank_angle: CrankAngle, shafts: NDArray[np.intp], design: int
 ) -> Iterator[Source]:
     """Torque of the gas in each chamber of one design on its pistons' shafts, by virtual work."""
-    kind, zero = kind_of(gas.specs[design]), float(crank_angle.zero[design, 0, 0])
-    for model, places in gas.alike(design):
-        first = places[0]
+    zero = float(crank_angle.zero[design, 0, 0])
+    for places in gas.alike(design):
+        first = int(places[0])
         start = float(gas.firing[design, first, 0])
         # Near its least value V = V_c + ½V″φ², which is 0 at an imaginary φ.
-        volume, _slope, curvature = (float(part[design, gas.distinct.index(first), 0]) for part in events.least)
+        volume, _slope, curvature = (float(part[design, gas.among_distinct[design, first], 0]) for part in events.least)
         away = float(np.sqrt(2 * volume / curvature))
         cut = panels(
             events.angle[design, first] - start, min(_WIDEST, _REACH * away) if away > 0 else _WIDEST, gas.cycle
         )
         motion = gas.volume_of(design, first, cut.angle + start)
-        limits = VolumeLimits(*(single(float(part[design, first, 0])) for part in gas.limits))
-        pressure = kind.pressure(chamber_state(motion, limits, cut.angle, single(gas.cycle)), model)
-        by_chamber = [np.flatnonzero(gas.chambers.areas[design, :, place]) for place in places]
+        pressure = gas.pressure_of(design, first, cut.angle, motion)
+        by_chamber = [np.flatnonzero(gas.chambers.areas[design, :, place]) for place in places.tolist()]
         if len(by_chamber[0]) == 1:
             slopes = [motion.first]
         else:

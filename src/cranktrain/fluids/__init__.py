@@ -1,0 +1,49 @@
+"""What fills a chamber: one folder for each kind of fluid, with its table, pressure and README; a new one is a line here.
+
+A fluid takes its numbers and the chambers that it fills, and then gives the pressure by their state; of the mechanism it
+knows nothing else:
+
+    fluid = fluid_of(spec)
+    ready = fluid.prepared(of_designs([fluid.numbers(spec)]), rooms)
+    pressure = fluid.pressure(chamber_state(volume, limits, angle_from_firing, cycle), ready)
+"""
+
+from typing import Annotated
+
+from pydantic import Field
+
+from cranktrain.fluids import diesel, dual, indicator, otto
+from cranktrain.fluids.fluid import AnyFluid, Fluid, FluidSpec, Kink, Rooms, of_designs
+from cranktrain.fluids.state import ChamberState, VolumeLimits, chamber_state
+
+__all__ = [
+    "KINDS",
+    "AnyFluid",
+    "AnyGas",
+    "ChamberState",
+    "Fluid",
+    "FluidSpec",
+    "Kink",
+    "Rooms",
+    "VolumeLimits",
+    "chamber_state",
+    "fluid_named",
+    "fluid_of",
+    "of_designs",
+]
+
+KINDS: tuple[AnyFluid, ...] = (indicator.KIND, otto.KIND, diesel.KIND, dual.KIND)
+
+AnyGas = Annotated[
+    indicator.IndicatorSpec | otto.OttoSpec | diesel.DieselSpec | dual.DualSpec, Field(discriminator="kind")
+]
+
+
+def fluid_named(name: str) -> AnyFluid:
+    """Give the fluid of that name."""
+    return next(kind for kind in KINDS if kind.name == name)
+
+
+def fluid_of(spec: FluidSpec) -> AnyFluid:
+    """Give the fluid that a table declares."""
+    return fluid_named(spec.kind)

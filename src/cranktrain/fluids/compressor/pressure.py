@@ -1,0 +1,141 @@
+"""The compressor with clearance: two lines and two polytropes, by the volume and the sense in which it goes."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.fluids.polytrope import polytropic_work
+from cranktrain.fluids.state import ChamberState, VolumeLimits
+from cranktrain.motion import Array, chosen
+
+
+class Compressor(NamedTuple):
+    """Absolute pressures in the chamber while a valve is open [Pa], exponents of compression and re-expansion [1]."""
+
+    suction_pressure: Array
+    discharge_pressure: Array
+    compression_exponent: Array
+    expansion_exponent: Array
+
+
+class Corners(NamedTuple):
+    """Where the valves open and close.
+
+    Attributes
+    ----------
+    peak : Array
+        Largest pressure: the discharge's, or less where the piston works on one closed polytrope. [Pa]
+    expansion_exponent : Array
+        That of re-expansion with which there is a steady cycle. [1]
+    suction_opens, discharge_opens : Array
+        Volumes; suction closes at the largest volume, discharge at the smallest. [m³]
+    """
+
+    peak: Array
+    expansion_exponent: Array
+    suction_opens: Array
+    discharge_opens: Array
+
+
+def corners(compressor: Compressor, limits: VolumeLimits) -> Corners:
+    """Where valves open and close, whether anything is delivered or not.
+
+    Parameters
+    ----------
+    compressor : Compressor, fields of any shape
+    limits : VolumeLimits, broadcastable
+
+    Returns
+    -------
+    Corners, of the broadcast shape
+
+    Notes
+    -----
+    With r = V₁/V_c and π = p_d/p_s: from π = r^n_c on the discharge valve stays shut and the piston works on one
+    polytrope. Where only one of r^n_c and r^n_e is above π no cycle is steady, as more would come in than goes out or
+    less; then n_e is taken as n_c. docs/theory/gas, eqs. (14.16) and (14.17).
+    """
+    suction, discharge, compression, expansion = compressor
+    ratio = limits.largest / limits.smallest
+    exponent = chosen(ratio ** np.minimum(compression, expansion) > discharge / suction, expansion, compression)
+    peak = np.minimum(discharge, suction * ratio**compression)
+    return Corners(
+        peak,
+        exponent,
+        limits.smallest * (peak / suction) ** (1 / exponent),
+        limits.largest * (suction / peak) ** (1 / compression),
+    )
+
+
+def compressor_pressure(state: ChamberState, compressor: Compressor) -> Array:
+    """Pressure in the chamber by its volume and the sense in which that goes.
+
+    Parameters
+    ----------
+    state : ChamberState, shape (..., n)
+    compressor : Compressor, fields broadcastable to (..., 1)
+
+    Returns
+    -------
+    Array, shape (..., n)
+        Absolute pressure. [Pa]
+
+    Notes
+    -----
+    docs/theory/gas, eq. (14.16); Frenkel; Bloch and Hoefner, Reciprocating Compressors, ch. 3.
+    """
+    found = corners(compressor, VolumeLimits(state.smallest, state.largest))
+    suction, discharge, exponent, _ = compressor
+    expansion = np.maximum(suction, found.peak * (state.smallest / state.volume) ** found.expansion_exponent)
+    compression = np.minimum(discharge, suction * (state.largest / state.volume) ** exponent)
+    return chosen(state.sense > 0, expansion, compression)
+
+
+def compressor_work(compressor: Compressor, limits: VolumeLimits) -> Array:
+    """Work of the gas on the piston over a turn, in closed form: negative, as the piston drives it.
+
+    Parameters
+    ----------
+    compressor : Compressor, fields of any shape
+    limits : VolumeLimits, broadcastable. [m³]
+
+    Returns
+    -------
+    Array, of the broadcast shape
+        ∮ p dV. [J]
+
+    Notes
+    -----
+    docs/theory/gas, eq. (14.19).
+    """
+    found = corners(compressor, limits)
+    suction, _, exponent, _ = compressor
+    opens, discharges = found.suction_opens, found.discharge_opens
+    return (
+        polytropic_work(found.peak * limits.smallest, limits.smallest / opens, found.expansion_exponent)
+        + suction * (limits.largest - opens)
+        + polytropic_work(suction * limits.largest, limits.largest / discharges, exponent)
+        - found.peak * (discharges - limits.smallest)
+    )
+
+
+def capacity(compressor: Compressor, limits: VolumeLimits) -> Array:
+    """Part of the swept volume that is taken in, λ_v; nothing where the discharge valve stays shut.
+
+    Notes
+    -----
+    1 + c − cπ^(1/n_e). docs/theory/gas, eq. (14.18).
+    """
+    opens = corners(compressor, limits).suction_opens
+    return (limits.largest - opens) / (limits.largest - limits.smallest)
+
+
+def suction_heating(compressor: Compressor, limits: VolumeLimits) -> Array:
+    """Temperature at the end of suction over that of what is taken in, T₁/T_s, by which the masses close.
+
+    1 for n_c = n_e; NaN where nothing is delivered. docs/theory/gas, eq. (14.20).
+    """
+    found = corners(compressor, limits)
+    delivered = (found.discharge_opens - limits.smallest) / found.discharge_opens
+    taken = (limits.largest - found.suction_opens) / limits.largest
+    return chosen(found.discharge_opens > limits.smallest, delivered / chosen(taken > 0, taken, 1.0), np.nan)

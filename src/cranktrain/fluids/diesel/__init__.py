@@ -1,0 +1,31 @@
+"""Diesel cycle: heat at constant pressure."""
+
+from cranktrain.fluids.diesel.spec import DieselSpec
+from cranktrain.fluids.dual.pressure import ideal_kinks, ideal_pressure, ideal_work, suitable
+from cranktrain.fluids.dual.spec import cycle_flags, ideal_cycle
+from cranktrain.fluids.fluid import Fluid
+from cranktrain.language import N_
+
+__all__ = ["KIND", "DieselSpec"]
+
+KIND = Fluid(
+    name="diesel",
+    title=N_("Diesel cycle, heat at constant pressure"),
+    spec=DieselSpec,
+    numbers=ideal_cycle,
+    prepared=suitable,
+    pressure=ideal_pressure,
+    flags=cycle_flags,
+    work=ideal_work,
+    kinks=ideal_kinks,
+    example="""\
+[gas]
+kind = "diesel"
+start_pressure = "110 kPa"        # absolute, as all pressures here; barg, ati and psig are gauge
+compression_exponent = 1.36
+expansion_exponent = 1.26
+cut_off_ratio = 2.1               # V3/V2
+# inlet_pressure = "110 kPa"      # on the inlet stroke
+# exhaust_pressure = "115 kPa"    # on the exhaust stroke
+""",
+)

@@ -1,0 +1,38 @@
+"""Dual cycle (Sabathé, Trinkler): heat first at constant volume, then at constant pressure."""
+
+from cranktrain.fluids.dual.pressure import (
+    IdealCycle,
+    ideal_kinks,
+    ideal_mean_pressures,
+    ideal_pressure,
+    ideal_work,
+    suitable,
+)
+from cranktrain.fluids.dual.spec import DualSpec, cycle_flags, ideal_cycle
+from cranktrain.fluids.fluid import Fluid
+from cranktrain.language import N_
+
+__all__ = ["KIND", "DualSpec", "IdealCycle", "ideal_mean_pressures", "ideal_pressure"]
+
+KIND = Fluid(
+    name="dual",
+    title=N_("dual cycle, heat at constant volume and at constant pressure"),
+    spec=DualSpec,
+    numbers=ideal_cycle,
+    prepared=suitable,
+    pressure=ideal_pressure,
+    flags=cycle_flags,
+    work=ideal_work,
+    kinks=ideal_kinks,
+    example="""\
+[gas]
+kind = "dual"
+start_pressure = "120 kPa"        # absolute, as all pressures here; barg, ati and psig are gauge
+compression_exponent = 1.36
+expansion_exponent = 1.25
+pressure_ratio = 1.55             # p3/p2, heat at constant volume
+cut_off_ratio = 1.45              # V3/V2, heat at constant pressure
+# inlet_pressure = "120 kPa"      # on the inlet stroke
+# exhaust_pressure = "110 kPa"    # on the exhaust stroke
+""",
+)

@@ -1,0 +1,144 @@
+"""The ideal cycle with gas exchange: polytropes, and heat at constant volume, at constant pressure, or both."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.fluids.fluid import Kink, Rooms
+from cranktrain.fluids.polytrope import polytropic_work
+from cranktrain.fluids.state import ChamberState, VolumeLimits
+from cranktrain.fluids.work import MeanPressures
+from cranktrain.language import _
+from cranktrain.motion import Array, chosen
+
+
+class IdealCycle(NamedTuple):
+    """Absolute pressures [Pa], exponents of the polytropes and ratios of heat addition [1].
+
+    `pressure_ratio` ψ: by how much heat at constant volume raises the pressure; 1 in the Diesel cycle.
+    `cut_off_ratio` ρ: volume when heat at constant pressure ends, over the smallest; 1 in the Otto cycle.
+    """
+
+    start_pressure: Array
+    inlet_pressure: Array
+    exhaust_pressure: Array
+    compression_exponent: Array
+    expansion_exponent: Array
+    pressure_ratio: Array
+    cut_off_ratio: Array
+
+
+class CornerPressures(NamedTuple):
+    """Pressures at the corners of the cycle: end of compression, peak, end of expansion. [Pa]"""
+
+    compressed: Array
+    peak: Array
+    expanded: Array
+
+
+def corner_pressures(cycle: IdealCycle, compression_ratio: Array) -> CornerPressures:
+    """Pressures at the corners of the ideal cycle.
+
+    Parameters
+    ----------
+    cycle : IdealCycle, fields of any shape
+    compression_ratio : Array, broadcastable
+        ε, largest volume over smallest. [1]
+
+    Returns
+    -------
+    CornerPressures, of the broadcast shape. [Pa]
+
+    Notes
+    -----
+    p₂ = p₁ε^n₁, p₃ = ψp₂, p₄ = p₃(ρ/ε)^n₂. docs/theory/gas, eq. (14.3).
+    """
+    compressed = cycle.start_pressure * compression_ratio**cycle.compression_exponent
+    peak = cycle.pressure_ratio * compressed
+    expanded = peak * (cycle.cut_off_ratio / compression_ratio) ** cycle.expansion_exponent
+    return CornerPressures(compressed, peak, expanded)
+
+
+def ideal_pressure(state: ChamberState, cycle: IdealCycle) -> Array:
+    """Pressure of the ideal cycle by the volume and its branch.
+
+    Parameters
+    ----------
+    state : ChamberState, shape (..., n)
+    cycle : IdealCycle, fields broadcastable to (..., 1)
+
+    Returns
+    -------
+    Array, shape (..., n)
+        Absolute pressure [Pa]. At a dead centre, where it jumps, as just after it: the peak at firing, the start of
+        compression at the bottom. NaN where heat would still come in at the bottom dead centre, ρ > ε.
+
+    Notes
+    -----
+    Compression p₁(V₁/V)^n₁, then p₃ as far as ρV_c, then p₃(ρV_c/V)^n₂; in the gas exchange the inlet's pressure while
+    the volume grows, the exhaust's while it shrinks. docs/theory/gas, eq. (14.4).
+    """
+    corners = corner_pressures(cycle, state.largest / state.smallest)
+    cut_off = cycle.cut_off_ratio * state.smallest
+    heated = corners.peak * (cut_off / np.maximum(state.volume, cut_off)) ** cycle.expansion_exponent
+    compression = cycle.start_pressure * (state.largest / state.volume) ** cycle.compression_exponent
+    expansion = chosen(cut_off > state.largest, np.nan, heated)
+    exchange = chosen(state.sense > 0, cycle.inlet_pressure, cycle.exhaust_pressure)
+    return chosen(state.turn > 0, chosen(state.sense > 0, expansion, compression), exchange)
+
+
+def ideal_kinks(cycle: IdealCycle, limits: VolumeLimits) -> tuple[Kink, ...]:
+    """Where heat at constant pressure ends; nowhere without such heat."""
+    return (Kink(chosen(cycle.cut_off_ratio > 1, cycle.cut_off_ratio * limits.smallest, np.nan), 1.0, 1.0),)
+
+
+def suitable(cycle: IdealCycle, rooms: Rooms) -> IdealCycle:
+    """Give the cycle as it is; refuse heat that would still come in at the bottom dead centre."""
+    if np.any(cycle.cut_off_ratio > rooms.compression_ratio):
+        allowed = _("must be at most the compression ratio, {ratio}, or heat comes in beyond the bottom dead centre")
+        least = float(np.min(rooms.compression_ratio))
+        given = f"{float(np.max(cycle.cut_off_ratio)):g}"
+        raise InputError([Problem(f"{rooms.path}.cut_off_ratio", given, allowed.format(ratio=f"{least:.4g}"))])
+    return cycle
+
+
+def ideal_work(cycle: IdealCycle, rooms: Rooms) -> Array:
+    """Work of the cycle in every chamber, in closed form, shape (design, chamber). [J]"""
+    mean = ideal_mean_pressures(cycle, rooms.compression_ratio)
+    swept = rooms.limits.largest - rooms.limits.smallest
+    return ((mean.net if rooms.cycle > 3 * np.pi else mean.gross) * swept)[..., 0]
+
+
+def ideal_mean_pressures(cycle: IdealCycle, compression_ratio: Array) -> MeanPressures:
+    """Indicated mean pressures of the ideal four-stroke cycle, in closed form; of a two-stroke, `gross` alone.
+
+    Parameters
+    ----------
+    cycle : IdealCycle, fields of any shape
+    compression_ratio : Array, broadcastable
+        ε, largest volume over smallest. [1]
+
+    Returns
+    -------
+    MeanPressures, of the broadcast shape
+        NaN where heat would still come in at the bottom dead centre, ρ > ε. Work is mean pressure times swept volume.
+
+    Notes
+    -----
+    docs/theory/gas, eqs. (14.6) and (14.7); the form of Grinevetsky and Mazing with absolute pressures.
+
+    Examples
+    --------
+    >>> dual = IdealCycle(1.2e5, 1.2e5, 1.1e5, 1.36, 1.25, 1.55, 1.45)
+    >>> round(float(ideal_mean_pressures(dual, 16.0).net), 3)
+    1052208.306
+    """
+    corners = corner_pressures(cycle, compression_ratio)
+    cut_off = cycle.cut_off_ratio
+    expansion = polytropic_work(corners.peak * cut_off, cut_off / compression_ratio, cycle.expansion_exponent)
+    compression = polytropic_work(corners.compressed, 1 / compression_ratio, cycle.compression_exponent)
+    sum_of_works = corners.peak * (cut_off - 1) + expansion - compression
+    gross = chosen(cut_off > compression_ratio, np.nan, sum_of_works / (compression_ratio - 1))
+    pumping = cycle.inlet_pressure - cycle.exhaust_pressure
+    return MeanPressures(gross, pumping, gross + pumping)

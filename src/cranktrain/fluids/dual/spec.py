@@ -1,0 +1,78 @@
+"""Tables of the ideal cycles: what the dual cycle declares, and what all three have in common."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from cranktrain.fluids.dual.pressure import IdealCycle
+from cranktrain.fluids.fluid import FluidSpec
+from cranktrain.language import N_, _
+from cranktrain.quantities import Dimension, Given, Quantity, shown
+
+_LEAST_EXPONENT, _MOST_EXPONENT = 1.0, 5 / 3
+"""Of an isotherm, and of a gas of single atoms."""
+
+Exponent = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=2.0)]
+AbsolutePressure = Annotated[Given, Quantity(Dimension.PRESSURE, above=0.0)]
+HeatRatio = Annotated[Given, Quantity(Dimension.RATIO, at_least=1.0)]
+
+_ONE = Given(1.0, "1")
+_LOWEST_USUAL = 0.5e5
+"""Absolute pressure at which no engine breathes in; below it, a gauge pressure may be meant. [Pa]"""
+
+
+class IdealCycleSpec(FluidSpec, frozen=True):
+    """Ideal cycle with gas exchange: pressures, which are absolute, and exponents of the polytropes."""
+
+    start_pressure: AbsolutePressure = Field(
+        description=N_("Absolute pressure at the start of compression, at the bottom dead centre.")
+    )
+    compression_exponent: Exponent = Field(description=N_("Exponent n of the compression, p·Vⁿ = const."))
+    expansion_exponent: Exponent = Field(description=N_("Exponent n of the expansion, p·Vⁿ = const."))
+    inlet_pressure: AbsolutePressure | None = Field(
+        default=None,
+        description=N_("Absolute pressure in the cylinder on the inlet stroke; start_pressure unless given."),
+    )
+    exhaust_pressure: AbsolutePressure | None = Field(
+        default=None,
+        description=N_("Absolute pressure in the cylinder on the exhaust stroke; inlet_pressure unless given."),
+    )
+
+
+class DualSpec(IdealCycleSpec, frozen=True):
+    """Dual cycle: heat first at constant volume, then at constant pressure."""
+
+    kind: Literal["dual"] = Field(description=N_("Kind of gas model."))
+    pressure_ratio: HeatRatio = Field(description=N_("By how much heat at constant volume raises the pressure, p₃/p₂."))
+    cut_off_ratio: HeatRatio = Field(
+        description=N_("Volume when heat at constant pressure ends, over the smallest volume.")
+    )
+
+
+def ideal_cycle(spec: IdealCycleSpec) -> IdealCycle:
+    """Give the numbers of any of the three cycles in SI; the ratio that it has not is 1."""
+    inlet = spec.inlet_pressure or spec.start_pressure
+    exhaust = spec.exhaust_pressure or inlet
+    ratios: list[Given] = [getattr(spec, name, _ONE) for name in ("pressure_ratio", "cut_off_ratio")]
+    exponents = (spec.compression_exponent, spec.expansion_exponent)
+    return IdealCycle(*(given.si for given in (spec.start_pressure, inlet, exhaust, *exponents, *ratios)))
+
+
+def cycle_flags(spec: IdealCycleSpec) -> tuple[str, ...]:
+    """Flag pressures that are so low that gauge pressures may be meant, and exponents that no gas has."""
+    exponents = {name: getattr(spec, name) for name in ("compression_exponent", "expansion_exponent")}
+    unusual = tuple(
+        _("{name} = {given} is no polytrope of an engine; 1.2 to 1.4 are usual.").format(name=name, given=exponent.text)
+        for name, exponent in exponents.items()
+        if not _LEAST_EXPONENT <= exponent.si <= _MOST_EXPONENT
+    )
+    names = ("start_pressure", "inlet_pressure", "exhaust_pressure")
+    given = [(name, pressure) for name in names if (pressure := getattr(spec, name)) is not None]
+    gauge = tuple(
+        _(
+            "{name} = {given} is {pressure} kPa absolute: if it is a gauge pressure, write it in barg, ati or psig."
+        ).format(name=name, given=pressure.text, pressure=f"{shown(pressure.si, 'kPa'):.4g}")
+        for name, pressure in given
+        if pressure.si < _LOWEST_USUAL
+    )
+    return (*gauge, *unusual)

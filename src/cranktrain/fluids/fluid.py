@@ -1,0 +1,136 @@
+"""What every fluid gives: its table of the machine file, its numbers, and from these the pressure in a chamber."""
+
+from collections.abc import Callable, Sequence
+from typing import Any, Generic, NamedTuple, TypeAlias, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.fluids.state import ChamberState, VolumeLimits
+from cranktrain.motion import Array, Coefficient
+from cranktrain.record import record
+from cranktrain.spec import Spec
+
+
+class FluidSpec(Spec, frozen=True):
+    """What every fluid of a machine file declares."""
+
+    kind: str
+
+
+class Rooms(NamedTuple):
+    """The chambers that one table fills, in all designs, as its fluid asks for them.
+
+    Attributes
+    ----------
+    path : str
+        Of the table in the machine file.
+    cycle : float
+        2π of a two-stroke, 4π of a four-stroke. [rad]
+    limits : VolumeLimits, fields of shape (design, chamber, 1)
+    area : Array, shape (design, chamber, 1)
+        Of one end of the chamber. [m²]
+    bottoms : Array, shape (design, chamber, 2)
+        Where the volume is largest before nominal firing and after, from there. [rad]
+    alike : array of int, shape (design, chamber)
+        The first chamber that goes through the same volumes, each from its own nominal firing.
+    volume_of : callable
+        From a design, a chamber and angles since its nominal firing, shape (n,), to its volume, shape (n,).
+    """
+
+    path: str
+    cycle: float
+    limits: VolumeLimits
+    area: Array
+    bottoms: Array
+    alike: NDArray[np.intp]
+    volume_of: Callable[[int, int, Array], Coefficient]
+
+    @property
+    def compression_ratio(self) -> Array:
+        """Largest volume over smallest, shape (design, chamber, 1)."""
+        return self.limits.largest / self.limits.smallest
+
+
+class Kink(NamedTuple):
+    """Where the pressure has a kink away from the dead centres.
+
+    Attributes
+    ----------
+    volume : Array, broadcastable to (design, chamber, 1)
+        NaN where it has none. [m³]
+    sense, turn : float
+        On which branch, as in `ChamberState`: +1 where the volume grows; +1 in the working turn.
+    """
+
+    volume: Array
+    sense: float
+    turn: float
+
+
+_Table = TypeVar("_Table", bound=FluidSpec)
+_Numbers = TypeVar("_Numbers", bound=tuple[object, ...])
+_Ready = TypeVar("_Ready", bound=tuple[object, ...])
+
+
+@record
+class Fluid(Generic[_Table, _Numbers, _Ready]):
+    """A kind of fluid, as data.
+
+    It is of one of three forms, by what `prepared` makes of its numbers: nothing, where the pressure is a closed
+    function of the volume and its branch; a curve over the cycle, made with the volume at hand; or numbers that
+    chambers which share a medium find together.
+
+    Attributes
+    ----------
+    name, title : str
+        Name in the machine file; title for people.
+    spec : type of FluidSpec
+        Its table of the machine file.
+    numbers : callable (spec) → NamedTuple of floats or objects
+        In SI.
+    prepared : callable (numbers, Rooms) → NamedTuple of arrays
+        What `pressure` takes, each of shape (design, chamber, …), of numbers of shape (design, 1, 1). Raises
+        `InputError` where they do not suit the chambers.
+    pressure : callable (ChamberState, prepared) → Array
+        Absolute pressure at each crank angle, of the state's shape; of one chamber of one design too. [Pa]
+    work : callable (prepared, Rooms) → Array, shape (design, chamber)
+        ∮ p dV over a cycle, exactly. [J]
+    flags : callable (spec) → tuple of str
+        What may be meant otherwise than it was given, as sentences.
+    example : str
+        A commented `[gas]` table to start from.
+    notes : callable (prepared) → tuple of str
+        What was found beside: in a file, or with the chambers at hand.
+    kinks : callable (prepared, VolumeLimits) → tuple of Kink
+        Where the pressure is not smooth, beside the dead centres: quadrature stops there.
+    breaks : callable (prepared) → Array, shape (design, chamber, k)
+        The same as crank angles since nominal firing, rising in [0, cycle); NaN fills up. [rad]
+    """
+
+    name: str
+    title: str
+    spec: type[_Table]
+    numbers: Callable[[_Table], _Numbers]
+    prepared: Callable[[_Numbers, Rooms], _Ready]
+    pressure: Callable[[ChamberState, _Ready], Array]
+    work: Callable[[_Ready, Rooms], Array]
+    flags: Callable[[_Table], tuple[str, ...]]
+    example: str
+    notes: Callable[[_Ready], tuple[str, ...]] = lambda prepared: ()
+    kinks: Callable[[_Ready, VolumeLimits], tuple[Kink, ...]] = lambda prepared, limits: ()
+    breaks: Callable[[_Ready], Array] | None = None
+
+
+AnyFluid: TypeAlias = Fluid[Any, Any, Any]
+"""A fluid that is known only when it runs."""
+
+
+def of_designs(numbers: Sequence[_Numbers]) -> _Numbers:
+    """Put the numbers of several designs side by side, each an array of shape (design, 1, 1)."""
+    columns: list[NDArray[Any]] = []
+    for values in zip(*numbers, strict=True):
+        column = np.empty((len(values), 1, 1), dtype=np.float64 if isinstance(values[0], float) else np.object_)
+        column[:, 0, 0] = values
+        columns.append(column)
+    return type(numbers[0])(*columns)

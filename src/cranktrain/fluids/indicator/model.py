@@ -1,0 +1,128 @@
+"""From a card to the diagram of one chamber: read, put in order, placed, pegged, smoothed."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.fluids.indicator.brix import brix_angle
+from cranktrain.fluids.indicator.cycle import Samples, one_cycle
+from cranktrain.fluids.indicator.diagram import CURVES, Diagram, diagram_through, pressure_at, smoothed
+from cranktrain.fluids.indicator.findings import curve_findings
+from cranktrain.fluids.indicator.flags import compression_flags, lost_jump_flags, noise_flags, rounded_jump_flags
+from cranktrain.fluids.indicator.pegging import polytropic_offset
+from cranktrain.fluids.indicator.placing import placed
+from cranktrain.fluids.indicator.card import Card, Peg
+from cranktrain.fluids.indicator.chamber import Chamber, central_ratio
+from cranktrain.fluids.indicator.unrolling import OutwardAngle, dead_centres_of, unrolled
+from cranktrain.language import _
+from cranktrain.motion import Array
+from cranktrain.numerics import around_zero
+from cranktrain.quantities import shown
+
+
+def indicator_diagram(card: Card, chamber: Chamber) -> Diagram:
+    """Make the diagram of a chamber out of a card.
+
+    Parameters
+    ----------
+    card : Card
+    chamber : Chamber
+
+    Returns
+    -------
+    Diagram
+        Counted from the chamber's nominal firing: the file's dead centre is the chamber's true one.
+
+    Raises
+    ------
+    InputError
+        If the file is no diagram of such a machine.
+    """
+    trace = card.trace
+    if trace.axis == "angle":
+        _refuse_strokes(card)
+        samples = one_cycle(trace, chamber.cycle)
+        samples = samples._replace(flags=(*samples.flags, *lost_jump_flags(samples, chamber.cycle)))
+        samples = placed(samples, chamber.cycle, card.firing_angle, card.sense)
+        samples = _from_nominal(samples, chamber)
+    else:
+        _refuse_angles(card, trace.axis)
+        samples = unrolled(trace, chamber, CURVES[card.interpolation], _outward(card, chamber))
+    samples = samples._replace(findings=(*trace.findings, *samples.findings), flags=(*trace.flags, *samples.flags))
+    highest = int(np.argmin(np.abs(samples.pressures - np.max(trace.pressures))))
+    if card.peg is not None:
+        diagram = diagram_through(samples, chamber.cycle, card.interpolation)
+        samples = _pegged(samples, diagram, card.peg, chamber)
+    flags = (*samples.flags, *compression_flags(samples, chamber))
+    if card.smoothing is None:
+        flags = (*flags, *noise_flags(samples))
+    if card.interpolation == "spline" or card.smoothing is not None:
+        flags = (*flags, *rounded_jump_flags(samples))
+    diagram = diagram_through(samples._replace(flags=flags), chamber.cycle, card.interpolation)
+    if card.smoothing is not None:
+        diagram = smoothed(diagram, card.smoothing, card.interpolation)
+    told = curve_findings(diagram.curve, samples, highest, dead_centres_of(chamber.volume).top)
+    return replace(diagram, findings=(*diagram.findings, *told))
+
+
+def _refuse_angles(card: Card, axis: str) -> None:
+    """Refuse what only a file over the crank angle can have: strokes over a volume are told by their pressures."""
+    allowed = _("is for a file over the crank angle; this one is over {axis}").format(axis=axis)
+    given = {"firing_angle": card.firing_angle is not None, "sense": card.sense != "forward"}
+    wrong = [Problem(name, None, allowed) for name, is_given in given.items() if is_given]
+    if wrong:
+        raise InputError(wrong)
+
+
+def _refuse_strokes(card: Card) -> None:
+    """Refuse a way of unrolling for a file that is over the crank angle as it is."""
+    if card.unrolling != "exact":
+        raise InputError([Problem("unrolling", card.unrolling, _("is for a file over volume or displacement"))])
+
+
+def _from_nominal(samples: Samples, chamber: Chamber) -> Samples:
+    """Count from nominal firing, where the file counts from the dead centre: an offset sets them apart."""
+    top = dead_centres_of(chamber.volume).top
+    if top == 0.0:
+        return samples
+    angles = np.mod(samples.angles + top, chamber.cycle)
+    order = np.argsort(angles, kind="stable")
+    told = _(
+        "The file's dead centre is put on the machine's true one, {angle} from where the crank lies along the cylinder."
+    )
+    told = told.format(angle=f"{shown(top, 'deg'):.3f}°")
+    return samples._replace(
+        angles=angles[order], pressures=samples.pressures[order], findings=(*samples.findings, told)
+    )
+
+
+def _outward(card: Card, chamber: Chamber) -> OutwardAngle | None:
+    """Choose how displacements become crank angles."""
+    if card.unrolling == "exact":
+        return None
+    ratio = central_ratio(chamber)
+    if ratio is None:
+        allowed = _("is for a central slider-crank only; its construction knows no other mechanism")
+        raise InputError([Problem("unrolling", card.unrolling, allowed)])
+    return lambda travelled: brix_angle(2.0 * travelled, np.array(1.0), ratio)
+
+
+def _pegged(samples: Samples, diagram: Diagram, peg: Peg, chamber: Chamber) -> Samples:
+    """Move all pressures to the level that is known."""
+    if peg.pressure is not None:
+        offset = peg.pressure - float(pressure_at(diagram, np.array(peg.angle)))
+    else:
+        assert peg.exponent is not None  # the spec asks for one of the two
+        from_firing = around_zero(samples.angles, chamber.cycle)
+        chosen = (peg.start <= from_firing) & (from_firing <= peg.end)
+        if np.count_nonzero(chosen) < 2:
+            allowed = _("must be a piece of the compression with two samples at least")
+            raise InputError([Problem("peg.start", f"{shown(peg.start, 'deg'):g} deg", allowed)])
+        volumes = chamber.volume(from_firing[chosen])
+        offset = polytropic_offset(samples.pressures[chosen], volumes, peg.exponent)
+    told = _("All pressures are moved by {offset} kPa, to the level that is known.")
+    return samples._replace(
+        pressures=samples.pressures + offset,
+        findings=(*samples.findings, told.format(offset=f"{shown(offset, 'kPa'):+.4g}")),
+    )

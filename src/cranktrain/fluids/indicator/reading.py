@@ -1,0 +1,283 @@
+"""An indicator file as text, read: which columns it has, in which units, absolute or gauge."""
+
+import re
+from collections.abc import Iterator, Sequence
+from typing import Literal, NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.errors import InputError, Position, Problem
+from cranktrain.fluids.indicator.table import Table, read_table
+from cranktrain.language import _
+from cranktrain.motion import Array
+from cranktrain.quantities import Dimension, is_unit, read, shown, unit_names
+from cranktrain.record import record
+
+Axis: TypeAlias = Literal["angle", "displacement", "volume"]
+
+STANDARD_ATMOSPHERE = 101325.0
+"""What gauge pressures count from, unless said. [Pa]"""
+
+AXES: dict[Axis, Dimension] = {
+    "angle": Dimension.ANGLE,
+    "displacement": Dimension.LENGTH,
+    "volume": Dimension.VOLUME,
+}
+"""What pressures may be given over."""
+_ANGLE_UNITS = r"(?:°|deg|grad|град)?\.?\s*(?:ca|cad|kw|atdc|п\.?\s?к\.?\s?в\.?|пкв)|degrees?|градус\w*"
+"""Degrees of crank angle as programs write them."""
+_WORDS = {
+    "angle": r"angle|\bcad?\b|crank|winkel|угол|угла|\bphi\b|φ|\bалфа\b|пкв",
+    "volume": r"vol|\bv\b|объ[её]м",
+    "displacement": r"displacement|stroke|travel|\bs\b|\bx\b|hub|ход|перемещ",
+    "pressure": r"press|\bp\b|druck|давлен",
+}
+_GAUGE = r"gauge|\bgage\b|\brel\b|relative|избыт|изб"
+_ABSOLUTE = r"\babs|абс"
+
+_PAIR = 2
+"""Columns of a diagram."""
+_DEGREES_BEYOND = 15.0
+"""Angles that reach farther than two turns in radians are degrees."""
+_LOWEST_USUAL, _HIGHEST_LOWEST, _HIGHEST_USUAL, _LOWEST_PEAK = 0.3e5, 8e5, 350e5, 3e5
+"""Lowest pressure of a cycle below or above which, and peak above or below which, a unit is flagged. [Pa]"""
+
+
+class Columns(NamedTuple):
+    """What a machine file says of a trace whose own header does not, or says otherwise.
+
+    Columns of axis and pressure, from 1; what the axis is; the units; whether pressures are gauge, and above what [Pa].
+    """
+
+    columns: tuple[int, int] | None = None
+    axis: Axis | None = None
+    axis_unit: str | None = None
+    pressure_unit: str | None = None
+    is_gauge: bool | None = None
+    ambient: float = STANDARD_ATMOSPHERE
+
+
+@record
+class Trace:
+    """An indicator file as it was read, in the file's own order and counting.
+
+    Attributes
+    ----------
+    name : str
+        Of the file, for messages.
+    axis : "angle", "displacement" or "volume"
+        What the pressure is given over.
+    places : Array, shape (n,)
+        Crank angles [rad], volumes [m³], or displacements, of which only the ratios count.
+    pressures : Array, shape (n,)
+        Absolute. [Pa]
+    lines : array of int, shape (n,)
+    findings, flags : tuple of str
+        What was found out, and what may be meant otherwise, as sentences.
+    """
+
+    name: str
+    axis: Axis
+    places: Array
+    pressures: Array
+    lines: NDArray[np.intp]
+    findings: tuple[str, ...]
+    flags: tuple[str, ...]
+
+
+def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
+    r"""Read an indicator file.
+
+    Parameters
+    ----------
+    text : str
+        As `read_table` takes it; names and units of the columns may stand in its header.
+    name : str
+        Of the file, for messages.
+    said : Columns, optional
+        What the header does not say, or what is to go before it.
+
+    Returns
+    -------
+    Trace
+
+    Raises
+    ------
+    InputError
+        With what is wrong, at line and column where it has one.
+
+    Examples
+    --------
+    >>> trace = read_trace("Crank angle;Pressure\n°CA;bar\n0;50,5\n1;51", "trace.csv")
+    >>> trace.axis, trace.pressures.tolist()
+    ('angle', [5050000.0, 5100000.0])
+    """
+    said = Columns() if said is None else said
+    table = read_table(text, name)
+    axis, where, level = _columns(table, said, name)
+    labels = table.labels or ("",) * table.rows.shape[1]
+    place_scale, findings = _place_scale(axis, labels[where], said, table, where)
+    unit = said.pressure_unit or unit_in(labels[level], Dimension.PRESSURE)
+    if unit is None:
+        allowed = _("the file names no unit of pressure")
+        repair = _('write pressure_unit = "bar" (or {units})').format(units=", ".join(unit_names(Dimension.PRESSURE)))
+        raise InputError([Problem("pressure_unit", None, allowed, repair)])
+    pressures, told = _absolute(table.rows[:, level], unit, labels[level], said)
+    problems = _negative(pressures, table, level)
+    if problems:
+        raise InputError(problems)
+    return Trace(
+        name=name,
+        axis=axis,
+        places=table.rows[:, where] * place_scale,
+        pressures=pressures,
+        lines=table.lines,
+        findings=(*_columns_taken(table, said, level), *findings, *told),
+        flags=_level_flags(pressures),
+    )
+
+
+def _columns(table: Table, said: Columns, name: str) -> tuple[Axis, int, int]:
+    """Tell what the axis is, and which columns hold axis and pressure, counted from 0."""
+    n_columns = table.rows.shape[1]
+    if n_columns < _PAIR:
+        allowed = _("has one column; an indicator diagram needs two, crank angle (or volume) and pressure")
+        raise InputError([Problem("", None, allowed, None, Position(name, int(table.lines[0])))])
+    if said.columns is not None:
+        if max(said.columns) > n_columns or min(said.columns) < 1:
+            allowed = _("must be columns of the file, 1 to {n}").format(n=n_columns)
+            raise InputError([Problem("columns", None, allowed)])
+        where, level = (column - 1 for column in said.columns)
+        if where == level:
+            raise InputError([Problem("columns", None, _("must be two columns, of the axis and of the pressure"))])
+        meant = _axis_of(table.labels[where]) if table.labels else None
+        return said.axis or meant or "angle", where, level
+    axes = {place: axis for place, label in enumerate(table.labels) if (axis := _axis_of(label)) is not None}
+    wanted: Sequence[Axis] = (said.axis,) if said.axis else ("angle", "volume", "displacement")
+    levels = [place for place, label in enumerate(table.labels) if place not in axes and _is_pressure(label)]
+    for axis in wanted:
+        found = [place for place in axes if axes[place] == axis]
+        if found and levels:
+            return axis, found[0], levels[0]
+    return said.axis or "angle", 0, 1
+
+
+def _columns_taken(table: Table, said: Columns, level: int) -> Iterator[str]:
+    """Say which column is taken where there are more than the two that are needed."""
+    if said.columns is None and table.rows.shape[1] > _PAIR:
+        label = table.labels[level] if table.labels else ""
+        told = _("The file has {n} columns; pressures are taken from column {column}{label}: `columns` says otherwise.")
+        yield told.format(n=table.rows.shape[1], column=level + 1, label=f", {label}" if label else "")
+
+
+def _axis_of(label: str) -> Axis | None:
+    """Tell what a column's header says that it is; None for pressures and what is not known."""
+    if _is_pressure(label):
+        return None
+    words = _spaced(label)
+    for axis in ("angle", "volume", "displacement"):
+        if re.search(_WORDS[axis], words, re.IGNORECASE):
+            return axis
+    for axis, dimension in AXES.items():
+        if unit_in(label, dimension):
+            return axis
+    return None
+
+
+def _is_pressure(label: str) -> bool:
+    """Whether a column's header means a pressure."""
+    return bool(unit_in(label, Dimension.PRESSURE) or re.search(_WORDS["pressure"], _spaced(label), re.IGNORECASE))
+
+
+def _spaced(label: str) -> str:
+    """A header's words with blanks between them: `p_abs_Pa` as `p abs Pa`."""
+    return re.sub(r"[_,;:/()\[\]]+", " ", label)
+
+
+def unit_in(label: str, dimension: Dimension) -> str | None:
+    """Find a unit in a column's header: in brackets, after a comma or an underscore, or its last word; None if none."""
+    bracketed = re.findall(r"[\[(]([^\])]*)[\])]", label)
+    pieces = [*bracketed, *re.split(r",\s*", label)[1:], label, *reversed(_spaced(label).split())]
+    for piece in map(str.strip, pieces):
+        if dimension is Dimension.ANGLE and re.fullmatch(_ANGLE_UNITS, piece, re.IGNORECASE):
+            return "deg"
+        if is_unit(piece, dimension):
+            return piece
+    return None
+
+
+def _place_scale(axis: Axis, label: str, said: Columns, table: Table, column: int) -> tuple[float, tuple[str, ...]]:
+    """Give the SI value of one of the axis's units, and say what was taken for granted."""
+    unit = said.axis_unit or unit_in(label, AXES[axis])
+    if unit is not None:
+        return read(f"1 {unit}", AXES[axis]), ()
+    if axis == "displacement":
+        return 1.0, ()
+    if axis == "volume":
+        raise InputError([_missing_volume_unit()])
+    farthest = float(np.ptp(table.rows[:, column]))
+    unit = "deg" if farthest > _DEGREES_BEYOND else "rad"
+    said_so = _("The file does not say the unit of its angles; they reach over {span:.6g}, so {unit} is taken.")
+    return read(f"1 {unit}", Dimension.ANGLE), (said_so.format(span=farthest, unit=unit),)
+
+
+def _missing_volume_unit() -> Problem:
+    """Refuse volumes without a unit."""
+    allowed = _("the file names no unit of volume")
+    repair = _('write axis_unit = "cm³" (or {units})').format(units=", ".join(unit_names(Dimension.VOLUME)))
+    return Problem("axis_unit", None, allowed, repair)
+
+
+def _absolute(numbers: Array, unit: str, label: str, said: Columns) -> tuple[Array, tuple[str, ...]]:
+    """Give absolute pressures in SI, and say how they were taken."""
+    offset = read(f"0 {unit}", Dimension.PRESSURE)
+    scale = read(f"1 {unit}", Dimension.PRESSURE) - offset
+    words = _spaced(label)
+    if offset:  # barg, ati, psig say it themselves
+        is_gauge: bool | None = True
+    elif said.is_gauge is not None:
+        is_gauge = said.is_gauge
+    elif re.search(_GAUGE, words, re.IGNORECASE):
+        is_gauge = True
+    else:
+        is_gauge = False if re.search(_ABSOLUTE, words, re.IGNORECASE) else None
+    if is_gauge:
+        told = _("Gauge pressures: {ambient} kPa added.").format(ambient=f"{shown(said.ambient, 'kPa'):.6g}")
+        return numbers * scale + said.ambient, (told,)
+    if is_gauge is None:
+        return numbers * scale, (_("The file does not say absolute or gauge; its pressures are taken as absolute."),)
+    return numbers * scale, ()
+
+
+def _negative(pressures: Array, table: Table, level: int) -> list[Problem]:
+    """Refuse absolute pressures that cannot be, at the first of them."""
+    wrong = np.flatnonzero(pressures <= 0)
+    if not wrong.size:
+        return []
+    first = int(wrong[0])
+    allowed = _("an absolute pressure must be more than 0 ({n} values are not)").format(n=wrong.size)
+    repair = _('if these are gauge pressures, write pressure = "gauge"')
+    return [Problem("", f"{table.rows[first, level]:g}", allowed, repair, table.position(first, level))]
+
+
+def _level_flags(pressures: Array) -> tuple[str, ...]:
+    """Flag pressures as no engine has them: gauge for absolute, or a unit that is off by ten."""
+    lowest, highest = float(np.min(pressures)), float(np.max(pressures))
+    low, high = (f"{shown(pressure, 'bar'):.4g}" for pressure in (lowest, highest))
+    flags: list[str] = []
+    if lowest < _LOWEST_USUAL:
+        flags.append(
+            _(
+                "The lowest pressure is {low} bar absolute, too low for an engine: gauge pressures, or another unit?"
+            ).format(low=low)
+        )
+    if lowest > _HIGHEST_LOWEST or highest > _HIGHEST_USUAL:
+        flags.append(
+            _("Pressures of {low} to {high} bar are too high for an engine: is the unit right?").format(
+                low=low, high=high
+            )
+        )
+    elif highest < _LOWEST_PEAK:
+        flags.append(_("The peak of {high} bar is too low for an engine: is the unit right?").format(high=high))
+    return tuple(flags)

@@ -1,0 +1,30 @@
+"""Otto cycle: heat at constant volume."""
+
+from cranktrain.fluids.dual.pressure import ideal_pressure, ideal_work, suitable
+from cranktrain.fluids.dual.spec import cycle_flags, ideal_cycle
+from cranktrain.fluids.fluid import Fluid
+from cranktrain.fluids.otto.spec import OttoSpec
+from cranktrain.language import N_
+
+__all__ = ["KIND", "OttoSpec"]
+
+KIND = Fluid(
+    name="otto",
+    title=N_("Otto cycle, heat at constant volume"),
+    spec=OttoSpec,
+    numbers=ideal_cycle,
+    prepared=suitable,
+    pressure=ideal_pressure,
+    flags=cycle_flags,
+    work=ideal_work,
+    example="""\
+[gas]
+kind = "otto"
+start_pressure = "95 kPa"         # absolute, as all pressures here; barg, ati and psig are gauge
+compression_exponent = 1.34
+expansion_exponent = 1.27
+pressure_ratio = 3.6              # p3/p2
+# inlet_pressure = "95 kPa"       # on the inlet stroke
+# exhaust_pressure = "108 kPa"    # on the exhaust stroke
+""",
+)
