@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from cranktrain.fluids import Chamber, VolumeLimits
+from cranktrain.fluids import Rooms, VolumeLimits, fluid_of, of_designs
+from cranktrain.fluids.indicator.chamber import Chamber
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 from cranktrain.motion import Coefficient
 from cranktrain.numerics import extremes
@@ -31,6 +32,8 @@ class Engine:
             lambda angle: slider_crank(angle, self.geometry).slider.first,
         )
         self.top = float(found.largest.value[0])
+        self.top_angle = float(np.mod(found.largest.angle[0] + np.pi, 2 * np.pi) - np.pi)
+        self.bottom = float(np.mod(found.smallest.angle[0], 2 * np.pi))
         self.swept = self.area * (self.top - float(found.smallest.value[0]))
         self.limits = VolumeLimits(self.swept / (ratio - 1), self.swept * ratio / (ratio - 1))
 
@@ -44,6 +47,23 @@ class Engine:
 
     def chamber(self, cycle=FOUR_STROKE):
         return Chamber(cycle, self.limits, lambda angle: self.volume(angle).value)
+
+    def rooms(self, cycle=FOUR_STROKE):
+        """The cylinder as the one chamber of one design."""
+        return Rooms(
+            path="gas",
+            cycle=cycle,
+            limits=VolumeLimits(*(np.full((1, 1, 1), volume) for volume in self.limits)),
+            area=np.full((1, 1, 1), self.area),
+            bottoms=np.array([[[self.bottom - 2 * np.pi, self.bottom]]]),
+            alike=np.zeros((1, 1), dtype=np.intp),
+            volume_of=lambda design, place, angle: self.volume(angle),
+        )
+
+    def filled(self, spec, cycle=FOUR_STROKE):
+        """The fluid of a table, and what its pressure takes in this cylinder."""
+        fluid = fluid_of(spec)
+        return fluid, fluid.prepared(of_designs([fluid.numbers(spec)]), self.rooms(cycle))
 
 
 def wiebe(engine, case, angle):

@@ -13,7 +13,7 @@ from tests.gas_engines import FOUR_STROKE, TWO_STROKE, Engine, csv, wiebe, wiebe
 from tests.reference_case import GOLDEN, ReferenceCase
 
 import cranktrain.fluids as gas
-from cranktrain.fluids.indicator import IndicatorSpec, diagram_work, pressure_at
+from cranktrain.fluids.indicator import IndicatorSpec, card_of, diagram_work, indicator_diagram, pressure_at
 from cranktrain.fluids.indicator.curve import crest
 from cranktrain.fluids.indicator.pegging import polytropic_offset
 from cranktrain.fluids.work import indicated_power, indicated_work, split_mean_pressures
@@ -27,7 +27,7 @@ DEGREE = np.radians(1.0)
 
 def diagram_of(text, engine, cycle=FOUR_STROKE, **more):
     spec = validated(IndicatorSpec, {"kind": "indicator", "file": "trace.csv", "text": text, **more})
-    return gas.kind_of(spec).model(spec, engine.chamber(cycle))
+    return indicator_diagram(card_of(spec).card, engine.chamber(cycle))
 
 
 def golden_text(path):

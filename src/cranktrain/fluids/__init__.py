@@ -1,7 +1,7 @@
-"""What fills a chamber: one folder for each kind of fluid, with its table, pressure and README; a new one is a line here.
+"""What fills a chamber: one folder for each fluid, with its table, pressure and README; a new one is a line here.
 
-A fluid takes its numbers and the chambers that it fills, and then gives the pressure by their state; of the mechanism it
-knows nothing else:
+A fluid takes its numbers and the chambers that it fills, and then gives the pressure by their state; of the mechanism
+it knows nothing else:
 
     fluid = fluid_of(spec)
     ready = fluid.prepared(of_designs([fluid.numbers(spec)]), rooms)

@@ -11,9 +11,8 @@ from scipy.interpolate import CubicSpline
 from tests.gas_engines import FOUR_STROKE, TWO_STROKE, Engine, csv, wiebe, wiebe_cycle
 from tests.sentences import GAP_IN_DIAGRAM, NO_NUMBERS, TWO_PRESSURES
 
-import cranktrain.fluids as gas
 from cranktrain.errors import InputError
-from cranktrain.fluids.indicator import IndicatorSpec, diagram_work, pressure_at
+from cranktrain.fluids.indicator import IndicatorSpec, card_of, diagram_work, indicator_diagram, pressure_at
 from cranktrain.fluids.indicator.cycle import Samples
 from cranktrain.fluids.indicator.diagram import diagram_through, smoothed
 from cranktrain.numerics.spline import periodic_slopes
@@ -35,7 +34,7 @@ PRESSURES = wiebe_cycle(ENGINE, CASE, np.radians(DEGREES))
 
 def diagram_of(text, engine=ENGINE, cycle=FOUR_STROKE, **more):
     spec = validated(IndicatorSpec, {"kind": "indicator", "file": "trace.csv", "text": text, **more})
-    return gas.kind_of(spec).model(spec, engine.chamber(cycle))
+    return indicator_diagram(card_of(spec).card, engine.chamber(cycle))
 
 
 PLAIN = diagram_of(csv(DEGREES, PRESSURES))
@@ -332,7 +331,7 @@ def test_an_offset_machine_takes_the_file_at_its_true_dead_centre():
 def test_the_file_must_have_been_read():
     spec = validated(IndicatorSpec, {"kind": "indicator", "file": "trace.csv"})
     with pytest.raises(InputError, match="has not been read"):
-        gas.kind_of(spec).model(spec, ENGINE.chamber())
+        indicator_diagram(card_of(spec).card, ENGINE.chamber())
 
 
 @pytest.mark.parametrize(

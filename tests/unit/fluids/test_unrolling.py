@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from tests.gas_engines import FOUR_STROKE, TWO_STROKE, Engine, csv
 
-import cranktrain.fluids as gas
 from cranktrain.errors import InputError
-from cranktrain.fluids.indicator import IndicatorSpec, pressure_at
+from cranktrain.fluids import VolumeLimits
+from cranktrain.fluids.indicator import IndicatorSpec, card_of, indicator_diagram, pressure_at
+from cranktrain.fluids.indicator.chamber import central_ratio
 from cranktrain.fluids.indicator.unrolling import dead_centres_of
 from cranktrain.spec import validated
 from cranktrain.textbook.steam_engine import brix
@@ -30,7 +31,7 @@ def two_stroke_pressure(angle):
 
 def diagram_of(text, engine=ENGINE, cycle=FOUR_STROKE, chamber=None, **more):
     spec = validated(IndicatorSpec, {"kind": "indicator", "file": "card.csv", "text": text, **more})
-    return gas.kind_of(spec).model(spec, chamber or engine.chamber(cycle))
+    return indicator_diagram(card_of(spec).card, chamber or engine.chamber(cycle))
 
 
 def strokes_of(engine, angle):
@@ -81,15 +82,23 @@ def test_card_with_the_scale_of_paper_counted_from_the_bottom():
 
 def test_brix_as_schools_unroll():
     """A card drawn by Brix's construction is read by it without error; exactly read, it is off by his error."""
-    ratio = R / L
-    chamber = ENGINE.chamber()._replace(ratio=ratio)
-    card = csv(brix(ANGLE, R, ratio).value * 1e3, pressure(ANGLE), header="s [mm],p abs [Pa]")
-    by_brix = diagram_of(card, chamber=chamber, unrolling="brix")
+    card = csv(brix(ANGLE, R, R / L).value * 1e3, pressure(ANGLE), header="s [mm],p abs [Pa]")
+    by_brix = diagram_of(card, unrolling="brix")
     # The points that are put between the card's own bridge steps of 1° and less.
     own = pressure_at(by_brix, ANGLE)
     assert own == pytest.approx(pressure(ANGLE), rel=2e-6)
-    exactly = pressure_at(diagram_of(card, chamber=chamber), ANGLE)
+    exactly = pressure_at(diagram_of(card), ANGLE)
     assert 1e-4 < np.max(np.abs(exactly / pressure(ANGLE) - 1)) < 2e-2
+
+
+def test_the_ratio_of_a_central_slider_crank_is_seen_in_its_volume():
+    """On the crank's side the piston begins at the bottom, and the finite rod works the other way."""
+    crank_side = ENGINE.chamber()._replace(volume=lambda angle: sum(ENGINE.limits) - ENGINE.volume(angle + np.pi).value)
+    assert central_ratio(ENGINE.chamber()) == pytest.approx(R / L, rel=1e-13)
+    assert central_ratio(crank_side) == pytest.approx(-R / L, rel=1e-13)
+    assert central_ratio(OFFSET.chamber()) is None
+    harmonic = ENGINE.chamber()._replace(volume=lambda angle: 8.5e-4 - 7.5e-4 * np.cos(angle))
+    assert central_ratio(harmonic._replace(limits=VolumeLimits(1e-4, 1.6e-3))) is None
 
 
 def test_where_strokes_meet_the_one_that_begins_counts():
@@ -151,8 +160,8 @@ def test_rounded_volumes_are_no_jumps():
             "in no order in which an engine makes them",
         ),
         (
-            csv(ENGINE.volume(ANGLE).value, pressure(ANGLE), header="V [m³],p abs [Pa]"),
-            {"unrolling": "brix"},
+            csv(OFFSET.volume(ANGLE).value, pressure(ANGLE), header="V [m³],p abs [Pa]"),
+            {"unrolling": "brix", "engine": OFFSET},
             "for a central slider-crank only",
         ),
         (

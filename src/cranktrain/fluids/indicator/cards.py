@@ -85,9 +85,7 @@ def card_breaks(diagrams: Diagrams) -> Array:
     most = max(len(diagram.curve.places) for diagram, _chosen in alike)
     filled = np.full((*diagrams.diagram.shape[:2], most), np.nan)
     for diagram, chosen in alike:
-        filled[chosen] = np.pad(
-            diagram.curve.places, (0, most - len(diagram.curve.places)), constant_values=np.nan
-        )
+        filled[chosen] = np.pad(diagram.curve.places, (0, most - len(diagram.curve.places)), constant_values=np.nan)
     return filled
 
 

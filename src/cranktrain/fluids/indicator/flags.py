@@ -4,10 +4,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from cranktrain.fluids.indicator.chamber import Chamber
 from cranktrain.fluids.indicator.curve import steps_between
 from cranktrain.fluids.indicator.cycle import Samples
 from cranktrain.fluids.indicator.pegging import polytropic_exponent
-from cranktrain.fluids.indicator.chamber import Chamber
 from cranktrain.language import _
 from cranktrain.numerics import around_zero
 from cranktrain.quantities import shown

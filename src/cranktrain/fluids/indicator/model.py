@@ -6,17 +6,16 @@ import numpy as np
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.fluids.indicator.brix import brix_angle
+from cranktrain.fluids.indicator.card import Card, Peg
+from cranktrain.fluids.indicator.chamber import Chamber, central_ratio
 from cranktrain.fluids.indicator.cycle import Samples, one_cycle
 from cranktrain.fluids.indicator.diagram import CURVES, Diagram, diagram_through, pressure_at, smoothed
 from cranktrain.fluids.indicator.findings import curve_findings
 from cranktrain.fluids.indicator.flags import compression_flags, lost_jump_flags, noise_flags, rounded_jump_flags
 from cranktrain.fluids.indicator.pegging import polytropic_offset
 from cranktrain.fluids.indicator.placing import placed
-from cranktrain.fluids.indicator.card import Card, Peg
-from cranktrain.fluids.indicator.chamber import Chamber, central_ratio
 from cranktrain.fluids.indicator.unrolling import OutwardAngle, dead_centres_of, unrolled
 from cranktrain.language import _
-from cranktrain.motion import Array
 from cranktrain.numerics import around_zero
 from cranktrain.quantities import shown
 

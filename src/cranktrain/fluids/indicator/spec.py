@@ -7,12 +7,12 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from cranktrain.errors import InputError, Problem
+from cranktrain.fluids.fluid import FluidSpec
 from cranktrain.fluids.indicator.card import Card, CardNumbers, Peg
 from cranktrain.fluids.indicator.diagram import Interpolation
 from cranktrain.fluids.indicator.placing import Sense
 from cranktrain.fluids.indicator.reading import AXES, STANDARD_ATMOSPHERE, Axis, Columns, Trace, read_trace
 from cranktrain.fluids.indicator.table import held_text
-from cranktrain.fluids.fluid import FluidSpec
 from cranktrain.language import N_, _
 from cranktrain.quantities import Dimension, Given, Quantity, TurnedAngle, is_unit, one_of, unit_names
 from cranktrain.spec import Refused, Spec

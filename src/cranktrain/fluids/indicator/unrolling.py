@@ -7,11 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.errors import InputError, Problem
+from cranktrain.fluids.indicator.chamber import Chamber
 from cranktrain.fluids.indicator.curve import Curve, curve_at
 from cranktrain.fluids.indicator.cycle import Samples, once_or_jump
 from cranktrain.fluids.indicator.flags import lost_jump_flags
 from cranktrain.fluids.indicator.reading import Trace
-from cranktrain.fluids.indicator.chamber import Chamber
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.numerics import around_zero, bracketed_roots, extremes, turn_grid

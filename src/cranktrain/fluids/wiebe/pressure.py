@@ -1,4 +1,4 @@
-"""Pressure of a chamber in which heat comes in by Wiebe's law: one zone, constant γ, with or without loss to the walls."""
+"""Pressure where heat comes in by Wiebe's law: one zone, constant γ, with or without loss to the walls."""
 
 from collections.abc import Callable
 from typing import NamedTuple

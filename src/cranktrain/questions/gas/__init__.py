@@ -1,7 +1,6 @@
 """Gas: its pressure in the chambers, its work, and the powers that come of it."""
 
 from collections.abc import Iterator
-
 from typing import cast
 
 from cranktrain.errors import Problem

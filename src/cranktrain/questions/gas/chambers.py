@@ -3,14 +3,14 @@
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.fluids import AnyFluid, ChamberState, Rooms, VolumeLimits, chamber_state
-from cranktrain.language import N_, _
+from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.motion import Array, Coefficient, single

@@ -13,7 +13,7 @@ from cranktrain.record import record
 
 
 class GasTable(NamedTuple):
-    """One table: its path, its fluid, the numbers of all designs of shape (design, 1, 1), and what may be meant else."""
+    """One table: its path, its fluid, the numbers of all designs, shape (design, 1, 1), and its flags."""
 
     path: str
     fluid: AnyFluid

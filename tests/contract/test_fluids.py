@@ -1,4 +1,4 @@
-"""What every kind of gas model brings: a folder with its parts, pages, a valid example, a pressure for every state."""
+"""What every fluid brings: a folder with its parts, pages, a valid example, a pressure for every state."""
 
 import tomllib
 from pathlib import Path
@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from pydantic import TypeAdapter
+from scipy.optimize import brentq
 from tests.gas_engines import FOUR_STROKE, TWO_STROKE, Engine, csv
 
 import cranktrain.fluids as gas
@@ -31,7 +32,7 @@ def test_kinds_are_the_folders():
     folders = {path.name for path in FOLDER.iterdir() if (path / "__init__.py").exists()}
     assert {kind.name for kind in gas.KINDS} == folders
     assert len(gas.KINDS) == len(folders)
-    assert all(gas.kind_named(kind.name) is kind for kind in gas.KINDS)
+    assert all(gas.fluid_named(kind.name) is kind for kind in gas.KINDS)
 
 
 @every_kind
@@ -48,7 +49,7 @@ def test_union_takes_the_example(kind):
     assert kind.spec.model_fields["kind"].annotation.__args__ == (kind.name,)
     again = TypeAdapter(gas.AnyGas).validate_python(spec.model_dump())
     assert type(again) is kind.spec
-    assert gas.kind_of(again) is kind
+    assert gas.fluid_of(again) is kind
 
 
 @every_kind
@@ -79,28 +80,60 @@ def test_pressure_of_the_states_shape(kind, cycle):
     spec = example_of(kind, kind.example)
     if kind.name == "indicator" and cycle == TWO_STROKE:
         spec = spec.model_copy(update={"text": "\n".join(FILE.splitlines()[:361])})
-    model = kind.model(spec, ENGINE.chamber(cycle))
-    angle = np.stack([ANGLE, ANGLE + cycle])
+    _kind, ready = ENGINE.filled(spec, cycle)
+    angle = np.stack([ANGLE, ANGLE + cycle])[:, np.newaxis]
     state = gas.chamber_state(ENGINE.volume(angle), ENGINE.limits, angle, cycle)
-    pressure = kind.pressure(state, model)
-    assert pressure.shape == angle.shape
+    pressure = np.stack([kind.pressure(gas.ChamberState(*map(row_of(i), state)), ready) for i in range(2)])
+    assert pressure.shape == (2, 1, 1, len(ANGLE))
     assert np.all(pressure > 0)
     np.testing.assert_allclose(pressure[1], pressure[0], rtol=1e-9)
-    for sentence in (*kind.flags(spec, model), *kind.findings(model)):
+    alone = type(ready)(*(part[0, 0] for part in ready))
+    of_one = gas.chamber_state(ENGINE.volume(ANGLE), ENGINE.limits, ANGLE, cycle)
+    np.testing.assert_array_equal(kind.pressure(of_one, alone), pressure[0, 0, 0])
+    for sentence in (*kind.flags(spec), *kind.notes(ready)):
         assert sentence[0].isupper()
         assert sentence[-1] in ".?"
 
 
+def row_of(i):
+    return lambda part: part[i : i + 1] if np.ndim(part) == 3 else part
+
+
 @every_kind
-def test_breaks_are_where_the_model_is_not_smooth(kind):
-    """Rising within the cycle, jumps among them; only what goes through samples has them."""
-    assert (kind.breaks is None) == (kind.jumps is None) == (kind.work is None)
-    if kind.breaks is None or kind.jumps is None:
+@pytest.mark.parametrize("cycle", [TWO_STROKE, FOUR_STROKE])
+def test_work_is_the_pressures_over_the_volume(kind, cycle):
+    """By Gauss's quadrature between what the fluid itself says are its breaks and kinks."""
+    spec = example_of(kind, kind.example)
+    if kind.name == "indicator" and cycle == TWO_STROKE:
+        spec = spec.model_copy(update={"text": "\n".join(FILE.splitlines()[:361])})
+    rooms = ENGINE.rooms(cycle)
+    _kind, ready = ENGINE.filled(spec, cycle)
+    breaks = [np.arange(0, cycle, np.pi / 18), ENGINE.bottom + np.arange(0, cycle, 2 * np.pi)]
+    if kind.breaks is not None:
+        breaks.append(kind.breaks(ready)[0, 0])
+    for kink in kind.kinks(ready, rooms.limits):
+        root = brentq(lambda angle, kink=kink: ENGINE.volume(angle).value - kink.volume[0, 0, 0], 0.0, ENGINE.bottom)
+        breaks.append(np.mod([kink.sense * root + 2 * np.pi * turn for turn in range(2)], cycle))
+    breaks.append(ENGINE.top_angle + np.arange(0, cycle, 2 * np.pi))
+    edges = np.append(np.unique(np.mod(np.concatenate(breaks), cycle)), cycle)
+    node, weight = np.polynomial.legendre.leggauss(20)
+    half = np.diff(edges)[:, np.newaxis] / 2
+    angle = (edges[:-1, np.newaxis] + half * (1 + node)).ravel()
+    volume = ENGINE.volume(angle)
+    state = gas.chamber_state(volume, ENGINE.limits, angle, cycle)
+    pressure = kind.pressure(state, type(ready)(*(part[0, 0] for part in ready)))
+    work = float(np.sum(pressure * volume.first * (half * weight).ravel()))
+    assert kind.work(ready, rooms)[0, 0] == pytest.approx(work, rel=1e-11, abs=1e-9)
+
+
+@every_kind
+def test_breaks_rise_within_the_cycle(kind):
+    if kind.breaks is None:
         return
-    model = kind.model(example_of(kind, kind.example), ENGINE.chamber())
-    breaks = kind.breaks(model)
-    assert breaks.ndim == 1
-    assert np.all(np.diff(breaks) > 0)
-    assert breaks[0] >= 0
-    assert breaks[-1] < FOUR_STROKE
-    assert np.all(np.isin(kind.jumps(model), breaks))
+    _kind, ready = ENGINE.filled(example_of(kind, kind.example))
+    breaks = kind.breaks(ready)
+    assert breaks.shape[:2] == (1, 1)
+    own = breaks[0, 0]
+    assert np.all(np.diff(own) > 0)
+    assert own[0] >= 0
+    assert own[-1] < FOUR_STROKE
