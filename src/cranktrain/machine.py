@@ -11,7 +11,6 @@ from pydantic import Field, ValidationError, model_validator
 
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.errors import InputError, Problem
-from cranktrain.fluids import AnyGas
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, Friction, GravitySpec, GuideSpec
 from cranktrain.layout.closing import closing_problems
@@ -30,6 +29,7 @@ from cranktrain.quantities import Angle, Given
 from cranktrain.questions.balance.spec import BalanceSpec
 from cranktrain.questions.cylinders.spec import OVERRIDES, CylindersSpec
 from cranktrain.questions.evenness.spec import EvennessSpec
+from cranktrain.questions.gas.spec import GasTables
 from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.spec import Spec, problems, with_tuples
 
@@ -106,8 +106,11 @@ class Machine(Spec, frozen=True):
     gravity: bool | GravitySpec = Field(
         default=False, description=N_("Whether weights count, downward; or a table, for another strength or direction.")
     )
-    gas: AnyGas | None = Field(
-        default=None, description=N_("What the chambers hold: the kind of gas model and its numbers.")
+    gas: GasTables | None = Field(
+        default=None,
+        description=N_(
+            "What the chambers hold: a fluid by its kind, or several by the names of chambers, cylinders or banks."
+        ),
     )
     balance: BalanceSpec | None = Field(
         default=None, description=N_("Counterweights and balance shafts, given or solved for.")

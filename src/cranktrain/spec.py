@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Annotated, ClassVar, Literal, NamedTuple, TypeVar, Union, cast, get_args, get_origin
 
-from pydantic import BaseModel, ConfigDict, Discriminator, ValidationError, model_validator
+from pydantic import BaseModel, ConfigDict, Discriminator, Tag, ValidationError, model_validator
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails, core_schema
 
@@ -159,6 +159,10 @@ def _bare(annotation: object, tag: str | None = None) -> _Bare:
 
 def _alternative(union: _Bare, label: str) -> object:
     """Find the alternative of a union that pydantic means by its tag, class or type."""
+    for alternative in union.alternatives:
+        marks = get_args(alternative)[1:] if get_origin(alternative) is Annotated else ()
+        if any(isinstance(mark, Tag) and mark.tag == label for mark in marks):
+            return alternative
     kind = re.sub(r"^(?:function-\w+\[[^,]*, )+", "", label)  # what wraps its validators round it
     for alternative in union.alternatives:
         bare = _bare(alternative)

@@ -12,7 +12,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from cranktrain.fluids import diesel, dual, indicator, otto
+from cranktrain.fluids import compressor, diesel, dual, indicator, otto, wiebe
 from cranktrain.fluids.fluid import AnyFluid, Fluid, FluidSpec, Kink, Rooms, of_designs
 from cranktrain.fluids.state import ChamberState, VolumeLimits, chamber_state
 
@@ -32,10 +32,16 @@ __all__ = [
     "of_designs",
 ]
 
-KINDS: tuple[AnyFluid, ...] = (indicator.KIND, otto.KIND, diesel.KIND, dual.KIND)
+KINDS: tuple[AnyFluid, ...] = (indicator.KIND, otto.KIND, diesel.KIND, dual.KIND, wiebe.KIND, compressor.KIND)
 
 AnyGas = Annotated[
-    indicator.IndicatorSpec | otto.OttoSpec | diesel.DieselSpec | dual.DualSpec, Field(discriminator="kind")
+    indicator.IndicatorSpec
+    | otto.OttoSpec
+    | diesel.DieselSpec
+    | dual.DualSpec
+    | wiebe.WiebeSpec
+    | compressor.CompressorSpec,
+    Field(discriminator="kind"),
 ]
 
 

@@ -1,11 +1,12 @@
 """What every fluid gives: its table of the machine file, its numbers, and from these the pressure in a chamber."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Generic, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.errors import Problem
 from cranktrain.fluids.state import ChamberState, VolumeLimits
 from cranktrain.motion import Array, Coefficient
 from cranktrain.record import record
@@ -34,6 +35,8 @@ class Rooms(NamedTuple):
         Where the volume is largest before nominal firing and after, from there. [rad]
     alike : array of int, shape (design, chamber)
         The first chamber that goes through the same volumes, each from its own nominal firing.
+    speed : Array, shape (design, 1, 1), optional
+        Mean speed of the shaft, where the file says it. [rad/s]
     volume_of : callable
         From a design, a chamber and angles since its nominal firing, shape (n,), to its volume, shape (n,).
     """
@@ -44,7 +47,15 @@ class Rooms(NamedTuple):
     area: Array
     bottoms: Array
     alike: NDArray[np.intp]
+    speed: Array | None
     volume_of: Callable[[int, int, Array], Coefficient]
+
+    def volume(self, angle: Array) -> Coefficient:
+        """Volume of every chamber, each at its own angles since nominal firing, shape (design, chamber, k)."""
+        found = np.empty((3, *angle.shape))
+        for design, place in np.ndindex(*angle.shape[:2]):
+            found[:, design, place] = self.volume_of(design, place, angle[design, place])
+        return Coefficient(*found)
 
     @property
     def compression_ratio(self) -> Array:
@@ -100,6 +111,12 @@ class Fluid(Generic[_Table, _Numbers, _Ready]):
         What may be meant otherwise than it was given, as sentences.
     example : str
         A commented `[gas]` table to start from.
+    problems : callable (mapping of path to spec) → Problems
+        What all tables of this fluid show to be wrong only together.
+    together : callable (sequence of numbers, sequence of Rooms) → sequence of numbers
+        What chambers that share a medium find together: of all tables of this fluid, before `prepared`.
+    fires : bool
+        Whether its cylinders fire: it takes a cycle and a firing order. Otherwise every turn is one cycle.
     notes : callable (prepared) → tuple of str
         What was found beside: in a file, or with the chambers at hand.
     kinks : callable (prepared, VolumeLimits) → tuple of Kink
@@ -117,6 +134,9 @@ class Fluid(Generic[_Table, _Numbers, _Ready]):
     work: Callable[[_Ready, Rooms], Array]
     flags: Callable[[_Table], tuple[str, ...]]
     example: str
+    problems: Callable[[Mapping[str, _Table]], Iterable[Problem]] = lambda tables: ()
+    together: Callable[[Sequence[_Numbers], Sequence[Rooms]], Sequence[_Numbers]] = lambda numbers, rooms: numbers
+    fires: bool = True
     notes: Callable[[_Ready], tuple[str, ...]] = lambda prepared: ()
     kinks: Callable[[_Ready, VolumeLimits], tuple[Kink, ...]] = lambda prepared, limits: ()
     breaks: Callable[[_Ready], Array] | None = None

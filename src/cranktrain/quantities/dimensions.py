@@ -183,6 +183,22 @@ class Dimension(Enum):
             _unit("lbf·in/rad", "in·lbf/rad", "фунт-сила·дюйм/рад", si=_POUND_FORCE * _INCH),
         ),
     )
+    ENERGY = (
+        N_("an energy"),
+        "1200 J",
+        (
+            _unit("J", "Дж"),
+            _unit("kJ", "кДж", si=1000),
+            _unit("MJ", "МДж", si=10**6),
+            _unit("kgf·m", "кгс·м", si=_GRAVITY),
+            _unit("ft·lbf", si=_FOOT * _POUND_FORCE),
+        ),
+    )
+    HEAT_TRANSFER = (
+        N_("a heat transfer coefficient"),
+        "600 W/m²/K",
+        (_unit("W/m²/K", "W/(m²·K)", "Вт/м²/К"), _unit("kW/m²/K", "kW/(m²·K)", "кВт/м²/К", si=1000)),
+    )
     DENSITY = (N_("a density"), "7200 kg/m³", (_unit("kg/m³", "кг/м³"), _unit("g/cm³", "г/см³", si=1000)))
     TEMPERATURE = (N_("a temperature"), "20 °C", (_unit("°C", "degC", "°С", offset=_FREEZING), _unit("K", "К")))
 

@@ -1,21 +1,50 @@
 """The compressor with clearance: two lines and two polytropes, by the volume and the sense in which it goes."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from cranktrain.fluids.fluid import Kink, Rooms
 from cranktrain.fluids.polytrope import polytropic_work
 from cranktrain.fluids.state import ChamberState, VolumeLimits
 from cranktrain.motion import Array, chosen
 
 
 class Compressor(NamedTuple):
-    """Absolute pressures in the chamber while a valve is open [Pa], exponents of compression and re-expansion [1]."""
+    """A compressor's numbers.
+
+    Attributes
+    ----------
+    suction_pressure, discharge_pressure : Array
+        In the chamber while a valve is open, absolute. [Pa]
+    compression_exponent, expansion_exponent : Array
+        Of compression and of re-expansion. [1]
+    line_pressure, temperature : Array
+        Of what it takes in. [Pa, K]
+    """
 
     suction_pressure: Array
     discharge_pressure: Array
     compression_exponent: Array
     expansion_exponent: Array
+    line_pressure: Array
+    temperature: Array
+
+
+class CompressorNumbers(NamedTuple):
+    """What a machine file's table says: pressures of the lines, NaN to be found [Pa]; exponents, losses [1]; [K].
+
+    takes_from: the stage before, if any.
+    """
+
+    suction_pressure: Any
+    discharge_pressure: Any
+    compression_exponent: Any
+    expansion_exponent: Any
+    suction_loss: Any
+    discharge_loss: Any
+    suction_temperature: Any
+    takes_from: Any
 
 
 class Corners(NamedTuple):
@@ -55,7 +84,7 @@ def corners(compressor: Compressor, limits: VolumeLimits) -> Corners:
     polytrope. Where only one of r^n_c and r^n_e is above π no cycle is steady, as more would come in than goes out or
     less; then n_e is taken as n_c. docs/theory/gas, eqs. (14.16) and (14.17).
     """
-    suction, discharge, compression, expansion = compressor
+    suction, discharge, compression, expansion = compressor[:4]
     ratio = limits.largest / limits.smallest
     exponent = chosen(ratio ** np.minimum(compression, expansion) > discharge / suction, expansion, compression)
     peak = np.minimum(discharge, suction * ratio**compression)
@@ -85,7 +114,7 @@ def compressor_pressure(state: ChamberState, compressor: Compressor) -> Array:
     docs/theory/gas, eq. (14.16); Frenkel; Bloch and Hoefner, Reciprocating Compressors, ch. 3.
     """
     found = corners(compressor, VolumeLimits(state.smallest, state.largest))
-    suction, discharge, exponent, _ = compressor
+    suction, discharge, exponent = compressor[:3]
     expansion = np.maximum(suction, found.peak * (state.smallest / state.volume) ** found.expansion_exponent)
     compression = np.minimum(discharge, suction * (state.largest / state.volume) ** exponent)
     return chosen(state.sense > 0, expansion, compression)
@@ -109,7 +138,7 @@ def compressor_work(compressor: Compressor, limits: VolumeLimits) -> Array:
     docs/theory/gas, eq. (14.19).
     """
     found = corners(compressor, limits)
-    suction, _, exponent, _ = compressor
+    suction, exponent = compressor.suction_pressure, compressor.compression_exponent
     opens, discharges = found.suction_opens, found.discharge_opens
     return (
         polytropic_work(found.peak * limits.smallest, limits.smallest / opens, found.expansion_exponent)
@@ -139,3 +168,31 @@ def suction_heating(compressor: Compressor, limits: VolumeLimits) -> Array:
     delivered = (found.discharge_opens - limits.smallest) / found.discharge_opens
     taken = (limits.largest - found.suction_opens) / limits.largest
     return chosen(found.discharge_opens > limits.smallest, delivered / chosen(taken > 0, taken, 1.0), np.nan)
+
+
+def in_chamber(numbers: CompressorNumbers, rooms: Rooms) -> Compressor:
+    """Pressures as they are in the chamber while a valve is open."""
+    del rooms
+    return Compressor(
+        suction_pressure=numbers.suction_pressure * (1 - numbers.suction_loss),
+        discharge_pressure=numbers.discharge_pressure * (1 + numbers.discharge_loss),
+        compression_exponent=numbers.compression_exponent,
+        expansion_exponent=numbers.expansion_exponent,
+        line_pressure=numbers.suction_pressure,
+        temperature=numbers.suction_temperature,
+    )
+
+
+def valve_kinks(compressor: Compressor, limits: VolumeLimits) -> tuple[Kink, ...]:
+    """Where suction and discharge valves open; nowhere if nothing is delivered."""
+    found = corners(compressor, limits)
+    delivers = found.discharge_opens > limits.smallest
+    opens = (found.suction_opens, found.discharge_opens)
+    return tuple(
+        Kink(np.where(delivers, volume, np.nan), sense, 1.0) for volume, sense in zip(opens, (1.0, -1.0), strict=True)
+    )
+
+
+def turn_work(compressor: Compressor, rooms: Rooms) -> Array:
+    """Work over the cycle of the machine, shape (design, chamber). [J]"""
+    return compressor_work(compressor, rooms.limits)[..., 0] * round(rooms.cycle / (2 * np.pi))

@@ -160,17 +160,22 @@ def _burning_rate(wiebe: Wiebe, angle: Array) -> Array:
     return np.where(burns, rate, 0.0)
 
 
+def burning_edges(wiebe: Wiebe) -> Array:
+    """Angles from where it begins to burn to where that ends, between which all is smooth, shape (…, k). [rad]"""
+    graded = _GRADING ** np.arange(_N_GRADED, 0, -1)
+    share = np.concatenate([[0.0], graded[:-1], np.linspace(graded[-1], 1.0, _N_BURNING + 1)])
+    return wiebe.start + share * wiebe.duration
+
+
 def _edges(wiebe: Wiebe, room: Room) -> Array:
     """Panels before, while and after it burns, the first ones of burning ever narrower."""
     end = wiebe.start + wiebe.duration
-    graded = np.concatenate([[0.0], _GRADING ** np.arange(_N_GRADED, 0, -1)])
-    burning = np.concatenate([graded[:-1], np.linspace(graded[-1], 1.0, _N_BURNING + 1)])
     n_parts = int(np.ceil(np.max(np.maximum(wiebe.start - room.begins, room.ends - end)) / _WIDEST))
     even = np.linspace(0.0, 1.0, n_parts + 1)
     return np.concatenate(
         [
             (room.begins + even * (wiebe.start - room.begins))[..., :-1],
-            wiebe.start + burning * wiebe.duration,
+            burning_edges(wiebe),
             (end + even * (room.ends - end))[..., 1:],
         ],
         axis=-1,

@@ -18,7 +18,7 @@ QUESTION = Question(
         Stage(volumes.chamber_volumes),
         Stage(ports.port_timing, applies=ports.have_ports),
         Stage(ports.effective_compression),
-        Stage(firing.firing),
+        Stage(firing.firing, applies=firing.has_firing),
         Stage(opposed.combined_motion, applies=opposed.are_opposed),
         Stage(opposed.combined_speeds),
     ),

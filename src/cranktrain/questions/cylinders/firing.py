@@ -28,11 +28,15 @@ _SAME = 1e-9
 
 @record
 class Cycle:
-    """The working cycle that the machine declares: 2π or 4π. [rad]"""
+    """The working cycle that the machine declares: 2π or 4π. [rad]
+
+    fires: whether its cylinders fire; a compressor's do not.
+    """
 
     needs: ClassVar[str] = N_("[cylinder] cycle")
 
     length: float
+    fires: bool = True
 
     @property
     def is_two_stroke(self) -> bool:
@@ -153,6 +157,11 @@ def firing(
             firing_choices(tops[order.order], cycle.length) if order.angles is None else 1 for tops in nominal
         ),
     )
+
+
+def has_firing(cycle: Cycle | None) -> bool:
+    """Say whether it is for this machine: where nothing fires there is no order to miss."""
+    return cycle is None or cycle.fires
 
 
 def within_turn(tops: Array, period: float = 2 * np.pi) -> Array:

@@ -63,6 +63,15 @@ def cylinder_pistons_of(cylinders: Sequence[Cylinder]) -> CylinderPistons | None
     )
 
 
+def chamber_names(cylinders: Sequence[Cylinder]) -> list[str]:
+    """Name the chambers: `1L`, or `1L.head` and `1L.crank` where both sides of the piston work."""
+    return [
+        cylinder.name if cylinder.chambers == ("head",) else f"{cylinder.name}.{side}"
+        for cylinder in cylinders
+        for side in cylinder.chambers
+    ]
+
+
 def chambers_of(designs: Sequence[Sequence[Cylinder]], n_pistons: int) -> Chambers | None:
     """Signed area matrix of the working chambers; None where no bore is given."""
     first = designs[0]
@@ -75,10 +84,7 @@ def chambers_of(designs: Sequence[Sequence[Cylinder]], n_pistons: int) -> Chambe
             cylinder = design[i]
             areas[d, list(cylinder.pistons), column] = _signed_area(cylinder.spec, side) * np.array(cylinder.signs)
     return Chambers(
-        names=tuple(
-            first[i].name if len(first[i].chambers) == 1 and side == "head" else f"{first[i].name}.{side}"
-            for i, side in sides
-        ),
+        names=tuple(chamber_names(first)),
         banks=tuple(first[i].bank for i, _side in sides),
         cylinder=np.array([i for i, _side in sides], dtype=np.intp),
         is_head=np.array([side == "head" for _i, side in sides]),

@@ -1,16 +1,15 @@
 """Gas: its pressure in the chambers, its work, and the powers that come of it."""
 
 from collections.abc import Iterator
-from typing import cast
 
 from cranktrain.errors import Problem
-from cranktrain.fluids import FluidSpec
+from cranktrain.fluids import FluidSpec, fluid_of
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts, Question, Stage, TableFile, Use
 from cranktrain.layout.uses import keys
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.cylinders.firing import Cycle, FiringOrder
-from cranktrain.questions.cylinders.parts import cylinders
 from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.questions.cylinders.volumes import Chambers, CompressionRatios
 from cranktrain.questions.gas import chambers, declared, events, powers, pressures
@@ -20,14 +19,26 @@ PRESSING = (declared.DeclaredGas, Chambers, CompressionRatios, Cycle, FiringOrde
 
 
 def _problems(design: Design) -> Iterator[Problem]:
-    if design.table(FluidSpec) is not None and not design.once(cylinders):
-        yield Problem("gas", None, _("is not for this machine, which has no pistons"))
+    yield from declared.gas_problems(design)
+    cylinder = design.table(CylindersSpec)
+    if cylinder is not None and (tables := declared.gas_tables(design)) and not any(map(_fires, tables.values())):
+        allowed = _("is for cylinders that fire; here every turn is one cycle")
+        for key in ("firing_order", "firing_angles", "cycle"):
+            given = getattr(cylinder, key)
+            if given is not None and given != "two-stroke":
+                yield Problem(f"cylinder.{key}", None, allowed)
+
+
+def _fires(spec: FluidSpec) -> bool:
+    return fluid_of(spec).fires
 
 
 def _parts(designs: Designs, known: Parts) -> Iterator[object | None]:
     if designs.pistons is not None:
-        specs = designs.tables(FluidSpec)
-        yield declared.declared_gas(specs, cast("Chambers | None", known.get(Chambers))) if specs else None
+        gas = declared.declared_gas(designs.each)
+        yield gas
+        if gas is not None and not gas.fires and Cycle not in known:
+            yield Cycle(TURN, fires=False)
         yield powers.losses_of(designs.tables(CylindersSpec))
 
 
@@ -37,7 +48,7 @@ QUESTION = Question(
     problems=_problems,
     parts=_parts,
     stages=(
-        Stage(chambers.gas_in_chambers),
+        Stage(chambers.gas_in_chambers, applies=chambers.can_be_filled),
         Stage(events.gas_events),
         Stage(pressures.gas_pressures),
         Stage(powers.indicated_powers),

@@ -1,6 +1,6 @@
 """Gas in the chambers: pressure over the cycle by the declared model, its work, and its force on every piston."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -13,11 +13,12 @@ from cranktrain.fluids import AnyFluid, ChamberState, Rooms, VolumeLimits, chamb
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
+from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array, Coefficient, single
-from cranktrain.questions.cylinders.firing import Cycle, Firing
-from cranktrain.questions.cylinders.travel import CylinderTravel
+from cranktrain.questions.cylinders.firing import Cycle, Firing, FiringOrder
+from cranktrain.questions.cylinders.travel import CylinderPistons, CylinderTravel
 from cranktrain.questions.cylinders.volumes import Chambers, ChamberVolumes, SweptVolumes
-from cranktrain.questions.gas.declared import DeclaredGas
+from cranktrain.questions.gas.declared import DeclaredGas, GasTable
 from cranktrain.questions.motion.dead_centres import DeadCentres, slider_motion
 from cranktrain.record import record
 from cranktrain.wording import ranged
@@ -172,12 +173,19 @@ def gas_in_chambers(
     volumes: ChamberVolumes,
     swept: SweptVolumes,
     crank_angle: CrankAngle,
-    firing: Firing,
+    cylinders: CylinderPistons,
+    firing: Firing | None,
+    speed: Speed | None,
 ) -> GasInChambers:
-    """Fill the chambers as the file says."""
+    """Fill the chambers as the file says; a cycle of what does not fire begins at the tops."""
     _refuse_chambers_without_room(chambers, volumes)
     of = chambers.cylinder
-    nominal = firing.firing_angle[:, of] + crank_angle.zero[..., 0] + np.where(chambers.is_head, 0.0, np.pi)
+    tops = (
+        pistons.nominal_top[:, cylinders.leading, 0]
+        if firing is None
+        else firing.firing_angle + crank_angle.zero[..., 0]
+    )
+    nominal = tops[:, of] + np.where(chambers.is_head, 0.0, np.pi)
     smallest = np.where(chambers.is_head, travel.least[:, of], -travel.stroke[:, of])
     empty = GasInChambers(
         pistons=pistons,
@@ -193,32 +201,49 @@ def gas_in_chambers(
     )
     like = replace(empty, origin=_origin(empty, gas))
     _least, bottom = empty.dead_centres(travel)
-    fillings = tuple(_filled(like, gas, table, bottom) for table in range(len(gas.tables)))
+    fillings = tuple(_filled(like, gas, bottom, None if speed is None else speed.mean))
     notes = [note for one in fillings for note in one.fluid.notes(one.ready)]
     flags = [flag for table in gas.tables for flag in table.flags]
     return replace(like, fillings=fillings, flags=tuple(dict.fromkeys((*flags, *notes))))
 
 
-def _filled(gas: GasInChambers, declared: DeclaredGas, table: int, bottom: Array) -> Filling:
-    """Fill the chambers of one table; `bottom`: φ of greatest volumes, shape (design, chamber)."""
-    path, fluid, numbers, _flags = declared.tables[table]
-    places = np.flatnonzero(declared.table == table)
+def can_be_filled(gas: DeclaredGas | None, cycle: Cycle | None, order: FiringOrder | None) -> bool | str:
+    """Say whether the file has what it takes: for cylinders that fire, their order."""
+    fires = gas is None or gas.fires
+    return FiringOrder.needs if fires and (cycle is None or cycle.fires) and order is None else True
+
+
+def _filled(gas: GasInChambers, declared: DeclaredGas, bottom: Array, speed: Array | None) -> Iterator[Filling]:
+    """Fill the chambers table by table, those of one fluid together; `bottom`: φ of greatest volumes."""
+    rooms = [
+        _rooms(gas, one, np.flatnonzero(declared.table == i), bottom, speed) for i, one in enumerate(declared.tables)
+    ]
+    for fluid in dict.fromkeys(one.fluid for one in declared.tables):
+        own = [i for i, one in enumerate(declared.tables) if one.fluid is fluid]
+        found = fluid.together([declared.tables[i].numbers for i in own], [rooms[i] for i in own])
+        for i, numbers in zip(own, found, strict=True):
+            places = np.flatnonzero(declared.table == i)
+            yield Filling(fluid, places, rooms[i], fluid.prepared(numbers, rooms[i]))
+
+
+def _rooms(gas: GasInChambers, table: GasTable, places: NDArray[np.intp], bottom: Array, speed: Array | None) -> Rooms:
+    """The chambers of one table, as its fluid asks for them."""
     after = np.mod(bottom - gas.firing[..., 0], 2 * np.pi)
 
     def volume_of(design: int, own: int, angle: Array) -> Coefficient:
         place = int(places[own])
         return gas.volume_of(design, place, angle + gas.firing[design, place])
 
-    rooms = Rooms(
-        path=path,
+    return Rooms(
+        path=table.path,
         cycle=gas.cycle,
         limits=VolumeLimits(*(part[:, places] for part in gas.limits)),
         area=gas.chambers.area[:, places, np.newaxis],
         bottoms=np.stack([after - 2 * np.pi, after], axis=-1)[:, places],
         alike=np.searchsorted(places, gas.origin[:, places]),
+        speed=speed,
         volume_of=volume_of,
     )
-    return Filling(fluid, places, rooms, fluid.prepared(numbers, rooms))
 
 
 def _origin(gas: GasInChambers, declared: DeclaredGas) -> NDArray[np.intp]:

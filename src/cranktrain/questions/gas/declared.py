@@ -1,15 +1,20 @@
 """The fluids of the machine file, as numbers: which table fills which chamber."""
 
-from collections.abc import Sequence
-from typing import Any, ClassVar, NamedTuple
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, ClassVar, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.fluids import AnyFluid, FluidSpec, fluid_of, of_designs
-from cranktrain.language import N_
-from cranktrain.questions.cylinders.volumes import Chambers
+from cranktrain.errors import Problem
+from cranktrain.fluids import KINDS, AnyFluid, FluidSpec, fluid_of, of_designs
+from cranktrain.language import N_, _
+from cranktrain.layout.design import Design
+from cranktrain.paths import path_text
+from cranktrain.questions.cylinders.parts import chamber_names, cylinders
 from cranktrain.record import record
+
+_GAS = "gas"
 
 
 class GasTable(NamedTuple):
@@ -37,10 +42,80 @@ class DeclaredGas:
     tables: tuple[GasTable, ...]
     table: NDArray[np.intp]
 
+    @property
+    def fires(self) -> bool:
+        """Whether cylinders fire, and so need a cycle and an order."""
+        return any(table.fluid.fires for table in self.tables)
 
-def declared_gas(specs: Sequence[FluidSpec], chambers: Chambers | None) -> DeclaredGas:
-    """Take the numbers of all designs."""
-    fluid = fluid_of(specs[0])
-    flags = dict.fromkeys(flag for spec in specs for flag in fluid.flags(spec))
-    table = GasTable("gas", fluid, of_designs([fluid.numbers(spec) for spec in specs]), tuple(flags))
-    return DeclaredGas((table,), np.zeros(0 if chambers is None else len(chambers.names), dtype=np.intp))
+
+def gas_tables(design: Design) -> dict[str, FluidSpec]:
+    """Give the fluids of a machine by their paths; none where it has no `[gas]`."""
+    given = design.tables.get(_GAS)
+    if given is None or isinstance(given, FluidSpec):
+        return {} if given is None else {_GAS: given}
+    return {path_text((_GAS, name)): spec for name, spec in cast("Mapping[str, FluidSpec]", given).items()}
+
+
+def filled_by(design: Design) -> list[str | None]:
+    """Give the path of the table that fills each chamber, the nearest one: its own, its cylinder's, its bank's."""
+    tables = gas_tables(design)
+    if _GAS in tables:
+        return [_GAS for _name in chamber_names(design.once(cylinders))]
+    return [
+        next((path for name in names if (path := path_text((_GAS, name))) in tables), None) for names in _names(design)
+    ]
+
+
+def _names(design: Design) -> list[tuple[str, ...]]:
+    """Names by which each chamber may be called, the nearest first."""
+    named = zip(chamber_names(design.once(cylinders)), _sides(design), strict=True)
+    return [
+        tuple(filter(None, dict.fromkeys((chamber, f"{cylinder.name}.{side}", cylinder.name, cylinder.bank))))
+        for chamber, (cylinder, side) in named
+    ]
+
+
+def _sides(design: Design) -> list[tuple[Any, str]]:
+    return [(cylinder, side) for cylinder in design.once(cylinders) for side in cylinder.chambers]
+
+
+def declared_gas(designs: Sequence[Design]) -> DeclaredGas | None:
+    """Take the numbers of all designs; None where they have no gas."""
+    each = [gas_tables(design) for design in designs]
+    if not each[0]:
+        return None
+    tables: list[GasTable] = []
+    for path in each[0]:
+        specs = [of_design[path] for of_design in each]
+        fluid = fluid_of(specs[0])
+        flags = dict.fromkeys(flag for spec in specs for flag in fluid.flags(spec))
+        tables.append(GasTable(path, fluid, of_designs([fluid.numbers(spec) for spec in specs]), tuple(flags)))
+    paths = list(each[0])
+    filled = [paths.index(path) for path in filled_by(designs[0]) if path is not None]
+    return DeclaredGas(tuple(tables), np.array(filled, dtype=np.intp))
+
+
+def gas_problems(design: Design) -> Iterator[Problem]:
+    """Find tables of nothing, chambers without gas beside others, and what the fluids see together."""
+    tables = gas_tables(design)
+    if not tables:
+        return
+    if not design.once(cylinders):
+        yield Problem(_GAS, None, _("is not for this machine, which has no pistons"))
+        return
+    known = list(dict.fromkeys(name for names in _names(design) for name in names))
+    used = filled_by(design)
+    for path in tables:
+        name = path.removeprefix(f"{_GAS}.").strip('"')
+        if path != _GAS and name not in known:
+            allowed = _("is neither a bank nor a cylinder or chamber of this machine: {known}")
+            yield Problem(path, None, allowed.format(known=", ".join(known)))
+        elif path not in used:
+            yield Problem(path, None, _("fills nothing: every chamber that it names has a nearer table"))
+    without = [name for name, path in zip(chamber_names(design.once(cylinders)), used, strict=True) if path is None]
+    if without and len(without) < len(used):
+        allowed = _("has no table for {chambers}, while others have one").format(chambers=", ".join(without))
+        yield Problem(_GAS, None, allowed)
+    for fluid in KINDS:
+        own = {path: spec for path, spec in tables.items() if fluid_of(spec) is fluid}
+        yield from fluid.problems(own)

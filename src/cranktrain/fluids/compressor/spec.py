@@ -1,0 +1,127 @@
+"""The compressor's table of the machine file."""
+
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from cranktrain.errors import Problem
+from cranktrain.fluids.compressor.pressure import CompressorNumbers
+from cranktrain.fluids.fluid import FluidSpec
+from cranktrain.language import N_, _
+from cranktrain.quantities import Dimension, Given, Quantity, Temperature
+from cranktrain.spec import missing
+
+AbsolutePressure = Annotated[Given, Quantity(Dimension.PRESSURE, above=0.0)]
+Exponent = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=2.0)]
+Loss = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]
+
+_NONE = Given(0.0, "0")
+
+
+class CompressorSpec(FluidSpec, frozen=True):
+    """Compressor with clearance: pressures of the lines, exponents, and what the valves lose."""
+
+    kind: Literal["compressor"] = Field(description=N_("Kind of gas model."))
+    suction_pressure: AbsolutePressure | None = Field(
+        default=None, description=N_("Absolute pressure of the line that it takes from; of a later stage found.")
+    )
+    discharge_pressure: AbsolutePressure | None = Field(
+        default=None,
+        description=N_("Absolute pressure of the line that it delivers into; of all stages but the last found."),
+    )
+    takes_from: str | None = Field(
+        default=None, min_length=1, description=N_("The table [gas.NAME] of the stage before, if it is not the first.")
+    )
+    compression_exponent: Exponent = Field(description=N_("Exponent n of the compression, p·Vⁿ = const."))
+    expansion_exponent: Exponent | None = Field(
+        default=None,
+        description=N_("Exponent n of the re-expansion of what is left; compression_exponent unless given."),
+    )
+    suction_loss: Loss = Field(
+        default=_NONE, description=N_("By which part of the line's the pressure is less while suction valves are open.")
+    )
+    discharge_loss: Loss = Field(
+        default=_NONE,
+        description=N_("By which part of the line's the pressure is more while discharge valves are open."),
+    )
+    suction_temperature: Temperature = Field(
+        default=Given(293.15, "20 °C"), description=N_("Of what it takes in; behind a cooler, that of the cooled gas.")
+    )
+
+
+def compressor_numbers(spec: CompressorSpec) -> CompressorNumbers:
+    """Give the numbers in SI; pressures that are to be found are NaN."""
+    suction, discharge = (
+        float("nan") if given is None else given.si for given in (spec.suction_pressure, spec.discharge_pressure)
+    )
+    expansion = spec.expansion_exponent or spec.compression_exponent
+    return CompressorNumbers(
+        suction,
+        discharge,
+        spec.compression_exponent.si,
+        expansion.si,
+        spec.suction_loss.si,
+        spec.discharge_loss.si,
+        spec.suction_temperature.si,
+        spec.takes_from,
+    )
+
+
+def stage_problems(tables: Mapping[str, CompressorSpec]) -> Iterator[Problem]:
+    """Find stages that are none, and pressures that are given where the stages find them, or not given where not."""
+    after: dict[str, str] = {}
+    for path, spec in tables.items():
+        before = f"gas.{spec.takes_from}"
+        if spec.takes_from is None:
+            if spec.suction_pressure is None:
+                yield Problem(f"{path}.suction_pressure", None, missing(AbsolutePressure))
+        elif before not in tables or before == path:
+            known = [other.removeprefix("gas.") for other in tables if other != path]
+            allowed = _("must be another compressor's name among the tables [gas.NAME]: {known}")
+            said = allowed.format(known=", ".join(known) or _("there is none"))
+            yield Problem(f"{path}.takes_from", spec.takes_from, said)
+        elif before in after:
+            allowed = _("is the stage before {other} already; a stage delivers to one other").format(
+                other=after[before]
+            )
+            yield Problem(f"{path}.takes_from", spec.takes_from, allowed)
+        else:
+            after[before] = path
+            if spec.suction_pressure is not None:
+                allowed = _("is found from the common flow; leave it out, or takes_from")
+                yield Problem(f"{path}.suction_pressure", spec.suction_pressure.text, allowed)
+    yield from _last_problems(tables, after)
+
+
+def _last_problems(tables: Mapping[str, CompressorSpec], after: Mapping[str, str]) -> Iterator[Problem]:
+    """Find stages that go round, and ends without a pressure to deliver into, or too low a one."""
+    for path, spec in tables.items():
+        if path in after:
+            if spec.discharge_pressure is not None:
+                allowed = _("is found from the flow that it shares with {other}; leave it out").format(
+                    other=after[path]
+                )
+                yield Problem(f"{path}.discharge_pressure", spec.discharge_pressure.text, allowed)
+        elif spec.discharge_pressure is None:
+            yield Problem(f"{path}.discharge_pressure", None, missing(AbsolutePressure))
+        else:
+            first = chain_to(path, tables)[0]
+            suction = tables[first].suction_pressure
+            if suction is not None and suction.si >= spec.discharge_pressure.si:
+                allowed = _("must be more than suction_pressure, {suction}").format(suction=suction.text)
+                yield Problem(f"{path}.discharge_pressure", spec.discharge_pressure.text, allowed)
+    ends = [path for path in tables if path not in after]
+    if not {path for end in ends for path in chain_to(end, tables)} >= set(after):
+        going = next(path for path in after if path not in {one for end in ends for one in chain_to(end, tables)})
+        yield Problem(f"{going}.takes_from", tables[going].takes_from, _("goes round: one stage must be the first"))
+
+
+def chain_to(path: str, tables: Mapping[str, CompressorSpec]) -> list[str]:
+    """Stages as far as one, the first in front."""
+    chain = [path]
+    while (name := tables[chain[0]].takes_from) is not None and (before := f"gas.{name}") in tables:
+        if before in chain:
+            break
+        chain.insert(0, before)
+    return chain

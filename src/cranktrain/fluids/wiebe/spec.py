@@ -1,0 +1,91 @@
+"""The table of the machine file for heat by Wiebe's law."""
+
+from math import pi
+from typing import Annotated, Literal, Self
+
+from pydantic import Field, model_validator
+
+from cranktrain.errors import InputError, Problem
+from cranktrain.fluids.fluid import FluidSpec
+from cranktrain.fluids.wiebe.chamber import WiebeNumbers
+from cranktrain.language import N_, _
+from cranktrain.quantities import Dimension, Given, HeatTransfer, PositiveEnergy, Quantity, Temperature, TurnedAngle
+
+AbsolutePressure = Annotated[Given, Quantity(Dimension.PRESSURE, above=0.0)]
+FormFactor = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=20.0)]
+EfficiencyFactor = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=50.0)]
+HeatRatio = Annotated[Given, Quantity(Dimension.RATIO, above=1.0, at_most=5 / 3)]
+Duration = Annotated[Given, Quantity(Dimension.ANGLE, above=0.0, at_most=pi)]
+
+_WALLS = ("start_temperature", "wall_temperature")
+
+
+class WiebeSpec(FluidSpec, frozen=True):
+    """Heat by Wiebe's law in one zone, between the bottom dead centres, and gas exchange at constant pressures."""
+
+    kind: Literal["wiebe"] = Field(description=N_("Kind of gas model."))
+    start_pressure: AbsolutePressure = Field(
+        description=N_("Absolute pressure at the start of compression, at the bottom dead centre.")
+    )
+    heat: PositiveEnergy = Field(description=N_("That one cylinder gets in a cycle, if all burns."))
+    heat_start: TurnedAngle = Field(description=N_("Where it begins to burn, from the firing dead centre."))
+    heat_duration: Duration = Field(description=N_("Through which angle it burns."))
+    form_factor: FormFactor = Field(description=N_("m of Wiebe's law: 0 burns fastest at once, 2 in the middle."))
+    efficiency_factor: EfficiencyFactor = Field(
+        default=Given(6.907755278982137, "6.907755278982137"),
+        description=N_("a of Wiebe's law: 6.908 burns 99.9 % of the heat, 5 only 99.3 %."),
+    )
+    heat_capacity_ratio: HeatRatio = Field(description=N_("γ of the gas, constant over the cycle."))
+    inlet_pressure: AbsolutePressure | None = Field(
+        default=None,
+        description=N_("Absolute pressure in the cylinder on the inlet stroke; start_pressure unless given."),
+    )
+    exhaust_pressure: AbsolutePressure | None = Field(
+        default=None,
+        description=N_("Absolute pressure in the cylinder on the exhaust stroke; inlet_pressure unless given."),
+    )
+    heat_transfer: HeatTransfer | None = Field(
+        default=None, description=N_("Coefficient h of the walls; they take nothing unless it is given.")
+    )
+    start_temperature: Temperature | None = Field(
+        default=None, description=N_("Of the gas at the start of compression; for heat_transfer.")
+    )
+    wall_temperature: Temperature | None = Field(default=None, description=N_("Of the walls; for heat_transfer."))
+
+    @model_validator(mode="after")
+    def _walls_together(self) -> Self:
+        """Refuse a heat transfer without its temperatures, temperatures without it, and heat beyond the turn."""
+        given = [name for name in _WALLS if getattr(self, name) is not None]
+        wrong = [
+            Problem(name, None, _("is missing; heat_transfer needs it"))
+            for name in _WALLS
+            if self.heat_transfer is not None and name not in given
+        ]
+        if self.heat_transfer is None:
+            wrong += [Problem(name, None, _("is for heat_transfer, which is missing")) for name in given]
+        if not -pi < self.heat_start.si < pi or self.heat_start.si + self.heat_duration.si > pi:
+            allowed = _("must leave the heat between the bottom dead centres, -180 deg to 180 deg, with heat_duration")
+            wrong.append(Problem("heat_start", self.heat_start.text, allowed))
+        if wrong:
+            raise InputError(wrong)
+        return self
+
+
+def wiebe_numbers(spec: WiebeSpec) -> WiebeNumbers:
+    """Give the numbers in SI; without heat transfer any temperature will do."""
+    inlet = spec.inlet_pressure or spec.start_pressure
+    walls = (spec.start_temperature, spec.wall_temperature)
+    return WiebeNumbers(
+        start_pressure=spec.start_pressure.si,
+        heat=spec.heat.si,
+        start=spec.heat_start.si,
+        duration=spec.heat_duration.si,
+        shape=spec.form_factor.si,
+        completeness=spec.efficiency_factor.si,
+        heat_ratio=spec.heat_capacity_ratio.si,
+        transfer=0.0 if spec.heat_transfer is None else spec.heat_transfer.si,
+        start_temperature=1.0 if walls[0] is None else walls[0].si,
+        wall_temperature=1.0 if walls[1] is None else walls[1].si,
+        inlet_pressure=inlet.si,
+        exhaust_pressure=(spec.exhaust_pressure or inlet).si,
+    )
