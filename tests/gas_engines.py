@@ -48,7 +48,7 @@ class Engine:
     def chamber(self, cycle=FOUR_STROKE):
         return Chamber(cycle, self.limits, lambda angle: self.volume(angle).value)
 
-    def rooms(self, cycle=FOUR_STROKE):
+    def rooms(self, cycle=FOUR_STROKE, speed=None):
         """The cylinder as the one chamber of one design."""
         return Rooms(
             path="gas",
@@ -57,13 +57,14 @@ class Engine:
             area=np.full((1, 1, 1), self.area),
             bottoms=np.array([[[self.bottom - 2 * np.pi, self.bottom]]]),
             alike=np.zeros((1, 1), dtype=np.intp),
+            speed=None if speed is None else np.full((1, 1, 1), speed),
             volume_of=lambda design, place, angle: self.volume(angle),
         )
 
-    def filled(self, spec, cycle=FOUR_STROKE):
+    def filled(self, spec, cycle=FOUR_STROKE, speed=None):
         """The fluid of a table, and what its pressure takes in this cylinder."""
         fluid = fluid_of(spec)
-        return fluid, fluid.prepared(of_designs([fluid.numbers(spec)]), self.rooms(cycle))
+        return fluid, fluid.prepared(of_designs([fluid.numbers(spec)]), self.rooms(cycle, speed))
 
 
 def wiebe(engine, case, angle):

@@ -31,10 +31,11 @@ _DECIMALS = {
     "kW": 1,
     "J": 1,
     "Hz": 2,
+    "m³/h": 2,
 }
-_SLOW_TOO = {"m/s", "m/s^2", "N*m", "N", "kN", "kW", "J", "kg*m^2", "Hz"}
+_SLOW_TOO = {"m/s", "m/s^2", "N*m", "N", "kN", "kW", "J", "kg*m^2", "Hz", "m³/h"}
 """Units in which a slow or small machine's numbers need more decimals: three figures at least."""
-_PLAIN = {"1": 1.0, "%": 100.0, "m/s^2": 1.0, "J": 1.0, "Hz": 1 / (2 * np.pi)}
+_PLAIN = {"1": 1.0, "%": 100.0, "m/s^2": 1.0, "J": 1.0, "Hz": 1 / (2 * np.pi), "m³/h": 3600.0}
 """Units that are no input's, and how many of them one in SI is."""
 
 

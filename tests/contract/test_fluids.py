@@ -112,8 +112,9 @@ def test_work_is_the_pressures_over_the_volume(kind, cycle):
     if kind.breaks is not None:
         breaks.append(kind.breaks(ready)[0, 0])
     for kink in kind.kinks(ready, rooms.limits):
-        root = brentq(lambda angle, kink=kink: ENGINE.volume(angle).value - kink.volume[0, 0, 0], 0.0, ENGINE.bottom)
-        breaks.append(np.mod([kink.sense * root + 2 * np.pi * turn for turn in range(2)], cycle))
+        side = (ENGINE.top_angle, ENGINE.bottom - (0.0 if kink.sense > 0 else 2 * np.pi))
+        root = brentq(lambda angle, kink=kink: ENGINE.volume(angle).value - kink.volume[0, 0, 0], *side, xtol=1e-14)
+        breaks.append(root + 2 * np.pi * np.arange(2))
     breaks.append(ENGINE.top_angle + np.arange(0, cycle, 2 * np.pi))
     edges = np.append(np.unique(np.mod(np.concatenate(breaks), cycle)), cycle)
     node, weight = np.polynomial.legendre.leggauss(20)

@@ -3,6 +3,7 @@
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.fluids.fluid import Kink, Rooms
 from cranktrain.fluids.polytrope import polytropic_work
@@ -21,6 +22,8 @@ class Compressor(NamedTuple):
         Of compression and of re-expansion. [1]
     line_pressure, temperature : Array
         Of what it takes in. [Pa, K]
+    discharge_line : Array
+        Pressure of the line that it delivers into. [Pa]
     """
 
     suction_pressure: Array
@@ -29,6 +32,7 @@ class Compressor(NamedTuple):
     expansion_exponent: Array
     line_pressure: Array
     temperature: Array
+    discharge_line: Array
 
 
 class CompressorNumbers(NamedTuple):
@@ -86,14 +90,22 @@ def corners(compressor: Compressor, limits: VolumeLimits) -> Corners:
     """
     suction, discharge, compression, expansion = compressor[:4]
     ratio = limits.largest / limits.smallest
-    exponent = chosen(ratio ** np.minimum(compression, expansion) > discharge / suction, expansion, compression)
-    peak = np.minimum(discharge, suction * ratio**compression)
+    both = ratio ** np.minimum(compression, expansion) > discharge / suction
+    exponent = chosen(both, expansion, compression)
+    reached = suction * ratio**compression
+    delivers, peak = reached > discharge, np.minimum(discharge, reached)
     return Corners(
         peak,
         exponent,
-        limits.smallest * (peak / suction) ** (1 / exponent),
-        limits.largest * (suction / peak) ** (1 / compression),
+        chosen(delivers, limits.smallest * (peak / suction) ** (1 / exponent), limits.largest),
+        chosen(delivers, limits.largest * (suction / peak) ** (1 / compression), limits.smallest),
     )
+
+
+def steady_exponents(compressor: Compressor, limits: VolumeLimits) -> NDArray[np.bool_]:
+    """Whether there is a cycle with both exponents, or none with any: above neither of r^n_c and r^n_e, or both."""
+    ratio, rise = limits.largest / limits.smallest, compressor.discharge_pressure / compressor.suction_pressure
+    return (ratio**compressor.compression_exponent > rise) == (ratio**compressor.expansion_exponent > rise)
 
 
 def compressor_pressure(state: ChamberState, compressor: Compressor) -> Array:
@@ -180,6 +192,7 @@ def in_chamber(numbers: CompressorNumbers, rooms: Rooms) -> Compressor:
         expansion_exponent=numbers.expansion_exponent,
         line_pressure=numbers.suction_pressure,
         temperature=numbers.suction_temperature,
+        discharge_line=numbers.discharge_pressure,
     )
 
 

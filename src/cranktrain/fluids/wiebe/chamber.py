@@ -88,7 +88,7 @@ def burning_chambers(numbers: WiebeNumbers, rooms: Rooms) -> BurningChambers:
         burns=np.sort(np.mod(burning_edges(wiebe), rooms.cycle), axis=-1),
         work=curve.work[..., np.newaxis],
         loss=curve.loss[..., np.newaxis],
-        heat=wiebe.heat,
+        heat=wiebe.heat * -np.expm1(-wiebe.completeness),
         inlet=np.broadcast_to(numbers.inlet_pressure, shape),
         exhaust=np.broadcast_to(numbers.exhaust_pressure, shape),
     )

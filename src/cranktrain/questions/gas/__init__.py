@@ -12,7 +12,7 @@ from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.cylinders.firing import Cycle, FiringOrder
 from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.questions.cylinders.volumes import Chambers, CompressionRatios
-from cranktrain.questions.gas import chambers, declared, events, powers, pressures
+from cranktrain.questions.gas import chambers, declared, events, flows, heat, powers, pressures
 
 PRESSING = (declared.DeclaredGas, Chambers, CompressionRatios, Cycle, FiringOrder)
 """Parts that it takes for gas to press on pistons."""
@@ -51,6 +51,9 @@ QUESTION = Question(
         Stage(chambers.gas_in_chambers, applies=chambers.can_be_filled),
         Stage(events.gas_events),
         Stage(pressures.gas_pressures),
+        Stage(flows.compressor_capacity, applies=flows.has_compressors),
+        Stage(flows.compressor_flow),
+        Stage(heat.heat_balance, applies=heat.has_heat),
         Stage(powers.indicated_powers),
         Stage(powers.brake_powers),
     ),

@@ -1,0 +1,120 @@
+"""What compressors take in and deliver: between which pressures, how much of the swept volume, how much in a second."""
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.fluids.compressor import Compressor, capacity, suction_heating
+from cranktrain.fluids.compressor.pressure import steady_exponents
+from cranktrain.language import N_, _
+from cranktrain.layout.speed import Speed
+from cranktrain.motion import Array
+from cranktrain.numerics.harmonics import TURN
+from cranktrain.questions.gas.chambers import Filling, GasInChambers
+from cranktrain.questions.gas.declared import DeclaredGas
+from cranktrain.record import record
+from cranktrain.wording import Names, ranged, shared
+
+_CHAMBER = ("chamber",)
+_THEORY = "docs/theory/gas"
+
+
+@record
+class CompressorCapacity:
+    """What each chamber of a compressor takes in; NaN of chambers with another gas."""
+
+    suction_line_pressure: Array = quantity(
+        "p_s", "Pa", _CHAMBER, N_("Absolute pressure of the line that a compressor's chamber takes from"), _THEORY
+    )
+    discharge_line_pressure: Array = quantity(
+        "p_d", "Pa", _CHAMBER, N_("Absolute pressure of the line that it delivers into"), _THEORY
+    )
+    volumetric_efficiency: Array = quantity(
+        "λ_v", "1", _CHAMBER, N_("Part of the swept volume that it takes in, as the gas is in the chamber"), _THEORY
+    )
+    suction_end_temperature: Array = quantity(
+        "T_1", "K", _CHAMBER, N_("Temperature at the end of suction, with which the masses close"), _THEORY
+    )
+    flags: tuple[str, ...] = ()
+
+    def answer(self, names: Names, design: int) -> str:
+        """Say between which pressures, and how much."""
+        of = ~np.isnan(self.volumetric_efficiency[design])
+        chambers = [name for name, is_one in zip(names["chamber"], of, strict=True) if is_one]
+        said = _("Compressor from {suction} to {discharge}; it takes in {part} of the swept volume.")
+        return said.format(
+            suction=shared(chambers, self.suction_line_pressure[design, of], "bar"),
+            discharge=shared(chambers, self.discharge_line_pressure[design, of], "bar"),
+            part=shared(chambers, self.volumetric_efficiency[design, of], "%"),
+        )
+
+
+def has_compressors(gas: DeclaredGas) -> bool:
+    """Say whether any chamber is a compressor's."""
+    return any(table.fluid.name == "compressor" for table in gas.tables)
+
+
+def compressor_capacity(gas: GasInChambers) -> CompressorCapacity:
+    """Capacity by the exponent of re-expansion; docs/theory/gas, eqs. (14.18) and (14.20)."""
+    shape = gas.firing.shape[:2]
+    found = {name: np.full(shape, np.nan) for name in ("suction", "discharge", "part", "temperature")}
+    flags: list[str] = []
+    for one in compressors(gas):
+        compressor, limits = one.ready, one.rooms.limits
+        of_chamber = {
+            "suction": compressor.line_pressure,
+            "discharge": compressor.discharge_line,
+            "part": capacity(compressor, limits),
+            "temperature": compressor.temperature * suction_heating(compressor, limits),
+        }
+        for name, values in of_chamber.items():
+            found[name][:, one.places] = np.broadcast_to(values, one.rooms.limits.largest.shape)[..., 0]
+        flags += _flags(gas, one, of_chamber["part"])
+    return CompressorCapacity(
+        suction_line_pressure=found["suction"],
+        discharge_line_pressure=found["discharge"],
+        volumetric_efficiency=found["part"],
+        suction_end_temperature=found["temperature"],
+        flags=tuple(flags),
+    )
+
+
+def compressors(gas: GasInChambers) -> list[Filling]:
+    """Fillings whose fluid is a compressor."""
+    return [one for one in gas.fillings if isinstance(one.ready, Compressor)]
+
+
+def _flags(gas: GasInChambers, one: Filling, part: Array) -> list[str]:
+    """Flag chambers that deliver nothing, and exponents with which no cycle is steady."""
+    idle = one.places[np.any(part[..., 0] == 0.0, axis=0)].tolist()
+    unsteady = one.places[np.any(~steady_exponents(one.ready, one.rooms.limits)[..., 0], axis=0)].tolist()
+    said = {
+        _("The discharge valve of {chambers} stays shut: the clearance takes up all that is compressed."): idle,
+        _("No cycle of {chambers} is steady with two exponents: expansion_exponent is taken as the other."): unsteady,
+    }
+    return [text.format(chambers=ranged(gas.chambers.names, places)) for text, places in said.items() if places]
+
+
+@record
+class CompressorFlow:
+    """What the compressors of a machine move at the mean speed."""
+
+    inlet_flow: Array = quantity(
+        "Q_s", "m^3/s", _CHAMBER, N_("Volume taken in, as the gas is in the line it comes from"), _THEORY
+    )
+
+    def answer(self, names: Names, design: int) -> str:
+        """Say the flow at the inlet of each stage."""
+        of = ~np.isnan(self.inlet_flow[design])
+        chambers = [name for name, is_one in zip(names["chamber"], of, strict=True) if is_one]
+        return _("Flow at its inlet's state {flow}.").format(flow=shared(chambers, self.inlet_flow[design, of], "m³/h"))
+
+
+def compressor_flow(gas: GasInChambers, capacities: CompressorCapacity, speed: Speed) -> CompressorFlow:
+    """Volume as it is in the line: with a loss δ, λ_v (1 − δ) of the swept volume a turn."""
+    flow = np.full(gas.firing.shape[:2], np.nan)
+    for one in compressors(gas):
+        swept = one.rooms.limits.largest - one.rooms.limits.smallest
+        thinner = one.ready.suction_pressure / one.ready.line_pressure
+        taken = capacities.volumetric_efficiency[:, one.places, np.newaxis] * swept * thinner
+        flow[:, one.places] = (taken * speed.mean / TURN)[..., 0]
+    return CompressorFlow(flow)

@@ -1,0 +1,60 @@
+"""What becomes of the heat that comes in by Wiebe's law."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from cranktrain.catalogue import quantity
+from cranktrain.fluids.wiebe.chamber import BurningChambers
+from cranktrain.language import N_, _
+from cranktrain.motion import Array
+from cranktrain.questions.gas.chambers import GasInChambers
+from cranktrain.questions.gas.declared import DeclaredGas
+from cranktrain.record import record
+from cranktrain.wording import Names, shared
+
+_CHAMBER = ("chamber",)
+_THEORY = "docs/theory/gas"
+
+
+@record
+class HeatBalance:
+    """Heat of each chamber over a cycle; NaN of chambers with another gas."""
+
+    released_heat: Array = quantity("Q_b", "J", _CHAMBER, N_("Heat that comes in over a cycle"), _THEORY)
+    wall_loss: Array = quantity("Q_w", "J", _CHAMBER, N_("Heat that the walls take in the working turn"), _THEORY)
+    working_turn_efficiency: Array = quantity(
+        "η_i", "1", _CHAMBER, N_("Work of the gas in the working turn over the heat that comes in"), _THEORY
+    )
+
+    def answer(self, names: Names, design: int) -> str:
+        """Say the heat, what is made of it, and what the walls take."""
+        of = ~np.isnan(self.released_heat[design])
+        chambers = [name for name, is_one in zip(names["chamber"], of, strict=True) if is_one]
+        said = _("Heat {heat} a cycle, of which {part} becomes work of the gas; the walls take {loss}.")
+        return said.format(
+            heat=shared(chambers, self.released_heat[design, of], "J"),
+            part=shared(chambers, self.working_turn_efficiency[design, of], "%"),
+            loss=shared(chambers, self.wall_loss[design, of], "J"),
+        )
+
+
+def has_heat(gas: DeclaredGas) -> bool:
+    """Say whether heat comes in by Wiebe's law in any chamber."""
+    return any(table.fluid.name == "wiebe" for table in gas.tables)
+
+
+def heat_balance(gas: GasInChambers) -> HeatBalance:
+    """Heat, loss and work of the working turn; docs/theory/gas, eq. (14.21)."""
+    heat, loss, work = np.full((3, *gas.firing.shape[:2]), np.nan)
+    for places, burning in _burning(gas):
+        for whole, own in ((heat, burning.heat), (loss, burning.loss), (work, burning.work)):
+            whole[:, places] = own[..., 0]
+    return HeatBalance(released_heat=heat, wall_loss=loss, working_turn_efficiency=work / heat)
+
+
+def _burning(gas: GasInChambers) -> Iterator[tuple[Array, BurningChambers]]:
+    """Chambers in which heat comes in."""
+    for one in gas.fillings:
+        if isinstance(one.ready, BurningChambers):
+            yield one.places, one.ready
