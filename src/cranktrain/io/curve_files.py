@@ -1,7 +1,7 @@
 """Files of curves beside a machine file, such as indicator diagrams: found, decoded, put into the machine's tables."""
 
 import codecs
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import cast
@@ -12,6 +12,7 @@ from cranktrain.io.files import Wanted, content_of, refusal
 from cranktrain.language import _
 from cranktrain.layout.parts import FILES
 from cranktrain.layout.question import TableFile
+from cranktrain.paths import path_text, value_at
 
 LARGEST_FILE = 16 * 2**20
 """Bytes; a cycle in steps of 0.1° has some 200 000."""
@@ -80,11 +81,20 @@ def with_curves(data: Mapping[str, object], folder: Path) -> tuple[dict[str, obj
     found: list[Problem] = []
     filled = dict(data)
     for curve in CURVE_FILES:
-        try:
-            filled = _filled(filled, curve.table, curve, folder)
-        except InputError as error:
-            found += error.problems
+        for path in _paths(data, curve):
+            try:
+                filled = _filled(filled, path, curve, folder)
+            except InputError as error:
+                found += [replace(one, path=path_text((*path, "file"))) for one in error.problems]
     return filled, tuple(found)
+
+
+def _paths(data: Mapping[str, object], curve: TableFile) -> Iterator[tuple[str, ...]]:
+    """Where such tables may stand: at their path, or, of those told by their kind, below it by name."""
+    yield curve.table
+    table = value_at(data, path_text(curve.table))
+    if curve.kind is not None and isinstance(table, Mapping) and "kind" not in table:
+        yield from ((*curve.table, name) for name in cast(Mapping[str, object], table))
 
 
 def _filled(data: Mapping[str, object], below: tuple[str, ...], curve: TableFile, folder: Path) -> dict[str, object]:
@@ -100,5 +110,4 @@ def _filled(data: Mapping[str, object], below: tuple[str, ...], curve: TableFile
     try:
         return {**data, "text": curve_text(folder / file, file, curve.noun)}
     except InputError as error:
-        path = ".".join((*curve.table, "file"))
-        raise InputError(replace(problem, path=path, given=file, position=None) for problem in error.problems) from None
+        raise InputError(replace(problem, given=file, position=None) for problem in error.problems) from None
