@@ -5,7 +5,7 @@ import numpy as np
 from comparison import Comparison
 
 from cranktrain.analysis import STAGES
-from cranktrain.analysis.parts import parts_of
+from cranktrain.analysis.parts import designs_of, parts_of
 from cranktrain.analysis.stages import run_stages
 from cranktrain.io.machine_file import load
 
@@ -51,7 +51,8 @@ def in_turn(stages):
 
 def ready_stages(example):
     """Stages of an example by name, without arguments: what they need is there."""
-    parts = parts_of((load(example),), step=np.radians(1.0))
+    machine = load(example)
+    parts = parts_of(designs_of((machine,)), machine.cycle, step=np.radians(1.0))
     outcomes, _missing = run_stages(STAGES, dict(parts))
     known = {**parts, **outcomes}
 

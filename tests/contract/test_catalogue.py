@@ -178,9 +178,9 @@ def test_stages_can_be_declared_in_any_order(seed):
 
 
 def test_results_come_in_the_order_of_the_declaration():
-    from cranktrain.analysis.parts import parts_of
+    from cranktrain.analysis.parts import designs_of, parts_of
 
-    parts = parts_of([ct.Machine(**V12)], step=np.radians(10))
+    parts = parts_of(designs_of([ct.Machine(**V12)]), 4 * np.pi, step=np.radians(10))
     forward, _missing = run_stages(STAGES, parts)
     backward, _missing = run_stages(STAGES[::-1], parts)
     assert list(backward) == list(forward)[::-1]

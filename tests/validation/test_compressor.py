@@ -132,7 +132,16 @@ def test_two_stages_in_one_file_are_two_machines_put_together():
     low = ct.run(machine(bores, throws[:1], common | first | {"discharge_pressure": line}, ["low"]))
     high = ct.run(machine(bores, throws, common | last | {"suction_pressure": line}, ["high"]))
     alone = (low, high)
-    for name in ("indicated_work", "gas_pressure", "gas_force", "piston_force", "side_force", "rod_force_at_crank_pin", "joint_force_x", "joint_force_y"):
+    for name in (
+        "indicated_work",
+        "gas_pressure",
+        "gas_force",
+        "piston_force",
+        "side_force",
+        "rod_force_at_crank_pin",
+        "joint_force_x",
+        "joint_force_y",
+    ):
         parts = [getattr(one, name) for one in alone]
         put_together = np.concatenate(parts, axis=max(-2, -parts[0].ndim))
         np.testing.assert_allclose(getattr(both, name), put_together, rtol=0, atol=1e-12 * np.max(np.abs(put_together)))

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import cranktrain as ct
-from cranktrain.analysis.parts import parts_of
+from cranktrain.analysis.parts import designs_of, parts_of
 from cranktrain.analysis.stages import STAGES, run_stages
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.speed import Speed
@@ -115,7 +115,7 @@ def whole_machine(torque, speed, **evenness: Any) -> dict[type, Any]:
         masses={"piston": {"mass": "9 kg"}},
         evenness=evenness,
     )
-    parts = parts_of([machine], step=np.radians(0.5))
+    parts = parts_of(designs_of([machine]), machine.cycle, step=np.radians(0.5))
     known: dict[type, Any] = {**parts, **run_stages(STAGES, parts)[0]}
     torques = known[MechanismTorques]
     square = known[Speed].value[0] ** 2

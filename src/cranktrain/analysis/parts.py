@@ -15,36 +15,48 @@ from cranktrain.quantities import Given
 from cranktrain.spec import Spec
 
 
-def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False) -> Parts:
+def parts_of(designs: Sequence[Design], cycle: float, *, step: float) -> Parts:
     """Lay out designs of one machine.
 
     Parameters
     ----------
-    machines : sequence of Machine
-        The same mechanisms in the same places; only numbers differ.
+    designs : sequence of Design
+    cycle : float
+        [rad]
     step : float
         Of the crank-angle grid, a whole part of the cycle. [rad]
-    partial : bool
-        Accept links that cannot close over the whole turn: NaN there.
 
     Returns
     -------
     Parts
         By type: those of the layout, then those of every question; what the machines do not declare is left out.
+    """
+    laid = laid_out(designs, cycle=cycle, step=step)
+    parts: Parts = {type(part): part for part in layout_parts(laid) if part is not None}
+    for question in QUESTIONS:
+        parts |= {type(part): part for part in question.parts(laid, parts) if part is not None}
+    return parts
+
+
+def designs_of(machines: Sequence[Machine], *, partial: bool = False) -> list[Design]:
+    """Arrange every design.
+
+    Parameters
+    ----------
+    machines : sequence of Machine
+        The same mechanisms in the same places; only numbers differ.
+    partial : bool
+        Accept links that cannot close over the whole turn: NaN there.
+
+    Returns
+    -------
+    list of Design
 
     Raises
     ------
     InputError
+        With everything that is wrong with any of them.
     """
-    designs = laid_out(_designs(machines, partial=partial), cycle=machines[0].cycle, step=step)
-    parts: Parts = {type(part): part for part in layout_parts(designs) if part is not None}
-    for question in QUESTIONS:
-        parts |= {type(part): part for part in question.parts(designs, parts) if part is not None}
-    return parts
-
-
-def _designs(machines: Sequence[Machine], *, partial: bool) -> list[Design]:
-    """Arrange every design; everything that is wrong with any of them is told at once."""
     found: list[Problem] = list(_differences(machines))
     for machine in machines:
         found += machine_problems(machine, partial=partial)

@@ -1,12 +1,14 @@
 """From a machine to its result: layout, then every stage that the machine allows."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
+from cranktrain.analysis.blocks import MOST_AT_ONCE, block_sizes, is_told, joined
 from cranktrain.analysis.grids import FACTS_STEP, coarse_curves, has_curves, on_grid, with_curves
-from cranktrain.analysis.parts import parts_of
+from cranktrain.analysis.parts import designs_of, parts_of
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.second_run import SpeedWanted, with_speed
 from cranktrain.analysis.stages import STAGES, lacking, leading_to, run_stages
@@ -15,11 +17,14 @@ from cranktrain.catalogue import entries
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.design import Design
 from cranktrain.layout.question import Parts, Stage
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 
 _FINEST, _COARSEST = 0.01, 90.0
+_BY_DESIGN = 2
+"""Axes of a speed of one's own that differs among designs."""
 _ONE_STEP = 1e-12
 """Steps that differ by less are one. [rad]"""
 
@@ -71,10 +76,43 @@ def run(
     if not machines:
         raise InputError([Problem("", None, _("there must be at least one machine"))])
     step = _step(step_degrees)
-    declared = parts_of(machines, step=FACTS_STEP, partial=partial)
-    parts = with_speed(declared, speed, stages, step)
-    names = (quantities,) if isinstance(quantities, str) else quantities
-    chosen = stages if names is None else _needed(stages, tuple(names))
+    designs = designs_of(machines, partial=partial)
+    asked = (quantities,) if isinstance(quantities, str) else quantities
+    names = None if asked is None else frozenset(asked)
+    chosen = stages if names is None else _needed(stages, sorted(names))
+    if len(machines) <= MOST_AT_ONCE or isinstance(speed, SpeedCurve):
+        return _run(machines, designs, speed, step, stages, chosen, has_designs=not isinstance(machine, Machine))
+    sizes = block_sizes(len(machines))
+    ends = np.cumsum(sizes).tolist()
+    own = np.asarray(speed)
+    each: list[Result] = []
+    for start, end in zip([0, *ends], ends, strict=False):
+        of_block = own[start:end] if own.ndim == _BY_DESIGN else speed
+        block = _run(machines[start:end], designs[start:end], of_block, step, stages, chosen, has_designs=True)
+        kept = tuple(outcome for outcome in block.outcomes if is_told(outcome, names))
+        each.append(replace(block, outcomes=kept))
+    first = each[0]
+    return replace(
+        first,
+        machines=machines,
+        labels={**first.labels, "design": _numbered(machines)},
+        outcomes=tuple(joined(parts, sizes) for parts in zip(*(block.outcomes for block in each), strict=True)),
+        coarse=tuple(dict.fromkeys(said for block in each for said in block.coarse)),
+    )
+
+
+def _run(
+    machines: tuple[Machine, ...],
+    designs: Sequence[Design],
+    speed: SpeedWanted,
+    step: float,
+    stages: Sequence[Stage],
+    chosen: Sequence[Stage],
+    *,
+    has_designs: bool,
+) -> Result:
+    """Compute all designs at once."""
+    parts = with_speed(parts_of(designs, machines[0].cycle, step=FACTS_STEP), speed, stages, step)
     outcomes, missing = run_stages(chosen, parts)
     # Curves want points as close as facts, or closer: of these a coarser step takes some.
     n_between = int(np.ceil(step / FACTS_STEP - _ONE_STEP))
@@ -87,7 +125,7 @@ def run(
     shown = with_curves(outcomes, curves, n_between)
     return Result(
         machines=machines,
-        has_designs=not isinstance(machine, Machine),
+        has_designs=has_designs,
         grid=grid,
         coarse=coarse_curves(outcomes, shown, grid.shown),
         labels=_labels(parts, machines, shown),
@@ -120,7 +158,8 @@ def speed_over_cycle(machine: Machine, speed: SpeedWanted) -> SpeedCurve | None:
         return speed
     if isinstance(speed, str) and speed == "constant" and not machine.main_shaft.turns_unevenly:
         return None
-    parts = with_speed(parts_of((machine,), step=FACTS_STEP), speed, STAGES, FACTS_STEP)
+    declared = parts_of(designs_of((machine,)), machine.cycle, step=FACTS_STEP)
+    parts = with_speed(declared, speed, STAGES, FACTS_STEP)
     return _part(parts, SpeedCurve)
 
 
@@ -160,9 +199,14 @@ def _part(parts: Parts, kind: type[Any]) -> Any:
     return parts[kind]
 
 
+def _numbered(machines: Sequence[Machine]) -> tuple[str, ...]:
+    """Names of designs."""
+    return tuple(str(i + 1) for i in range(len(machines)))
+
+
 def _labels(parts: Parts, machines: Sequence[Machine], outcomes: Mapping[type, object]) -> dict[str, tuple[str, ...]]:
     """Names along each dimension, as parts and results have them."""
-    labels: dict[str, tuple[str, ...]] = {"design": tuple(str(i + 1) for i in range(len(machines)))}
+    labels: dict[str, tuple[str, ...]] = {"design": _numbered(machines)}
     for one in (*parts.values(), *outcomes.values()):
         labels |= getattr(one, "labels", {})
     return labels
