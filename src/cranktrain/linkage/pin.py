@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.linkage.point import fixed
-from cranktrain.linkage.vectors import Vector, between, carried, cross, dot, moving_between, rotated
+from cranktrain.linkage.vectors import Vector, between, cross, dot, moving_between, rotated
 from cranktrain.motion import Array, Coefficient, Link, Point
 
 
@@ -81,8 +81,14 @@ def pin(ends: Ends, geometry: Pin) -> PinMotion:
     nearly in line; turn and stretch apart keep those of θ″ where the whole turns nearly as one body (a drag link).
     """
     q, t, rod, rocker = _vectors_and_angles(line_between(ends), geometry)
+    v, a = _swept(q, rod)
+    x = ends.rod.x
+    y = ends.rod.y
     return PinMotion(
-        carried(ends.rod, q, rod),
+        Point(
+            Coefficient(x.value + q.x, x.first + v.x, x.second + a.x),
+            Coefficient(y.value + q.y, y.first + v.y, y.second + a.y),
+        ),
         Link(ends.rod, rod, q.x / geometry.rod_length, q.y / geometry.rod_length),
         Link(ends.rocker, rocker, t.x / geometry.rocker_length, t.y / geometry.rocker_length),
     )
@@ -108,15 +114,9 @@ def pin_from_crank(driver: CrankAndGround, geometry: Pin) -> PinMotion:
     crank_pin = driver.pin
     q, t, rod, rocker = _vectors_and_angles(line_from_crank(driver), geometry)
     pivot = fixed(driver.ground_length, 0.0 * driver.ground_length)
-    minus_ty = -t.y
-    x1 = minus_ty * rocker.first
-    y1 = t.x * rocker.first
-    joint = Point(
-        Coefficient(crank_pin.x.value + q.x, x1, minus_ty * rocker.second - y1 * rocker.first),
-        Coefficient(t.y, y1, t.x * rocker.second + x1 * rocker.first),
-    )
+    v, a = _swept(t, rocker)
     return PinMotion(
-        joint,
+        Point(Coefficient(crank_pin.x.value + q.x, v.x, a.x), Coefficient(t.y, v.y, a.y)),
         Link(crank_pin, rod, q.x / geometry.rod_length, q.y / geometry.rod_length),
         Link(pivot, rocker, t.x / geometry.rocker_length, t.y / geometry.rocker_length),
     )
@@ -172,6 +172,13 @@ def _vectors_and_angles(line: Line, geometry: Pin) -> tuple[Vector, Vector, Coef
     spread = (bend - rod_swing * rocker_swing) * per_area
     rod = Coefficient(np.arctan2(q.y, q.x), rod_turn, common + spread * behind)
     return q, t, rod, Coefficient(np.arctan2(t.y, t.x), rocker_turn, common + spread * ahead)
+
+
+def _swept(arm: Vector, angle: Coefficient) -> tuple[Vector, Vector]:
+    """Derivatives of an arm that turns, θ′ρ⊥ and θ″ρ⊥ − θ′²ρ."""
+    turn = angle.first
+    v = Vector(-arm.y * turn, arm.x * turn)
+    return v, Vector(-(arm.y * angle.second + v.y * turn), arm.x * angle.second + v.x * turn)
 
 
 def pin_gap(ends: Ends, geometry: Pin) -> Array:
