@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import minimize
+from tests.vectors_by_order import largest_length, turned_vectors
 
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
@@ -14,11 +15,9 @@ from cranktrain.numerics.plane_vectors import (
     added,
     curve_vectors,
     hodograph,
-    largest_length,
     machine_axes,
     reversed_vectors,
     running_axes,
-    turned_vectors,
     vector_curve,
 )
 from cranktrain.questions.balance.change import balance_change, gross_shaking, remainders, with_weights
