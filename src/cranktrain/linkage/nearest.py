@@ -54,12 +54,12 @@ def nearest_pose(ends: TriadEnds, geometry: Triad, start: Pose) -> NearestPose:
     shape = np.broadcast_shapes(*map(np.shape, numbers))
     pose = np.stack([np.broadcast_to(part, shape) for part in start])
     here = _openings(ends, geometry, pose)
-    square = np.sum(here.opening**2, axis=0)
+    square: Array = np.sum(here.opening**2, axis=0)
     damping = _FIRST_DAMPING + 0.0 * square
     for _ in range(_STEPS):
         step = _step(here, damping, size)
         there = _openings(ends, geometry, pose - step)
-        square_there = np.sum(there.opening**2, axis=0)
+        square_there: Array = np.sum(there.opening**2, axis=0)
         is_less = square_there < square
         pose = np.where(is_less, pose - step, pose)
         here = _Openings(*(np.where(is_less, *parts) for parts in zip(there, here, strict=True)))

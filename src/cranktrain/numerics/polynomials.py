@@ -10,8 +10,10 @@ def polynomial(powers: Array, x: Array) -> Coefficient:
 
     Examples
     --------
-    >>> polynomial(np.array([1.0, 2.0, 3.0]), np.array(10.0))
-    Coefficient(value=array(321.), first=array(62.), second=array(6.))
+    1 + 2x + 3x² at 10:
+
+    >>> [float(part) for part in polynomial(np.array([1.0, 2.0, 3.0]), np.array(10.0))]
+    [321.0, 62.0, 6.0]
     """
     *others, value = powers
     first = half_second = np.zeros_like(value)

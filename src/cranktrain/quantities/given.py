@@ -2,7 +2,7 @@
 
 import operator
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal, TypeAlias, cast, get_args
 
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
@@ -90,7 +90,7 @@ class Quantity:
                 raise QuantityError(None, _("is missing; {expected}").format(expected=expected(self.dimension)))
             read = self._in_range(table["value"])
         except QuantityError as error:
-            problems.insert(0, Problem("value", error.given, error.allowed, error.repair))
+            problems.insert(0, replace(error.problems[0], path="value"))
         if read is None or problems:
             raise InputError(problems)
         about = cast("dict[str, Any]", {key: table[key] for key in _KEYS[1:] if key in table})
