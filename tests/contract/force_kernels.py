@@ -261,8 +261,11 @@ EXAMPLES = {
         Turning(size(0.7), size(0.1)),
         crossing_friction(size),
     ),
-    "forces.dragged": lambda angle, size, side: (size(3.0), friction(size)),
     "forces.edge_forces": lambda angle, size, side: (size(3.0), size(0.7), size(5.0), size(0.02)),
+    "forces.friction_force": lambda angle, size, side: (
+        Guided(size(-3.0), size(0.7), size(0.4), size(0.1)),
+        friction(size),
+    ),
     "forces.handed_back": lambda angle, size, side: (
         group(angle, size, side).rod,
         point(group(angle, size, side).rod, LinkPoint(size(0.2), size(0.7))),
@@ -287,10 +290,6 @@ EXAMPLES = {
         rod_and_rocker(angle, size, side),
         Pin(size(1.0), size(0.8), side),
         PinLoads(wrench(size), wrench(size)),
-    ),
-    "forces.pressing": lambda angle, size, side: (
-        Guided(size(-3.0), size(0.7), size(0.4), size(0.1)),
-        friction(size),
     ),
     "forces.plus": lambda angle, size, side: (wrench(size), size(2.0), moving_wrench(angle, size)),
     "forces.reactions_of": lambda angle, size, side: (

@@ -166,6 +166,5 @@ def _table_problems(table: Mapping[str, object]) -> Iterator[Problem]:
 def _in_file(given: Given) -> object:
     """Write a quantity as a machine file holds it: text or plain number, or a table with where it is from."""
     value = next((number for number in (int(given.si), given.si) if str(number) == given.text), given.text)
-    about = {"status": given.status, "note": given.note, "source": given.source}
-    known = {key: word for key, word in about.items() if word is not None}
-    return {"value": value, **known} if known else value
+    about = {key: getattr(given, key) for key in _KEYS[1:] if getattr(given, key) is not None}
+    return {"value": value, **about} if about else value

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from cranktrain.linkage.forces.conditions import Friction
-from cranktrain.linkage.forces.guide import Guided, dragged, pressing
+from cranktrain.linkage.forces.guide import Guided, friction_force
 from cranktrain.linkage.forces.wrench import Wrench
 from cranktrain.linkage.legs import OnLine
 from cranktrain.linkage.swivel import Swivel
@@ -60,7 +60,7 @@ def swivel_reactions(held: OnLine, geometry: Swivel, loads: SwivelLoads, frictio
     reach = dot(direction(guide), between(guide.origin, pin))
     frictionless = -(loads.guide.moment + loads.slider.moment) / reach
     lever = -geometry.offset / reach
-    on_slider = dragged(pressing(Guided(frictionless, loads.slider.moment, lever, ZERO), friction), friction)
+    on_slider = friction_force(Guided(frictionless, loads.slider.moment, lever, ZERO), friction)
     normal = frictionless + lever * on_slider
     force = rotated(Vector(-on_slider, normal), guide.cos, guide.sin)
     zero = 0.0 * force.x
