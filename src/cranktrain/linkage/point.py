@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.linkage.vectors import Vector, carried, rotated
+from cranktrain.linkage.vectors import Vector, rotated, swept
 from cranktrain.motion import Array, Coefficient, Link, Point
 
 
@@ -31,7 +31,11 @@ def point(link: Link, geometry: LinkPoint) -> Point:
     -----
     p = o + ρ, ρ = r(cos(θ + ζ), sin(θ + ζ)); p′ = o′ + θ′ρ⊥, p″ = o″ + θ″ρ⊥ − θ′²ρ. Exact; docs/theory/groups.
     """
-    return carried(link.origin, arm_of(link, geometry), link.angle)
+    arm = arm_of(link, geometry)
+    x = link.origin.x
+    y = link.origin.y
+    v, a = swept(link.origin, arm, link.angle)
+    return Point(Coefficient(x.value + arm.x, v.x, a.x), Coefficient(y.value + arm.y, v.y, a.y))
 
 
 def arm_of(link: Link, geometry: LinkPoint) -> Vector:

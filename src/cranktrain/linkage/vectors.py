@@ -80,19 +80,19 @@ def moving_between(start: Point, end: Point) -> MovingVector:
     )
 
 
-def carried(origin: Point, arm: Vector, angle: Coefficient) -> Point:
-    """Point at an arm that turns about a moving point.
+def swept(origin: Point, arm: Vector, angle: Coefficient) -> tuple[Vector, Vector]:
+    """First and second derivatives by the crank angle of a point at an arm that turns about a moving point.
 
     Notes
     -----
-    p = o + ρ; p′ = o′ + θ′ρ⊥, p″ = o″ + θ″ρ⊥ − θ′²ρ. Exact; docs/theory/groups.
+    p′ = o′ + θ′ρ⊥, p″ = o″ + θ″ρ⊥ − θ′²ρ. Exact; docs/theory/groups.
     """
     turn = angle.first
     rate = angle.second
     square = turn * turn
     x = origin.x
     y = origin.y
-    return Point(
-        Coefficient(x.value + arm.x, x.first - arm.y * turn, x.second - (arm.y * rate + arm.x * square)),
-        Coefficient(y.value + arm.y, y.first + arm.x * turn, y.second + (arm.x * rate - arm.y * square)),
+    return (
+        Vector(x.first - arm.y * turn, y.first + arm.x * turn),
+        Vector(x.second - (arm.y * rate + arm.x * square), y.second + (arm.x * rate - arm.y * square)),
     )

@@ -3,8 +3,8 @@
 from typing import NamedTuple
 
 from cranktrain.linkage.forces.wrench import Wrench, work
-from cranktrain.linkage.vectors import Vector, carried, cross, rotated
-from cranktrain.motion import ZERO, Array, Coefficient, Link, Point
+from cranktrain.linkage.vectors import Vector, cross, dot, rotated, swept
+from cranktrain.motion import ZERO, Array, Link
 
 
 class Body(NamedTuple):
@@ -63,10 +63,6 @@ def _arm(link: Link, body: Body) -> Vector:
     return rotated(Vector(body.along, body.across), link.cos, link.sin)
 
 
-def _centroid(link: Link, body: Body) -> Point:
-    return carried(link.origin, _arm(link, body), link.angle)
-
-
 def applied(link: Link, body: Body, drive: Drive, gravity: Gravity) -> Wrench:
     """Weight less inertia of a link: what it adds to the loads on itself.
 
@@ -93,16 +89,14 @@ def applied(link: Link, body: Body, drive: Drive, gravity: Gravity) -> Wrench:
     600.0
     """
     arm = _arm(link, body)
-    centroid = carried(link.origin, arm, link.angle)
+    v, a = swept(link.origin, arm, link.angle)
+    square = drive.speed * drive.speed
     force = Vector(
-        body.mass * (gravity.x - _acceleration(centroid.x, drive)),
-        body.mass * (gravity.y - _acceleration(centroid.y, drive)),
+        body.mass * (gravity.x - (a.x * square + v.x * drive.acceleration)),
+        body.mass * (gravity.y - (a.y * square + v.y * drive.acceleration)),
     )
-    return Wrench(force.x, force.y, cross(arm, force) - body.inertia * _acceleration(link.angle, drive))
-
-
-def _acceleration(coordinate: Coefficient, drive: Drive) -> Array:
-    return coordinate.second * (drive.speed * drive.speed) + coordinate.first * drive.acceleration
+    turning = link.angle.second * square + link.angle.first * drive.acceleration
+    return Wrench(force.x, force.y, cross(arm, force) - body.inertia * turning)
 
 
 def weight(link: Link, body: Body, gravity: Gravity) -> Wrench:
@@ -125,10 +119,11 @@ def momentum(link: Link, body: Body) -> Momentum:
     Momentum, shape (..., n)
         m r′, and r × m r′ + Iθ′. docs/theory/balance, eqs. (16.15) and (16.16).
     """
-    x, y = _centroid(link, body)
-    of_mass = Vector(body.mass * x.first, body.mass * y.first)
-    moment = cross(Vector(x.value, y.value), of_mass) + body.inertia * link.angle.first
-    return Momentum(of_mass.x, of_mass.y, moment)
+    arm = _arm(link, body)
+    v, _ = swept(link.origin, arm, link.angle)
+    place = Vector(link.origin.x.value + arm.x, link.origin.y.value + arm.y)
+    of_mass = Vector(body.mass * v.x, body.mass * v.y)
+    return Momentum(of_mass.x, of_mass.y, cross(place, of_mass) + body.inertia * link.angle.first)
 
 
 def reduced_inertia(link: Link, body: Body) -> ReducedInertia:
@@ -144,13 +139,11 @@ def reduced_inertia(link: Link, body: Body) -> ReducedInertia:
     ReducedInertia, shape (..., n)
         J = m r′·r′ + Iθ′², J′ = 2(m r′·r″ + Iθ′θ″). docs/theory/forces, eq. (13.4).
     """
-    x, y = _centroid(link, body)
+    v, a = swept(link.origin, _arm(link, body), link.angle)
     turn = link.angle.first
-    square = x.first * x.first + y.first * y.first
-    half = x.first * x.second + y.first * y.second
     return ReducedInertia(
-        body.mass * square + body.inertia * (turn * turn),
-        2.0 * (body.mass * half + body.inertia * (turn * link.angle.second)),
+        body.mass * dot(v, v) + body.inertia * (turn * turn),
+        2.0 * (body.mass * dot(v, a) + body.inertia * (turn * link.angle.second)),
     )
 
 
