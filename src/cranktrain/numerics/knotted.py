@@ -1,5 +1,6 @@
 """Curves of polynomials between points wherever they stand round a period; of them the periodic cubic spline."""
 
+from functools import partial
 from typing import NamedTuple, cast
 
 import numpy as np
@@ -42,10 +43,7 @@ def knotted_motion(knotted: Knotted, angle: Array) -> Coefficient:
 
 def knotted_curve(knotted: Knotted, n_points: int, cycle: float) -> PeriodicCurve:
     """Curve with samples at equal steps over a cycle [rad], into which the period goes."""
-
-    def motion(angle: Array) -> Coefficient:
-        return knotted_motion(knotted, angle)
-
+    motion = partial(knotted_motion, knotted)
     return PeriodicCurve(cycle, motion(cycle_grid(n_points, cycle)).value, motion)
 
 
