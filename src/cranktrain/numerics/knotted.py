@@ -1,4 +1,4 @@
-"""Curves of polynomials between points wherever they stand round a period; of them the periodic cubic spline."""
+"""Curves of cubics between points wherever they stand round a period; of them the periodic cubic spline."""
 
 from functools import partial
 from typing import NamedTuple, cast
@@ -8,19 +8,18 @@ from numpy.typing import NDArray
 
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics.periodic import PeriodicCurve, cycle_grid
-from cranktrain.numerics.polynomials import polynomial
 from cranktrain.numerics.spline import periodic_slopes
 
 
 class Knotted(NamedTuple):
-    """Polynomials from point to point round a period.
+    """Cubics from point to point round a period.
 
     Attributes
     ----------
     places : Array, shape (n,)
         Of the points, rising within one period. [rad]
-    powers : Array, shape (power, n)
-        Coefficients of the polynomial behind each point, by powers of the distance from there.
+    powers : Array, shape (4, n)
+        Coefficients of the cubic behind each point, by powers of the distance from there.
     period : float
         After which the first point follows the last. [rad]
     """
@@ -38,7 +37,9 @@ def knotted_motion(knotted: Knotted, angle: Array) -> Coefficient:
     # Of an angle that is NaN any piece will do, as its distance is NaN.
     found = cast("NDArray[np.intp]", np.searchsorted(starts, beyond, side="right")) - 1
     piece: NDArray[np.intp] = np.clip(found, 0, len(places) - 1)
-    return polynomial(powers[:, piece], beyond - starts[piece])
+    x = beyond - starts[piece]
+    a, b, c, d = powers[:, piece]
+    return Coefficient(a + x * (b + x * (c + x * d)), b + x * (2 * c + 3 * x * d), 2 * c + 6 * x * d)
 
 
 def knotted_curve(knotted: Knotted, n_points: int, cycle: float) -> PeriodicCurve:

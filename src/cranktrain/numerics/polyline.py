@@ -64,8 +64,8 @@ def polyline_integral(polyline: Polyline, n_points: int, cycle: float) -> Period
     """
     level = polyline._replace(values=polyline.values - polyline_mean(polyline))
     areas = _areas(level)
-    values, slopes = _lines(level).powers
-    parabolas = Knotted(level.angles, np.stack([np.cumsum(areas) - areas, values, slopes / 2]), level.period)
+    values, slopes, zero, _ = _lines(level).powers
+    parabolas = Knotted(level.angles, np.stack([np.cumsum(areas) - areas, values, slopes / 2, zero]), level.period)
     whole = knotted_curve(parabolas, n_points, cycle)
     return plus(whole, -whole.value(np.zeros(())))
 
@@ -81,4 +81,5 @@ def _areas(polyline: Polyline) -> Array:
 
 def _lines(polyline: Polyline) -> Knotted:
     angles, values, period = polyline
-    return Knotted(angles, np.stack([values, np.diff(values, append=values[0]) / _steps(polyline)]), period)
+    slopes, zero = np.diff(values, append=values[0]) / _steps(polyline), np.zeros_like(values)
+    return Knotted(angles, np.stack([values, slopes, zero, zero]), period)
