@@ -82,10 +82,14 @@ class Page:
         self.paper.set(xlim=(0.0, width), ylim=(0.0, height))
         self.paper.set_axis_off()
 
-    def axes(self, left: float, bottom: float, width: float, height: float) -> Axes:
-        """Give axes for curves at a place on the sheet. [mm]"""
-        box = (left / self.width, bottom / self.height, width / self.width, height / self.height)
-        return self.figure.add_axes(box)
+    def axes(self, room: Box) -> Axes:
+        """Give axes for curves in a room on the sheet."""
+        left, bottom, width, height = room
+        return self.figure.add_axes((left / self.width, bottom / self.height, width / self.width, height / self.height))
+
+    def place_of(self, axes: Axes, points: Array) -> Array:
+        """Where points of axes lie on the sheet, shape (2, n). [mm]"""
+        return axes.transData.transform(points.T).T / self.figure.dpi * _INCH
 
     def text(self, x: float, y: float, words: str, **manner: Any) -> Text:
         """Write words at a place; left and on the line unless said otherwise."""

@@ -12,7 +12,7 @@ from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.page import LINE, MARGIN, Box, Figure, Page, drawing_settings, mathematics
-from cranktrain.viz.paper.panels import FORCES, draw_curves, draw_panels, prepare
+from cranktrain.viz.paper.panels import FORCES, axes_in, draw_curves, draw_panels
 from cranktrain.viz.paper.style import TEXT
 from cranktrain.viz.sheets.forces.panels import force_panels, formula_error, has_forces, is_off
 from cranktrain.viz.sheets.gas.panels import chambers_of, indicator_panel
@@ -89,8 +89,7 @@ def _draw_indicator(page: Page, shown: OneDesign, piston: str | None, place: tup
     if piston is None or not (shown.has("gas_pressure") and shown.has("chamber_volume")):
         return top
     height = 0.27 * top
-    axes = page.axes(left, top - 5.0 - height, right - left, height)
-    prepare(axes)
+    axes = axes_in(page, Box(left, top - 5.0 - height, right - left, height))
     panel = indicator_panel(shown, piston)
     draw_curves(axes, panel)
     page.heading(left, top - 3.0, panel.title)

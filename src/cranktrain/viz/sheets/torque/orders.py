@@ -6,8 +6,8 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.labels import together
-from cranktrain.viz.paper.page import Page
-from cranktrain.viz.paper.panels import prepare
+from cranktrain.viz.paper.page import Box, Page
+from cranktrain.viz.paper.panels import axes_in
 from cranktrain.viz.paper.style import COLOURS, INK, MUTED
 from cranktrain.viz.sheets.torque.panels import STARS, largest_stars, order_bars
 
@@ -45,8 +45,7 @@ def draw_orders(page: Page, shown: OneDesign, place: tuple[float, float, float])
         page.heading(left, top - 3.0, _("The orders of the torque up to {most:g} cancel").format(most=last))
         return top - 7.0
     height = 0.16 * page.height
-    axes = page.axes(left, top - 5.0 - height, right - left, height)
-    prepare(axes)
+    axes = axes_in(page, Box(left, top - 5.0 - height, right - left, height))
     colours = np.where(is_major, COLOURS["T"], "white").tolist()
     width = 0.7 * float(order[1] - order[0])
     axes.bar(order, amplitude, width=width, color=colours, edgecolor=COLOURS["T"], linewidth=0.7)

@@ -5,7 +5,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.quantities import shown
 from cranktrain.viz.paper.page import Axes, Box, Page, formula, muted, set_words
-from cranktrain.viz.paper.panels import prepare
+from cranktrain.viz.paper.panels import axes_in
 from cranktrain.viz.paper.style import COLOURS, INK, MUTED, SYMBOL
 from cranktrain.viz.paper.tables import write_table
 from cranktrain.viz.sheets.torsion.panels import Campbell, Crossing
@@ -34,8 +34,7 @@ def draw_campbell(page: Page, of: Campbell, n_cylinders: int, box: Box) -> None:
     height = 0.54 * box.height
     page.heading(box.left, (box.bottom + box.height) - 3.0, _("Campbell's diagram: frequency in Hz over speed in rpm"))
     room = Box(box.left + 2.0, (box.bottom + box.height) - 9.5 - height, box.width - 12.0, height)
-    axes = page.axes(*room)
-    prepare(axes)
+    axes = axes_in(page, room)
     end, high = float(shown(of.largest_speed, "rpm")), _hertz(of.highest_frequency)
     axes.set(xlim=(0.0, end), ylim=(0.0, high))
     for order in of.order.tolist():
