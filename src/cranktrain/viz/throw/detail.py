@@ -57,13 +57,9 @@ def draw_detail(
     scale = fitting_scale(size, size, (_RADIUS - _FIGURES, _RADIUS - _FIGURES))
     place = _free_place(whole, origin, room)
     page.draw(mechanism_sketch(scene, angle, scale, dead), place, within=_RADIUS)
-    marks = Sketch(1.0)
-    marks.add([Circle(np.zeros(2), _RADIUS, "DIMENSIONS", "thin", 8)])
-    page.draw(marks, place)
-    around = Sketch(1.0)
     reach = max(_RADIUS * scale / whole.scale, 2.5)
-    around.add([Circle(np.zeros(2), reach, "DIMENSIONS", "thin", 8)])
-    page.draw(around, origin)
+    for radius, middle in ((_RADIUS, place), (reach, origin)):
+        page.draw(Sketch(1.0, circles=[Circle(np.zeros(2), radius, "DIMENSIONS", "thin", 8)]), middle)
     side = -1.0 if place[0] > origin[0] else 1.0
     page.text(origin[0] + side * (reach + 1.2), origin[1] + reach, _NAME, ha="right" if side < 0 else "left")
     page.text(place[0], place[1] + _RADIUS + 1.5, f"{_NAME} ({scale_words(scale)})", ha="center")

@@ -28,7 +28,7 @@ def piston_names(scene: Scene, angle: float, sketch: Sketch) -> Iterator[Label |
     for member in scene.singles:
         line = member.stroke_line
         wishes.append(
-            Wish(line.at(wall_end(member) + 2.0 * scale, 0.0), member.place.name, angle_of(line.along), "name")
+            Wish(line.at(wall_end(scene, member) + 2.0 * scale), member.place.name, angle_of(line.along), "name")
         )
         is_piston = member.place.kind.has_chambers or member.output is None
         named.append(wishes[-1].point if is_piston else scene.pins(member, angle)[str(member.output)])
@@ -62,12 +62,12 @@ def piston_names(scene: Scene, angle: float, sketch: Sketch) -> Iterator[Label |
 
 def _end_of_travel(member: Member) -> Array:
     """Where a piston's pin is farthest from the other piston."""
-    return member.stroke_line.at(member.travel[member.place.is_far], 0.0)
+    return member.stroke_line.at(member.travel[member.place.is_far])
 
 
 def _middle(member: Member) -> Array:
     """Middle of a piston pin's travel."""
-    return member.stroke_line.at(0.5 * sum(member.travel), 0.0)
+    return member.stroke_line.at(0.5 * sum(member.travel))
 
 
 def bank_angle(scene: Scene, scale: float) -> Iterator[Line | Label]:
@@ -77,12 +77,11 @@ def bank_angle(scene: Scene, scale: float) -> Iterator[Line | Label]:
     first, second = scene.singles
     directions = [angle_of(member.stroke_line.along) for member in (first, second)]
     between = (directions[1] - directions[0] + np.pi) % (2 * np.pi) - np.pi
-    radius = 0.86 * min(wall_end(first), wall_end(second))
+    radius = 0.86 * min(wall_end(scene, first), wall_end(scene, second))
     covered = np.arcsin(min((0.5 * max(first.width, second.width) + 3.0 * scale) / radius, 1.0))
     if abs(between) / 2 - covered < 0.05:
         return
     start, end = directions[0] + np.sign(between) * covered, directions[1] - np.sign(between) * covered
     yield Line(shapes.arc(np.zeros(2), radius, start, end), "DIMENSIONS", "thin", 2)
     middle = (start + end) / 2
-    place = (radius + 3.0 * scale) * np.array([np.cos(middle), np.sin(middle)])
-    yield Label(place, f"γ = {np.rad2deg(abs(between)):.4g}°")
+    yield Label((radius + 3.0 * scale) * shapes.unit(middle), f"γ = {np.rad2deg(abs(between)):.4g}°")

@@ -2,8 +2,6 @@
 
 from collections.abc import Iterator, Sequence
 
-import numpy as np
-
 from cranktrain.analysis import Result
 from cranktrain.language import _
 from cranktrain.machine import Machine
@@ -11,7 +9,7 @@ from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.labels import label_outline
 from cranktrain.viz.paper.page import MARGIN, Box, Figure, Page, drawing_settings, fitting_scale, muted
 from cranktrain.viz.paper.panels import MOTION, draw_panels
-from cranktrain.viz.paper.sketch import Sketch
+from cranktrain.viz.paper.sketch import Sketch, bounds_of
 from cranktrain.viz.sheets.motion.dead_centres import Mark, ruler_of
 from cranktrain.viz.sheets.motion.panels import panels
 from cranktrain.viz.sheets.motion.ruler import draw_ruler
@@ -88,11 +86,7 @@ def _draw_mechanism(
 
 def _extent(sketch: Sketch) -> tuple[float, float, float, float]:
     """Least and largest X and Y of a sketch with its words. [mm of the sketch]"""
-    points = np.concatenate(
-        [*sketch.outline(), *(label_outline(label, sketch.scale) for label in sketch.labels)], axis=1
-    )
-    low, high = np.nanmin(points, axis=1), np.nanmax(points, axis=1)
-    return float(low[0]), float(high[0]), float(low[1]), float(high[1])
+    return bounds_of([*sketch.outline(), *(label_outline(label, sketch.scale) for label in sketch.labels)])
 
 
 def _notes(scene: Scene, angle: float) -> Iterator[str]:
