@@ -18,6 +18,7 @@ from cranktrain.plans.turning import turning
 from cranktrain.quantities import shown
 from cranktrain.viz.panel import Curve, OneDesign, Panel, Role
 
+_DEGREES = shown(1.0, "deg")
 _LETTERS = "svj"
 """Of travel, velocity and acceleration."""
 
@@ -32,6 +33,14 @@ _PISTON = ("piston_displacement", "piston_velocity_coefficient", "piston_acceler
 _TEXTBOOK = ("displacement_by_method", "velocity_coefficient_by_method", "acceleration_coefficient_by_method")
 _ROCKER = ("rocker_angle", "rocker_velocity_coefficient", "rocker_acceleration_coefficient")
 """Results that are a motion's value and its two derivatives."""
+
+_SCALES = {
+    ("piston", True): (("s", "mm", 1e3), ("v", "m/s", 1.0), ("j", "m/s²", 1.0)),
+    ("piston", False): (("s", "mm", 1e3), ("s'", "mm/rad", 1e3), ("s''", "mm/rad²", 1e3)),
+    ("rocker", True): ((r"\theta", "°", _DEGREES), (r"\omega_3", "rad/s", 1.0), (r"\varepsilon_3", "rad/s²", 1.0)),
+    ("rocker", False): ((r"\theta", "°", _DEGREES), (r"\theta'", "rad/rad", 1.0), (r"\theta''", "rad/rad²", 1.0)),
+}
+"""Symbol, unit and factor to it of a motion and its derivatives, with and without a speed."""
 
 
 class _Turn(NamedTuple):
@@ -102,9 +111,7 @@ def panels(result: Result, design: int = 0) -> tuple[Panel, ...]:
     pair = opposed_names(result.machines[design])
     if pair:
         return tuple(_opposed_panels(turn, pair))
-    if "piston" in result.labels:
-        return tuple(_piston_panels(turn))
-    return tuple(_rocker_panels(turn))
+    return tuple(_motion_panels(turn, "piston" if "piston" in result.labels else "rocker"))
 
 
 def drawn_names(result: Result, dimension: str) -> tuple[str, ...]:
@@ -124,10 +131,8 @@ def opposed_names(machine: Machine) -> tuple[str, ...]:
 def told_forms(shown: OneDesign) -> dict[str, int]:
     """Pistons beside which the textbook's curve stands, with its form: of many only the one that it misses most."""
     forms = _forms(shown)
-    worst = _worst(shown, forms)
-    if worst is None or len(drawn_names(shown.result, "piston")) <= _FEW:
-        return forms
-    return {worst: forms[worst]}
+    told = forms if len(drawn_names(shown.result, "piston")) <= _FEW else [_worst(shown, forms)]
+    return {name: form for name, form in forms.items() if name in told}
 
 
 def _forms(shown: OneDesign) -> dict[str, int]:
@@ -146,10 +151,11 @@ def _forms(shown: OneDesign) -> dict[str, int]:
 
 def _worst(shown: OneDesign, forms: dict[str, int]) -> str | None:
     """Find the piston with the largest error of acceleration."""
-    if not forms:
-        return None
-    errors = shown("acceleration_error")
-    return max(forms, key=lambda name: float(errors[forms[name], shown.member("piston", name)]))
+    return max(
+        forms,
+        key=lambda name: float(shown("acceleration_error")[forms[name], shown.member("piston", name)]),
+        default=None,
+    )
 
 
 def _roles(names: Sequence[str]) -> Iterator[Role]:
@@ -158,17 +164,19 @@ def _roles(names: Sequence[str]) -> Iterator[Role]:
         yield "first" if number == 0 else "second" if len(names) == _PAIR else "other"
 
 
-def _piston_rows(turn: _Turn) -> tuple[_Row, ...]:
-    """Travel, velocity and acceleration; without a speed by the crank angle."""
-    titles = _titles(turn.shown)
-    travel = _Row(0, titles[0], "s", "mm", 1e3)
-    if turn.shown.has("piston_velocity"):
-        return travel, _Row(1, titles[1], "v", "m/s", 1.0), _Row(2, titles[2], "j", "m/s²", 1.0)
-    return travel, _Row(1, titles[1], "s'", "mm/rad", 1e3), _Row(2, titles[2], "s''", "mm/rad²", 1e3)
+def _rows(turn: _Turn, dimension: str) -> Iterator[_Row]:
+    """Motion of pistons or rockers and its derivatives: by the time, without a speed by the crank angle."""
+    result, design = turn.shown
+    has_speed = result.machines[design].main_shaft.speed is not None or result.get(SpeedCurve) is not None
+    titles = _titles(turn.shown, dimension)
+    for order, (title, scale) in enumerate(zip(titles, _SCALES[dimension, has_speed], strict=True)):
+        yield _Row(order, title, *scale)
 
 
-def _titles(shown: OneDesign) -> tuple[str, str, str]:
-    """Titles of travel, velocity and acceleration: of pistons, of valves, or of both."""
+def _titles(shown: OneDesign, dimension: str) -> tuple[str, str, str]:
+    """Titles of travel, velocity and acceleration: of rockers, of pistons, of valves, or of pistons and valves."""
+    if dimension == "rocker":
+        return _("Rocker angle"), _("Rocker angular velocity"), _("Rocker angular acceleration")
     result, design = shown
     names = drawn_names(result, "piston")
     are_pistons = {place.kind.has_chambers for place in result.machines[design].places if place.name in names}
@@ -186,7 +194,7 @@ def _titles(shown: OneDesign) -> tuple[str, str, str]:
 def _opposed_panels(turn: _Turn, names: Sequence[str]) -> Iterator[Panel]:
     """Travel of both pistons of a cylinder and of both together, its volume, both velocities and accelerations."""
     result, design = turn.shown
-    travel, *rates = (row.panel(turn, row.curves(turn, "piston", names)) for row in _piston_rows(turn))
+    travel, *rates = (row.panel(turn, row.curves(turn, "piston", names)) for row in _rows(turn, "piston"))
     yield travel
     cylinder = next(p.cylinder for p in result.machines[design].places if p.name == names[0])
     both = shown(1.0, "mm") * turn.curve("combined_displacement", turn.shown.member("cylinder", cylinder))
@@ -198,19 +206,21 @@ def _opposed_panels(turn: _Turn, names: Sequence[str]) -> Iterator[Panel]:
     yield from rates
 
 
-def _piston_panels(turn: _Turn) -> Iterator[Panel]:
-    """Travel, velocity, acceleration; and how far the textbook is off."""
+def _motion_panels(turn: _Turn, dimension: str) -> Iterator[Panel]:
+    """Travel, velocity and acceleration, with what the textbook says; the torque factor of rockers under a load."""
+    names = drawn_names(turn.shown.result, dimension)
     told = told_forms(turn.shown)
-    for row in _piston_rows(turn):
-        exact = row.curves(turn, "piston", drawn_names(turn.shown.result, "piston"))
+    for row in _rows(turn, dimension):
         textbook = (
             Curve(row.factor * _by_textbook(turn, row.order, name, form), "textbook", _LETTERS[row.order], name=name)
             for name, form in told.items()
         )
-        yield row.panel(turn, (*exact, *textbook))
+        yield row.panel(turn, (*row.curves(turn, dimension, names), *textbook))
     worst = _worst(turn.shown, told)
     if worst is not None:
         yield _error_panel(turn, worst, told[worst])
+    if dimension == "rocker" and turn.shown.has("load_velocity_coefficient"):
+        yield _load_panel(turn, names)
 
 
 def _by_textbook(turn: _Turn, order: int, piston: str, form: int) -> Array:
@@ -229,23 +239,9 @@ def _error_panel(turn: _Turn, piston: str, form: int) -> Panel:
     return Panel(title, _("% of own maximum"), turn.angle, tuple(curves))
 
 
-def _rocker_panels(turn: _Turn) -> Iterator[Panel]:
-    """Rocker angle and its derivatives; torque factor where a load hangs on it."""
-    result, design = turn.shown
-    names = drawn_names(result, "rocker")
-    has_speed = result.machines[design].main_shaft.speed is not None or result.get(SpeedCurve) is not None
-    titles = _("Rocker angle"), _("Rocker angular velocity"), _("Rocker angular acceleration")
-    symbols = (r"\theta", r"\omega_3", r"\varepsilon_3") if has_speed else (r"\theta", r"\theta'", r"\theta''")
-    units = ("°", "rad/s", "rad/s²") if has_speed else ("°", "rad/rad", "rad/rad²")
-    factors = (shown(1.0, "deg"), 1.0, 1.0)
-    for row in map(_Row, range(len(titles)), titles, symbols, units, factors):
-        yield row.panel(turn, row.curves(turn, "rocker", names))
-    if turn.shown.has("load_velocity_coefficient"):
-        title = _("Torque factor: load velocity for each rad/s of the crank")
-        curves = (
-            Curve(
-                1e3 * turn.curve("load_velocity_coefficient", turn.shown.member("rocker", name)), role, "T", name=name
-            )
-            for name, role in zip(names, _roles(names), strict=True)
-        )
-        yield Panel(title, "mm", turn.angle, tuple(curves), "x_Q'")
+def _load_panel(turn: _Turn, names: Sequence[str]) -> Panel:
+    """Torque factor of rockers on which a load hangs."""
+    values = (1e3 * turn.curve("load_velocity_coefficient", turn.shown.member("rocker", name)) for name in names)
+    curves = (Curve(one, role, "T", name=name) for one, role, name in zip(values, _roles(names), names, strict=True))
+    title = _("Torque factor: load velocity for each rad/s of the crank")
+    return Panel(title, "mm", turn.angle, tuple(curves), "x_Q'")

@@ -114,20 +114,23 @@ def _drawn_words(scene: Scene, angle: float) -> str:
     places = [member.place for member in scene.cranks]
     shafts = [shaft for shaft in machine.shafts if shaft in {place.shaft for place in places}]
     throws = sorted({place.throw + 1 for place in places})
+    said = ", ".join(map(str, throws))
     if len(shafts) > 1 and len(throws) > 1:
-        each = ", ".join(f"{place.shaft} {place.throw + 1}" for place in places)
-        drawn = _("Throws {throws}, drawn at φ = {angle:g}°").format(throws=each, angle=angle)
+        said = ", ".join(f"{place.shaft} {place.throw + 1}" for place in places)
+        words = _("Throws {throws}, drawn at φ = {angle:g}°")
     elif len(throws) > 1:
         words = _("Throws {throws} of {n}, drawn at φ = {angle:g}°")
-        drawn = words.format(throws=", ".join(map(str, throws)), n=n, angle=angle)
     elif n > 1:
-        drawn = _("Throw {throw} of {n}, drawn at φ = {angle:g}°").format(throw=throws[0], n=n, angle=angle)
+        words = _("Throw {throw} of {n}, drawn at φ = {angle:g}°")
     else:
-        drawn = _("Drawn at φ = {angle:g}°").format(angle=angle)
-    if len(shafts) == len(machine.shafts):
-        if len(shafts) > 1:
-            drawn = _("{drawn}; shafts {shafts}").format(drawn=drawn, shafts=", ".join(shafts))
+        words = _("Drawn at φ = {angle:g}°")
+    drawn = words.format(throws=said, throw=throws[0], n=n, angle=angle)
+    if len(machine.shafts) == 1:
         return drawn
-    if len(shafts) == 1:
-        return _("{drawn}; of shaft {shaft}, no other is drawn").format(drawn=drawn, shaft=shafts[0])
-    return _("{drawn}; shafts {shafts}, no other is drawn").format(drawn=drawn, shafts=", ".join(shafts))
+    if len(shafts) == len(machine.shafts):
+        words = _("{drawn}; shafts {shafts}")
+    elif len(shafts) > 1:
+        words = _("{drawn}; shafts {shafts}, no other is drawn")
+    else:
+        words = _("{drawn}; of shaft {shaft}, no other is drawn")
+    return words.format(drawn=drawn, shaft=shafts[0], shafts=", ".join(shafts))
