@@ -19,8 +19,7 @@ def ring_radius(scene: Scene) -> float:
     """Radius of the degree ring: round the crank, and round the big end of a star. [mm]"""
     if not scene.is_star:
         return 1.62 * scene.crank_radius
-    slave = next(one for one in scene.members if one.place.kind.name == "articulated_rod")
-    knuckle = np.hypot(*slave.turn_pins["C"])
+    knuckle = np.hypot(*scene.slaves[0].turn_pins["C"])
     return float(np.nanmax(knuckle)) + 1.6 * SMALL_EYE * scene.crank_radius
 
 

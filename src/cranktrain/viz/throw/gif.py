@@ -2,12 +2,13 @@
 
 from collections.abc import Iterator, Sequence
 from io import BytesIO
+from operator import methodcaller
 from typing import Any
 
 import numpy as np
 
 from cranktrain.analysis import Result
-from cranktrain.viz.paper.page import Artist, Page, drawing_settings, fitting_scale
+from cranktrain.viz.paper.page import Page, drawing_settings, fitting_scale
 from cranktrain.viz.paper.sketch import Sketch, bounds_of
 from cranktrain.viz.throw.mechanism import mechanism_sketch
 from cranktrain.viz.throw.scene import Scene, scene_of
@@ -80,13 +81,9 @@ def _frames(
             canvas.restore_region(background)
             page.move(artists, _parted(mechanism_sketch(scene, float(angle), scale, is_plain=True))[1], origin)
             words.set_text(f"φ = {angle:g}°")
-            for artist in (*sorted(artists, key=_layer), words):
+            for artist in (*sorted(artists, key=methodcaller("get_zorder")), words):
                 page.paper.draw_artist(artist)
             yield np.asarray(canvas.buffer_rgba()).copy()
-
-
-def _layer(artist: Artist) -> float:
-    return float(artist.get_zorder())
 
 
 def _parted(sketch: Sketch) -> tuple[Sketch, Sketch]:

@@ -118,7 +118,7 @@ def _links(scene: Scene, member: Member, angle: float, scale: float) -> Iterator
     pins = scene.pins(member, angle)
     if member.output is not None:
         yield from _slider(scene, member, angle)
-    if member.place.kind.name == "articulated_rod":
+    if member in scene.slaves:
         yield from _slave_rod(scene, pins)
         return
     if member.is_plain:
@@ -128,8 +128,7 @@ def _links(scene: Scene, member: Member, angle: float, scale: float) -> Iterator
     fill = "dark" if member.is_first else "paper"
     order = 5 if member.is_first else 6
     if scene.is_star:
-        slave = next(one for one in scene.members if one.place.kind.name == "articulated_rod")
-        reach = float(np.hypot(*(scene.pins(slave, angle)["C"] - pins["A"]))) + 1.25 * SMALL_EYE * radius
+        reach = float(np.hypot(*(scene.pins(scene.slaves[0], angle)["C"] - pins["A"]))) + 1.25 * SMALL_EYE * radius
         yield Circle(pins["A"], reach, "LINKS", "rod", order, fill)
     rod = shapes.bar(pins["A"], pins["B"], (0.44 * radius, 0.26 * radius), fill, order)
     yield rod._replace(habit="part", order=3, fill="none") if member.place.is_far else rod
@@ -216,12 +215,7 @@ def _slave_rod(scene: Scene, pins: dict[str, Array]) -> Iterator[Line | Circle]:
 
 def _lines_of_links(scene: Scene, angle: float, dead: Sequence[Sequence[float]]) -> list[tuple[Array, float]]:
     """Lines from pin to pin with half the width of what is drawn there [mm]: links, and if few are drawn dead ones."""
-    lines = [
-        (line, 0.3 * scene.crank_radius)
-        for member in scene.members
-        for line in _chains(member, scene.pins(member, angle))
-    ]
+    drawn = [(member, angle, 0.3 * scene.crank_radius) for member in scene.members]
     if len(scene.members) <= _FEW:
-        for member, angles in zip(scene.members, dead, strict=False):
-            lines += [(line, 0.0) for one in angles for line in _chains(member, scene.pins(member, one))]
-    return lines
+        drawn += [(member, one, 0.0) for member, angles in zip(scene.members, dead, strict=False) for one in angles]
+    return [(line, half) for member, at, half in drawn for line in _chains(member, scene.pins(member, at))]

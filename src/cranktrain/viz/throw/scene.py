@@ -159,8 +159,7 @@ class Scene:
     @property
     def singles(self) -> tuple[Member, ...]:
         """Sliders that have their cylinder for themselves."""
-        paired = {member.place.name for pair in self.pairs for member in pair}
-        return tuple(member for member in self.sliders if member.place.name not in paired)
+        return tuple(member for member in self.sliders if not any(member in pair for pair in self.pairs))
 
     @cached_property
     def pins(self) -> Callable[[Member, float], dict[str, Array]]:
@@ -211,10 +210,15 @@ class Scene:
         """Members that drive a piston or crosshead."""
         return tuple(member for member in self.members if member.output is not None)
 
+    @cached_property
+    def slaves(self) -> tuple[Member, ...]:
+        """Members whose rods hang on another's."""
+        return tuple(member for member in self.members if member.place.kind.name == "articulated_rod")
+
     @property
     def is_star(self) -> bool:
         """Whether so many slaves hang on the master that its big end is a disc."""
-        return sum(member.place.kind.name == "articulated_rod" for member in self.members) >= _STAR
+        return len(self.slaves) >= _STAR
 
     @cached_property
     def clearance(self) -> float:

@@ -63,7 +63,7 @@ def plan_wittenbauer(result: Result, *, size: str = "A4", design: int = 0) -> Fi
         _ring(axes, tangent.inertia, tangent.work)
     _number_angles(page, axes, panel, shown(result.grid.cycle, "deg"), (upper, lower))
     right = box.left + box.width + 10.0
-    below = write_numbers(page, OneDesign(result, design), (right, box.bottom + box.height), (upper, lower))
+    below = write_numbers(page, OneDesign(result, design), right, box.bottom + box.height, (upper, lower))
     room = Box(right + 14.0, box.bottom, TABLE - 14.0, below - box.bottom - 10.0)
     _draw_whole(page, room, panel, tangents, origin)
     return page.figure
@@ -84,7 +84,7 @@ def plan_mertsalov(result: Result, *, size: str = "A4", design: int = 0) -> Figu
         axes.axhline(value, color=INK, linewidth=0.6, dashes=LOWER)
         _ring(axes, shown(float(extreme.angle[design, 0]), "deg") % lower.across[-1], value, clip_on=False)
     _dimension(page, page.place_of(axes, np.stack([np.full(2, lower.across[-1]), ends])))
-    write_numbers(page, OneDesign(result, design), (box.left + box.width + 10.0, box.bottom + box.height), ())
+    write_numbers(page, OneDesign(result, design), box.left + box.width + 10.0, box.bottom + box.height, ())
     return page.figure
 
 

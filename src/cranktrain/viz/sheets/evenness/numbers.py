@@ -19,9 +19,8 @@ UPPER, LOWER = (9.0, 3.0), (3.0, 2.0)
 """Dashes of the tangents at the largest and the smallest speed."""
 
 
-def write_numbers(page: Page, shown: OneDesign, place: tuple[float, float], tangents: Sequence[Tangent]) -> float:
+def write_numbers(page: Page, shown: OneDesign, left: float, top: float, tangents: Sequence[Tangent]) -> float:
     """Write speeds and flywheels beside a diagram, and what its tangents are; give where the tables end. [mm]"""
-    left, top = place
     y = write_table(page, _speeds(shown, tangents), (left, top, TABLE))
     y = write_table(page, list(_flywheels(shown)), (left, y - 3.0, TABLE), (0.52, 0.77, 1.0))
     if tangents:

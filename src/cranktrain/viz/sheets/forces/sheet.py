@@ -58,8 +58,8 @@ def sheet_forces(result: Result, *, size: str = "A4", piston: str | None = None,
     draw_panels(page, list(force_panels(result, name, design)), box, FORCES)
     left, right = MARGIN + _LEFT * width + 12.0, page.width - MARGIN
     below = _draw_indicator(page, shown, name, (left, right, top - 4.0))
-    below = draw_orders(page, shown, (left, right, below))
-    below = draw_stars(page, shown, (left, right, below))
+    below = draw_orders(page, shown, left, right, below)
+    below = draw_stars(page, shown, left, right, below)
     _write_notes(page, shown, name, (left - 8.0, right, below))
     return page.figure
 

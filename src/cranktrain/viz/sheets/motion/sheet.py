@@ -52,7 +52,7 @@ def sheet(result: Result, *, size: str = "A4", at: float = _ANGLE, design: int =
     room = (MARGIN, MARGIN, middle - 4.0 - MARGIN, top - 4.0 - MARGIN)
     _draw_mechanism(page, result.machines[design], ruler.marks, at, room)
     left, right = middle + 12.0, page.width - MARGIN
-    below = draw_ruler(page, ruler, (left, right, top - 4.0))
+    below = draw_ruler(page, ruler, left, right, top - 4.0)
     draw_panels(page, panels(result, design), Box(left, MARGIN, right - left, below - MARGIN), MOTION)
     return page.figure
 

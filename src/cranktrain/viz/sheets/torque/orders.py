@@ -24,21 +24,20 @@ _CROWD = 12
 """With more directions only the first cylinder is named."""
 
 
-def draw_orders(page: Page, shown: OneDesign, place: tuple[float, float, float]) -> float:
+def draw_orders(page: Page, shown: OneDesign, left: float, right: float, top: float) -> float:
     """Draw the amplitudes of the torque's orders, the major ones filled; give where the picture ends. [mm]
 
     Parameters
     ----------
     page : Page
     shown : OneDesign
-    place : (left, right, top)
+    left, right, top : float
         [mm]
 
     Returns
     -------
     float
     """
-    left, right, top = place
     order, amplitude, is_major = order_bars(shown)
     last = float(order[-1])
     if not np.any(amplitude):
@@ -55,9 +54,8 @@ def draw_orders(page: Page, shown: OneDesign, place: tuple[float, float, float])
     return top - 5.0 - height - 7.0
 
 
-def draw_stars(page: Page, shown: OneDesign, place: tuple[float, float, float]) -> float:
+def draw_stars(page: Page, shown: OneDesign, left: float, right: float, top: float) -> float:
     """Draw the phase stars of the largest orders; parameters as of `draw_orders`, gives where they end. [mm]"""
-    left, right, top = place
     stars = largest_stars(shown)
     if not stars:
         return top

@@ -48,7 +48,7 @@ def draw_campbell(page: Page, of: Campbell, n_cylinders: int, box: Box) -> None:
     for one in of.crossings:
         place = [shown(one.speed, "rpm")], [_hertz(one.frequency)]
         axes.plot(*place, "o", ms=_mark(one, n_cylinders), color=INK, mew=0, zorder=6)
-    _write_speeds(page, of, (box.left, room.bottom - 9.0, box.width))
+    _write_speeds(page, of, box.left, room.bottom - 9.0, box.width)
 
 
 def _draw_levels(axes: Axes, of: Campbell, room: Box) -> None:
@@ -101,9 +101,8 @@ def _mark(one: Crossing, n_cylinders: int) -> float:
     return max(_LEAST_MARK, _LARGEST_MARK * float(np.sqrt(one.weight / n_cylinders)))
 
 
-def _write_speeds(page: Page, of: Campbell, place: tuple[float, float, float]) -> None:
+def _write_speeds(page: Page, of: Campbell, left: float, top: float, width: float) -> None:
     """Write the critical speeds in sight that have the largest marks, by their speed."""
-    left, top, width = place
     if not of.crossings:
         words = _("No order up to {order:g} has a natural frequency at the speeds of the diagram.")
         page.text(left, top, words.format(order=float(of.order[-1])))
