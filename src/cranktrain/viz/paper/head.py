@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from textwrap import wrap
 
-from cranktrain.analysis import Result
+from cranktrain.analysis import Result, sentences
 from cranktrain.io.description import layout_words
 from cranktrain.language import _
 from cranktrain.layout.speed_curve import SpeedCurve
@@ -15,7 +15,6 @@ from cranktrain.viz.paper.words import (
     provenance_words,
     running_words,
     speed_words,
-    unused_words,
     zero_words,
 )
 
@@ -30,7 +29,7 @@ def result_page(result: Result, design: int, size: str, title: str = "") -> tupl
     """Begin a sheet of a result; give where its head ends. [mm]"""
     page = Page(*paper(size))
     at_speed = speed_words(result.get(SpeedCurve), design)
-    return page, title_block(page, result.machines[design], title, at_speed, unused_words(result))
+    return page, title_block(page, result.machines[design], title, at_speed, sentences(result.unused))
 
 
 def title_block(page: Page, machine: Machine, title: str = "", at_speed: str = "", unused: Sequence[str] = ()) -> float:

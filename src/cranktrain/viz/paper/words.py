@@ -3,7 +3,6 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from cranktrain.analysis import Result, sentences
 from cranktrain.io.description import counted_by_status
 from cranktrain.language import _
 from cranktrain.layout.speed_curve import SpeedCurve
@@ -28,11 +27,6 @@ def running_words(machine: Machine) -> str:
 def speed_words(curve: SpeedCurve | None, design: int = 0) -> str:
     """Say at which speed over the cycle a picture is, as the terminal does; nothing of a constant one."""
     return "" if curve is None else curve.answer({}, design)
-
-
-def unused_words(result: Result) -> list[str]:
-    """Say which tables of the file are not used, as the terminal does."""
-    return sentences(result.unused)
 
 
 def zero_words(machine: Machine) -> str:
