@@ -82,9 +82,9 @@ def _dead_positions(scene: Scene, member: Member, angles: Sequence[float]) -> It
     for angle in angles:
         pins = scene.pins(member, angle)
         if len(scene.members) <= _FEW:
-            for chain in _chains(member, pins):
-                yield Line(chain, "LINKS", "thin", 3)
-            for point in np.concatenate([chain.T for chain in _chains(member, pins)]):
+            chains = _chains(member, pins)
+            yield from (Line(chain, "LINKS", "thin", 3) for chain in chains)
+            for point in np.concatenate(chains, axis=1).T:
                 yield Circle(point, 0.05 * scene.crank_radius, "LINKS", "thin", 3, "paper")
         if member.output is not None:
             crown = scene.reach(member, angle) + member.toward_chamber * scene.above(member)
