@@ -14,7 +14,7 @@ from cranktrain.textbook.flywheel_diagrams import Tangent
 from cranktrain.viz.panel import Curve, OneDesign, Panel
 from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.labels import Wish, placed_labels, together
-from cranktrain.viz.paper.page import MARGIN, Axes, Box, Figure, Page, drawing_settings, formula, set_words
+from cranktrain.viz.paper.page import Axes, Box, Figure, Page, drawing_settings, formula, set_words
 from cranktrain.viz.paper.panels import axes_in, draw_curves, line_of
 from cranktrain.viz.paper.style import COLOURS, INK, SYMBOL
 from cranktrain.viz.sheets.evenness.numbers import LOWER, TABLE, UPPER, write_numbers
@@ -90,9 +90,8 @@ def plan_mertsalov(result: Result, *, size: str = "A4", design: int = 0) -> Figu
 
 def _page(result: Result, size: str, design: int, title: str) -> tuple[Page, Box]:
     """Begin a sheet; give the room of the diagram."""
-    page, top = result_page(result, design, size, title)
-    left, bottom = MARGIN + 16.0, MARGIN + 10.0
-    return page, Box(left, bottom, page.width - MARGIN - TABLE - 10.0 - left, top - 9.0 - bottom)
+    page, box = result_page(result, design, size, title)
+    return page, Box(box.left + 16.0, box.bottom + 10.0, box.width - TABLE - 26.0, box.height - 15.0)
 
 
 def _over_cycle(page: Page, panel: Panel, box: Box, beside: float) -> Axes:

@@ -52,12 +52,11 @@ def sheet_forces(result: Result, *, size: str = "A4", piston: str | None = None,
     """
     shown = OneDesign(result, design)
     name = _piston(result, piston)
-    page, top = result_page(result, design, size, _("Forces"))
-    width = page.width - 2 * MARGIN
-    box = Box(MARGIN + 12.0, MARGIN, _LEFT * width - 18.0, top - 4.0 - MARGIN)
-    draw_panels(page, list(force_panels(result, name, design)), box, FORCES)
-    left, right = MARGIN + _LEFT * width + 12.0, page.width - MARGIN
-    below = _draw_indicator(page, shown, name, (left, right, top - 4.0))
+    page, box = result_page(result, design, size, _("Forces"))
+    curves = box._replace(left=box.left + 12.0, width=_LEFT * box.width - 18.0)
+    draw_panels(page, list(force_panels(result, name, design)), curves, FORCES)
+    left, right = box.left + _LEFT * box.width + 12.0, box.left + box.width
+    below = _draw_indicator(page, shown, name, (left, right, box.bottom + box.height))
     below = draw_orders(page, shown, left, right, below)
     below = draw_stars(page, shown, left, right, below)
     _write_notes(page, shown, name, (left - 8.0, right, below))

@@ -7,7 +7,7 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.labels import label_outline
-from cranktrain.viz.paper.page import MARGIN, Box, Figure, Page, drawing_settings, fitting_scale, muted
+from cranktrain.viz.paper.page import Box, Figure, Page, drawing_settings, fitting_scale, muted
 from cranktrain.viz.paper.panels import MOTION, draw_panels
 from cranktrain.viz.paper.sketch import Sketch, bounds_of
 from cranktrain.viz.sheets.motion.dead_centres import Mark, ruler_of
@@ -46,20 +46,17 @@ def sheet(result: Result, *, size: str = "A4", at: float = _ANGLE, design: int =
     Figure
         In millimetres of paper: the throw is to the scale that the sheet says.
     """
-    page, top = result_page(result, design, size)
+    page, box = result_page(result, design, size)
     ruler = ruler_of(result, design)
-    middle = MARGIN + 0.48 * (page.width - 2 * MARGIN)
-    room = (MARGIN, MARGIN, middle - 4.0 - MARGIN, top - 4.0 - MARGIN)
-    _draw_mechanism(page, result.machines[design], ruler.marks, at, room)
-    left, right = middle + 12.0, page.width - MARGIN
-    below = draw_ruler(page, ruler, left, right, top - 4.0)
-    draw_panels(page, panels(result, design), Box(left, MARGIN, right - left, below - MARGIN), MOTION)
+    middle = 0.48 * box.width
+    _draw_mechanism(page, result.machines[design], ruler.marks, at, box._replace(width=middle - 4.0))
+    left, right = box.left + middle + 12.0, box.left + box.width
+    below = draw_ruler(page, ruler, left, right, box.bottom + box.height)
+    draw_panels(page, panels(result, design), Box(left, box.bottom, right - left, below - box.bottom), MOTION)
     return page.figure
 
 
-def _draw_mechanism(
-    page: Page, machine: Machine, found: Sequence[Mark], at: float, box: tuple[float, float, float, float]
-) -> None:
+def _draw_mechanism(page: Page, machine: Machine, found: Sequence[Mark], at: float, box: Box) -> None:
     """Draw the throw as large as a round scale allows."""
     left, bottom, width, height = box
     scene = scene_of(machine)
