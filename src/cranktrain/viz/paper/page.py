@@ -192,7 +192,7 @@ def _artist_of(part: Line | Circle, layer: float) -> Artist:
 
     pen = pen_of(part)
     style: Any = (0, pen.dashes) if pen.dashes and isinstance(part, Line) else "-"
-    manner = {"linewidth": pen.width, "linestyle": style, "zorder": layer}
+    manner: dict[str, Any] = {"linewidth": pen.width, "linestyle": style, "zorder": layer}
     if isinstance(part, Line) and not part.is_closed:
         return lines.Line2D([], [], color=pen.colour, **manner)
     manner |= {"facecolor": pen.colour if part.fill == "ink" else FILLS[part.fill], "edgecolor": pen.colour}

@@ -1,7 +1,7 @@
 """What a sheet says of its machine: speed, conventions, where the numbers are from."""
 
 from collections.abc import Iterator, Mapping
-from typing import Any
+from typing import Any, cast
 
 from cranktrain.io.description import counted_by_status
 from cranktrain.language import _
@@ -67,14 +67,15 @@ def _inside(part: object, name: object) -> Mapping[Any, object]:
     Of a bank's mechanisms, one for each angle, a field that is alike in all of them stands in the file once.
     """
     match part:
-        case (Spec() as first, *_others) if name == "mechanism":
-            fields = {field: tuple(getattr(one, field) for one in part) for field in first.model_fields_set}
+        case tuple() if name == "mechanism":
+            each = cast("tuple[Spec, ...]", part)
+            fields = {field: tuple(getattr(one, field) for one in each) for field in each[0].model_fields_set}
             return {field: one[0] if len(set(map(repr, one))) == 1 else one for field, one in fields.items()}
         case Spec():
             return {field: getattr(part, field) for field in part.model_fields_set}
         case tuple():
-            return dict(enumerate(part))
+            return dict(enumerate(cast("tuple[object, ...]", part)))
         case Mapping():
-            return part
+            return cast("Mapping[str, object]", part)
         case _:
             return {}

@@ -236,14 +236,14 @@ def scene_of(machine: Machine) -> Scene:
     places = first_throw(machine)
     pistons = [place for place in places if place.kind.output == "slider"]
     cylinders = cylinders_of(machine.cylinder, pistons)
-    bores = {pistons[i].name: one.spec.bore for one in cylinders for i in one.pistons}
+    bored = ((pistons[i].name, one.spec.bore) for one in cylinders for i in one.pistons)
+    bores = {name: shown(bore.si, "mm") for name, bore in bored if bore is not None}
     shafts = shaft_places(machine)
     members: list[Member] = []
     for number, place in enumerate(places):
         centre = shown(shafts.centres.get(place.shaft, np.zeros(2)), "mm")
         turn = _standing(placed(machine, place, _TURN).scaled(shown(1.0, "mm")), centre, 0.0)
-        bore = bores.get(place.name)
-        members.append(Member(place, number == 0, turn, None if bore is None else shown(bore.si, "mm"), centre))
+        members.append(Member(place, number == 0, turn, bores.get(place.name), centre))
     ports = {
         cylinder.name: {
             end: shown(height.si, "mm")

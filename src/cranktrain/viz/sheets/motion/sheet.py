@@ -58,27 +58,29 @@ def sheet(result: Result, *, size: str = "A4", at: float = _ANGLE, design: int =
 
 def _draw_mechanism(page: Page, machine: Machine, found: Sequence[Mark], at: float, box: Box) -> None:
     """Draw the throw as large as a round scale allows."""
-    left, bottom, width, height = box
     scene = scene_of(machine)
     at = scene.closing_angle(at)
     notes = list(_notes(scene, at))
     foot = 6.0 + _NOTE * len(notes)
-    room = (width, height - foot)
+    room = box._replace(bottom=box.bottom + foot, height=box.height - foot)
     names = [(member.place.name, member.place.cylinder) for member in scene.members]
     dead = [[mark.angle for mark in found if mark.name in own] for own in names]
     sketch = mechanism_sketch(scene, at, scene.crank_radius / _ROUGH, dead)
     for _pass in range(_PASSES):
         low_x, high_x, low_y, high_y = _extent(sketch)
-        scale = fitting_scale(high_x - low_x, high_y - low_y, (room[0] - 1.0, room[1] - 6.0))
+        scale = fitting_scale(high_x - low_x, high_y - low_y, (room.width - 1.0, room.height - 6.0))
         sketch = mechanism_sketch(scene, at, scale, dead, has_ring=not wants_detail(scene, scale))
     low_x, high_x, low_y, high_y = (value / sketch.scale for value in _extent(sketch))
-    origin = (left + room[0] / 2 - (low_x + high_x) / 2, bottom + foot + room[1] / 2 - (low_y + high_y) / 2)
+    origin = (
+        room.left + room.width / 2 - (low_x + high_x) / 2,
+        room.bottom + room.height / 2 - (low_y + high_y) / 2,
+    )
     page.draw(sketch, origin)
     if wants_detail(scene, sketch.scale):
-        draw_detail(page, scene, (at, dead), sketch, origin, (left, bottom + foot, *room))
-    page.scale_bar(left, bottom + foot - 5.0, sketch.scale)
+        draw_detail(page, scene, (at, dead), sketch, origin, room)
+    page.scale_bar(room.left, room.bottom - 5.0, sketch.scale)
     for number, note in enumerate(reversed(notes)):
-        page.text(left, bottom - 0.4 + _NOTE * number, note, **muted())
+        page.text(box.left, box.bottom - 0.4 + _NOTE * number, note, **muted())
 
 
 def _extent(sketch: Sketch) -> tuple[float, float, float, float]:
