@@ -7,6 +7,7 @@ from string import digits
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.grouping import places_of_equal
 from cranktrain.motion import Array
 from cranktrain.quantities import shown
 
@@ -72,9 +73,7 @@ def shared(names: Sequence[str], values: Array, unit: str) -> str:
     unit : str
         To show.
     """
-    written: dict[str, list[int]] = {}
-    for i, value in enumerate(np.asarray(values)):
-        written.setdefault(number(float(value), unit), []).append(i)
+    written = places_of_equal(number(float(value), unit) for value in np.asarray(values))
     if len(written) == 1:
         return next(iter(written))
     return ", ".join(f"{text} ({ranged(names, members)})" for text, members in written.items())

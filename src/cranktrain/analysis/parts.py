@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import cast
 
 from cranktrain.all_questions import QUESTIONS
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import Problem, refuse
 from cranktrain.language import _
 from cranktrain.layout.design import Design
 from cranktrain.layout.parts import laid_out, layout_parts
@@ -48,8 +48,7 @@ def _designs(machines: Sequence[Machine], *, partial: bool) -> list[Design]:
     found: list[Problem] = list(_differences(machines))
     for machine in machines:
         found += machine_problems(machine, partial=partial)
-    if found:
-        raise InputError(dict.fromkeys(found))
+    refuse(dict.fromkeys(found))
     return [machine.design for machine in machines]
 
 

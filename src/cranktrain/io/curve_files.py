@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import cast
 
 from cranktrain.all_questions import QUESTIONS
-from cranktrain.errors import InputError, Problem
-from cranktrain.io.files import Wanted, content_of, refusal
+from cranktrain.errors import InputError, Problem, problems_as
+from cranktrain.io.files import content_of, refusal
 from cranktrain.language import _
 from cranktrain.layout.parts import FILES
 from cranktrain.layout.question import TableFile
@@ -45,9 +45,16 @@ def curve_text(path: Path, name: str, noun: str) -> str:
     """
     if path.exists() and not (path.is_file() or path.is_dir()):  # one would wait for what nobody writes
         raise refusal(name, _("is a pipe or a device, not {noun}").format(noun=_(noun)), _("save it as a file"))
-    too_large = _("is larger than {limit} MiB, too large for {noun}").format(limit=LARGEST_FILE // 2**20, noun=_(noun))
-    wanted = Wanted(LARGEST_FILE, too_large, _("is a folder, not {noun}").format(noun=_(noun)))
-    content = content_of(path, name, wanted, suffix=".csv")
+    content = content_of(
+        path,
+        name,
+        LARGEST_FILE,
+        suffix=".csv",
+        too_large=_("is larger than {limit} MiB, too large for {noun}").format(
+            limit=LARGEST_FILE // 2**20, noun=_(noun)
+        ),
+        folder=_("is a folder, not {noun}").format(noun=_(noun)),
+    )
     encoding = _WIDE.get(content[:2])
     if encoding is None and b"\0" in content:
         raise refusal(name, _("is no text: it has NUL bytes"), _("save it as CSV"))
@@ -97,8 +104,6 @@ def _filled(data: Mapping[str, object], below: tuple[str, ...], curve: TableFile
     file = data.get("file")
     if data.get("kind") != curve.kind or not isinstance(file, str) or "text" in data:
         return dict(data)
-    try:
+    path = ".".join((*curve.table, "file"))
+    with problems_as(lambda problem: replace(problem, path=path, given=file, position=None)):
         return {**data, "text": curve_text(folder / file, file, curve.noun)}
-    except InputError as error:
-        path = ".".join((*curve.table, "file"))
-        raise InputError(replace(problem, path=path, given=file, position=None) for problem in error.problems) from None

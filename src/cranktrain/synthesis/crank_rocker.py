@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 
 import numpy as np
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.crank_rocker import CrankRocker
 from cranktrain.mechanisms.crank_rocker.facts import CLASSES
@@ -134,8 +134,7 @@ def _refuse_impossible(
         allowed = _("must lie between 0 and 90 deg")
         problems.append(Problem("transmission_angle", number(transmission_angle, "deg"), allowed))
     problems += not_positive({"speed": speed}, plain)
-    if problems:
-        raise InputError(problems)
+    refuse(problems)
 
 
 def _refuse_unreachable(swing: float, time_ratio: float, slow_swing: Swing) -> None:

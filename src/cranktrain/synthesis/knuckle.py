@@ -4,7 +4,7 @@ from collections.abc import Collection, Sequence
 from math import pi
 from typing import Annotated, Literal
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
@@ -145,8 +145,7 @@ def _refuse_impossible(
     if wants.same_ratio is not None and not wants.same_ratio > 1:
         problems.append(Problem("same_ratio", plain(wants.same_ratio), _("must be more than 1")))
     problems += _count_problems(wants, [name for name, value in given.items() if value is None])
-    if problems:
-        raise InputError(problems)
+    refuse(problems)
 
 
 def _count_problems(wants: Wants, free: list[Free]) -> list[Problem]:

@@ -5,7 +5,7 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
@@ -214,8 +214,7 @@ def _refuse_impossible(stroke: float, ratio: float, speed: float | None) -> None
             ).format(share=slotted_lever(ratio).crank_to_distance)
         allowed = _("must lie between 1 and 3 for an offset slider-crank")
         problems.append(Problem("time_ratio", plain(ratio), allowed, repair))
-    if problems:
-        raise InputError(problems)
+    refuse(problems)
 
 
 def _parameter_of(stroke: float, excess: float, rod_length: float) -> float:

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from math import pi
 from typing import Annotated, Literal
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
@@ -141,8 +141,7 @@ def _refuse_impossible(
         problems.append(unlisted("strategy", strategy, list(STRATEGIES)))
     if not compression_ratio > 1:
         problems.append(Problem("compression_ratio", plain(compression_ratio), _("must be more than 1")))
-    if problems:
-        raise InputError(problems)
+    refuse(problems)
 
 
 def _wants(strategy: Strategy, master: SliderCrank, ratio: float) -> Wants:

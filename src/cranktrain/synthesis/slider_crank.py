@@ -3,7 +3,7 @@
 from math import isnan, pi, sin, tan
 from typing import Annotated, Literal
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.synthesis.four_bars import time_ratio_of
 from cranktrain.synthesis.positive import not_positive, plain
@@ -133,8 +133,7 @@ def _refuse_impossible(
     if not problems and rod_length is not None and rod_length <= (least := least_rod(stroke, offset or 0.0)):
         allowed = _("must be more than {least} for this stroke, or the crank cannot turn").format(least=precise(least))
         problems.append(Problem("rod_length", precise(rod_length), allowed))
-    if problems:
-        raise InputError(problems)
+    refuse(problems)
 
 
 def _chosen(
@@ -188,8 +187,7 @@ def _refuse_over_limits(lengths: Lengths, working_stroke: Stroke, working: float
         for name, (limit, angle) in limits.items()
         if angle > limit * (1 + _ROUNDING)
     ]
-    if problems:
-        raise InputError(problems)
+    refuse(problems)
 
 
 def slider_crank_numbers(lengths: Lengths, working_stroke: Stroke, speed: float | None) -> tuple[Number, ...]:

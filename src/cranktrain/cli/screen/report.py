@@ -13,6 +13,7 @@ from cranktrain.cli.screen.facts import fact_tables
 from cranktrain.cli.screen.figures import ABSENT, figures
 from cranktrain.cli.screen.inputs import input_table, provenance
 from cranktrain.cli.screen.text import INDENT, paragraph, section, table
+from cranktrain.grouping import places_of_equal
 from cranktrain.io.description import layout_words
 from cranktrain.io.machine_file import MachineFile
 from cranktrain.language import _
@@ -104,10 +105,7 @@ def _shafts(machine: Machine) -> str:
     """Say which mechanisms work on which shaft."""
     places = machine.places
     names = [place.name for place in places]
-    on = {
-        shaft: [i for i, place in enumerate(places) if place.shaft == shaft]
-        for shaft in dict.fromkeys(place.shaft for place in places)
-    }
+    on = places_of_equal([place.shaft for place in places])
     said = (_("{shaft} ({mechanisms})").format(shaft=shaft, mechanisms=ranged(names, few)) for shaft, few in on.items())
     return _("shafts {shafts}").format(shafts=", ".join(said))
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 from inspect import Parameter, signature
 from typing import TypeAlias
 
-from cranktrain.errors import InputError, Position, Problem
+from cranktrain.errors import InputError, Position, Problem, refuse
 from cranktrain.language import _
 from cranktrain.quantities import Dimension, QuantityError, unlisted
 from cranktrain.spec import missing, parts_of, quantity_of, words_of
@@ -78,8 +78,7 @@ def proposed(problem: str, typed: Typed) -> Proposal:
                 problems.append(Problem(option_of(want.name), None, missing(want.annotation)))
         except InputError as error:
             problems += [replace(one, path=option_of(want.name)) for one in error.problems]
-    if problems:
-        raise InputError(problems)
+    refuse(problems)
     try:
         return SYNTHESES[problem](**wants)
     except InputError as error:

@@ -1,8 +1,7 @@
 """`textbook`: the sources' own formulas for a machine, with their ranges and errors; the sources' own errors."""
 
 import os
-from collections.abc import Hashable, Iterator, Sequence
-from typing import TypeVar
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from rich.console import Console
@@ -13,8 +12,8 @@ from cranktrain.cli.screen.columns import Column, column_tables
 from cranktrain.cli.screen.report import title
 from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.textbook.errata import show_errata
-from cranktrain.errors import InputError, Position, Problem
-from cranktrain.io.machine_file import read_machine
+from cranktrain.cli.textbook.source import machine_file
+from cranktrain.grouping import places_of_equal
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
@@ -31,8 +30,6 @@ _STEP = 30.0
 _TURN = 360.0
 _PARTS, _FINE = 10, 720
 """Of the stroke or turn: where a table of a construction is shown, and where its largest error is sought."""
-
-_Key = TypeVar("_Key", bound=Hashable)
 
 _ERRORS = {"Δx": "displacement_error", "Δv": "velocity_error", "Δj": "acceleration_error"}
 _CURVES = (
@@ -63,15 +60,11 @@ def show_textbook(source: str, settings: Sequence[str], *, with_table: bool, wit
         With everything that is wrong with the machine.
     """
     is_errata = source.casefold() == _ERRATA and not os.path.isfile(source)  # noqa: PTH113 - takes a NUL byte
-    if not source and not with_errata:
-        allowed = _("FILE is missing")
-        repair = _("such as: {example}").format(example="cranktrain textbook 3d12")
-        raise InputError([Problem("", None, allowed, repair, Position("cranktrain textbook"))])
-    if is_errata or not source:
+    if is_errata or (with_errata and not source):
         with page() as console:
             show_errata(console)
         return
-    machine = read_machine(source, settings).machine
+    machine = machine_file(source, settings, "cranktrain textbook 3d12").machine
     result = run(machine, step_degrees=_STEP, quantities=_NEEDED)
     with page() as console:
         console.print(Text(title(machine), style="bold"))
@@ -112,7 +105,7 @@ def _show_constructions(console: Console, machine: Machine, *, with_table: bool)
     if not cranks:
         return
     width = console.width - INDENT
-    groups = _grouped([place.geometry for place in cranks])
+    groups = places_of_equal([place.geometry for place in cranks])
     names = [place.name for place in cranks]
     said = [ranged(names, members) for members in groups.values()]
     firsts = [cranks[members[0]] for members in groups.values()]
@@ -159,8 +152,8 @@ def _method(machine: Machine, result: Result, one: Range, width: int) -> Iterato
             for place, ratio in zip(places, ratios, strict=True)
         ]
         said = [verdict.format(ratio=float(ratio)) for verdict, ratio in zip(verdicts, ratios, strict=True)]
-        yield "; ".join(f"{ranged(names, members)}: {words}" for words, members in _grouped(said).items())
-    groups = _grouped([_errors(result, one.method, name) for name in names])
+        yield "; ".join(f"{ranged(names, members)}: {words}" for words, members in places_of_equal(said).items())
+    groups = places_of_equal([_errors(result, one.method, name) for name in names])
     heads = [text for symbol in _ERRORS for text in (symbol, "φ")]
     units = ["%", "deg"] * len(_ERRORS)
     columns = [
@@ -213,16 +206,8 @@ def _millimetres(value: float) -> str:
 def _alike(places: Sequence[PlacedMechanism]) -> list[list[PlacedMechanism]]:
     """Put pistons together that move alike, as far as any source has a form for them."""
     spoken_of = [place for place in places if any(place.kind.name in form for form in FORMS.values())]
-    groups = _grouped([(place.kind.name, place.geometry) for place in spoken_of])
+    groups = places_of_equal([(place.kind.name, place.geometry) for place in spoken_of])
     return [[spoken_of[i] for i in members] for members in groups.values()]
-
-
-def _grouped(keys: Sequence[_Key]) -> dict[_Key, list[int]]:
-    """Places of equal keys."""
-    groups: dict[_Key, list[int]] = {}
-    for i, key in enumerate(keys):
-        groups.setdefault(key, []).append(i)
-    return groups
 
 
 def _ratio(place: PlacedMechanism) -> Array:
