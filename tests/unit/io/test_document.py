@@ -327,7 +327,7 @@ class TestLocated:
         assert problem.given == given.strip()
 
     def test_a_path_that_cannot_be_read(self, engine):
-        (problem,) = engine.located([Problem("a..b", None, "x")])
+        problem = engine.located(Problem("a..b", None, "x"))
         assert problem == Problem("a..b", None, "x", position=Position("v6.toml", 1, 1))
 
 

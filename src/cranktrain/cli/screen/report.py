@@ -57,7 +57,7 @@ def show_result(
     names = [name for name in names if name not in deep]
     facts = [name for name in names if result.catalogue[name].is_fact]
     if facts:
-        section(console, _("Results"), list(fact_tables(result, facts, width)))
+        section(console, _("Results"), fact_tables(result, facts, width))
     peaks = list(_peaks(result, names))
     if peaks:
         step = f"{result.crank_angle[1]:g}°"
@@ -67,10 +67,10 @@ def show_result(
     if deep:
         section(console, _("By each method, with --quantities"), [", ".join(deep)])
     if result.checks:
-        section(console, _("Checks"), list(_checks(console, result)))
+        section(console, _("Checks"), _checks(console, result))
     if result.flags:
         section(console, _("Mind"), result.flags)
-    about = input_table(file, width) if with_inputs else list(provenance(file, width))
+    about = input_table(file, width) if with_inputs else provenance(file, width)
     section(console, _("What this rests on"), about)
     if result.missing:
         section(console, _("To learn more"), [_missing(missing) for missing in result.missing])

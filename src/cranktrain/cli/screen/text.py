@@ -3,7 +3,7 @@
 import re
 import sys
 import textwrap
-from collections.abc import Container, Generator, Iterator, Sequence
+from collections.abc import Container, Generator, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 
 from rich.cells import cell_len
@@ -41,7 +41,7 @@ def _screen() -> Console:
     )
 
 
-def section(console: Console, heading: str, lines: Sequence[str | Text]) -> None:
+def section(console: Console, heading: str, lines: Iterable[str | Text]) -> None:
     """Show lines under a heading; one that is no `Text` is a paragraph, folded to the width of the screen."""
     parts = [part for line in lines for part in ([line] if isinstance(line, Text) else paragraph(console, line))]
     console.print()

@@ -8,7 +8,7 @@ from rich.console import Console
 from rich.text import Text
 
 from cranktrain.analysis import Result, run
-from cranktrain.cli.screen.columns import Column, column_tables
+from cranktrain.cli.screen.columns import Column, column_tables, section_of_columns
 from cranktrain.cli.screen.report import title
 from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.textbook.errata import show_errata
@@ -22,7 +22,7 @@ from cranktrain.plans.constructions import Construction, construction
 from cranktrain.references import REFERENCES
 from cranktrain.textbook.comparison import FORMS
 from cranktrain.textbook.ranges import RANGES, Range
-from cranktrain.wording import around_turn, number, ranged
+from cranktrain.wording import around_turn, figure, number, ranged
 
 _ERRATA = "errata"
 _STEP = 30.0
@@ -85,7 +85,7 @@ def _show_methods(console: Console, machine: Machine, result: Result, *, with_ta
     width = console.width - INDENT
     for one in ranges:
         heading = f"{_(one.name)}: {', '.join(one.equations)} [{one.source}]"
-        section(console, heading[:1].upper() + heading[1:], list(_method(machine, result, one, width)))
+        section(console, heading[:1].upper() + heading[1:], _method(machine, result, one, width))
     explained = _(
         "Δx in parts of the stroke, Δv and Δj of their exact peaks, each curve from its own top; φ after the crank "
         "points along the cylinder. λ is crank radius by rod, of a slave its master's."
@@ -104,7 +104,6 @@ def _show_constructions(console: Console, machine: Machine, *, with_table: bool)
     cranks = [place for place in machine.places if place.kind.name == "slider_crank"]
     if not cranks:
         return
-    width = console.width - INDENT
     groups = places_of_equal([place.geometry for place in cranks])
     names = [place.name for place in cranks]
     said = [ranged(names, members) for members in groups.values()]
@@ -117,12 +116,12 @@ def _show_constructions(console: Console, machine: Machine, *, with_table: bool)
     errors = [np.rad2deg(one.angle - one.exact_angle) for one in read]
     worst = [int(np.nanargmax(np.abs(error))) for error in errors]
     columns = [
-        Column("OP = λR/2", "mm", tuple(_millimetres(-one.pole) for one in read)),
+        Column("OP = λR/2", "mm", tuple(figure(-one.pole, "mm") for one in read)),
         Column("Δφ", "deg", tuple(f"{error[at]:.2f}" for error, at in zip(errors, worst, strict=True))),
-        Column("S", "mm", tuple(_millimetres(one.displacement[at]) for one, at in zip(read, worst, strict=True))),
+        Column("S", "mm", tuple(figure(one.displacement[at], "mm") for one, at in zip(read, worst, strict=True))),
     ]
     about = _("crank angle from the displacement: largest error, and where; the pole P lies away from the cylinder")
-    lines = [about, *column_tables(columns, said, width)]
+    lines = [about, *column_tables(columns, said, console.width - INDENT)]
     section(console, _("Brix's construction backwards: fig. 147 [steam-engine]"), lines)
     if with_table:
         _show_backwards(console, construction(machine, "brix_backward", _PARTS, mechanism=firsts[0].name))
@@ -130,28 +129,28 @@ def _show_constructions(console: Console, machine: Machine, *, with_table: bool)
 
 def _show_backwards(console: Console, read: Construction) -> None:
     """Show the angles that Brix's construction gives for tenths of the stroke, beside the exact ones."""
-    labels = [f"{_millimetres(value)} mm" for value in read.displacement]
+    labels = [number(value, "mm") for value in read.displacement]
     angles = (read.angle, read.exact_angle, read.angle - read.exact_angle)
     columns = [
         Column(head, "deg", tuple(f"{np.rad2deg(value):.2f}" for value in values))
         for head, values in zip(("brix", "exact", "Δφ"), angles, strict=True)
     ]
     heading = _("φ of piston {piston} by the displacement S, on the way to the shaft").format(piston=read.mechanism)
-    section(console, heading, list(column_tables(columns, labels, console.width - INDENT)))
+    section_of_columns(console, heading, columns, labels)
 
 
 def _method(machine: Machine, result: Result, one: Range, width: int) -> Iterator[str | Text]:
     """Range of a method, which pistons are inside, and the largest errors."""
     places = [place for place in machine.places if place.kind.name in FORMS[one.method]]
     names = [place.name for place in places]
-    ratios = [_ratio(place) for place in places]
     yield _("range: {condition}").format(condition=_(one.condition))
     if _has_limits(one):
-        verdicts = [
-            _("outside, λ = {ratio:.3f}") if one.outside(ratio, _offset(place)) else _("inside, λ = {ratio:.3f}")
-            for place, ratio in zip(places, ratios, strict=True)
+        said = [
+            (_("outside, λ = {ratio:.3f}") if one.outside(ratio, offset) else _("inside, λ = {ratio:.3f}")).format(
+                ratio=float(ratio)
+            )
+            for ratio, offset in map(_sizes, places)
         ]
-        said = [verdict.format(ratio=float(ratio)) for verdict, ratio in zip(verdicts, ratios, strict=True)]
         yield "; ".join(f"{ranged(names, members)}: {words}" for words, members in places_of_equal(said).items())
     groups = places_of_equal([_errors(result, one.method, name) for name in names])
     heads = [text for symbol in _ERRORS for text in (symbol, "φ")]
@@ -170,8 +169,8 @@ def _errors(result: Result, method: str, piston: str) -> tuple[str, ...]:
     texts: list[str] = []
     for name in _ERRORS.values():
         angle = around_turn(np.deg2rad(getattr(result, f"{name}_at")[row, place] - zero))
-        texts.append(number(float(getattr(result, name)[row, place]), "%").removesuffix(" %"))
-        texts.append(number(float(angle), "deg").removesuffix(" deg"))
+        texts.append(figure(float(getattr(result, name)[row, place]), "%"))
+        texts.append(figure(float(angle), "deg"))
     return tuple(texts)
 
 
@@ -186,21 +185,16 @@ def _show_motion(console: Console, result: Result, places: Sequence[PlacedMechan
         entry = result.catalogue[name]
         curves = getattr(result, name)[:, piston][:, turn]
         columns = [
-            Column(method, unit, tuple(_millimetres(value) for value in curves[result.labels["method"].index(method)]))
+            Column(method, unit, tuple(figure(value, "mm") for value in curves[result.labels["method"].index(method)]))
             for method in methods
         ]
         heading = _("{symbol} of piston {piston} by the crank angle").format(symbol=entry.symbol, piston=first.name)
-        section(console, heading, list(column_tables(columns, labels, console.width - INDENT)))
+        section_of_columns(console, heading, columns, labels)
     if len(places) > 1:
         names = [place.name for place in places]
         alike = ranged(names, range(1, len(names)))
         console.print()
         console.print(_("Alike, each from its own top: {pistons}.").format(pistons=alike))
-
-
-def _millimetres(value: float) -> str:
-    """Write a length, or one per radian, in millimetres."""
-    return number(value, "mm").removesuffix(" mm")
 
 
 def _alike(places: Sequence[PlacedMechanism]) -> list[list[PlacedMechanism]]:
@@ -210,15 +204,10 @@ def _alike(places: Sequence[PlacedMechanism]) -> list[list[PlacedMechanism]]:
     return [[spoken_of[i] for i in members] for members in groups.values()]
 
 
-def _ratio(place: PlacedMechanism) -> Array:
-    """Crank radius by rod, of a slave its master's, as ranges have it."""
+def _sizes(place: PlacedMechanism) -> tuple[Array, Array]:
+    """Crank radius by rod and offset of the line of stroke [m], of a slave its master's, as ranges have them."""
     geometry = getattr(place.geometry, "master", place.geometry)
-    return single(geometry.crank_radius / geometry.rod_length)
-
-
-def _offset(place: PlacedMechanism) -> Array:
-    """Offset of the line of stroke, of a slave its master's. [m]"""
-    return single(getattr(place.geometry, "master", place.geometry).offset)
+    return single(geometry.crank_radius / geometry.rod_length), single(geometry.offset)
 
 
 def _has_limits(one: Range) -> bool:

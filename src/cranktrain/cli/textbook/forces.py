@@ -6,9 +6,9 @@ import numpy as np
 from rich.console import Console
 from rich.text import Text
 
-from cranktrain.cli.screen.columns import Column, column_tables
+from cranktrain.cli.screen.columns import Column, section_of_columns
 from cranktrain.cli.screen.report import title
-from cranktrain.cli.screen.text import INDENT, page, section
+from cranktrain.cli.screen.text import page, section
 from cranktrain.cli.textbook.source import machine_file
 from cranktrain.errors import Problem, problems_as, refuse
 from cranktrain.language import _
@@ -65,7 +65,7 @@ def _show(console: Console, table: ForceTable) -> None:
     heading = _("Forces of piston {piston} by the reactions in the joints").format(piston=table.piston)
     if table.area is not None:
         heading = _("{heading}, over its area of {area:.2f} cm²").format(heading=heading, area=1e4 * table.area)
-    section(console, heading, list(column_tables(exact, labels, console.width - INDENT)))
+    section_of_columns(console, heading, exact, labels)
     by_formula = [(one, one.textbook, one.textbook_error) for one in table.columns]
     by_harmonics = [(one, one.two_harmonics, one.two_harmonics_error) for one in table.columns]
     heading = _("The same by the textbook's P·f(β)")
@@ -74,7 +74,7 @@ def _show(console: Console, table: ForceTable) -> None:
     else:
         _show_method(console, heading, by_formula, labels)
     _show_method(console, _("The same with two harmonics of inertia"), by_harmonics, labels)
-    section(console, _("What they are"), list(_explained(table)))
+    section(console, _("What they are"), _explained(table))
 
 
 def _show_method(
@@ -83,14 +83,13 @@ def _show_method(
     """Show the forces by a method, and their errors; nothing where there are none."""
     if all(np.all(np.isnan(values)) for _one, values, _error in columns):
         return
-    width = console.width - INDENT
     forces = [Column(one.symbol, one.unit, _written(values, one.exact)) for one, values, _error in columns]
-    section(console, heading, list(column_tables(forces, labels, width)))
+    section_of_columns(console, heading, forces, labels)
     errors = [
         Column(f"Δ{one.symbol}", "%", tuple(_signless(f"{100 * value:.2f}") for value in error))
         for one, _values, error in columns
     ]
-    section(console, _("Their errors, of the exact peaks"), list(column_tables(errors, labels, width)))
+    section_of_columns(console, _("Their errors, of the exact peaks"), errors, labels)
 
 
 def _explained(table: ForceTable) -> Iterator[str]:

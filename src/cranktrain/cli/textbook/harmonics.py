@@ -6,9 +6,9 @@ import numpy as np
 from rich.console import Console
 from rich.text import Text
 
-from cranktrain.cli.screen.columns import Column, column_tables
+from cranktrain.cli.screen.columns import Column, section_of_columns
 from cranktrain.cli.screen.report import title
-from cranktrain.cli.screen.text import INDENT, page, section
+from cranktrain.cli.screen.text import page, section
 from cranktrain.cli.textbook.source import file_missing, machine_file
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.grouping import places_of_equal
@@ -99,7 +99,7 @@ def _given_ratio(
 
 def _show(console: Console, whose: str, ratio: float) -> None:
     """Show the harmonics of acceleration and torque for one ratio."""
-    value, width = single(ratio), console.width - INDENT
+    value = single(ratio)
     for heading, symbol, series, two in (
         (_("Acceleration of {pistons}: x″ = R Σ A_k cos kα"), "A", acceleration_series(value), two_harmonics(value)),
         (
@@ -114,7 +114,7 @@ def _show(console: Console, whose: str, ratio: float) -> None:
         for head, method in ((_("series"), series), (_("two harmonics"), two)):
             columns += _beside(head, method, orders)
         labels = [f"{symbol}_{order}" for order in orders]
-        section(console, heading.format(pistons=whose), list(column_tables(columns, labels, width)))
+        section_of_columns(console, heading.format(pistons=whose), columns, labels)
 
 
 def _beside(head: str, method: HarmonicsByMethod, orders: list[int]) -> tuple[Column, Column]:
