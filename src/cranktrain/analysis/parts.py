@@ -45,10 +45,8 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
 
 def _designs(machines: Sequence[Machine], *, partial: bool) -> list[Design]:
     """Arrange every design; everything that is wrong with any of them is told at once."""
-    found: list[Problem] = list(_differences(machines))
-    for machine in machines:
-        found += machine_problems(machine, partial=partial)
-    refuse(dict.fromkeys(found))
+    wrong = (problem for machine in machines for problem in machine_problems(machine, partial=partial))
+    refuse(dict.fromkeys((*_differences(machines), *wrong)))
     return [machine.design for machine in machines]
 
 

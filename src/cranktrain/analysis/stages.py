@@ -108,15 +108,14 @@ def run_stages(stages: Sequence[Stage], parts: Mapping[type, object], absent: Co
     seen: set[int] = set()
     for part in parts.values():
         _freeze(part, seen)
-    outcomes: dict[type, object] = {}
     for one in ordered(tuple(stages)):
         if one.gives not in absent:
             # NaN stands for links that cannot close, and is no news.
             with np.errstate(all="ignore"):
                 outcome = one.function(**{name: known.get(need) for name, need in one.needs.items()})
             _freeze(outcome, seen)
-            known[one.gives] = outcomes[one.gives] = outcome
-    return {one.gives: outcomes[one.gives] for one in stages if one.gives in outcomes}
+            known[one.gives] = outcome
+    return {one.gives: known[one.gives] for one in stages if one.gives in known}
 
 
 def missing_results(stages: Sequence[Stage], absent: Mapping[type, tuple[str, ...]]) -> tuple[Missing, ...]:

@@ -312,6 +312,7 @@ def _textbook(
     ] = None,
 ) -> None:
     values = tuple(settings or ())
+    of_forces = {"--step": None if step is None else f"{step:g}", "--piston": piston}
     if harmonics or crank_to_rod_ratio is not None:
         from cranktrain.cli.textbook.harmonics import show_harmonics
 
@@ -319,8 +320,7 @@ def _textbook(
             "--table": "" if table else None,
             "--errata": "" if errata else None,
             "--forces": forces,
-            "--step": None if step is None else f"{step:g}",
-            "--piston": piston,
+            **of_forces,
         }
         show_harmonics(file, values, ratio=crank_to_rod_ratio, others=others)
         return
@@ -330,7 +330,7 @@ def _textbook(
     if forces is not None:
         show_force_tables(file, values, unit=forces, step=30.0 if step is None else step, piston=piston)
         return
-    refuse_without_forces(step, piston)
+    refuse_without_forces(of_forces)
     show_textbook(file, values, with_table=table, with_errata=errata)
 
 

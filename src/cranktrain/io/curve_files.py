@@ -4,7 +4,7 @@ import codecs
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import cast
+from typing import Any, cast
 
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.errors import InputError, Problem, problems_as
@@ -12,6 +12,7 @@ from cranktrain.io.files import content_of, refusal
 from cranktrain.language import _
 from cranktrain.layout.parts import FILES
 from cranktrain.layout.question import TableFile
+from cranktrain.paths import replaced, value_at
 
 LARGEST_FILE = 16 * 2**20
 """Bytes; a cycle in steps of 0.1° has some 200 000."""
@@ -88,22 +89,19 @@ def with_curves(data: Mapping[str, object], folder: Path) -> tuple[dict[str, obj
     filled = dict(data)
     for curve in CURVE_FILES:
         try:
-            filled = _filled(filled, curve.table, curve, folder)
+            filled = _filled(filled, curve, folder)
         except InputError as error:
             found += error.problems
     return filled, tuple(found)
 
 
-def _filled(data: Mapping[str, object], below: tuple[str, ...], curve: TableFile, folder: Path) -> dict[str, object]:
-    """Put the text of one file into its table, so many tables below this one."""
-    inner = data.get(below[0]) if below else None
-    if below:
-        if not isinstance(inner, Mapping):
-            return dict(data)
-        return {**data, below[0]: _filled(cast(Mapping[str, object], inner), below[1:], curve, folder)}
-    file = data.get("file")
-    if data.get("kind") != curve.kind or not isinstance(file, str) or "text" in data:
-        return dict(data)
-    path = ".".join((*curve.table, "file"))
-    with problems_as(lambda problem: replace(problem, path=path, given=file, position=None)):
-        return {**data, "text": curve_text(folder / file, file, curve.noun)}
+def _filled(data: dict[str, object], curve: TableFile, folder: Path) -> dict[str, object]:
+    """Put the text of one file into its table."""
+    path = ".".join(curve.table)
+    table: Any = value_at(data, path)
+    file = table.get("file") if isinstance(table, Mapping) and table.get("kind") == curve.kind else None
+    if not isinstance(file, str) or "text" in table:
+        return data
+    with problems_as(lambda problem: replace(problem, path=f"{path}.file", given=file, position=None)):
+        text = curve_text(folder / file, file, curve.noun)
+    return cast("dict[str, object]", replaced(data, (*curve.table, "text"), text))

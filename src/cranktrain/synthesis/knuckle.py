@@ -114,7 +114,7 @@ def knuckle_from_wants(
             *_with_other_dimensions(rod, wants, known),
             *_with_other_wants(rod, same_ratio),
         ),
-        remarks=_remarks(rod, wants, known),
+        remarks=tuple(_remarks(rod, wants, known)),
         tables=_tables(rod, wants, known, bore, speed),
     )
 
@@ -206,9 +206,8 @@ def _unreachable(rod: ArticulatedRod, wants: Wants, search: Search, free: Sequen
     return Problem(path, None, allowed.format(names=names))
 
 
-def _with_other_dimensions(rod: ArticulatedRod, wants: Wants, known: dict[Free, float]) -> tuple[Alternative, ...]:
+def _with_other_dimensions(rod: ArticulatedRod, wants: Wants, known: dict[Free, float]) -> Iterator[Alternative]:
     """The same wants met with each given dimension somewhat changed; those that cannot be had are left out."""
-    found_ones: list[Alternative] = []
     for name, value in known.items():
         changed = [value + step for step in _STEPS] if name == "articulation_angle" else [value * by for by in _FACTORS]
         for other in changed:
@@ -219,8 +218,7 @@ def _with_other_dimensions(rod: ArticulatedRod, wants: Wants, known: dict[Free, 
             label = _("the same wants with {symbol} = {value}").format(
                 symbol=_SYMBOLS[name], value=number(other, _UNITS[name])
             )
-            found_ones.append(Alternative(label, slave_numbers(best, wants.same_ratio)))
-    return tuple(found_ones)
+            yield Alternative(label, slave_numbers(best, wants.same_ratio))
 
 
 _SYMBOLS: dict[Free, str] = {"articulation_angle": "ζ", "knuckle_radius": "r", "rod_length": "l"}
@@ -241,29 +239,23 @@ def _with_other_wants(rod: ArticulatedRod, ratio: float | None) -> tuple[Alterna
     return tuple(Alternative(label, slave_numbers(other, ratio)) for label, other in others.items() if is_usable(other))
 
 
-def _remarks(rod: ArticulatedRod, wants: Wants, known: dict[Free, float]) -> tuple[str, ...]:
+def _remarks(rod: ArticulatedRod, wants: Wants, known: dict[Free, float]) -> Iterator[str]:
     """Say in words what the wants fix and what they do not."""
     product = number(float(stroke_product(rod)), "mm")
-    remarks: list[str] = []
     if wants.stroke is not None:
-        remarks.append(
-            _(
-                "A stroke fixes little more than r(1 + r/l) sin(ζ − γ), here {product}; not r, l and ζ each. "
-                "The alternatives with other dimensions have the same stroke."
-            ).format(product=product)
-        )
+        yield _(
+            "A stroke fixes little more than r(1 + r/l) sin(ζ − γ), here {product}; not r, l and ζ each. "
+            "The alternatives with other dimensions have the same stroke."
+        ).format(product=product)
     if wants.stroke is not None or wants.same_height or wants.same_ratio is not None:
-        remarks.append(_("Dimensions found in this way are fitted: they are no data of any engine."))
+        yield _("Dimensions found in this way are fitted: they are no data of any engine.")
     if wants.unshifted is not None:
         stays, moves = (_("top"), _("bottom")) if wants.unshifted == "top" else (_("bottom"), _("top"))
-        remarks.append(
-            _("The {stays} dead centre stays, so the {moves} one must shift, unless sin γ = 0; and {sum}.").format(
-                stays=stays, moves=moves, sum="H = R + r + l" if wants.unshifted == "top" else "h = r + l − R"
-            )
+        yield _("The {stays} dead centre stays, so the {moves} one must shift, unless sin γ = 0; and {sum}.").format(
+            stays=stays, moves=moves, sum="H = R + r + l" if wants.unshifted == "top" else "h = r + l − R"
         )
     if not known:
-        remarks.append(_("All three dimensions follow from the wants; none was given."))
-    return tuple(remarks)
+        yield _("All three dimensions follow from the wants; none was given.")
 
 
 def _tables(

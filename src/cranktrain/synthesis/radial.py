@@ -113,7 +113,7 @@ def radial(
             for i, rod in enumerate(chosen, start=2)
             for one in slave_numbers(rod, compression_ratio)
         ),
-        alternatives=_alternatives(start, compression_ratio),
+        alternatives=tuple(_alternatives(start, compression_ratio)),
         remarks=(
             _("Chosen: {strategy}.").format(strategy=_(STRATEGIES[strategy])),
             _("Equal strokes and unshifted top dead centres exclude one another; one of them has to be borne."),
@@ -171,16 +171,14 @@ def _unreachable(rod: ArticulatedRod, strategy: Strategy, search: Search) -> Pro
     return Problem("strategy", strategy, allowed, _("choose another strategy, or other common sizes"))
 
 
-def _alternatives(start: Sequence[ArticulatedRod], ratio: float) -> tuple[Alternative, ...]:
+def _alternatives(start: Sequence[ArticulatedRod], ratio: float) -> Iterator[Alternative]:
     """All strategies with the spread of what they give; those that cannot be had are left out."""
-    alternatives: list[Alternative] = []
     for strategy, words in STRATEGIES.items():
         try:
             rods = [_chosen(rod, strategy, ratio) for rod in start]
         except InputError:
             continue
-        alternatives.append(Alternative(_(words), _spread(rods, ratio)))
-    return tuple(alternatives)
+        yield Alternative(_(words), _spread(rods, ratio))
 
 
 def _spread(rods: Sequence[ArticulatedRod], ratio: float) -> tuple[Number, ...]:

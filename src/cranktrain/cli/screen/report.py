@@ -87,10 +87,8 @@ def title(machine: Machine) -> str:
     parts = [layout_words(machine)]
     if len(machine.shafts) > 1:
         parts.append(_shafts(machine))
-    if machine.main_shaft.speed is not None:
-        parts.append(machine.main_shaft.speed.text)
-    if machine.main_shaft.acceleration is not None:
-        parts.append(machine.main_shaft.acceleration.text)
+    shaft = machine.main_shaft
+    parts += [given.text for given in (shaft.speed, shaft.acceleration) if given is not None]
     senses = {
         "clockwise": _("clockwise"),
         "anticlockwise": _("anticlockwise"),

@@ -5,6 +5,7 @@ import sys
 import textwrap
 from collections.abc import Container, Generator, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from typing import Any
 
 from rich.cells import cell_len
 from rich.console import Console
@@ -34,11 +35,8 @@ def page() -> Generator[Console]:
 
 def _screen() -> Console:
     """Give a console for the standard output: as wide as a terminal is, else of 80 columns and without colour."""
-    if sys.stdout.isatty():
-        return Console(highlight=False, markup=False, emoji=False)
-    return Console(
-        highlight=False, markup=False, emoji=False, width=_WIDTH, height=_WIDTH, color_system=None, force_terminal=False
-    )
+    plain: Any = {"width": _WIDTH, "height": _WIDTH, "color_system": None, "force_terminal": False}
+    return Console(highlight=False, markup=False, emoji=False, **({} if sys.stdout.isatty() else plain))
 
 
 def section(console: Console, heading: str, lines: Iterable[str | Text]) -> None:

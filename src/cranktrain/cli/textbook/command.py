@@ -152,7 +152,7 @@ def _method(machine: Machine, result: Result, one: Range, width: int) -> Iterato
             for ratio, offset in map(_sizes, places)
         ]
         yield "; ".join(f"{ranged(names, members)}: {words}" for words, members in places_of_equal(said).items())
-    groups = places_of_equal([_errors(result, one.method, name) for name in names])
+    groups = places_of_equal([tuple(_errors(result, one.method, name)) for name in names])
     heads = [text for symbol in _ERRORS for text in (symbol, "φ")]
     units = ["%", "deg"] * len(_ERRORS)
     columns = [
@@ -162,16 +162,14 @@ def _method(machine: Machine, result: Result, one: Range, width: int) -> Iterato
     yield from column_tables(columns, [ranged(names, members) for members in groups.values()], width)
 
 
-def _errors(result: Result, method: str, piston: str) -> tuple[str, ...]:
+def _errors(result: Result, method: str, piston: str) -> Iterator[str]:
     """Largest error of each order and where it is, as text."""
     row, place = result.labels["method"].index(method), result.labels["piston"].index(piston)
     zero = result.top_dead_centre[place] - result.top_shift[place]
-    texts: list[str] = []
     for name in _ERRORS.values():
         angle = around_turn(np.deg2rad(getattr(result, f"{name}_at")[row, place] - zero))
-        texts.append(figure(float(getattr(result, name)[row, place]), "%"))
-        texts.append(figure(float(angle), "deg"))
-    return tuple(texts)
+        yield figure(float(getattr(result, name)[row, place]), "%")
+        yield figure(float(angle), "deg")
 
 
 def _show_motion(console: Console, result: Result, places: Sequence[PlacedMechanism]) -> None:

@@ -1,6 +1,6 @@
 """`textbook --forces`: a piston's forces at round crank angles, exact and by the textbook's formula, with errors."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 from rich.console import Console
@@ -51,9 +51,8 @@ def show_force_tables(source: str, settings: Sequence[str], *, unit: str, step: 
         _show(console, table)
 
 
-def refuse_without_forces(step: float | None, piston: str | None) -> None:
+def refuse_without_forces(given: Mapping[str, str | None]) -> None:
     """Refuse options that mean nothing but for tables of forces."""
-    given = {"--step": None if step is None else f"{step:g}", "--piston": piston}
     allowed = _("is for tables of forces: ask for --forces UNIT, too")
     refuse(Problem(name, value, allowed) for name, value in given.items() if value is not None)
 
