@@ -4,7 +4,7 @@ import codecs
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, cast
+from typing import cast
 
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.errors import InputError, Problem, problems_as
@@ -98,9 +98,10 @@ def with_curves(data: Mapping[str, object], folder: Path) -> tuple[dict[str, obj
 def _filled(data: dict[str, object], curve: TableFile, folder: Path) -> dict[str, object]:
     """Put the text of one file into its table."""
     path = ".".join(curve.table)
-    table: Any = value_at(data, path)
-    file = table.get("file") if isinstance(table, Mapping) and table.get("kind") == curve.kind else None
-    if not isinstance(file, str) or "text" in table:
+    found = value_at(data, path)
+    table = cast("Mapping[str, object]", found if isinstance(found, Mapping) else {})
+    file = table.get("file")
+    if not isinstance(file, str) or table.get("kind") != curve.kind or "text" in table:
         return data
     with problems_as(lambda problem: replace(problem, path=f"{path}.file", given=file, position=None)):
         text = curve_text(folder / file, file, curve.noun)

@@ -35,8 +35,10 @@ def page() -> Generator[Console]:
 
 def _screen() -> Console:
     """Give a console for the standard output: as wide as a terminal is, else of 80 columns and without colour."""
-    plain: Any = {"width": _WIDTH, "height": _WIDTH, "color_system": None, "force_terminal": False}
-    return Console(highlight=False, markup=False, emoji=False, **({} if sys.stdout.isatty() else plain))
+    options: dict[str, Any] = {"highlight": False, "markup": False, "emoji": False}
+    if not sys.stdout.isatty():
+        options |= {"width": _WIDTH, "height": _WIDTH, "color_system": None, "force_terminal": False}
+    return Console(**options)
 
 
 def section(console: Console, heading: str, lines: Iterable[str | Text]) -> None:
