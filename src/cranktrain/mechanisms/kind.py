@@ -117,7 +117,7 @@ class Kind(Generic[Motion, Geometry]):
     closing_advice: Callable[[Geometry], str]
     members: type[Members[Geometry]]
     stages: tuple[Callable[..., object], ...]
-    dynamics: Dynamics[Motion, Geometry, Any, Any]
+    dynamics: Dynamics[Motion, Geometry]
     example: str
     sliders: tuple[str, ...] = ()
     joints: tuple[str, ...] = ()

@@ -90,7 +90,7 @@ def chain_forces(
     bodies: tuple[Body, ...],
     loads: tuple[Wrench, ...],
     conditions: Conditions,
-) -> Forces[tuple[Wrench, ...]]:
+) -> Forces:
     """All forces of a chain.
 
     Parameters
@@ -137,9 +137,7 @@ def chain_forces(
     return Forces(joints, shaft.driving_torque, friction_torque)
 
 
-def chain_dynamics(
-    structure: Structure, size_of: Callable[[Geometry], ChainSize]
-) -> Dynamics[ChainMotion, Geometry, tuple[Body, ...], tuple[Wrench, ...]]:
+def chain_dynamics(structure: Structure, size_of: Callable[[Geometry], ChainSize]) -> Dynamics[ChainMotion, Geometry]:
     """What forces a chain gives.
 
     Parameters
@@ -153,7 +151,6 @@ def chain_dynamics(
     Dynamics
     """
     return Dynamics(
-        lambda *bodies: bodies,
         chain_moving(structure),
         chain_reactions(structure),
         chain_sliding(structure),

@@ -135,7 +135,7 @@ def crank_pin_loads(
         load = pin_load(one.forces.joints[pin.joint], crank_link(one.motion.pin, Crank(radius)))
         _fill(whole, batch, load)
         if pin.has_rod:
-            rod = loaded.masses.batches[pin.batch].bodies.rod
+            rod = batch.kind.dynamics.by_link(loaded.masses.batches[pin.batch].bodies)["rod"]
             rotating = weighed_ends(rod, batch.members.geometry.rod_length).first
             _fill(without, batch, with_rotating_mass(load, -rotating, radius, loaded.speed.drive(phi)))
         reaction = batch.kind.dynamics.reactions[pin.joint]
