@@ -23,8 +23,8 @@ from cranktrain.analysis import run
 from cranktrain.io.machine_file import load
 from cranktrain.linkage import in_blocks
 from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity
+from cranktrain.mechanisms.chain.groups import made_names
 from cranktrain.mechanisms.chain.kinematics import chain_motion
-from cranktrain.mechanisms.chain.made import made_names
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     Coordinates,

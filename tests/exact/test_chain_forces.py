@@ -203,7 +203,7 @@ class Builder:
         self.bodies[step.point] = self.bodies[step.link]
 
     def MountStep(self, step, own):
-        self.bodies[step.point] = self.bodies[step.pin]
+        self.bodies[step.point] = self.bodies[pin_of(step.slider)]
 
 
 def alone(part):
@@ -239,7 +239,7 @@ def test_joints_and_torques(seed):
 HUNG = (
     PointStep("plate", "knuckle"),
     SlideStep("knuckle", "slave", "ram", "A"),
-    MountStep("block.pin", "lug"),
+    MountStep("block", "lug"),
     SlideStep("lug", "link", "valve", "B"),
 )
 """What hangs on a triad: a rod on its link, and one on its block."""

@@ -11,8 +11,9 @@ from cranktrain.language import _
 from cranktrain.mechanisms.chain.drawing import chain_drawing
 from cranktrain.mechanisms.chain.forces import chain_dynamics
 from cranktrain.mechanisms.chain.gaps import chain_gap, chain_gaps
+from cranktrain.mechanisms.chain.groups import anatomy, made_names
 from cranktrain.mechanisms.chain.kinematics import ChainMotion, chain_motion, triad_branch
-from cranktrain.mechanisms.chain.made import SHAFT, Part, made_by, made_names, pin_of
+from cranktrain.mechanisms.chain.made import SHAFT, Part, pin_of
 from cranktrain.mechanisms.chain.margin import chain_openings
 from cranktrain.mechanisms.chain.spec import ChainSpec
 from cranktrain.mechanisms.chain.steps import (
@@ -98,7 +99,7 @@ def as_chain(
     dict
         Fields of `Kind`. A triad is walked for its margin; without one the gap is followed as any other kind's.
     """
-    made = {name: sort for step in structure.steps for name, sort in made_by(step).items()}
+    made = {name: own.sort for step in structure.steps for name, own in anatomy(step).made.items()}
     has_triad = any(isinstance(step, TriadStep) for step in structure.steps)
 
     def named(sort: str) -> tuple[str, ...]:
@@ -175,7 +176,7 @@ def _advice(structure: Structure, size: ChainSize) -> str:
     groups = step.legs if isinstance(step, TriadStep) else (step,)
     named = [getattr(group, field) for group in groups for field in _HUNG_ON if hasattr(group, field)]
     said = _("it is the part that makes {made} on {on}").format(
-        made=", ".join(name for name in made_by(step) if "." not in name),
+        made=", ".join(name for name in anatomy(step).made if "." not in name),
         on=", ".join(dict.fromkeys(name for name in named if name != SHAFT)) or SHAFT,
     )
     if isinstance(step, TriadStep) and np.any(triad_branch(structure, place, size).apart > 0):

@@ -62,7 +62,7 @@ def chain_drawing(structure: Structure, angle: Array, size: ChainSize) -> Drawin
                 slotted = next(one.pins for one in links if one.name == step.link)
                 blocks.append(Block(pin_of(step.slider), slotted[:2]))
             case MountStep():
-                links.append(DrawnLink(step.point, (step.pin, step.point)))
+                links.append(DrawnLink(step.point, (pin_of(step.slider), step.point)))
             case TriadStep():
                 pins = [leg.joint if isinstance(leg, RodLegStep) else pin_of(leg.slider) for leg in step.legs]
                 rods = [leg for leg in step.legs if isinstance(leg, RodLegStep)]

@@ -24,7 +24,7 @@ from cranktrain.linkage import (
     turned_link,
 )
 from cranktrain.mechanisms.chain.kinematics import triad_branch, triad_motion
-from cranktrain.mechanisms.chain.made import Made
+from cranktrain.mechanisms.chain.made import Made, pin_of
 from cranktrain.mechanisms.chain.placing import driven, guide_offset, in_guide, place_group
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
@@ -165,7 +165,7 @@ def _gap_of(step: Step, own: StepSize, made: Made, radius: Array) -> Array:
         case PointStep(), _:
             return radius + 0.0 * made[step.link].cos
         case MountStep(), _:
-            return radius + 0.0 * made[step.pin].x.value
+            return radius + 0.0 * made[pin_of(step.slider)].x.value
         case _:
             raise TypeError(step)
 

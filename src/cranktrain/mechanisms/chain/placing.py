@@ -93,7 +93,7 @@ def _made_by(step: Step, own: StepSize, made: Made) -> Made:
         case PointStep(), PointSize():
             return {step.point: point(made[step.link], LinkPoint(*own))}
         case MountStep(), PointSize():
-            return {step.point: _beside(made[step.pin], own)}
+            return {step.point: _beside(made[pin_of(step.slider)], own)}
         case _:
             raise TypeError(step)
     slider = _on_guide(step.slider, motion.slider, height, own.direction)

@@ -57,9 +57,9 @@ class PointStep(NamedTuple):
 
 
 class MountStep(NamedTuple):
-    """Point fixed on a slider that does not turn, by the slider's pin."""
+    """Point fixed on a slider that does not turn."""
 
-    pin: str
+    slider: str
     point: str
 
 

@@ -7,7 +7,6 @@ import numpy as np
 from cranktrain.errors import Problem
 from cranktrain.language import _
 from cranktrain.mechanisms.chain.assembly import assembled, made_above, modes_of
-from cranktrain.mechanisms.chain.made import pin_of
 from cranktrain.mechanisms.chain.parts import (
     ChainGuideSpec,
     ChainTable,
@@ -142,7 +141,7 @@ def _step(part: PartSpec, guides: Mapping[str, ChainGuideSpec]) -> Step:
         case TrammelPartSpec():
             return TrammelStep(part.link, part.slider, part.guide.through)
         case PointPartSpec():
-            return MountStep(pin_of(part.link), part.name) if part.link in guides else PointStep(part.link, part.name)
+            return MountStep(part.link, part.name) if part.link in guides else PointStep(part.link, part.name)
         case TriadPartSpec():
             return TriadStep(part.link, tuple(map(_leg_step, part.leg)))
 

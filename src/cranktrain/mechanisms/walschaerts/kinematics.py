@@ -33,7 +33,7 @@ STRUCTURE = Structure(
     ("trunnion",),
     (
         SlideStep("main.pin", "main_rod", "crosshead", "O"),
-        MountStep("crosshead.pin", "drop_pin"),
+        MountStep("crosshead", "drop_pin"),
         PinStep("return.pin", "trunnion", "eccentric_rod", "link", "foot"),
         PointStep("link", "die"),
         TriadStep(
