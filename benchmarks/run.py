@@ -21,7 +21,7 @@ from comparison import SAME, Comparison, filled, is_kept
 
 from cranktrain.analysis import run
 from cranktrain.io.machine_file import load
-from cranktrain.linkage import in_blocks
+from cranktrain.linkage import Pin, in_blocks
 from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity
 from cranktrain.mechanisms.chain.groups import made_names
 from cranktrain.mechanisms.chain.kinematics import chain_motion
@@ -29,7 +29,6 @@ from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     Coordinates,
     CrankSize,
-    PinSize,
     PinStep,
     SlideSize,
     SlideStep,
@@ -67,7 +66,7 @@ CHAIN_SIZE = ChainSize(
     tuple(
         size
         for (rod, rocker, _x, _y, side), (link, direction, offset) in zip(CHAIN_PINS, CHAIN_SLIDES, strict=True)
-        for size in (PinSize(rod, rocker, side), SlideSize(link, 1.0, direction, offset))
+        for size in (Pin(rod, rocker, side), SlideSize(link, 1.0, direction, offset))
     ),
 )
 

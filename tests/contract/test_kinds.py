@@ -279,7 +279,7 @@ def dynamics_of(kind):
     friction = tuple(Friction(0.0, 1.0) for _ in dynamics.sliding)
     conditions = Conditions(Drive(30.0, 200.0), Gravity(-4.0, -9.0), friction)
     loads = dynamics.load(motion, place.geometry, 250.0)
-    return place, motion, dynamics.bodies(*bodies), loads, conditions
+    return place, motion, tuple(bodies), loads, conditions
 
 
 @every_kind

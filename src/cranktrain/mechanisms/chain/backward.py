@@ -30,7 +30,6 @@ from cranktrain.linkage.forces import (
 )
 from cranktrain.mechanisms.chain.made import Made, slot_of
 from cranktrain.mechanisms.chain.steps import (
-    PinSize,
     PinStep,
     RodLegStep,
     SlideSize,
@@ -63,9 +62,9 @@ class Solved(NamedTuple):
     drags: tuple[Array, ...] = ()
 
 
-def _solve_pin(step: PinStep, own: PinSize, acting: Acting) -> Solved:
+def _solve_pin(step: PinStep, own: Pin, acting: Acting) -> Solved:
     motion = PinMotion(acting.made[step.joint], acting.made[step.rod], acting.made[step.rocker])
-    found = pin_reactions(motion, Pin(*own), PinLoads(acting.loads[step.rod], acting.loads[step.rocker]))
+    found = pin_reactions(motion, own, PinLoads(acting.loads[step.rod], acting.loads[step.rocker]))
     return Solved((found.rod, found.rocker, found.joint))
 
 

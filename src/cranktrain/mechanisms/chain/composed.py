@@ -165,7 +165,7 @@ def _stuck(structure: Structure, size: ChainSize) -> int:
     return next((place for place, gap in enumerate(least) if gap < 0), int(np.argmin(least)))
 
 
-def _stuck_part(structure: Structure, size: ChainSize) -> str:
+def _stuck_part(structure: Structure, _spec: ChainSpec, size: ChainSize) -> str:
     return f"part[{_stuck(structure, size)}]"
 
 

@@ -1,8 +1,7 @@
 """Forces of a chain: its groups solved from the last backward, each loading what it hangs on."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import reduce
-from typing import Any
 
 from cranktrain.linkage import Crank
 from cranktrain.linkage.forces import (
@@ -19,7 +18,7 @@ from cranktrain.linkage.forces import (
     swivel_slider_link,
 )
 from cranktrain.mechanisms.chain.backward import SOLVED, Acting
-from cranktrain.mechanisms.chain.groups import anatomy, made_names
+from cranktrain.mechanisms.chain.groups import anatomy, guide_directions, made_names
 from cranktrain.mechanisms.chain.joints import (
     carriers_of,
     chain_contacts,
@@ -29,7 +28,7 @@ from cranktrain.mechanisms.chain.joints import (
 )
 from cranktrain.mechanisms.chain.kinematics import ChainMotion
 from cranktrain.mechanisms.chain.made import Made, pin_of
-from cranktrain.mechanisms.chain.steps import ChainSize, Step, Structure, SwivelSize, SwivelStep, TriadStep
+from cranktrain.mechanisms.chain.steps import ChainSize, Step, Structure, SwivelSize, SwivelStep
 from cranktrain.mechanisms.dynamics import Dynamics
 from cranktrain.mechanisms.geometry import Geometry
 from cranktrain.mechanisms.solved import Forces
@@ -43,24 +42,22 @@ def chain_links(structure: Structure, motion: ChainMotion, size: ChainSize) -> d
         name: crank_link(made[pin_of(name)], Crank(own.radius))
         for name, own in zip(structure.cranks, size.cranks, strict=True)
     }
-    for step, own in zip(structure.steps, size.steps, strict=True):
-        for name in anatomy(step).moving:
-            links[name] = _link(step, own, name, made)
-    return links
+    directions = guide_directions(structure, size)
+    return links | {
+        name: _link(step, name, made, directions) for step in structure.steps for name in anatomy(step).moving
+    }
 
 
 def _made(structure: Structure, motion: ChainMotion) -> Made:
     return dict(zip(made_names(structure), motion.parts, strict=True))
 
 
-def _link(step: Step, own: Any, name: str, made: Made) -> Link:
+def _link(step: Step, name: str, made: Made, directions: Mapping[str, Array]) -> Link:
     if isinstance(made[name], Link):
         return made[name]
     if isinstance(step, SwivelStep):
         return swivel_slider_link(made[step.pin], made[step.guide])
-    if isinstance(step, TriadStep):
-        own = next(leg_size for leg, leg_size in zip(step.legs, own.legs, strict=True) if name in leg)
-    return block_link(made[pin_of(name)], own.direction)
+    return block_link(made[pin_of(name)], directions[name])
 
 
 def chain_load(structure: Structure, motion: ChainMotion, size: ChainSize, value: Array) -> tuple[Wrench, ...]:

@@ -29,7 +29,6 @@ from cranktrain.mechanisms.chain.placing import driven, guide_offset, in_guide, 
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     MountStep,
-    PinSize,
     PinStep,
     PointStep,
     SlideSize,
@@ -150,8 +149,8 @@ _HAIR = float(np.finfo(float).tiny)
 def _gap_of(step: Step, own: StepSize, made: Made, radius: Array) -> Array:
     """Gap of a group that is no triad."""
     match step, own:
-        case PinStep(), PinSize():
-            return pin_gap(Ends(made[step.rod_from], made[step.rocker_from]), Pin(*own))
+        case PinStep(), Pin():
+            return pin_gap(Ends(made[step.rod_from], made[step.rocker_from]), own)
         case SlideStep(), SlideSize():
             height = guide_offset(made, step.through, own.direction, own.offset)
             return slide_gap(in_guide(made, step.rod_from, own.direction), Slide(own.rod_length, height, own.way))

@@ -1,11 +1,12 @@
 """What each group of a chain is, by names: what it makes, where it is held and where it slides, its Assur group."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from cranktrain.mechanisms.chain.made import SHAFT, pin_of, slot_of
 from cranktrain.mechanisms.chain.steps import (
+    ChainSize,
     GuideLegStep,
     MountStep,
     PinStep,
@@ -16,10 +17,12 @@ from cranktrain.mechanisms.chain.steps import (
     Structure,
     SwivelStep,
     TrammelStep,
+    TriadSize,
     TriadStep,
     YokeStep,
 )
 from cranktrain.mechanisms.dynamics import FRAME, Across, Contact, Group, Role
+from cranktrain.motion import Array
 
 GUIDE = "guide"
 """Where a slider meets its fixed guide, in a joint's name."""
@@ -151,6 +154,23 @@ def _slotted(slider: str, held: Joint, sort: str) -> Anatomy:
         {**guided.contacts, block: Contact(held.name, held.at, bears_moment=False)},
         sort,
     )
+
+
+def each_part(structure: Structure, size: ChainSize) -> Iterator[tuple[Step | RodLegStep | GuideLegStep, Any]]:
+    """All groups with their numbers, and before a triad its legs."""
+    for step, own in zip(structure.steps, size.steps, strict=True):
+        if isinstance(step, TriadStep) and isinstance(own, TriadSize):
+            yield from zip(step.legs, own.legs, strict=True)
+        yield step, own
+
+
+def guide_directions(structure: Structure, size: ChainSize) -> dict[str, Array]:
+    """Direction of each fixed guide from x, by what slides in it. [rad]"""
+    return {
+        part.slider: own.direction
+        for part, own in each_part(structure, size)
+        if isinstance(part, SlideStep | YokeStep | TrammelStep | GuideLegStep)
+    }
 
 
 def made_names(structure: Structure) -> tuple[str, ...]:

@@ -216,8 +216,3 @@ class ChainTable(MechanismSpec, frozen=True):
         description=N_("Cranks on the shaft: `main`, whose angle is the crank angle, and eccentrics.")
     )
     part: tuple[PartSpec, ...] = Field(min_length=1, description=N_("Groups, each on what stands above it."))
-
-    @property
-    def rod_field(self) -> str:
-        """Which part cannot close, its lengths say."""
-        return "part"

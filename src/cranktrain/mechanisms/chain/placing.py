@@ -27,9 +27,7 @@ from cranktrain.mechanisms.chain.made import SHAFT, Made, pin_of, slot_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     MountStep,
-    PinSize,
     PinStep,
-    PointSize,
     PointStep,
     SlideSize,
     SlideStep,
@@ -73,8 +71,8 @@ def place_group(step: Step, own: StepSize, made: Made) -> None:
 
 def _made_by(step: Step, own: StepSize, made: Made) -> Made:
     match step, own:
-        case PinStep(), PinSize():
-            motion = pin(Ends(made[step.rod_from], made[step.rocker_from]), Pin(*own))
+        case PinStep(), Pin():
+            motion = pin(Ends(made[step.rod_from], made[step.rocker_from]), own)
             return {step.joint: motion.joint, step.rod: motion.rod, step.rocker: motion.rocker}
         case SlideStep(), SlideSize():
             height = guide_offset(made, step.through, own.direction, own.offset)
@@ -90,9 +88,9 @@ def _made_by(step: Step, own: StepSize, made: Made) -> Made:
         case TrammelStep(), TrammelSize():
             height = guide_offset(made, step.through, own.direction, own.offset)
             motion = trammel(turned_link(made[step.link], own.direction), Trammel(height, own.shift))
-        case PointStep(), PointSize():
-            return {step.point: point(made[step.link], LinkPoint(*own))}
-        case MountStep(), PointSize():
+        case PointStep(), LinkPoint():
+            return {step.point: point(made[step.link], own)}
+        case MountStep(), LinkPoint():
             return {step.point: _beside(made[pin_of(step.slider)], own)}
         case _:
             raise TypeError(step)
@@ -117,6 +115,6 @@ def _in_file(rod: Link, start: Point, direction: Array) -> Link:
     return Link(start, angle, cos * rod.cos - sin * rod.sin, sin * rod.cos + cos * rod.sin)
 
 
-def _beside(place: Point, own: PointSize) -> Point:
-    x, y = own.radius * np.cos(own.direction), own.radius * np.sin(own.direction)
+def _beside(place: Point, own: LinkPoint) -> Point:
+    x, y = own.radius * np.cos(own.angle), own.radius * np.sin(own.angle)
     return Point(place.x._replace(value=place.x.value + x), place.y._replace(value=place.y.value + y))

@@ -6,6 +6,7 @@ import numpy as np
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
+from cranktrain.linkage import LinkPoint, Pin
 from cranktrain.mechanisms.chain.assembly import assembled, made_above, modes_of
 from cranktrain.mechanisms.chain.parts import (
     ChainGuideSpec,
@@ -28,9 +29,7 @@ from cranktrain.mechanisms.chain.steps import (
     GuideLegSize,
     GuideLegStep,
     MountStep,
-    PinSize,
     PinStep,
-    PointSize,
     PointStep,
     RodLegSize,
     RodLegStep,
@@ -88,15 +87,15 @@ def _guide(guide: ChainGuideSpec) -> tuple[Array, Array]:
     return single(guide.direction.si), single(guide.offset.si)
 
 
-def _joint(along: float, across: float, turned: float = 0.0) -> PointSize:
-    return PointSize(single(float(np.hypot(along, across))), single(turned + float(np.arctan2(across, along))))
+def _joint(along: float, across: float, turned: float = 0.0) -> LinkPoint:
+    return LinkPoint(single(float(np.hypot(along, across))), single(turned + float(np.arctan2(across, along))))
 
 
 def _size(part: PartSpec, guides: Mapping[str, ChainGuideSpec]) -> StepSize:
     """One part's numbers; what `assembled` finds stands as nothing."""
     match part:
         case PinPartSpec():
-            return PinSize(single(part.rod.length.si), single(part.rocker.length.si), single(_SIDES[part.side]))
+            return Pin(single(part.rod.length.si), single(part.rocker.length.si), single(_SIDES[part.side]))
         case SlidePartSpec():
             return SlideSize(single(part.rod.length.si), single(_SIDES[part.side]), *_guide(part.guide))
         case SwivelPartSpec():

@@ -56,6 +56,7 @@ KIND = Kind(
     geometry=stephenson_geometry,
     has_rod=False,
     closing_advice=stephenson_advice,
+    closing_field="eccentric_rod_length",
     members=Members,
     stages=(),
     has_chambers=False,
