@@ -221,10 +221,6 @@ EXAMPLES = {
         *KINDS["articulated_rod"](angle, size, side)[:2],
         wrench(size),
     ),
-    "articulated_rod.slave_reactions": lambda angle, size, side: (
-        *KINDS["articulated_rod"](angle, size, side),
-        conditions(size),
-    ),
     "forces.added": lambda angle, size, side: (wrench(size), wrench(size)),
     "forces.added_reduced": lambda angle, size, side: (reduced(size), reduced(size)),
     "forces.applied": lambda angle, size, side: (group(angle, size, side).rod, body(size), drive(size), gravity(size)),

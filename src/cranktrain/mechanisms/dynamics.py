@@ -123,15 +123,11 @@ class Dynamics(Generic[_Motion, _Geometry]):
         """What passes through each of `reactions`, by its name."""
         return dict(zip((reaction.name for reaction in self.reactions), joints, strict=True))
 
-    def joint(self, role: Role) -> int | None:
-        """Place among `reactions` of the first of the mechanism's own joints that has a role; None without one."""
-        return self._place(role, is_own=True)
+    def joint(self, role: Role, *, is_own: bool = True) -> int | None:
+        """Place among `reactions` of the first of the mechanism's own joints that has a role; None without one.
 
-    def share_of_masters(self, role: Role) -> int | None:
-        """Place among `reactions` of a slave's share of that joint of its master's; None without one."""
-        return self._place(role, is_own=False)
-
-    def _place(self, role: Role, *, is_own: bool) -> int | None:
+        Unless `is_own`, of a slave's shares of its master's joints.
+        """
         places = (
             place
             for place, reaction in enumerate(self.reactions)

@@ -42,11 +42,6 @@ def _part(geometry: object, name: str) -> object:
     return cast("tuple[object, ...]", geometry)[int(name)] if name.isdecimal() else getattr(geometry, name)
 
 
-def scaled(geometry: Geometry, length: str, factor: Array) -> Geometry:
-    """Give the geometry with one length, named by its dotted path, multiplied by a factor."""
-    return mapped(lambda name, value: value * factor if name == length else value, geometry)
-
-
 def rows(geometry: Geometry, index: NDArray[np.intp]) -> Geometry:
     """Take some of a geometry's mechanisms, counted through all its axes: arrays of shape (*index.shape, 1)."""
     return mapped(lambda _name, value: value.reshape(-1, 1)[index], geometry)

@@ -7,7 +7,6 @@ from cranktrain.linkage.forces import (
     Body,
     Conditions,
     SlideLoads,
-    SlideReactions,
     Wrench,
     borne,
     crank_link,
@@ -33,23 +32,6 @@ def articulated_rod_load(_motion: ArticulatedRodMotion, _geometry: ArticulatedRo
     return NOTHING, Wrench(force, ZERO, ZERO)
 
 
-def slave_reactions(
-    motion: ArticulatedRodMotion,
-    geometry: ArticulatedRod,
-    bodies: tuple[Body, ...],
-    loads: tuple[Wrench, ...],
-    conditions: Conditions,
-) -> SlideReactions:
-    """Reactions of the slave's own joints: knuckle pin, wrist pin and guide; parameters as of the forces."""
-    rod, slider = articulated_rod_links(motion, geometry)
-    return slide_reactions(
-        rod,
-        Slide(geometry.rod_length, geometry.offset, AHEAD),
-        SlideLoads(borne(rod, bodies[0], loads[0], conditions), borne(slider, bodies[1], loads[1], conditions)),
-        conditions.friction[0],
-    )
-
-
 def on_master_rod(motion: ArticulatedRodMotion, geometry: ArticulatedRod, knuckle: Wrench) -> Wrench:
     """Load of a slave on its master's rod, about the crank pin, in the master's axes.
 
@@ -58,7 +40,7 @@ def on_master_rod(motion: ArticulatedRodMotion, geometry: ArticulatedRod, knuckl
     motion : ArticulatedRodMotion, shape (..., n)
     geometry : ArticulatedRod, fields broadcastable to (..., 1)
     knuckle : Wrench, shape (..., n)
-        Of the master rod on the slave rod, in the slave cylinder's axes, as `slave_reactions` gives it.
+        Of the master rod on the slave rod, in the slave cylinder's axes.
 
     Returns
     -------
@@ -104,7 +86,13 @@ def articulated_rod_forces(
     and (13.26).
     """
     master = geometry.master
-    own = slave_reactions(motion, geometry, bodies, loads, conditions)
+    rod, slider = articulated_rod_links(motion, geometry)
+    own = slide_reactions(
+        rod,
+        Slide(geometry.rod_length, geometry.offset, AHEAD),
+        SlideLoads(borne(rod, bodies[0], loads[0], conditions), borne(slider, bodies[1], loads[1], conditions)),
+        conditions.friction[0],
+    )
     share = slide_reactions(
         motion.master_rod,
         Slide(master.rod_length, master.offset, AHEAD),

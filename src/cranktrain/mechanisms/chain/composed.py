@@ -31,7 +31,6 @@ from cranktrain.mechanisms.chain.steps import (
     TriadStep,
     YokeStep,
 )
-from cranktrain.mechanisms.chain.table import structure_of
 from cranktrain.mechanisms.geometry import Geometry
 from cranktrain.mechanisms.kind import Kind
 from cranktrain.motion import Array
@@ -58,14 +57,12 @@ _LEG_LENGTHS: dict[type, tuple[str, str]] = {
 }
 
 
-def chain_kind(base: Kind[ChainMotion, ChainSize], spec: ChainSpec) -> Kind[ChainMotion, ChainSize]:
-    """Give the kind of just this chain; chains alike but for their numbers are of one kind."""
-    return _chain_kind(base, structure_of(spec))
-
-
 @cache
-def _chain_kind(base: Kind[ChainMotion, ChainSize], structure: Structure) -> Kind[ChainMotion, ChainSize]:
-    return replace(base, composed=None, **fields_of(structure))
+def kind_of_structure(
+    base: Kind[ChainMotion, Geometry], fields: Callable[[Structure], dict[str, Any]], structure: Structure
+) -> Kind[ChainMotion, Geometry]:
+    """Give the kind of chains of one structure, alike but for their numbers: `fields` says what depends on it."""
+    return replace(base, composed=None, **fields(structure))
 
 
 def fields_of(structure: Structure) -> dict[str, Any]:

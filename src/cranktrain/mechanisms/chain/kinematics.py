@@ -7,7 +7,7 @@ import numpy as np
 
 from cranktrain.linkage import TriadDriver, TriadEnds, TriadMotion, triad
 from cranktrain.mechanisms.chain.made import Made, Part
-from cranktrain.mechanisms.chain.placing import driven, place_group
+from cranktrain.mechanisms.chain.placing import driven, placed
 from cranktrain.mechanisms.chain.steps import ChainSize, Structure, TriadSize, TriadStep
 from cranktrain.mechanisms.chain.triads import place_triad, triad_at, triad_ends, triad_legs
 from cranktrain.mechanisms.chain.walks import Branch, branch_from, start_at
@@ -40,7 +40,7 @@ def chain_made(structure: Structure, angle: Array, size: ChainSize) -> Made:
         if isinstance(step, TriadStep) and isinstance(own, TriadSize):
             place_triad(step, own, triad_motion(structure, place, angle, size, made).link, made)
         else:
-            place_group(step, own, made)
+            made |= placed(step, own, made)
     return made
 
 

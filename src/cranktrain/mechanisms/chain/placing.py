@@ -59,24 +59,15 @@ def guide_offset(made: Made, through: str, direction: Array, offset: Array) -> A
     return offset + np.cos(direction) * place.y.value - np.sin(direction) * place.x.value
 
 
-def in_guide(made: Made, name: str, direction: Array) -> Point:
-    """Point in a guide's axes."""
-    return turned(made[name], direction)
-
-
-def place_group(step: Step, own: StepSize, made: Made) -> None:
-    """Add what one group makes, which is no triad."""
-    made |= _made_by(step, own, made)
-
-
-def _made_by(step: Step, own: StepSize, made: Made) -> Made:
+def placed(step: Step, own: StepSize, made: Made) -> Made:
+    """What one group makes, which is no triad, on what those above it made."""
     match step, own:
         case PinStep(), Pin():
             motion = pin(Ends(made[step.rod_from], made[step.rocker_from]), own)
             return {step.joint: motion.joint, step.rod: motion.rod, step.rocker: motion.rocker}
         case SlideStep(), SlideSize():
             height = guide_offset(made, step.through, own.direction, own.offset)
-            motion = slide(in_guide(made, step.rod_from, own.direction), Slide(own.rod_length, height, own.way))
+            motion = slide(turned(made[step.rod_from], own.direction), Slide(own.rod_length, height, own.way))
             rod = _in_file(motion.rod, made[step.rod_from], own.direction)
             return {step.rod: rod, **_on_guide(step.slider, motion.slider, height, own.direction)}
         case SwivelStep(), SwivelSize():
@@ -84,7 +75,7 @@ def _made_by(step: Step, own: StepSize, made: Made) -> Made:
             return {step.slider: motion.slider, step.guide: motion.guide}
         case YokeStep(), YokeSize():
             height = guide_offset(made, step.through, own.direction, own.offset)
-            motion = yoke(in_guide(made, step.pin, own.direction), Yoke(height, own.slot_angle))
+            motion = yoke(turned(made[step.pin], own.direction), Yoke(height, own.slot_angle))
         case TrammelStep(), TrammelSize():
             height = guide_offset(made, step.through, own.direction, own.offset)
             motion = trammel(turned_link(made[step.link], own.direction), Trammel(height, own.shift))

@@ -50,7 +50,7 @@ def branch_from(ends: EndsAt, legs: Triad, start: StartSize) -> Branch:
 
 def _apart(forward: Walk, back: Walk | None) -> Array:
     """How far apart the link is at one crank angle, reached forward and backward; 0 where only one way leads. [m]"""
-    last, angle = _last(forward), _last_angle(forward)
+    last, angle = _last(forward), np.take_along_axis(forward.angle, _end(forward), axis=-1)
     other = Pose(*forward.pose.value[..., :1])
     if back is not None:
         back_there = pose_at(back, -angle)
@@ -90,10 +90,6 @@ def _given(one: Array, other: Array) -> Array:
 def _last(walk: Walk) -> Pose:
     """Where a walk ends; NaN, where it has not begun."""
     return Pose(*np.take_along_axis(walk.pose.value, np.broadcast_to(_end(walk), (3, *_end(walk).shape)), axis=-1))
-
-
-def _last_angle(walk: Walk) -> Array:
-    return np.take_along_axis(walk.angle, _end(walk), axis=-1)
 
 
 def _end(walk: Walk) -> NDArray[np.intp]:

@@ -164,7 +164,7 @@ def _shares(whole: PinLoad, loaded: LoadedMachine, solved: SolvedCycle, phi: Arr
     """What of the pins' loads is each mechanism's own; a master has what its slaves leave, its guide's friction too."""
     shares = PinLoad(*(part.copy() for part in whole))
     for batch, one in zip(loaded.mechanisms.batches, solved.batches, strict=True):
-        joint = batch.kind.dynamics.share_of_masters("crank_pin")
+        joint = batch.kind.dynamics.joint("crank_pin", is_own=False)
         if joint is None:
             continue
         direction = crank(phi - loaded.mechanisms.nominal_top[:, batch.index], Crank(ONE))
