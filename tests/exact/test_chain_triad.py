@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from tests.exact import oracles
 from tests.exact.agreement import quantities
+from tests.machines import scaled
 
 from cranktrain.linkage import LinkPoint
 from cranktrain.mechanisms.chain.assembly import assembled
@@ -24,7 +25,7 @@ from cranktrain.mechanisms.chain.steps import (
     TriadSize,
     TriadStep,
 )
-from cranktrain.mechanisms.geometry import rows, scaled, stacked
+from cranktrain.mechanisms.geometry import rows, stacked
 
 N = 40
 TURN = np.arange(360) * (np.pi / 180)
