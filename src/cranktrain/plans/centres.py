@@ -13,7 +13,7 @@ from cranktrain.motion import Array, Coefficient
 from cranktrain.plans.lettering import lettered
 from cranktrain.plans.placement import place_called, placed
 from cranktrain.plans.positions import closed_angles
-from cranktrain.plans.vectors import cross, pin_coefficients, spoken_name, turned_left
+from cranktrain.plans.vectors import cross, in_plane, spoken_name, turned_left
 
 _Sort = Literal["frame", "link", "slider", "block"]
 
@@ -126,7 +126,7 @@ def instant_centres(
     drawing = placed(machine, place, np.array([np.deg2rad(angle) + machine.zero]))
     if is_lettered:
         drawing = lettered(drawing)
-    pins = {name: pin_coefficients(drawing, name, 0) for name in drawing.pins}
+    pins = {name: in_plane(pin) for name, pin in drawing.pins.items()}
     with np.errstate(all="ignore"):  # where links only just close velocities have no bound, and centres are nowhere
         bodies, across = _bodies(drawing, pins)
         centres = tuple(_centre(bodies, pair, pins, across) for pair in combinations(range(len(bodies)), 2))

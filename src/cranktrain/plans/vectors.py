@@ -9,7 +9,7 @@ import numpy as np
 from cranktrain.layout.speed import rates
 from cranktrain.linkage.forces import Drive
 from cranktrain.mechanisms.drawing import Drawing
-from cranktrain.motion import Array, Coefficient
+from cranktrain.motion import Array, Coefficient, Point
 
 Quantity = Literal["velocity", "acceleration"]
 Part = Literal["absolute", "relative", "normal", "tangential", "coriolis"]
@@ -74,7 +74,7 @@ class _Plan:
     def vector(self, pins: tuple[str, ...], part: Part, ends: tuple[str, str], value: Array, mark: str = "") -> Vector:
         """Name a vector for its pins."""
         symbol = f"{self.quantity[0]}_{_index(pins)}" + (f"^{mark}" if mark else "")
-        return Vector(symbol, part, *ends, (float(value[0]), float(value[1])), pins)
+        return Vector(symbol, part, *ends, pair(value), pins)
 
 
 def plan_vectors(drawing: Drawing, at: int, drive: Drive, quantity: Quantity) -> tuple[Vector, ...]:
@@ -126,13 +126,18 @@ def _motions(drawing: Drawing, at: int, drive: Drive) -> tuple[dict[str, PinMoti
 
 def _motion(drawing: Drawing, name: str, at: int, drive: Drive) -> PinMotion:
     """Motion of one pin."""
-    place = pin_coefficients(drawing, name, at)
+    place = in_plane(drawing.pins[name], at)
     return PinMotion(place.value, *rates(place, drive))
 
 
-def pin_coefficients(drawing: Drawing, name: str, at: int) -> Coefficient:
-    """Place of a pin in one of a drawing's positions, with its derivatives: X and Y each. [m, m/rad, m/rad²]"""
-    return Coefficient(*(np.array([x[at], y[at]]) for x, y in zip(*drawing.pins[name], strict=True)))
+def in_plane(pin: Point, at: int = 0) -> Coefficient:
+    """Place of a pin in one of its positions, with its derivatives: X and Y each. [m, m/rad, m/rad²]"""
+    return Coefficient(*(np.array([np.ravel(x)[at], np.ravel(y)[at]]) for x, y in zip(*pin, strict=True)))
+
+
+def pair(vector: Array) -> tuple[float, float]:
+    """X and Y of a vector as numbers."""
+    return float(vector[0]), float(vector[1])
 
 
 def _point_under(pin: PinMotion, base: PinMotion, other: PinMotion) -> tuple[PinMotion, float]:
