@@ -104,23 +104,15 @@ class _Laying(NamedTuple):
 
     def _arc(self, name: str, group: Group) -> _Arc:
         """Sort the forces on a link of a group; of reactions in inner joints there is none."""
-        first: list[PolygonForce] = []
-        known: list[PolygonForce] = []
-        last: list[PolygonForce] = []
-        for force in self.links[name]:
-            reaction = self._reaction(force.joint)
-            if reaction is not None and {reaction.on, reaction.by} <= {*group.links}:
-                continue
-            if reaction is None or reaction.on != name:
-                known.append(force)
-                continue
-            for part in self._parts(name, force, reaction, group):
-                (first if part.about else last).append(part)
+        reactions = self.seen.one.dynamics.reactions
+        inner = {one.name for one in reactions if {one.on, one.by} <= {*group.links}}
+        own = {one.name: one for one in reactions if one.on == name and one.name not in inner}
+        known = [force for force in self.links[name] if force.joint not in {*inner, *own}]
+        wholes = [force for force in self.links[name] if force.joint in own]
+        found = [part for force in wholes for part in self._parts(name, force, own[force.joint], group)]
+        first = [part for part in found if part.about]
+        last = [part for part in found if not part.about]
         return _Arc(*(tuple(side for side in sides if side.size > self.least) for sides in (first, known, last)))
-
-    def _reaction(self, joint: str) -> Reaction | None:
-        """Find one of the mechanism's own joints."""
-        return next((one for one in self.seen.one.dynamics.reactions if one.name == joint), None)
 
     def _parts(self, name: str, force: PolygonForce, reaction: Reaction, group: Group) -> list[PolygonForce]:
         """Give an outer reaction in parts: across the link and along it, or pressing a guide and rubbing on it."""
@@ -149,7 +141,7 @@ class _Laying(NamedTuple):
         """Give the reactions whose parts are sides."""
         for name in own:
             for force in self.links[name]:
-                reaction = self._reaction(force.joint)
+                reaction = next((one for one in self.seen.one.dynamics.reactions if one.name == force.joint), None)
                 at = [i for i, side in enumerate(sides) if side.cause == "reaction" and side.joint == force.joint]
                 if reaction is not None and len(at) == 2 and sides[at[0]].link == self.seen.names[name]:
                     start = at[0] if at[1] == at[0] + 1 else at[1]

@@ -193,16 +193,17 @@ def _centre(
 ) -> Centre:
     """Instant centre of two bodies: a pin of both, across where they slide, or where their velocities agree."""
     one, other = (bodies[number] for number in pair)
-    numbers = (pair[0] + 1, pair[1] + 1)
-    nowhere = np.full(2, np.nan)
     common = [pin for pin in one.pins if pin in other.pins]
-    if common:
-        return Centre(*numbers, pins[common[0]].value, np.nan, is_joint=True)
-    if pair in across:
-        return Centre(*numbers, nowhere, across[pair], is_joint=True)
     drift = turned_left(one.drift - other.drift)
     turning = one.turning - other.turning
-    if abs(turning) > _PARALLEL:
-        return Centre(*numbers, drift / turning, np.nan, is_joint=False)
-    is_at_rest = np.hypot(*drift) < _PARALLEL * np.hypot(*pins[bodies[1].pins[-1]].value)
-    return Centre(*numbers, nowhere, np.nan if is_at_rest else _away(drift), is_joint=False)
+    place: Array = np.full(2, np.nan)
+    direction = np.nan
+    if common:
+        place = pins[common[0]].value
+    elif pair in across:
+        direction = across[pair]
+    elif abs(turning) > _PARALLEL:
+        place = drift / turning
+    elif np.hypot(*drift) >= _PARALLEL * np.hypot(*pins[bodies[1].pins[-1]].value):
+        direction = _away(drift)
+    return Centre(pair[0] + 1, pair[1] + 1, place, direction, is_joint=bool(common) or pair in across)
