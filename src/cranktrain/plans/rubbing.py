@@ -82,7 +82,7 @@ def _of_contact(
         if body != FRAME and np.any(value):
             is_pin = np.hypot(*(velocity - place.first)) <= _STANDING * fastest
             name = contact.pin if is_pin else f"{contact.pin}'"
-            acting = handed_back(links[body], pin, Wrench(*(-value[:, np.newaxis]), ZERO))
+            acting = handed_back(links[body], pin, Wrench(-value[:1], -value[1:], ZERO))
             yield Rubbing(body, other, name, acting, velocity)
 
 

@@ -118,10 +118,10 @@ def _motions(drawing: Drawing, at: int, drive: Drive) -> tuple[dict[str, PinMoti
     for pin, link in drawing.blocks:
         if len(link) == 1:
             legs.append(_Leg(pin, link[0], 0.0))
-            continue
-        under = _unused(f"{pin}'", motions)
-        motions[under], turning = _point_under(motions[pin], every[link[0]], every[link[-1]])
-        legs += [_Leg(under, link[0]), _Leg(pin, under, turning)]
+        else:
+            under = _unused(f"{pin}'", motions)
+            motions[under], turning = _point_under(motions[pin], every[link[0]], every[link[-1]])
+            legs += [_Leg(under, link[0]), _Leg(pin, under, turning)]
     return motions, legs
 
 

@@ -124,9 +124,7 @@ def _sketch(found: InstantCentres, scale: float) -> Sketch:
 
 def _lines_through(found: InstantCentres, wanted: Centre) -> Iterator[Array]:
     """Where the lines begin that meet in a centre: each goes on through the joints of both bodies with a third. [m]"""
-    for third in range(1, len(found.bodies) + 1):
-        if third in (wanted.first, wanted.second):
-            continue
+    for third in sorted({*range(1, len(found.bodies) + 1)} - {wanted.first, wanted.second}):
         joints = [found.centre(number, third) for number in (wanted.first, wanted.second)]
         places = [one.place for one in joints if np.all(np.isfinite(one.place))]
         if all(one.is_joint for one in joints) and places:

@@ -52,7 +52,7 @@ def force_polygon_sketch(polygon: ForcePolygon) -> Sketch:
     lines: list[Array] = []
     for one in drawn:
         lines.append(_beside(np.stack([one.start, one.end], axis=1), lines))
-        sketch.add(arrow(*lines[-1].T, "LINKS", one.habit))
+        sketch.add(arrow(lines[-1][:, 0], lines[-1][:, 1], "LINKS", one.habit))
     sketch.add([Circle(polygon.corners[:, 0], 0.7, "LINKS", "outline", 6, "paper")])
     wishes = list(_wishes(drawn, lines, np.mean(polygon.corners, axis=1)))
     if wishes:
