@@ -99,7 +99,7 @@ class _Laying(NamedTuple):
             sides,
             tuple(self._wholes(own, sides)),
             tuple(self._chords(group, ends)),
-            self._moment(group),
+            float(self.seen.one.solved.forces.driving_torque[0]) if group.sort == INITIAL else float("nan"),
         )
 
     def _arc(self, name: str, group: Group) -> _Arc:
@@ -123,19 +123,15 @@ class _Laying(NamedTuple):
             numbers = self.seen.numbers[reaction.by], self.seen.numbers[name]
             split = ((pair_symbol("N", *numbers), whole - drag, ""), (pair_symbol("f", *numbers), drag, ""))
         elif across is not None:
-            axis = self._direction(across.link)
+            one = self.seen.one
+            link = one.links[one.dynamics.moving.index(across.link)]
+            axis = one.in_machine_axes(link.cos, link.sin)
             along = axis * float(axis @ whole)
             split = ((f"{force.symbol}^t", whole - along, across.about), (f"{force.symbol}^n", along, ""))
         else:
             return [force]
         parts = [force._replace(symbol=symbol, value=pair(value), about=about) for symbol, value, about in split]
         return parts if min(part.size for part in parts) > self.least else [force]
-
-    def _direction(self, link: str) -> Array:
-        """Direction of a link in the machine's axes, shape (2,)."""
-        one = self.seen.one
-        found = one.links[one.dynamics.moving.index(link)]
-        return one.in_machine_axes(found.cos, found.sin)
 
     def _wholes(self, own: Sequence[str], sides: Sequence[PolygonForce]) -> Iterator[Span]:
         """Give the reactions whose parts are sides."""
@@ -157,7 +153,3 @@ class _Laying(NamedTuple):
             if force.size > self.least:
                 start, end = ends[name]
                 yield Span(force, self.seen.names[by], end, start)
-
-    def _moment(self, group: Group) -> float:
-        """Balancing moment on the crank, in the sense in which its shaft turns; NaN for a group. [N·m]"""
-        return float(self.seen.one.solved.forces.driving_torque[0]) if group.sort == INITIAL else float("nan")

@@ -102,8 +102,8 @@ def _sketch(found: Construction, scale: float) -> Sketch:
     axes = [ends, ends * np.array([[1.0], [0.0]])] if height else [ends]
     sketch = Sketch(scale)
     sketch.add(Line(axis, "GUIDES", "axis", 1) for axis in axes)
-    sketch.add([Circle(np.zeros(2), radius, "PATHS", "rod", 2)])
-    sketch.add([Circle(np.zeros(2), 0.7 * scale, "LINKS", "outline", 6, "paper")])
+    shaft = np.zeros(2)
+    sketch.add([Circle(shaft, radius, "PATHS", "rod", 2), Circle(shaft, 0.7 * scale, "LINKS", "outline", 6, "paper")])
     sketch.add(_arcs(found) if is_arc else _projections(found, scale))
     points = 1e3 * np.concatenate([drawn.on_circle, foot], axis=1)
     sketch.add(Circle(point, 0.6 * scale, "LINKS", "thin", 6, "paper") for point in points.T)

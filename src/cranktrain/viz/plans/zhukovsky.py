@@ -130,7 +130,7 @@ def lever_sketch(lever: Lever, polygon: Polygon, newton: float) -> Sketch:
 
 def _is_short(force: LeverForce, newton: float) -> bool:
     """Whether a force is too short to be drawn, to newton N in a millimetre."""
-    return bool(force.point) and float(np.hypot(*force.value)) / newton < _NAMED
+    return float(np.hypot(*force.value)) / newton < _NAMED
 
 
 def _is_at_earlier(place: int, points: dict[str, Array]) -> bool:
