@@ -6,7 +6,7 @@ from where the crank points along x, and displacements from the top toward the s
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from typing import Literal
 
 import numpy as np
 
@@ -27,19 +27,6 @@ _RANGES = {"projection": "infinite_rod", "brix": "brix", "brix_backward": "brix"
 """Methods of `cranktrain.textbook.ranges` whose range a construction has; the arc has none."""
 
 
-class Drawn(NamedTuple):
-    """What a construction draws: points of shape (2, n). [m]
-
-    on_circle: where the crank circle is met; foot: the reading on the line of stroke; exact: where that should be;
-    piston: the crosshead's pin.
-    """
-
-    on_circle: Array
-    foot: Array
-    exact: Array
-    piston: Array
-
-
 @dataclass(frozen=True)
 class Readings:
     """What is read off a construction, and what it draws.
@@ -50,14 +37,19 @@ class Readings:
         Crank angle; read backwards, as constructed and as it is, else both as given. [rad]
     displacement, exact_displacement : Array, shape (n,)
         As constructed and as it is; read backwards, both as given. [m]
-    drawn : Drawn
+    on_circle, foot, exact_foot, piston : Array, shape (2, n)
+        What is drawn: where the crank circle is met, the reading on the line of stroke, where that should be, and the
+        crosshead's pin. [m]
     """
 
     angle: Array
     exact_angle: Array
     displacement: Array
     exact_displacement: Array
-    drawn: Drawn
+    on_circle: Array
+    foot: Array
+    exact_foot: Array
+    piston: Array
 
 
 @dataclass(frozen=True)
@@ -202,8 +194,16 @@ def _arc(geometry: SliderCrank, phi: Array) -> Readings:
     on_circle, piston = _on_circle(phi, geometry), _on_line(_exact(phi, geometry), geometry)
     foot = piston[0] - np.hypot(*(on_circle - piston))
     start = _end(geometry) - geometry.rod_length
-    drawn = Drawn(on_circle, _on_line(foot, geometry), _on_line(piston[0] - geometry.rod_length, geometry), piston)
-    return Readings(phi, phi, start - foot, _end(geometry) - piston[0], drawn)
+    return Readings(
+        angle=phi,
+        exact_angle=phi,
+        displacement=start - foot,
+        exact_displacement=_end(geometry) - piston[0],
+        on_circle=on_circle,
+        foot=_on_line(foot, geometry),
+        exact_foot=_on_line(piston[0] - geometry.rod_length, geometry),
+        piston=piston,
+    )
 
 
 def _read_on_diameter(geometry: SliderCrank, phi: Array, on_circle: Array, displacement: Array) -> Readings:
@@ -211,13 +211,16 @@ def _read_on_diameter(geometry: SliderCrank, phi: Array, on_circle: Array, displ
     piston = _exact(phi, geometry)
     exact = _end(geometry) - piston
     level = np.zeros_like(phi)
-    drawn = Drawn(
-        on_circle,
-        np.stack([geometry.crank_radius - displacement, level]),
-        np.stack([geometry.crank_radius - exact, level]),
-        _on_line(piston, geometry),
+    return Readings(
+        angle=phi,
+        exact_angle=phi,
+        displacement=displacement,
+        exact_displacement=exact,
+        on_circle=on_circle,
+        foot=np.stack([geometry.crank_radius - displacement, level]),
+        exact_foot=np.stack([geometry.crank_radius - exact, level]),
+        piston=_on_line(piston, geometry),
     )
-    return Readings(phi, phi, displacement, exact, drawn)
 
 
 def _projection(geometry: SliderCrank, phi: Array) -> Readings:
@@ -246,8 +249,16 @@ def _backward(geometry: SliderCrank, chosen: int | Array) -> Readings:
     along = geometry.crank_radius - read
     height = np.sqrt(np.maximum(geometry.crank_radius**2 - along**2, 0.0))
     foot = np.stack([along, np.zeros_like(along)])
-    drawn = Drawn(np.stack([along, height]), foot, foot, _on_line(_end(geometry) - displacement, geometry))
-    return Readings(angle, exact, displacement, displacement, drawn)
+    return Readings(
+        angle=angle,
+        exact_angle=exact,
+        displacement=displacement,
+        exact_displacement=displacement,
+        on_circle=np.stack([along, height]),
+        foot=foot,
+        exact_foot=foot,
+        piston=_on_line(_end(geometry) - displacement, geometry),
+    )
 
 
 _FORWARD: Mapping[str, Callable[[SliderCrank, Array], Readings]] = {

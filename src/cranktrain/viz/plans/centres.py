@@ -4,7 +4,6 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
@@ -18,7 +17,15 @@ from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.page import Figure, drawing_settings, formula, mathematics
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
 from cranktrain.viz.paper.tables import write_table
-from cranktrain.viz.plans.sheet import cells_of, centre_at_angle, few_angles, plan_page, scale_of, write_scales
+from cranktrain.viz.plans.sheet import (
+    cells_of,
+    centre_at_angle,
+    few_angles,
+    plan_page,
+    refuse_more,
+    scale_of,
+    write_scales,
+)
 from cranktrain.viz.plans.sketches import line_drawing, pin_wishes
 
 _FEW = 5
@@ -59,9 +66,9 @@ def plan_centres(
     chosen = few_angles(angles, _("instant centres"))
     found = [instant_centres(machine, float(angle), mechanism=mechanism, is_lettered=True) for angle in chosen]
     n_bodies = len(found[0].bodies)
-    if len(found) > 1 and n_bodies > _MOST:
+    if n_bodies > _MOST:
         allowed = _("must be one for the instant centres of {n} bodies: their tables fill a sheet").format(n=n_bodies)
-        raise InputError([Problem("", _("{n} crank angles").format(n=len(found)), allowed)])
+        refuse_more(1, len(found), allowed)
     page, box = plan_page(machine, angles, size, _("Instant centres"), found[0].mechanism)
     cells = cells_of(box, len(found))
     wide = _WIDE * cells[0].width

@@ -93,10 +93,9 @@ def _sheet(
 
 def _sketch(found: Construction, scale: float) -> Sketch:
     """Crank circle, line of stroke, what is constructed, dots at both its ends, bars at readings; in mm of metal."""
-    drawn = found.drawn
     is_arc = found.method == "arc"
-    foot = drawn.piston if is_arc else drawn.foot
-    right = float(np.max(drawn.piston[0]) if is_arc else found.geometry.crank_radius)
+    foot = found.piston if is_arc else found.foot
+    right = float(np.max(found.piston[0]) if is_arc else found.geometry.crank_radius)
     radius, height = 1e3 * float(found.geometry.crank_radius), 1e3 * float(found.geometry.offset)
     ends = np.array([[-radius - 4.0 * scale, 1e3 * right + 4.0 * scale], [height, height]])
     axes = [ends, ends * np.array([[1.0], [0.0]])] if height else [ends]
@@ -105,34 +104,32 @@ def _sketch(found: Construction, scale: float) -> Sketch:
     shaft = np.zeros(2)
     sketch.add([Circle(shaft, radius, "PATHS", "rod", 2), Circle(shaft, 0.7 * scale, "LINKS", "outline", 6, "paper")])
     sketch.add(_arcs(found) if is_arc else _projections(found, scale))
-    points = 1e3 * np.concatenate([drawn.on_circle, foot], axis=1)
+    points = 1e3 * np.concatenate([found.on_circle, foot], axis=1)
     sketch.add(Circle(point, 0.6 * scale, "LINKS", "thin", 6, "paper") for point in points.T)
     if found.method != "brix_backward":
-        sketch.add(_bars(drawn.foot if is_arc else drawn.exact, scale))
+        sketch.add(_bars(found.foot if is_arc else found.exact_foot, scale))
     return sketch
 
 
 def _arcs(found: Construction) -> Iterator[Line]:
     """Arcs about the piston's pin from the crank pin to the line of stroke; one position as a line drawing."""
-    drawn = found.drawn
-    for pin, piston in zip(drawn.on_circle.T, drawn.piston.T, strict=True):
+    for pin, piston in zip(found.on_circle.T, found.piston.T, strict=True):
         start = shapes.angle_of(pin - piston) % (2 * np.pi)
         points = shapes.arc(1e3 * piston, 1e3 * float(found.geometry.rod_length), start, np.pi)
         yield Line(points, "LINKS", "construction", 3)
-    first = min(1, drawn.piston.shape[1] - 1)
-    linkage = np.stack([np.zeros(2), drawn.on_circle[:, first], drawn.piston[:, first]], axis=1)
+    first = min(1, found.piston.shape[1] - 1)
+    linkage = np.stack([np.zeros(2), found.on_circle[:, first], found.piston[:, first]], axis=1)
     yield Line(1e3 * linkage, "LINKS", "outline", 4)
 
 
 def _projections(found: Construction, scale: float) -> Iterator[Line | Circle]:
     """Perpendiculars from the crank circle to the line of stroke; from Brix's pole the rays, too."""
-    drawn = found.drawn
     if found.method != "projection":
         pole = 1e3 * np.array([found.pole, 0.0])
-        for point in 1e3 * drawn.on_circle.T:
+        for point in 1e3 * found.on_circle.T:
             yield Line(np.stack([pole, point], axis=1), "LINKS", "rod", 3)
         yield Circle(pole, 0.7 * scale, "LINKS", "outline", 6, "ink")
-    for point, foot in zip(drawn.on_circle.T, drawn.foot.T, strict=True):
+    for point, foot in zip(found.on_circle.T, found.foot.T, strict=True):
         yield Line(1e3 * np.stack([point, foot], axis=1), "LINKS", "construction", 3)
 
 
@@ -145,15 +142,14 @@ def _bars(points: Array, scale: float) -> Iterator[Line]:
 
 def _wishes(found: Construction, scale: float) -> Iterator[Wish]:
     """Shaft, pole, and numbers of the positions."""
-    drawn = found.drawn
     yield Wish(np.zeros(2), "O", -np.pi / 4)
     if found.method.startswith("brix"):
         yield Wish(1e3 * np.array([found.pole, 0.0]), "P", -3 * np.pi / 4)
-    yield from _numbers(1e3 * drawn.on_circle, scale, None)
-    is_apart = np.hypot(*(drawn.foot - drawn.on_circle)) > 1e-3 * scale
-    yield from _numbers(1e3 * np.where(is_apart, drawn.foot, np.nan), scale, -np.pi / 2)
+    yield from _numbers(1e3 * found.on_circle, scale, None)
+    is_apart = np.hypot(*(found.foot - found.on_circle)) > 1e-3 * scale
+    yield from _numbers(1e3 * np.where(is_apart, found.foot, np.nan), scale, -np.pi / 2)
     if found.method == "arc":
-        yield from _numbers(1e3 * drawn.piston, scale, np.pi / 2)
+        yield from _numbers(1e3 * found.piston, scale, np.pi / 2)
 
 
 def _numbers(points: Array, scale: float, towards: float | None) -> Iterator[Wish]:

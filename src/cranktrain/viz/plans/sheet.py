@@ -40,10 +40,7 @@ def plan_page(
     curve: SpeedCurve | None = None,
 ) -> tuple[Page, Box]:
     """Begin a sheet, at the speed of a curve or a constant one, with a key where pins have letters; give the rest."""
-    n = len(plan_angles(angles))
-    if n > MOST:
-        allowed = _("must be at most {most} to a sheet").format(most=MOST)
-        raise InputError([Problem("", _("{n} crank angles").format(n=n), allowed)])
+    refuse_more(MOST, len(plan_angles(angles)), _("must be at most {most} to a sheet").format(most=MOST))
     page = Page(*paper(size))
     places = places_called(machine, mechanism)
     words = _("{title}, mechanism {name}") if len(places) == 1 else _("{title}, cylinder {name}")
@@ -60,10 +57,14 @@ def plan_page(
 def few_angles(angles: int | Sequence[float], what: str) -> Array:
     """Give the crank angles of what has room for only a few on a sheet. [deg]"""
     chosen = plan_angles(angles)
-    if len(chosen) > WITH_TABLE:
-        allowed = _("must be at most {n} for {what}").format(n=WITH_TABLE, what=what)
-        raise InputError([Problem("", _("{n} crank angles").format(n=len(chosen)), allowed)])
+    refuse_more(WITH_TABLE, len(chosen), _("must be at most {n} for {what}").format(n=WITH_TABLE, what=what))
     return chosen
+
+
+def refuse_more(most: int, n: int, allowed: str) -> None:
+    """Refuse more crank angles than there is room for, and say what is allowed."""
+    if n > most:
+        raise InputError([Problem("", _("{n} crank angles").format(n=n), allowed)])
 
 
 def cells_of(box: Box, n: int) -> list[Box]:
