@@ -1,13 +1,13 @@
 """The declared machine: the domains' tables together, and what only they together can check."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
 from typing import Any, Literal, Self
 
 import numpy as np
-from pydantic import Field, ValidationError, model_validator
+from pydantic import Field, ValidationError
 
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.errors import InputError, Problem
@@ -187,38 +187,32 @@ class Machine(Spec, frozen=True):
             raise InputError([Problem("model_copy", given, allowed, repair)])
         return super().model_copy(deep=deep)
 
-    @model_validator(mode="after")
-    def _arranged_one_way(self) -> Self:
-        """Refuse a machine with no mechanism, one beside its banks, and what belongs to the other way of arranging."""
-        found: list[Problem] = []
+    def _problems(self) -> Iterator[Problem]:
+        """Find a machine with no mechanism, one beside its banks, and what belongs to the other way of arranging."""
         if self.mechanism is None and not self.bank:
             allowed = _("is missing; a machine needs a [mechanism], or banks with [bank.NAME.mechanism]")
-            found.append(Problem("mechanism", None, allowed))
+            yield Problem("mechanism", None, allowed)
         if self.mechanism is not None and self.bank:
             allowed = _("must not stand beside [bank]; give the mechanism of each bank in [bank.NAME.mechanism]")
-            found.append(Problem("mechanism", None, allowed))
+            yield Problem("mechanism", None, allowed)
         elif self.bank and "angle" in self.model_fields_set:
             allowed = _("is for a machine with one [mechanism]; here each bank has its own, [bank.NAME] angle")
-            found.append(Problem("angle", self.angle.text, allowed))
+            yield Problem("angle", self.angle.text, allowed)
         elif self.mechanism is not None and len(self.main_shaft.throws) > 1:
             allowed = _("must be one throw for one [mechanism]; for more, make it a bank, [bank.NAME.mechanism]")
-            found.append(Problem("shaft.main.throws", None, allowed))
+            yield Problem("shaft.main.throws", None, allowed)
         for name in self.bank:
             if not re.fullmatch(r"[^\W\d]\w*", name) or name in CylindersSpec.model_fields:
                 allowed = _("must have a name of letters, digits and _, a letter first, that is no key of [cylinder]")
-                found.append(Problem(path_text(("bank", name)), None, allowed))
+                yield Problem(path_text(("bank", name)), None, allowed)
         n_mechanisms = sum(bank.n_mechanisms(self.shafts) for bank in self.bank.values())
         if n_mechanisms > MOST_MECHANISMS:
             allowed = _("gives {n} mechanisms; a machine may have at most {limit}")
-            found.append(Problem("bank", None, allowed.format(n=n_mechanisms, limit=MOST_MECHANISMS)))
-        found += self._shaft_problems()
-        if found:
-            raise InputError(found)
-        return self
+            yield Problem("bank", None, allowed.format(n=n_mechanisms, limit=MOST_MECHANISMS))
+        yield from self._shaft_problems()
 
-    def _shaft_problems(self) -> list[Problem]:
+    def _shaft_problems(self) -> Iterator[Problem]:
         """Find what only the main shaft has, or only another, and shafts that carry nothing."""
-        found: list[Problem] = []
         used = {shaft for bank in self.bank.values() for shaft in bank.shafts} if self.bank else {MAIN}
         for name, shaft in self.shaft.items():
             foreign = ("ratio", "phase", "place") if name == MAIN else ("speed", "acceleration", "speed_curve")
@@ -227,13 +221,12 @@ class Machine(Spec, frozen=True):
                 allowed = _("must stand in [shaft.main]; this shaft turns with it, by its ratio")
                 if name not in used:
                     nothing = _("carries no bank: name it in [bank.NAME] shaft, or take it out")
-                    found.append(Problem(path_text(("shaft", name)), None, nothing))
-            found += [
+                    yield Problem(path_text(("shaft", name)), None, nothing)
+            yield from (
                 Problem(path_text(("shaft", name, key)), None, allowed)
                 for key in foreign
                 if key in shaft.model_fields_set
-            ]
-        return found
+            )
 
     @property
     def shafts(self) -> Mapping[str, ShaftSpec]:

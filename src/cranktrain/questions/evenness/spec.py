@@ -1,13 +1,14 @@
 """Evenness of running: its table of the machine file, and the parts that it declares."""
 
-from collections.abc import Sequence
-from typing import Annotated, ClassVar, Literal, Self
+from collections.abc import Iterator, Sequence
+from typing import Annotated, ClassVar, Literal
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Field
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import Problem
 from cranktrain.language import N_, _
+from cranktrain.layout.cycle_table import given_curve
 from cranktrain.motion import Array
 from cranktrain.numerics.polyline import Polyline
 from cranktrain.quantities import (
@@ -22,10 +23,10 @@ from cranktrain.quantities import (
     PositiveVelocity,
     Quantity,
 )
-from cranktrain.questions.evenness.load_table import LoadCurveSpec, load_polyline
+from cranktrain.questions.evenness.load_table import LoadCurveSpec
 from cranktrain.questions.evenness.speed_over_cycle import Mean
 from cranktrain.record import record
-from cranktrain.spec import Refused, Spec
+from cranktrain.spec import Spec
 
 NonNegativeMoment = Annotated[Given, Quantity(Dimension.FLYWHEEL_MOMENT, at_least=0.0)]
 Coefficient = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, below=2.0)]
@@ -39,13 +40,11 @@ class MotorSpec(Spec, frozen=True):
     speed: PositiveSpeed = Field(description=N_("Speed at which the motor gives that torque, on the crankshaft."))
     no_load_speed: PositiveSpeed = Field(description=N_("Speed at which the motor gives no torque, on the crankshaft."))
 
-    @model_validator(mode="after")
-    def _slower_under_load(self) -> Self:
-        """Refuse a motor that is no slower under load."""
+    def _problems(self) -> Iterator[Problem]:
+        """Find a motor that is no slower under load."""
         if self.no_load_speed.si <= self.speed.si:
             allowed = _("must be more than speed = {speed}: a motor slows down under load")
-            raise Refused(allowed.format(speed=self.speed.text), path="no_load_speed")
-        return self
+            yield Problem("no_load_speed", None, allowed.format(speed=self.speed.text))
 
 
 class RimSpec(Spec, frozen=True):
@@ -104,28 +103,23 @@ class EvennessSpec(Spec, frozen=True):
     )
     rim: RimSpec | None = Field(default=None, description=N_("Rim of the flywheel, to be given its section."))
 
-    @model_validator(mode="after")
-    def _said_once(self) -> Self:
-        """Refuse a flywheel given twice, a motor beside another load, and a rim without a flywheel."""
-        found: list[Problem] = []
+    def _problems(self) -> Iterator[Problem]:
+        """Find a flywheel given twice, a motor beside another load, and a rim without a flywheel."""
         if self.flywheel is not None and self.flywheel_moment is not None:
             allowed = _("must not stand beside flywheel; GD² = 4 J says the same")
-            found.append(Problem("flywheel_moment", None, allowed))
+            yield Problem("flywheel_moment", None, allowed)
         if self.motor is not None and "load" in self.model_fields_set:
             allowed = _("must not stand beside [evenness.motor], which balances the machine")
-            found.append(Problem("load", None, allowed))
+            yield Problem("load", None, allowed)
         if self.load_curve is not None and self.load_curve.scale == "balanced":
             allowed = _('leaves nothing to balance, so it must not stand beside {other}; write "given"')
             rivals = {"motor": self.motor is not None, "load": self.load == "quadratic"}
-            found += [
+            yield from (
                 Problem("load_curve.scale", None, allowed.format(other=name)) for name, is_so in rivals.items() if is_so
-            ]
+            )
         if self.rim is not None and self.inertia is None and self.coefficient is None:
             allowed = _("needs a flywheel: give flywheel or flywheel_moment, or coefficient for the one that it takes")
-            found.append(Problem("rim", None, allowed))
-        if found:
-            raise InputError(found)
-        return self
+            yield Problem("rim", None, allowed)
 
     @property
     def inertia(self) -> float | None:
@@ -206,7 +200,7 @@ def evenness_parts(specs: Sequence[EvennessSpec]) -> list[object]:
     curves = [spec.load_curve for spec in specs if spec.load_curve is not None]
     if curves:
         different = curves if len(set(curves)) > 1 else curves[:1]
-        parts.append(LoadCurve(tuple(map(load_polyline, different)), curves[0].scale == "balanced"))
+        parts.append(LoadCurve(tuple(map(given_curve, different)), curves[0].scale == "balanced"))
     sizes = [spec.inertia for spec in specs if spec.inertia is not None]
     if sizes:
         parts.append(GivenFlywheel(np.array(sizes)))
