@@ -24,6 +24,7 @@ from cranktrain.quantities import (
     Quantity,
 )
 from cranktrain.questions.evenness.load_table import LoadCurveSpec
+from cranktrain.questions.evenness.rim import RimDemand
 from cranktrain.questions.evenness.speed_over_cycle import Mean
 from cranktrain.record import record
 from cranktrain.spec import Spec
@@ -181,14 +182,11 @@ class WantedCoefficient:
 
 @record
 class DeclaredRim:
-    """Rim wanted, arrays of shape (design,): what its field says in `RimSpec`, in SI."""
+    """Rim wanted, arrays of shape (design,): what its fields say in `RimSpec`, in SI."""
 
     needs: ClassVar[str] = N_("[evenness.rim] mean_diameter")
 
-    mean_diameter: Array
-    width_ratio: Array
-    other_share: Array
-    density: Array
+    demand: RimDemand
     largest_speed: Array
 
 
@@ -211,10 +209,7 @@ def evenness_parts(specs: Sequence[EvennessSpec]) -> list[object]:
     if rims:
         parts.append(
             DeclaredRim(
-                mean_diameter=np.array([rim.mean_diameter.si for rim in rims]),
-                width_ratio=np.array([rim.width_ratio.si for rim in rims]),
-                other_share=np.array([rim.other_share.si for rim in rims]),
-                density=np.array([rim.density.si for rim in rims]),
+                RimDemand(*(np.array([getattr(rim, name).si for rim in rims]) for name in RimDemand._fields)),
                 largest_speed=np.array([rim.largest_speed.si for rim in rims]),
             )
         )
