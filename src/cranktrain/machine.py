@@ -213,7 +213,7 @@ class Machine(Spec, frozen=True):
 
     def _shaft_problems(self) -> Iterator[Problem]:
         """Find what only the main shaft has, or only another, and shafts that carry nothing."""
-        used = {shaft for bank in self.bank.values() for shaft in bank.shafts} if self.bank else {MAIN}
+        used = {shaft for bank in self.banks.values() for shaft in bank.shafts}
         for name, shaft in self.shaft.items():
             foreign = ("ratio", "phase", "place") if name == MAIN else ("speed", "acceleration", "speed_curve")
             allowed = _("is for another shaft; angles and places count from [shaft.main]")
@@ -234,6 +234,12 @@ class Machine(Spec, frozen=True):
         return {MAIN: ShaftSpec(), **self.shaft}
 
     @property
+    def banks(self) -> Mapping[str, BankSpec]:
+        """The banks by name; a bare `[mechanism]` is a bank of one, without a name."""
+        bare = BankSpec.model_construct(angle=(self.angle,), mechanism=(self.mechanism,), throws=(1,))
+        return self.bank or {"": bare}
+
+    @property
     def main_shaft(self) -> ShaftSpec:
         """The shaft whose angle is the crank angle."""
         return self.shafts[MAIN]
@@ -244,21 +250,10 @@ class Machine(Spec, frozen=True):
         return self.running == "astern"
 
     @property
-    def sense(self) -> float:
-        """+1 ahead, −1 astern: the sign of what counts in the normal sense of rotation."""
-        return -1.0 if self.is_astern else 1.0
-
-    @property
-    def first_axis(self) -> float:
-        """Direction of the first bank's x, from Y in the normal sense of rotation. [rad]"""
-        return self.angle.si if self.mechanism is not None else first_axis(self.bank)
-
-    @property
     def zero(self) -> float:
         """φ where the shown crank angle is 0: as given, or where the crank of throw 1 points along Y. [rad]"""
-        if self.crank_zero != "Y":
-            return self.sense * self.crank_zero.si
-        return -self.sense * self.first_axis
+        zero = -self.orientation.first_angle if self.crank_zero == "Y" else self.crank_zero.si
+        return -zero if self.is_astern else zero
 
     @property
     def weighed(self) -> Weighed:
@@ -278,32 +273,20 @@ class Machine(Spec, frozen=True):
     @property
     def orientation(self) -> Orientation:
         """How it stands and runs."""
-        return Orientation(self.first_axis, self.rotation == "clockwise", self.is_astern)
+        return Orientation(first_axis(self.banks), self.rotation == "clockwise", self.is_astern)
 
     @property
     def places(self) -> tuple[PlacedMechanism, ...]:
         """Every mechanism of the machine, arranged on shaft and banks; none where they cannot be arranged."""
         return self.arranged[0]
 
-    @property
-    def pistons(self) -> tuple[PlacedMechanism, ...]:
-        """Those of its mechanisms that drive a slider."""
-        return tuple(place for place in self.places if place.kind.output == "slider")
-
     # A machine does not change: how it is arranged and what is wrong with it is found once, however often it runs.
 
     @cached_property
     def arranged(self) -> tuple[tuple[PlacedMechanism, ...], tuple[Problem, ...]]:
         """Its mechanisms in their places, and what is wrong with these; with problems there are no places."""
-        if self.mechanism is None:
-            with np.errstate(all="ignore"):  # sizes that cannot be are found where their links do not close
-                return places_of(self.shafts, self.bank, astern=self.is_astern)
-        # A bare `[mechanism]` is a bank of one.
-        bank = BankSpec.model_construct(
-            angle=(self.angle,), mechanism=(self.mechanism,), throws=(1,), stagger=Given(0.0, "0 mm"), shaft=MAIN
-        )
-        with np.errstate(all="ignore"):
-            return places_of(self.shafts, {"": bank}, astern=self.is_astern, prefix="")
+        with np.errstate(all="ignore"):  # sizes that cannot be are found where their links do not close
+            return places_of(self.shafts, self.banks, astern=self.is_astern)
 
     @cached_property
     def design(self) -> Design:

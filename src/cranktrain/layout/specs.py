@@ -187,19 +187,21 @@ class BankSpec(Spec, frozen=True):
         """The exhaust and the scavenge piston by these names; none of a bank with one piston in a cylinder."""
         return {name: piston for name in ENDS if (piston := getattr(self, name)) is not None}
 
-    def n_mechanisms(self, shafts: Mapping[str, ShaftSpec]) -> int:
-        """Count its mechanisms: one for each throw that it works on, angle and piston; none on an unknown shaft."""
-        throws = tuple((piston.shaft, piston.throws) for piston in self.opposed.values()) or (
-            (self.shaft, self.throws),
-        )
-        return len(self.angle) * sum(
-            len(shafts[shaft].throws if chosen is None else chosen) for shaft, chosen in throws if shaft in shafts
-        )
+    @property
+    def sides(self) -> "Mapping[str, BankSpec | OpposedPistonSpec]":
+        """What works on a shaft: the exhaust and the scavenge piston, or else the bank itself, by no name."""
+        return self.opposed or {"": self}
 
     @property
     def shafts(self) -> tuple[str, ...]:
         """Names of the shafts that the bank works on."""
-        return tuple(piston.shaft for piston in self.opposed.values()) or (self.shaft,)
+        return tuple(side.shaft for side in self.sides.values())
+
+    def n_mechanisms(self, shafts: Mapping[str, ShaftSpec]) -> int:
+        """Count its mechanisms: one for each throw that it works on, angle and piston; none on an unknown shaft."""
+        return len(self.angle) * sum(
+            len(throws_of(side, shafts)) for side in self.sides.values() if side.shaft in shafts
+        )
 
     @model_validator(mode="before")
     @classmethod
@@ -268,6 +270,11 @@ class BankSpec(Spec, frozen=True):
         if self.lead is not None:
             allowed = _("is for pistons on two shafts; on one shaft its throws say how far one is ahead")
             yield Problem("lead", None, allowed)
+
+
+def throws_of(side: BankSpec | OpposedPistonSpec, shafts: Mapping[str, ShaftSpec]) -> Sequence[int]:
+    """Throws that a bank or one of its opposed pistons works on, counted from 1: those given, or all of the shaft."""
+    return side.throws or range(1, len(shafts[side.shaft].throws) + 1)
 
 
 def _items(value: object) -> Sequence[Any] | None:
