@@ -125,8 +125,7 @@ def ports_of(designs: Sequence[Sequence[Cylinder]]) -> Ports | None:
     ):
         return None
     return Ports(
-        piston=np.array([[cylinder.pistons[0], cylinder.pistons[-1]] for cylinder in designs[0]], dtype=np.intp),
-        height=np.array(
+        np.array(
             [
                 [
                     [port.si for port in (cylinder.spec.exhaust_port, cylinder.spec.scavenge_port) if port is not None]
