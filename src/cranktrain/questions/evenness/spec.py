@@ -190,30 +190,25 @@ class DeclaredRim:
     largest_speed: Array
 
 
-def evenness_parts(specs: Sequence[EvennessSpec]) -> list[object]:
+def evenness_parts(specs: Sequence[EvennessSpec]) -> Iterator[object]:
     """Give the parts that the tables of several designs declare, which differ in numbers alone."""
     first = specs[0]
     motors = [spec.motor for spec in specs if spec.motor is not None]
-    parts: list[object] = [ShaftLoad(first.load == "quadratic", _motor(motors), first.mean)]
+    yield ShaftLoad(first.load == "quadratic", _motor(motors), first.mean)
     curves = [spec.load_curve for spec in specs if spec.load_curve is not None]
     if curves:
         different = curves if len(set(curves)) > 1 else curves[:1]
-        parts.append(LoadCurve(tuple(map(given_curve, different)), curves[0].scale == "balanced"))
+        yield LoadCurve(tuple(map(given_curve, different)), curves[0].scale == "balanced")
     sizes = [spec.inertia for spec in specs if spec.inertia is not None]
     if sizes:
-        parts.append(GivenFlywheel(np.array(sizes)))
+        yield GivenFlywheel(np.array(sizes))
     wanted = [spec.coefficient.si for spec in specs if spec.coefficient is not None]
     if wanted:
-        parts.append(WantedCoefficient(np.array(wanted)))
+        yield WantedCoefficient(np.array(wanted))
     rims = [spec.rim for spec in specs if spec.rim is not None]
     if rims:
-        parts.append(
-            DeclaredRim(
-                RimDemand(*(np.array([getattr(rim, name).si for rim in rims]) for name in RimDemand._fields)),
-                largest_speed=np.array([rim.largest_speed.si for rim in rims]),
-            )
-        )
-    return parts
+        demand = RimDemand(*(np.array([getattr(rim, name).si for rim in rims]) for name in RimDemand._fields))
+        yield DeclaredRim(demand, np.array([rim.largest_speed.si for rim in rims]))
 
 
 def _motor(specs: Sequence[MotorSpec]) -> LinearMotor | None:
