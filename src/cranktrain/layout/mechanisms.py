@@ -42,8 +42,6 @@ class Mechanisms:
     """
 
     dimension: ClassVar[str] = "mechanism"
-    needs: ClassVar[str] = ""
-
     names: tuple[str, ...]
     banks: tuple[str, ...]
     batches: tuple[Batch, ...]

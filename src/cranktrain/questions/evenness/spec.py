@@ -156,8 +156,6 @@ class LoadCurve:
     polylines: of every design, or one that all have.
     """
 
-    needs: ClassVar[str] = ""
-
     polylines: tuple[Polyline, ...]
     is_scaled: bool
 

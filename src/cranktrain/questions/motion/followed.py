@@ -35,8 +35,6 @@ class Followed:
         The part's own name.
     """
 
-    needs: ClassVar[str] = ""
-
     names: tuple[str, ...]
     mechanism: NDArray[np.intp]
     parts: tuple[str, ...]

@@ -9,6 +9,7 @@ from cranktrain.catalogue import coefficients
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.design import Design
 from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage import LinkPoint, point
@@ -36,7 +37,7 @@ class LinkPoints(Followed):
     geometry: LinkPoint
 
 
-def point_problems(places: Sequence[PlacedMechanism]) -> tuple[Problem, ...]:
+def point_problems(design: Design) -> tuple[Problem, ...]:
     """Find points on links that the mechanism does not have."""
     return tuple(
         Problem(
@@ -44,7 +45,7 @@ def point_problems(places: Sequence[PlacedMechanism]) -> tuple[Problem, ...]:
             spec.link,
             _("must be a link of this mechanism: {links}").format(links=", ".join(place.kind.links)),
         )
-        for place in {place.path: place for place in places}.values()
+        for place in {place.path: place for place in design.places}.values()
         for name, spec in place.spec.points.items()
         if spec.link not in place.kind.links
     )
