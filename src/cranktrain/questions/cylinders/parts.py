@@ -77,14 +77,15 @@ def chambers_of(designs: Sequence[Sequence[Cylinder]], n_pistons: int) -> Chambe
     # A chamber grows as a near piston moves toward the shaft, on the crank's side it shrinks.
     signed = np.where(is_head, full[:, cylinder], -(full - rods)[:, cylinder])
     areas = np.zeros((len(designs), n_pistons, len(cylinder)))
-    for column, own in enumerate(first[i] for i in cylinder):
+    of: list[Cylinder] = [first[i] for i in cylinder.tolist()]
+    for column, own in enumerate(of):
         areas[:, list(own.pistons), column] = signed[:, [column]] * np.array(own.signs)
     return Chambers(
         names=tuple(
-            first[i].name if first[i].chambers == ("head",) else f"{first[i].name}.{side}"
-            for i, side in zip(cylinder, sides, strict=True)
+            own.name if own.chambers == ("head",) else f"{own.name}.{side}"
+            for own, side in zip(of, sides.tolist(), strict=True)
         ),
-        banks=tuple(first[i].bank for i in cylinder),
+        banks=tuple(own.bank for own in of),
         cylinder=cylinder,
         is_head=is_head,
         areas=areas,
@@ -112,7 +113,7 @@ def compression_ratios_of(designs: Sequence[Sequence[Cylinder]]) -> CompressionR
     cylinder, sides = _sides(first)
     is_head = sides == "head"
     heads = np.flatnonzero(is_head).tolist()
-    leader = next((k for k in heads if first[cylinder[k]].is_master), heads[0] if heads else 0)
+    leader = next((k for k in heads if first[int(cylinder[k])].is_master), heads[0] if heads else 0)
     if not first or np.any(np.isnan(ratio[:, cylinder[leader]])):
         return None
     has_own = np.array([one.has_own_ratio for one in first])[cylinder]

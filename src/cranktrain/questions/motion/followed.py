@@ -131,7 +131,7 @@ def followed_parts(
         own = np.flatnonzero(np.isin(followed.mechanism, batch.index))
         if own.size:
             motion = batch.kind.motion(crank_angle.angle + batch.members.phase, batch.members.geometry)
-            for place in own:
+            for place in own.tolist():
                 member = np.flatnonzero(batch.index == followed.mechanism[place])
                 part = _members(batch.kind.part(motion, followed.parts[place]), member)
                 picked.append((np.array([place]), pick(part, place)))
