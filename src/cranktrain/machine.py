@@ -10,7 +10,7 @@ import numpy as np
 from pydantic import Field, ValidationError
 
 from cranktrain.all_questions import QUESTIONS
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.gas import AnyGas
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, Friction, GravitySpec, GuideSpec
@@ -174,8 +174,7 @@ class Machine(Spec, frozen=True):
                     data = replaced(data, (*parts[:-1], "text"), None)
             except InputError as error:
                 found += error.problems
-        if found:
-            raise InputError(found)
+        refuse(found)
         return type(self)(**data)
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:

@@ -10,7 +10,7 @@ from pydantic import BaseModel, ConfigDict, Discriminator, ValidationError, mode
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails, core_schema
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.paths import path_text, value_at
 from cranktrain.quantities import Given, Quantity, expected, nearest, one_of, unknown_key, unlisted, written
@@ -36,9 +36,7 @@ class Spec(BaseModel, frozen=True):
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
         """Refuse values that do not go together, all at once."""
-        found = tuple(self._problems())
-        if found:
-            raise InputError(found)
+        refuse(self._problems())
         return self
 
     def _problems(self) -> Iterable[Problem]:

@@ -5,7 +5,7 @@ All axes are the machine's, X right and Y up, seen from the free end.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -108,7 +108,7 @@ def member_of(machine: Machine, loaded: LoadedMachine, place: PlacedMechanism, a
     size = rows(batch.members.geometry, own)
     made = rows(loaded.masses.batches[at], own)
     motion = batch.kind.motion(angle + rows((batch.members.phase,), own)[0], size)
-    return Member(loaded, place, at, member, angle, motion, size, tuple(made.bodies), made.gravity)
+    return Member(loaded, place, at, member, angle, motion, size, made.bodies, made.gravity)
 
 
 def link_numbers(place: PlacedMechanism, after: int = 1) -> dict[str, int]:
@@ -151,14 +151,14 @@ def loads_of(one: Member) -> Sequence[Wrench]:
     return [Wrench(*(np.broadcast_to(part, value.shape) for part in load)) for load in loads]
 
 
-def unloaded(one: Member) -> Any:
+def unloaded(one: Member) -> tuple[Wrench, ...]:
     """Loads of nothing on all links."""
     return one.dynamics.load(one.motion, one.size, np.zeros((1, 1)))
 
 
-def body_alone(one: Member, i: int, body: Body) -> Any:
+def body_alone(one: Member, i: int, body: Body) -> tuple[Body, ...]:
     """Bodies of all links, of which only one has mass."""
-    return one.dynamics.bodies(*(body if j == i else NO_BODY for j in range(len(one.bodies))))
+    return tuple(body if j == i else NO_BODY for j in range(len(one.bodies)))
 
 
 def _inertia(one: Member, i: int) -> tuple[Array, Array]:

@@ -55,7 +55,7 @@ def friction_on_links(one: Member) -> Iterator[Rubbing]:
     Friction is what a reaction has along the relative velocity of the two links. docs/theory/forces, eq. (13.9).
     """
     coefficients = one.loaded.masses.batches[one.batch].friction
-    links = dict(zip(one.dynamics.moving, one.dynamics.links(one.motion, one.size), strict=True))
+    links = one.dynamics.by_link(one.dynamics.links(one.motion, one.size))
     if not any(np.any(coefficient) for coefficient in coefficients):
         return
     batch = one.loaded.mechanisms.batches[one.batch]

@@ -13,7 +13,6 @@ from cranktrain.analysis import SpeedWanted
 from cranktrain.linkage.forces import NO_FRICTION, WEIGHTLESS, Conditions, Gravity, Wrench, added, torque_by_work
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.numerics.nested import remade
 from cranktrain.plans.acting import (
     NO_BODY,
     Member,
@@ -173,9 +172,8 @@ def _work_at_pin(one: Member, i: int, x: float, y: float, moment: float = 0.0) -
     """Work by the crank angle of a force at one link's first pin, and of a moment on it."""
     loads = list(unloaded(one))
     loads[i] = Wrench(*(np.array([part]) for part in (x, y, moment)))
-    acting = remade(unloaded(one), loads)
     bodies = body_alone(one, i, NO_BODY)
-    return float(np.ravel(one.dynamics.reduced(one.motion, one.size, bodies, acting, WEIGHTLESS).load)[0])
+    return float(np.ravel(one.dynamics.reduced(one.motion, one.size, bodies, tuple(loads), WEIGHTLESS).load)[0])
 
 
 def _work_at_centroid(one: Member, i: int, x: float, y: float) -> float:
@@ -195,9 +193,9 @@ def _couple(one: Member, i: int) -> float:
 def _driving_torque(one: Member, rubbing: Sequence[Rubbing]) -> float:
     """Torque to be applied to the crank for the mechanism alone, by its joints' reactions; friction is a load."""
     conditions = Conditions(one.drive, one.gravity, tuple(NO_FRICTION for _slider in one.dynamics.sliding))
-    acting = dict(zip(one.dynamics.moving, loads_of(one), strict=True))
+    acting = one.dynamics.by_link(loads_of(one))
     for each in rubbing:
         acting[each.on] = added(acting[each.on], each.wrench)
-    loads = remade(unloaded(one), acting.values())
-    forces = one.dynamics.forces(one.motion, one.size, one.dynamics.bodies(*one.bodies), loads, conditions)
+    loads = tuple(acting.values())
+    forces = one.dynamics.forces(one.motion, one.size, one.bodies, loads, conditions)
     return float(np.ravel(forces.driving_torque)[0])

@@ -37,11 +37,6 @@ class ScotchYokeSpec(MechanismSpec, frozen=True):
         if abs(sin(self.slot_angle.si)) < _LEAST_SINE:
             yield Problem("slot_angle", None, _("must not lie along the line of stroke: 90 deg is across it"))
 
-    @property
-    def rod_field(self) -> str:
-        """There is no rod: the slot decides whether it closes."""
-        return "slot_angle"
-
 
 def scotch_yoke_geometry(spec: ScotchYokeSpec, _master: Master | None = None) -> ScotchYoke:
     """Lengths and angle in SI."""

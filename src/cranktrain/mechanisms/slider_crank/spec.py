@@ -41,17 +41,17 @@ class SliderCrankSpec(MechanismSpec, frozen=True):
         ),
     )
 
-    @property
-    def rod_field(self) -> str:
-        """Whichever of the three forms gives the rod."""
-        return next(name for name in _RODS if getattr(self, name) is not None)
-
     def _problems(self) -> list[Problem]:
         """Find a crank or a rod that is given twice or not at all, and a stroke that no crank can make."""
         wrong = [problem for names in (_CRANKS, _RODS) if (problem := _not_once(self, names)) is not None]
         if not wrong and self.stroke is not None and _radius_from_stroke(self) is None:
             wrong = [Problem("stroke", None, _stroke_limit(self))]
         return wrong
+
+
+def slider_crank_rod_field(spec: SliderCrankSpec, _geometry: SliderCrank) -> str:
+    """Give whichever of the three forms gives the rod."""
+    return next(name for name in _RODS if getattr(spec, name) is not None)
 
 
 def _stroke_limit(spec: SliderCrankSpec) -> str:

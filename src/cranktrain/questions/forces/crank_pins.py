@@ -133,7 +133,7 @@ def crank_pin_loads(
         load = pin_load(one.forces.joints[pin.joint], crank_link(one.motion.pin, Crank(radius)))
         _fill(whole, batch, load)
         if pin.has_rod:
-            rod = loaded.masses.batches[pin.batch].bodies.rod
+            rod = batch.kind.dynamics.by_link(loaded.masses.batches[pin.batch].bodies)["rod"]
             rotating = weighed_ends(rod, batch.members.geometry.rod_length).first
             _fill(without, batch, with_rotating_mass(load, -rotating, radius, loaded.speed.drive(phi)))
         reaction = batch.kind.dynamics.reactions[pin.joint]
@@ -162,7 +162,7 @@ def _shares(whole: PinLoad, loaded: LoadedMachine, solved: SolvedCycle, phi: Arr
     """What of the pins' loads is each mechanism's own; a master has what its slaves leave, its guide's friction too."""
     shares = PinLoad(*(part.copy() for part in whole))
     for batch, one in zip(loaded.mechanisms.batches, solved.batches, strict=True):
-        joint = batch.kind.dynamics.share_of_masters("crank_pin")
+        joint = batch.kind.dynamics.joint("crank_pin", is_own=False)
         if joint is None:
             continue
         direction = crank(phi - loaded.mechanisms.nominal_top[:, batch.index], Crank(ONE))

@@ -9,7 +9,6 @@ from cranktrain.checks import Limit, flagged
 from cranktrain.language import N_
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.part_tables import SLIDER
-from cranktrain.linkage.forces import Body
 from cranktrain.motion import Array
 from cranktrain.questions.cylinders.volumes import Chambers
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
@@ -77,7 +76,7 @@ def _piston_masses(loaded: LoadedMachine, shape: tuple[int, ...]) -> Array:
     found = np.zeros(shape)
     for batch, made in zip(loaded.mechanisms.batches, loaded.masses.batches, strict=True):
         piston = loaded.carriers.piston[batch.index]
-        slider: Body | None = getattr(made.bodies, SLIDER, None)
+        slider = batch.kind.dynamics.by_link(made.bodies).get(SLIDER)
         if slider is not None and piston[0] >= 0:
             found[:, piston] = slider.mass[..., 0]
     return found
