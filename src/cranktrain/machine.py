@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import Any, Literal, Self
 
 import numpy as np
-from pydantic import Field, ValidationError, model_validator
+from pydantic import Field, ValidationError
 
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.errors import InputError, Problem, refuse
@@ -186,14 +186,8 @@ class Machine(Spec, frozen=True):
             raise InputError([Problem("model_copy", given, allowed, repair)])
         return super().model_copy(deep=deep)
 
-    @model_validator(mode="after")
-    def _arranged_one_way(self) -> Self:
-        """Refuse a machine that is arranged in no way, or in two."""
-        refuse([*self._mechanism_problems(), *self._shaft_problems()])
-        return self
-
-    def _mechanism_problems(self) -> Iterator[Problem]:
-        """Find no mechanism, one beside banks, and what belongs to the other way of arranging."""
+    def _problems(self) -> Iterator[Problem]:
+        """Find a machine with no mechanism, one beside its banks, and what belongs to the other way of arranging."""
         if self.mechanism is None and not self.bank:
             allowed = _("is missing; a machine needs a [mechanism], or banks with [bank.NAME.mechanism]")
             yield Problem("mechanism", None, allowed)
@@ -214,10 +208,11 @@ class Machine(Spec, frozen=True):
         if n_mechanisms > MOST_MECHANISMS:
             allowed = _("gives {n} mechanisms; a machine may have at most {limit}")
             yield Problem("bank", None, allowed.format(n=n_mechanisms, limit=MOST_MECHANISMS))
+        yield from self._shaft_problems()
 
     def _shaft_problems(self) -> Iterator[Problem]:
         """Find what only the main shaft has, or only another, and shafts that carry nothing."""
-        used = {shaft for bank in self.bank.values() for shaft in bank.shafts} if self.bank else {MAIN}
+        used = {shaft for bank in self.banks.values() for shaft in bank.shafts}
         for name, shaft in self.shaft.items():
             foreign = ("ratio", "phase", "place") if name == MAIN else ("speed", "acceleration", "speed_curve")
             allowed = _("is for another shaft; angles and places count from [shaft.main]")
@@ -226,14 +221,22 @@ class Machine(Spec, frozen=True):
                 if name not in used:
                     nothing = _("carries no bank: name it in [bank.NAME] shaft, or take it out")
                     yield Problem(path_text(("shaft", name)), None, nothing)
-            for key in foreign:
-                if key in shaft.model_fields_set:
-                    yield Problem(path_text(("shaft", name, key)), None, allowed)
+            yield from (
+                Problem(path_text(("shaft", name, key)), None, allowed)
+                for key in foreign
+                if key in shaft.model_fields_set
+            )
 
     @property
     def shafts(self) -> Mapping[str, ShaftSpec]:
         """The shafts by name; `main` is there whether the file has a table for it or not."""
         return {MAIN: ShaftSpec(), **self.shaft}
+
+    @property
+    def banks(self) -> Mapping[str, BankSpec]:
+        """The banks by name; a bare `[mechanism]` is a bank of one, without a name."""
+        bare = BankSpec.model_construct(angle=(self.angle,), mechanism=(self.mechanism,), throws=(1,))
+        return self.bank or {"": bare}
 
     @property
     def main_shaft(self) -> ShaftSpec:
@@ -246,21 +249,10 @@ class Machine(Spec, frozen=True):
         return self.running == "astern"
 
     @property
-    def sense(self) -> float:
-        """+1 ahead, −1 astern: the sign of what counts in the normal sense of rotation."""
-        return -1.0 if self.is_astern else 1.0
-
-    @property
-    def first_axis(self) -> float:
-        """Direction of the first bank's x, from Y in the normal sense of rotation. [rad]"""
-        return self.angle.si if self.mechanism is not None else first_axis(self.bank)
-
-    @property
     def zero(self) -> float:
         """φ where the shown crank angle is 0: as given, or where the crank of throw 1 points along Y. [rad]"""
-        if self.crank_zero != "Y":
-            return self.sense * self.crank_zero.si
-        return -self.sense * self.first_axis
+        zero = -self.orientation.first_angle if self.crank_zero == "Y" else self.crank_zero.si
+        return -zero if self.is_astern else zero
 
     @property
     def weighed(self) -> Weighed:
@@ -280,7 +272,7 @@ class Machine(Spec, frozen=True):
     @property
     def orientation(self) -> Orientation:
         """How it stands and runs."""
-        return Orientation(self.first_axis, self.rotation == "clockwise", self.is_astern)
+        return Orientation(first_axis(self.banks), self.rotation == "clockwise", self.is_astern)
 
     @property
     def places(self) -> tuple[PlacedMechanism, ...]:
@@ -292,14 +284,8 @@ class Machine(Spec, frozen=True):
     @cached_property
     def arranged(self) -> tuple[tuple[PlacedMechanism, ...], tuple[Problem, ...]]:
         """Its mechanisms in their places, and what is wrong with these; with problems there are no places."""
-        banks = self.bank
-        if self.mechanism is not None:  # a bank of one, without a name
-            bank = BankSpec.model_construct(
-                angle=(self.angle,), mechanism=(self.mechanism,), throws=(1,), stagger=Given(0.0, "0 mm"), shaft=MAIN
-            )
-            banks = {"": bank}
         with np.errstate(all="ignore"):  # sizes that cannot be are found where their links do not close
-            return places_of(self.shafts, banks, astern=self.is_astern)
+            return places_of(self.shafts, self.banks, astern=self.is_astern)
 
     @cached_property
     def design(self) -> Design:

@@ -156,7 +156,7 @@ def textbook_motion(
             own = form(members.geometry)(crank_angle.first_turn + members.phase)
             for curve, values in zip(curves, own, strict=True):
                 curve[:, method, batch.index] = values[..., np.newaxis, :]
-        samples = Coefficient(*(part[:, alike.index] for part in turn.samples[:3]))
+        samples = Coefficient(*(part[:, alike.index] for part in turn.samples.slider))
         peaks = Extremes(*(Extreme(*(part[:, :, alike.index] for part in one)) for one in turn.peaks))
         worst = _largest_errors(tuple(forms.values()), alike, samples, peaks)
         origin = turn.distinct.origin[:, batch.index] - alike.index[0]

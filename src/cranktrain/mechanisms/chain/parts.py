@@ -1,15 +1,16 @@
 """The chain's table of the machine file, part by part."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from math import pi
-from typing import Annotated, Literal, NamedTuple, Self
+from typing import Annotated, Literal, NamedTuple
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
+from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.spec import MechanismSpec
 from cranktrain.quantities import Angle, Given, Length, PositiveLength, Ratio
-from cranktrain.spec import Refused, Spec
+from cranktrain.spec import Spec
 
 FixedPoint = Annotated[tuple[Length, ...], Field(min_length=2, max_length=2)]
 """x and y in the file's own axes."""
@@ -179,13 +180,11 @@ class TriadLegSpec(Spec, frozen=True):
         description=N_("Where about the joint lies when the crank lies along x: chooses the assembly mode."),
     )
 
-    @model_validator(mode="after")
-    def _of_one_sort(self) -> Self:
-        """Refuse a leg that is neither rod nor guide, or both."""
+    def _problems(self) -> Iterator[Problem]:
+        """Find a leg that is neither rod nor guide, or both."""
         given = {name for name in ("joint", "rod", "slider", "guide") if getattr(self, name) is not None}
         if given not in ({"joint", "rod"}, {"slider", "guide"}):
-            raise Refused(_("must have joint and rod, or slider and guide"))
-        return self
+            yield Problem("", None, _("must have joint and rod, or slider and guide"))
 
 
 class TriadPartSpec(Spec, frozen=True):

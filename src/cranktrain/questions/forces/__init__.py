@@ -6,7 +6,6 @@ from cranktrain.errors import Problem
 from cranktrain.language import N_
 from cranktrain.layout.bodies import BodySpec, GravitySpec, GuideSpec
 from cranktrain.layout.design import Design, Designs
-from cranktrain.layout.guide_tables import guide_problems
 from cranktrain.layout.masses import mass_problems, masses_of
 from cranktrain.layout.question import Dimension, Parts, Question, Stage, Use
 from cranktrain.layout.uses import table
@@ -32,8 +31,7 @@ from cranktrain.questions.motion.rods import on_rods
 
 
 def _problems(design: Design) -> Iterator[Problem]:
-    yield from mass_problems(design.places, design.weighed)
-    yield from guide_problems(design.places, design.weighed.guides)
+    return mass_problems(design.places, design.weighed)
 
 
 def _parts(designs: Designs, known: Parts) -> Iterator[object | None]:

@@ -1,7 +1,6 @@
 """Which mechanisms of a machine hang on which, and which of them drive its pistons."""
 
 from collections.abc import Sequence
-from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,8 +23,6 @@ class Carriers:
     piston : array of int, shape (mechanism,)
         Which piston it drives; −1 for none.
     """
-
-    needs: ClassVar[str] = ""
 
     master: NDArray[np.intp]
     piston: NDArray[np.intp]

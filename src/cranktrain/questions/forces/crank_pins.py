@@ -1,7 +1,7 @@
 """Loads of the crank pins: what every rod does to its pin, with its rotating mass and without, and whose it is."""
 
 from collections.abc import Iterator
-from typing import ClassVar, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -40,8 +40,6 @@ class CrankPin(NamedTuple):
 @record
 class CrankPins:
     """Which mechanisms have something of their own on a crank pin."""
-
-    needs: ClassVar[str] = ""
 
     pins: tuple[CrankPin, ...]
 
