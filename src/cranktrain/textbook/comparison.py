@@ -1,12 +1,12 @@
 """The sources' forms beside the exact motion: the same curves by each method, their largest errors, their ranges."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import field
 from typing import Any
 
 import numpy as np
 
 from cranktrain.catalogue import coefficients, extreme
+from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Batch, Pistons
@@ -73,7 +73,7 @@ FORMS: Mapping[str, Mapping[str, Form]] = {
 
 
 @record
-class TextbookMotion:
+class TextbookMotion(StageResult):
     """Motion of every piston by each method, `exact` first; NaN where a source has no form for the mechanism."""
 
     displacement_by_method: Coefficient = coefficients(
@@ -109,8 +109,6 @@ class TextbookMotion:
         N_("Crank angle of the largest error of acceleration"),
         _THEORY,
     )
-    flags: tuple[str, ...] = ()
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"method": ("exact", *FORMS)})
 
     def answer(self, names: Names, design: int) -> str | None:
         """Say how far the forms that textbooks use most are off."""
@@ -167,6 +165,7 @@ def textbook_motion(
     return TextbookMotion(
         Coefficient(*curves.reshape(3, n_designs, n_methods, n_pistons, n_angles)),
         *(Extreme(*one) for one in zip(angles, errors, strict=True)),
+        labels={"method": ("exact", *FORMS)},
         flags=_flags(pistons),
     )
 

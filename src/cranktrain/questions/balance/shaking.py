@@ -1,11 +1,11 @@
 """Balance: shaking force and couple of the machine by order, without and with its balance weights, and what is left."""
 
-from collections.abc import Mapping
 from dataclasses import field
 
 import numpy as np
 
 from cranktrain.catalogue import quantity
+from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.axial import AxialPlaces
 from cranktrain.layout.crank_angle import CrankAngle
@@ -33,7 +33,7 @@ _THEORY = "docs/theory/balance"
 
 
 @record
-class ShakingForces:
+class ShakingForces(StageResult):
     """Force of the moving masses on the frame, without and with balance weights."""
 
     shaking_force_x: Array = quantity("F_X", "N", _CURVE, N_("Shaking force on the frame, to the right"), _THEORY)
@@ -54,7 +54,6 @@ class ShakingForces:
         "δ_F", "rad", _ORDER, N_("Of the order's largest shaking force, from Y in the normal sense"), _THEORY
     )
     gross: Array = field(kw_only=True)
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"balance": (), "order": ()})
 
     def answer(self, labels: Names, design: int) -> str:
         """Say which orders of force shake the frame, and what the balance weights leave of them."""
@@ -66,7 +65,7 @@ class ShakingForces:
 
 
 @record
-class ShakingCouples:
+class ShakingCouples(StageResult):
     """Couple of the moving masses on the frame about the throws' mid-plane, without and with balance weights."""
 
     shaking_couple_x: Array = quantity(
@@ -95,7 +94,6 @@ class ShakingCouples:
         _THEORY,
     )
     gross: Array = field(kw_only=True)
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"balance": (), "order": ()})
 
     def answer(self, labels: Names, design: int) -> str:
         """Say which orders of couple shake the frame, and what the balance weights leave of them."""
@@ -138,13 +136,12 @@ def shaking_couples(
 
 
 @record
-class RollingMoment:
+class RollingMoment(StageResult):
     """What rolls the frame about the crankshaft: gas, inertia and weights, without and with balance weights."""
 
     rolling_moment: Array = quantity(
         "M_roll", "N*m", _CURVE, N_("Moment on the frame about the crankshaft, in the sense of rotation"), _THEORY
     )
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"balance": ()})
 
 
 def rolling_moment(
@@ -179,7 +176,7 @@ def rolling_moment(
         angle = crank_angle.angle[:, 0]
         turning = curve(roll, angle) * drive.speed**2 + curve(lagging, angle) * drive.acceleration
         curves.append(without + turning)
-    return RollingMoment(np.stack(curves, axis=1), {"balance": BALANCE[: len(curves)]})
+    return RollingMoment(np.stack(curves, axis=1), labels={"balance": BALANCE[: len(curves)]})
 
 
 def _roll_of_masses(of: FrameForces | RunningFrame, centre: ComplexArray) -> Array:

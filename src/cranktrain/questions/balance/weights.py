@@ -9,6 +9,7 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from cranktrain.catalogue import quantity
+from cranktrain.checks import StageResult
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.axial import AxialPlaces, throw_positions
@@ -112,7 +113,7 @@ def _angle_on(weight: WeightSpec, main: ShaftSpec) -> float:
 
 
 @record
-class BalanceWeights:
+class BalanceWeights(StageResult):
     """Weights that balance the machine, given and solved for."""
 
     balance_weight_moment: Array = quantity(
@@ -132,7 +133,6 @@ class BalanceWeights:
         "κ", "1", _WEIGHT, N_("Turns of the balance weight for one of the crank; less than 0 against it"), _THEORY
     )
     weights: RotatingWeights = field(kw_only=True)
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"weight": ()})
 
 
 class _Named(NamedTuple):

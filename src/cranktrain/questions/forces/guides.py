@@ -1,12 +1,12 @@
 """Edges of guides: what each of them presses, of what slides in a guide whose length is given."""
 
-from collections.abc import Mapping, Sequence
-from dataclasses import field
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from cranktrain.catalogue import extreme, quantity
+from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.guide_tables import bearing_moments
@@ -28,7 +28,7 @@ _THEORY = "docs/theory/forces"
 
 
 @record
-class GuideEdges:
+class GuideEdges(StageResult):
     """Normal forces of both edges of each guide that has a length, to the left as its slider's position counts.
 
     They act on what the joint's reaction acts on: a slider in a fixed guide, or the guide that turns with its slider.
@@ -59,8 +59,6 @@ class GuideEdges:
         N_("Crank angle of the largest normal force of an edge of the guide"),
         _THEORY,
     )
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"guide": ()})
-    flags: tuple[str, ...] = ()
 
 
 class _Guide(NamedTuple):

@@ -1,12 +1,12 @@
 """Reactions in every joint, as results, with their largest values; what to mind about masses and friction."""
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import field
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from cranktrain.catalogue import extreme, quantity
+from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.masses import Masses
@@ -28,7 +28,7 @@ _NO_ARM = 1e-9
 
 
 @record
-class JointForces:
+class JointForces(StageResult):
     """Reaction in every joint, in the axes of its mechanism."""
 
     joint_force_x: Array = quantity("F_x", "N", _JOINT, N_("Force in the joint along its mechanism's x"), _THEORY)
@@ -44,8 +44,6 @@ class JointForces:
         N_("Crank angle of the largest force in the joint"),
         _THEORY,
     )
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"joint": ()})
-    flags: tuple[str, ...] = ()
 
 
 def joint_forces(

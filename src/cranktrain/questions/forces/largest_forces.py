@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import extreme, quantity
+from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
@@ -31,7 +32,7 @@ _ALIKE = 1e-9
 
 
 @record
-class LargestForces:
+class LargestForces(StageResult):
     """Largest forces of every piston with a rod, by the reactions; errors of the formula, in parts of exact peaks."""
 
     largest_piston_force: Extreme = extreme(
@@ -72,8 +73,7 @@ class LargestForces:
         N_("Largest error of the method's tangential force, at whole degrees, in parts of the exact peak"),
         _THEORY,
     )
-    flags: tuple[str, ...] = ()
-    is_master: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, dtype=np.bool_))
+    is_master: NDArray[np.bool_] = field(kw_only=True)
 
     def answer(self, names: Names, design: int) -> str | None:
         """Say the largest forces on pistons, walls and rods, and what the formula misses where slaves hang on a rod."""

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check
+from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.linkage.forces import torque_by_work
 from cranktrain.motion import Array
@@ -20,7 +20,7 @@ _TORQUES_LIMIT = 1e-12
 
 
 @record
-class MechanismTorques:
+class MechanismTorques(StageResult):
     """What every mechanism does to the shaft, and all together."""
 
     mechanism_torque: Array = quantity(
@@ -35,7 +35,6 @@ class MechanismTorques:
     reduced_inertia_slope: Array = quantity(
         "J′", "kg*m^2/rad", ("crank_angle",), N_("Derivative of the reduced inertia by the crank angle"), _THEORY
     )
-    checks: tuple[Check, ...] = ()
 
 
 def mechanism_torques(loaded: LoadedMachine, solved: SolvedCycle) -> MechanismTorques:

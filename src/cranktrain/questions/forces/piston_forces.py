@@ -1,13 +1,12 @@
 """Forces of pistons as engine dynamics takes them apart, P, N, S, K, T: by reactions, and by the textbook's formula."""
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import field
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check
+from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Batch, Pistons
@@ -44,7 +43,7 @@ def direct_batches(loaded: LoadedMachine) -> Iterator[tuple[int, Batch]]:
 
 
 @record
-class PistonForceSet:
+class PistonForceSet(StageResult):
     """P, N, S, K and T of pistons with rods, by the reactions in the joints and by the textbook's formula.
 
     In both the rod's shares at its ends go with what is there, one with the piston and one with the crank; what the rod
@@ -75,8 +74,6 @@ class PistonForceSet:
     tangential_force: Array = quantity(
         "T", "N", _CURVE, N_("Force at the crank pin in the sense of rotation, without that mass"), _THEORY
     )
-    checks: tuple[Check, ...] = ()
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"force_method": FORCE_METHODS})
 
 
 def piston_force_set(
@@ -108,7 +105,11 @@ def piston_force_set(
                 piston, side, rod, *pin = taken
                 _fill(curves[:, :, method], one.piston, (inertia, piston, side, rod, rod, *pin))
                 residuals.append(_formula_residual(taken, one))
-    return PistonForceSet(*curves, checks=tuple(_checks(residuals, end_residual(loaded, found))))
+    return PistonForceSet(
+        *curves,
+        labels={"force_method": FORCE_METHODS},
+        checks=tuple(_checks(residuals, end_residual(loaded, found))),
+    )
 
 
 def _fill(curves: Array, piston: NDArray[np.intp], values: Sequence[Array]) -> None:

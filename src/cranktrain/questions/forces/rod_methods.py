@@ -1,11 +1,9 @@
 """Rods replaced by masses, as textbooks do: by how much side force and torque are off, by method."""
 
-from collections.abc import Mapping
-from dataclasses import field
-
 import numpy as np
 
 from cranktrain.catalogue import quantity
+from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
@@ -29,7 +27,7 @@ _TOLD = 1e-9
 
 
 @record
-class RodMethods:
+class RodMethods(StageResult):
     """Errors of rods replaced by masses, in parts of the exact peak; 0 where a method is exact.
 
     NaN for pistons that hang on no crank pin, and where the replacement cannot have the rod's centroid.
@@ -49,7 +47,6 @@ class RodMethods:
         N_("Largest error of the piston's driving torque, at whole degrees, with the rod so replaced"),
         _THEORY,
     )
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"rod_method": tuple(ROD_METHODS)})
 
     def answer(self, names: Names, design: int) -> str | None:
         """Say what two masses lose, and of which rods they cannot have the centroid."""
@@ -104,7 +101,7 @@ def rod_methods(pistons: Pistons, loaded: LoadedMachine, solved: SolvedCycle, cr
             off = Wrench(*(np.subtract(one, true) for one, true in zip(wrench, found["exact"], strict=True)))
             side[:, row, piston] = _relative(off.moment / (size.rod_length * rod.cos), forces.joints[guide_place].y)
             torque[:, row, piston] = _relative(work(rod, off), forces.driving_torque)
-    return RodMethods(side, torque)
+    return RodMethods(side, torque, labels={"rod_method": tuple(ROD_METHODS)})
 
 
 def _relative(difference: Array, whole: Array) -> Array:

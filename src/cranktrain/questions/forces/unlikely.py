@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.checks import Limit, flagged
+from cranktrain.checks import Limit, StageResult, flagged
 from cranktrain.language import N_
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.part_tables import SLIDER
@@ -39,10 +39,8 @@ _FRICTION = Limit(
 
 
 @record
-class UnlikelyLoads:
+class UnlikelyLoads(StageResult):
     """Masses and coefficients of friction that hardly any machine has."""
-
-    flags: tuple[str, ...]
 
 
 def unlikely_loads(
@@ -54,7 +52,7 @@ def unlikely_loads(
         found += flagged(_FRICTION, np.array(list(_coefficients(loaded.masses))))
         if chambers is not None and travel is not None:
             found += _of_pistons(loaded, chambers, travel.stroke, None if gas is None else gas.indicated_work > 0)
-    return UnlikelyLoads(tuple(found))
+    return UnlikelyLoads(flags=tuple(found))
 
 
 def _of_pistons(

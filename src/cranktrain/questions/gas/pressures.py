@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import Limit, flagged
+from cranktrain.checks import Limit, StageResult, flagged
 from cranktrain.gas import kind_of
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
@@ -41,7 +41,7 @@ _PEAK_PRESSURE = Limit(
 
 
 @record
-class GasPressures:
+class GasPressures(StageResult):
     """Pressure of the gas, and what it does."""
 
     gas_pressure: Array = quantity("p", "Pa", _CURVE, N_("Absolute pressure in the chamber"), _THEORY)
@@ -58,7 +58,6 @@ class GasPressures:
     peak_pressure_after: Array = quantity(
         "α(p_max)", "deg", _CHAMBER, N_("Largest pressure after the least volume"), _THEORY
     )
-    flags: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str:
         """Say mean and largest pressures."""

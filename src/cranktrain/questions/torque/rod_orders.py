@@ -1,11 +1,9 @@
 """Harmonics that a rod of finite length gives the piston's acceleration and the torque of its inertia, exact."""
 
-from collections.abc import Mapping
-from dataclasses import field
-
 import numpy as np
 
 from cranktrain.catalogue import quantity
+from cranktrain.checks import StageResult
 from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle, order_labels
 from cranktrain.layout.mechanisms import Pistons
@@ -19,7 +17,7 @@ _THEORY = "docs/theory/harmonics-and-orders"
 
 
 @record
-class RodOrders:
+class RodOrders(StageResult):
     """Harmonics of pistons by the angle of their own cranks from the top; NaN but for central slider-cranks."""
 
     acceleration_harmonic: Array = quantity(
@@ -28,7 +26,6 @@ class RodOrders:
     inertia_torque_harmonic: Array = quantity(
         "D_k", "1", _FACT, N_("Harmonic of its inertia's torque, T = m R² ω² Σ D_k sin kα"), _THEORY
     )
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"order": ()})
 
 
 def rod_orders(pistons: Pistons, crank_angle: CrankAngle) -> RodOrders:
@@ -48,4 +45,4 @@ def rod_orders(pistons: Pistons, crank_angle: CrankAngle) -> RodOrders:
             every = np.where(np.isnan(by_order[..., :1]), np.nan, np.zeros((*ratio.shape, len(labels["order"]))))
             every[..., turns - 1 :: turns] = by_order
             curve[:, :, batch.index] = np.moveaxis(every, -1, 1)
-    return RodOrders(found[0], found[1], labels)
+    return RodOrders(*found, labels=labels)

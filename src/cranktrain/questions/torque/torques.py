@@ -1,12 +1,12 @@
 """Torque of a whole machine: on each shaft, through the gear between shafts, and gathered along each shaft."""
 
-from collections.abc import Mapping
 from dataclasses import field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import extreme, quantity
+from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shafts import Shafts
@@ -68,7 +68,7 @@ def torque_peaks(
 
 
 @record
-class ShaftTorques:
+class ShaftTorques(StageResult):
     """Torque of the machine on its shafts, by the reactions: positive in each shaft's own running sense.
 
     gross, shape (design,), is what all forces would do by their arms. [N·m]
@@ -88,8 +88,6 @@ class ShaftTorques:
         "T_min", "N*m", (), N_("Smallest torque of the machine"), N_("Crank angle of the smallest torque"), _THEORY
     )
     gross: Array = field(kw_only=True)
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"shaft": ()})
-    flags: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str:
         """Say mean, largest and smallest torque; none where it is nothing beside what the forces could do."""
@@ -140,7 +138,7 @@ def shaft_torques(
 
 
 @record
-class JournalTorques:
+class JournalTorques(StageResult):
     """Torque that each main journal passes on toward the flywheel, gathered from the free end."""
 
     journal_torque: Array = quantity(
@@ -154,7 +152,6 @@ class JournalTorques:
         N_("Crank angle of the largest torque in the journal"),
         _THEORY,
     )
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"journal": ()})
 
 
 def journal_torques(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, peaks: TorquePeaks) -> JournalTorques:
@@ -163,7 +160,7 @@ def journal_torques(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, 
     What a gear takes or brings is reckoned at the flywheel's end. docs/theory/harmonics-and-orders, eq. (15.13).
     """
     passed = _passed(driving_torques(loaded, solved.batches), shafts)
-    return JournalTorques(passed, peaks.in_journals, {"journal": shafts.journals})
+    return JournalTorques(passed, peaks.in_journals, labels={"journal": shafts.journals})
 
 
 def _passed(driving: Array, shafts: Shafts) -> Array:
