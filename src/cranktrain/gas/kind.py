@@ -86,8 +86,6 @@ class GasKind(Generic[_Table, _Model]):
     breaks : callable (model) → Array, shape (n,), optional
         Of a model that goes through samples: crank angles since nominal firing, rising in [0, cycle), between which the
         pressure is smooth; a jump stands there once. [rad]
-    jumps : callable (model) → Array, shape (k,), optional
-        Those of them at which the pressure itself jumps: there `pressure` is the one just after. [rad]
     """
 
     name: str
@@ -102,7 +100,6 @@ class GasKind(Generic[_Table, _Model]):
     kinks: Callable[[_Model, VolumeLimits], tuple[Kink, ...]] = lambda model, limits: ()
     work: Callable[[_Model, Callable[[Array], Array]], float] | None = None
     breaks: Callable[[_Model], Array] | None = None
-    jumps: Callable[[_Model], Array] | None = None
 
 
 AnyGasKind: TypeAlias = GasKind[Any, Any]

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.numerics.harmonics import ComplexArray, Harmonics, phasor
+from cranktrain.numerics.harmonics import ComplexArray
 from cranktrain.numerics.plane_vectors import PlaneVectors
 from cranktrain.questions.balance.counterweights import two_plane_vectors
 from cranktrain.questions.balance.rotating_weights import RotatingWeights
@@ -96,37 +96,6 @@ def couple_of(before: Shaking) -> Shaking:
     """The couple alone, without its force."""
     order, forward, backward = before.force
     return Shaking(PlaneVectors(order, np.zeros_like(forward), np.zeros_like(backward)), before.couple)
-
-
-def roll_free_place(shafts: RotatingWeights, roll: Harmonics, order: int, backward: ComplexArray) -> ComplexArray:
-    """Where the forward shaft must lie so that both shafts also cancel a roll moment of their order.
-
-    Parameters
-    ----------
-    shafts : RotatingWeights, shape (..., 2)
-        Of `lanchester_shafts`; where they lie now does not matter.
-    roll : Harmonics, shape (..., n)
-        What rolls the frame without them, for each (rad/s)². [kg·m²]
-    order : int
-        Theirs.
-    backward : complex, shape (...)
-        Where the backward shaft lies, x + iy. [m]
-
-    Returns
-    -------
-    complex, shape (...)
-        x + iy of the forward shaft; NaN where there is none. [m]
-
-    Notes
-    -----
-    docs/theory/balance, eq. (16.13). The roll moment of the gas changes with the load and remains.
-    """
-    force = shafts.moment * shafts.ratio**2 * phasor(shafts.angle)
-    with_crank, against = force[..., 0], force[..., 1]
-    at = np.argmin(np.abs(roll.order - order))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        turned = -(roll.sine[..., at] + 1j * roll.cosine[..., at]) + np.conj(np.conj(backward) * against)
-        return np.conj(turned / with_crank)
 
 
 def vectors_of(vectors: PlaneVectors, order: int) -> tuple[ComplexArray, ComplexArray]:

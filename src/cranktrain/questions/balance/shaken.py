@@ -22,6 +22,7 @@ from cranktrain.numerics.plane_vectors import (
 from cranktrain.questions.balance.frame_forces import FrameForces
 from cranktrain.questions.balance.rotating_weights import RotatingWeights, weight_orders, weight_vectors
 from cranktrain.questions.balance.running_frame import RunningFrame
+from cranktrain.questions.balance.unit_shaking import gross
 
 _GONE = 1e-9
 """What is less than this share of what all parts could do together is none in words."""
@@ -106,13 +107,13 @@ def shaken(
     curve = machine_axes(sums.curves, clockwise=frames.clockwise)
     vectors = sums.vectors
     ellipse = hodograph(vectors)
-    gross = speed.mean[:, 0, 0] ** 2 * _gross(frame, arm, balanced)
-    least = np.maximum(_GONE * gross[:, np.newaxis, np.newaxis], _GONE * ellipse.major)
+    scale = speed.mean[:, 0, 0] ** 2 * _gross(frame, arm, balanced)
+    least = np.maximum(_GONE * scale[:, np.newaxis, np.newaxis], _GONE * ellipse.major)
     # A circle has no long axis, and what has gone no direction.
     has_axis = ellipse.major - ellipse.minor > least
     # Directions along one line are one: from −90°, which itself counts as +90°.
     along = np.pi / 2 - np.mod(np.pi / 2 - frames.running * ellipse.direction, np.pi)
-    rounding = _ROUNDING * gross[:, np.newaxis, np.newaxis]
+    rounding = _ROUNDING * scale[:, np.newaxis, np.newaxis]
 
     def size(vector: Array | ComplexArray) -> Array:
         return np.where(np.abs(vector) <= rounding, 0.0, np.abs(vector))
@@ -125,17 +126,16 @@ def shaken(
         size(ellipse.major),
         size(ellipse.minor),
         np.where(has_axis, along, np.nan),
-        gross,
+        scale,
         {"balance": BALANCE[: sums.curves.shape[1]], **order_labels(crank_angle.cycle)},
     )
 
 
 def _gross(frame: FrameForces, arm: Array, balanced: Balanced | None) -> Array:
     """What all parts would do if they added up, for each (rad/s)², shape (design,)."""
-    size = np.sum(np.abs(arm) * np.sum(hodograph(frame.vectors).major[..., 1:], axis=-1), axis=-1)
+    size = gross(frame.vectors, arm)
     if balanced is not None:
-        own = weight_vectors(balanced.weights, frame.vectors.order)
-        size = size + np.sum(np.abs(balanced.arm) * np.sum(hodograph(own).major, axis=-1), axis=-1)
+        size = size + gross(weight_vectors(balanced.weights, frame.vectors.order), balanced.arm)
     return size
 
 

@@ -20,13 +20,12 @@ from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import ComplexArray, phasor
 from cranktrain.numerics.plane_vectors import PlaneVectors, reversed_vectors, running_axes
 from cranktrain.quantities import Given
-from cranktrain.questions.balance.change import gross_shaking, with_weights
 from cranktrain.questions.balance.counterweights import counterweights, middle_of, share_of, two_plane_counterweights
 from cranktrain.questions.balance.frame_forces import FrameForces
 from cranktrain.questions.balance.rotating_weights import RotatingWeights, joined
 from cranktrain.questions.balance.shafts import ShaftPlaces, couple_of, lanchester_shafts, two_plane_shafts
 from cranktrain.questions.balance.spec import BalanceShaftsSpec, BalanceSpec, WeightSpec
-from cranktrain.questions.balance.unit_shaking import Shaking, shaking
+from cranktrain.questions.balance.unit_shaking import Shaking, gross, shaking, with_weights
 from cranktrain.record import record
 
 _WEIGHT = ("weight",)
@@ -179,8 +178,8 @@ def balance_weights(
 
 def _without_noise(weights: RotatingWeights, frame: FrameForces) -> RotatingWeights:
     """Weights, of which those are exactly 0 that balance nothing but rounding."""
-    gross = gross_shaking(frame.vectors, np.zeros(frame.force.shape[:2])).force[:, np.newaxis]
-    is_noise = weights.moment * weights.ratio**2 < _NOISE * gross
+    scale = gross(frame.vectors, np.ones(frame.force.shape[:2]))[:, np.newaxis]
+    is_noise = weights.moment * weights.ratio**2 < _NOISE * scale
     return weights._replace(
         moment=np.where(is_noise, 0.0, weights.moment), angle=np.where(is_noise, 0.0, weights.angle)
     )

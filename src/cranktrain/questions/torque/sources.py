@@ -16,6 +16,7 @@ from cranktrain.layout.shafts import Shafts
 from cranktrain.linkage.forces import Drive, Reduced, ReducedInertia, torque_by_work
 from cranktrain.motion import ZERO, Array, single
 from cranktrain.numerics import Panels, integral_to, panels
+from cranktrain.numerics.gathering import gathered
 from cranktrain.numerics.harmonics import ComplexArray, harmonics, phasor
 from cranktrain.numerics.periodic import fourier_integral
 from cranktrain.questions.forces.events import ForceEvents
@@ -26,7 +27,6 @@ from cranktrain.questions.gas.chambers import AMBIENT, GasInChambers
 from cranktrain.questions.gas.events import GasEvents
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.questions.motion.pistons import PistonMotion
-from cranktrain.questions.torque.fired import throw_torque
 from cranktrain.record import record
 
 _WIDEST = np.pi / 9
@@ -159,7 +159,7 @@ def torque_sources(
     torques: MechanismTorques,
 ) -> TorqueSources:
     """Take the torque apart; docs/theory/harmonics-and-orders, eq. (15.17)."""
-    by_shaft = throw_torque(-driving_torques(loaded, solved.batches), shafts.shaft, len(shafts.names))
+    by_shaft = gathered(-driving_torques(loaded, solved.batches), shafts.shaft, len(shafts.names))
     drive = Drive(*(part[:, 0] for part in loaded.speed.drive(crank_angle.angle)))
     nothing = np.zeros_like(by_shaft[:, 0])
     spent = np.zeros(len(by_shaft))
@@ -176,7 +176,7 @@ def torque_sources(
     if loaded.gas is None or gas_events is None or gas is None or motion is None:
         return TorqueSources(((),) * len(designs), by_shaft, inertia, nothing, spent)
     own = shafts.shaft[loaded.carriers.driven]
-    rest = by_shaft - throw_torque(gas.gas_force * motion.piston_displacement.first, own, len(shafts.names))
+    rest = by_shaft - gathered(gas.gas_force * motion.piston_displacement.first, own, len(shafts.names))
     sources = tuple(tuple(_of_chambers(loaded.gas, gas_events, crank_angle, own, design)) for design in designs)
     return TorqueSources(sources, rest, inertia, nothing, spent)
 
@@ -193,7 +193,7 @@ def _of_machines(
     longest = max(cut.angle.size for cut in cuts)
     asked = np.stack([np.pad(cut.angle, (0, longest - cut.angle.size), mode="edge") for cut in cuts])
     solved = loaded.solved(asked[:, np.newaxis] + crank_angle.zero)
-    torque = throw_torque(-driving_torques(loaded, solved), shafts.shaft, len(shafts.names))
+    torque = gathered(-driving_torques(loaded, solved), shafts.shaft, len(shafts.names))
     each = np.arange(len(shafts.names))[np.newaxis]
     for cut, own in zip(cuts, torque, strict=True):
         yield Source(cut, own[:, : cut.angle.size], np.zeros(1), each)

@@ -12,13 +12,14 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
+from cranktrain.numerics.gathering import gathered
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.forces_times_arms import forces_times_arms
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import driving_torques
 from cranktrain.questions.forces.peaks import largest_of_machine, one_sided, without_rounding
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
-from cranktrain.questions.torque import fired as along_shaft
+from cranktrain.questions.torque.fired import journal_torque
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
 from cranktrain.wording import Names, number
@@ -120,7 +121,7 @@ def shaft_torques(
     simply add up to what the main shaft feels. docs/theory/forces, eq. (13.38).
     """
     by_mechanism = -driving_torques(loaded, solved.batches)
-    by_shaft = along_shaft.throw_torque(by_mechanism, shafts.shaft, len(shafts.names))
+    by_shaft = gathered(by_mechanism, shafts.shaft, len(shafts.names))
     whole = np.sum(by_shaft, axis=1)
     mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
     gross = np.sum(forces_times_arms(loaded, solved.batches), axis=-1)
@@ -168,8 +169,8 @@ def _passed(driving: Array, shafts: Shafts) -> Array:
     rows: list[Array] = []
     for shaft, n_throws in enumerate(shafts.n_throws):
         own = shafts.shaft == shaft
-        by_throw = along_shaft.throw_torque(-driving[:, own], shafts.throw[own], n_throws)
-        rows.append(along_shaft.journal_torque(by_throw))
+        by_throw = gathered(-driving[:, own], shafts.throw[own], n_throws)
+        rows.append(journal_torque(by_throw))
     return np.concatenate(rows, axis=1)
 
 

@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import minimize
+from tests.layouts_by_order import Cylinders, inertia_roll, reciprocating_vectors, roll_free_place
 
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
@@ -21,7 +22,6 @@ from cranktrain.numerics.plane_vectors import (
     turned_vectors,
     vector_curve,
 )
-from cranktrain.questions.balance.change import balance_change, gross_shaking, remainders, with_weights
 from cranktrain.questions.balance.counterweights import (
     counterweights,
     middle_of,
@@ -30,14 +30,8 @@ from cranktrain.questions.balance.counterweights import (
     two_plane_vectors,
 )
 from cranktrain.questions.balance.rotating_weights import joined, on_crank, weight_orders, weight_roll, weight_vectors
-from cranktrain.questions.balance.shafts import couple_of, lanchester_shafts, roll_free_place, two_plane_shafts
-from cranktrain.questions.balance.unit_shaking import (
-    Cylinders,
-    inertia_roll,
-    reciprocating_vectors,
-    shaking,
-    throw_vectors,
-)
+from cranktrain.questions.balance.shafts import couple_of, lanchester_shafts, two_plane_shafts
+from cranktrain.questions.balance.unit_shaking import gross, shaking, with_weights
 from cranktrain.questions.torque.rod_harmonics import acceleration_harmonics
 
 FEW = settings(max_examples=40, deadline=None, derandomize=True)
@@ -62,9 +56,15 @@ def machine(throw_deg, axis_deg, position, highest=8):
 
 
 def left_over(vectors, position, before, after):
-    """What remains, as (what, order)."""
-    gross = gross_shaking(vectors, position)
-    return [(one.what, one.order) for one in remainders(balance_change(before, after), gross)]
+    """What remains, as (what, order), the largest first; none of it is larger than all parts together."""
+    arms = (np.ones_like(position), position)
+    left = []
+    for what, was, now, arm in zip(("force", "couple"), before, after, arms, strict=True):
+        scale = gross(vectors, arm)
+        assert np.all(hodograph(was).major <= (1 + 1e-12) * scale)
+        size = hodograph(now).major
+        left += [(what, float(was.order[i])) for i in np.argsort(-size, kind="stable") if size[i] > 1e-9 * scale]
+    return left
 
 
 FOUR = machine([0, 180, 180, 0], 0, [-0.15, -0.05, 0.05, 0.15])
@@ -188,7 +188,7 @@ def test_counterweights_throw_by_throw_do_the_same_on_a_v8_cross():
     throw, axis = [0, 0, 90, 90, 270, 270, 180, 180], [-45, 45] * 4
     position = np.repeat([-0.15, -0.05, 0.05, 0.15], 2)
     _, vectors, z, before = machine(throw, axis, position)
-    throws = throw_vectors(vectors, np.repeat(np.arange(4), 2), 4)
+    throws = PlaneVectors(vectors.order, *(part[::2] + part[1::2] for part in vectors[1:]))
     weights = counterweights(share_of(np.zeros(4), throws, 0.5), position[::2])
     after = with_weights(before, weights)
     assert ("couple", 1.0) in left_over(vectors, z, before, before)
