@@ -12,6 +12,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
+from cranktrain.numerics.gathering import put
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.peaks import largest_of_each, one_sided
@@ -124,8 +125,7 @@ def largest_forces(
     def sizes(found: tuple[SolvedBatch, ...]) -> Array:
         curves = np.full((*samples.shape[:3], found[0].forces.driving_torque.shape[-1]), np.nan)
         for one in rods_in_pistons(loaded, found):
-            for curve, values in zip(curves, one.forces[1:], strict=True):
-                curve[:, one.piston] = values
+            put(curves, one.piston, one.forces[1:])
         return np.moveaxis(np.abs(curves[which, :, asked]), 0, 1)
 
     driven = loaded.carriers.driven[asked]

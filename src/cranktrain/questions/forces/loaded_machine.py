@@ -16,6 +16,7 @@ from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import Array, Coefficient, single
 from cranktrain.numerics import in_slots
+from cranktrain.numerics.gathering import put
 from cranktrain.questions.forces.carriers import MASTER, Carriers
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.record import record
@@ -175,8 +176,7 @@ class LoadedMachine:
         for batch, motion in zip(self.mechanisms.batches, motions, strict=True):
             piston = self.carriers.piston[batch.index]
             if piston[0] >= 0:
-                for part, values in zip(slider, motion.slider, strict=True):
-                    part[:, piston] = values
+                put(slider, piston, motion.slider)
         by_chamber = _own(angle, driven[self.gas.chambers.leading])
         return self.gas.force(self.gas.pressure(by_chamber, self.gas.volume_by(Coefficient(*slider))))
 

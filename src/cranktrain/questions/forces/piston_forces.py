@@ -3,7 +3,6 @@
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import Check, StageResult
@@ -11,6 +10,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Batch, Pistons
 from cranktrain.motion import Array
+from cranktrain.numerics.gathering import put
 from cranktrain.questions.forces.crank_pins import CrankPinLoads
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.piston_formulas import (
@@ -95,7 +95,7 @@ def piston_force_set(
     found = [(one, one.forces) for one in rods_in_pistons(loaded, solved.batches)]
     residuals: list[Array] = []
     for one, exact in found:
-        _fill(curves[:, :, 0], one.piston, (*exact[:-1], *_at_pin(one, exact, crank_pins)))
+        put(curves[:, :, 0], one.piston, (*exact[:-1], *_at_pin(one, exact, crank_pins)))
         if one.batch.kind.name == DIRECT:
             two_harmonics = two_harmonic_inertia_force(
                 phi + one.batch.members.phase, one.batch.members.geometry, one.reciprocating, one.drive
@@ -103,18 +103,13 @@ def piston_force_set(
             for method, inertia in enumerate((exact.inertia, two_harmonics), start=1):
                 taken = piston_forces(one.pressed + inertia, one.motion, one.batch.members.geometry)
                 piston, side, rod, *pin = taken
-                _fill(curves[:, :, method], one.piston, (inertia, piston, side, rod, rod, *pin))
+                put(curves[:, :, method], one.piston, (inertia, piston, side, rod, rod, *pin))
                 residuals.append(_formula_residual(taken, one))
     return PistonForceSet(
         *curves,
         labels={"force_method": FORCE_METHODS},
         checks=tuple(_checks(residuals, end_residual(loaded, found))),
     )
-
-
-def _fill(curves: Array, piston: NDArray[np.intp], values: Sequence[Array]) -> None:
-    for curve, value in zip(curves, values, strict=True):
-        curve[:, piston] = value
 
 
 def _at_pin(one: RodsInPistons, forces: ForcesOfRods, crank_pins: CrankPinLoads) -> tuple[Array, Array, Array]:
