@@ -72,11 +72,9 @@ class GasKind(Generic[_Table, _Model]):
     pressure : callable (ChamberState, model) → Array
         Absolute pressure at each crank angle, of the state's shape. [Pa]
     flags : callable (spec, model) → tuple of str
-        What may be meant otherwise than it was given, as sentences.
+        What may be meant otherwise than it was given, and what was found in a file and changed, as sentences.
     example : str
         A commented `[gas]` table to start from.
-    findings : callable (model) → tuple of str
-        What was found in a file and changed, as sentences; nothing of a model that reads no file.
     mean_pressures : callable (model, compression ratio) → MeanPressures, optional
         In closed form, where there is one.
     kinks : callable (model, VolumeLimits) → tuple of Kink
@@ -95,7 +93,6 @@ class GasKind(Generic[_Table, _Model]):
     pressure: Callable[[ChamberState, _Model], Array]
     flags: Callable[[_Table, _Model], tuple[str, ...]]
     example: str
-    findings: Callable[[_Model], tuple[str, ...]] = lambda model: ()
     mean_pressures: Callable[[_Model, Array], MeanPressures] | None = None
     kinks: Callable[[_Model, VolumeLimits], tuple[Kink, ...]] = lambda model, limits: ()
     work: Callable[[_Model, Callable[[Array], Array]], float] | None = None

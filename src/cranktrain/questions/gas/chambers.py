@@ -8,6 +8,7 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.checks import StageResult
 from cranktrain.errors import InputError, Problem
 from cranktrain.gas import AnyGasKind, Chamber, GasSpec, VolumeLimits, chamber_state, kind_of
 from cranktrain.language import N_, _
@@ -38,8 +39,15 @@ class DeclaredGas:
     specs: tuple[GasSpec, ...]
 
 
+class Shared(NamedTuple):
+    """A model, and the chambers of one design that have it: those that differ in their phase alone."""
+
+    model: object
+    places: list[int]
+
+
 @record
-class GasInChambers:
+class GasInChambers(StageResult):
     """The gas model of every chamber, to be asked at any crank angle.
 
     Attributes
@@ -54,12 +62,10 @@ class GasInChambers:
         φ of each chamber's nominal firing. [rad]
     cycle : float
         [rad]
-    models : tuple of tuples
-        [design][chamber], as each design's kind of gas takes it.
+    models : tuple of tuples of Shared
+        Of each design, as its kind of gas takes them.
     specs : tuple of GasSpec
         Of each design.
-    flags : tuple of str
-        What may be meant otherwise than it was given, and what was found in a file and changed.
     """
 
     pistons: Pistons
@@ -69,9 +75,8 @@ class GasInChambers:
     tops: Array
     firing: Array
     cycle: float
-    models: tuple[tuple[object, ...], ...]
+    models: tuple[tuple[Shared, ...], ...]
     specs: tuple[GasSpec, ...]
-    flags: tuple[str, ...]
 
     def volume(self, angle: Array) -> Coefficient:
         """Volume of every chamber at φ [rad], and its derivatives, shape (design, chamber, n). [m³, m³/rad, m³/rad²]"""
@@ -99,7 +104,7 @@ class GasInChambers:
         found = np.empty(volume.value.shape)
         for design, spec in enumerate(self.specs):
             kind = kind_of(spec)
-            for model, places in self.alike(design):
+            for model, places in self.models[design]:
                 own = type(state)(*(_rows(part, design, places) for part in state))
                 found[design, places] = kind.pressure(own, model)
         return found
@@ -111,25 +116,20 @@ class GasInChambers:
         turns = 2 * np.pi * np.rint((self.firing[..., 0] - least) / (2 * np.pi))
         return least + turns, np.where(is_head, travel.outer[:, of], travel.inner[:, of])
 
-    @cached_property
-    def _shared(self) -> tuple[list[tuple[object, list[int]]], ...]:
-        """What `alike` gives for each design."""
-        return tuple(_sharing(of_design) for of_design in self.models)
-
-    def alike(self, design: int) -> list[tuple[object, list[int]]]:
-        """Models of one design's chambers, each with the chambers that share it."""
-        return self._shared[design]
+    def limits_of(self, design: int, place: int) -> VolumeLimits:
+        """Volume limits of one chamber of one design."""
+        return VolumeLimits(*(single(float(part[design, place, 0])) for part in self.limits))
 
     @cached_property
     def distinct(self) -> list[int]:
         """Chambers that stand for all others of their design which share their model."""
-        return sorted({places[0] for of_design in self._shared for _model, places in of_design})
+        return sorted({places[0] for of_design in self.models for _model, places in of_design})
 
     @cached_property
     def origin(self) -> NDArray[np.intp]:
         """Which of the distinct chambers stands for each, shape (design, chamber)."""
         found = np.empty((len(self.models), len(self.chambers.names)), dtype=np.intp)
-        for design, of_design in enumerate(self._shared):
+        for design, of_design in enumerate(self.models):
             for _model, places in of_design:
                 found[design, places] = self.distinct.index(places[0])
         return found
@@ -158,14 +158,6 @@ class GasInChambers:
         """Force of the gas less the ambient pressure on every piston, toward its shaft, (design, piston, n). [N]"""
         areas = self.chambers.areas
         return self.chambers.pushed(pressure) - AMBIENT * np.sum(areas, axis=-1, keepdims=True)
-
-
-def _sharing(models: tuple[object, ...]) -> list[tuple[object, list[int]]]:
-    """Pair each model of one design with the chambers that have it."""
-    sharing: dict[int, tuple[object, list[int]]] = {}
-    for place, model in enumerate(models):
-        sharing.setdefault(id(model), (model, []))[1].append(place)
-    return list(sharing.values())
 
 
 def _rows(part: Array, design: int, places: list[int]) -> Array:
@@ -206,26 +198,21 @@ def gas_in_chambers(
         cycle=cycle.length,
         models=(),
         specs=gas.specs,
-        flags=(),
     )
-    is_central = _central_ratios(pistons, cylinders)[:, of]
+    ratios = _central_ratios(pistons, cylinders)[:, of]
     # What the volume is at some angles after firing tells a chamber from those that are not like it.
     every = range(len(chambers.names))
     volumes_then = empty.at_own(empty.firing + _TELLING, every, lambda angle: empty.volume(angle).value)
     models = tuple(
-        _models(spec, empty, design, _Likeness(volumes_then[design], is_central[design]))
-        for design, spec in enumerate(gas.specs)
+        _models(spec, empty, design, volumes_then[design], ratios[design]) for design, spec in enumerate(gas.specs)
     )
-    each = [
-        (kind_of(spec), spec, model) for spec, of_design in zip(gas.specs, models, strict=True) for model in of_design
+    flags = [
+        flag
+        for spec, of_design in zip(gas.specs, models, strict=True)
+        for shared in of_design
+        for flag in kind_of(spec).flags(spec, shared.model)
     ]
-    flags = [flag for kind, spec, model in each for flag in kind.flags(spec, model)]
-    findings = [finding for kind, _spec, model in each for finding in kind.findings(model)]
-    return replace(
-        empty,
-        models=models,
-        flags=tuple(dict.fromkeys((*flags, *findings))),
-    )
+    return replace(empty, models=models, flags=tuple(dict.fromkeys(flags)))
 
 
 def _refuse_chambers_without_room(chambers: Chambers, volumes: ChamberVolumes) -> None:
@@ -250,32 +237,27 @@ def _central_ratios(pistons: Pistons, cylinders: CylinderPistons) -> Array:
     return np.where(cylinders.is_opposed, np.nan, ratio[:, cylinders.leading])
 
 
-class _Likeness(NamedTuple):
-    """What tells chambers apart: volumes at some angles, (chamber, n) [m³], and λ of central ones, (chamber,)."""
+def _models(spec: GasSpec, chambers: GasInChambers, design: int, volumes: Array, ratios: Array) -> tuple[Shared, ...]:
+    """Models of one design's chambers; those that are alike but for their phase share one.
 
-    volumes: Array
-    ratios: Array
-
-
-def _models(spec: GasSpec, chambers: GasInChambers, design: int, own: _Likeness) -> tuple[object, ...]:
-    """Models of one design's chambers; chambers that are alike but for their phase share one."""
+    By their limits and volumes at some angles, (chamber, n) [m³], they are told apart; λ of central ones, (chamber,).
+    """
     kind = kind_of(spec)
-    made: dict[tuple[float, ...], object] = {}
-    found: list[object] = []
+    made: dict[tuple[float, ...], Shared] = {}
     for place in range(len(chambers.chambers.names)):
-        limits = VolumeLimits(*(single(float(part[design, place, 0])) for part in chambers.limits))
+        limits = chambers.limits_of(design, place)
         start = float(chambers.firing[design, place, 0])
 
         def volume(angle: Array, start: float = start, place: int = place) -> Array:
             return chambers.volume_of(design, place, angle + start).value
 
-        key = tuple(float(f"{float(value):.9g}") for value in (*limits, *own.volumes[place]))
+        key = tuple(float(f"{float(value):.9g}") for value in (*limits, *volumes[place]))
         if key not in made:
-            ratio = float(own.ratios[place])
+            ratio = float(ratios[place])
             chamber = Chamber(chambers.cycle, limits, volume, None if np.isnan(ratio) else ratio)
-            made[key] = _model(kind, spec, chamber)
-        found.append(made[key])
-    return tuple(found)
+            made[key] = Shared(_model(kind, spec, chamber), [])
+        made[key].places.append(place)
+    return tuple(made.values())
 
 
 def _model(kind: AnyGasKind, spec: GasSpec, chamber: Chamber) -> object:

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from cranktrain.gas import Kink, VolumeLimits, kind_of
-from cranktrain.motion import Array, Coefficient, single
+from cranktrain.gas import kind_of
+from cranktrain.motion import Array, Coefficient
 from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.record import record
@@ -81,27 +81,25 @@ def _kinks(gas: GasInChambers, firing: Array, least: Coefficient) -> Array:
 def _breaks(gas: GasInChambers) -> Array:
     """Where the pieces of measured cards meet, from nominal firing, shape (design, chamber, break): NaN fills up."""
     told = [
-        [np.empty(0) if kind.breaks is None else kind.breaks(model) for model in models]
-        for kind, models in ((kind_of(spec), models) for spec, models in zip(gas.specs, gas.models, strict=True))
+        (design, places, kind.breaks(model))
+        for design, kind in enumerate(map(kind_of, gas.specs))
+        for model, places in gas.models[design]
+        if kind.breaks is not None
     ]
-    filled = np.full((*gas.firing.shape[:2], max(own.size for of_design in told for own in of_design)), np.nan)
-    for design, of_design in enumerate(told):
-        for place, own in enumerate(of_design):
-            filled[design, place, : own.size] = own
+    filled = np.full((*gas.firing.shape[:2], max((own.size for *_at, own in told), default=0)), np.nan)
+    for design, places, own in told:
+        filled[design, places, : own.size] = own
     return filled
 
 
 def _kinks_of_models(gas: GasInChambers) -> Array:
     """Volume, sense and turn of the kinks of the distinct chambers, (3, design, distinct, kink): NaN fills up."""
-    told: list[list[Sequence[Kink]]] = []
-    for design, spec in enumerate(gas.specs):
-        limits = [VolumeLimits(*(single(float(part[design, i, 0])) for part in gas.limits)) for i in gas.distinct]
-        models = [gas.models[design][place] for place in gas.distinct]
-        told.append([kind_of(spec).kinks(model, own) for model, own in zip(models, limits, strict=True)])
-    most = max(len(kinks) for of_design in told for kinks in of_design)
-    filled = np.full((3, len(told), len(gas.distinct), most), np.nan)
-    for design, of_design in enumerate(told):
-        for place, kinks in enumerate(of_design):
-            for number, kink in enumerate(kinks):
-                filled[:, design, place, number] = (float(kink.volume), kink.sense, kink.turn)
+    told = [
+        (design, gas.distinct.index(places[0]), kind_of(spec).kinks(model, gas.limits_of(design, places[0])))
+        for design, spec in enumerate(gas.specs)
+        for model, places in gas.models[design]
+    ]
+    filled = np.full((3, len(gas.specs), len(gas.distinct), max(len(kinks) for *_at, kinks in told)), np.nan)
+    for design, place, kinks in told:
+        filled[:, design, place, : len(kinks)] = np.reshape(kinks, (-1, 3)).T
     return filled

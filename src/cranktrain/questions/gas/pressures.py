@@ -109,7 +109,7 @@ def _works(gas: GasInChambers, swept: SweptVolumes) -> Array:
     works = np.full(gas.firing.shape[:2], np.nan)
     for design, spec in enumerate(gas.specs):
         kind = kind_of(spec)
-        for model, places in gas.alike(design):
+        for model, places in gas.models[design]:
             if kind.mean_pressures is not None:
                 ratio = (gas.limits.largest / gas.limits.smallest)[design, places, 0]
                 found = kind.mean_pressures(model, ratio)

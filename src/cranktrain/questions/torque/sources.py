@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.gas import VolumeLimits, chamber_state, kind_of
+from cranktrain.gas import chamber_state, kind_of
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shafts import Shafts
 from cranktrain.linkage.forces import Drive, Reduced, ReducedInertia, torque_by_work
@@ -204,7 +204,7 @@ def _of_chambers(
 ) -> Iterator[Source]:
     """Torque of the gas in each chamber of one design on its pistons' shafts, by virtual work."""
     kind, zero = kind_of(gas.specs[design]), float(crank_angle.zero[design, 0, 0])
-    for model, places in gas.alike(design):
+    for model, places in gas.models[design]:
         first = places[0]
         start = float(gas.firing[design, first, 0])
         # Near its least value V = V_c + ½V″φ², which is 0 at an imaginary φ.
@@ -214,8 +214,8 @@ def _of_chambers(
             events.angle[design, first] - start, min(_WIDEST, _REACH * away) if away > 0 else _WIDEST, gas.cycle
         )
         motion = gas.volume_of(design, first, cut.angle + start)
-        limits = VolumeLimits(*(single(float(part[design, first, 0])) for part in gas.limits))
-        pressure = kind.pressure(chamber_state(motion, limits, cut.angle, single(gas.cycle)), model)
+        state = chamber_state(motion, gas.limits_of(design, first), cut.angle, single(gas.cycle))
+        pressure = kind.pressure(state, model)
         by_chamber = [np.flatnonzero(gas.chambers.areas[design, :, place]) for place in places]
         if len(by_chamber[0]) == 1:
             slopes = [motion.first]
