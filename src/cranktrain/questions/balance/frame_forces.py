@@ -130,8 +130,7 @@ def momenta(machine: LoadedMachine, motions: Sequence[AnyMotion], frames: Frames
         total = reduce(lambda one, other: Momentum(*map(np.add, one, other)), map(momentum, links, tuple(made.bodies)))
         vector = frames.common(batch.index, total.x, total.y)
         parts.append(Momenta(vector, frames.sense[batch.index, np.newaxis] * total.moment))
-    order = np.argsort(np.concatenate([batch.index for batch in machine.mechanisms.batches]))
-    return Momenta(*(np.concatenate(columns, axis=1)[:, order] for columns in zip(*parts, strict=True)))
+    return Momenta(*map(machine.in_order, zip(*parts, strict=True)))
 
 
 def derivative(vector: ComplexArray) -> ComplexArray:

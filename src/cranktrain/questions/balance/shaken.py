@@ -1,10 +1,12 @@
 """Force or couple on the frame from all mechanisms and balance weights, as curves and by order, and in words."""
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Sequence
+from dataclasses import field
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
+from cranktrain.checks import StageResult
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import HIGHEST_ORDER, CrankAngle, order_labels, orders
 from cranktrain.layout.frames import Frames
@@ -23,6 +25,8 @@ from cranktrain.questions.balance.frame_forces import FrameForces
 from cranktrain.questions.balance.rotating_weights import RotatingWeights, weight_orders, weight_vectors
 from cranktrain.questions.balance.running_frame import RunningFrame
 from cranktrain.questions.balance.unit_shaking import gross
+from cranktrain.record import record
+from cranktrain.wording import Names
 
 _GONE = 1e-9
 """What is less than this share of what all parts could do together is none in words."""
@@ -34,24 +38,21 @@ _TOLD = 3
 """How many orders a sentence names."""
 
 
-class Shaken(NamedTuple):
+@record
+class Shaken(StageResult):
     """Force [N] or couple [N·m] on the frame, first without balance weights, then, where there are any, with them.
 
-    x, y are curves in the machine's axes, shape (design, balance, crank_angle); the others, by the cycle's orders, have
-    shape (design, balance, order), direction in radians from Y in the normal sense; gross, shape (design,), is what all
-    parts would do if they added up; labels are the names along both dimensions.
+    gross, shape (design,), is what all parts would do if they added up.
     """
 
-    x: Array
-    y: Array
-    forward: Array
-    backward: Array
-    largest: Array
-    smallest: Array
-    direction: Array
-    gross: Array
+    gross: Array = field(kw_only=True)
 
-    labels: dict[str, tuple[str, ...]]
+    def said(self, largest: Array, names: Names, design: int, unit: str) -> list[str]:
+        """Say its orders, without balance weights and, where there are any, with them."""
+        return [orders_in_words(names["order"], one, float(self.gross[design]), unit) for one in largest[design]]
+
+
+ShakenLike = TypeVar("ShakenLike", bound=Shaken)
 
 
 class Balanced(NamedTuple):
@@ -69,6 +70,7 @@ class _Sums(NamedTuple):
 
 
 def shaken(
+    made: Callable[..., ShakenLike],
     frame: FrameForces,
     running: RunningFrame | None,
     frames: Frames,
@@ -77,11 +79,15 @@ def shaken(
     *,
     arm: Array,
     balanced: Balanced | None,
-) -> Shaken:
+) -> ShakenLike:
     """Sum what all mechanisms and the balance weights do to the frame, in force or couple.
 
     Parameters
     ----------
+    made : callable
+        The result's class: of curves along the machine's X and Y, shape (design, balance, crank_angle), and by the
+        cycle's orders, shape (design, balance, order), of the parts that turn with the crank and against it, of the
+        largest and the smallest, and of its direction from Y in the normal sense [rad].
     frame : FrameForces
     running : RunningFrame or None
         Where the speed varies over the cycle.
@@ -94,7 +100,7 @@ def shaken(
 
     Returns
     -------
-    Shaken
+    What `made` gives.
 
     Notes
     -----
@@ -118,7 +124,7 @@ def shaken(
     def size(vector: Array | ComplexArray) -> Array:
         return np.where(np.abs(vector) <= rounding, 0.0, np.abs(vector))
 
-    return Shaken(
+    return made(
         curve.real,
         curve.imag,
         size(vectors.forward),
@@ -126,8 +132,8 @@ def shaken(
         size(ellipse.major),
         size(ellipse.minor),
         np.where(has_axis, along, np.nan),
-        scale,
-        {"balance": BALANCE[: sums.curves.shape[1]], **order_labels(crank_angle.cycle)},
+        gross=scale,
+        labels={"balance": BALANCE[: sums.curves.shape[1]], **order_labels(crank_angle.cycle)},
     )
 
 

@@ -1,7 +1,5 @@
 """Balance: shaking force and couple of the machine by order, without and with its balance weights, and what is left."""
 
-from dataclasses import field
-
 import numpy as np
 
 from cranktrain.catalogue import quantity
@@ -19,7 +17,7 @@ from cranktrain.numerics.plane_vectors import running_axes
 from cranktrain.questions.balance.frame_forces import FrameForces
 from cranktrain.questions.balance.rotating_weights import weight_orders, weight_roll
 from cranktrain.questions.balance.running_frame import RunningFrame
-from cranktrain.questions.balance.shaken import BALANCE, Balanced, orders_in_words, shaken
+from cranktrain.questions.balance.shaken import BALANCE, Balanced, Shaken, shaken
 from cranktrain.questions.balance.weights import BalanceWeights
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
@@ -33,7 +31,7 @@ _THEORY = "docs/theory/balance"
 
 
 @record
-class ShakingForces(StageResult):
+class ShakingForces(Shaken):
     """Force of the moving masses on the frame, without and with balance weights."""
 
     shaking_force_x: Array = quantity("F_X", "N", _CURVE, N_("Shaking force on the frame, to the right"), _THEORY)
@@ -53,19 +51,17 @@ class ShakingForces(StageResult):
     shaking_force_direction: Array = quantity(
         "δ_F", "rad", _ORDER, N_("Of the order's largest shaking force, from Y in the normal sense"), _THEORY
     )
-    gross: Array = field(kw_only=True)
 
     def answer(self, labels: Names, design: int) -> str:
         """Say which orders of force shake the frame, and what the balance weights leave of them."""
-        of = self.shaking_force_largest[design]
-        said = [orders_in_words(labels["order"], one, float(self.gross[design]), "N") for one in of]
-        if len(said) == 1:
-            return _("Shaking force: {force}.").format(force=said[0])
-        return _("Shaking force: {force}; left with [balance]: {left}.").format(force=said[0], left=said[1])
+        force, *left = self.said(self.shaking_force_largest, labels, design, "N")
+        if not left:
+            return _("Shaking force: {force}.").format(force=force)
+        return _("Shaking force: {force}; left with [balance]: {left}.").format(force=force, left=left[0])
 
 
 @record
-class ShakingCouples(StageResult):
+class ShakingCouples(Shaken):
     """Couple of the moving masses on the frame about the throws' mid-plane, without and with balance weights."""
 
     shaking_couple_x: Array = quantity(
@@ -93,15 +89,13 @@ class ShakingCouples(StageResult):
         N_("Of the forces of the order's largest shaking couple, from Y in the normal sense"),
         _THEORY,
     )
-    gross: Array = field(kw_only=True)
 
     def answer(self, labels: Names, design: int) -> str:
         """Say which orders of couple shake the frame, and what the balance weights leave of them."""
-        of = self.shaking_couple_largest[design]
-        said = [orders_in_words(labels["order"], one, float(self.gross[design]), "N*m") for one in of]
-        if len(said) == 1:
-            return _("Shaking couple: {couple}.").format(couple=said[0])
-        return _("Shaking couple: {couple}; left with [balance]: {left}.").format(couple=said[0], left=said[1])
+        couple, *left = self.said(self.shaking_couple_largest, labels, design, "N*m")
+        if not left:
+            return _("Shaking couple: {couple}.").format(couple=couple)
+        return _("Shaking couple: {couple}; left with [balance]: {left}.").format(couple=couple, left=left[0])
 
 
 def shaking_forces(
@@ -115,8 +109,7 @@ def shaking_forces(
     """Sum the forces of all mechanisms, and of the balance weights."""
     balanced = None if weights is None else Balanced(weights.weights, np.ones_like(weights.weights.moment))
     arm = np.ones(frame.force.shape[:2])
-    found = shaken(frame, running, frames, crank_angle, speed, arm=arm, balanced=balanced)
-    return ShakingForces(*found[:7], gross=found.gross, labels=found.labels)
+    return shaken(ShakingForces, frame, running, frames, crank_angle, speed, arm=arm, balanced=balanced)
 
 
 def shaking_couples(
@@ -131,8 +124,8 @@ def shaking_couples(
     """Sum the first moments of the forces of all mechanisms about the mid-plane, and of the balance weights."""
     middle = axial.mid_plane[:, np.newaxis]
     balanced = None if weights is None else Balanced(weights.weights, weights.weights.position - middle)
-    found = shaken(frame, running, frames, crank_angle, speed, arm=axial.value - middle, balanced=balanced)
-    return ShakingCouples(*found[:7], gross=found.gross, labels=found.labels)
+    arm = axial.value - middle
+    return shaken(ShakingCouples, frame, running, frames, crank_angle, speed, arm=arm, balanced=balanced)
 
 
 @record

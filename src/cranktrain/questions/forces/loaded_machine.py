@@ -1,6 +1,6 @@
 """A machine with all that acts on it: forces in every joint at any crank angle."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -53,6 +53,15 @@ class LoadedMachine:
     masses: Masses
     gas: GasInChambers | None
     speed: Speed
+
+    def in_order(self, by_batch: Iterable[NDArray[Any]]) -> NDArray[Any]:
+        """Values of every batch, broadcastable to (design, member, ...), in the machine's order of mechanisms."""
+        values = list(by_batch)
+        shape = (max(map(len, values)), len(self.mechanisms.names), *values[0].shape[2:])
+        found = np.empty(shape, values[0].dtype)
+        for batch, own in zip(self.mechanisms.batches, values, strict=True):
+            found[:, batch.index] = own
+        return found
 
     def motions(self, angle: Array) -> tuple[AnyMotion, ...]:
         """Motion of every mechanism at crank angles φ [rad], in the order of `mechanisms.batches`."""
