@@ -23,11 +23,11 @@ from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_BALANCE as _THEORY
 from cranktrain.wording import Names
 
 _CURVE = ("balance", "crank_angle")
 _ORDER = ("balance", "order")
-_THEORY = "docs/theory/balance"
 
 
 @record

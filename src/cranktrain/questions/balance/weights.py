@@ -27,9 +27,9 @@ from cranktrain.questions.balance.shafts import couple_of, lanchester_shafts, tw
 from cranktrain.questions.balance.spec import BalanceShaftsSpec, BalanceSpec, Spot, WeightSpec
 from cranktrain.questions.balance.unit_shaking import Shaking, gross, shaking, with_weights
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_BALANCE as _THEORY
 
 _WEIGHT = ("weight",)
-_THEORY = "docs/theory/balance"
 _NOISE = 1e-12
 """Of what all parts could do together: less is rounding."""
 

@@ -17,11 +17,11 @@ from cranktrain.questions.forces.pin_load import PinLoad, pin_load, with_rotatin
 from cranktrain.questions.forces.rod_masses import weighed_ends
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.wording import Names, number
 
 _MECHANISM = ("mechanism",)
 _CURVE = ("mechanism", "crank_angle")
-_THEORY = "docs/theory/forces"
 _ROD = "rod"
 _ALIKE = 1e-9
 """Loads that differ by less, relative, are the same; the first is named."""

@@ -22,9 +22,9 @@ from cranktrain.questions.forces.members import Member, mechanisms_of, parts_of
 from cranktrain.questions.forces.peaks import largest_of_each, one_sided
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_FORCES as _THEORY
 
 _GUIDE = ("guide", "crank_angle")
-_THEORY = "docs/theory/forces"
 
 
 @record

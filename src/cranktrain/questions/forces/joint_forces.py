@@ -19,10 +19,10 @@ from cranktrain.questions.forces.members import Member, mechanisms_of, parts_of
 from cranktrain.questions.forces.peaks import largest_of_each, one_sided
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.wording import ranged
 
 _JOINT = ("joint", "crank_angle")
-_THEORY = "docs/theory/forces"
 _NO_ARM = 1e-9
 """Moment over force of which a guide is said to bear none. [m]"""
 

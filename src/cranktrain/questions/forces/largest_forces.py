@@ -19,11 +19,11 @@ from cranktrain.questions.forces.peaks import largest_of_each, one_sided
 from cranktrain.questions.forces.piston_forces import FORCE_METHODS, PistonForceSet
 from cranktrain.questions.forces.rods_in_pistons import rods_in_pistons
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.wording import Names, number, ranged
 
 _FACT = ("piston",)
 _ERROR = ("force_method", "piston")
-_THEORY = "docs/theory/forces"
 _EXACT, _FORMULA = FORCE_METHODS.index("exact"), FORCE_METHODS.index("textbook")
 _SAID = ("P", "N", "S", "S")
 _NAMED = 3

@@ -13,9 +13,9 @@ from cranktrain.questions.forces.forces_times_arms import forces_times_arms
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_FORCES as _THEORY
 
 _MECHANISM = ("mechanism", "crank_angle")
-_THEORY = "docs/theory/forces"
 _TORQUES_LIMIT = 1e-12
 
 

@@ -22,9 +22,9 @@ from cranktrain.questions.forces.piston_formulas import (
 from cranktrain.questions.forces.rods_in_pistons import ForcesOfRods, RodsInPistons, end_residual, rods_in_pistons
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_FORCES as _THEORY
 
 _CURVE = ("force_method", "piston", "crank_angle")
-_THEORY = "docs/theory/forces"
 _LIMIT = 1e-12
 FORCE_METHODS = ("exact", "textbook", "two_harmonics")
 """By the reactions; by P·f(β); by that with two harmonics of the inertia."""

@@ -16,10 +16,10 @@ from cranktrain.questions.forces.piston_forces import direct_batches
 from cranktrain.questions.forces.rod_masses import ROD_METHODS
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.wording import Names, number, ranged
 
 _FACT = ("rod_method", "piston")
-_THEORY = "docs/theory/forces"
 
 
 _TOLD = 1e-9

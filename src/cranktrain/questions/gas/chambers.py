@@ -1,6 +1,6 @@
 """Gas in the chambers: pressure over the cycle by the declared model, its work, and its force on every piston."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import ClassVar, NamedTuple
@@ -22,9 +22,6 @@ from cranktrain.questions.motion.dead_centres import DeadCentres, slider_motion
 from cranktrain.record import record
 from cranktrain.wording import ranged
 
-_CHAMBER = ("chamber",)
-_CURVE = ("chamber", "crank_angle")
-_THEORY = "docs/theory/gas"
 AMBIENT = 101325.0
 """Pressure under the pistons. [Pa]"""
 _TELLING = np.array([0.0, 0.6, 1.7, 3.9])
@@ -40,8 +37,11 @@ class DeclaredGas:
 
 
 class Shared(NamedTuple):
-    """A model, and the chambers of one design that have it: those that differ in their phase alone."""
+    """A model by its kind and table, and the chambers of one design that have it: they differ in their phase alone."""
 
+    design: int
+    kind: AnyGasKind
+    spec: GasSpec
     model: object
     places: list[int]
 
@@ -62,10 +62,8 @@ class GasInChambers(StageResult):
         φ of each chamber's nominal firing. [rad]
     cycle : float
         [rad]
-    models : tuple of tuples of Shared
-        Of each design, as its kind of gas takes them.
-    specs : tuple of GasSpec
-        Of each design.
+    shared : tuple of Shared
+        Models of all designs.
     """
 
     pistons: Pistons
@@ -75,8 +73,7 @@ class GasInChambers(StageResult):
     tops: Array
     firing: Array
     cycle: float
-    models: tuple[tuple[Shared, ...], ...]
-    specs: tuple[GasSpec, ...]
+    shared: tuple[Shared, ...]
 
     def volume(self, angle: Array) -> Coefficient:
         """Volume of every chamber at φ [rad], and its derivatives, shape (design, chamber, n). [m³, m³/rad, m³/rad²]"""
@@ -102,11 +99,9 @@ class GasInChambers(StageResult):
         """Absolute pressure in every chamber at φ [rad], where its volume is known, shape (design, chamber, n). [Pa]"""
         state = chamber_state(volume, self.limits, angle - self.firing, np.array(self.cycle))
         found = np.empty(volume.value.shape)
-        for design, spec in enumerate(self.specs):
-            kind = kind_of(spec)
-            for model, places in self.models[design]:
-                own = type(state)(*(_rows(part, design, places) for part in state))
-                found[design, places] = kind.pressure(own, model)
+        for one in self.shared:
+            own = type(state)(*(_rows(part, one.design, one.places) for part in state))
+            found[one.design, one.places] = one.kind.pressure(own, one.model)
         return found
 
     def dead_centres(self, travel: CylinderTravel) -> tuple[Array, Array]:
@@ -123,15 +118,14 @@ class GasInChambers(StageResult):
     @cached_property
     def distinct(self) -> list[int]:
         """Chambers that stand for all others of their design which share their model."""
-        return sorted({places[0] for of_design in self.models for _model, places in of_design})
+        return sorted({one.places[0] for one in self.shared})
 
     @cached_property
     def origin(self) -> NDArray[np.intp]:
         """Which of the distinct chambers stands for each, shape (design, chamber)."""
-        found = np.empty((len(self.models), len(self.chambers.names)), dtype=np.intp)
-        for design, of_design in enumerate(self.models):
-            for _model, places in of_design:
-                found[design, places] = self.distinct.index(places[0])
+        found = np.empty(self.firing.shape[:2], dtype=np.intp)
+        for one in self.shared:
+            found[one.design, one.places] = self.distinct.index(one.places[0])
         return found
 
     def at_own(self, angle: Array, places: Sequence[int], values: Callable[[Array], Array]) -> Array:
@@ -196,23 +190,19 @@ def gas_in_chambers(
         tops=dead_centres.top_position[..., np.newaxis],
         firing=nominal[..., np.newaxis],
         cycle=cycle.length,
-        models=(),
-        specs=gas.specs,
+        shared=(),
     )
     ratios = _central_ratios(pistons, cylinders)[:, of]
     # What the volume is at some angles after firing tells a chamber from those that are not like it.
     every = range(len(chambers.names))
     volumes_then = empty.at_own(empty.firing + _TELLING, every, lambda angle: empty.volume(angle).value)
-    models = tuple(
-        _models(spec, empty, design, volumes_then[design], ratios[design]) for design, spec in enumerate(gas.specs)
-    )
-    flags = [
-        flag
-        for spec, of_design in zip(gas.specs, models, strict=True)
-        for shared in of_design
-        for flag in kind_of(spec).flags(spec, shared.model)
+    shared = [
+        one
+        for design, spec in enumerate(gas.specs)
+        for one in _models(spec, empty, design, volumes_then[design], ratios[design])
     ]
-    return replace(empty, models=models, flags=tuple(dict.fromkeys(flags)))
+    flags = [flag for one in shared for flag in one.kind.flags(one.spec, one.model)]
+    return replace(empty, shared=tuple(shared), flags=tuple(dict.fromkeys(flags)))
 
 
 def _refuse_chambers_without_room(chambers: Chambers, volumes: ChamberVolumes) -> None:
@@ -237,7 +227,7 @@ def _central_ratios(pistons: Pistons, cylinders: CylinderPistons) -> Array:
     return np.where(cylinders.is_opposed, np.nan, ratio[:, cylinders.leading])
 
 
-def _models(spec: GasSpec, chambers: GasInChambers, design: int, volumes: Array, ratios: Array) -> tuple[Shared, ...]:
+def _models(spec: GasSpec, chambers: GasInChambers, design: int, volumes: Array, ratios: Array) -> Iterable[Shared]:
     """Models of one design's chambers; those that are alike but for their phase share one.
 
     By their limits and volumes at some angles, (chamber, n) [m³], they are told apart; λ of central ones, (chamber,).
@@ -255,9 +245,9 @@ def _models(spec: GasSpec, chambers: GasInChambers, design: int, volumes: Array,
         if key not in made:
             ratio = float(ratios[place])
             chamber = Chamber(chambers.cycle, limits, volume, None if np.isnan(ratio) else ratio)
-            made[key] = Shared(_model(kind, spec, chamber), [])
+            made[key] = Shared(design, kind, spec, _model(kind, spec, chamber), [])
         made[key].places.append(place)
-    return tuple(made.values())
+    return made.values()
 
 
 def _model(kind: AnyGasKind, spec: GasSpec, chamber: Chamber) -> object:

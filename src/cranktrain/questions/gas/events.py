@@ -4,7 +4,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from cranktrain.gas import kind_of
 from cranktrain.motion import Array, Coefficient
 from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.gas.chambers import GasInChambers
@@ -80,26 +79,17 @@ def _kinks(gas: GasInChambers, firing: Array, least: Coefficient) -> Array:
 
 def _breaks(gas: GasInChambers) -> Array:
     """Where the pieces of measured cards meet, from nominal firing, shape (design, chamber, break): NaN fills up."""
-    told = [
-        (design, places, kind.breaks(model))
-        for design, kind in enumerate(map(kind_of, gas.specs))
-        for model, places in gas.models[design]
-        if kind.breaks is not None
-    ]
-    filled = np.full((*gas.firing.shape[:2], max((own.size for *_at, own in told), default=0)), np.nan)
-    for design, places, own in told:
-        filled[design, places, : own.size] = own
+    told = [(one, one.kind.breaks(one.model)) for one in gas.shared if one.kind.breaks is not None]
+    filled = np.full((*gas.firing.shape[:2], max((own.size for _one, own in told), default=0)), np.nan)
+    for one, own in told:
+        filled[one.design, one.places, : own.size] = own
     return filled
 
 
 def _kinks_of_models(gas: GasInChambers) -> Array:
     """Volume, sense and turn of the kinks of the distinct chambers, (3, design, distinct, kink): NaN fills up."""
-    told = [
-        (design, gas.distinct.index(places[0]), kind_of(spec).kinks(model, gas.limits_of(design, places[0])))
-        for design, spec in enumerate(gas.specs)
-        for model, places in gas.models[design]
-    ]
-    filled = np.full((3, len(gas.specs), len(gas.distinct), max(len(kinks) for *_at, kinks in told)), np.nan)
-    for design, place, kinks in told:
-        filled[:, design, place, : len(kinks)] = np.reshape(kinks, (-1, 3)).T
+    told = [(one, one.kind.kinks(one.model, gas.limits_of(one.design, one.places[0]))) for one in gas.shared]
+    filled = np.full((3, len(gas.firing), len(gas.distinct), max(len(kinks) for _one, kinks in told)), np.nan)
+    for one, kinks in told:
+        filled[:, one.design, gas.distinct.index(one.places[0]), : len(kinks)] = np.reshape(kinks, (-1, 3)).T
     return filled

@@ -15,9 +15,8 @@ from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.questions.cylinders.volumes import Chambers, SweptVolumes
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_GAS as _THEORY
 from cranktrain.wording import Names, number, shared
-
-_THEORY = "docs/theory/gas"
 
 
 @record

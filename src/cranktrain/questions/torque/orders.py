@@ -16,10 +16,10 @@ from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.questions.torque.stars import phase_stars
 from cranktrain.questions.torque.torques import ShaftTorques
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_HARMONICS as _THEORY
 from cranktrain.wording import Names, number
 
 _ORDER = ("order",)
-_THEORY = "docs/theory/harmonics-and-orders"
 _TOLD = 3
 """How many of the largest orders the answer names."""
 _NOTHING = 1e-12

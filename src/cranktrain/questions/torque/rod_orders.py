@@ -11,9 +11,9 @@ from cranktrain.motion import Array
 from cranktrain.questions.forces.piston_forces import DIRECT
 from cranktrain.questions.torque.rod_harmonics import acceleration_harmonics, torque_harmonics
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_HARMONICS as _THEORY
 
 _FACT = ("order", "piston")
-_THEORY = "docs/theory/harmonics-and-orders"
 
 
 @record

@@ -22,10 +22,10 @@ from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.torque.fired import journal_torque
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.wording import Names, number
 
 _SHAFT = ("shaft",)
-_THEORY = "docs/theory/forces"
 _ROUNDING = 1e-12
 """Torques smaller than this part of the peak may be of either sign."""
 _NOTHING = 1e-9

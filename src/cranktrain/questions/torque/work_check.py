@@ -13,8 +13,8 @@ from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_FORCES as _THEORY
 
-_THEORY = "docs/theory/forces"
 _EXACT_LIMIT = 1e-12
 _SHARE = 0.1
 """Of forces times arms, for 1 rad: work that is less is judged by these; an engine's gas does more."""
