@@ -33,7 +33,8 @@ def indicated_power(work: Array, cycle: Array, speed: Array) -> Array:
     --------
     A four-stroke cylinder that gives 1 kJ a cycle at 3000 rpm:
 
-    >>> round(float(indicated_power(1000.0, 4 * np.pi, 3000 * np.pi / 30)), 6)
+    >>> from math import pi
+    >>> round(indicated_power(1000.0, 4 * pi, 3000 * pi / 30), 6)
     25000.0
     """
     return work / cycle * speed

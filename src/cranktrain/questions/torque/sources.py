@@ -223,10 +223,5 @@ def _of_chambers(
                 for piston in by_chamber[0].tolist()
             ]
         torque = np.stack([(pressure - AMBIENT) * slope for slope in slopes])
-        yield Source(
-            design,
-            cut,
-            torque,
-            gas.firing[design, places, 0] - crank_angle.zero[design, 0, 0],
-            shafts[np.stack(by_chamber)],
-        )
+        starts = gas.firing[design, places, 0] - crank_angle.zero[design, 0, 0]
+        yield Source(design, cut, torque, starts, shafts[np.stack(by_chamber)])
