@@ -1,6 +1,7 @@
 """The sources' forms beside the exact motion: the same curves by each method, their largest errors, their ranges."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -166,7 +167,7 @@ def textbook_motion(
         Coefficient(*curves.reshape(3, n_designs, n_methods, n_pistons, n_angles)),
         *(Extreme(*one) for one in zip(angles, errors, strict=True)),
         labels={"method": ("exact", *FORMS)},
-        flags=_flags(pistons),
+        flags=tuple(_flags(pistons)),
     )
 
 
@@ -205,27 +206,21 @@ def _own_rows(motion: Coefficient) -> Array:
     return np.stack([part[order] if part.ndim == 4 else part for order, part in enumerate(motion)])
 
 
-def _flags(pistons: Pistons) -> tuple[str, ...]:
+def _flags(pistons: Pistons) -> Iterator[str]:
     """Say which methods are outside their source's range, for which pistons, and what the source says."""
-    flags: list[str] = []
-    for one in RANGES:
-        for batch in pistons.batches:
-            if batch.kind.name not in FORMS[one.method]:
-                continue
+    for one, batch in product(RANGES, pistons.batches):
+        if batch.kind.name in FORMS[one.method]:
             geometry = batch.members.geometry
             plain = getattr(geometry, "master", geometry)
             outside = one.outside(plain.crank_radius / plain.rod_length, plain.offset)[..., 0]
             members = np.flatnonzero(np.any(outside, axis=0)).tolist()
             if members:
-                flags.append(
-                    _(
-                        "{method} {equations} is outside its source's range ({condition}) for {pistons} [{source}]"
-                    ).format(
-                        method=_(one.name),
-                        equations=", ".join(one.equations),
-                        condition=_(one.condition),
-                        pistons=ranged(batch.members.names, members),
-                        source=one.source,
-                    )
+                yield _(
+                    "{method} {equations} is outside its source's range ({condition}) for {pistons} [{source}]"
+                ).format(
+                    method=_(one.name),
+                    equations=", ".join(one.equations),
+                    condition=_(one.condition),
+                    pistons=ranged(batch.members.names, members),
+                    source=one.source,
                 )
-    return tuple(flags)

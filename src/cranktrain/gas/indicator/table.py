@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Iterator, Sequence
-from itertools import islice, pairwise
+from itertools import accumulate, islice, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -155,12 +155,12 @@ def _fields(line: str, separator: str) -> tuple[_Field, ...]:
     """Texts of a line's fields, and where each begins."""
     if separator == " ":
         return tuple(_Field(found[0], found.start() + 1) for found in re.finditer(r"\S+", line))
-    found: list[_Field] = []
-    place = 0
-    for part, text in zip(_parts(line, separator), _cells(line, separator), strict=True):
-        found.append(_Field(text, place + len(part) - len(part.lstrip()) + 1))
-        place += len(part) + 1
-    return tuple(found)
+    parts = _parts(line, separator)
+    starts = accumulate((len(part) + 1 for part in parts[:-1]), initial=1)
+    return tuple(
+        _Field(text, start + len(part) - len(part.lstrip()))
+        for text, part, start in zip(_cells(line, separator), parts, starts, strict=True)
+    )
 
 
 def _numbers(texts: Sequence[str], separator: str, n_columns: int) -> Array | None:

@@ -15,7 +15,7 @@ from cranktrain.numerics import Extreme
 from cranktrain.numerics.gathering import put
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
-from cranktrain.questions.forces.peaks import largest_of_each, one_sided
+from cranktrain.questions.forces.peaks import largest_of_each, one_sided, relative
 from cranktrain.questions.forces.piston_forces import FORCE_METHODS, PistonForceSet
 from cranktrain.questions.forces.rods_in_pistons import rods_in_pistons
 from cranktrain.record import record
@@ -163,8 +163,7 @@ def _asked(samples: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
 def _errors(curves: Array) -> Array:
     """Largest error of every method, in parts of the exact peak, shape (design, force_method, piston)."""
     exact = curves[:, _EXACT, np.newaxis]
-    peak = np.max(np.abs(exact), axis=-1)
-    return np.max(np.abs(curves - exact), axis=-1) / np.where(peak > 0, peak, np.nan)
+    return relative(curves - exact, exact)
 
 
 def _largest_of(names: Sequence[str], size: Array) -> str:

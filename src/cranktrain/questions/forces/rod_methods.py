@@ -12,6 +12,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.periodic import cycle_grid
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
+from cranktrain.questions.forces.peaks import relative
 from cranktrain.questions.forces.piston_forces import direct_batches
 from cranktrain.questions.forces.rod_masses import ROD_METHODS
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
@@ -99,12 +100,6 @@ def rod_methods(pistons: Pistons, loaded: LoadedMachine, solved: SolvedCycle, cr
         found = {name: method(rod, body, size.rod_length, drive, WEIGHTLESS) for name, method in ROD_METHODS.items()}
         for row, wrench in enumerate(found.values()):
             off = Wrench(*(np.subtract(one, true) for one, true in zip(wrench, found["exact"], strict=True)))
-            side[:, row, piston] = _relative(off.moment / (size.rod_length * rod.cos), forces.joints[guide_place].y)
-            torque[:, row, piston] = _relative(work(rod, off), forces.driving_torque)
+            side[:, row, piston] = relative(off.moment / (size.rod_length * rod.cos), forces.joints[guide_place].y)
+            torque[:, row, piston] = relative(work(rod, off), forces.driving_torque)
     return RodMethods(side, torque, labels={"rod_method": tuple(ROD_METHODS)})
-
-
-def _relative(difference: Array, whole: Array) -> Array:
-    """Largest difference in parts of the largest value, shape (design, member); NaN where there is nothing."""
-    peak = np.max(np.abs(whole), axis=-1)
-    return np.max(np.abs(difference), axis=-1) / np.where(peak > 0, peak, np.nan)
