@@ -106,8 +106,8 @@ def frame_forces(
                 "momentum",
                 throws.gathered(force),
                 throws.gathered(own),
-                in_joints=np.max(largest_in_joints(machine, solved), axis=1),
-                ended=np.all(ended, axis=(1, 2)),
+                largest_in_joints(machine, solved),
+                ended,
             ),
         ),
     )
@@ -154,14 +154,14 @@ def force_on_frame(
 
 
 def momentum_check(
-    name: str, force: ComplexArray, momentum_lost: ComplexArray, *, in_joints: Array, ended: NDArray[np.bool_]
+    name: str, force: ComplexArray, momentum_lost: ComplexArray, in_joints: Array, ended: NDArray[np.bool_]
 ) -> Check:
     """Compare the throws' forces with what their momentum says, by a series that may have ended, for each design."""
-    scale = np.max(np.abs(force), axis=(-2, -1)) + in_joints
+    scale = np.max(np.abs(force), axis=(-2, -1)) + np.max(in_joints, axis=-1)
     residual = np.max(np.abs(force - momentum_lost), axis=(-2, -1)) / np.where(scale == 0, 1.0, scale)
     return Check(
         name,
         _("Inertia forces on the frame against the change of momentum of all parts, relative to the joints' largest"),
-        np.where((residual > _LIMIT) & ~ended, np.inf, residual),
+        np.where((residual > _LIMIT) & ~np.all(ended, axis=(-2, -1)), np.inf, residual),
         _LIMIT,
     )

@@ -98,8 +98,8 @@ def running_frame(
                 "running_momentum",
                 throws.gathered(force),
                 throws.gathered(own),
-                in_joints=np.max(largest_in_joints(bare, solved), axis=1),
-                ended=np.all(ended, axis=(1, 2)),
+                largest_in_joints(bare, solved),
+                ended,
             ),
         ),
     )

@@ -68,26 +68,25 @@ def declared_balance(
     )
 
 
-def balance_problems(spec: BalanceSpec, main: ShaftSpec) -> tuple[Problem, ...]:
+def balance_problems(spec: BalanceSpec, main: ShaftSpec) -> Iterator[Problem]:
     """Find weights on throws that there are not, and couples where nothing says how far throws are apart."""
     n_throws = len(main.throws)
     allowed = _("must be one of the throws of the shaft `main`, 1 to {n}").format(n=n_throws)
-    found = [
+    yield from (
         Problem(f"balance.weight[{i}].throw", str(weight.throw), allowed)
         for i, weight in enumerate(spec.weight)
         if weight.throw is not None and weight.throw > n_throws
-    ]
-    found += _cancelled(spec, main)
+    )
+    yield from _cancelled(spec, main)
     if throw_positions(main) is None:
         unknown = _("needs [shaft.main] spacing, or couples along the shaft are not known")
-        found += [
+        yield from (
             Problem(f"balance.shafts[{i}].against", f'"{pair.against}"', unknown)
             for i, pair in enumerate(spec.shafts)
             if pair.against != "force"
-        ]
+        )
         if spec.planes is not None:
-            found.append(Problem("balance.planes", None, unknown))
-    return tuple(found)
+            yield Problem("balance.planes", None, unknown)
 
 
 def _cancelled(spec: BalanceSpec, main: ShaftSpec) -> Iterator[Problem]:

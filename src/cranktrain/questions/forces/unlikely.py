@@ -1,13 +1,12 @@
 """Masses and friction beyond what was ever built: computed with all the same, and flagged."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.checks import Limit, StageResult, flagged
 from cranktrain.language import N_
-from cranktrain.layout.masses import Masses
 from cranktrain.layout.part_tables import SLIDER
 from cranktrain.linkage.forces import Body
 from cranktrain.motion import Array
@@ -49,7 +48,8 @@ def unlikely_loads(
     """Flag what is beyond the limits, as far as it is known; of all designs the worst is named."""
     found: list[str] = []
     if loaded is not None:
-        found += flagged(_FRICTION, np.array(list(_coefficients(loaded.masses))))
+        rubbing = [np.ravel(part) for batch in loaded.masses.batches for part in batch.friction]
+        found += flagged(_FRICTION, np.concatenate([np.empty(0), *rubbing]))
         if chambers is not None and travel is not None:
             found += _of_pistons(loaded, chambers, travel.stroke, None if gas is None else gas.indicated_work > 0)
     return UnlikelyLoads(flags=tuple(found))
@@ -79,8 +79,3 @@ def _piston_masses(loaded: LoadedMachine, shape: tuple[int, ...]) -> Array:
         if slider is not None and piston[0] >= 0:
             found[:, piston] = slider.mass[..., 0]
     return found
-
-
-def _coefficients(masses: Masses) -> Iterable[float]:
-    """Coefficients of friction of all that slides."""
-    return (float(one) for batch in masses.batches for part in batch.friction for one in np.ravel(part))

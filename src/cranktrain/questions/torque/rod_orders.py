@@ -33,16 +33,13 @@ def rod_orders(pistons: Pistons, crank_angle: CrankAngle) -> RodOrders:
     labels = order_labels(crank_angle.cycle)
     turns = round(crank_angle.cycle / (2 * np.pi))
     highest = len(labels["order"]) // turns
-    found = np.full((2, len(crank_angle.zero), len(labels["order"]), len(pistons.names)), np.nan)
+    ratio = np.full((len(crank_angle.zero), len(pistons.names)), np.nan)
     for batch in pistons.batches:
-        if batch.kind.name != DIRECT:
-            continue
-        size = batch.members.geometry
-        ratio = np.where(size.offset == 0.0, size.crank_radius / size.rod_length, np.nan)[..., 0]
-        for curve, harmonics in zip(found, (acceleration_harmonics, torque_harmonics), strict=True):
-            by_order = harmonics(ratio, highest)[..., 1:]
-            # Orders between whole ones are those of a cycle of two turns: no piston's inertia knows them.
-            every = np.where(np.isnan(by_order[..., :1]), np.nan, np.zeros((*ratio.shape, len(labels["order"]))))
-            every[..., turns - 1 :: turns] = by_order
-            curve[:, :, batch.index] = np.moveaxis(every, -1, 1)
-    return RodOrders(*found, labels=labels)
+        if batch.kind.name == DIRECT:
+            size = batch.members.geometry
+            ratio[:, batch.index] = np.where(size.offset == 0.0, size.crank_radius / size.rod_length, np.nan)[..., 0]
+    by_order = np.stack([of(ratio, highest)[..., 1:] for of in (acceleration_harmonics, torque_harmonics)])
+    # Orders between whole ones are those of a cycle of two turns: no piston's inertia knows them.
+    every = np.where(np.isnan(by_order[..., :1]), np.nan, np.zeros(len(labels["order"])))
+    every[..., turns - 1 :: turns] = by_order
+    return RodOrders(*np.moveaxis(every, -1, 2), labels=labels)
