@@ -1,5 +1,6 @@
 """Torque of a whole machine: on each shaft, through the gear between shafts, and gathered along each shaft."""
 
+from collections.abc import Iterator
 from dataclasses import field
 
 import numpy as np
@@ -33,46 +34,11 @@ _NOTHING = 1e-9
 
 
 @record
-class TorquePeaks:
-    """Extremes of torques, refined together; nothing that people read as it is.
-
-    Attributes
-    ----------
-    largest, smallest : Peak, shapes (design,)
-        Of all mechanisms together. [N·m]
-    in_journals : Peak, shapes (design, journal)
-        Of the torque's size in every journal. [N·m]
-    """
-
-    largest: Peak
-    smallest: Peak
-    in_journals: Peak
-
-
-def torque_peaks(
-    loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, events: ForceEvents, crank_angle: CrankAngle
-) -> TorquePeaks:
-    """Find the extremes of the torques along the shafts, all on one evaluation of the mechanisms."""
-
-    def curves(driving: Array) -> Array:
-        whole = np.sum(driving, axis=1, keepdims=True)
-        return np.concatenate([-whole, whole, np.abs(_passed(driving, shafts))], axis=1)
-
-    found = largest_of_machine(
-        lambda angle: curves(driving_torques(loaded, loaded.solved(angle))),
-        curves(driving_torques(loaded, solved.batches)),
-        events,
-        crank_angle,
-    )
-    largest, smallest, in_journals = (Peak(*(part[:, rows] for part in found)) for rows in (0, 1, slice(2, None)))
-    return TorquePeaks(largest, smallest._replace(value=-smallest.value), in_journals)
-
-
-@record
 class ShaftTorques(StageResult):
     """Torque of the machine on its shafts, by the reactions: positive in each shaft's own running sense.
 
-    gross, shape (design,), is what all forces would do by their arms. [N·m]
+    gross, shape (design,), is what all forces would do by their arms; in_journals, shape (design, journal), the largest
+    size of the torque in every journal, refined together with the machine's extremes. [N·m]
     """
 
     shaft_torque: Array = quantity(
@@ -89,6 +55,7 @@ class ShaftTorques(StageResult):
         "T_min", "N*m", (), N_("Smallest torque of the machine"), N_("Crank angle of the smallest torque"), _THEORY
     )
     gross: Array = field(kw_only=True)
+    in_journals: Peak = field(kw_only=True)
 
     def answer(self, names: Names, design: int) -> str:
         """Say mean, largest and smallest torque; none where it is nothing beside what the forces could do."""
@@ -111,7 +78,7 @@ def shaft_torques(
     shafts: Shafts,
     crank_angle: CrankAngle,
     sources: TorqueSources,
-    peaks: TorquePeaks,
+    events: ForceEvents,
 ) -> ShaftTorques:
     """Torque on every shaft over the cycle, its mean by quadrature, and extremes refined on the mechanisms.
 
@@ -125,9 +92,12 @@ def shaft_torques(
     whole = np.sum(by_shaft, axis=1)
     mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
     gross = np.sum(forces_times_arms(loaded, solved.batches), axis=-1)
-    most, least = (without_rounding(peak, gross) for peak in (peaks.largest, peaks.smallest))
+    largest, opposite, in_journals = _peaks(loaded, solved, shafts, events, crank_angle)
+    most = without_rounding(largest, gross)
+    least = without_rounding(opposite._replace(value=-opposite.value), gross)
     return ShaftTorques(
         gross=gross,
+        in_journals=in_journals,
         shaft_torque=by_shaft,
         machine_torque=whole,
         mean_torque=np.where(np.abs(mean) <= _ROUNDING * np.maximum(np.max(np.abs(whole), axis=-1), gross), 0.0, mean),
@@ -136,6 +106,24 @@ def shaft_torques(
         labels={"shaft": shafts.names},
         flags=tuple(one_sided([(_("largest torque"), most), (_("smallest torque"), least)])),
     )
+
+
+def _peaks(
+    loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, events: ForceEvents, crank_angle: CrankAngle
+) -> Iterator[Peak]:
+    """Largest torque of all mechanisms, largest against it, shapes (design,), and size in the journals, all at once."""
+
+    def curves(driving: Array) -> Array:
+        whole = np.sum(driving, axis=1, keepdims=True)
+        return np.concatenate([-whole, whole, np.abs(_passed(driving, shafts))], axis=1)
+
+    found = largest_of_machine(
+        lambda angle: curves(driving_torques(loaded, loaded.solved(angle))),
+        curves(driving_torques(loaded, solved.batches)),
+        events,
+        crank_angle,
+    )
+    return (Peak(*(part[:, rows] for part in found)) for rows in (0, 1, slice(2, None)))
 
 
 @record
@@ -155,13 +143,15 @@ class JournalTorques(StageResult):
     )
 
 
-def journal_torques(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, peaks: TorquePeaks) -> JournalTorques:
+def journal_torques(
+    loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, torques: ShaftTorques
+) -> JournalTorques:
     """Torque along every shaft: journal 1 stands before throw 1 and passes nothing, the last one passes all.
 
     What a gear takes or brings is reckoned at the flywheel's end. docs/theory/harmonics-and-orders, eq. (15.13).
     """
     passed = _passed(driving_torques(loaded, solved.batches), shafts)
-    return JournalTorques(passed, peaks.in_journals, labels={"journal": shafts.journals})
+    return JournalTorques(passed, torques.in_journals, labels={"journal": shafts.journals})
 
 
 def _passed(driving: Array, shafts: Shafts) -> Array:
