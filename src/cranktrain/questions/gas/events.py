@@ -91,5 +91,6 @@ def _kinks_of_models(gas: GasInChambers) -> Array:
     told = [(one, one.kind.kinks(one.model, gas.limits_of(one.design, one.places[0]))) for one in gas.shared]
     filled = np.full((3, len(gas.firing), len(gas.distinct), max(len(kinks) for _one, kinks in told)), np.nan)
     for one, kinks in told:
-        filled[:, one.design, gas.distinct.index(one.places[0]), : len(kinks)] = np.reshape(kinks, (-1, 3)).T
+        rows = np.reshape([[float(kink.volume), kink.sense, kink.turn] for kink in kinks], (-1, 3))
+        filled[:, one.design, gas.distinct.index(one.places[0]), : len(kinks)] = rows.T
     return filled
