@@ -29,14 +29,8 @@ def parts_of(
     members: Sequence[Member], solved: Sequence[SolvedBatch], values: Callable[[int, int], Sequence[Array]]
 ) -> Array:
     """Parts of what each bears, shape (part, design, one, n), from those that a batch has at a place of its kind."""
-    found = {place: values(*place) for place in {(one.batch, one.place) for one in members}}
-    return np.stack(
-        [
-            [
-                np.broadcast_to(part, solved[one.batch].forces.driving_torque.shape)[:, one.member]
-                for part in found[one.batch, one.place]
-            ]
-            for one in members
-        ],
-        axis=2,
-    )
+    found = {
+        (batch, place): np.stack(np.broadcast_arrays(solved[batch].forces.driving_torque, *values(batch, place))[1:])
+        for batch, place in {(one.batch, one.place) for one in members}
+    }
+    return np.stack([found[one.batch, one.place][:, :, one.member] for one in members], axis=2)
