@@ -77,9 +77,8 @@ def _pieces(figure: "Figure | Callable[[], Figure]", suffix: str) -> Iterator[by
     """Draw and give the file's bytes."""
     from cranktrain.viz.paper.page import drawing_settings
 
-    drawn: Figure = figure() if callable(figure) else figure
+    drawn: Any = figure() if callable(figure) else figure
     with drawing_settings():
         content = BytesIO()
-        picture: Any = drawn
-        picture.savefig(content, format=suffix[1:], dpi=DOTS_PER_INCH, metadata=_UNDATED[suffix])
+        drawn.savefig(content, format=suffix[1:], dpi=DOTS_PER_INCH, metadata=_UNDATED[suffix])
         yield content.getvalue()
