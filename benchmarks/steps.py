@@ -6,7 +6,7 @@ from comparison import Comparison
 
 from cranktrain.analysis import STAGES
 from cranktrain.analysis.parts import parts_of
-from cranktrain.analysis.stages import run_stages
+from cranktrain.analysis.stages import lacking, run_stages
 from cranktrain.io.machine_file import load
 
 STEPS = {
@@ -52,7 +52,7 @@ def in_turn(stages):
 def ready_stages(example):
     """Stages of an example by name, without arguments: what they need is there."""
     parts = parts_of((load(example),), step=np.radians(1.0))
-    outcomes, _missing = run_stages(STAGES, dict(parts))
+    outcomes = run_stages(STAGES, parts, lacking(STAGES, parts))
     known = {**parts, **outcomes}
 
     def ready(one):

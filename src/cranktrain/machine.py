@@ -1,7 +1,7 @@
 """The declared machine: the domains' tables together, and what only they together can check."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
 from typing import Any, Literal, Self
@@ -10,7 +10,7 @@ import numpy as np
 from pydantic import Field, ValidationError, model_validator
 
 from cranktrain.all_questions import QUESTIONS
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.gas import AnyGas
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, Friction, GravitySpec, GuideSpec
@@ -174,8 +174,7 @@ class Machine(Spec, frozen=True):
                     data = replaced(data, (*parts[:-1], "text"), None)
             except InputError as error:
                 found += error.problems
-        if found:
-            raise InputError(found)
+        refuse(found)
         return type(self)(**data)
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
@@ -189,36 +188,35 @@ class Machine(Spec, frozen=True):
 
     @model_validator(mode="after")
     def _arranged_one_way(self) -> Self:
-        """Refuse a machine with no mechanism, one beside its banks, and what belongs to the other way of arranging."""
-        found: list[Problem] = []
+        """Refuse a machine that is arranged in no way, or in two."""
+        refuse([*self._mechanism_problems(), *self._shaft_problems()])
+        return self
+
+    def _mechanism_problems(self) -> Iterator[Problem]:
+        """Find no mechanism, one beside banks, and what belongs to the other way of arranging."""
         if self.mechanism is None and not self.bank:
             allowed = _("is missing; a machine needs a [mechanism], or banks with [bank.NAME.mechanism]")
-            found.append(Problem("mechanism", None, allowed))
+            yield Problem("mechanism", None, allowed)
         if self.mechanism is not None and self.bank:
             allowed = _("must not stand beside [bank]; give the mechanism of each bank in [bank.NAME.mechanism]")
-            found.append(Problem("mechanism", None, allowed))
+            yield Problem("mechanism", None, allowed)
         elif self.bank and "angle" in self.model_fields_set:
             allowed = _("is for a machine with one [mechanism]; here each bank has its own, [bank.NAME] angle")
-            found.append(Problem("angle", self.angle.text, allowed))
+            yield Problem("angle", self.angle.text, allowed)
         elif self.mechanism is not None and len(self.main_shaft.throws) > 1:
             allowed = _("must be one throw for one [mechanism]; for more, make it a bank, [bank.NAME.mechanism]")
-            found.append(Problem("shaft.main.throws", None, allowed))
+            yield Problem("shaft.main.throws", None, allowed)
         for name in self.bank:
             if not re.fullmatch(r"[^\W\d]\w*", name) or name in CylindersSpec.model_fields:
                 allowed = _("must have a name of letters, digits and _, a letter first, that is no key of [cylinder]")
-                found.append(Problem(path_text(("bank", name)), None, allowed))
+                yield Problem(path_text(("bank", name)), None, allowed)
         n_mechanisms = sum(bank.n_mechanisms(self.shafts) for bank in self.bank.values())
         if n_mechanisms > MOST_MECHANISMS:
             allowed = _("gives {n} mechanisms; a machine may have at most {limit}")
-            found.append(Problem("bank", None, allowed.format(n=n_mechanisms, limit=MOST_MECHANISMS)))
-        found += self._shaft_problems()
-        if found:
-            raise InputError(found)
-        return self
+            yield Problem("bank", None, allowed.format(n=n_mechanisms, limit=MOST_MECHANISMS))
 
-    def _shaft_problems(self) -> list[Problem]:
+    def _shaft_problems(self) -> Iterator[Problem]:
         """Find what only the main shaft has, or only another, and shafts that carry nothing."""
-        found: list[Problem] = []
         used = {shaft for bank in self.bank.values() for shaft in bank.shafts} if self.bank else {MAIN}
         for name, shaft in self.shaft.items():
             foreign = ("ratio", "phase", "place") if name == MAIN else ("speed", "acceleration", "speed_curve")
@@ -227,13 +225,10 @@ class Machine(Spec, frozen=True):
                 allowed = _("must stand in [shaft.main]; this shaft turns with it, by its ratio")
                 if name not in used:
                     nothing = _("carries no bank: name it in [bank.NAME] shaft, or take it out")
-                    found.append(Problem(path_text(("shaft", name)), None, nothing))
-            found += [
-                Problem(path_text(("shaft", name, key)), None, allowed)
-                for key in foreign
-                if key in shaft.model_fields_set
-            ]
-        return found
+                    yield Problem(path_text(("shaft", name)), None, nothing)
+            for key in foreign:
+                if key in shaft.model_fields_set:
+                    yield Problem(path_text(("shaft", name, key)), None, allowed)
 
     @property
     def shafts(self) -> Mapping[str, ShaftSpec]:
@@ -292,25 +287,19 @@ class Machine(Spec, frozen=True):
         """Every mechanism of the machine, arranged on shaft and banks; none where they cannot be arranged."""
         return self.arranged[0]
 
-    @property
-    def pistons(self) -> tuple[PlacedMechanism, ...]:
-        """Those of its mechanisms that drive a slider."""
-        return tuple(place for place in self.places if place.kind.output == "slider")
-
     # A machine does not change: how it is arranged and what is wrong with it is found once, however often it runs.
 
     @cached_property
     def arranged(self) -> tuple[tuple[PlacedMechanism, ...], tuple[Problem, ...]]:
         """Its mechanisms in their places, and what is wrong with these; with problems there are no places."""
-        if self.mechanism is None:
-            with np.errstate(all="ignore"):  # sizes that cannot be are found where their links do not close
-                return places_of(self.shafts, self.bank, astern=self.is_astern)
-        # A bare `[mechanism]` is a bank of one.
-        bank = BankSpec.model_construct(
-            angle=(self.angle,), mechanism=(self.mechanism,), throws=(1,), stagger=Given(0.0, "0 mm"), shaft=MAIN
-        )
-        with np.errstate(all="ignore"):
-            return places_of(self.shafts, {"": bank}, astern=self.is_astern, prefix="")
+        banks = self.bank
+        if self.mechanism is not None:  # a bank of one, without a name
+            bank = BankSpec.model_construct(
+                angle=(self.angle,), mechanism=(self.mechanism,), throws=(1,), stagger=Given(0.0, "0 mm"), shaft=MAIN
+            )
+            banks = {"": bank}
+        with np.errstate(all="ignore"):  # sizes that cannot be are found where their links do not close
+            return places_of(self.shafts, banks, astern=self.is_astern)
 
     @cached_property
     def design(self) -> Design:

@@ -45,18 +45,12 @@ from cranktrain.linkage.forces import (
 from cranktrain.linkage.forces.guide import Guided
 from cranktrain.linkage.forces.triad import Screw
 from cranktrain.linkage.triad import GUIDE, ROD, Leg, Triad
-from cranktrain.mechanisms.articulated_rod.forces import ArticulatedRodLinks
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
-from cranktrain.mechanisms.crank_rocker.forces import CrankRockerLinks
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
 from cranktrain.mechanisms.eccentric.kinematics import Eccentric, eccentric
-from cranktrain.mechanisms.oscillating_cylinder.forces import OscillatingCylinderLinks
 from cranktrain.mechanisms.oscillating_cylinder.kinematics import oscillating_cylinder
-from cranktrain.mechanisms.scotch_yoke.forces import ScotchYokeLinks
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke, scotch_yoke
-from cranktrain.mechanisms.slider_crank.forces import SliderCrankLinks
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
-from cranktrain.mechanisms.slotted_lever.forces import SlottedLeverLinks
 from cranktrain.mechanisms.slotted_lever.kinematics import slotted_lever
 from cranktrain.questions.forces.pin_load import PinLoad
 from cranktrain.questions.forces.piston_formulas import PistonForces
@@ -125,7 +119,7 @@ def triad(angle, size):
     return group(angle, size, 1.0).rod, ends, legs, TriadLoads(*(wrench(size) for _ in range(4)))
 
 
-def mechanism(kernel, geometry, links):
+def mechanism(kernel, geometry, n_links=3):
     """Motion, geometry, bodies and loads of a kind."""
 
     def made(angle, size, side):
@@ -133,8 +127,8 @@ def mechanism(kernel, geometry, links):
         return (
             kernel(angle, own),
             own,
-            links(*(body(size) for _ in links._fields)),
-            links(*(wrench(size) for _ in links._fields)),
+            n_links * (body(size),),
+            n_links * (wrench(size),),
         )
 
     return made
@@ -145,36 +139,30 @@ def slider_crank_geometry(size, side):
 
 
 KINDS = {
-    "slider_crank": mechanism(slider_crank, slider_crank_geometry, SliderCrankLinks),
+    "slider_crank": mechanism(slider_crank, slider_crank_geometry),
     "eccentric": mechanism(
         eccentric,
         lambda size, side: Eccentric(size(0.1), size(1.1), size(0.05), size(1.9)),
-        SliderCrankLinks,
     ),
     "crank_rocker": mechanism(
         crank_rocker,
         lambda size, side: CrankRocker(size(0.3), size(1.0), size(0.8), size(1.1), side),
-        CrankRockerLinks,
     ),
-    "scotch_yoke": mechanism(
-        scotch_yoke, lambda size, side: ScotchYoke(size(0.3), size(0.1), size(1.2)), ScotchYokeLinks
-    ),
+    "scotch_yoke": mechanism(scotch_yoke, lambda size, side: ScotchYoke(size(0.3), size(0.1), size(1.2))),
     "oscillating_cylinder": mechanism(
         oscillating_cylinder,
         lambda size, side: CrankAndPivot(size(0.3), size(0.5), size(0.05), 1.0),
-        OscillatingCylinderLinks,
     ),
     "slotted_lever": mechanism(
         slotted_lever,
         lambda size, side: CrankAndPivot(size(0.3), size(0.5), size(0.05), 1.0),
-        SlottedLeverLinks,
     ),
     "articulated_rod": mechanism(
         articulated_rod,
         lambda size, side: ArticulatedRod(
             slider_crank_geometry(size, side), size(0.25), size(1.2), size(1.0), size(0.8), size(0.02)
         ),
-        ArticulatedRodLinks,
+        n_links=2,
     ),
 }
 
@@ -184,8 +172,12 @@ def of_kind(name, made):
     return {
         f"{name}.{name}_forces": lambda angle, size, side: (*made(angle, size, side), conditions(size)),
         f"{name}.{name}_links": lambda angle, size, side: made(angle, size, side)[:2],
-        f"{name}.{name}_load": lambda angle, size, side: (*made(angle, size, side)[:2], size(5.0)),
     }
+
+
+def loading(name):
+    """Arguments of a kernel that gives the loads of a kind."""
+    return lambda angle, size, side: (*KINDS[name](angle, size, side)[:2], size(5.0))
 
 
 def slider_crank_at(angle, size, side):
@@ -216,13 +208,18 @@ def reduced(size):
 
 EXAMPLES = {
     **{kernel: example for name, made in KINDS.items() for kernel, example in of_kind(name, made).items()},
+    "articulated_rod.articulated_rod_load": loading("articulated_rod"),
+    "oscillating_cylinder.oscillating_cylinder_load": loading("oscillating_cylinder"),
+    "on_crank.each_borne": lambda angle, size, side: (
+        3 * (group(angle, size, side).rod,),
+        *KINDS["slider_crank"](angle, size, side)[2:],
+        conditions(size),
+    ),
+    "on_crank.force_on_slider": loading("slider_crank"),
+    "on_crank.torque_on_rocker": loading("crank_rocker"),
     "articulated_rod.on_master_rod": lambda angle, size, side: (
         *KINDS["articulated_rod"](angle, size, side)[:2],
         wrench(size),
-    ),
-    "articulated_rod.slave_reactions": lambda angle, size, side: (
-        *KINDS["articulated_rod"](angle, size, side),
-        conditions(size),
     ),
     "forces.added": lambda angle, size, side: (wrench(size), wrench(size)),
     "forces.added_reduced": lambda angle, size, side: (reduced(size), reduced(size)),

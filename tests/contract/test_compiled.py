@@ -114,6 +114,7 @@ def kernels() -> dict[str, Callable[..., Any]]:
         + mechanisms
         + questions
         + gases
+        + ["cranktrain.mechanisms.on_crank"]
         + ["cranktrain.gas.state", "cranktrain.gas.polytrope", "cranktrain.gas.work"]
     ):
         module = importlib.import_module(path)

@@ -9,7 +9,7 @@ from cranktrain.analysis.grids import FACTS_STEP, coarse_curves, has_curves, on_
 from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.second_run import SpeedWanted, with_speed
-from cranktrain.analysis.stages import STAGES, lacking, leading_to, run_stages
+from cranktrain.analysis.stages import STAGES, lacking, leading_to, missing_results, run_stages
 from cranktrain.analysis.unused import unused
 from cranktrain.catalogue import entries
 from cranktrain.errors import InputError, Problem
@@ -75,15 +75,16 @@ def run(
     parts = with_speed(declared, speed, stages, step)
     names = (quantities,) if isinstance(quantities, str) else quantities
     chosen = stages if names is None else _needed(stages, tuple(names))
-    outcomes, missing = run_stages(chosen, parts)
+    absent = lacking(stages, parts)
+    outcomes = run_stages(chosen, parts, absent)
     # Curves want points as close as facts, or closer: of these a coarser step takes some.
     n_between = int(np.ceil(step / FACTS_STEP - _ONE_STEP))
     curves = outcomes
     if abs(step / n_between - FACTS_STEP) > _ONE_STEP:
         drawn = leading_to(chosen, [one.gives for one in chosen if has_curves(one.gives)])
-        curves, _missing = run_stages(drawn, on_grid(parts, step / n_between))
+        curves = run_stages(drawn, on_grid(parts, step / n_between), absent)
     parts = on_grid(parts, step)
-    grid: CrankAngle = _part(parts, CrankAngle)
+    grid: Any = parts[CrankAngle]
     shown = with_curves(outcomes, curves, n_between)
     return Result(
         machines=machines,
@@ -92,8 +93,8 @@ def run(
         coarse=coarse_curves(outcomes, shown, grid.shown),
         labels=_labels(parts, machines, shown),
         outcomes=(*(parts[part] for part in (SpeedCurve,) if part in parts), *shown.values()),
-        missing=missing,
-        unused=unused(machines[0], lacking(stages, parts)),
+        missing=missing_results(chosen, absent),
+        unused=unused(machines[0], absent),
     )
 
 
@@ -120,8 +121,8 @@ def speed_over_cycle(machine: Machine, speed: SpeedWanted) -> SpeedCurve | None:
         return speed
     if isinstance(speed, str) and speed == "constant" and not machine.main_shaft.turns_unevenly:
         return None
-    parts = with_speed(parts_of((machine,), step=FACTS_STEP), speed, STAGES, FACTS_STEP)
-    return _part(parts, SpeedCurve)
+    parts: dict[type, Any] = with_speed(parts_of((machine,), step=FACTS_STEP), speed, STAGES, FACTS_STEP)
+    return parts[SpeedCurve]
 
 
 def _step(degrees: float) -> float:
@@ -153,11 +154,6 @@ def _needed(stages: Sequence[Stage], names: Sequence[str]) -> tuple[Stage, ...]:
     needed = leading_to(stages, [home[name].gives for name in names])
     # What needs nothing, as flags on masses, takes what there is.
     return tuple(one for one in stages if one in needed or set(one.needs) <= set(one.optional))
-
-
-def _part(parts: Parts, kind: type[Any]) -> Any:
-    """The part of that type, which every layout has."""
-    return parts[kind]
 
 
 def _labels(parts: Parts, machines: Sequence[Machine], outcomes: Mapping[type, object]) -> dict[str, tuple[str, ...]]:

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from math import cos, sin
-from typing import Any, ClassVar, NamedTuple
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
@@ -33,7 +33,7 @@ class MechanismMasses(NamedTuple):
     edges of their guides.
     """
 
-    bodies: Any
+    bodies: tuple[Body, ...]
     gravity: Gravity
     friction: tuple[Array, ...]
     edges: tuple[Edges, ...]
@@ -214,14 +214,14 @@ def _place_masses(place: PlacedMechanism, given: Weighed, *, has_crank: bool) ->
     """Bodies, gravity, friction and guides of one mechanism."""
     dynamics = place.kind.dynamics
     nothing = Body(*map(single, (0.0, 0.0, 0.0, 0.0)))
-    bodies = [
+    bodies = tuple(
         nothing
         if (part == _CRANK and not has_crank) or (spec := nearest_item(place, part, _TABLE, given.bodies)) is None
         else _body(place, part, spec)
         for part in dynamics.moving
-    ]
+    )
     return MechanismMasses(
-        dynamics.bodies(*bodies),
+        bodies,
         _gravity(place, given),
         tuple(
             single(given.friction[part_name(name)].si if part_name(name) in given.friction else 0.0)

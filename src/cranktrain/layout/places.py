@@ -90,7 +90,7 @@ class PlacedMechanism(_Slot):
 
 
 def places_of(
-    shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec], *, astern: bool, prefix: str = "bank."
+    shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec], *, astern: bool
 ) -> tuple[tuple[PlacedMechanism, ...], tuple[Problem, ...]]:
     """Arrange a machine's mechanisms.
 
@@ -98,18 +98,17 @@ def places_of(
     ----------
     shafts : mapping of name to ShaftSpec
     banks : mapping of name to BankSpec
-        One bank of any name gives places `1`, `2`, …; more give `1L`, `2L`, …; opposed pistons `1.exhaust`, ….
+        One bank of any name, or of none for a bare `[mechanism]`, gives places `1`, `2`, …; more give `1L`, `2L`, …;
+        opposed pistons `1.exhaust`, ….
     astern : bool
         The same metal at −φ: all that counts in the sense of rotation or toward +y is mirrored.
-    prefix : str
-        Of the banks' paths in the file; empty for a bare `[mechanism]`.
 
     Returns
     -------
     tuple of PlacedMechanism, tuple of Problem
         Places in the order of the file. With problems, no places.
     """
-    slots, problems = _slots(shafts, banks, prefix)
+    slots, problems = _slots(shafts, banks)
     if problems:
         return (), problems
     phases, problems = shaft_phases(shafts, banks)
@@ -147,13 +146,13 @@ def places_of(
 
 
 def _slots(
-    shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec], prefix: str
+    shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec]
 ) -> tuple[tuple[_Slot, ...], tuple[Problem, ...]]:
     """Name every place, bank by bank; problems where a shaft or throw does not exist."""
     slots: list[_Slot] = []
     problems: list[Problem] = []
     for bank, spec in banks.items():
-        path = f"{prefix}{bank}." if prefix else ""
+        path = f"bank.{bank}." if bank else ""
         suffix = bank if len(banks) > 1 else ""
         if not spec.opposed:
             throws, wrong = _throws(shafts, spec.shaft, spec.throws, path)

@@ -13,7 +13,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.quantities.conversion import shown
 from cranktrain.quantities.dimensions import Dimension, expected
-from cranktrain.quantities.number import PATTERN
+from cranktrain.quantities.pattern import pattern
 from cranktrain.quantities.reading import Reading, reading
 from cranktrain.quantities.refusal import QuantityError, unknown_key, unlisted, written
 
@@ -125,30 +125,29 @@ class Quantity:
         )
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
-        """Describe the text and the table for editors and forms."""
-        about = [
-            expected(self.dimension),
-            *(allowed.format(limit=f"{limit:g} (SI)") for limit, _h, allowed in self._limits()),
-        ]
-        text = {
-            "type": "string",
-            "pattern": PATTERN + (r"\s*[^\s0-9]" if self.dimension.units else r"\s*$"),
-            "description": "; ".join(about),
-            "examples": [self.dimension.example],
-        }
+        """Describe it for editors and forms."""
+        return self.schema()
+
+    def schema(self) -> dict[str, Any]:
+        """Describe text with its unit, or a table that also says where the number is from, as a JSON schema."""
+        example = [self.dimension.example]
+        least = max((limit for limit in (self.above, self.at_least) if limit is not None), default=-1.0)
+        text = {"type": "string", "pattern": pattern(self.dimension, is_signed=least < 0), "examples": example}
         value = text if self.dimension.units else {"anyOf": [{"type": "number"}, text]}
         table = {
             "type": "object",
             "properties": {
                 "value": value,
-                "status": {"enum": list(get_args(Status))},
-                "note": {"type": "string"},
-                "source": {"type": "string"},
+                "status": {"enum": list(get_args(Status)), "description": _("how the number came about")},
+                "note": {"type": "string", "description": _("in which sense")},
+                "source": {"type": "string", "description": _("from where")},
             },
             "required": ["value"],
             "additionalProperties": False,
         }
-        return {"anyOf": [*value.get("anyOf", [text]), table]}
+        limits = [allowed.format(limit=f"{limit:g} (SI)") for limit, _holds, allowed in self._limits()]
+        sentence = "; ".join([expected(self.dimension), *limits])
+        return {"description": sentence, "anyOf": [value, table], "examples": example}
 
 
 def _table_problems(table: Mapping[str, object]) -> Iterator[Problem]:

@@ -20,7 +20,7 @@ from cranktrain.errors import InputError
 from cranktrain.io.description import counted_by_status
 from cranktrain.io.examples import example_names
 from cranktrain.io.machine_file import inputs_of, read_machine
-from cranktrain.io.output import write_whole_bytes
+from cranktrain.io.output import write_whole
 from cranktrain.layout.frames import in_machine_axes
 from cranktrain.mechanisms import KINDS
 from cranktrain.plans.placement import frame
@@ -416,7 +416,7 @@ def test_saved_pictures_are_always_the_same(results, tmp_path, suffix):
 
 
 def test_bytes_to_the_standard_output(capfdbinary):
-    write_whole_bytes("-", [b"\x89PNG\r\n", b"\x00"], force=False)
+    write_whole("-", [b"\x89PNG\r\n", b"\x00"], force=False)
     assert capfdbinary.readouterr().out == b"\x89PNG\r\n\x00"
 
 

@@ -39,11 +39,6 @@ class ScotchYokeSpec(MechanismSpec, frozen=True):
             raise Refused(allowed, path="slot_angle")
         return self
 
-    @property
-    def rod_field(self) -> str:
-        """There is no rod: the slot decides whether it closes."""
-        return "slot_angle"
-
 
 def scotch_yoke_geometry(spec: ScotchYokeSpec, _master: Master | None = None) -> ScotchYoke:
     """Lengths and angle in SI."""

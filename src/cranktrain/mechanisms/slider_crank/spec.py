@@ -42,11 +42,6 @@ class SliderCrankSpec(MechanismSpec, frozen=True):
         ),
     )
 
-    @property
-    def rod_field(self) -> str:
-        """Whichever of the three forms gives the rod."""
-        return next(name for name in _RODS if getattr(self, name) is not None)
-
     @model_validator(mode="after")
     def _sized_once(self) -> Self:
         """Refuse a crank or a rod that is given twice or not at all, and a stroke that no crank can make."""
@@ -56,6 +51,11 @@ class SliderCrankSpec(MechanismSpec, frozen=True):
         if self.stroke is not None and _radius_from_stroke(self) is None:
             raise Refused(_stroke_limit(self), path="stroke")
         return self
+
+
+def slider_crank_rod_field(spec: SliderCrankSpec, _geometry: SliderCrank) -> str:
+    """Give whichever of the three forms gives the rod."""
+    return next(name for name in _RODS if getattr(spec, name) is not None)
 
 
 def _stroke_limit(spec: SliderCrankSpec) -> str:

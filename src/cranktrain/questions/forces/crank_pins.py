@@ -110,7 +110,8 @@ def crank_pin_loads(
         put(whole, batch.index, load)
         reaction = batch.kind.dynamics.reactions[joint]
         if reaction.on == _ROD:
-            rotating = weighed_ends(made.bodies.rod, batch.members.geometry.rod_length).first
+            rod = batch.kind.dynamics.by_link(made.bodies)["rod"]
+            rotating = weighed_ends(rod, batch.members.geometry.rod_length).first
             put(without, batch.index, with_rotating_mass(load, -rotating, radius, loaded.speed.drive(phi)))
         names = (joint_label(loaded.mechanisms.names[i], reaction) for i in map(int, batch.index))
         rows = [joints.labels["joint"].index(name) for name in names]
@@ -131,7 +132,7 @@ def _shares(whole: PinLoad, loaded: LoadedMachine, solved: SolvedCycle, phi: Arr
     """What of the pins' loads is each mechanism's own; a master has what its slaves leave, its guide's friction too."""
     shares = PinLoad(*(part.copy() for part in whole))
     for batch, one in zip(loaded.mechanisms.batches, solved.batches, strict=True):
-        joint = batch.kind.dynamics.share_of_masters("crank_pin")
+        joint = batch.kind.dynamics.joint("crank_pin", is_own=False)
         if joint is None:
             continue
         direction = crank(phi - loaded.mechanisms.nominal_top[:, batch.index], Crank(ONE))

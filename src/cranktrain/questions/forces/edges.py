@@ -8,9 +8,9 @@ from cranktrain.questions.forces.loaded_machine import SolvedBatch
 def edges_of(batch: Batch, one: SolvedBatch, place: int) -> EdgeForces:
     """What both edges press of the guides in which one part of a kind slides, broadcastable to (design, member, n)."""
     dynamics = batch.kind.dynamics
-    links = dict(zip(dynamics.moving, dynamics.links(one.motion, batch.members.geometry), strict=True))
+    links = dynamics.by_link(dynamics.links(one.motion, batch.members.geometry))
     contact = dynamics.contacts[place]
-    joint = next(i for i, reaction in enumerate(dynamics.reactions) if reaction.name == contact.joint)
-    link, wrench, friction = links[dynamics.sliding[place]], one.forces.joints[joint], one.conditions.friction[place]
+    link, wrench = links[dynamics.sliding[place]], dynamics.by_joint(one.forces.joints)[contact.joint]
+    friction = one.conditions.friction[place]
     normal = contact.way * (link.cos * wrench.y - link.sin * wrench.x)
     return edge_forces(normal, wrench.moment, friction.per_length, friction.middle)

@@ -118,7 +118,7 @@ def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Itera
     parts: list[str] = []
     for batch, one, made in zip(loaded.mechanisms.batches, solved.batches, loaded.masses.batches, strict=True):
         dynamics = batch.kind.dynamics
-        joints = dict(zip((reaction.name for reaction in dynamics.reactions), one.forces.joints, strict=True))
+        joints = dynamics.by_joint(one.forces.joints)
         for place, (name, contact) in enumerate(zip(dynamics.sliding, dynamics.contacts, strict=True)):
             wrench, rubs = joints[contact.joint], (made.friction[place] > 0) & (made.edges[place].per_length == 0)
             turned = np.abs(wrench.moment) > _NO_ARM * np.max(np.hypot(wrench.x, wrench.y), axis=-1, keepdims=True)

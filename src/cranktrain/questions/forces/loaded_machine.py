@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,9 +30,9 @@ class SolvedBatch(NamedTuple):
     """
 
     motion: AnyMotion
-    loads: Any
+    loads: tuple[Wrench, ...]
     conditions: Conditions
-    forces: Forces[tuple[Wrench, ...]]
+    forces: Forces
 
 
 @record
@@ -111,7 +111,8 @@ class LoadedMachine:
             loads = borne = dynamics.load(motion, size, self._pressing(batch.index, toward))
             handed = _of_slaves(batch.index, on_rods) if batch.kind.name == MASTER else None
             if handed is not None:
-                borne = loads._replace(rod=added(loads.rod, handed))
+                on_crank, on_rod, on_piston = loads
+                borne = (on_crank, added(on_rod, handed), on_piston)
             friction = tuple(
                 _friction(batch.kind.part(motion, name), coefficient, edges, friction_sense)
                 for name, coefficient, edges in zip(dynamics.sliding, made.friction, made.edges, strict=True)

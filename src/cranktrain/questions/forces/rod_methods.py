@@ -92,7 +92,7 @@ def rod_methods(pistons: Pistons, loaded: LoadedMachine, solved: SolvedCycle, cr
     for place, batch in direct_batches(loaded):
         size = batch.members.geometry
         rod = batch.kind.motion(angle + batch.members.phase, size).rod
-        body = loaded.masses.batches[place].bodies.rod
+        body = batch.kind.dynamics.by_link(loaded.masses.batches[place].bodies)["rod"]
         forces = solved.batches[place].forces
         guide_place = batch.kind.dynamics.joint("guide")
         assert guide_place is not None  # of each piston that is driven directly

@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 from cranktrain.checks import Limit, StageResult, flagged
 from cranktrain.language import N_
 from cranktrain.layout.part_tables import SLIDER
-from cranktrain.linkage.forces import Body
 from cranktrain.motion import Array
 from cranktrain.questions.cylinders.volumes import Chambers
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
@@ -75,7 +74,7 @@ def _piston_masses(loaded: LoadedMachine, shape: tuple[int, ...]) -> Array:
     found = np.zeros(shape)
     for batch, made in zip(loaded.mechanisms.batches, loaded.masses.batches, strict=True):
         piston = loaded.carriers.piston[batch.index]
-        slider: Body | None = getattr(made.bodies, SLIDER, None)
+        slider = batch.kind.dynamics.by_link(made.bodies).get(SLIDER)
         if slider is not None and piston[0] >= 0:
             found[:, piston] = slider.mass[..., 0]
     return found
