@@ -272,9 +272,8 @@ def _problems_of(detail: ErrorDetails, where: _Location) -> Iterator[Problem]:
 
 def _wrong_kind(detail: ErrorDetails, where: _Location) -> Problem:
     """Refuse the `kind` of a table, or say that it is missing."""
-    union = _bare(where.annotation)
-    tag = union.tag or ""
-    tables = filter(None, (_table(_bare(each).annotation) for each in union.alternatives))
+    tag = _bare(where.annotation).tag or ""
+    tables = filter(None, map(_table, parts_of(where.annotation)))
     kinds = [kind for table in tables for kind in words_of(table.model_fields[tag].annotation)]
     path = _joined(where.path, tag)
     if detail["type"] == "union_tag_invalid":

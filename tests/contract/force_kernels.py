@@ -43,8 +43,9 @@ from cranktrain.linkage.forces import (
     YokeLoads,
 )
 from cranktrain.linkage.forces.guide import Guided
-from cranktrain.linkage.forces.triad import Screw
+from cranktrain.linkage.forces.triad import Hold
 from cranktrain.linkage.triad import GUIDE, ROD, Leg, Triad
+from cranktrain.linkage.vectors import Vector, at_arm, rotated
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
 from cranktrain.mechanisms.eccentric.kinematics import Eccentric, eccentric
@@ -61,8 +62,19 @@ def wrench(size):
     return Wrench(size(3.0), size(-2.0), size(0.7))
 
 
-def screw(angle, size):
-    return Screw(size(3.0), size(2.0) * np.cos(angle), size(0.7))
+def moving_wrench(angle, size):
+    return Wrench(size(3.0), size(2.0) * np.cos(angle), size(0.7))
+
+
+def hold(angle, size):
+    return Hold(Vector(size(0.2), size(0.1)), moving_wrench(angle, size), wrench(size))
+
+
+def holds(angle, size):
+    """Three forces through points of a circle, a third of a turn apart."""
+    arms = [rotated(Vector(size(0.3), 0.0), np.cos(at), np.sin(at)) for at in (0.5, 2.5, 4.5)]
+    forces = [Vector(np.cos(angle + at), np.sin(angle + at)) for at in (0.0, 1.3, 2.9)]
+    return [Hold(arm, at_arm(arm, force), wrench(size)) for arm, force in zip(arms, forces, strict=True)]
 
 
 def body(size):
@@ -246,9 +258,11 @@ EXAMPLES = {
         Turning(size(0.7), size(0.1)),
         crossing_friction(size),
     ),
-    "forces.crossed": lambda angle, size, side: (screw(angle, size), screw(angle, size)),
-    "forces.dragged": lambda angle, size, side: (size(3.0), friction(size)),
     "forces.edge_forces": lambda angle, size, side: (size(3.0), size(0.7), size(5.0), size(0.02)),
+    "forces.friction_force": lambda angle, size, side: (
+        Guided(size(-3.0), size(0.7), size(0.4), size(0.1)),
+        friction(size),
+    ),
     "forces.handed_back": lambda angle, size, side: (
         group(angle, size, side).rod,
         point(group(angle, size, side).rod, LinkPoint(size(0.2), size(0.7))),
@@ -261,23 +275,25 @@ EXAMPLES = {
         wrench(size),
     ),
     "forces.leg_reactions": lambda angle, size, side: (
-        screw(angle, size),
-        screw(angle, size),
+        hold(angle, size),
         size(3.0),
         triad(angle, size)[2].third,
         wrench(size),
     ),
     "forces.momentum": lambda angle, size, side: (group(angle, size, side).rod, body(size)),
-    "forces.needed_of": lambda angle, size, side: (wrench(size), *(screw(angle, size) for _ in range(3))),
+    "forces.needed_of": lambda angle, size, side: (wrench(size), *(hold(angle, size) for _ in range(3))),
     "forces.opposite": lambda angle, size, side: (wrench(size),),
     "forces.pin_reactions": lambda angle, size, side: (
         rod_and_rocker(angle, size, side),
         Pin(size(1.0), size(0.8), side),
         PinLoads(wrench(size), wrench(size)),
     ),
-    "forces.pressing": lambda angle, size, side: (
-        Guided(size(-3.0), size(0.7), size(0.4), size(0.1)),
-        friction(size),
+    "forces.plus": lambda angle, size, side: (wrench(size), size(2.0), moving_wrench(angle, size)),
+    "forces.reactions_of": lambda angle, size, side: (
+        *holds(angle, size),
+        size(0.0),
+        triad(angle, size)[2],
+        triad(angle, size)[3],
     ),
     "forces.reduced": lambda angle, size, side: (
         group(angle, size, side).rod,
@@ -292,7 +308,6 @@ EXAMPLES = {
         tuple(wrench(size) for _ in range(3)),
         gravity(size),
     ),
-    "forces.screw_of": lambda angle, size, side: (size(0.2), size(0.1), size(3.0), size(-2.0)),
     "forces.slide_reactions": lambda angle, size, side: (
         group(angle, size, side).rod,
         Slide(size(1.0), size(0.05), side),
@@ -318,7 +333,7 @@ EXAMPLES = {
         *triad(angle, size),
         TriadFriction(*(friction(size) for _ in range(3))),
     ),
-    "forces.triple": lambda angle, size, side: (screw(angle, size), screw(angle, size)),
+    "forces.triple": lambda angle, size, side: (moving_wrench(angle, size), moving_wrench(angle, size)),
     "forces.turned_wrench": lambda angle, size, side: (wrench(size), size(0.7)),
     "forces.weight": lambda angle, size, side: (group(angle, size, side).rod, body(size), gravity(size)),
     "forces.work": lambda angle, size, side: (group(angle, size, side).rod, wrench(size)),

@@ -12,7 +12,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.cycle_table import CycleFileSpec, CycleTable, Words, cycle_table, refuse_unit
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.motion import Array
-from cranktrain.numerics.knotted import knotted_curve
+from cranktrain.numerics.knotted import knotted_curve, spline_through
 from cranktrain.numerics.periodic import PeriodicCurve, side_by_side
 from cranktrain.quantities import Dimension, read, unit_names
 
@@ -94,7 +94,7 @@ def _shape_problems(spec: CycleFileSpec, table: CycleTable) -> list[Problem]:
 
 def _square(speeds: CycleTable, n_points: int, cycle: float) -> PeriodicCurve:
     """ω² over the crank angle as it is shown: the spline through that of the file. [rad²/s²]"""
-    return knotted_curve(speeds.angles, speeds.values**2, speeds.period, n_points, cycle)
+    return knotted_curve(spline_through(speeds.angles, speeds.values**2, speeds.period), n_points, cycle)
 
 
 def tabled_speed(specs: Sequence[SpeedCurveSpec], n_points: int, cycle: float, *, zero: Array) -> SpeedCurve:

@@ -2,7 +2,7 @@
 
 import operator
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal, TypeAlias, cast, get_args
 
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
@@ -90,7 +90,7 @@ class Quantity:
                 raise QuantityError(None, _("is missing; {expected}").format(expected=expected(self.dimension)))
             read = self._in_range(table["value"])
         except QuantityError as error:
-            problems.insert(0, Problem("value", error.given, error.allowed, error.repair))
+            problems.insert(0, replace(error.problems[0], path="value"))
         if read is None or problems:
             raise InputError(problems)
         about = cast("dict[str, Any]", {key: table[key] for key in _KEYS[1:] if key in table})
@@ -165,6 +165,5 @@ def _table_problems(table: Mapping[str, object]) -> Iterator[Problem]:
 def _in_file(given: Given) -> object:
     """Write a quantity as a machine file holds it: text or plain number, or a table with where it is from."""
     value = next((number for number in (int(given.si), given.si) if str(number) == given.text), given.text)
-    about = {"status": given.status, "note": given.note, "source": given.source}
-    known = {key: word for key, word in about.items() if word is not None}
-    return {"value": value, **known} if known else value
+    about = {key: getattr(given, key) for key in _KEYS[1:] if getattr(given, key) is not None}
+    return {"value": value, **about} if about else value

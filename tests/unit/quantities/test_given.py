@@ -75,7 +75,8 @@ def test_everything_wrong_in_a_table_is_told_at_once() -> None:
 def test_range_is_told_in_the_unit_given(quantity: Quantity, text: object, allowed: str) -> None:
     with pytest.raises(QuantityError) as refused:
         quantity.given(text)
-    assert (refused.value.given, refused.value.allowed) == (str(text), allowed)
+    (problem,) = refused.value.problems
+    assert (problem.given, problem.allowed) == (str(text), allowed)
 
 
 @pytest.mark.parametrize("text", ["50 mm", "60 mm"])

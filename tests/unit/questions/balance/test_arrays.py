@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import minimize
 from tests.layouts_by_order import Cylinders, inertia_roll, reciprocating_vectors, roll_free_place
+from tests.vectors_by_order import largest_length, turned_vectors
 
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
@@ -15,11 +16,9 @@ from cranktrain.numerics.plane_vectors import (
     added,
     curve_vectors,
     hodograph,
-    largest_length,
     machine_axes,
     reversed_vectors,
     running_axes,
-    turned_vectors,
     vector_curve,
 )
 from cranktrain.questions.balance.counterweights import (
