@@ -77,10 +77,8 @@ NO_KERNELS = {
     "walk.triad_walk",
     "walschaerts.upright",
     "walschaerts.walschaerts_size",
-    "work.indicated_work",
-    "work.split_mean_pressures",
 }
-"""What supplies kernels, or takes them: `cranktrain.linkage` names it; or sums over a cycle."""
+"""What supplies kernels, or takes them: `cranktrain.linkage` names it."""
 
 ONLY_DESIGNS = {"triad.triad"} | force_kernels.EXAMPLES.keys()
 """What takes long to compile for arrays: with designs there are crank angles too."""

@@ -86,16 +86,16 @@ def test_pressure_of_the_states_shape(kind, cycle):
     assert pressure.shape == angle.shape
     assert np.all(pressure > 0)
     np.testing.assert_allclose(pressure[1], pressure[0], rtol=1e-9)
-    for sentence in (*kind.flags(spec, model), *kind.findings(model)):
+    for sentence in kind.flags(spec, model):
         assert sentence[0].isupper()
         assert sentence[-1] in ".?"
 
 
 @every_kind
 def test_breaks_are_where_the_model_is_not_smooth(kind):
-    """Rising within the cycle, jumps among them; only what goes through samples has them."""
-    assert (kind.breaks is None) == (kind.jumps is None) == (kind.work is None)
-    if kind.breaks is None or kind.jumps is None:
+    """Rising within the cycle; only what goes through samples has them."""
+    assert (kind.breaks is None) == (kind.work is None)
+    if kind.breaks is None:
         return
     model = kind.model(example_of(kind, kind.example), ENGINE.chamber())
     breaks = kind.breaks(model)
@@ -103,4 +103,3 @@ def test_breaks_are_where_the_model_is_not_smooth(kind):
     assert np.all(np.diff(breaks) > 0)
     assert breaks[0] >= 0
     assert breaks[-1] < FOUR_STROKE
-    assert np.all(np.isin(kind.jumps(model), breaks))

@@ -72,11 +72,9 @@ class GasKind(Generic[_Table, _Model]):
     pressure : callable (ChamberState, model) → Array
         Absolute pressure at each crank angle, of the state's shape. [Pa]
     flags : callable (spec, model) → tuple of str
-        What may be meant otherwise than it was given, as sentences.
+        What may be meant otherwise than it was given, and what was found in a file and changed, as sentences.
     example : str
         A commented `[gas]` table to start from.
-    findings : callable (model) → tuple of str
-        What was found in a file and changed, as sentences; nothing of a model that reads no file.
     mean_pressures : callable (model, compression ratio) → MeanPressures, optional
         In closed form, where there is one.
     kinks : callable (model, VolumeLimits) → tuple of Kink
@@ -86,8 +84,6 @@ class GasKind(Generic[_Table, _Model]):
     breaks : callable (model) → Array, shape (n,), optional
         Of a model that goes through samples: crank angles since nominal firing, rising in [0, cycle), between which the
         pressure is smooth; a jump stands there once. [rad]
-    jumps : callable (model) → Array, shape (k,), optional
-        Those of them at which the pressure itself jumps: there `pressure` is the one just after. [rad]
     """
 
     name: str
@@ -97,12 +93,10 @@ class GasKind(Generic[_Table, _Model]):
     pressure: Callable[[ChamberState, _Model], Array]
     flags: Callable[[_Table, _Model], tuple[str, ...]]
     example: str
-    findings: Callable[[_Model], tuple[str, ...]] = lambda model: ()
     mean_pressures: Callable[[_Model, Array], MeanPressures] | None = None
     kinks: Callable[[_Model, VolumeLimits], tuple[Kink, ...]] = lambda model, limits: ()
     work: Callable[[_Model, Callable[[Array], Array]], float] | None = None
     breaks: Callable[[_Model], Array] | None = None
-    jumps: Callable[[_Model], Array] | None = None
 
 
 AnyGasKind: TypeAlias = GasKind[Any, Any]

@@ -16,9 +16,7 @@ KIND = GasKind(
     pressure=indicator_pressure,
     work=diagram_work,
     breaks=lambda diagram: diagram.curve.places,
-    jumps=lambda diagram: diagram.curve.jumps,
-    flags=lambda spec, diagram: diagram.flags,
-    findings=lambda diagram: diagram.findings,
+    flags=lambda spec, diagram: (*diagram.flags, *diagram.findings),
     example="""\
 [gas]
 kind = "indicator"

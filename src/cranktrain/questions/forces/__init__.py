@@ -36,7 +36,6 @@ def _problems(design: Design) -> Iterator[Problem]:
 
 def _parts(designs: Designs, known: Parts) -> Iterator[object | None]:
     yield carriers.carriers_of(designs.places[0])
-    yield crank_pins.crank_pins_of(designs.mechanisms)
     # There are forces where gas presses, whether anything has a mass or not.
     if designs.first.weighed.bodies or all(part in known for part in gas.PRESSING):
         yield masses_of(designs.places, [design.weighed for design in designs.each])
@@ -62,7 +61,7 @@ QUESTION = Question(
         Stage(piston_forces.piston_force_set, applies=on_rods),
         Stage(largest_forces.largest_forces),
         Stage(rod_methods.rod_methods, applies=piston_forces.have_direct_rods),
-        Stage(crank_pins.crank_pin_loads),
+        Stage(crank_pins.crank_pin_loads, applies=crank_pins.have_crank_pins),
         Stage(mechanism_torques.mechanism_torques),
         Stage(joint_forces.joint_forces),
         Stage(guides.guide_edges, applies=guides.have_length),

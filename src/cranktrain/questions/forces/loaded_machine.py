@@ -1,8 +1,8 @@
 """A machine with all that acts on it: forces in every joint at any crank angle."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,7 @@ from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import Array, Coefficient, single
 from cranktrain.numerics import in_slots
+from cranktrain.numerics.gathering import put
 from cranktrain.questions.forces.carriers import MASTER, Carriers
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.record import record
@@ -52,6 +53,15 @@ class LoadedMachine:
     masses: Masses
     gas: GasInChambers | None
     speed: Speed
+
+    def in_order(self, by_batch: Iterable[NDArray[Any]]) -> NDArray[Any]:
+        """Values of every batch, broadcastable to (design, member, ...), in the machine's order of mechanisms."""
+        values = list(by_batch)
+        shape = (max(map(len, values)), len(self.mechanisms.names), *values[0].shape[2:])
+        found = np.empty(shape, values[0].dtype)
+        for batch, own in zip(self.mechanisms.batches, values, strict=True):
+            found[:, batch.index] = own
+        return found
 
     def motions(self, angle: Array) -> tuple[AnyMotion, ...]:
         """Motion of every mechanism at crank angles φ [rad], in the order of `mechanisms.batches`."""
@@ -176,8 +186,7 @@ class LoadedMachine:
         for batch, motion in zip(self.mechanisms.batches, motions, strict=True):
             piston = self.carriers.piston[batch.index]
             if piston[0] >= 0:
-                for part, values in zip(slider, motion.slider, strict=True):
-                    part[:, piston] = values
+                put(slider, piston, motion.slider)
         by_chamber = _own(angle, driven[self.gas.chambers.leading])
         return self.gas.force(self.gas.pressure(by_chamber, self.gas.volume_by(Coefficient(*slider))))
 

@@ -96,6 +96,12 @@ def without_rounding(peak: Peak, gross: Array) -> Peak:
     return Peak(np.where(is_clear, peak.angle, np.nan), value, side)
 
 
+def relative(difference: Array, whole: Array) -> Array:
+    """Largest difference in parts of the largest value, shapes (..., n); NaN where there is nothing."""
+    peak = np.max(np.abs(whole), axis=-1)
+    return np.max(np.abs(difference), axis=-1) / np.where(peak > 0, peak, np.nan)
+
+
 def one_sided(peaks: Sequence[tuple[str, Peak]], labels: Sequence[str] = ("",)) -> Iterator[str]:
     """Say which extremes stand at a jump, where a value just beside is another.
 

@@ -1,6 +1,6 @@
 """Gas in the chambers: pressure over the cycle by the declared model, its work, and its force on every piston."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import ClassVar, NamedTuple
@@ -8,6 +8,7 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.checks import StageResult
 from cranktrain.errors import InputError, Problem
 from cranktrain.gas import AnyGasKind, Chamber, GasSpec, VolumeLimits, chamber_state, kind_of
 from cranktrain.language import N_, _
@@ -21,9 +22,6 @@ from cranktrain.questions.motion.dead_centres import DeadCentres, slider_motion
 from cranktrain.record import record
 from cranktrain.wording import ranged
 
-_CHAMBER = ("chamber",)
-_CURVE = ("chamber", "crank_angle")
-_THEORY = "docs/theory/gas"
 AMBIENT = 101325.0
 """Pressure under the pistons. [Pa]"""
 _TELLING = np.array([0.0, 0.6, 1.7, 3.9])
@@ -38,8 +36,18 @@ class DeclaredGas:
     specs: tuple[GasSpec, ...]
 
 
+class Shared(NamedTuple):
+    """A model by its kind and table, and the chambers of one design that have it: they differ in their phase alone."""
+
+    design: int
+    kind: AnyGasKind
+    spec: GasSpec
+    model: object
+    places: list[int]
+
+
 @record
-class GasInChambers:
+class GasInChambers(StageResult):
     """The gas model of every chamber, to be asked at any crank angle.
 
     Attributes
@@ -54,12 +62,8 @@ class GasInChambers:
         φ of each chamber's nominal firing. [rad]
     cycle : float
         [rad]
-    models : tuple of tuples
-        [design][chamber], as each design's kind of gas takes it.
-    specs : tuple of GasSpec
-        Of each design.
-    flags : tuple of str
-        What may be meant otherwise than it was given, and what was found in a file and changed.
+    shared : tuple of Shared
+        Models of all designs.
     """
 
     pistons: Pistons
@@ -69,9 +73,7 @@ class GasInChambers:
     tops: Array
     firing: Array
     cycle: float
-    models: tuple[tuple[object, ...], ...]
-    specs: tuple[GasSpec, ...]
-    flags: tuple[str, ...]
+    shared: tuple[Shared, ...]
 
     def volume(self, angle: Array) -> Coefficient:
         """Volume of every chamber at φ [rad], and its derivatives, shape (design, chamber, n). [m³, m³/rad, m³/rad²]"""
@@ -97,11 +99,9 @@ class GasInChambers:
         """Absolute pressure in every chamber at φ [rad], where its volume is known, shape (design, chamber, n). [Pa]"""
         state = chamber_state(volume, self.limits, angle - self.firing, np.array(self.cycle))
         found = np.empty(volume.value.shape)
-        for design, spec in enumerate(self.specs):
-            kind = kind_of(spec)
-            for model, places in self.alike(design):
-                own = type(state)(*(_rows(part, design, places) for part in state))
-                found[design, places] = kind.pressure(own, model)
+        for one in self.shared:
+            own = type(state)(*(_rows(part, one.design, one.places) for part in state))
+            found[one.design, one.places] = one.kind.pressure(own, one.model)
         return found
 
     def dead_centres(self, travel: CylinderTravel) -> tuple[Array, Array]:
@@ -111,27 +111,21 @@ class GasInChambers:
         turns = 2 * np.pi * np.rint((self.firing[..., 0] - least) / (2 * np.pi))
         return least + turns, np.where(is_head, travel.outer[:, of], travel.inner[:, of])
 
-    @cached_property
-    def _shared(self) -> tuple[list[tuple[object, list[int]]], ...]:
-        """What `alike` gives for each design."""
-        return tuple(_sharing(of_design) for of_design in self.models)
-
-    def alike(self, design: int) -> list[tuple[object, list[int]]]:
-        """Models of one design's chambers, each with the chambers that share it."""
-        return self._shared[design]
+    def limits_of(self, design: int, place: int) -> VolumeLimits:
+        """Volume limits of one chamber of one design."""
+        return VolumeLimits(*(single(float(part[design, place, 0])) for part in self.limits))
 
     @cached_property
     def distinct(self) -> list[int]:
         """Chambers that stand for all others of their design which share their model."""
-        return sorted({places[0] for of_design in self._shared for _model, places in of_design})
+        return sorted({one.places[0] for one in self.shared})
 
     @cached_property
     def origin(self) -> NDArray[np.intp]:
         """Which of the distinct chambers stands for each, shape (design, chamber)."""
-        found = np.empty((len(self.models), len(self.chambers.names)), dtype=np.intp)
-        for design, of_design in enumerate(self._shared):
-            for _model, places in of_design:
-                found[design, places] = self.distinct.index(places[0])
+        found = np.empty(self.firing.shape[:2], dtype=np.intp)
+        for one in self.shared:
+            found[one.design, one.places] = self.distinct.index(one.places[0])
         return found
 
     def at_own(self, angle: Array, places: Sequence[int], values: Callable[[Array], Array]) -> Array:
@@ -158,14 +152,6 @@ class GasInChambers:
         """Force of the gas less the ambient pressure on every piston, toward its shaft, (design, piston, n). [N]"""
         areas = self.chambers.areas
         return self.chambers.pushed(pressure) - AMBIENT * np.sum(areas, axis=-1, keepdims=True)
-
-
-def _sharing(models: tuple[object, ...]) -> list[tuple[object, list[int]]]:
-    """Pair each model of one design with the chambers that have it."""
-    sharing: dict[int, tuple[object, list[int]]] = {}
-    for place, model in enumerate(models):
-        sharing.setdefault(id(model), (model, []))[1].append(place)
-    return list(sharing.values())
 
 
 def _rows(part: Array, design: int, places: list[int]) -> Array:
@@ -204,28 +190,19 @@ def gas_in_chambers(
         tops=dead_centres.top_position[..., np.newaxis],
         firing=nominal[..., np.newaxis],
         cycle=cycle.length,
-        models=(),
-        specs=gas.specs,
-        flags=(),
+        shared=(),
     )
-    is_central = _central_ratios(pistons, cylinders)[:, of]
+    ratios = _central_ratios(pistons, cylinders)[:, of]
     # What the volume is at some angles after firing tells a chamber from those that are not like it.
     every = range(len(chambers.names))
     volumes_then = empty.at_own(empty.firing + _TELLING, every, lambda angle: empty.volume(angle).value)
-    models = tuple(
-        _models(spec, empty, design, _Likeness(volumes_then[design], is_central[design]))
+    shared = [
+        one
         for design, spec in enumerate(gas.specs)
-    )
-    each = [
-        (kind_of(spec), spec, model) for spec, of_design in zip(gas.specs, models, strict=True) for model in of_design
+        for one in _models(spec, empty, design, volumes_then[design], ratios[design])
     ]
-    flags = [flag for kind, spec, model in each for flag in kind.flags(spec, model)]
-    findings = [finding for kind, _spec, model in each for finding in kind.findings(model)]
-    return replace(
-        empty,
-        models=models,
-        flags=tuple(dict.fromkeys((*flags, *findings))),
-    )
+    flags = [flag for one in shared for flag in one.kind.flags(one.spec, one.model)]
+    return replace(empty, shared=tuple(shared), flags=tuple(dict.fromkeys(flags)))
 
 
 def _refuse_chambers_without_room(chambers: Chambers, volumes: ChamberVolumes) -> None:
@@ -250,32 +227,27 @@ def _central_ratios(pistons: Pistons, cylinders: CylinderPistons) -> Array:
     return np.where(cylinders.is_opposed, np.nan, ratio[:, cylinders.leading])
 
 
-class _Likeness(NamedTuple):
-    """What tells chambers apart: volumes at some angles, (chamber, n) [m³], and λ of central ones, (chamber,)."""
+def _models(spec: GasSpec, chambers: GasInChambers, design: int, volumes: Array, ratios: Array) -> Iterable[Shared]:
+    """Models of one design's chambers; those that are alike but for their phase share one.
 
-    volumes: Array
-    ratios: Array
-
-
-def _models(spec: GasSpec, chambers: GasInChambers, design: int, own: _Likeness) -> tuple[object, ...]:
-    """Models of one design's chambers; chambers that are alike but for their phase share one."""
+    By their limits and volumes at some angles, (chamber, n) [m³], they are told apart; λ of central ones, (chamber,).
+    """
     kind = kind_of(spec)
-    made: dict[tuple[float, ...], object] = {}
-    found: list[object] = []
+    made: dict[tuple[float, ...], Shared] = {}
     for place in range(len(chambers.chambers.names)):
-        limits = VolumeLimits(*(single(float(part[design, place, 0])) for part in chambers.limits))
+        limits = chambers.limits_of(design, place)
         start = float(chambers.firing[design, place, 0])
 
         def volume(angle: Array, start: float = start, place: int = place) -> Array:
             return chambers.volume_of(design, place, angle + start).value
 
-        key = tuple(float(f"{float(value):.9g}") for value in (*limits, *own.volumes[place]))
+        key = tuple(float(f"{float(value):.9g}") for value in (*limits, *volumes[place]))
         if key not in made:
-            ratio = float(own.ratios[place])
+            ratio = float(ratios[place])
             chamber = Chamber(chambers.cycle, limits, volume, None if np.isnan(ratio) else ratio)
-            made[key] = _model(kind, spec, chamber)
-        found.append(made[key])
-    return tuple(found)
+            made[key] = Shared(design, kind, spec, _model(kind, spec, chamber), [])
+        made[key].places.append(place)
+    return made.values()
 
 
 def _model(kind: AnyGasKind, spec: GasSpec, chamber: Chamber) -> object:

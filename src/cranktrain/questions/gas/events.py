@@ -4,8 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from cranktrain.gas import Kink, VolumeLimits, kind_of
-from cranktrain.motion import Array, Coefficient, single
+from cranktrain.motion import Array, Coefficient
 from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.record import record
@@ -80,28 +79,18 @@ def _kinks(gas: GasInChambers, firing: Array, least: Coefficient) -> Array:
 
 def _breaks(gas: GasInChambers) -> Array:
     """Where the pieces of measured cards meet, from nominal firing, shape (design, chamber, break): NaN fills up."""
-    told = [
-        [np.empty(0) if kind.breaks is None else kind.breaks(model) for model in models]
-        for kind, models in ((kind_of(spec), models) for spec, models in zip(gas.specs, gas.models, strict=True))
-    ]
-    filled = np.full((*gas.firing.shape[:2], max(own.size for of_design in told for own in of_design)), np.nan)
-    for design, of_design in enumerate(told):
-        for place, own in enumerate(of_design):
-            filled[design, place, : own.size] = own
+    told = [(one, one.kind.breaks(one.model)) for one in gas.shared if one.kind.breaks is not None]
+    filled = np.full((*gas.firing.shape[:2], max((own.size for _one, own in told), default=0)), np.nan)
+    for one, own in told:
+        filled[one.design, one.places, : own.size] = own
     return filled
 
 
 def _kinks_of_models(gas: GasInChambers) -> Array:
     """Volume, sense and turn of the kinks of the distinct chambers, (3, design, distinct, kink): NaN fills up."""
-    told: list[list[Sequence[Kink]]] = []
-    for design, spec in enumerate(gas.specs):
-        limits = [VolumeLimits(*(single(float(part[design, i, 0])) for part in gas.limits)) for i in gas.distinct]
-        models = [gas.models[design][place] for place in gas.distinct]
-        told.append([kind_of(spec).kinks(model, own) for model, own in zip(models, limits, strict=True)])
-    most = max(len(kinks) for of_design in told for kinks in of_design)
-    filled = np.full((3, len(told), len(gas.distinct), most), np.nan)
-    for design, of_design in enumerate(told):
-        for place, kinks in enumerate(of_design):
-            for number, kink in enumerate(kinks):
-                filled[:, design, place, number] = (float(kink.volume), kink.sense, kink.turn)
+    told = [(one, one.kind.kinks(one.model, gas.limits_of(one.design, one.places[0]))) for one in gas.shared]
+    filled = np.full((3, len(gas.firing), len(gas.distinct), max(len(kinks) for _one, kinks in told)), np.nan)
+    for one, kinks in told:
+        rows = np.reshape([[float(kink.volume), kink.sense, kink.turn] for kink in kinks], (-1, 3))
+        filled[:, one.design, gas.distinct.index(one.places[0]), : len(kinks)] = rows.T
     return filled

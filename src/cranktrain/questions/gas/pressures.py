@@ -6,8 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import Limit, flagged
-from cranktrain.gas import kind_of
+from cranktrain.checks import Limit, StageResult, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array, Coefficient
@@ -19,11 +18,11 @@ from cranktrain.questions.gas.events import GasEvents
 from cranktrain.questions.motion.dead_centres import ANGLE_ROUNDING
 from cranktrain.questions.motion.pistons import PistonMotion
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_GAS as _THEORY
 from cranktrain.wording import Names, shared
 
 _CHAMBER = ("chamber",)
 _CURVE = ("chamber", "crank_angle")
-_THEORY = "docs/theory/gas"
 
 
 # Heywood, Internal Combustion Engine Fundamentals, ch. 2.2: 8 to 12 with spark ignition, 12 to 24 in diesels.
@@ -41,7 +40,7 @@ _PEAK_PRESSURE = Limit(
 
 
 @record
-class GasPressures:
+class GasPressures(StageResult):
     """Pressure of the gas, and what it does."""
 
     gas_pressure: Array = quantity("p", "Pa", _CURVE, N_("Absolute pressure in the chamber"), _THEORY)
@@ -58,7 +57,6 @@ class GasPressures:
     peak_pressure_after: Array = quantity(
         "α(p_max)", "deg", _CHAMBER, N_("Largest pressure after the least volume"), _THEORY
     )
-    flags: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str:
         """Say mean and largest pressures."""
@@ -108,16 +106,14 @@ def _unlikely_pressures(gas: GasInChambers, fires: NDArray[np.bool_], peak: Arra
 def _works(gas: GasInChambers, swept: SweptVolumes) -> Array:
     """∮ p dV in closed form, or exactly over what was laid through samples, shape (design, chamber). [J]"""
     works = np.full(gas.firing.shape[:2], np.nan)
-    for design, spec in enumerate(gas.specs):
-        kind = kind_of(spec)
-        for model, places in gas.alike(design):
-            if kind.mean_pressures is not None:
-                ratio = (gas.limits.largest / gas.limits.smallest)[design, places, 0]
-                found = kind.mean_pressures(model, ratio)
-                mean = found.net if gas.cycle > 3 * np.pi else found.gross
-                works[design, places] = mean * swept.swept_volume[design, places]
-            elif kind.work is not None:
-                works[design, places] = kind.work(model, _slope_of(gas, design, places[0]))
+    for design, kind, _spec, model, places in gas.shared:
+        if kind.mean_pressures is not None:
+            ratio = (gas.limits.largest / gas.limits.smallest)[design, places, 0]
+            found = kind.mean_pressures(model, ratio)
+            mean = found.net if gas.cycle > 3 * np.pi else found.gross
+            works[design, places] = mean * swept.swept_volume[design, places]
+        elif kind.work is not None:
+            works[design, places] = kind.work(model, _slope_of(gas, design, places[0]))
     return works
 
 
@@ -136,17 +132,17 @@ def _peaks(
 ) -> tuple[Array, Array]:
     """Angle of the largest pressure after the dead centre at firing, and the pressure, shape (design, chamber)."""
     places = gas.distinct
-    n_rows, zero = len(gas.models) * len(places), crank_angle.zero
+    n_rows, zero = len(gas.firing) * len(places), crank_angle.zero
 
     def own(which: NDArray[np.intp], shown: Array) -> Array:
         """Pressure in the distinct chambers at their own angles, shape (p, k)."""
         asked, slot = in_slots(which, shown, n_rows)
-        phi = asked.reshape(len(gas.models), len(places), -1) + zero
+        phi = asked.reshape(len(gas.firing), len(places), -1) + zero
         found = gas.at_own(phi, places, lambda angle: gas.pressure(angle, gas.volume(angle)))
         return found.reshape(asked.shape)[which, slot]
 
     found = largest_between(own, crank_angle.shown, pressure[:, places], events.angle[:, places] - zero)
     after = around_zero(found.angle + zero[..., 0] - firing[:, places])
     after = np.where(np.abs(after) <= ANGLE_ROUNDING, 0.0, after)
-    design = np.arange(len(gas.models))[:, np.newaxis]
+    design = np.arange(len(gas.firing))[:, np.newaxis]
     return after[design, gas.origin], found.value[design, gas.origin]
