@@ -11,14 +11,15 @@ from cranktrain.fluids import VolumeLimits, chamber_state
 from cranktrain.fluids.dual import ideal_pressure
 from cranktrain.linkage import compiled
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
-from cranktrain.mechanisms.slider_crank.forces import slider_crank_forces, slider_crank_load
+from cranktrain.mechanisms.on_crank import force_on_slider
+from cranktrain.mechanisms.slider_crank.forces import slider_crank_forces
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 from cranktrain.motion import Coefficient
 
 slider_crank_at = compiled(slider_crank)
 crank_rocker_at = compiled(crank_rocker)
 slider_crank_forces_at = compiled(slider_crank_forces)
-slider_crank_load_at = compiled(slider_crank_load)
+force_on_slider_at = compiled(force_on_slider)
 chamber_state_at = compiled(chamber_state)
 ideal_pressure_at = compiled(ideal_pressure)
 
@@ -121,16 +122,16 @@ def slider_crank_forces_loop(angles, geometry, bodies, pressing, conditions, tab
     """Fill `table`, a row per angle, with the columns of `by_hand.slider_crank_forces_numpy`."""
     for i in range(angles.size):
         motion = slider_crank_at(angles[i], geometry)
-        load = slider_crank_load_at(motion, geometry, -pressing)
+        load = force_on_slider_at(motion, geometry, -pressing)
         forces = slider_crank_forces_at(motion, geometry, bodies, load, conditions)
-        joints = forces.joints
-        table[i, 0] = joints.main_bearing.x
-        table[i, 1] = joints.main_bearing.y
-        table[i, 2] = joints.crank_pin.x
-        table[i, 3] = joints.crank_pin.y
-        table[i, 4] = joints.wrist_pin.x
-        table[i, 5] = joints.wrist_pin.y
-        table[i, 6] = joints.guide.y
+        main_bearing, crank_pin, wrist_pin, guide = forces.joints
+        table[i, 0] = main_bearing.x
+        table[i, 1] = main_bearing.y
+        table[i, 2] = crank_pin.x
+        table[i, 3] = crank_pin.y
+        table[i, 4] = wrist_pin.x
+        table[i, 5] = wrist_pin.y
+        table[i, 6] = guide.y
         table[i, 7] = forces.driving_torque
 
 

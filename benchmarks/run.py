@@ -21,22 +21,22 @@ from comparison import SAME, Comparison, filled, is_kept
 
 from cranktrain.analysis import run
 from cranktrain.io.machine_file import load
-from cranktrain.linkage import in_blocks
+from cranktrain.linkage import Pin, in_blocks
 from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity
+from cranktrain.mechanisms.chain.groups import made_names
 from cranktrain.mechanisms.chain.kinematics import chain_motion
-from cranktrain.mechanisms.chain.made import made_names
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     Coordinates,
     CrankSize,
-    PinSize,
     PinStep,
     SlideSize,
     SlideStep,
     Structure,
 )
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
-from cranktrain.mechanisms.slider_crank.forces import SliderCrankLinks, slider_crank_forces, slider_crank_load
+from cranktrain.mechanisms.on_crank import force_on_slider
+from cranktrain.mechanisms.slider_crank.forces import slider_crank_forces
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 
 SLIDER_CRANK = SliderCrank(0.04, 0.14, 0.01)
@@ -66,7 +66,7 @@ CHAIN_SIZE = ChainSize(
     tuple(
         size
         for (rod, rocker, _x, _y, side), (link, direction, offset) in zip(CHAIN_PINS, CHAIN_SLIDES, strict=True)
-        for size in (PinSize(rod, rocker, side), SlideSize(link, 1.0, direction, offset))
+        for size in (Pin(rod, rocker, side), SlideSize(link, 1.0, direction, offset))
     ),
 )
 
@@ -171,22 +171,22 @@ def chain_comparison(n):
 
 
 def force_columns(forces):
-    joints = forces.joints
-    pins = [part for wrench in (joints.main_bearing, joints.crank_pin, joints.wrist_pin) for part in wrench[:2]]
-    return [*pins, joints.guide.y, forces.driving_torque]
+    *on_pins, guide = forces.joints
+    pins = [part for wrench in on_pins for part in wrench[:2]]
+    return [*pins, guide.y, forces.driving_torque]
 
 
 def force_comparisons(n):
     """Motion, reactions and torque of a slider-crank with a rigid rod, from the crank angle."""
     angles = np.arange(n) * (2 * np.pi / n)
-    geometry, bodies = SliderCrank(*SLIDER_CRANK), SliderCrankLinks(*FORCED)
+    geometry, bodies = SliderCrank(*SLIDER_CRANK), tuple(FORCED)
     conditions = Conditions(DRIVE, GRAVITY, (NO_FRICTION,))
     crank, rod, piston = (tuple(body) for body in FORCED)
     given = tuple(geometry), crank, rod, piston[0], PRESSING, *DRIVE, tuple(GRAVITY)
 
     def forces():
         motion = slider_crank(angles, geometry)
-        load = slider_crank_load(motion, geometry, -PRESSING)
+        load = force_on_slider(motion, geometry, -PRESSING)
         return slider_crank_forces(motion, geometry, bodies, load, conditions)
 
     def forces_by_hand():
@@ -204,7 +204,7 @@ def golden_forces(n):
     given = force_peers.machine()
     geometry = SliderCrank(given.crank_radius, given.rod_length, 0.0)
     (crank, crank_off, crank_inertia), (rod, rod_off, rod_inertia) = given.crank, given.rod
-    bodies = SliderCrankLinks(
+    bodies = (
         Body(crank, crank_off, 0.0, crank_inertia),
         Body(rod, rod_off, 0.0, rod_inertia),
         Body(given.piston[0], 0.0, 0.0, given.piston[1]),
@@ -213,7 +213,7 @@ def golden_forces(n):
 
     def forces():
         motion = slider_crank(angles, geometry)
-        return slider_crank_forces(motion, geometry, bodies, slider_crank_load(motion, geometry, 0.0), conditions)
+        return slider_crank_forces(motion, geometry, bodies, force_on_slider(motion, geometry, 0.0), conditions)
 
     return forces, filled(loops.slider_crank_forces_loop, angles, (geometry, bodies, 0.0, conditions), 8)
 

@@ -6,7 +6,7 @@ from comparison import Comparison
 
 from cranktrain.analysis import STAGES
 from cranktrain.analysis.parts import designs_of, parts_of
-from cranktrain.analysis.stages import run_stages
+from cranktrain.analysis.stages import lacking, run_stages
 from cranktrain.io.machine_file import load
 
 STEPS = {
@@ -53,7 +53,7 @@ def ready_stages(example):
     """Stages of an example by name, without arguments: what they need is there."""
     machine = load(example)
     parts = parts_of(designs_of((machine,)), machine.cycle, step=np.radians(1.0))
-    outcomes, _missing = run_stages(STAGES, dict(parts))
+    outcomes = run_stages(STAGES, parts, lacking(STAGES, parts))
     known = {**parts, **outcomes}
 
     def ready(one):

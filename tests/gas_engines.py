@@ -67,6 +67,11 @@ class Engine:
         return fluid, fluid.prepared(of_designs([fluid.numbers(spec)]), self.rooms(cycle, speed))
 
 
+def indicated_work(pressure, volume_slope, cycle):
+    """∮ p dV by samples at equal steps over the cycle, the endpoint excluded: Σ p V′ Δφ."""
+    return np.sum(pressure * volume_slope, axis=-1) * (cycle / pressure.shape[-1])
+
+
 def wiebe(engine, case, angle):
     """Pressure over one turn about firing: p Vᵞ = p₀V₀ᵞ + (γ − 1) Q ∫ x_b′ Vᵞ⁻¹ dφ, by Gauss's quadrature."""
     gamma, shape, factor = case["gamma"], case["m"], case["a"]

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 import cranktrain as ct
+from cranktrain.numerics.nested import mapped
 
 RADIUS, ROD = 0.05, 0.18
 """Of `slider`. [m]"""
@@ -121,3 +122,8 @@ def travel(position: Any) -> Any:
 def turned(angle: Any) -> Any:
     """Degrees within half a turn of 0, to compare angles that count round."""
     return (np.asarray(angle) + 180.0) % 360.0 - 180.0
+
+
+def scaled(geometry, length, factor):
+    """Geometry with one length, named by its dotted path, multiplied by a factor."""
+    return mapped(lambda name, value: value * factor if name == length else value, geometry)

@@ -66,7 +66,8 @@ def coefficients(
     """Declare a field that holds a `Coefficient` as three quantities: a coordinate and its derivatives.
 
     Of `rod_angle` these are `rod_velocity_coefficient` and `rod_acceleration_coefficient`; of a displacement or a
-    position likewise. `value`, `first` and `second` are their sentences.
+    position likewise; of `point_x` they are `point_x_velocity_coefficient` and so on. `value`, `first` and `second` are
+    their sentences.
     """
     return _declared(
         dimensions,
@@ -95,7 +96,8 @@ def entries(result_class: type) -> tuple[Entry, ...]:
 def _name(held: str, part: str) -> str:
     """Name of a quantity, by the name of the field that holds it."""
     if part in _DERIVATIVES:
-        return _COORDINATE.sub(_DERIVATIVES[part], held)
+        named, n_words = _COORDINATE.subn(_DERIVATIVES[part], held)
+        return named if n_words else f"{held}_{_DERIVATIVES[part]}"
     return f"{held}_at" if part == ".angle" else held
 
 

@@ -1,6 +1,7 @@
 """Checks: identities that can fail, computed with every result; and limits beyond which numbers are flagged."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import field
 from typing import NamedTuple
 
 import numpy as np
@@ -53,6 +54,24 @@ class Check:
         if not self.judged[design]:
             return self.reasons[design] if self.reasons else _("is beyond the digits of a Fourier series")
         return _("holds") if self.passed[design] else _("does not hold")
+
+
+@record
+class StageResult:
+    """What the result of any stage may have beside its quantities.
+
+    Attributes
+    ----------
+    labels : mapping of str to tuple of str
+        Names along the dimensions that it brings.
+    checks : tuple of Check
+    flags : tuple of str
+        Sentences that warn of its numbers.
+    """
+
+    labels: Mapping[str, tuple[str, ...]] = field(default_factory=dict[str, tuple[str, ...]], kw_only=True)
+    checks: tuple[Check, ...] = field(default=(), kw_only=True)
+    flags: tuple[str, ...] = field(default=(), kw_only=True)
 
 
 class Limit(NamedTuple):

@@ -1,6 +1,7 @@
 """What is wrong with an input, as data: where, what was given, what is allowed, how to mend it."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Generator, Iterable, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 
 from cranktrain.language import _
@@ -78,3 +79,19 @@ class InputError(ValueError):
         if len(self.problems) > MOST_TOLD:
             lines.append(_("and {n} more").format(n=len(self.problems) - MOST_TOLD))
         super().__init__("\n".join(lines))
+
+
+def refuse(problems: Iterable[Problem]) -> None:
+    """Raise all that is wrong with an input; nothing is done where nothing is wrong."""
+    found = tuple(problems)
+    if found:
+        raise InputError(found)
+
+
+@contextmanager
+def problems_as(said: Callable[[Problem], Problem]) -> Generator[None]:
+    """Say each problem that comes up within as `said` does, who knows where the user would look for it."""
+    try:
+        yield
+    except InputError as error:
+        raise InputError(map(said, error.problems)) from None

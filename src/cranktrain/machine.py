@@ -1,16 +1,16 @@
 """The declared machine: the domains' tables together, and what only they together can check."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
 from typing import Any, Literal, Self
 
 import numpy as np
-from pydantic import Field, ValidationError, model_validator
+from pydantic import Field, ValidationError
 
 from cranktrain.all_questions import QUESTIONS
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, Friction, GravitySpec, GuideSpec
 from cranktrain.layout.closing import closing_problems
@@ -177,8 +177,7 @@ class Machine(Spec, frozen=True):
                     data = replaced(data, (*parts[:-1], "text"), None)
             except InputError as error:
                 found += error.problems
-        if found:
-            raise InputError(found)
+        refuse(found)
         return type(self)(**data)
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
@@ -190,39 +189,33 @@ class Machine(Spec, frozen=True):
             raise InputError([Problem("model_copy", given, allowed, repair)])
         return super().model_copy(deep=deep)
 
-    @model_validator(mode="after")
-    def _arranged_one_way(self) -> Self:
-        """Refuse a machine with no mechanism, one beside its banks, and what belongs to the other way of arranging."""
-        found: list[Problem] = []
+    def _problems(self) -> Iterator[Problem]:
+        """Find a machine with no mechanism, one beside its banks, and what belongs to the other way of arranging."""
         if self.mechanism is None and not self.bank:
             allowed = _("is missing; a machine needs a [mechanism], or banks with [bank.NAME.mechanism]")
-            found.append(Problem("mechanism", None, allowed))
+            yield Problem("mechanism", None, allowed)
         if self.mechanism is not None and self.bank:
             allowed = _("must not stand beside [bank]; give the mechanism of each bank in [bank.NAME.mechanism]")
-            found.append(Problem("mechanism", None, allowed))
+            yield Problem("mechanism", None, allowed)
         elif self.bank and "angle" in self.model_fields_set:
             allowed = _("is for a machine with one [mechanism]; here each bank has its own, [bank.NAME] angle")
-            found.append(Problem("angle", self.angle.text, allowed))
+            yield Problem("angle", self.angle.text, allowed)
         elif self.mechanism is not None and len(self.main_shaft.throws) > 1:
             allowed = _("must be one throw for one [mechanism]; for more, make it a bank, [bank.NAME.mechanism]")
-            found.append(Problem("shaft.main.throws", None, allowed))
+            yield Problem("shaft.main.throws", None, allowed)
         for name in self.bank:
             if not re.fullmatch(r"[^\W\d]\w*", name) or name in CylindersSpec.model_fields:
                 allowed = _("must have a name of letters, digits and _, a letter first, that is no key of [cylinder]")
-                found.append(Problem(path_text(("bank", name)), None, allowed))
+                yield Problem(path_text(("bank", name)), None, allowed)
         n_mechanisms = sum(bank.n_mechanisms(self.shafts) for bank in self.bank.values())
         if n_mechanisms > MOST_MECHANISMS:
             allowed = _("gives {n} mechanisms; a machine may have at most {limit}")
-            found.append(Problem("bank", None, allowed.format(n=n_mechanisms, limit=MOST_MECHANISMS)))
-        found += self._shaft_problems()
-        if found:
-            raise InputError(found)
-        return self
+            yield Problem("bank", None, allowed.format(n=n_mechanisms, limit=MOST_MECHANISMS))
+        yield from self._shaft_problems()
 
-    def _shaft_problems(self) -> list[Problem]:
+    def _shaft_problems(self) -> Iterator[Problem]:
         """Find what only the main shaft has, or only another, and shafts that carry nothing."""
-        found: list[Problem] = []
-        used = {shaft for bank in self.bank.values() for shaft in bank.shafts} if self.bank else {MAIN}
+        used = {shaft for bank in self.banks.values() for shaft in bank.shafts}
         for name, shaft in self.shaft.items():
             foreign = ("ratio", "phase", "place") if name == MAIN else ("speed", "acceleration", "speed_curve")
             allowed = _("is for another shaft; angles and places count from [shaft.main]")
@@ -230,18 +223,23 @@ class Machine(Spec, frozen=True):
                 allowed = _("must stand in [shaft.main]; this shaft turns with it, by its ratio")
                 if name not in used:
                     nothing = _("carries no bank: name it in [bank.NAME] shaft, or take it out")
-                    found.append(Problem(path_text(("shaft", name)), None, nothing))
-            found += [
+                    yield Problem(path_text(("shaft", name)), None, nothing)
+            yield from (
                 Problem(path_text(("shaft", name, key)), None, allowed)
                 for key in foreign
                 if key in shaft.model_fields_set
-            ]
-        return found
+            )
 
     @property
     def shafts(self) -> Mapping[str, ShaftSpec]:
         """The shafts by name; `main` is there whether the file has a table for it or not."""
         return {MAIN: ShaftSpec(), **self.shaft}
+
+    @property
+    def banks(self) -> Mapping[str, BankSpec]:
+        """The banks by name; a bare `[mechanism]` is a bank of one, without a name."""
+        bare = BankSpec.model_construct(angle=(self.angle,), mechanism=(self.mechanism,), throws=(1,))
+        return self.bank or {"": bare}
 
     @property
     def main_shaft(self) -> ShaftSpec:
@@ -254,21 +252,10 @@ class Machine(Spec, frozen=True):
         return self.running == "astern"
 
     @property
-    def sense(self) -> float:
-        """+1 ahead, −1 astern: the sign of what counts in the normal sense of rotation."""
-        return -1.0 if self.is_astern else 1.0
-
-    @property
-    def first_axis(self) -> float:
-        """Direction of the first bank's x, from Y in the normal sense of rotation. [rad]"""
-        return self.angle.si if self.mechanism is not None else first_axis(self.bank)
-
-    @property
     def zero(self) -> float:
         """φ where the shown crank angle is 0: as given, or where the crank of throw 1 points along Y. [rad]"""
-        if self.crank_zero != "Y":
-            return self.sense * self.crank_zero.si
-        return -self.sense * self.first_axis
+        zero = -self.orientation.first_angle if self.crank_zero == "Y" else self.crank_zero.si
+        return -zero if self.is_astern else zero
 
     @property
     def weighed(self) -> Weighed:
@@ -288,32 +275,20 @@ class Machine(Spec, frozen=True):
     @property
     def orientation(self) -> Orientation:
         """How it stands and runs."""
-        return Orientation(self.first_axis, self.rotation == "clockwise", self.is_astern)
+        return Orientation(first_axis(self.banks), self.rotation == "clockwise", self.is_astern)
 
     @property
     def places(self) -> tuple[PlacedMechanism, ...]:
         """Every mechanism of the machine, arranged on shaft and banks; none where they cannot be arranged."""
         return self.arranged[0]
 
-    @property
-    def pistons(self) -> tuple[PlacedMechanism, ...]:
-        """Those of its mechanisms that drive a slider."""
-        return tuple(place for place in self.places if place.kind.output == "slider")
-
     # A machine does not change: how it is arranged and what is wrong with it is found once, however often it runs.
 
     @cached_property
     def arranged(self) -> tuple[tuple[PlacedMechanism, ...], tuple[Problem, ...]]:
         """Its mechanisms in their places, and what is wrong with these; with problems there are no places."""
-        if self.mechanism is None:
-            with np.errstate(all="ignore"):  # sizes that cannot be are found where their links do not close
-                return places_of(self.shafts, self.bank, astern=self.is_astern)
-        # A bare `[mechanism]` is a bank of one.
-        bank = BankSpec.model_construct(
-            angle=(self.angle,), mechanism=(self.mechanism,), throws=(1,), stagger=Given(0.0, "0 mm"), shaft=MAIN
-        )
-        with np.errstate(all="ignore"):
-            return places_of(self.shafts, {"": bank}, astern=self.is_astern, prefix="")
+        with np.errstate(all="ignore"):  # sizes that cannot be are found where their links do not close
+            return places_of(self.shafts, self.banks, astern=self.is_astern)
 
     @cached_property
     def design(self) -> Design:

@@ -62,6 +62,14 @@ def quantity_path(path: str) -> PathParts:
     return tuple(parts)
 
 
+def parts_of(path: str) -> PathParts:
+    """Split a path as `quantity_path` does; nothing of one that is none, as a key that no path can name."""
+    try:
+        return quantity_path(path) if path else ()
+    except InputError:
+        return ()
+
+
 def too_many_parts() -> str:
     """Say that a path leads deeper than any machine's."""
     return _("has more than {limit} parts with dots between").format(limit=DEEPEST_NESTING)

@@ -1,4 +1,4 @@
-"""Citation keys: `[key]` in a docstring, a plot or a report stands for one of these."""
+"""Sources: citation keys, `[key]` in a docstring, a plot or a report stands for one; and pages of our own theory."""
 
 from dataclasses import dataclass
 
@@ -49,3 +49,9 @@ REFERENCES: dict[str, Reference] = {
     )
 }
 """Every reference by its key."""
+
+THEORY_OF_BALANCE = "docs/theory/balance"
+THEORY_OF_FORCES = "docs/theory/forces"
+THEORY_OF_GAS = "docs/theory/gas"
+THEORY_OF_HARMONICS = "docs/theory/harmonics-and-orders"
+"""Pages on which several results stand."""

@@ -2,15 +2,15 @@
 
 import re
 import types
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Annotated, ClassVar, Literal, NamedTuple, TypeVar, Union, cast, get_args, get_origin
+from typing import Annotated, ClassVar, Literal, NamedTuple, Self, TypeVar, Union, cast, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, Discriminator, Tag, ValidationError, model_validator
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails, core_schema
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.paths import path_text, value_at
 from cranktrain.quantities import Given, Quantity, expected, nearest, one_of, unknown_key, unlisted, written
@@ -33,6 +33,16 @@ class Spec(BaseModel, frozen=True):
         """Take TOML's lists for the tuples of a frozen spec, which a strict one would refuse."""
         return with_tuples(data)
 
+    @model_validator(mode="after")
+    def _fits_together(self) -> Self:
+        """Refuse values that do not go together, all at once."""
+        refuse(self._problems())
+        return self
+
+    def _problems(self) -> Iterable[Problem]:
+        """Find what its fields show together to be wrong; paths are relative to the spec."""
+        return ()
+
 
 SpecType = TypeVar("SpecType", bound=Spec)
 
@@ -40,7 +50,7 @@ SpecType = TypeVar("SpecType", bound=Spec)
 class Refused(InputError):  # noqa: N818 - it is raised as a sentence: raise Refused(...)
     """What a validator of a spec raises: the value, alone or together with others, is not allowed.
 
-    For several problems at once raise `InputError` with `Problem`s; the paths of both are relative to the spec.
+    What fields show only together a spec says in `_problems` instead; the paths of both are relative to the spec.
 
     Parameters
     ----------
@@ -276,9 +286,8 @@ def _problems_of(detail: ErrorDetails, where: _Location) -> Iterator[Problem]:
 
 def _wrong_kind(detail: ErrorDetails, where: _Location) -> Problem:
     """Refuse the `kind` of a table, or say that it is missing."""
-    union = _bare(where.annotation)
-    tag = union.tag or ""
-    tables = filter(None, (_table(_bare(each).annotation) for each in union.alternatives))
+    tag = _bare(where.annotation).tag or ""
+    tables = filter(None, map(_table, parts_of(where.annotation)))
     kinds = [kind for table in tables for kind in words_of(table.model_fields[tag].annotation)]
     path = _joined(where.path, tag)
     if detail["type"] == "union_tag_invalid":

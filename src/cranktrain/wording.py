@@ -7,6 +7,7 @@ from string import digits
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.grouping import places_of_equal
 from cranktrain.motion import Array
 from cranktrain.quantities import shown
 
@@ -40,16 +41,20 @@ _PLAIN = {"1": 1.0, "%": 100.0, "m/s^2": 1.0, "J": 1.0, "Hz": 1 / (2 * np.pi), "
 
 
 def number(value: float, unit: str) -> str:
-    """Write an SI value in a unit, with decimals that suit it; one that is not finite is absent."""
+    """Write an SI value in a unit, as `figure` does, with its unit."""
+    return f"{figure(value, unit)} {unit}" if unit != "1" and np.isfinite(value) else figure(value, unit)
+
+
+def figure(value: float, unit: str) -> str:
+    """Write an SI value in a unit, not written here, with decimals that suit it; one that is not finite is absent."""
     if not np.isfinite(value):
         return ABSENT
     size = value * _PLAIN[unit] if unit in _PLAIN else shown(value, unit)
     decimals = _DECIMALS.get(unit, 3)
     if unit in _SLOW_TOO and 1e-6 < abs(size) < 100:
         decimals = max(decimals, 2 - floor(log10(abs(size))))
-    figure = f"{size:.{decimals}f}"
-    figure = figure.lstrip("-") if float(figure) == 0.0 else figure
-    return f"{figure} {unit}" if unit != "1" else figure
+    digits_shown = f"{size:.{decimals}f}"
+    return digits_shown.lstrip("-") if float(digits_shown) == 0.0 else digits_shown
 
 
 def around_turn(angles: Array) -> Array:
@@ -73,9 +78,7 @@ def shared(names: Sequence[str], values: Array, unit: str) -> str:
     unit : str
         To show.
     """
-    written: dict[str, list[int]] = {}
-    for i, value in enumerate(np.asarray(values)):
-        written.setdefault(number(float(value), unit), []).append(i)
+    written = places_of_equal(number(float(value), unit) for value in np.asarray(values))
     if len(written) == 1:
         return next(iter(written))
     return ", ".join(f"{text} ({ranged(names, members)})" for text, members in written.items())

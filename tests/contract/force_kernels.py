@@ -43,20 +43,15 @@ from cranktrain.linkage.forces import (
     YokeLoads,
 )
 from cranktrain.linkage.forces.guide import Guided
-from cranktrain.linkage.forces.triad import Screw
+from cranktrain.linkage.forces.triad import Hold
 from cranktrain.linkage.triad import GUIDE, ROD, Leg, Triad
-from cranktrain.mechanisms.articulated_rod.forces import ArticulatedRodLinks
+from cranktrain.linkage.vectors import Vector, at_arm, rotated
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
-from cranktrain.mechanisms.crank_rocker.forces import CrankRockerLinks
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
 from cranktrain.mechanisms.eccentric.kinematics import Eccentric, eccentric
-from cranktrain.mechanisms.oscillating_cylinder.forces import OscillatingCylinderLinks
 from cranktrain.mechanisms.oscillating_cylinder.kinematics import oscillating_cylinder
-from cranktrain.mechanisms.scotch_yoke.forces import ScotchYokeLinks
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke, scotch_yoke
-from cranktrain.mechanisms.slider_crank.forces import SliderCrankLinks
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
-from cranktrain.mechanisms.slotted_lever.forces import SlottedLeverLinks
 from cranktrain.mechanisms.slotted_lever.kinematics import slotted_lever
 from cranktrain.questions.forces.pin_load import PinLoad
 from cranktrain.questions.forces.piston_formulas import PistonForces
@@ -67,8 +62,19 @@ def wrench(size):
     return Wrench(size(3.0), size(-2.0), size(0.7))
 
 
-def screw(angle, size):
-    return Screw(size(3.0), size(2.0) * np.cos(angle), size(0.7))
+def moving_wrench(angle, size):
+    return Wrench(size(3.0), size(2.0) * np.cos(angle), size(0.7))
+
+
+def hold(angle, size):
+    return Hold(Vector(size(0.2), size(0.1)), moving_wrench(angle, size), wrench(size))
+
+
+def holds(angle, size):
+    """Three forces through points of a circle, a third of a turn apart."""
+    arms = [rotated(Vector(size(0.3), 0.0), np.cos(at), np.sin(at)) for at in (0.5, 2.5, 4.5)]
+    forces = [Vector(np.cos(angle + at), np.sin(angle + at)) for at in (0.0, 1.3, 2.9)]
+    return [Hold(arm, at_arm(arm, force), wrench(size)) for arm, force in zip(arms, forces, strict=True)]
 
 
 def body(size):
@@ -125,7 +131,7 @@ def triad(angle, size):
     return group(angle, size, 1.0).rod, ends, legs, TriadLoads(*(wrench(size) for _ in range(4)))
 
 
-def mechanism(kernel, geometry, links):
+def mechanism(kernel, geometry, n_links=3):
     """Motion, geometry, bodies and loads of a kind."""
 
     def made(angle, size, side):
@@ -133,8 +139,8 @@ def mechanism(kernel, geometry, links):
         return (
             kernel(angle, own),
             own,
-            links(*(body(size) for _ in links._fields)),
-            links(*(wrench(size) for _ in links._fields)),
+            n_links * (body(size),),
+            n_links * (wrench(size),),
         )
 
     return made
@@ -145,36 +151,30 @@ def slider_crank_geometry(size, side):
 
 
 KINDS = {
-    "slider_crank": mechanism(slider_crank, slider_crank_geometry, SliderCrankLinks),
+    "slider_crank": mechanism(slider_crank, slider_crank_geometry),
     "eccentric": mechanism(
         eccentric,
         lambda size, side: Eccentric(size(0.1), size(1.1), size(0.05), size(1.9)),
-        SliderCrankLinks,
     ),
     "crank_rocker": mechanism(
         crank_rocker,
         lambda size, side: CrankRocker(size(0.3), size(1.0), size(0.8), size(1.1), side),
-        CrankRockerLinks,
     ),
-    "scotch_yoke": mechanism(
-        scotch_yoke, lambda size, side: ScotchYoke(size(0.3), size(0.1), size(1.2)), ScotchYokeLinks
-    ),
+    "scotch_yoke": mechanism(scotch_yoke, lambda size, side: ScotchYoke(size(0.3), size(0.1), size(1.2))),
     "oscillating_cylinder": mechanism(
         oscillating_cylinder,
         lambda size, side: CrankAndPivot(size(0.3), size(0.5), size(0.05), 1.0),
-        OscillatingCylinderLinks,
     ),
     "slotted_lever": mechanism(
         slotted_lever,
         lambda size, side: CrankAndPivot(size(0.3), size(0.5), size(0.05), 1.0),
-        SlottedLeverLinks,
     ),
     "articulated_rod": mechanism(
         articulated_rod,
         lambda size, side: ArticulatedRod(
             slider_crank_geometry(size, side), size(0.25), size(1.2), size(1.0), size(0.8), size(0.02)
         ),
-        ArticulatedRodLinks,
+        n_links=2,
     ),
 }
 
@@ -184,8 +184,12 @@ def of_kind(name, made):
     return {
         f"{name}.{name}_forces": lambda angle, size, side: (*made(angle, size, side), conditions(size)),
         f"{name}.{name}_links": lambda angle, size, side: made(angle, size, side)[:2],
-        f"{name}.{name}_load": lambda angle, size, side: (*made(angle, size, side)[:2], size(5.0)),
     }
+
+
+def loading(name):
+    """Arguments of a kernel that gives the loads of a kind."""
+    return lambda angle, size, side: (*KINDS[name](angle, size, side)[:2], size(5.0))
 
 
 def slider_crank_at(angle, size, side):
@@ -216,13 +220,18 @@ def reduced(size):
 
 EXAMPLES = {
     **{kernel: example for name, made in KINDS.items() for kernel, example in of_kind(name, made).items()},
+    "articulated_rod.articulated_rod_load": loading("articulated_rod"),
+    "oscillating_cylinder.oscillating_cylinder_load": loading("oscillating_cylinder"),
+    "on_crank.each_borne": lambda angle, size, side: (
+        3 * (group(angle, size, side).rod,),
+        *KINDS["slider_crank"](angle, size, side)[2:],
+        conditions(size),
+    ),
+    "on_crank.force_on_slider": loading("slider_crank"),
+    "on_crank.torque_on_rocker": loading("crank_rocker"),
     "articulated_rod.on_master_rod": lambda angle, size, side: (
         *KINDS["articulated_rod"](angle, size, side)[:2],
         wrench(size),
-    ),
-    "articulated_rod.slave_reactions": lambda angle, size, side: (
-        *KINDS["articulated_rod"](angle, size, side),
-        conditions(size),
     ),
     "forces.added": lambda angle, size, side: (wrench(size), wrench(size)),
     "forces.added_reduced": lambda angle, size, side: (reduced(size), reduced(size)),
@@ -249,9 +258,11 @@ EXAMPLES = {
         Turning(size(0.7), size(0.1)),
         crossing_friction(size),
     ),
-    "forces.crossed": lambda angle, size, side: (screw(angle, size), screw(angle, size)),
-    "forces.dragged": lambda angle, size, side: (size(3.0), friction(size)),
     "forces.edge_forces": lambda angle, size, side: (size(3.0), size(0.7), size(5.0), size(0.02)),
+    "forces.friction_force": lambda angle, size, side: (
+        Guided(size(-3.0), size(0.7), size(0.4), size(0.1)),
+        friction(size),
+    ),
     "forces.handed_back": lambda angle, size, side: (
         group(angle, size, side).rod,
         point(group(angle, size, side).rod, LinkPoint(size(0.2), size(0.7))),
@@ -264,23 +275,25 @@ EXAMPLES = {
         wrench(size),
     ),
     "forces.leg_reactions": lambda angle, size, side: (
-        screw(angle, size),
-        screw(angle, size),
+        hold(angle, size),
         size(3.0),
         triad(angle, size)[2].third,
         wrench(size),
     ),
     "forces.momentum": lambda angle, size, side: (group(angle, size, side).rod, body(size)),
-    "forces.needed_of": lambda angle, size, side: (wrench(size), *(screw(angle, size) for _ in range(3))),
+    "forces.needed_of": lambda angle, size, side: (wrench(size), *(hold(angle, size) for _ in range(3))),
     "forces.opposite": lambda angle, size, side: (wrench(size),),
     "forces.pin_reactions": lambda angle, size, side: (
         rod_and_rocker(angle, size, side),
         Pin(size(1.0), size(0.8), side),
         PinLoads(wrench(size), wrench(size)),
     ),
-    "forces.pressing": lambda angle, size, side: (
-        Guided(size(-3.0), size(0.7), size(0.4), size(0.1)),
-        friction(size),
+    "forces.plus": lambda angle, size, side: (wrench(size), size(2.0), moving_wrench(angle, size)),
+    "forces.reactions_of": lambda angle, size, side: (
+        *holds(angle, size),
+        size(0.0),
+        triad(angle, size)[2],
+        triad(angle, size)[3],
     ),
     "forces.reduced": lambda angle, size, side: (
         group(angle, size, side).rod,
@@ -295,7 +308,6 @@ EXAMPLES = {
         tuple(wrench(size) for _ in range(3)),
         gravity(size),
     ),
-    "forces.screw_of": lambda angle, size, side: (size(0.2), size(0.1), size(3.0), size(-2.0)),
     "forces.slide_reactions": lambda angle, size, side: (
         group(angle, size, side).rod,
         Slide(size(1.0), size(0.05), side),
@@ -321,7 +333,7 @@ EXAMPLES = {
         *triad(angle, size),
         TriadFriction(*(friction(size) for _ in range(3))),
     ),
-    "forces.triple": lambda angle, size, side: (screw(angle, size), screw(angle, size)),
+    "forces.triple": lambda angle, size, side: (moving_wrench(angle, size), moving_wrench(angle, size)),
     "forces.turned_wrench": lambda angle, size, side: (wrench(size), size(0.7)),
     "forces.weight": lambda angle, size, side: (group(angle, size, side).rod, body(size), gravity(size)),
     "forces.work": lambda angle, size, side: (group(angle, size, side).rod, wrench(size)),

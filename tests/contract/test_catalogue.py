@@ -17,7 +17,7 @@ from cranktrain import textbook
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import STAGES, ordered
 from cranktrain.analysis.dimensions import DIMENSIONS
-from cranktrain.analysis.stages import run_stages
+from cranktrain.analysis.stages import lacking, run_stages
 from cranktrain.catalogue import entries
 from cranktrain.io.examples import example_names
 from cranktrain.questions.forces.unlikely import UnlikelyLoads
@@ -171,7 +171,7 @@ def test_stages_can_be_declared_in_any_order(seed):
     shuffled = random.Random(seed).sample(STAGES, len(STAGES))
     known: set[type] = set()
     outcomes = {stage.gives for stage in STAGES}
-    for stage in ordered(shuffled):
+    for stage in ordered(tuple(shuffled)):
         assert {need for need in stage.needs.values() if need in outcomes} <= known
         known.add(stage.gives)
     assert known == outcomes
@@ -181,8 +181,9 @@ def test_results_come_in_the_order_of_the_declaration():
     from cranktrain.analysis.parts import designs_of, parts_of
 
     parts = parts_of(designs_of([ct.Machine(**V12)]), 4 * np.pi, step=np.radians(10))
-    forward, _missing = run_stages(STAGES, parts)
-    backward, _missing = run_stages(STAGES[::-1], parts)
+    absent = lacking(STAGES, parts)
+    forward = run_stages(STAGES, parts, absent)
+    backward = run_stages(STAGES[::-1], parts, absent)
     assert list(backward) == list(forward)[::-1]
 
 

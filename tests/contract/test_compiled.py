@@ -50,6 +50,7 @@ from cranktrain.linkage import (
     slide,
     turned,
 )
+from cranktrain.linkage.vectors import Vector
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker
 from cranktrain.mechanisms.eccentric.kinematics import Eccentric
@@ -76,10 +77,8 @@ NO_KERNELS = {
     "walk.triad_walk",
     "walschaerts.upright",
     "walschaerts.walschaerts_size",
-    "work.indicated_work",
-    "work.split_mean_pressures",
 }
-"""What supplies kernels, or takes them: `cranktrain.linkage` names it; or sums over a cycle."""
+"""What supplies kernels, or takes them: `cranktrain.linkage` names it."""
 
 ONLY_DESIGNS = {"triad.triad"} | force_kernels.EXAMPLES.keys()
 """What takes long to compile for arrays: with designs there are crank angles too."""
@@ -116,6 +115,7 @@ def kernels() -> dict[str, Callable[..., Any]]:
         + mechanisms
         + questions
         + gases
+        + ["cranktrain.mechanisms.on_crank"]
         + ["cranktrain.fluids.state", "cranktrain.fluids.polytrope", "cranktrain.fluids.work"]
     ):
         module = importlib.import_module(path)
@@ -138,6 +138,10 @@ def crank_pin(angle, size):
 
 def ends(angle, size):
     return Ends(crank_pin(angle, size), fixed(size(1.1), size(0.05)))
+
+
+def two_vectors(angle, size):
+    return Vector(size(0.3) * np.cos(angle), size(0.2)), Vector(size(-0.1), size(0.4) * np.sin(angle))
 
 
 def rod(angle, size):
@@ -234,6 +238,7 @@ EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
         angle,
         4 * np.pi,
     ),
+    "point.arm_of": lambda angle, size, side: (rod(angle, size), LinkPoint(size(0.2), size(0.7))),
     "point.fixed": lambda angle, size, side: (size(1.1), size(0.05)),
     "point.point": lambda angle, size, side: (rod(angle, size), LinkPoint(size(0.2), size(0.7))),
     "point.turned": lambda angle, size, side: (crank_pin(angle, size), size(0.7)),
@@ -256,6 +261,19 @@ EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "trammel.trammel_transmission": lambda angle, size, side: (rod(angle, size),),
     "trammel.turned_link": lambda angle, size, side: (rod(angle, size), size(0.7)),
     "triad.triad": lambda angle, size, side: (floating_link(angle, size), legs(size)),
+    "vectors.at_arm": lambda angle, size, side: two_vectors(angle, size),
+    "vectors.between": lambda angle, size, side: ends(angle, size),
+    "vectors.cross": lambda angle, size, side: two_vectors(angle, size),
+    "vectors.crossed": lambda angle, size, side: (force_kernels.moving_wrench(angle, size), force_kernels.wrench(size)),
+    "vectors.direction": lambda angle, size, side: (rod(angle, size),),
+    "vectors.dot": lambda angle, size, side: two_vectors(angle, size),
+    "vectors.moving_between": lambda angle, size, side: ends(angle, size),
+    "vectors.rotated": lambda angle, size, side: (Vector(size(0.2), size(0.1)), np.cos(angle), np.sin(angle)),
+    "vectors.swept": lambda angle, size, side: (
+        crank_pin(angle, size),
+        Vector(size(0.2), size(0.1)),
+        rod(angle, size).angle,
+    ),
     "work.friction_power": lambda angle, size, side: (size(1.5), size(2.0), size(6.3), size(157.0)),
     "work.friction_power_by_efficiency": lambda angle, size, side: (size(2.0) * np.cos(angle), size(0.8)),
     "work.indicated_power": lambda angle, size, side: (size(1.5), size(6.3), size(157.0)),

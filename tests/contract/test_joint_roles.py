@@ -26,7 +26,7 @@ def test_rods(kind):
     dynamics = kind.dynamics
     first = dynamics.joint("knuckle_pin" if dynamics.on_master is not None else "crank_pin")
     assert first is not None and dynamics.reactions[first].on == "rod"
-    assert (dynamics.share_of_masters("crank_pin") is not None) is (dynamics.on_master is not None)
+    assert (dynamics.joint("crank_pin", is_own=False) is not None) is (dynamics.on_master is not None)
     if kind.output == "slider":
         pin, guide = dynamics.joint("piston_pin"), dynamics.joint("guide")
         assert pin is not None and (dynamics.reactions[pin].on, dynamics.reactions[pin].by) == ("slider", "rod")

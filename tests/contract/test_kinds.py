@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.machines import scaled
 from tests.virtual_work import torque_of_work
 
 import cranktrain as ct
@@ -13,7 +14,7 @@ from cranktrain.linkage.forces import Body, Conditions, Drive, Friction, Gravity
 from cranktrain.mechanisms import KINDS, kind_named
 from cranktrain.mechanisms.closing import closing_margin
 from cranktrain.mechanisms.dynamics import FRAME
-from cranktrain.mechanisms.geometry import named_part, scaled, stacked
+from cranktrain.mechanisms.geometry import named_part, stacked
 from cranktrain.numerics.nested import leaves
 from cranktrain.plans.placement import placed
 from cranktrain.plans.polygons import acceleration_polygons, velocity_polygons
@@ -279,7 +280,7 @@ def dynamics_of(kind):
     friction = tuple(Friction(0.0, 1.0) for _ in dynamics.sliding)
     conditions = Conditions(Drive(30.0, 200.0), Gravity(-4.0, -9.0), friction)
     loads = dynamics.load(motion, place.geometry, 250.0)
-    return place, motion, dynamics.bodies(*bodies), loads, conditions
+    return place, motion, tuple(bodies), loads, conditions
 
 
 @every_kind

@@ -20,15 +20,14 @@ from tests.exact.oracles import (
     unit,
 )
 
+from cranktrain.linkage import LinkPoint, Pin
 from cranktrain.mechanisms.chain.gaps import chain_gap
 from cranktrain.mechanisms.chain.kinematics import chain_made
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     Coordinates,
     CrankSize,
-    PinSize,
     PinStep,
-    PointSize,
     PointStep,
     SlideSize,
     SlideStep,
@@ -99,7 +98,7 @@ def test_toggle_with_an_eccentric():
         (CrankSize(radius, 0.0 * radius), CrankSize(eccentric, ahead)),
         (Coordinates(x, y),),
         (
-            PinSize(rod, rocker, one),
+            Pin(rod, rocker, one),
             SlideSize(link, one, direction, offset),
             YokeSize(np.pi / 2 * one, direction, 0.0 * one),
         ),
@@ -149,7 +148,7 @@ def test_shaper():
     size = ChainSize(
         (CrankSize(radius, zero),),
         (Coordinates(zero, -ground),),
-        (SwivelSize(zero, zero + 1, zero + 1), PointSize(length, zero), SlideSize(link, zero + 1, zero, height)),
+        (SwivelSize(zero, zero + 1, zero + 1), LinkPoint(length, zero), SlideSize(link, zero + 1, zero, height)),
     )
     angle = random.uniform(0, 2 * np.pi, (N, 4))
     exact = oracles.coefficients(shaper, angle, radius, ground, length, link, height)

@@ -8,7 +8,7 @@ from tests.exact.test_kind_forces import circumstances, number, xy
 from tests.multibody import FRAME, Multibody
 from tests.virtual_work import torque_of_work
 
-from cranktrain.linkage import Crank
+from cranktrain.linkage import Crank, LinkPoint, Pin
 from cranktrain.linkage.forces import added, block_link, crank_link, swivel_slider_link
 from cranktrain.mechanisms.chain.assembly import assembled
 from cranktrain.mechanisms.chain.forces import chain_dynamics, chain_forces, chain_load
@@ -21,9 +21,7 @@ from cranktrain.mechanisms.chain.steps import (
     Coordinates,
     CrankSize,
     MountStep,
-    PinSize,
     PinStep,
-    PointSize,
     PointStep,
     RodLegStep,
     SlideSize,
@@ -50,7 +48,7 @@ def step_of(random, place, points, links):
     guide = f"s{place}"
     match random.choice(["pin", "slide", "swivel", "yoke", "trammel", "point"]):
         case "pin":
-            return PinStep(on, other, f"rod{place}", f"rocker{place}", f"B{place}"), PinSize(length, second, side)
+            return PinStep(on, other, f"rod{place}", f"rocker{place}", f"B{place}"), Pin(length, second, side)
         case "slide":
             return SlideStep(on, f"link{place}", guide, "C"), SlideSize(length, side, direction, shift)
         case "swivel":
@@ -60,7 +58,7 @@ def step_of(random, place, points, links):
         case "trammel" if links:
             return TrammelStep(random.choice(links), guide, "C"), TrammelSize(shift, direction, shift, 1.0)
         case _ if links:
-            return PointStep(random.choice(links), f"P{place}"), PointSize(length, direction)
+            return PointStep(random.choice(links), f"P{place}"), LinkPoint(length, direction)
     return step_of(random, place, points, links)
 
 
@@ -203,7 +201,7 @@ class Builder:
         self.bodies[step.point] = self.bodies[step.link]
 
     def MountStep(self, step, own):
-        self.bodies[step.point] = self.bodies[step.pin]
+        self.bodies[step.point] = self.bodies[pin_of(step.slider)]
 
 
 def alone(part):
@@ -239,7 +237,7 @@ def test_joints_and_torques(seed):
 HUNG = (
     PointStep("plate", "knuckle"),
     SlideStep("knuckle", "slave", "ram", "A"),
-    MountStep("block.pin", "lug"),
+    MountStep("block", "lug"),
     SlideStep("lug", "link", "valve", "B"),
 )
 """What hangs on a triad: a rod on its link, and one on its block."""
@@ -251,8 +249,8 @@ def test_what_hangs_on_a_triad_loads_it(seed):
     size = drawn(random)
     while not np.all(chain_gap(TRIAD, TURN, size) > 0.01):
         size = drawn(random)
-    hung = [PointSize(0.3, 0.7), SlideSize(4.0, 1.0, random.uniform(-3, 3), 0.1)]
-    hung += [PointSize(0.2, 1.1), SlideSize(5.0, -1.0, random.uniform(-3, 3), -0.1)]
+    hung = [LinkPoint(0.3, 0.7), SlideSize(4.0, 1.0, random.uniform(-3, 3), 0.1)]
+    hung += [LinkPoint(0.2, 1.1), SlideSize(5.0, -1.0, random.uniform(-3, 3), -0.1)]
     structure = TRIAD._replace(steps=(*TRIAD.steps, *HUNG), output="ram")
     whole = size._replace(steps=(*size.steps, *hung))
     assert_joints_and_torques(random, structure, whole, random.uniform(0, 2 * np.pi), 0.05 * (seed % 2))

@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 from tests.exact import oracles
 from tests.exact.agreement import quantities
+from tests.machines import scaled
 
+from cranktrain.linkage import LinkPoint
 from cranktrain.mechanisms.chain.assembly import assembled
 from cranktrain.mechanisms.chain.gaps import chain_gap
 from cranktrain.mechanisms.chain.kinematics import chain_made
@@ -16,7 +18,6 @@ from cranktrain.mechanisms.chain.steps import (
     CrankSize,
     GuideLegSize,
     GuideLegStep,
-    PointSize,
     RodLegSize,
     RodLegStep,
     StartSize,
@@ -24,7 +25,7 @@ from cranktrain.mechanisms.chain.steps import (
     TriadSize,
     TriadStep,
 )
-from cranktrain.mechanisms.geometry import rows, scaled, stacked
+from cranktrain.mechanisms.geometry import rows, stacked
 
 N = 40
 TURN = np.arange(360) * (np.pi / 180)
@@ -63,7 +64,7 @@ def drawn(random: np.random.Generator) -> ChainSize:
     radius, guide = random.uniform(0.05, 0.3), random.uniform(-np.pi, np.pi)
     second = at[1] + random.uniform(0.4, 2.0) * np.exp(1j * random.uniform(-np.pi, np.pi))
     through = at[2] + random.uniform(0.1, 1.0) * np.exp(1j * random.uniform(-np.pi, np.pi))
-    joints = [PointSize(float(abs(point)), float(np.angle(point))) for point in points]
+    joints = [LinkPoint(float(abs(point)), float(np.angle(point))) for point in points]
     legs = (
         RodLegSize(joints[0], float(abs(at[0] - radius))),
         RodLegSize(joints[1], float(abs(at[1] - second))),

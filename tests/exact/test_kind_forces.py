@@ -198,24 +198,17 @@ def any_machines(name, coefficient):
 @pytest.mark.parametrize("name", BUILDERS)
 def test_joints_and_torques(name, coefficient):
     kind, geometry, motion, bodies, loads, conditions = any_machines(name, coefficient)
-    bodies, loads = (record(*parts) for record, parts in zip(records(kind), (bodies, loads), strict=True))
     everything = kind.dynamics.forces(motion, geometry, bodies, loads, conditions)
     by_work = torque_of_work(kind.dynamics, motion, geometry, bodies, loads, conditions, everything)
     free = np.flatnonzero(np.isfinite(np.broadcast_to(everything.driving_torque, (N, 1))))
     assert len(free) >= (0.7 * N if coefficient else N)  # friction wedges some
     for i in free:
         one = number((motion, geometry, (bodies, loads), conditions, everything, by_work), i)
-        joints = one[4].joints._asdict()
+        joints = kind.dynamics.by_joint(one[4].joints)
         system = Multibody()
         BUILDERS[name](system, *one[:3], joints)
         apart, largest = system.compare(joints, (one[4].driving_torque, one[5]), one[3])
         assert apart < CLOSE * largest, i
-
-
-def records(kind):
-    """The kind's own records of bodies and loads, by the annotations of its forces."""
-    annotations = kind.dynamics.forces.__annotations__
-    return annotations["bodies"], annotations["loads"]
 
 
 def articulated_pair(system, motions, geometry, carried, joints, masters):
@@ -255,10 +248,11 @@ def test_master_and_slave(coefficient):
     conditions = masters_[2]
     turned_gravity = turned_wrench(Wrench(*conditions.gravity, 0.0), geometry.bank_angle)
     in_slaves_axes = slaves_[2]._replace(drive=conditions.drive, gravity=Gravity(turned_gravity.x, turned_gravity.y))
-    bodies, loads = (record(*parts) for record, parts in zip(records(kind), slaves_[:2], strict=True))
+    bodies, loads = map(tuple, slaves_[:2])
     slave = kind.dynamics.forces(motion, geometry, bodies, loads, in_slaves_axes)
-    own_bodies, own_loads = (record(*parts) for record, parts in zip(records(master_kind), masters_[:2], strict=True))
-    load = own_loads._replace(rod=added(own_loads.rod, on_master_rod(motion, geometry, slave.joints.knuckle)))
+    own_bodies, own_loads = map(tuple, masters_[:2])
+    knuckle = kind.dynamics.by_joint(slave.joints)["knuckle"]
+    load = (own_loads[0], added(own_loads[1], on_master_rod(motion, geometry, knuckle)), own_loads[2])
     master = slider_crank_forces(own, geometry.master, own_bodies, load, conditions)
     alone = slider_crank_forces(own, geometry.master, own_bodies, own_loads, conditions)
     works = (
@@ -271,14 +265,15 @@ def test_master_and_slave(coefficient):
     carried = (*own_bodies, *bodies), (*own_loads, *in_masters_axes)
     for i in range(N):
         one = number(((own, motion), geometry, carried, slave.joints, master.joints), i)
-        gamma, slaves = one[1].bank_angle, one[3]
-        joints = one[4]._asdict() | {
-            "knuckle": turned_wrench(slaves.knuckle, -gamma),
-            "slave.wrist_pin": turned_wrench(slaves.wrist_pin, -gamma),
-            "slave.guide": turned_wrench(slaves.guide, -gamma),
+        gamma, slaves = one[1].bank_angle, kind.dynamics.by_joint(one[3])
+        masters = master_kind.dynamics.by_joint(one[4])
+        joints = masters | {
+            "knuckle": turned_wrench(slaves["knuckle"], -gamma),
+            "slave.wrist_pin": turned_wrench(slaves["wrist_pin"], -gamma),
+            "slave.guide": turned_wrench(slaves["guide"], -gamma),
         }
         system = Multibody()
-        articulated_pair(system, one[0], one[1], one[2], slaves._asdict(), one[4]._asdict())
+        articulated_pair(system, one[0], one[1], one[2], slaves, masters)
         apart, largest = system.compare(joints, number(torques, i), number(conditions, i))
         assert apart < CLOSE * largest, i
 
@@ -293,7 +288,6 @@ def test_both_torques_agree():
         senses = [np.sign(kind.part(motion, slider).first) for slider in kind.dynamics.sliding]
         for coefficient in (0.0, 0.1):
             bodies, loads, conditions = circumstances(random, kind.dynamics, senses, coefficient)
-            bodies, loads = (record(*parts) for record, parts in zip(records(kind), (bodies, loads), strict=True))
             forces = kind.dynamics.forces(motion, geometry, bodies, loads, conditions)
             by_work = torque_of_work(kind.dynamics, motion, geometry, bodies, loads, conditions, forces)
             apart = np.abs(forces.driving_torque - by_work)

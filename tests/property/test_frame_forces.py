@@ -5,10 +5,10 @@ Constant speed, no loads: nothing but the frame acts from outside. The links clo
 
 import numpy as np
 import pytest
-from tests.exact.test_kind_forces import GEOMETRIES, LINKS, N, circumstances, records
+from tests.exact.test_kind_forces import GEOMETRIES, LINKS, N, circumstances
 from tests.virtual_work import torque_of_work
 
-from cranktrain.linkage import LinkPoint, point
+from cranktrain.linkage import LinkPoint, Pin, point
 from cranktrain.linkage.forces import Drive, Gravity, Wrench, momentum
 from cranktrain.mechanisms import kind_named
 from cranktrain.mechanisms.chain.forces import chain_dynamics, chain_links
@@ -18,9 +18,7 @@ from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     Coordinates,
     CrankSize,
-    PinSize,
     PinStep,
-    PointSize,
     PointStep,
     SlideSize,
     SlideStep,
@@ -74,7 +72,6 @@ def test_kinds(name):
     kind, geometry = kind_named(name), GEOMETRIES[name]()
     motion = kind.motion(PHI, geometry)
     bodies, loads, conditions = steady(np.random.default_rng(2), kind.dynamics, [1.0] * len(kind.dynamics.sliding))
-    bodies, loads = (record(*parts) for record, parts in zip(records(kind), (bodies, loads), strict=True))
     joints = kind.dynamics.forces(motion, geometry, bodies, loads, conditions).joints
     change = momentum_change(LINKS[name](motion, geometry), bodies, conditions.drive.speed)
     assert_borne(of_frame(kind.dynamics, joints), change)
@@ -107,7 +104,6 @@ def test_a_rod_hardly_longer_than_the_crank():
     kind, geometry = kind_named("slider_crank"), SliderCrank(*(np.full((N, 1), x) for x in (0.093, 0.1, 0.0)))
     motion = kind.motion(PHI, geometry)
     bodies, loads, conditions = steady(np.random.default_rng(2), kind.dynamics, [1.0])
-    bodies, loads = (record(*parts) for record, parts in zip(records(kind), (bodies, loads), strict=True))
     forces = kind.dynamics.forces(motion, geometry, bodies, loads, conditions)
     change = momentum_change(LINKS["slider_crank"](motion, geometry), bodies, conditions.drive.speed)
     assert_borne(of_frame(kind.dynamics, forces.joints), change)
@@ -145,14 +141,14 @@ def test_a_chain_of_all_groups():
         (CrankSize(about(0.1), zero), CrankSize(about(0.08), about(1.0))),
         (Coordinates(about(0.7), about(0.3)), Coordinates(about(-0.1), about(-0.5))),
         (
-            PinSize(about(0.7), about(0.5), zero + 1),
-            PointSize(about(0.6), about(0.4)),
+            Pin(about(0.7), about(0.5), zero + 1),
+            LinkPoint(about(0.6), about(0.4)),
             SlideSize(about(0.9), zero + 1, about(0.3), about(0.1)),
             SwivelSize(about(0.05), zero + 1, zero),
             TrammelSize(about(0.02), about(0.2), about(0.1), zero + 1),
             YokeSize(about(1.2), about(-0.6), about(0.2)),
-            PointSize(about(0.7), about(0.1)),
-            PinSize(about(0.8), about(0.9), zero - 1),
+            LinkPoint(about(0.7), about(0.1)),
+            Pin(about(0.8), about(0.9), zero - 1),
         ),
     )
     assert np.all(chain_gap(CHAIN, PHI, size) > 0.02)

@@ -25,13 +25,7 @@ def test_forces_in_a_mirror(kind):
         motion = own.motion(phi, geometry)
         senses = [np.sign(own.part(motion, name).first * drive.speed) for name in own.dynamics.sliding]
         friction = tuple(Friction(0.05, sense) for sense in senses)
-        unloaded = own.dynamics.load(motion, geometry, 0.0)
-        loads = (
-            unloaded._replace(**dict(zip(unloaded._fields, loads, strict=True)))
-            if hasattr(unloaded, "_fields")
-            else loads
-        )
-        acting = own.dynamics.bodies(*bodies), loads, Conditions(drive, gravity, friction)
+        acting = bodies, loads, Conditions(drive, gravity, friction)
         return own.dynamics.forces(motion, geometry, *acting)
 
     gravity = Gravity(-3.0, 9.0)

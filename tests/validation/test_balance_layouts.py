@@ -12,12 +12,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.layouts_by_order import Cylinders, inertia_roll, reciprocating_vectors
 from tests.reference_case import ReferenceCase
+from tests.vectors_by_order import turned_vectors
 
 from cranktrain.numerics.harmonics import curve, harmonics
-from cranktrain.numerics.plane_vectors import curve_vectors, turned_vectors
+from cranktrain.numerics.plane_vectors import curve_vectors
 from cranktrain.questions.balance.rotating_weights import on_crank, weight_vectors
-from cranktrain.questions.balance.unit_shaking import Cylinders, inertia_roll, reciprocating_vectors, shaking
+from cranktrain.questions.balance.unit_shaking import shaking
 from cranktrain.questions.torque.rod_harmonics import acceleration_harmonics
 
 GOLDEN = Path(__file__).parents[1] / "golden/theory"

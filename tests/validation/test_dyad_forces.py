@@ -27,11 +27,10 @@ from cranktrain.linkage.forces import (
     pin_reactions,
 )
 from cranktrain.mechanisms import kind_named
+from cranktrain.mechanisms.on_crank import force_on_slider
 from cranktrain.mechanisms.slider_crank.forces import (
     DYNAMICS,
-    SliderCrankLinks,
     slider_crank_forces,
-    slider_crank_load,
 )
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 
@@ -43,13 +42,13 @@ CLOSE = 2e-15
 
 def slider_crank_at(phi):
     geometry = SliderCrank(RRP["R"], RRP["L"], RRP["e"])
-    bodies = SliderCrankLinks(
+    bodies = (
         Body(RRP["m_c"], RRP["crk_u"], RRP["crk_w"], RRP["I_c"]),
         Body(RRP["m_r"], RRP["rod_u"], RRP["rod_w"], RRP["I_r"]),
         Body(RRP["m_s"], 0.0, 0.0, 0.0),
     )
     motion = slider_crank(np.deg2rad(phi), geometry)
-    return motion, geometry, bodies, slider_crank_load(motion, geometry, -RRP["P"])
+    return motion, geometry, bodies, force_on_slider(motion, geometry, -RRP["P"])
 
 
 @pytest.mark.parametrize("row", CASE["rrp"]["rows"], ids=lambda row: f"{row['phi_deg']}, {row['mu']}")
@@ -58,8 +57,14 @@ def test_slider_crank(row):
     friction = Friction(row["mu"], np.sign(motion.slider.first))
     conditions = Conditions(Drive(CASE["rrp"]["omega"], CASE["rrp"]["epsilon"]), Gravity(*RRP["g"]), (friction,))
     forces = slider_crank_forces(motion, geometry, bodies, load, conditions)
-    joints = forces.joints
-    got = [*joints.crank_pin[:2], *joints.wrist_pin[:2], *joints.main_bearing[:2], joints.guide.y, joints.guide.x]
+    joints = DYNAMICS.by_joint(forces.joints)
+    got = [
+        *joints["crank_pin"][:2],
+        *joints["wrist_pin"][:2],
+        *joints["main_bearing"][:2],
+        joints["guide"].y,
+        joints["guide"].x,
+    ]
     expected = [*row["FA"], *row["FB"], *row["FO"], row["N"], row["f"]]
     np.testing.assert_allclose(got, expected, rtol=0, atol=CLOSE * np.max(np.abs(expected)))
     by_work = torque_of_work(kind_named("slider_crank").dynamics, motion, geometry, bodies, load, conditions, forces)

@@ -13,17 +13,15 @@ from tests.virtual_work import torque_of_work
 
 from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity, Wrench, added, turned_wrench
 from cranktrain.mechanisms import kind_named
-from cranktrain.mechanisms.articulated_rod.forces import (
-    ArticulatedRodLinks,
-    articulated_rod_forces,
-    articulated_rod_load,
-    on_master_rod,
-)
+from cranktrain.mechanisms.articulated_rod.forces import DYNAMICS as ARTICULATED_ROD
+from cranktrain.mechanisms.articulated_rod.forces import articulated_rod_forces, articulated_rod_load, on_master_rod
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.crank_rocker.forces import DYNAMICS as CRANK_ROCKER
-from cranktrain.mechanisms.crank_rocker.forces import CrankRockerLinks, crank_rocker_forces, crank_rocker_load
+from cranktrain.mechanisms.crank_rocker.forces import crank_rocker_forces
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
-from cranktrain.mechanisms.slider_crank.forces import SliderCrankLinks, slider_crank_forces, slider_crank_load
+from cranktrain.mechanisms.on_crank import force_on_slider, torque_on_rocker
+from cranktrain.mechanisms.slider_crank.forces import DYNAMICS as SLIDER_CRANK
+from cranktrain.mechanisms.slider_crank.forces import slider_crank_forces
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
 
 CLOSE = 1e-12
@@ -55,24 +53,25 @@ def test_slider_crank(name):
     case = ReferenceCase.load(name)
     machine = case.machine
     geometry = SliderCrank(machine["crank_radius_m"], machine["rod_length_m"], machine["offset_m"])
-    bodies = SliderCrankLinks(
+    bodies = (
         Body(machine["crank_mass_kg"], machine["crank_com_x_m"], 0.0, machine["crank_inertia_about_com_kgm2"]),
         Body(machine["rod_mass_kg"], machine["rod_com_from_crankpin_m"], 0.0, machine["rod_inertia_about_com_kgm2"]),
         Body(machine["piston_mass_kg"], 0.0, 0.0, machine["piston_inertia_about_com_kgm2"]),
     )
     motion = slider_crank(case.crank_angle, geometry)
-    load = slider_crank_load(motion, geometry, gas_force(case))
+    load = force_on_slider(motion, geometry, gas_force(case))
     forces = slider_crank_forces(motion, geometry, bodies, load, steady(machine))
+    joints = SLIDER_CRANK.by_joint(forces.joints)
     by_work = torque_of_work(
         kind_named("slider_crank").dynamics, motion, geometry, bodies, load, steady(machine), forces
     )
     for torque in (forces.driving_torque, by_work):
         case.compare(
             {
-                **both("F_wrist_on_piston", forces.joints.wrist_pin),
-                **both("F_crankpin_on_crank", forces.joints.crank_pin, -1.0),
-                **both("F_main_on_crank", forces.joints.main_bearing),
-                "N_wall_on_piston_y_N": forces.joints.guide.y,
+                **both("F_wrist_on_piston", joints["wrist_pin"]),
+                **both("F_crankpin_on_crank", joints["crank_pin"], -1.0),
+                **both("F_main_on_crank", joints["main_bearing"]),
+                "N_wall_on_piston_y_N": joints["guide"].y,
                 "T_drive_Nm": torque,
             },
             rel_to_peak=CLOSE,
@@ -90,26 +89,25 @@ def test_crank_rocker(name):
         machine["ground_length_m"],
         1.0,
     )
-    bodies = CrankRockerLinks(
-        *(
-            Body(machine[f"{link}_mass_kg"], *machine[f"{link}_com_m"], machine[f"{link}_inertia_about_com_kgm2"])
-            for link in ("crank", "coupler", "rocker")
-        )
+    bodies = tuple(
+        Body(machine[f"{link}_mass_kg"], *machine[f"{link}_com_m"], machine[f"{link}_inertia_about_com_kgm2"])
+        for link in ("crank", "coupler", "rocker")
     )
     motion = crank_rocker(case.crank_angle, geometry)
     conditions = steady(machine)
     viscous = machine["rocker_viscous_Nms_per_rad"] * motion.rocker.angle.first * conditions.drive.speed
-    load = crank_rocker_load(motion, geometry, machine["rocker_load_torque_Nm"] - viscous)
+    load = torque_on_rocker(motion, geometry, machine["rocker_load_torque_Nm"] - viscous)
     forces = crank_rocker_forces(motion, geometry, bodies, load, conditions)
+    joints = CRANK_ROCKER.by_joint(forces.joints)
     inertia = CRANK_ROCKER.reduced(motion, geometry, bodies, load, conditions.gravity).inertia
     by_work = torque_of_work(kind_named("crank_rocker").dynamics, motion, geometry, bodies, load, conditions, forces)
     for torque in (forces.driving_torque, by_work):
         case.compare(
             {
-                **both("F_O2_on_crank", forces.joints.main_bearing),
-                **both("F_A_on_coupler", forces.joints.crank_pin),
-                **both("F_B_on_rocker", forces.joints.joint),
-                **both("F_O4_on_rocker", forces.joints.pivot),
+                **both("F_O2_on_crank", joints["main_bearing"]),
+                **both("F_A_on_coupler", joints["crank_pin"]),
+                **both("F_B_on_rocker", joints["joint"]),
+                **both("F_O4_on_rocker", joints["pivot"]),
                 "T_drive_Nm": torque,
                 "J_red_kgm2": inertia.value,
                 "dJ_red_dphi_kgm2_per_rad": inertia.first,
@@ -139,7 +137,7 @@ def test_articulated_pair():
         0.0,
         machine["link_rod_inertia_about_com_kgm2"],
     )
-    bodies = SliderCrankLinks(
+    bodies = (
         Body(machine["crank_mass_kg"], machine["crank_com_x_m"], 0.0, machine["crank_inertia_about_com_kgm2"]),
         Body(machine["master_rod_mass_kg"], *machine["master_rod_com_m"], machine["master_rod_inertia_about_com_kgm2"]),
         piston,
@@ -147,29 +145,31 @@ def test_articulated_pair():
     conditions = steady(machine)
     motion = articulated_rod(case.crank_angle, geometry)
     own = slider_crank(case.crank_angle, master)
-    slave_bodies, slave_load = ArticulatedRodLinks(link, piston), articulated_rod_load(motion, geometry, 0.0)
+    slave_bodies, slave_load = (link, piston), articulated_rod_load(motion, geometry, 0.0)
     slave = articulated_rod_forces(motion, geometry, slave_bodies, slave_load, conditions)
-    unloaded = slider_crank_load(own, master, 0.0)
-    loaded = unloaded._replace(rod=on_master_rod(motion, geometry, slave.joints.knuckle))
+    slave_joints = ARTICULATED_ROD.by_joint(slave.joints)
+    unloaded = force_on_slider(own, master, 0.0)
+    loaded = (unloaded[0], on_master_rod(motion, geometry, slave_joints["knuckle"]), unloaded[2])
     alone = slider_crank_forces(own, master, bodies, unloaded, conditions)
+    alone_joints = SLIDER_CRANK.by_joint(alone.joints)
     whole = slider_crank_forces(own, master, bodies, loaded, conditions)
     shares = {
-        "main_bearing": (alone.joints.main_bearing, slave.joints.main_bearing),
-        "crank_pin": (alone.joints.crank_pin, slave.joints.crank_pin),
-        "wrist_pin": (alone.joints.wrist_pin, slave.joints.master_wrist_pin),
-        "guide": (alone.joints.guide, slave.joints.master_guide),
+        "main_bearing": (alone_joints["main_bearing"], slave_joints["main_bearing"]),
+        "crank_pin": (alone_joints["crank_pin"], slave_joints["crank_pin"]),
+        "wrist_pin": (alone_joints["wrist_pin"], slave_joints["master_wrist_pin"]),
+        "guide": (alone_joints["guide"], slave_joints["master_guide"]),
     }
     summed = {name: added(one, turned_wrench(share, -gamma)) for name, (one, share) in shares.items()}
-    for joints in (whole.joints._asdict(), summed):
+    for joints in (SLIDER_CRANK.by_joint(whole.joints), summed):
         case.compare(
             {
                 **both("F_wrist1_on_piston1", joints["wrist_pin"]),
-                **both("F_wrist2_on_piston2", turned_wrench(slave.joints.wrist_pin, -gamma)),
-                **both("F_knuckle_on_link", turned_wrench(slave.joints.knuckle, -gamma)),
+                **both("F_wrist2_on_piston2", turned_wrench(slave_joints["wrist_pin"], -gamma)),
+                **both("F_knuckle_on_link", turned_wrench(slave_joints["knuckle"], -gamma)),
                 **both("F_main_on_crank", joints["main_bearing"]),
                 **both("F_crankpin_on_crank", joints["crank_pin"], -1.0),
                 "N1_N": joints["guide"].y,
-                "N2_N": slave.joints.guide.y,
+                "N2_N": slave_joints["guide"].y,
             },
             rel_to_peak=CLOSE,
         )
@@ -197,20 +197,21 @@ def test_opposed_pistons_on_one_shaft():
             0.0,
             machine[f"{name}_rod_inertia_about_com_kgm2"],
         )
-        bodies = SliderCrankLinks(crank, rod, Body(machine[f"{name}_piston_mass_kg"], 0.0, 0.0, 0.0))
+        bodies = (crank, rod, Body(machine[f"{name}_piston_mass_kg"], 0.0, 0.0, 0.0))
         motion = slider_crank(case.crank_angle + ahead, geometry)
-        load = slider_crank_load(motion, geometry, 0.0)
+        load = force_on_slider(motion, geometry, 0.0)
         found[name] = slider_crank_forces(motion, geometry, bodies, load, steady(machine))
     one, other = found["lower"], found["upper"]
+    one_joints, other_joints = (SLIDER_CRANK.by_joint(each.joints) for each in (one, other))
     case.compare(
         {
-            **both("F_wrist1_on_piston1", one.joints.wrist_pin),
-            **both("F_wrist2_on_piston2", other.joints.wrist_pin),
-            **both("F_main_on_crank", added(one.joints.main_bearing, other.joints.main_bearing)),
-            **both("F_pin1_on_crank", one.joints.crank_pin, -1.0),
-            **both("F_pin2_on_crank", other.joints.crank_pin, -1.0),
-            "N1_N": one.joints.guide.y,
-            "N2_N": other.joints.guide.y,
+            **both("F_wrist1_on_piston1", one_joints["wrist_pin"]),
+            **both("F_wrist2_on_piston2", other_joints["wrist_pin"]),
+            **both("F_main_on_crank", added(one_joints["main_bearing"], other_joints["main_bearing"])),
+            **both("F_pin1_on_crank", one_joints["crank_pin"], -1.0),
+            **both("F_pin2_on_crank", other_joints["crank_pin"], -1.0),
+            "N1_N": one_joints["guide"].y,
+            "N2_N": other_joints["guide"].y,
             "T_drive_Nm": one.driving_torque + other.driving_torque,
         },
         rel_to_peak=CLOSE,
@@ -223,7 +224,7 @@ def test_opposed_pistons_on_two_shafts():
     machine = case.machine
     assert machine["same_direction"]
     geometry = SliderCrank(machine["crank_radius_m"], machine["rod_length_m"], 0.0)
-    bodies = SliderCrankLinks(
+    bodies = (
         Body(machine["crank_mass_kg"], *machine["crank_com_m"], machine["crank_inertia_about_com_kgm2"]),
         Body(machine["rod_mass_kg"], machine["rod_com_from_crankpin_m"], 0.0, machine["rod_inertia_about_com_kgm2"]),
         Body(machine["piston_mass_kg"], 0.0, 0.0, machine["piston_inertia_about_com_kgm2"]),
@@ -232,16 +233,17 @@ def test_opposed_pistons_on_two_shafts():
 
     def forces(ahead):
         motion = slider_crank(case.crank_angle + ahead, geometry)
-        load = slider_crank_load(motion, geometry, force)
+        load = force_on_slider(motion, geometry, force)
         return slider_crank_forces(motion, geometry, bodies, load, steady(machine))
 
     one, other = forces(0.0), forces(np.deg2rad(machine["lead_deg"]))
+    one_joints, other_joints = (SLIDER_CRANK.by_joint(each.joints) for each in (one, other))
     case.compare(
         {
-            **both("F_wrist1_on_piston1", one.joints.wrist_pin),
-            **both("F_wrist2_on_piston2", other.joints.wrist_pin, -1.0),
-            **both("F_main1_on_crank", one.joints.main_bearing),
-            **both("F_main2_on_crank2", other.joints.main_bearing, -1.0),
+            **both("F_wrist1_on_piston1", one_joints["wrist_pin"]),
+            **both("F_wrist2_on_piston2", other_joints["wrist_pin"], -1.0),
+            **both("F_main1_on_crank", one_joints["main_bearing"]),
+            **both("F_main2_on_crank2", other_joints["main_bearing"], -1.0),
             "T_gear_on_crank2_Nm": other.driving_torque,
             "T_drive_total_on_crank1_Nm": one.driving_torque + other.driving_torque,
         },

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import cast
 
 from cranktrain.all_questions import QUESTIONS
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import Problem, refuse
 from cranktrain.language import _
 from cranktrain.layout.design import Design
 from cranktrain.layout.parts import laid_out, layout_parts
@@ -57,11 +57,8 @@ def designs_of(machines: Sequence[Machine], *, partial: bool = False) -> list[De
     InputError
         With everything that is wrong with any of them.
     """
-    found: list[Problem] = list(_differences(machines))
-    for machine in machines:
-        found += machine_problems(machine, partial=partial)
-    if found:
-        raise InputError(dict.fromkeys(found))
+    wrong = (problem for machine in machines for problem in machine_problems(machine, partial=partial))
+    refuse(dict.fromkeys((*_differences(machines), *wrong)))
     return [machine.design for machine in machines]
 
 

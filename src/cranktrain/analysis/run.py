@@ -11,7 +11,7 @@ from cranktrain.analysis.grids import FACTS_STEP, coarse_curves, has_curves, on_
 from cranktrain.analysis.parts import designs_of, parts_of
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.second_run import SpeedWanted, with_speed
-from cranktrain.analysis.stages import STAGES, lacking, leading_to, run_stages
+from cranktrain.analysis.stages import STAGES, lacking, leading_to, missing_results, run_stages
 from cranktrain.analysis.unused import unused
 from cranktrain.catalogue import entries
 from cranktrain.errors import InputError, Problem
@@ -113,15 +113,16 @@ def _run(
 ) -> Result:
     """Compute all designs at once."""
     parts = with_speed(parts_of(designs, machines[0].cycle, step=FACTS_STEP), speed, stages, step)
-    outcomes, missing = run_stages(chosen, parts)
+    absent = lacking(stages, parts)
+    outcomes = run_stages(chosen, parts, absent)
     # Curves want points as close as facts, or closer: of these a coarser step takes some.
     n_between = int(np.ceil(step / FACTS_STEP - _ONE_STEP))
     curves = outcomes
     if abs(step / n_between - FACTS_STEP) > _ONE_STEP:
         drawn = leading_to(chosen, [one.gives for one in chosen if has_curves(one.gives)])
-        curves, _missing = run_stages(drawn, on_grid(parts, step / n_between))
+        curves = run_stages(drawn, on_grid(parts, step / n_between), absent)
     parts = on_grid(parts, step)
-    grid: CrankAngle = _part(parts, CrankAngle)
+    grid: Any = parts[CrankAngle]
     shown = with_curves(outcomes, curves, n_between)
     return Result(
         machines=machines,
@@ -130,8 +131,8 @@ def _run(
         coarse=coarse_curves(outcomes, shown, grid.shown),
         labels=_labels(parts, machines, shown),
         outcomes=(*(parts[part] for part in (SpeedCurve,) if part in parts), *shown.values()),
-        missing=missing,
-        unused=unused(machines[0], lacking(stages, parts)),
+        missing=missing_results(chosen, absent),
+        unused=unused(machines[0], absent),
     )
 
 
@@ -159,8 +160,8 @@ def speed_over_cycle(machine: Machine, speed: SpeedWanted) -> SpeedCurve | None:
     if isinstance(speed, str) and speed == "constant" and not machine.main_shaft.turns_unevenly:
         return None
     declared = parts_of(designs_of((machine,)), machine.cycle, step=FACTS_STEP)
-    parts = with_speed(declared, speed, STAGES, FACTS_STEP)
-    return _part(parts, SpeedCurve)
+    parts: dict[type, Any] = with_speed(declared, speed, STAGES, FACTS_STEP)
+    return parts[SpeedCurve]
 
 
 def _step(degrees: float) -> float:
@@ -192,11 +193,6 @@ def _needed(stages: Sequence[Stage], names: Sequence[str]) -> tuple[Stage, ...]:
     needed = leading_to(stages, [home[name].gives for name in names])
     # What needs nothing, as flags on masses, takes what there is.
     return tuple(one for one in stages if one in needed or set(one.needs) <= set(one.optional))
-
-
-def _part(parts: Parts, kind: type[Any]) -> Any:
-    """The part of that type, which every layout has."""
-    return parts[kind]
 
 
 def _numbered(machines: Sequence[Machine]) -> tuple[str, ...]:

@@ -80,11 +80,11 @@ def _curve(parts: Parts, speed: str | ArrayLike, stages: Sequence[Stage], step: 
 def _found(parts: Parts, stages: Sequence[Stage]) -> SteadySpeed:
     """Run as far as the running speed, at constant speed."""
     needed = leading_to(stages, [SteadySpeed])
-    found = run_stages(needed, parts)[0].get(SteadySpeed)
-    if not isinstance(found, SteadySpeed):
-        needs = lacking(needed, parts)[SteadySpeed]
-        allowed = _("needs {needs} in the file").format(needs=", ".join(needs))
+    absent = lacking(needed, parts)
+    if SteadySpeed in absent:
+        allowed = _("needs {needs} in the file").format(needs=", ".join(absent[SteadySpeed]))
         raise InputError([Problem("speed", "running", allowed)])
+    found: Any = run_stages(needed, parts, absent)[SteadySpeed]
     if np.all(np.isnan(found.speed)):
         reasons = " ".join(found.reasons) or _("The speed over the cycle is not known all round.")
         raise InputError([Problem("speed", "running", reasons)])

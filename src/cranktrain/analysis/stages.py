@@ -1,6 +1,6 @@
 """Stages in the order in which they can run: all that a machine allows, and in words what it lacks for the others."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, is_dataclass
 from functools import cache
 from graphlib import TopologicalSorter
@@ -11,6 +11,7 @@ import numpy as np
 from cranktrain import textbook
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.catalogue import entries
+from cranktrain.grouping import grouped
 from cranktrain.language import translated
 from cranktrain.layout.question import Stage
 from cranktrain.mechanisms import KINDS
@@ -27,14 +28,9 @@ class Missing:
     needs: tuple[str, ...]
 
 
-def ordered(stages: Iterable[Stage]) -> tuple[Stage, ...]:
-    """Put stages in an order in which every need comes before its use."""
-    return _ordered(tuple(stages))
-
-
 @cache
-def _ordered(stages: tuple[Stage, ...]) -> tuple[Stage, ...]:
-    """Put stages in order once, however often they run."""
+def ordered(stages: tuple[Stage, ...]) -> tuple[Stage, ...]:
+    """Put stages in an order in which every need comes before its use: once, however often they run."""
     by_outcome = {one.gives: one for one in stages}
     graph = {one.gives: [need for need in one.needs.values() if need in by_outcome] for one in by_outcome.values()}
     return tuple(by_outcome[outcome] for outcome in TopologicalSorter(graph).static_order())
@@ -78,7 +74,7 @@ def lacking(stages: Sequence[Stage], parts: Mapping[type, object]) -> dict[type,
     """
     known = set(parts)
     roots: dict[type, frozenset[str]] = {}
-    for one in ordered(stages):
+    for one in ordered(tuple(stages)):
         needed = {need for name, need in one.needs.items() if name not in one.optional} - known
         applies = one.applies_to(parts)
         if needed or applies is not True:
@@ -92,7 +88,7 @@ def lacking(stages: Sequence[Stage], parts: Mapping[type, object]) -> dict[type,
     }
 
 
-def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict[type, object], tuple[Missing, ...]]:
+def run_stages(stages: Sequence[Stage], parts: Mapping[type, object], absent: Collection[type]) -> dict[type, object]:
     """Run every stage whose needs are met.
 
     Parameters
@@ -101,34 +97,38 @@ def run_stages(stages: Sequence[Stage], parts: dict[type, object]) -> tuple[dict
         In any order; results come in this one.
     parts : mapping of type to object
         What the machine declares.
+    absent : collection of type
+        What cannot be had of these, as `lacking` finds it.
 
     Returns
     -------
-    outcomes : mapping of type to object
-    missing : tuple of Missing
-        In words, for the stages that lack something that a machine file could say; a stage for another kind of
-        machine is not spoken of.
+    mapping of type to object
     """
     known = dict(parts)
     seen: set[int] = set()
     for part in parts.values():
         _freeze(part, seen)
-    outcomes: dict[type, object] = {}
-    absent = lacking(stages, parts)
-    for one in ordered(stages):
+    for one in ordered(tuple(stages)):
         if one.gives not in absent:
             # NaN stands for links that cannot close, and is no news.
             with np.errstate(all="ignore"):
                 outcome = one.function(**{name: known.get(need) for name, need in one.needs.items()})
             _freeze(outcome, seen)
-            known[one.gives] = outcomes[one.gives] = outcome
-    in_order = {one.gives: outcomes[one.gives] for one in stages if one.gives in outcomes}
-    missing: dict[tuple[str, ...], list[str]] = {}
-    for one in stages:
-        results = [entry.name for entry in entries(one.gives)] if absent.get(one.gives) else []
-        if results:
-            missing.setdefault(absent[one.gives], []).extend(results)
-    return in_order, tuple(Missing(tuple(results), needs) for needs, results in missing.items())
+            known[one.gives] = outcome
+    return {one.gives: known[one.gives] for one in stages if one.gives in known}
+
+
+def missing_results(stages: Sequence[Stage], absent: Mapping[type, tuple[str, ...]]) -> tuple[Missing, ...]:
+    """Results that stages do not give, in their order, those that lack the same together.
+
+    Parameters
+    ----------
+    stages : sequence of Stage
+    absent : mapping of type to tuple of str
+        As `lacking` gives it; a stage for another kind of machine lacks nothing, and is not spoken of.
+    """
+    needs = ((absent.get(one.gives), entry.name) for one in stages for entry in entries(one.gives))
+    return tuple(Missing(tuple(results), lacks) for lacks, results in grouped(needs).items() if lacks)
 
 
 def _freeze(outcome: object, seen: set[int]) -> None:

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 
 from cranktrain.all_questions import QUESTIONS
+from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.machine import Machine
 from cranktrain.record import record
@@ -29,9 +30,7 @@ class Unused:
 
 def sentences(found: Sequence[Unused]) -> list[str]:
     """Say what is not used, and why; tables that lack the same in one sentence."""
-    alike: dict[tuple[tuple[str, ...], str], list[str]] = {}
-    for one in found:
-        alike.setdefault((one.needs, one.consequence), []).append(one.table)
+    alike = grouped(((one.needs, one.consequence), one.table) for one in found)
     return [_sentence(tables, needs, consequence) for (needs, consequence), tables in alike.items()]
 
 

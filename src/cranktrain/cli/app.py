@@ -311,27 +311,27 @@ def _textbook(
         str | None, typer.Option(metavar="NUMBER", help=_("Show harmonics for this λ = R/L instead of a machine's."))
     ] = None,
 ) -> None:
+    values = tuple(settings or ())
+    of_forces = {"--step": None if step is None else f"{step:g}", "--piston": piston}
     if harmonics or crank_to_rod_ratio is not None:
-        from cranktrain.cli.textbook.harmonics import HarmonicRequest, show_harmonics
+        from cranktrain.cli.textbook.harmonics import show_harmonics
 
         others = {
             "--table": "" if table else None,
             "--errata": "" if errata else None,
             "--forces": forces,
-            "--step": None if step is None else f"{step:g}",
-            "--piston": piston,
+            **of_forces,
         }
-        show_harmonics(HarmonicRequest(file, crank_to_rod_ratio, tuple(settings or ()), others))
+        show_harmonics(file, values, ratio=crank_to_rod_ratio, others=others)
         return
     from cranktrain.cli.textbook.command import show_textbook
-    from cranktrain.cli.textbook.forces import ForceRequest, refuse_without_forces, show_force_tables
+    from cranktrain.cli.textbook.forces import refuse_without_forces, show_force_tables
 
     if forces is not None:
-        request = ForceRequest(file, forces, tuple(settings or ()), step, piston)
-        show_force_tables(request)
+        show_force_tables(file, values, unit=forces, step=30.0 if step is None else step, piston=piston)
         return
-    refuse_without_forces(step, piston)
-    show_textbook(file, tuple(settings or ()), with_table=table, with_errata=errata)
+    refuse_without_forces(of_forces)
+    show_textbook(file, values, with_table=table, with_errata=errata)
 
 
 @_app.command(

@@ -7,8 +7,6 @@ from cranktrain.errors import InputError
 from cranktrain.language import _
 from cranktrain.layout.ends import ENDS
 
-WHAT = ("examples", "kinds", "results")
-
 
 def show_list(what: str) -> None:
     """Show a list, one line for each item, so that it can be searched."""
@@ -16,7 +14,7 @@ def show_list(what: str) -> None:
     if what not in lists:
         from cranktrain.quantities import unlisted  # only after a mistake
 
-        raise InputError([unlisted("list", what, WHAT)])
+        raise InputError([unlisted("list", what, list(lists))])
     for line in lists[what]():
         print(line)
 

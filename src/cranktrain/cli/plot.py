@@ -1,25 +1,22 @@
 """`plot`: a machine as a sheet, a plan, a moving picture or a DXF; the file's name says which."""
 
 import logging
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import partial
 from pathlib import PurePath
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
+from typing import Any, Literal, NamedTuple, TypeAlias
 
-from cranktrain.cli.running_speed import OPTION, problems_at_option
-from cranktrain.cli.speed_curve import OPTION as SPEED_CURVE
-from cranktrain.cli.speed_curve import problems_as_typed, speed_settings
-from cranktrain.errors import InputError, Position, Problem
-from cranktrain.io.machine_file import MachineFile, computed, read_machine
+from cranktrain.cli.asked import RUNNING_SPEED, SPEED_CURVE, Asked, at_running_speed
+from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
+from cranktrain.io.machine_file import MachineFile
 from cranktrain.language import _
 from cranktrain.one_line import one_line
 from cranktrain.quantities import Dimension, QuantityError, read, shown, unlisted
+from cranktrain.record import record
 from cranktrain.viz import PICTURES, save, save_animation
 from cranktrain.viz.output import FORMATS
 from cranktrain.viz.picture import Picture
-
-if TYPE_CHECKING:
-    from cranktrain.analysis import Result
 
 Angles: TypeAlias = int | list[float] | Literal["source"]
 """How many crank angles over a turn, which [deg], or the twelve positions of [slider-crank-synthesis]."""
@@ -38,22 +35,15 @@ _DIGITS = 9
 """Of a crank angle in degrees, so that 30 deg stay 30."""
 
 
-@dataclass(frozen=True)
-class Request:
+@record
+class Request(Asked):
     """What is asked of `plot`, as typed."""
 
-    file: str
-    settings: tuple[str, ...] = ()
-    is_partial: bool = False
-    output: str | None = None
-    force: bool = False
     plan: str | None = None
     at: str | None = None
     mechanism: str | None = None
     size: str | None = None
     sheet: str | None = None
-    is_at_running_speed: bool = False
-    speed_curve: str | None = None
 
 
 class Choice(NamedTuple):
@@ -75,15 +65,10 @@ def write_picture(request: Request) -> None:
     choice = understood(request)
     # What the plotting library says of its fonts and its folder is nothing that a user asked for.
     logging.getLogger("matplotlib").setLevel(logging.ERROR)
-    with problems_as_typed(request.speed_curve):
-        settings = (*request.settings, *speed_settings(request.speed_curve))
-        file = read_machine(request.file, settings, partial=request.is_partial)
-    try:
+    file = request.read()
+    with problems_as(partial(_placed, file, request)), problems_as(at_running_speed):
         _check_mechanism(file, request.mechanism)
-        with problems_at_option():
-            _draw(file, choice, request)
-    except InputError as error:
-        raise InputError(_placed(error.problems, file, request)) from None
+        _draw(file, choice, request)
     print(_("written: {name}").format(name=one_line(request.output or "")))
 
 
@@ -152,7 +137,10 @@ def _refused(request: Request, picture: Picture) -> Iterator[Problem]:
     for option, given in typed.items():
         if given is not None and option in picture.refused:
             yield Problem(f"--{option}", given, _(picture.refused[option]))
-    for option, is_so in {OPTION: request.is_at_running_speed, SPEED_CURVE: request.speed_curve is not None}.items():
+    for option, is_so in {
+        RUNNING_SPEED: request.is_at_running_speed,
+        SPEED_CURVE: request.speed_curve is not None,
+    }.items():
         if is_so and "speed" in picture.refused:
             yield Problem(option, None, _(picture.refused["speed"]))
 
@@ -177,8 +165,7 @@ def _angles(text: str | None, picture: Picture | None) -> Angles | None:
             problems.append(Problem("--at", text, allowed))
     if not problems and not is_count_meant and len(angles) > 1:
         problems.append(Problem("--at", text, _("must be one crank angle; for several, ask for a --plan")))
-    if problems:
-        raise InputError(problems[:1])
+    refuse(problems[:1])
     return angles
 
 
@@ -186,19 +173,16 @@ def _check_mechanism(file: MachineFile, name: str | None) -> None:
     """Refuse a mechanism that the machine does not have."""
     from cranktrain.plans.placement import place_called
 
-    if name is None:
-        return
-    try:
-        place_called(file.machine, name)
-    except InputError as error:
-        raise InputError(replace(problem, path="--mechanism") for problem in error.problems) from None
+    if name is not None:
+        with problems_as(lambda problem: replace(problem, path="--mechanism")):
+            place_called(file.machine, name)
 
 
 def _draw(file: MachineFile, choice: Choice, request: Request) -> None:
     """Draw once the file is known to be possible, and write it."""
     picture, name, force = choice.picture, request.output or "", request.force
     if picture.name == ".gif":
-        save_animation(_result(file, picture, request), name, force=force)
+        save_animation(request.result(file, quantities=picture.quantities), name, force=force)
     elif picture.name == ".dxf":
         options = {"angles": _POSITIONS} | _of_machine(file, choice, request)
         picture.function(file.machine, path=name, **options, force=force)
@@ -209,13 +193,9 @@ def _draw(file: MachineFile, choice: Choice, request: Request) -> None:
         angle = {"at": choice.angles[0]} if isinstance(choice.angles, list) else {}
         whose = {"piston": request.mechanism} if request.mechanism is not None else {}
         options = angle | whose | {"size": choice.size}
-        save(lambda: picture.function(_result(file, picture, request), **options), name, force=force)
-
-
-def _result(file: MachineFile, picture: Picture, request: Request) -> "Result":
-    """What a picture over the cycle is drawn of."""
-    speed = "running" if request.is_at_running_speed else "constant"
-    return computed(file, speed=speed, partial=request.is_partial, quantities=picture.quantities)
+        save(
+            lambda: picture.function(request.result(file, quantities=picture.quantities), **options), name, force=force
+        )
 
 
 def _of_machine(file: MachineFile, choice: Choice, request: Request) -> dict[str, Any]:
@@ -228,20 +208,18 @@ def _of_machine(file: MachineFile, choice: Choice, request: Request) -> dict[str
         angles = source_angles(file.machine, mechanism=mechanism, is_shown=is_shown)
     options: dict[str, Any] = {"mechanism": mechanism} | ({} if angles is None else {"angles": angles})
     if "speed" not in choice.picture.refused:
-        options["speed"] = "running" if request.is_at_running_speed else "constant"
+        options["speed"] = request.speed
     return options
 
 
-def _placed(problems: Sequence[Problem], file: MachineFile, request: Request) -> Iterator[Problem]:
+def _placed(file: MachineFile, request: Request, problem: Problem) -> Problem:
     """Place what cannot be drawn: in the machine file, or at the option that asks for it."""
-    for problem in problems:
-        if problem.position is not None or problem.path.startswith("-"):
-            yield problem
-        elif problem.path:
-            yield file.document.located([problem])[0]
-        else:
-            repair = problem.repair
-            if request.at is not None and request.at.strip().isdecimal():
-                repair = _('for one crank angle, write "{angle} deg"').format(angle=request.at.strip())
-            place = Position(file.document.name if request.at is None else "--at")
-            yield replace(problem, repair=repair, position=place)
+    if problem.position is not None or problem.path.startswith("-"):
+        return problem
+    if problem.path:
+        return file.document.located(problem)
+    repair = problem.repair
+    if request.at is not None and request.at.strip().isdecimal():
+        repair = _('for one crank angle, write "{angle} deg"').format(angle=request.at.strip())
+    place = Position(file.document.name if request.at is None else "--at")
+    return replace(problem, repair=repair, position=place)

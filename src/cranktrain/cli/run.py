@@ -4,11 +4,10 @@ from collections.abc import Iterator
 from pathlib import PurePath
 
 from cranktrain.analysis import Result
-from cranktrain.cli.running_speed import problems_at_option
+from cranktrain.cli.asked import Asked, at_running_speed
 from cranktrain.cli.screen.text import page
-from cranktrain.cli.speed_curve import problems_as_typed, speed_settings
-from cranktrain.errors import InputError, Problem
-from cranktrain.io.machine_file import MachineFile, computed, read_machine
+from cranktrain.errors import InputError, Problem, problems_as, refuse
+from cranktrain.io.machine_file import MachineFile
 from cranktrain.io.output import write_whole
 from cranktrain.language import _
 from cranktrain.one_line import one_line
@@ -16,18 +15,11 @@ from cranktrain.record import record
 
 
 @record
-class Request:
+class Request(Asked):
     """What is asked of `run`, as typed; `quantities` is None for all."""
 
-    file: str
-    settings: tuple[str, ...] = ()
     quantities: tuple[str, ...] | None = None
     step_degrees: float = 1.0
-    is_partial: bool = False
-    is_at_running_speed: bool = False
-    speed_curve: str | None = None
-    output: str | None = None
-    force: bool = False
 
 
 def show_run(request: Request, *, with_inputs: bool = False) -> None:
@@ -38,9 +30,7 @@ def show_run(request: Request, *, with_inputs: bool = False) -> None:
     if request.quantities == ():
         allowed = _("must be names of results, with commas between; `cranktrain list results` names them")
         raise InputError([Problem("--quantities", '""', allowed)])
-    with problems_as_typed(request.speed_curve):
-        settings = (*request.settings, *speed_settings(request.speed_curve))
-        file = read_machine(request.file, settings, partial=request.is_partial)
+    file = request.read()
     if request.output is None or suffix is None:
         result = _computed(file, request)
     else:
@@ -68,25 +58,17 @@ def _suffix(output: str | None) -> str | None:
 
 def _computed(file: MachineFile, request: Request) -> Result:
     """Compute; refuse a quantity that was asked for and that this machine does not give."""
-    with problems_at_option():
-        result = computed(
-            file,
-            speed="running" if request.is_at_running_speed else "constant",
-            step_degrees=request.step_degrees,
-            partial=request.is_partial,
-            quantities=request.quantities,
-        )
-    absent = [name for name in request.quantities or () if name not in result.catalogue]
-    if absent:
-        raise InputError(_absence(name, result, request.file) for name in absent)
+    with problems_as(at_running_speed):
+        result = request.result(file, step_degrees=request.step_degrees, quantities=request.quantities)
+    names = request.quantities or ()
+    refuse(_absence(name, result, request.file) for name in names if name not in result.catalogue)
     return result
 
 
 def _absence(name: str, result: Result, file: str) -> Problem:
     """Say what a quantity needs that the file does not give."""
-    needs = [need for missing in result.missing if name in missing.results for need in missing.needs]
     allowed = _("is no result of this machine; `cranktrain check {file}` names what is").format(file=file)
-    if needs:
+    if needs := result.needs_of(name):
         allowed = _("needs {needs} in the file").format(needs=", ".join(needs))
     return Problem("quantities", name, allowed)
 

@@ -2,8 +2,6 @@
 
 from typing import NamedTuple
 
-import numpy as np
-
 from cranktrain.motion import Array, chosen
 
 
@@ -13,62 +11,6 @@ class MeanPressures(NamedTuple):
     gross: Array
     pumping: Array
     net: Array
-
-
-def indicated_work(pressure: Array, volume_slope: Array, cycle: float) -> Array:
-    """Work of the gas over a cycle, from samples at equal steps.
-
-    Parameters
-    ----------
-    pressure : Array, shape (..., n)
-        At n equal steps over the cycle, the endpoint excluded. [Pa]
-    volume_slope : Array, shape (..., n)
-        dV/dφ there, from the mechanism and not from differences. [m³/rad]
-    cycle : float
-        Length of the cycle. [rad]
-
-    Returns
-    -------
-    Array, shape (...)
-        ∮ p dV [J]
-
-    Notes
-    -----
-    Σ p V′ Δφ, which for a smooth cycle converges faster than any power of the step; a jump of the pressure at a dead
-    centre does no harm, as V′ is 0 there. docs/theory/gas, eq. (14.8).
-
-    Examples
-    --------
-    >>> turn = np.arange(8) * (np.pi / 4)
-    >>> round(float(indicated_work(1e5 * (3 + np.sin(turn)), 1e-3 * np.sin(turn), 2 * np.pi)), 6)
-    314.159265
-    """
-    return np.sum(pressure * volume_slope, axis=-1) * (cycle / pressure.shape[-1])
-
-
-def split_mean_pressures(
-    pressure: Array, volume_slope: Array, turn: Array, cycle: float, swept_volume: Array
-) -> MeanPressures:
-    """Mean pressures of the working turn and of the gas exchange, from samples at equal steps.
-
-    Parameters
-    ----------
-    pressure, volume_slope : Array, shape (..., n)
-        As `indicated_work` takes them. [Pa, m³/rad]
-    turn : Array, shape (..., n)
-        As in `ChamberState`: +1 in the working turn, −1 in the gas exchange.
-    cycle : float
-        [rad]
-    swept_volume : Array, shape (...)
-        By the true stroke. [m³]
-
-    Returns
-    -------
-    MeanPressures, shapes (...)
-    """
-    working = indicated_work(np.where(turn > 0, pressure, 0.0), volume_slope, cycle) / swept_volume
-    pumping = indicated_work(np.where(turn > 0, 0.0, pressure), volume_slope, cycle) / swept_volume
-    return MeanPressures(working, pumping, working + pumping)
 
 
 def indicated_power(work: Array, cycle: Array, speed: Array) -> Array:
@@ -91,7 +33,8 @@ def indicated_power(work: Array, cycle: Array, speed: Array) -> Array:
     --------
     A four-stroke cylinder that gives 1 kJ a cycle at 3000 rpm:
 
-    >>> round(float(indicated_power(1000.0, 4 * np.pi, 3000 * np.pi / 30)), 6)
+    >>> from math import pi
+    >>> round(indicated_power(1000.0, 4 * pi, 3000 * pi / 30), 6)
     25000.0
     """
     return work / cycle * speed

@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import cast
 
 from cranktrain.all_questions import QUESTIONS
-from cranktrain.errors import InputError, Problem
-from cranktrain.io.files import Wanted, content_of, refusal
+from cranktrain.errors import InputError, Problem, problems_as
+from cranktrain.io.files import content_of, refusal
 from cranktrain.language import _
 from cranktrain.layout.parts import FILES
 from cranktrain.layout.question import TableFile
-from cranktrain.paths import path_text, value_at
+from cranktrain.paths import path_text, replaced, value_at
 
 LARGEST_FILE = 16 * 2**20
 """Bytes; a cycle in steps of 0.1° has some 200 000."""
@@ -46,9 +46,16 @@ def curve_text(path: Path, name: str, noun: str) -> str:
     """
     if path.exists() and not (path.is_file() or path.is_dir()):  # one would wait for what nobody writes
         raise refusal(name, _("is a pipe or a device, not {noun}").format(noun=_(noun)), _("save it as a file"))
-    too_large = _("is larger than {limit} MiB, too large for {noun}").format(limit=LARGEST_FILE // 2**20, noun=_(noun))
-    wanted = Wanted(LARGEST_FILE, too_large, _("is a folder, not {noun}").format(noun=_(noun)))
-    content = content_of(path, name, wanted, suffix=".csv")
+    content = content_of(
+        path,
+        name,
+        LARGEST_FILE,
+        suffix=".csv",
+        too_large=_("is larger than {limit} MiB, too large for {noun}").format(
+            limit=LARGEST_FILE // 2**20, noun=_(noun)
+        ),
+        folder=_("is a folder, not {noun}").format(noun=_(noun)),
+    )
     encoding = _WIDE.get(content[:2])
     if encoding is None and b"\0" in content:
         raise refusal(name, _("is no text: it has NUL bytes"), _("save it as CSV"))
@@ -85,7 +92,7 @@ def with_curves(data: Mapping[str, object], folder: Path) -> tuple[dict[str, obj
             try:
                 filled = _filled(filled, path, curve, folder)
             except InputError as error:
-                found += [replace(one, path=path_text((*path, "file"))) for one in error.problems]
+                found += error.problems
     return filled, tuple(found)
 
 
@@ -94,20 +101,17 @@ def _paths(data: Mapping[str, object], curve: TableFile) -> Iterator[tuple[str, 
     yield curve.table
     table = value_at(data, path_text(curve.table))
     if curve.kind is not None and isinstance(table, Mapping) and "kind" not in table:
-        yield from ((*curve.table, name) for name in cast(Mapping[str, object], table))
+        yield from ((*curve.table, name) for name in cast("Mapping[str, object]", table))
 
 
-def _filled(data: Mapping[str, object], below: tuple[str, ...], curve: TableFile, folder: Path) -> dict[str, object]:
-    """Put the text of one file into its table, so many tables below this one."""
-    inner = data.get(below[0]) if below else None
-    if below:
-        if not isinstance(inner, Mapping):
-            return dict(data)
-        return {**data, below[0]: _filled(cast(Mapping[str, object], inner), below[1:], curve, folder)}
-    file = data.get("file")
-    if data.get("kind") != curve.kind or not isinstance(file, str) or "text" in data:
-        return dict(data)
-    try:
-        return {**data, "text": curve_text(folder / file, file, curve.noun)}
-    except InputError as error:
-        raise InputError(replace(problem, given=file, position=None) for problem in error.problems) from None
+def _filled(data: dict[str, object], parts: tuple[str, ...], curve: TableFile, folder: Path) -> dict[str, object]:
+    """Put the text of one file into its table."""
+    path = path_text(parts)
+    found = value_at(data, path)
+    table = cast("Mapping[str, object]", found if isinstance(found, Mapping) else {})
+    file = table.get("file")
+    if not isinstance(file, str) or table.get("kind") != curve.kind or "text" in table:
+        return data
+    with problems_as(lambda problem: replace(problem, path=f"{path}.file", given=file, position=None)):
+        text = curve_text(folder / file, file, curve.noun)
+    return cast("dict[str, object]", replaced(data, (*parts, "text"), text))

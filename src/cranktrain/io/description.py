@@ -16,17 +16,15 @@ def layout_words(machine: Machine) -> str:
     places = machine.places
     rockers = sum(place.kind.output == "rocker" for place in places)
     pistons = sum(place.kind.output == "slider" and place.kind.has_chambers for place in places)
-    valves = len(places) - rockers - pistons
-    throws = len(machine.main_shaft.throws)
-    banks = ", ".join(machine.bank)
-    parts = [
-        _("1 piston") if pistons == 1 else _("{n} pistons").format(n=pistons) if pistons else "",
-        _("1 valve") if valves == 1 else _("{n} valves").format(n=valves) if valves else "",
-        _("1 rocker") if rockers == 1 else _("{n} rockers").format(n=rockers) if rockers else "",
-        _("1 throw") if throws == 1 else _("{n} throws").format(n=throws),
-        (_("bank {banks}") if len(machine.bank) == 1 else _("banks {banks}")).format(banks=banks),
-    ]
-    return ", ".join(part for part in parts if part)
+    counts = (
+        (pistons, _("1 piston"), _("{n} pistons")),
+        (len(places) - rockers - pistons, _("1 valve"), _("{n} valves")),
+        (rockers, _("1 rocker"), _("{n} rockers")),
+        (len(machine.main_shaft.throws), _("1 throw"), _("{n} throws")),
+    )
+    counted = [one if n == 1 else many.format(n=n) for n, one, many in counts if n]
+    banks = _("bank {banks}") if len(machine.bank) == 1 else _("banks {banks}")
+    return ", ".join([*counted, banks.format(banks=", ".join(machine.bank))])
 
 
 def counted_by_status(numbers: Iterable[Given]) -> str:

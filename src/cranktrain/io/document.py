@@ -3,20 +3,18 @@
 import codecs
 import os
 import re
-from bisect import bisect_right
-from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 
-from cranktrain.errors import InputError, Position, Problem
+from cranktrain.errors import Position, Problem
 from cranktrain.io.editing import with_value
-from cranktrain.io.files import Wanted, content_of, refusal
+from cranktrain.io.files import content_of, refusal
 from cranktrain.io.places import VALUES, Places, places
 from cranktrain.io.syntax import parsed, text_position
 from cranktrain.language import _
 from cranktrain.one_line import short
-from cranktrain.paths import quantity_path
+from cranktrain.paths import parts_of
 
 LARGEST_FILE = 2**20
 """Bytes; a machine file has some thousands."""
@@ -54,9 +52,15 @@ class Document:
             If there is no such file, it cannot be read, or it is no UTF-8 text.
         """
         name = os.fspath(path).encode(errors="backslashreplace").decode()
-        too_large = _("is larger than {limit} KiB, and no machine file is").format(limit=LARGEST_FILE // 1024)
-        wanted = Wanted(LARGEST_FILE, too_large, _("is a folder, not a machine file"))
-        return cls(_text(content_of(Path(path), name, wanted, suffix=".toml"), name), name)
+        content = content_of(
+            Path(path),
+            name,
+            LARGEST_FILE,
+            suffix=".toml",
+            too_large=_("is larger than {limit} KiB, and no machine file is").format(limit=LARGEST_FILE // 1024),
+            folder=_("is a folder, not a machine file"),
+        )
+        return cls(_text(content, name), name)
 
     @classmethod
     def from_text(cls, text: str, name: str) -> "Document":
@@ -114,27 +118,21 @@ class Document:
         """
         if not path:
             return Position(self.name)
-        try:
-            parts = quantity_path(path)
-        except InputError:
-            parts = ()
-        place = self._places.deepest(parts)
-        return self._position(place.key if at_key else place.start)
+        place = self._places.deepest(parts_of(path))
+        above = self._source[: place.key if at_key else place.start]
+        return text_position(self.name, above.decode())
 
-    def located(self, problems: Iterable[Problem]) -> tuple[Problem, ...]:
-        """Place problems in the text, and add what was given where they do not say it.
+    def located(self, problem: Problem) -> Problem:
+        """Place a problem in the text, and add what was given where it does not say it.
 
         Parameters
         ----------
-        problems : iterable of Problem
+        problem : Problem
 
         Returns
         -------
-        tuple of Problem
+        Problem
         """
-        return tuple(self._located(problem) for problem in problems)
-
-    def _located(self, problem: Problem) -> Problem:
         if problem.position is not None and problem.position.line is not None:
             return problem
         given = self._given(problem.path) if problem.given is None else problem.given
@@ -142,10 +140,7 @@ class Document:
 
     def _given(self, path: str) -> str | None:
         """Give the value at a path as it was typed, without its quotes; None where there is no value."""
-        try:
-            parts = quantity_path(path)
-        except InputError:
-            return None
+        parts = parts_of(path)
         place = self._places.deepest(parts)
         if place.path != parts or place.kind not in VALUES:
             return None
@@ -178,17 +173,6 @@ class Document:
         for text in (path, given):
             Document.from_text(text, f"{path}={given}".encode(errors="backslashreplace").decode())
         return Document(with_value(self._source, path, given).decode(), self.name)
-
-    @cached_property
-    def _line_starts(self) -> tuple[int, ...]:
-        """Where each line begins, in bytes."""
-        return (0, *(found.end() for found in re.finditer(b"\n", self._source)))
-
-    def _position(self, place: int) -> Position:
-        """Turn a place in the bytes into line and column."""
-        line = bisect_right(self._line_starts, place)
-        start = self._line_starts[line - 1]
-        return Position(self.name, line, len(self._source[start:place].decode()) + 1)
 
 
 def _text(content: bytes, name: str) -> str:

@@ -5,21 +5,12 @@ import errno
 import os
 import stat
 from pathlib import Path
-from typing import NamedTuple
 
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.language import _
 
 
-class Wanted(NamedTuple):
-    """What a file should be: at most so many bytes, and what is said of a larger one and of a folder."""
-
-    largest: int
-    too_large: str
-    folder: str
-
-
-def content_of(path: Path, name: str, wanted: Wanted, *, suffix: str) -> bytes:
+def content_of(path: Path, name: str, largest: int, *, suffix: str, too_large: str, folder: str) -> bytes:
     """Read the bytes of a file that is not too large.
 
     Parameters
@@ -27,9 +18,12 @@ def content_of(path: Path, name: str, wanted: Wanted, *, suffix: str) -> bytes:
     path : Path
     name : str
         As shown in messages.
-    wanted : Wanted
+    largest : int
+        So many bytes at most.
     suffix : str
         Of the files that may have been meant, where a folder is named.
+    too_large, folder : str
+        What is said of a larger file, and of a folder.
 
     Returns
     -------
@@ -43,22 +37,22 @@ def content_of(path: Path, name: str, wanted: Wanted, *, suffix: str) -> bytes:
     try:
         about = path.stat()
         if stat.S_ISDIR(about.st_mode):
-            raise refusal(name, wanted.folder, _first_file(path, suffix))
-        if about.st_size > wanted.largest:
-            raise refusal(name, wanted.too_large)
+            raise refusal(name, folder, _first_file(path, suffix))
+        if about.st_size > largest:
+            raise refusal(name, too_large)
         if stat.S_ISFIFO(about.st_mode):
-            content = _piped(path, name, wanted.largest + 1)
+            content = _piped(path, name, largest + 1)
         else:
             with path.open("rb") as file:
-                content = file.read(wanted.largest + 1)  # a device does not tell its size
+                content = file.read(largest + 1)  # a device does not tell its size
     except OSError as error:
         raise _unreadable(path, name, error) from None
     except InputError:
         raise
     except ValueError:  # a NUL or half a character in the name
         raise refusal(name, _("is no name that a file can have")) from None
-    if len(content) > wanted.largest:
-        raise refusal(name, wanted.too_large)
+    if len(content) > largest:
+        raise refusal(name, too_large)
     return content
 
 

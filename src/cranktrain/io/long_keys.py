@@ -1,7 +1,6 @@
 """Keys of thousands of parts, for which what reads TOML takes minutes and gigabytes: found before it reads."""
 
 import re
-from typing import NamedTuple
 
 from cranktrain.paths import DEEPEST_NESTING
 
@@ -18,14 +17,7 @@ _TEXTS_AND_KEYS = re.compile(
 """Texts of several lines, comments, keys with dots; a text of one line, or a number, looks like a key of few parts."""
 
 
-class LongKey(NamedTuple):
-    """A key as it is written, and where in the text it stands."""
-
-    key: str
-    place: int
-
-
-def long_key(text: str) -> LongKey | None:
+def long_key(text: str) -> re.Match[str] | None:
     """Find the first key of more parts than a machine file may have; one in a text or a comment is none.
 
     Parameters
@@ -34,10 +26,11 @@ def long_key(text: str) -> LongKey | None:
 
     Returns
     -------
-    LongKey or None
+    re.Match or None
+        Its group `key` is the key as it is written.
     """
     for found in _TEXTS_AND_KEYS.finditer(text):
         key = found["key"] or ""
         if key.count(".") >= DEEPEST_NESTING and len(_KEY_PART.findall(key)) > DEEPEST_NESTING:
-            return LongKey(key, found.start())
+            return found
     return None

@@ -6,14 +6,14 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
-from cranktrain.errors import InputError, Position, Problem
+from cranktrain.errors import InputError, Position, Problem, refuse
 from cranktrain.io.curve_files import with_curves
 from cranktrain.io.document import Document
 from cranktrain.io.examples import EXAMPLES_FOLDER, example_called, example_document, example_near
 from cranktrain.language import _
 from cranktrain.machine import Machine, machine_problems
 from cranktrain.mechanisms.spec import LISTS
-from cranktrain.paths import PathParts, path_text, quantity_path
+from cranktrain.paths import PathParts, parts_of, path_text, quantity_path
 from cranktrain.quantities import Given
 from cranktrain.record import record
 from cranktrain.spec import Spec
@@ -156,7 +156,7 @@ def computed(file: MachineFile, **options: Any) -> "Result":
     except InputError as error:
         of_file = [problem for problem in error.problems if problem.path.partition(".")[0] in file.document.data]
         others = [problem for problem in error.problems if problem not in of_file]
-        raise InputError([*file.document.located(of_file), *others]) from None
+        raise InputError([*map(file.document.located, of_file), *others]) from None
 
 
 def inputs_of(file: MachineFile) -> tuple[Input, ...]:
@@ -213,8 +213,7 @@ def _with_settings(document: Document, settings: Sequence[str]) -> tuple[Documen
             paths.append(parts)
         except InputError as error:
             problems += [problem if _has_line(problem) else problem.at(_SETTING) for problem in error.problems]
-    if problems:
-        raise InputError(problems)
+    refuse(problems)
     return document, tuple(paths)
 
 
@@ -237,13 +236,10 @@ def _has_line(problem: Problem) -> bool:
 
 def _placed(problem: Problem, document: Document, settings: Sequence[PathParts]) -> Problem:
     """Place a problem at the setting that it comes from, or in the file."""
-    try:
-        parts = quantity_path(problem.path) if problem.path else ()
-    except InputError:  # a key that no path can name
-        parts = ()
+    parts = parts_of(problem.path)
     if any(parts[: len(setting)] == setting for setting in settings):
         return replace(problem, position=_SETTING)
-    return document.located([problem])[0]
+    return document.located(problem)
 
 
 def _inputs(data: object, declared: object) -> Iterator[tuple[PathParts, Given]]:

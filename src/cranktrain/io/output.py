@@ -8,7 +8,8 @@ import sys
 from collections.abc import Iterable
 from pathlib import Path
 
-from cranktrain.errors import InputError, Position, Problem
+from cranktrain.errors import InputError
+from cranktrain.io.files import refusal
 from cranktrain.language import N_, _
 
 STANDARD_OUTPUT = ("-", "/dev/stdout")
@@ -27,15 +28,16 @@ _FAILURES = {
 }
 
 
-def write_whole(path: "str | os.PathLike[str]", chunks: str | Iterable[str], *, force: bool) -> None:
-    """Write a text file that appears whole or not at all.
+def write_whole(path: "str | os.PathLike[str]", chunks: str | Iterable[str | bytes], *, force: bool) -> None:
+    """Write a file that appears whole or not at all.
 
     Parameters
     ----------
     path : str or path-like
         `-` is the standard output; a device or pipe is written as it comes. A link is followed.
-    chunks : str or iterable of str
-        The text; an exception raised in the middle, Ctrl-C too, leaves all as it was and passes on.
+    chunks : str, or iterable of str or bytes
+        The text, or the bytes of a picture; an exception raised in the middle, Ctrl-C too, leaves all as it was and
+        passes on.
     force : bool
         Replace a file that is there; it keeps its mode.
 
@@ -45,33 +47,17 @@ def write_whole(path: "str | os.PathLike[str]", chunks: str | Iterable[str], *, 
         If a file is there and `force` is not given, or the file cannot be written; nothing has changed then.
     """
     pieces = (chunks,) if isinstance(chunks, str) else chunks
-    if os.fspath(path) in STANDARD_OUTPUT:
-        sys.stdout.writelines(pieces)
-        sys.stdout.flush()
+    if os.fspath(path) not in STANDARD_OUTPUT:
+        _write_file(
+            os.fspath(path), (piece.encode() if isinstance(piece, str) else piece for piece in pieces), force=force
+        )
         return
-    _write_file(os.fspath(path), (piece.encode("utf-8") for piece in pieces), force=force)
-
-
-def write_whole_bytes(path: "str | os.PathLike[str]", chunks: bytes | Iterable[bytes], *, force: bool) -> None:
-    """Write a file of bytes, such as a picture, as `write_whole` writes text.
-
-    Parameters
-    ----------
-    path, force
-        As `write_whole` takes them.
-    chunks : bytes or iterable of bytes
-
-    Raises
-    ------
-    InputError
-        As `write_whole` raises it.
-    """
-    pieces = (chunks,) if isinstance(chunks, bytes) else chunks
-    if os.fspath(path) in STANDARD_OUTPUT:
-        sys.stdout.buffer.writelines(pieces)
-        sys.stdout.buffer.flush()
-        return
-    _write_file(os.fspath(path), pieces, force=force)
+    for piece in pieces:
+        if isinstance(piece, str):
+            sys.stdout.write(piece)
+        else:
+            sys.stdout.buffer.write(piece)
+    sys.stdout.flush()
 
 
 def _write_file(name: str, pieces: Iterable[bytes], *, force: bool) -> None:
@@ -91,7 +77,7 @@ def _write_file(name: str, pieces: Iterable[bytes], *, force: bool) -> None:
         raise
     except OSError as error:
         allowed, repair = _FAILURES.get(error.errno or 0, (N_("cannot be written: {reason}"), None))
-        raise _refusal(name, _(allowed).format(reason=error.strerror), repair and _(repair)) from None
+        raise refusal(name, _(allowed).format(reason=error.strerror), repair and _(repair)) from None
 
 
 def _status(target: Path) -> os.stat_result | None:
@@ -105,13 +91,13 @@ def _status(target: Path) -> os.stat_result | None:
 def _check(name: str, target: Path, old: os.stat_result | None, *, force: bool) -> None:
     """Refuse what would fail, before the text is made."""
     if (old is not None and stat.S_ISDIR(old.st_mode)) or name.endswith(("/", os.sep)):
-        raise _refusal(name, _("is a folder"), _("name a file in it"))
+        raise refusal(name, _("is a folder"), _("name a file in it"))
     if old is None:
         target.parent.stat()
     elif not force:
         raise _already_there(name)
     elif not old.st_mode & 0o222 or not os.access(target, os.W_OK):
-        raise _refusal(name, _("is read-only"), _("make it writable, or choose another name"))
+        raise refusal(name, _("is read-only"), _("make it writable, or choose another name"))
 
 
 def _write(target: Path, pieces: Iterable[bytes], mode: int | None) -> None:
@@ -144,10 +130,4 @@ def _place_new(beside: Path, target: Path) -> None:
 
 
 def _already_there(name: str) -> InputError:
-    return _refusal(name, _("is there already"), _("choose another name, or replace it with --force"))
-
-
-def _refusal(name: str, allowed: str, repair: str | None) -> InputError:
-    """Give the error that says why nothing was written."""
-    shown = name.encode(errors="backslashreplace").decode()
-    return InputError([Problem("", None, allowed, repair, Position(shown))])
+    return refusal(name, _("is there already"), _("choose another name, or replace it with --force"))

@@ -1,9 +1,8 @@
 """The JSON schema of the machine file as it is written: what editors complete and check while one types."""
 
 import json
-import re
 import types
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Annotated, Any, Literal, Union, cast, get_args, get_origin
 
 from pydantic import BeforeValidator, TypeAdapter
@@ -14,9 +13,7 @@ from cranktrain.language import _
 from cranktrain.layout.specs import BankSpec
 from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS
-from cranktrain.quantities import Given, Quantity, Status
-from cranktrain.quantities.dimensions import Dimension, spellings
-from cranktrain.quantities.number import PATTERN
+from cranktrain.quantities import Given, Quantity
 from cranktrain.spec import Spec
 
 Schema = dict[str, Any]
@@ -87,7 +84,7 @@ class _Writer:
         inner, marks = _unwrapped(annotation)
         quantity = next((mark for mark in marks if isinstance(mark, Quantity)), None)
         if quantity is not None:
-            return self._reference(_quantity_name(quantity), _quantity(quantity))
+            return self._reference(_quantity_name(quantity), quantity.schema())
         origin, arguments = get_origin(inner), get_args(inner)
         if origin in (Union, types.UnionType):
             parts = [self.of(part) for part in arguments if part is not types.NoneType]
@@ -150,27 +147,6 @@ def _is_tagged(marks: tuple[object, ...]) -> bool:
     return any(isinstance(mark, FieldInfo) and mark.discriminator is not None for mark in marks)
 
 
-def _quantity(quantity: Quantity) -> Schema:
-    """Describe a quantity: text with its unit, or a table that also says where the number is from."""
-    dimension = quantity.dimension
-    text: Schema = {"type": "string", "pattern": _pattern(quantity), "examples": [dimension.example]}
-    value: Schema = text if dimension.units else {"anyOf": [{"type": "number"}, text]}
-    table: Schema = {
-        "type": "object",
-        "properties": {
-            "value": value,
-            "status": {"enum": list(get_args(Status)), "description": _("how the number came about")},
-            "note": {"type": "string", "description": _("in which sense")},
-            "source": {"type": "string", "description": _("from where")},
-        },
-        "required": ["value"],
-        "additionalProperties": False,
-    }
-    words = TypeAdapter[Any](Annotated[Given, quantity]).json_schema()["anyOf"]
-    sentence = next(part["description"] for part in words if "description" in part)
-    return {"description": sentence, "anyOf": [value, table], "examples": [dimension.example]}
-
-
 def _quantity_name(quantity: Quantity) -> str:
     """Name a quantity and its range among the definitions."""
     limits = {
@@ -181,27 +157,6 @@ def _quantity_name(quantity: Quantity) -> str:
     }
     range_ = "".join(f"-{word}-{limit:g}" for word, limit in limits.items() if limit is not None)
     return quantity.dimension.name.lower().replace("_", "-") + range_
-
-
-def _pattern(quantity: Quantity) -> str:
-    """Regular expression of a number and a unit of its dimension, in each of its spellings; no minus below a limit."""
-    units = "|".join(dict.fromkeys(_unit_patterns(quantity.dimension)))
-    least = max((limit for limit in (quantity.above, quantity.at_least) if limit is not None), default=-1.0)
-    signed = PATTERN if least < 0 else PATTERN.replace("^", r"^(?!\s*-)", 1)
-    return rf"{signed}\s*(?:{units})\s*$"
-
-
-def _unit_patterns(dimension: Dimension) -> Iterator[str]:
-    """Spell each unit in the ways in which it is read: m² also m^2, N·m also N*m."""
-    for key, (_unit, form) in spellings(dimension).items():
-        for text in (form, key):
-            pattern = re.sub(
-                r"[²³]|(?<=[a-zа-я])[23]", lambda found: rf"(?:\^|\*\*)?[{found[0]}{_DIGITS[found[0]]}]", text
-            )
-            yield pattern.replace("·", r"[\s.*·⋅∙×]*").replace("/", r"\s*/\s*")
-
-
-_DIGITS = {"²": "2", "³": "3", "2": "²", "3": "³"}
 
 
 def _default(field: FieldInfo) -> object:

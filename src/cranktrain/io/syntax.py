@@ -73,7 +73,7 @@ def parsed(text: str, name: str) -> dict[str, object]:
     """Read TOML, or say in our words what is wrong with it."""
     long = long_key(text)
     if long is not None:
-        raise InputError([Problem("", long.key, too_many_parts(), None, text_position(name, text, long.place))])
+        raise InputError([Problem("", long["key"], too_many_parts(), None, text_position(name, text, long.start()))])
     try:
         data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:

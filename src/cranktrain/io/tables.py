@@ -42,16 +42,13 @@ def csv_text(result: Result, machine: Mapping[str, object], names: Collection[st
         about["left out"] = ", ".join(left_out)
     for word, sentence in about.items():
         yield f"# {word}: {' '.join(sentence.split())}\n"
-    heads, columns = ["crank_angle [deg]"], [result.crank_angle]
-    for name, entry in result.catalogue.items():
-        if name in names and not entry.is_fact:
-            for head, column in _columns(result, entry):
-                heads.append(head)
-                columns.append(column)
+    written = [entry for name, entry in result.catalogue.items() if name in names and not entry.is_fact]
+    columns = {"crank_angle [deg]": result.crank_angle}
+    columns.update(column for entry in written for column in _columns(result, entry))
     row = io.StringIO()
     writer = csv.writer(row, lineterminator="\n")
-    writer.writerow(heads)
-    for numbers in zip(*(column.tolist() for column in columns), strict=True):
+    writer.writerow(columns)
+    for numbers in zip(*(column.tolist() for column in columns.values()), strict=True):
         writer.writerow(map(repr, numbers))
         yield row.getvalue()
         row.seek(0)

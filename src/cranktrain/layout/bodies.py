@@ -1,10 +1,11 @@
 """Rigid bodies, and guides of what slides: their tables of the machine file."""
 
-from typing import Annotated, Self
+from collections.abc import Iterator
+from typing import Annotated
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.quantities import (
     Angle,
@@ -16,7 +17,7 @@ from cranktrain.quantities import (
     PositiveMass,
     Quantity,
 )
-from cranktrain.spec import Refused, Spec
+from cranktrain.spec import Spec
 
 Friction = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]
 PositiveAcceleration = Annotated[Given, Quantity(Dimension.ACCELERATION, above=0.0)]
@@ -45,23 +46,18 @@ class BodySpec(Spec, frozen=True):
     big_end: PositiveMass | None = Field(default=None, description=N_("Mass at the rod's first pin, as weighed."))
     small_end: PositiveMass | None = Field(default=None, description=N_("Mass at the rod's second pin, as weighed."))
 
-    @model_validator(mode="after")
-    def _weighed_one_way(self) -> Self:
-        """Refuse a mass beside the ends' masses, neither, and one end alone."""
+    def _problems(self) -> Iterator[Problem]:
+        """Find a mass beside the ends' masses, neither, and one end alone."""
         ends = {"big_end": self.big_end, "small_end": self.small_end}
         given = [name for name, end in ends.items() if end is not None]
-        found: list[Problem] = []
         if not given and self.mass is None:
-            found.append(Problem("mass", None, _("is missing; give it, or big_end and small_end")))
+            yield Problem("mass", None, _("is missing; give it, or big_end and small_end"))
         if len(given) == 1:
             missing = next(name for name in ends if name not in given)
-            found.append(Problem(missing, None, _("is missing; a rod is weighed at both ends")))
+            yield Problem(missing, None, _("is missing; a rod is weighed at both ends"))
         if given:
             allowed = _("must not stand beside the masses of both ends, which say it")
-            found += [Problem(name, None, allowed) for name in ("mass", "along") if getattr(self, name) is not None]
-        if found:
-            raise InputError(found)
-        return self
+            yield from (Problem(name, None, allowed) for name in ("mass", "along") if getattr(self, name) is not None)
 
 
 class GravitySpec(Spec, frozen=True):
@@ -104,9 +100,7 @@ class GuideSpec(Spec, frozen=True):
         ),
     )
 
-    @model_validator(mode="after")
-    def _one_middle(self) -> Self:
-        """Refuse a middle that goes with the slider and stands still."""
+    def _problems(self) -> Iterator[Problem]:
+        """Find a middle that goes with the slider and stands still."""
         if self.middle is not None and self.at is not None:
-            raise Refused(_("must not stand beside middle: the edges go with the slider or stand still"), path="at")
-        return self
+            yield Problem("at", None, _("must not stand beside middle: the edges go with the slider or stand still"))

@@ -49,7 +49,7 @@ def _closing_problem(place: PlacedMechanism, ranges: Sequence[OpenRange], zero: 
     else:
         allowed = _("the links cannot close at crank angles {angles} (short by {short}); {advice}")
     find = place.kind.closing_field
-    field = place.spec.rod_field if find is None else find(place.geometry)
+    field = find if isinstance(find, str) else find(place.spec, place.geometry)
     given: Given | None = getattr(place.spec, field, None)
     return Problem(
         place.path_of(field),

@@ -47,15 +47,11 @@ class CrankAngle:
 
     def counted(self, angle: Array, period: float = 2 * np.pi) -> Array:
         """Count angles φ, shape (design, ..., 1), as they are shown: from `crank_zero`, in [0, period). [rad]"""
-        return _counted(angle - self.zero, period)
-
-    def counted_shown(self, angle: Array) -> Array:
-        """Count angles that are counted from `crank_zero` already, in [0, cycle). [rad]"""
-        return _counted(angle, self.cycle)
+        return within(angle - self.zero, period)
 
 
-def _counted(angle: Array, period: float) -> Array:
-    """Angles in [0, period); what rounding put just before the period's end stands at its start. [rad]"""
+def within(angle: Array, period: float) -> Array:
+    """Bring angles into [0, period); what rounding put just before the period's end stands at its start. [rad]"""
     counted = np.mod(angle, period)
     return np.where(period - counted < _ROUNDING, 0.0, counted)
 

@@ -1,6 +1,7 @@
 """A file of two columns, crank angle and what there is at it: a table's fields, and the file over one turn or two."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from functools import lru_cache
 from typing import Annotated, ClassVar, NamedTuple
 
 import numpy as np
@@ -11,6 +12,7 @@ from cranktrain.fluids.indicator.reading import unit_in
 from cranktrain.fluids.indicator.table import Table, held_text, read_table
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
+from cranktrain.numerics.polyline import Polyline
 from cranktrain.quantities import Dimension, is_unit, one_of, read, unit_names
 from cranktrain.spec import Spec
 
@@ -22,6 +24,19 @@ _CLOSED = 0.01
 _MOST_PROBLEMS = 10
 
 
+class Words(NamedTuple):
+    """What a file is and what it gives at each angle, untranslated; of that its dimension, and the key of its unit.
+
+    without_unit: what is wrong where no unit is known, and what to write then.
+    """
+
+    curve: str
+    value: str
+    dimension: Dimension
+    unit_key: str
+    without_unit: tuple[str, str]
+
+
 class CycleFileSpec(Spec, frozen=True):
     """A curve over the crank angle in a file of two columns.
 
@@ -29,6 +44,7 @@ class CycleFileSpec(Spec, frozen=True):
     """
 
     of_file: ClassVar[frozenset[str]] = frozenset({"file", "text", "columns"})
+    words: ClassVar[Words]
 
     file: str = Field(
         min_length=1, description=N_("File with the values over the crank angle, relative to the machine file.")
@@ -43,75 +59,73 @@ class CycleFileSpec(Spec, frozen=True):
         description=N_("Columns of crank angle and value, counted from 1; needed where there are more than two."),
     )
 
+    @property
+    def unit(self) -> str | None:
+        """Unit of the values, where the table gives it."""
+        return getattr(self, self.words.unit_key)
 
-class CycleTable(NamedTuple):
-    """What a file holds over one period, as its unit has it.
+    @property
+    def needs_unit(self) -> bool:
+        """Whether values without a unit say nothing."""
+        return True
 
-    angles: rising, within one period [rad]; values; period: of one turn or two [rad]; unit: as the header says it, None
-    where it says none; problems: of the angles, and of a curve that does not close.
-    """
+    def _problems(self) -> Iterator[Problem]:
+        """Find a unit that is none, and what is wrong in the file."""
+        if self.unit is not None and not is_unit(self.unit, self.words.dimension):
+            yield Problem(self.words.unit_key, self.unit, one_of(unit_names(self.words.dimension)))
+        elif self.text is not None:
+            yield from self._curve_problems(given_curve(self))
 
-    angles: Array
-    values: Array
-    period: float
-    unit: str | None
-    problems: tuple[Problem, ...]
-
-
-class Words(NamedTuple):
-    """What a file is, and what it gives at each angle, untranslated."""
-
-    curve: str
-    value: str
-
-
-def refuse_unit(field: str, unit: str | None, dimension: Dimension) -> None:
-    """Refuse a unit that is none of a dimension; None is no unit given.
-
-    Raises
-    ------
-    InputError
-    """
-    if unit is not None and not is_unit(unit, dimension):
-        raise InputError([Problem(field, unit, one_of(unit_names(dimension)))])
+    def _curve_problems(self, _curve: Polyline) -> Iterable[Problem]:
+        """Find what this kind of curve must not be."""
+        return ()
 
 
-def cycle_table(spec: CycleFileSpec, dimension: Dimension, words: Words) -> CycleTable:
-    """Read the file of a spec.
+@lru_cache(maxsize=8)
+def given_curve(spec: CycleFileSpec) -> Polyline:
+    """Read the curve that the spec holds.
 
     Parameters
     ----------
     spec : CycleFileSpec
-    dimension : Dimension
-        Of the values, for the unit in their header.
-    words : Words
 
     Returns
     -------
-    CycleTable
-        A last point that is the first one again is left out.
+    Polyline
+        In SI, over the crank angle as it is shown, with the period of one turn or two; as the file has them where no
+        unit is needed and none known. A last point that is the first one again is left out.
 
     Raises
     ------
     InputError
-        With what cannot be read in the file, at line and column; or if nobody has read it.
+        With all that cannot be read in the file, at line and column; or if nobody has read it.
     """
+    words = spec.words
     table = read_table(held_text(spec.file, spec.text), spec.file)
-    where, level = _columns(spec, table, words)
+    where, level = _columns(spec, table)
     numbers = table.rows
     labels = table.labels or ("",) * numbers.shape[1]
     angle_unit = unit_in(labels[where], Dimension.ANGLE) or "deg"
     angles, values = numbers[:, where] * read(f"1 {angle_unit}", Dimension.ANGLE), numbers[:, level]
     problems = [*_order_problems(table, where)]
     if not problems:
-        problems = [*_span_problems(spec, table, angles, values, where, words)]
+        problems = [*_span_problems(spec, table, angles, values, where)]
+    unit = spec.unit or unit_in(labels[level], words.dimension)
+    if unit is None and spec.needs_unit:
+        allowed, repair = map(_, words.without_unit)
+        units = ", ".join(unit_names(words.dimension))
+        problems.append(Problem(words.unit_key, None, allowed, repair.format(units=units)))
+    if problems:
+        raise InputError(problems)
     period = _period(angles) or _TURN
     kept = slice(None, -1) if _is_closed(angles, period) else slice(None)
-    return CycleTable(angles[kept], values[kept], period, unit_in(labels[level], dimension), tuple(problems))
+    factor = 1.0 if unit is None else read(f"1 {unit}", words.dimension)
+    return Polyline(angles[kept], values[kept] * factor, period)
 
 
-def _columns(spec: CycleFileSpec, table: Table, words: Words) -> tuple[int, int]:
+def _columns(spec: CycleFileSpec, table: Table) -> tuple[int, int]:
     """Places of angle and value in a row, from 0."""
+    words = spec.words
     n_columns = table.rows.shape[1]
     if n_columns < 2:
         allowed = _("has one column; {curve} needs two, crank angle and {value}")
@@ -143,16 +157,14 @@ def _order_problems(table: Table, where: int) -> Iterator[Problem]:
         yield Problem("file", table.name, _("{n} more angles like these").format(n=wrong.size - _MOST_PROBLEMS))
 
 
-def _span_problems(
-    spec: CycleFileSpec, table: Table, angles: Array, values: Array, where: int, words: Words
-) -> Iterator[Problem]:
+def _span_problems(spec: CycleFileSpec, table: Table, angles: Array, values: Array, where: int) -> Iterator[Problem]:
     """Find a curve that is not one turn or two, and one that does not close."""
     position = table.position(len(table.lines) - 1, where)
     period = _period(angles)
     if period is None:
         first, last = (f"{np.degrees(float(end)):.7g}°" for end in (angles[0], angles[-1]))
         allowed = _("reaches from {first} to {last}; it must go on over one turn, 360°, or over two, 720°")
-        repair = _("give the {value} at both ends, or in equal steps all round").format(value=_(words.value))
+        repair = _("give the {value} at both ends, or in equal steps all round").format(value=_(spec.words.value))
         if abs(float(angles[-1] - angles[0]) - np.radians(_TURN)) < np.radians(_TURN) / len(angles):
             repair = _("if these are radians, write so in the header: angle [rad]")
         yield Problem("file", spec.file, allowed.format(first=first, last=last), repair, position)

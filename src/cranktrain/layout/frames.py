@@ -1,7 +1,7 @@
 """Frames: a mechanism's own axes as they lie in the machine's, X right and Y up, seen from the free end."""
 
 from collections.abc import Sequence
-from typing import ClassVar, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -92,8 +92,6 @@ class Frames:
     clockwise : bool
         Whether `main` runs clockwise as seen from the free end.
     """
-
-    needs: ClassVar[str] = ""
 
     direction: Array
     sense: Array

@@ -7,7 +7,7 @@ import numpy as np
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
-from cranktrain.layout.specs import MAIN, BankSpec, OpposedPistonSpec, ShaftSpec
+from cranktrain.layout.specs import MAIN, BankSpec, ShaftSpec, throws_of
 from cranktrain.motion import single
 from cranktrain.numerics import around_zero
 from cranktrain.wording import precise
@@ -49,8 +49,8 @@ def first_axis(banks: Mapping[str, BankSpec]) -> float:
     It is the first bank's; of opposed pistons that of the one that works on the main shaft, or else the exhaust's.
     """
     bank = next(iter(banks.values()))
-    on_main = [opposed_angle(bank, end) for end, piston in bank.opposed.items() if piston.shaft == MAIN]
-    return on_main[0] if on_main else bank.angle[0].si
+    on_main = (opposed_angle(bank, end) for end, side in bank.sides.items() if side.shaft == MAIN)
+    return next(on_main, bank.angle[0].si)
 
 
 def shaft_phases(
@@ -100,9 +100,9 @@ def shaft_phases(
 
 def _crank(shafts: Mapping[str, ShaftSpec], bank: BankSpec, end: str, first: float) -> _Crank:
     """Find the crank of the first cylinder's exhaust or scavenge piston."""
-    piston: OpposedPistonSpec = bank.opposed[end]
+    piston = bank.opposed[end]
     shaft = shafts[piston.shaft]
-    throw = shaft.throws[(piston.throws or (1,))[0] - 1].si - shaft.throws[0].si
+    throw = shaft.throws[throws_of(piston, shafts)[0] - 1].si - shaft.throws[0].si
     return _Crank(piston.shaft, float(shaft.ratio), first + throw - opposed_angle(bank, end))
 
 

@@ -1,12 +1,10 @@
-"""Guides of a machine file: put to what slides in every mechanism, and which mechanism has what they speak of."""
+"""Guides of a machine file, put to what slides in every mechanism."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import NamedTuple
 
-from cranktrain.errors import Problem
-from cranktrain.language import _
 from cranktrain.layout.bodies import GuideSpec
-from cranktrain.layout.part_tables import nearest_item, part_name, table_paths
+from cranktrain.layout.part_tables import nearest_item
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.dynamics import AnyDynamics
 from cranktrain.motion import ZERO, Array, single
@@ -47,16 +45,3 @@ def bearing_moments(dynamics: AnyDynamics) -> tuple[str, ...]:
     return tuple(
         name for name, contact in zip(dynamics.sliding, dynamics.contacts, strict=True) if contact.bears_moment
     )
-
-
-def guide_problems(places: Sequence[PlacedMechanism], guides: Guides) -> list[Problem]:
-    """Find guides of what no mechanism has, and of what bears no moment in its guide."""
-    found: list[Problem] = []
-    for path, specs in guides.items():
-        own = [place for place in places if path in table_paths(place, _TABLE)]
-        known = list(dict.fromkeys(part_name(name) for place in own for name in bearing_moments(place.kind.dynamics)))
-        allowed = _("must be what slides in a guide, which can bear a moment: {parts}").format(
-            parts=", ".join(known) or _("nothing does")
-        )
-        found += [Problem(f"{path}.{name}", None, allowed) for name in specs if name not in known]
-    return found

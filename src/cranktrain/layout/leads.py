@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
-from cranktrain.layout.specs import MAIN, BankSpec, ShaftSpec
+from cranktrain.layout.specs import MAIN, BankSpec, ShaftSpec, throws_of
 from cranktrain.motion import Array
 from cranktrain.numerics import around_zero
 from cranktrain.wording import precise, shared
@@ -50,14 +50,8 @@ def lead_problems(shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec]
 def _turned(shafts: Mapping[str, ShaftSpec], bank: BankSpec, end: str) -> Array:
     """How far the crank of each cylinder's piston stands ahead of the first one's, in its own sense. [rad]"""
     shaft = shafts[bank.opposed[end].shaft]
-    throws = np.array([shaft.throws[i].si for i in _throws(shafts, bank, end)])
+    throws = np.array([shaft.throws[throw - 1].si for throw in throws_of(bank.opposed[end], shafts)])
     return shaft.ratio * (throws - throws[0])
-
-
-def _throws(shafts: Mapping[str, ShaftSpec], bank: BankSpec, end: str) -> list[int]:
-    """Throws on which a bank's exhaust or scavenge pistons work, from 0."""
-    piston = bank.opposed[end]
-    return [throw - 1 for throw in piston.throws or range(1, len(shafts[piston.shaft].throws) + 1)]
 
 
 def _repair(shafts: Mapping[str, ShaftSpec], bank: BankSpec) -> str:
@@ -66,7 +60,7 @@ def _repair(shafts: Mapping[str, ShaftSpec], bank: BankSpec) -> str:
     name = bank.opposed[end].shaft
     shaft, wanted = shafts[name], _turned(shafts, bank, other)
     angles: Array = np.array([throw.si for throw in shaft.throws])
-    own = _throws(shafts, bank, end)
+    own = [throw - 1 for throw in throws_of(bank.opposed[end], shafts)]
     angles[own] = np.mod(np.round(angles[own[:1]] + shaft.ratio * wanted, 12), 2 * np.pi)
     listed = ", ".join(f'"{precise(angle, "deg")}"' for angle in angles.tolist())
     repair = _("all have it with shaft.{name}.throws = [{angles}]").format(name=name, angles=listed)

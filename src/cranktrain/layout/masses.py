@@ -1,8 +1,8 @@
 """Masses: the rigid bodies of a machine file, put to the links of every mechanism."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from math import cos, sin
-from typing import Any, ClassVar, NamedTuple
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
@@ -10,8 +10,8 @@ from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, GravitySpec, GuideSpec
 from cranktrain.layout.frames import Orientation, frame_of
-from cranktrain.layout.guide_tables import Edges, edges_of
-from cranktrain.layout.part_tables import PISTON, SLIDER, nearest_item, part_name, table_paths
+from cranktrain.layout.guide_tables import Edges, bearing_moments, edges_of
+from cranktrain.layout.part_tables import PISTON, SLIDER, nearest_item, part_name, table_paths, unknown_parts
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage.forces import Body, Gravity
 from cranktrain.mechanisms.geometry import stacked
@@ -33,7 +33,7 @@ class MechanismMasses(NamedTuple):
     edges of their guides.
     """
 
-    bodies: Any
+    bodies: tuple[Body, ...]
     gravity: Gravity
     friction: tuple[Array, ...]
     edges: tuple[Edges, ...]
@@ -101,53 +101,49 @@ def _length(place: PlacedMechanism, part: str) -> float | None:
     return None if length is None else float(length)
 
 
-def mass_problems(places: Sequence[PlacedMechanism], given: Weighed) -> tuple[Problem, ...]:
-    """Find masses and friction of parts that no mechanism has, and bodies that cannot be the link's."""
-    found: list[Problem] = []
+def mass_problems(places: Sequence[PlacedMechanism], given: Weighed) -> Iterator[Problem]:
+    """Find masses, friction and guides of parts that no mechanism has, and bodies that cannot be the link's."""
+    moves = _("must be a part that moves: {parts}")
+    yield from unknown_parts(places, _TABLE, given.bodies, lambda dynamics: dynamics.moving, moves)
     for path, bodies in given.bodies.items():
-        own = [place for place in places if path in table_paths(place, _TABLE)]
-        known = list(dict.fromkeys(part_name(name) for place in own for name in place.kind.dynamics.moving))
         for name, body in bodies.items():
-            where = f"{path}.{name}"
-            if name not in known:
-                allowed = _("must be a part that moves: {parts}").format(parts=", ".join(known))
-                found.append(Problem(where, None, allowed))
-                continue
-            found += _body_problems(where, name, body, own)
-    sliding = list(dict.fromkeys(part_name(name) for place in places for name in place.kind.dynamics.sliding))
-    for name, coefficient in given.friction.items():
-        if name not in sliding:
-            allowed = _("must be what slides in a guide or a slot: {parts}").format(
-                parts=", ".join(sliding) or _("nothing does")
-            )
-            found.append(Problem(f"friction.{name}", coefficient.text, allowed))
-    return tuple(dict.fromkeys(found))
+            own = [
+                place
+                for place in places
+                if path in table_paths(place, _TABLE) and name in map(part_name, place.kind.dynamics.moving)
+            ]
+            if own:
+                yield from _body_problems(f"{path}.{name}", name, body, own)
+    slides = _("must be what slides in a guide or a slot: {parts}")
+    yield from unknown_parts(
+        places, "friction", {"friction": given.friction}, lambda dynamics: dynamics.sliding, slides
+    )
+    is_guided = _("must be what slides in a guide, which can bear a moment: {parts}")
+    yield from unknown_parts(places, "guide", given.guides, bearing_moments, is_guided)
 
 
-def _body_problems(where: str, name: str, body: BodySpec, places: Sequence[PlacedMechanism]) -> list[Problem]:
+def _body_problems(where: str, name: str, body: BodySpec, places: Sequence[PlacedMechanism]) -> Iterator[Problem]:
     """Find what a body lacks, and a centroid that lies far outside its link."""
-    found: list[Problem] = []
-    lengths = [length for place in places if (length := _length(place, name)) is not None]
+    lengths = dict.fromkeys(length for place in places if (length := _length(place, name)) is not None)
     if name != PISTON and body.big_end is None:
-        found += [
+        yield from (
             Problem(f"{where}.{field}", None, _("is missing"))
             for field in ("along", "inertia")
             if getattr(body, field) is None and not (field == "inertia" and lengths)
-        ]
+        )
     if body.big_end is not None and not lengths:
-        found.append(Problem(f"{where}.big_end", body.big_end.text, _("is for a rod, whose length is known")))
+        yield Problem(f"{where}.big_end", body.big_end.text, _("is for a rod, whose length is known"))
     for length in lengths:
         if body.along is not None and not -length <= body.along.si <= 2 * length:
             allowed = _("must lie on the link or not far from it: {least} to {most} from its first pin").format(
                 least=precise(-length), most=precise(2 * length)
             )
-            found.append(Problem(f"{where}.along", body.along.text, allowed))
+            yield Problem(f"{where}.along", body.along.text, allowed)
         if abs(body.across.si) > length:
             allowed = _(
                 "must lie on the link or not far from it: {least} to {most} beside the line of its pins"
             ).format(least=precise(-length), most=precise(length))
-            found.append(Problem(f"{where}.across", body.across.text, allowed))
-    return found
+            yield Problem(f"{where}.across", body.across.text, allowed)
 
 
 def masses_of(designs: Sequence[Sequence[PlacedMechanism]], given: Sequence[Weighed]) -> Masses:
@@ -214,14 +210,14 @@ def _place_masses(place: PlacedMechanism, given: Weighed, *, has_crank: bool) ->
     """Bodies, gravity, friction and guides of one mechanism."""
     dynamics = place.kind.dynamics
     nothing = Body(*map(single, (0.0, 0.0, 0.0, 0.0)))
-    bodies = [
+    bodies = tuple(
         nothing
         if (part == _CRANK and not has_crank) or (spec := nearest_item(place, part, _TABLE, given.bodies)) is None
         else _body(place, part, spec)
         for part in dynamics.moving
-    ]
+    )
     return MechanismMasses(
-        dynamics.bodies(*bodies),
+        bodies,
         _gravity(place, given),
         tuple(
             single(given.friction[part_name(name)].si if part_name(name) in given.friction else 0.0)

@@ -11,10 +11,10 @@ from cranktrain.linkage import in_blocks
 from cranktrain.mechanisms.geometry import rows, stacked
 from cranktrain.mechanisms.kind import AnyGeometry, AnyKind, AnyMotion, Members
 from cranktrain.motion import Array
-from cranktrain.numerics.nested import remade
+from cranktrain.numerics.nested import side_by_side
 from cranktrain.record import record
 
-Outcome = TypeVar("Outcome", bound=tuple[Array, ...])
+Outcome = TypeVar("Outcome", bound=tuple[object, ...])
 
 
 @record
@@ -42,8 +42,6 @@ class Mechanisms:
     """
 
     dimension: ClassVar[str] = "mechanism"
-    needs: ClassVar[str] = ""
-
     names: tuple[str, ...]
     banks: tuple[str, ...]
     batches: tuple[Batch, ...]
@@ -72,7 +70,7 @@ class Mechanisms:
 
         Parameters
         ----------
-        pick : callable (motion) → NamedTuple of arrays, shape (design, member, n)
+        pick : callable (motion) → NamedTuple of arrays, or of such, shape (design, member, n)
         angle : Array, shape (n,), (design, 1, n) or (design, mechanism, n)
             φ, the same for all mechanisms or one for each. [rad]
 
@@ -80,21 +78,12 @@ class Mechanisms:
         -------
         NamedTuple of arrays, shape (design, mechanism, n)
         """
-        picked: list[tuple[Batch, Outcome]] = []
+        picked: list[tuple[NDArray[np.intp], Outcome]] = []
         for batch in self.batches:
             own = angle[:, batch.index, :] if angle.ndim == 3 and angle.shape[1] > 1 else angle
-            picked.append(
-                (batch, pick(in_blocks(batch.kind.motion, own + batch.members.phase, batch.members.geometry)))
-            )
-        first = picked[0][1]
-        shape = (first[0].shape[0], len(self.names), first[0].shape[-1])
-        columns: list[Array] = []
-        for part in range(len(first)):
-            column = np.empty(shape)
-            for batch, values in picked:
-                column[:, batch.index, :] = values[part]
-            columns.append(column)
-        return remade(first, columns)
+            motion = in_blocks(batch.kind.motion, own + batch.members.phase, batch.members.geometry)
+            picked.append((batch.index, pick(motion)))
+        return side_by_side(picked, (len(self.nominal_top), len(self.names), angle.shape[-1]))
 
     def alone(self, design: int, mechanism: int, angle: Array) -> AnyMotion:
         """Motion of one mechanism of one design at φ [rad], shape (n,): parts of shape (1, n)."""

@@ -1,9 +1,13 @@
 """Tables of the machine file that stand by the names of parts, for all mechanisms or for those of a bank."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TypeVar
 
+from cranktrain.errors import Problem
+from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
+from cranktrain.mechanisms.dynamics import AnyDynamics
+from cranktrain.quantities import Given
 
 Item = TypeVar("Item")
 
@@ -26,3 +30,20 @@ def nearest_item(place: PlacedMechanism, part: str, table: str, given: Mapping[s
     """Find what the nearest table that speaks of a part gives it; None where none does."""
     found = (given.get(path, {}).get(part_name(part)) for path in table_paths(place, table))
     return next((item for item in found if item is not None), None)
+
+
+def unknown_parts(
+    places: Sequence[PlacedMechanism],
+    table: str,
+    given: Mapping[str, Mapping[str, object]],
+    known: Callable[[AnyDynamics], Iterable[str]],
+    allowed: str,
+) -> Iterator[Problem]:
+    """Find items of tables, by path, that no mechanism of which they speak has; `known` says which parts one has."""
+    for path, items in given.items():
+        own = [place.kind.dynamics for place in places if path in table_paths(place, table)]
+        parts = dict.fromkeys(part_name(name) for dynamics in own for name in known(dynamics))
+        said = allowed.format(parts=", ".join(parts) or _("nothing does"))
+        for name, item in items.items():
+            if name not in parts:
+                yield Problem(f"{path}.{name}", item.text if isinstance(item, Given) else None, said)

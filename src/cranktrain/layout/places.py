@@ -1,12 +1,13 @@
 """Places: every mechanism of a machine, by name, with its axis, its throw and its geometry."""
 
 from collections.abc import Mapping, Sequence
+from itertools import product
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
 from cranktrain.layout.gearing import first_axis, opposed_angle, shaft_phases
 from cranktrain.layout.leads import lead_problems
-from cranktrain.layout.specs import BankSpec, ShaftSpec
+from cranktrain.layout.specs import BankSpec, OpposedPistonSpec, ShaftSpec, throws_of
 from cranktrain.mechanisms import MechanismSpec, kind_of
 from cranktrain.mechanisms.geometry import mirrored
 from cranktrain.mechanisms.kind import AnyGeometry, AnyKind
@@ -90,7 +91,7 @@ class PlacedMechanism(_Slot):
 
 
 def places_of(
-    shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec], *, astern: bool, prefix: str = "bank."
+    shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec], *, astern: bool
 ) -> tuple[tuple[PlacedMechanism, ...], tuple[Problem, ...]]:
     """Arrange a machine's mechanisms.
 
@@ -98,18 +99,17 @@ def places_of(
     ----------
     shafts : mapping of name to ShaftSpec
     banks : mapping of name to BankSpec
-        One bank of any name gives places `1`, `2`, …; more give `1L`, `2L`, …; opposed pistons `1.exhaust`, ….
+        One bank of any name gives places `1`, `2`, …; more give `1L`, `2L`, …; opposed pistons `1.exhaust`, …. The bank
+        of a bare `[mechanism]` has no name.
     astern : bool
         The same metal at −φ: all that counts in the sense of rotation or toward +y is mirrored.
-    prefix : str
-        Of the banks' paths in the file; empty for a bare `[mechanism]`.
 
     Returns
     -------
     tuple of PlacedMechanism, tuple of Problem
         Places in the order of the file. With problems, no places.
     """
-    slots, problems = _slots(shafts, banks, prefix)
+    slots, problems = _slots(shafts, banks)
     if problems:
         return (), problems
     phases, problems = shaft_phases(shafts, banks)
@@ -147,89 +147,75 @@ def places_of(
 
 
 def _slots(
-    shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec], prefix: str
+    shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec]
 ) -> tuple[tuple[_Slot, ...], tuple[Problem, ...]]:
     """Name every place, bank by bank; problems where a shaft or throw does not exist."""
     slots: list[_Slot] = []
     problems: list[Problem] = []
     for bank, spec in banks.items():
-        path = f"{prefix}{bank}." if prefix else ""
+        home = f"bank.{bank}." if bank else ""
         suffix = bank if len(banks) > 1 else ""
-        if not spec.opposed:
-            throws, wrong = _throws(shafts, spec.shaft, spec.throws, path)
-            problems += wrong
-            lists = _lists(spec)
-            slots += [
-                _Slot(
-                    name=f"{number}{suffix}",
-                    cylinder=f"{number}{suffix}",
-                    bank=bank,
-                    is_far=False,
-                    shaft=spec.shaft,
-                    throw=throw - 1,
-                    stagger=spec.stagger.si,
-                    file_axis=spec.angle[k].si,
-                    spec=spec.mechanism[k],
-                    path=f"{path}mechanism",
-                    lists=dict.fromkeys(lists, f"[{k}]"),
-                )
-                for number, (throw, k) in enumerate(((t, k) for t in throws for k in range(len(spec.angle))), start=1)
-            ]
-            continue
         numbers: dict[str, int] = {}
-        for end, piston in spec.opposed.items():
-            throws, wrong = _throws(shafts, piston.shaft, piston.throws, f"{path}{end}.")
+        for end, side in spec.sides.items():
+            path = f"{home}{end}." if end else home
+            throws, wrong = _throws(shafts, side, path)
             problems += wrong
             numbers[end] = len(throws)
             slots += [
                 _Slot(
-                    name=f"{number}{suffix}.{end}",
+                    name=f"{number}{suffix}.{end}" if end else f"{number}{suffix}",
                     cylinder=f"{number}{suffix}",
                     bank=bank,
-                    is_far=piston.side_rods,
-                    shaft=piston.shaft,
+                    is_far=end in spec.opposed and spec.opposed[end].side_rods,
+                    shaft=side.shaft,
                     throw=throw - 1,
                     stagger=spec.stagger.si,
-                    file_axis=opposed_angle(spec, end),
-                    spec=piston.mechanism,
-                    path=f"{path}{end}.mechanism",
-                    lists={},
+                    file_axis=axis,
+                    spec=mechanism,
+                    path=f"{path}mechanism",
+                    lists=lists,
                 )
-                for number, throw in enumerate(throws, start=1)
+                for number, (throw, (mechanism, axis, lists)) in enumerate(product(throws, _mechanisms(spec, end)), 1)
             ]
         if not problems and len(set(numbers.values())) > 1:
             allowed = _("must be as many as the exhaust pistons have, {n}: two pistons share a cylinder")
             problems.append(
-                Problem(f"{path}scavenge.throws", str(numbers["scavenge"]), allowed.format(n=numbers["exhaust"]))
+                Problem(f"{home}scavenge.throws", str(numbers["scavenge"]), allowed.format(n=numbers["exhaust"]))
             )
     return tuple(slots), tuple(problems)
 
 
 def _throws(
-    shafts: Mapping[str, ShaftSpec], shaft: str, throws: tuple[int, ...] | None, path: str
-) -> tuple[tuple[int, ...], list[Problem]]:
+    shafts: Mapping[str, ShaftSpec], side: BankSpec | OpposedPistonSpec, path: str
+) -> tuple[Sequence[int], list[Problem]]:
     """Throws on which pistons work, counted from 1: those given, or all of the shaft."""
-    if shaft not in shafts:
+    if side.shaft not in shafts:
         allowed = _("must be one of the shafts: {shafts}").format(shafts=", ".join(shafts))
-        return (), [Problem(f"{path}shaft", shaft, allowed)]
-    n_throws = len(shafts[shaft].throws)
-    chosen = throws or tuple(range(1, n_throws + 1))
+        return (), [Problem(f"{path}shaft", side.shaft, allowed)]
+    n_throws = len(shafts[side.shaft].throws)
+    throws = throws_of(side, shafts)
     allowed = _("must be one of the shaft's throws, 1 to {n}, each once").format(n=n_throws)
-    return chosen, [
+    return throws, [
         Problem(f"{path}throws[{i}]", str(throw), allowed)
-        for i, throw in enumerate(chosen)
-        if not 1 <= throw <= n_throws or throw in chosen[:i]
+        for i, throw in enumerate(throws)
+        if not 1 <= throw <= n_throws or throw in throws[:i]
     ]
 
 
-def _lists(spec: BankSpec) -> tuple[str, ...]:
-    """Fields of the bank's mechanism that differ from one angle to another, and so are lists in the file."""
-    first = spec.mechanism[0]
-    return tuple(
+def _mechanisms(bank: BankSpec, end: str) -> list[tuple[MechanismSpec, float, dict[str, str]]]:
+    """Mechanisms on each throw, with their axes from Y [rad], and their places in what are lists in the file."""
+    if end:
+        return [(bank.opposed[end].mechanism, opposed_angle(bank, end), {})]
+    first = bank.mechanism[0]
+    lists = [
         field
         for field in type(first).model_fields
-        if any(getattr(other, field, None) != getattr(first, field) for other in spec.mechanism)
-    )
+        if any(getattr(other, field, None) != getattr(first, field) for other in bank.mechanism)
+    ]
+    return [
+        (mechanism, angle.si, dict.fromkeys(lists, f"[{k}]"))
+        for k, (mechanism, angle) in enumerate(zip(bank.mechanism, bank.angle, strict=True))
+    ]
 
 
 def _master_of(slot: _Slot, slots: Sequence[_Slot]) -> _Slot | Problem | None:

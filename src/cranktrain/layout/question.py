@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import field
-from functools import cached_property
+from functools import cache, cached_property
 from types import NoneType
 from typing import Any, NamedTuple, TypeAlias, get_args, get_type_hints
 
@@ -26,6 +26,7 @@ class Needs(NamedTuple):
     optional: frozenset[str]
 
 
+@cache
 def needs_of(function: Callable[..., Any]) -> Needs:
     """Read needs from annotations; one that is `X | None` may be absent."""
     hints = get_type_hints(function)
@@ -55,29 +56,21 @@ class Stage:
         """Type of the result."""
         return get_type_hints(self.function)["return"]
 
-    @cached_property
-    def _needs(self) -> Needs:
-        return needs_of(self.function)
-
-    @cached_property
-    def _asked(self) -> Needs:
-        return Needs({}, frozenset()) if self.applies is None else needs_of(self.applies)
-
     @property
     def needs(self) -> Mapping[str, type]:
         """Type of every parameter."""
-        return self._needs.types
+        return needs_of(self.function).types
 
     @property
     def optional(self) -> frozenset[str]:
         """Parameters that may be None: never reported as missing."""
-        return self._needs.optional
+        return needs_of(self.function).optional
 
     def applies_to(self, parts: Mapping[type, object]) -> bool | str:
         """Say whether it applies to a machine of some parts; where it asks for one that is not there, it does not."""
         if self.applies is None:
             return True
-        asked = self._asked
+        asked = needs_of(self.applies)
         given = {name: parts.get(kind) for name, kind in asked.types.items()}
         if any(part is None and name not in asked.optional for name, part in given.items()):
             return False

@@ -1,7 +1,6 @@
 """Shafts: which mechanism works on which throw of which shaft, and the journals between the throws."""
 
 from collections.abc import Mapping, Sequence
-from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,8 +22,6 @@ class Shafts:
     shaft, throw : array of int, shape (mechanism,)
         On which shaft each mechanism works, and on which throw of it, from 0.
     """
-
-    needs: ClassVar[str] = ""
 
     names: tuple[str, ...]
     n_throws: tuple[int, ...]

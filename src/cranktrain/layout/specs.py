@@ -1,7 +1,7 @@
 """Shaft, banks and cylinders: their tables of the machine file."""
 
-from collections.abc import Mapping, Sequence
-from typing import Annotated, Any, Literal, Self, TypeVar, cast
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Annotated, Any, Literal, TypeVar, cast
 
 from pydantic import BeforeValidator, Field, model_validator
 
@@ -94,23 +94,17 @@ class ShaftSpec(Spec, frozen=True):
         """Whether there is more to say of how it turns than one speed."""
         return self.acceleration is not None or self.speed_curve is not None
 
-    @model_validator(mode="after")
-    def _spaced(self) -> Self:
-        """Refuse a list of gaps that does not fit the number of throws."""
+    def _problems(self) -> Iterator[Problem]:
+        """Find gaps that are not as many as the throws have, an acceleration of nothing, and one beside a curve."""
         gaps = len(self.throws) - 1
         if self.spacing is not None and len(self.spacing) not in (1, gaps):
             allowed = _("must be one length, or a list of them, one for each gap between throws: {gaps}")
-            raise Refused(allowed.format(gaps=gaps), path="spacing")
-        return self
-
-    @model_validator(mode="after")
-    def _turning(self) -> Self:
-        """Refuse an acceleration of nothing, or beside a curve that has its own."""
+            yield Problem("spacing", None, allowed.format(gaps=gaps))
         if self.acceleration is not None and self.speed_curve is not None:
-            raise Refused(_("must not stand beside speed_curve, which has its own at every angle"), path="acceleration")
-        if self.acceleration is not None and self.speed is None:
-            raise Refused(_("is missing; a moment has a speed and an acceleration"), path="speed")
-        return self
+            allowed = _("must not stand beside speed_curve, which has its own at every angle")
+            yield Problem("acceleration", None, allowed)
+        elif self.acceleration is not None and self.speed is None:
+            yield Problem("speed", None, _("is missing; a moment has a speed and an acceleration"))
 
 
 MAIN = "main"
@@ -193,19 +187,21 @@ class BankSpec(Spec, frozen=True):
         """The exhaust and the scavenge piston by these names; none of a bank with one piston in a cylinder."""
         return {name: piston for name in ENDS if (piston := getattr(self, name)) is not None}
 
-    def n_mechanisms(self, shafts: Mapping[str, ShaftSpec]) -> int:
-        """Count its mechanisms: one for each throw that it works on, angle and piston; none on an unknown shaft."""
-        throws = tuple((piston.shaft, piston.throws) for piston in self.opposed.values()) or (
-            (self.shaft, self.throws),
-        )
-        return len(self.angle) * sum(
-            len(shafts[shaft].throws if chosen is None else chosen) for shaft, chosen in throws if shaft in shafts
-        )
+    @property
+    def sides(self) -> "Mapping[str, BankSpec | OpposedPistonSpec]":
+        """What works on a shaft: the exhaust and the scavenge piston, or else the bank itself, by no name."""
+        return self.opposed or {"": self}
 
     @property
     def shafts(self) -> tuple[str, ...]:
         """Names of the shafts that the bank works on."""
-        return tuple(piston.shaft for piston in self.opposed.values()) or (self.shaft,)
+        return tuple(side.shaft for side in self.sides.values())
+
+    def n_mechanisms(self, shafts: Mapping[str, ShaftSpec]) -> int:
+        """Count its mechanisms: one for each throw that it works on, angle and piston; none on an unknown shaft."""
+        return len(self.angle) * sum(
+            len(throws_of(side, shafts)) for side in self.sides.values() if side.shaft in shafts
+        )
 
     @model_validator(mode="before")
     @classmethod
@@ -241,51 +237,44 @@ class BankSpec(Spec, frozen=True):
             ),
         }
 
-    @model_validator(mode="after")
-    def _one_piston_or_two(self) -> Self:
-        """Refuse a bank without mechanism, one of two opposed pistons alone, and what belongs to the other way."""
-        found: list[Problem] = []
+    def _problems(self) -> Iterator[Problem]:
+        """Find a bank without mechanism, one of two opposed pistons alone, and what belongs to the other way."""
         given = self.model_fields_set
-        if not self.opposed:
-            if not self.mechanism:
-                found.append(
-                    Problem("mechanism", None, _("is missing; or, with opposed pistons, exhaust and scavenge"))
-                )
-            if self.lead is not None:
-                found.append(Problem("lead", None, _("is for opposed pistons: give exhaust and scavenge")))
-        else:
-            found += [
-                Problem(name, None, _("is missing; opposed pistons are two, exhaust and scavenge"))
-                for name in ENDS
-                if name not in self.opposed
-            ]
+        if self.opposed:
+            missing = _("is missing; opposed pistons are two, exhaust and scavenge")
+            yield from (Problem(name, None, missing) for name in ENDS if name not in self.opposed)
             allowed = _("must not stand beside opposed pistons, each of which has its own")
-            found += [Problem(name, None, allowed) for name in ("mechanism", "throws", "shaft") if name in given]
+            yield from (Problem(name, None, allowed) for name in ("mechanism", "throws", "shaft") if name in given)
             if len(self.angle) > 1:
-                found.append(Problem("angle", None, _("must be one angle for opposed pistons")))
-            found += self._side_rod_problems()
-        if found:
-            raise InputError(found)
-        return self
+                yield Problem("angle", None, _("must be one angle for opposed pistons"))
+            if len(self.opposed) == 2:
+                yield from self._side_rod_problems()
+            return
+        if not self.mechanism:
+            yield Problem("mechanism", None, _("is missing; or, with opposed pistons, exhaust and scavenge"))
+        if self.lead is not None:
+            yield Problem("lead", None, _("is for opposed pistons: give exhaust and scavenge"))
 
-    def _side_rod_problems(self) -> list[Problem]:
+    def _side_rod_problems(self) -> Iterator[Problem]:
         """Find pistons of which it cannot be told which one is the far one, or on two shafts need not be told."""
-        if len(self.opposed) < 2:
-            return []
         far = [name for name, piston in self.opposed.items() if piston.side_rods]
         if len(set(self.shafts)) == 2:
             allowed = _("is for two pistons on one shaft; on two shafts they face each other")
-            return [Problem(f"{name}.side_rods", "true", allowed) for name in far]
-        found: list[Problem] = []
+            yield from (Problem(f"{name}.side_rods", "true", allowed) for name in far)
+            return
         if len(far) != 1:
             allowed = _(
                 "must be true for just one of the two, the far piston on their shaft; or give one another shaft"
             )
-            found.append(Problem(f"{ENDS[1]}.side_rods", None, allowed))
+            yield Problem(f"{ENDS[1]}.side_rods", None, allowed)
         if self.lead is not None:
             allowed = _("is for pistons on two shafts; on one shaft its throws say how far one is ahead")
-            found.append(Problem("lead", None, allowed))
-        return found
+            yield Problem("lead", None, allowed)
+
+
+def throws_of(side: BankSpec | OpposedPistonSpec, shafts: Mapping[str, ShaftSpec]) -> Sequence[int]:
+    """Throws that a bank or one of its opposed pistons works on, counted from 1: those given, or all of the shaft."""
+    return side.throws or range(1, len(shafts[side.shaft].throws) + 1)
 
 
 def _items(value: object) -> Sequence[Any] | None:

@@ -1,7 +1,5 @@
 """Speed of the main shaft that varies: over the cycle, found by the machine's own evenness or given, or at a moment."""
 
-from typing import ClassVar
-
 import numpy as np
 
 from cranktrain.language import _
@@ -29,8 +27,6 @@ class SpeedCurve:
     moment : Array, shape (design, 1, 1), or None
         Of one moment, which may be at any crank angle, the angular acceleration; the speed is then one. [rad/s²]
     """
-
-    needs: ClassVar[str] = ""
 
     square: PeriodicCurve
     zero: Array

@@ -1,22 +1,21 @@
 """The table of a machine file that names a speed curve, and the file read: speed over the crank angle."""
 
-from collections.abc import Sequence
-from functools import lru_cache
-from typing import ClassVar, Self
+from collections.abc import Iterator, Sequence
+from typing import ClassVar
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
-from cranktrain.layout.cycle_table import CycleFileSpec, CycleTable, Words, cycle_table, refuse_unit
+from cranktrain.layout.cycle_table import CycleFileSpec, Words, given_curve
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.motion import Array
-from cranktrain.numerics.knotted import knotted_curve
+from cranktrain.numerics.knotted import knotted_curve, spline_through
 from cranktrain.numerics.periodic import PeriodicCurve, side_by_side
-from cranktrain.quantities import Dimension, read, unit_names
+from cranktrain.numerics.polyline import Polyline
+from cranktrain.quantities import Dimension
 
-_WORDS = Words(N_("a speed curve"), N_("speed"))
 _FEWEST = 3
 _LOOKED_AT = 16
 """Places between two points of the file at which a speed that would fall to 0 is looked for."""
@@ -31,70 +30,34 @@ class SpeedCurveSpec(CycleFileSpec, frozen=True):
     """
 
     of_file: ClassVar[frozenset[str]] = CycleFileSpec.of_file | {"speed_unit"}
+    words: ClassVar[Words] = Words(
+        N_("a speed curve"),
+        N_("speed"),
+        Dimension.SPEED,
+        "speed_unit",
+        (N_("the file names no unit of speed"), N_('write speed_unit = "rpm" (or {units})')),
+    )
 
     speed_unit: str | None = Field(
         default=None, description=N_("Unit of the speeds, where the header does not say it.")
     )
 
-    @model_validator(mode="after")
-    def _readable(self) -> Self:
-        """Refuse a unit that is none, and a file that cannot be read as a speed curve."""
-        refuse_unit("speed_unit", self.speed_unit, Dimension.SPEED)
-        if self.text is not None:
-            speeds_of(self)
-        return self
+    def _curve_problems(self, curve: Polyline) -> Iterator[Problem]:
+        """Find too few points, speeds that are none, and a curve through them that falls to 0."""
+        steps = np.diff(curve.angles, append=curve.angles[0] + curve.period)
+        between = curve.angles[:, np.newaxis] + steps[:, np.newaxis] * np.arange(_LOOKED_AT) / _LOOKED_AT
+        if len(curve.angles) < _FEWEST:
+            yield Problem("file", self.file, _("must have at least {n} angles of a turn").format(n=_FEWEST))
+        elif not np.all(curve.values > 0):
+            yield Problem("file", self.file, _("must have speeds of more than 0 all round"))
+        elif not np.all(_square(curve, len(curve.angles), curve.period).value(between.ravel()) > 0):
+            allowed = _("must have more angles: the smooth curve through these falls to 0 between them")
+            yield Problem("file", self.file, allowed)
 
 
-@lru_cache(maxsize=8)
-def speeds_of(spec: SpeedCurveSpec) -> CycleTable:
-    """Read the speeds that the spec holds.
-
-    Parameters
-    ----------
-    spec : SpeedCurveSpec
-
-    Returns
-    -------
-    CycleTable
-        With speeds in SI, its angles as crank angles are shown. [rad/s, rad]
-
-    Raises
-    ------
-    InputError
-        With all that is wrong in the file, at line and column; or if nobody has read it.
-    """
-    table = cycle_table(spec, Dimension.SPEED, _WORDS)
-    unit = spec.speed_unit or table.unit
-    problems = [*table.problems]
-    if unit is None:
-        repair = _('write speed_unit = "rpm" (or {units})').format(units=", ".join(unit_names(Dimension.SPEED)))
-        problems.append(Problem("speed_unit", None, _("the file names no unit of speed"), repair))
-    if not problems:
-        problems = _shape_problems(spec, table)
-    if problems:
-        raise InputError(problems)
-    return table._replace(values=table.values * read(f"1 {unit}", Dimension.SPEED))
-
-
-def _shape_problems(spec: CycleFileSpec, table: CycleTable) -> list[Problem]:
-    """Find too few points, speeds that are none, and a curve through them that falls to 0."""
-    if len(table.angles) < _FEWEST:
-        return [Problem("file", spec.file, _("must have at least {n} angles of a turn").format(n=_FEWEST))]
-    if not np.all(table.values > 0):
-        return [Problem("file", spec.file, _("must have speeds of more than 0 all round"))]
-    square = _square(table, len(table.angles), table.period)
-    steps = np.diff(table.angles, append=table.angles[0] + table.period)
-    between = table.angles[:, np.newaxis] + steps[:, np.newaxis] * np.arange(_LOOKED_AT) / _LOOKED_AT
-    if np.all(square.value(between.ravel()) > 0):
-        return []
-    return [
-        Problem("file", spec.file, _("must have more angles: the smooth curve through these falls to 0 between them"))
-    ]
-
-
-def _square(speeds: CycleTable, n_points: int, cycle: float) -> PeriodicCurve:
+def _square(speeds: Polyline, n_points: int, cycle: float) -> PeriodicCurve:
     """ω² over the crank angle as it is shown: the spline through that of the file. [rad²/s²]"""
-    return knotted_curve(speeds.angles, speeds.values**2, speeds.period, n_points, cycle)
+    return knotted_curve(spline_through(speeds.angles, speeds.values**2, speeds.period), n_points, cycle)
 
 
 def tabled_speed(specs: Sequence[SpeedCurveSpec], n_points: int, cycle: float, *, zero: Array) -> SpeedCurve:
@@ -123,7 +86,7 @@ def tabled_speed(specs: Sequence[SpeedCurveSpec], n_points: int, cycle: float, *
     -----
     ω² is the periodic cubic spline through the file's, wherever its angles are. docs/theory/evenness, eq. (17.19).
     """
-    files = [speeds_of(spec) for spec in specs]
+    files = [given_curve(spec) for spec in specs]
     if any(speeds.period > cycle * 1.5 for speeds in files):
         allowed = _("goes on over two turns, and the cycle of this machine is one")
         raise InputError([Problem("shaft.main.speed_curve.file", None, allowed)])
@@ -134,7 +97,7 @@ def tabled_speed(specs: Sequence[SpeedCurveSpec], n_points: int, cycle: float, *
     return SpeedCurve(square, zero, mean[:, np.newaxis, np.newaxis], is_steady_running=False)
 
 
-def _mean_over_time(speeds: CycleTable, square: PeriodicCurve) -> float:
+def _mean_over_time(speeds: Polyline, square: PeriodicCurve) -> float:
     """Angle of a period over the time that it takes. [rad/s]"""
     half = np.diff(speeds.angles, append=speeds.angles[0] + speeds.period)[:, np.newaxis] / 2
     angle = speeds.angles[:, np.newaxis] + half * (1 + _NODES)

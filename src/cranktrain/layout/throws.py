@@ -31,8 +31,6 @@ class Throws:
         The first mechanism on each.
     """
 
-    needs: ClassVar[str] = ""
-
     names: tuple[str, ...]
     shafts: tuple[str, ...]
     carrying: NDArray[np.intp]

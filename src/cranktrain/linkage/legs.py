@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.linkage.point import fixed
+from cranktrain.linkage.vectors import cross, direction, dot, moving_between
 from cranktrain.motion import Array, Coefficient, Link, Point
 
 
@@ -49,13 +50,11 @@ def rod_between(ends: RodEnds) -> Link:
     -----
     d·d′ = 0: θ′ = d × d′/D², θ″ = d × d″/D². Exact; docs/theory/groups-2, eq. (7.16).
     """
-    dx = ends.end.x.value - ends.start.x.value
-    dy = ends.end.y.value - ends.start.y.value
-    square = dx * dx + dy * dy
-    turn = (dx * (ends.end.y.first - ends.start.y.first) - dy * (ends.end.x.first - ends.start.x.first)) / square
-    rate = (dx * (ends.end.y.second - ends.start.y.second) - dy * (ends.end.x.second - ends.start.x.second)) / square
+    d, d1, d2 = moving_between(ends.start, ends.end)
+    square = dot(d, d)
     length = np.sqrt(square)
-    return Link(ends.start, Coefficient(np.arctan2(dy, dx), turn, rate), dx / length, dy / length)
+    angle = Coefficient(np.arctan2(d.y, d.x), cross(d, d1) / square, cross(d, d2) / square)
+    return Link(ends.start, angle, d.x / length, d.y / length)
 
 
 def block_along(on_line: OnLine) -> Coefficient:
@@ -75,13 +74,9 @@ def block_along(on_line: OnLine) -> Coefficient:
     t = u·w, h = n·w constant: t′ = u·w′ + β′h, t″ = u·w″ + β″h + β′²t. Exact; docs/theory/groups-2, eq. (7.17).
     """
     line, point = on_line
-    cos = line.cos
-    sin = line.sin
-    wx = point.x.value - line.origin.x.value
-    wy = point.y.value - line.origin.y.value
-    along = cos * wx + sin * wy
-    shift = cos * wy - sin * wx
-    first = cos * (point.x.first - line.origin.x.first) + sin * (point.y.first - line.origin.y.first)
-    second = cos * (point.x.second - line.origin.x.second) + sin * (point.y.second - line.origin.y.second)
+    u = direction(line)
+    w, w1, w2 = moving_between(line.origin, point)
+    along = dot(u, w)
+    shift = cross(u, w)
     turn = line.angle.first
-    return Coefficient(along, first + turn * shift, second + (line.angle.second * shift + turn * turn * along))
+    return Coefficient(along, dot(u, w1) + turn * shift, dot(u, w2) + (line.angle.second * shift + turn * turn * along))

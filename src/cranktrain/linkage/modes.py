@@ -84,14 +84,9 @@ def _cross(one: _Vectors, other: _Vectors) -> Array:
     return np.imag(np.conj(one) * other)
 
 
-def _leg_without(position: complex, leg: _PlaneLeg, angle: Array) -> _Vectors:
-    """Leg as a vector, less the position of the link's point that it is counted from."""
-    return (leg.point - position) * np.exp(1j * angle) - leg.end
-
-
 def _line(leg: _PlaneLeg, first: _PlaneLeg, angle: Array) -> _Line:
     """Take a guide as it is, and of a rod's equation the difference from the first rod's: the squares cancel."""
-    vector = _leg_without(first.point, leg, angle)
+    vector = (leg.point - first.point) * np.exp(1j * angle) - leg.end  # the leg, counted from the first leg's point
     if leg.is_guide:
         normal = np.full_like(vector, leg.normal)
         return _Line(normal, leg.length - _dot(normal, vector))

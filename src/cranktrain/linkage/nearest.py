@@ -3,9 +3,9 @@
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cranktrain.linkage.triad import Leg, Pose, Triad, TriadEnds
+from cranktrain.linkage.vectors import Vector, Wrench, cross, crossed, dot, rotated
 from cranktrain.motion import Array, Link
 
 _STEPS = 40
@@ -21,19 +21,12 @@ class NearestPose(NamedTuple):
     opening: Array
 
 
-class _Row(NamedTuple):
-    """One leg's opening [m]; its gradient by x, y and angle; its second derivatives."""
+class _Openings(NamedTuple):
+    """Of each leg along the first axis: opening [m]; its gradient by x, y and angle; its second derivatives."""
 
     opening: Array
-    x: Array
-    y: Array
-    turn: Array
-    xx: Array
-    xy: Array
-    yy: Array
-    x_turn: Array
-    y_turn: Array
-    turn_turn: Array
+    gradient: Array
+    second: Array
 
 
 def nearest_pose(ends: TriadEnds, geometry: Triad, start: Pose) -> NearestPose:
@@ -59,81 +52,57 @@ def nearest_pose(ends: TriadEnds, geometry: Triad, start: Pose) -> NearestPose:
     size = np.where(size > 0, size, 1.0)
     numbers = (*start, size, *(end.origin.x.value for end in ends), *(leg.length for leg in geometry))
     shape = np.broadcast_shapes(*map(np.shape, numbers))
-    pose = Pose(*(np.broadcast_to(part, shape) for part in start))
-    rows = _rows(ends, geometry, pose)
-    square = _square(rows)
+    pose = np.stack([np.broadcast_to(part, shape) for part in start])
+    here = _openings(ends, geometry, pose)
+    square: Array = np.sum(here.opening**2, axis=0)
     damping = _FIRST_DAMPING + 0.0 * square
     for _ in range(_STEPS):
-        step = _step(rows, damping, size)
-        tried = Pose(*(part - change for part, change in zip(pose, step, strict=True)))
-        there = _rows(ends, geometry, tried)
-        square_there = _square(there)
+        step = _step(here, damping, size)
+        there = _openings(ends, geometry, pose - step)
+        square_there: Array = np.sum(there.opening**2, axis=0)
         is_less = square_there < square
-        pose = Pose(*(np.where(is_less, new, old) for new, old in zip(tried, pose, strict=True)))
-        rows = [_chosen(is_less, *pair) for pair in zip(there, rows, strict=True)]
+        pose = np.where(is_less, pose - step, pose)
+        here = _Openings(*(np.where(is_less, *parts) for parts in zip(there, here, strict=True)))
         square = np.where(is_less, square_there, square)
         damping = np.clip(np.where(is_less, 0.1 * damping, 10.0 * damping), _LEAST_DAMPING, _MOST_DAMPING)
-        moved = np.abs(step.x) + np.abs(step.y) + size * np.abs(step.angle)
+        moved = np.abs(step[0]) + np.abs(step[1]) + size * np.abs(step[2])
         if not np.any(moved > _SETTLED * size):
             break
-    largest = np.maximum.reduce([np.abs(row.opening) for row in rows])
-    return NearestPose(pose, np.where(largest > 0, square / np.where(largest > 0, largest, 1.0), largest))
+    largest = np.max(np.abs(here.opening), axis=0)
+    return NearestPose(Pose(*pose), np.where(largest > 0, square / np.where(largest > 0, largest, 1.0), largest))
 
 
-def _chosen(condition: NDArray[np.bool_], one: _Row, other: _Row) -> _Row:
-    return _Row(*(np.where(condition, *parts) for parts in zip(one, other, strict=True)))
+def _openings(ends: TriadEnds, geometry: Triad, pose: Array) -> _Openings:
+    """Openings of the three legs at a pose, (3, ...), in metres, with first and second derivatives."""
+    legs = (_opening(end, leg, pose) for end, leg in zip(ends, geometry, strict=True))
+    return _Openings(*(np.array(parts) for parts in zip(*legs, strict=True)))
 
 
-def _square(rows: list[_Row]) -> Array:
-    a, b, c = (row.opening for row in rows)
-    return a * a + b * b + c * c
+def _opening(end: Link, leg: Leg, pose: Array) -> tuple[Array, list[Array], list[list[Array]]]:
+    own = Vector(leg.point.radius * np.cos(leg.point.angle), leg.point.radius * np.sin(leg.point.angle))
+    arm = rotated(own, np.cos(pose[2]), np.sin(pose[2]))
+    w = Vector(pose[0] + arm.x - end.origin.x.value, pose[1] + arm.y - end.origin.y.value)
+    bend = (1.0 - leg.kind) / np.hypot(w.x, w.y)
+    unit = Vector(bend * w.x - leg.kind * end.sin, bend * w.y + leg.kind * end.cos)
+    turn = cross(arm, unit)
+    xy = -bend * unit.x * unit.y
+    x_turn, y_turn = -bend * (arm.y + unit.x * turn), bend * (arm.x - unit.y * turn)
+    second = [
+        [bend * (1.0 - unit.x * unit.x), xy, x_turn],
+        [xy, bend * (1.0 - unit.y * unit.y), y_turn],
+        [x_turn, y_turn, bend * (dot(arm, arm) - turn * turn) - dot(unit, arm)],
+    ]
+    return dot(unit, w) - leg.length, [unit.x, unit.y, turn], second
 
 
-def _rows(ends: TriadEnds, geometry: Triad, pose: Pose) -> list[_Row]:
-    """Openings of the three legs at a pose, in metres, with first and second derivatives."""
-    cos, sin = np.cos(pose.angle), np.sin(pose.angle)
-    return [_row(end, leg, pose, cos, sin) for end, leg in zip(ends, geometry, strict=True)]
-
-
-def _row(end: Link, leg: Leg, pose: Pose, cos: Array, sin: Array) -> _Row:
-    own_x, own_y = leg.point.radius * np.cos(leg.point.angle), leg.point.radius * np.sin(leg.point.angle)
-    arm_x, arm_y = own_x * cos - own_y * sin, own_x * sin + own_y * cos
-    leg_x, leg_y = pose.x + arm_x - end.origin.x.value, pose.y + arm_y - end.origin.y.value
-    length = np.hypot(leg_x, leg_y)
-    rod = 1.0 - leg.kind
-    bend = rod / length
-    x, y = bend * leg_x - leg.kind * end.sin, bend * leg_y + leg.kind * end.cos
-    turn = y * arm_x - x * arm_y
-    return _Row(
-        x * leg_x + y * leg_y - leg.length,
-        x,
-        y,
-        turn,
-        bend * (1.0 - x * x),
-        -bend * x * y,
-        bend * (1.0 - y * y),
-        -bend * (arm_y + x * turn),
-        bend * (arm_x - y * turn),
-        bend * (arm_x * arm_x + arm_y * arm_y - turn * turn) - (x * arm_x + y * arm_y),
-    )
-
-
-def _step(rows: list[_Row], damping: Array, size: Array) -> Pose:
+def _step(legs: _Openings, damping: Array, size: Array) -> Array:
     """Newton's step toward the least sum of squares, damped."""
-
-    def total(one: str, other: str, both: str) -> Array:
-        return sum(
-            (getattr(row, one) * getattr(row, other) + row.opening * getattr(row, both) for row in rows), 0.0 * damping
-        )
-
-    xx, yy = total("x", "x", "xx") + damping, total("y", "y", "yy") + damping
-    tt = total("turn", "turn", "turn_turn") + damping * size * size
-    xy, xt, yt = total("x", "y", "xy"), total("x", "turn", "x_turn"), total("y", "turn", "y_turn")
-    x, y, t = (sum((getattr(row, name) * row.opening for row in rows), 0.0 * damping) for name in ("x", "y", "turn"))
-    first, second, third = yy * tt - yt * yt, xt * yt - xy * tt, xy * yt - yy * xt
-    determinant = xx * first + xy * second + xt * third
-    return Pose(
-        (first * x + second * y + third * t) / determinant,
-        (second * x + (xx * tt - xt * xt) * y + (xy * xt - xx * yt) * t) / determinant,
-        (third * x + (xy * xt - xx * yt) * y + (xx * yy - xy * xy) * t) / determinant,
+    opening, gradient, second = legs
+    slope = np.sum(gradient * opening[:, np.newaxis], axis=0)
+    curvature = np.sum(
+        gradient[:, :, np.newaxis] * gradient[:, np.newaxis] + opening[:, np.newaxis, np.newaxis] * second, axis=0
     )
+    curvature[range(3), range(3)] += np.stack([damping, damping, damping * size * size])
+    x, y, turn = (Wrench(*row) for row in curvature)
+    cofactors = np.array([crossed(y, turn), crossed(turn, x), crossed(x, y)])
+    return np.sum(cofactors * slope, axis=1) / np.sum(curvature[0] * cofactors[0], axis=0)

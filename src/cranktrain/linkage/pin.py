@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.linkage.point import fixed
+from cranktrain.linkage.vectors import Vector, between, cross, dot, moving_between, rotated
 from cranktrain.motion import Array, Coefficient, Link, Point
 
 
@@ -25,15 +26,13 @@ class CrankAndGround(NamedTuple):
 class Line(NamedTuple):
     """The line d from the rod's end to the rocker's, and how it moves, with e = d/D².
 
-    x, y [m] and square D² [m²] of it; inverse_x, inverse_y: e [1/m]; turn ψ′ = e × d′, stretch ε = e·d′, and of the
-    second derivative across = e × d″, bend = e·d″ + ψ′².
+    vector d [m], its square D² [m²], inverse e [1/m]; turn ψ′ = e × d′, stretch ε = e·d′, and of the second derivative
+    across = e × d″, bend = e·d″ + ψ′².
     """
 
-    x: Array
-    y: Array
+    vector: Vector
     square: Array
-    inverse_x: Array
-    inverse_y: Array
+    inverse: Vector
     turn: Array
     stretch: Array
     across: Array
@@ -81,21 +80,17 @@ def pin(ends: Ends, geometry: Pin) -> PinMotion:
     s = (e·d″ + ψ′² − ab)/σH. Exact; docs/theory/groups. The differences in H keep their digits where the links are
     nearly in line; turn and stretch apart keep those of θ″ where the whole turns nearly as one body (a drag link).
     """
-    qx, qy, tx, ty, rod_turn, rocker_turn, rod_rate, rocker_rate = _vectors_and_turns(line_between(ends), geometry)
-    rod = Coefficient(np.arctan2(qy, qx), rod_turn, rod_rate)
-    rocker = Coefficient(np.arctan2(ty, tx), rocker_turn, rocker_rate)
-    sweep_x = qy * rod_turn
-    sweep_y = qx * rod_turn
+    q, t, rod, rocker = _vectors_and_angles(line_between(ends), geometry)
+    v, a = _swept(q, rod)
     x = ends.rod.x
     y = ends.rod.y
-    joint = Point(
-        Coefficient(x.value + qx, x.first - sweep_x, x.second - (qy * rod_rate + sweep_y * rod_turn)),
-        Coefficient(y.value + qy, y.first + sweep_y, y.second + (qx * rod_rate - sweep_x * rod_turn)),
-    )
     return PinMotion(
-        joint,
-        Link(ends.rod, rod, qx / geometry.rod_length, qy / geometry.rod_length),
-        Link(ends.rocker, rocker, tx / geometry.rocker_length, ty / geometry.rocker_length),
+        Point(
+            Coefficient(x.value + q.x, x.first + v.x, x.second + a.x),
+            Coefficient(y.value + q.y, y.first + v.y, y.second + a.y),
+        ),
+        Link(ends.rod, rod, q.x / geometry.rod_length, q.y / geometry.rod_length),
+        Link(ends.rocker, rocker, t.x / geometry.rocker_length, t.y / geometry.rocker_length),
     )
 
 
@@ -117,40 +112,24 @@ def pin_from_crank(driver: CrankAndGround, geometry: Pin) -> PinMotion:
     The joint is the far end of a rocker t about a pivot on x: b = (g, 0) + t, b′ = θ_r′t⊥, b″ = θ_r″t⊥ − θ_r′²t.
     """
     crank_pin = driver.pin
-    qx, qy, tx, ty, rod_turn, rocker_turn, rod_rate, rocker_rate = _vectors_and_turns(line_from_crank(driver), geometry)
+    q, t, rod, rocker = _vectors_and_angles(line_from_crank(driver), geometry)
     pivot = fixed(driver.ground_length, 0.0 * driver.ground_length)
-    # The angles first: a compiled loop then has less to keep across the calls of arctan2.
-    rod = Coefficient(np.arctan2(qy, qx), rod_turn, rod_rate)
-    rocker = Coefficient(np.arctan2(ty, tx), rocker_turn, rocker_rate)
-    minus_ty = -ty
-    x1 = minus_ty * rocker_turn
-    y1 = tx * rocker_turn
-    joint = Point(
-        Coefficient(crank_pin.x.value + qx, x1, minus_ty * rocker_rate - y1 * rocker_turn),
-        Coefficient(ty, y1, tx * rocker_rate + x1 * rocker_turn),
-    )
+    v, a = _swept(t, rocker)
     return PinMotion(
-        joint,
-        Link(crank_pin, rod, qx / geometry.rod_length, qy / geometry.rod_length),
-        Link(pivot, rocker, tx / geometry.rocker_length, ty / geometry.rocker_length),
+        Point(Coefficient(crank_pin.x.value + q.x, v.x, a.x), Coefficient(t.y, v.y, a.y)),
+        Link(crank_pin, rod, q.x / geometry.rod_length, q.y / geometry.rod_length),
+        Link(pivot, rocker, t.x / geometry.rocker_length, t.y / geometry.rocker_length),
     )
 
 
 def line_between(ends: Ends) -> Line:
     """Line from the rod's end to the rocker's, both of which may move."""
-    dx = ends.rocker.x.value - ends.rod.x.value
-    dy = ends.rocker.y.value - ends.rod.y.value
-    dx1 = ends.rocker.x.first - ends.rod.x.first
-    dy1 = ends.rocker.y.first - ends.rod.y.first
-    dx2 = ends.rocker.x.second - ends.rod.x.second
-    dy2 = ends.rocker.y.second - ends.rod.y.second
-    square = dx * dx + dy * dy
-    ex = dx / square
-    ey = dy / square
-    turn = ex * dy1 - ey * dx1
+    d, d1, d2 = moving_between(ends.rod, ends.rocker)
+    square = dot(d, d)
+    e = Vector(d.x / square, d.y / square)
+    turn = cross(e, d1)
     # ψ′² to e·d″ first: where the whole turns as one body they cancel without rounding.
-    bend = (ex * dx2 + ey * dy2) + turn * turn
-    return Line(dx, dy, square, ex, ey, turn, ex * dx1 + ey * dy1, ex * dy2 - ey * dx2, bend)
+    return Line(d, square, e, turn, dot(e, d1), cross(e, d2), dot(e, d2) + turn * turn)
 
 
 def line_from_crank(driver: CrankAndGround) -> Line:
@@ -160,46 +139,52 @@ def line_from_crank(driver: CrankAndGround) -> Line:
     e·d″ + ψ′² = −ψ′(1 − ψ′) = −ψ′ g e_x, without the differences that lose digits where the ground is short.
     """
     crank_pin = driver.pin
-    dx = driver.ground_length - crank_pin.x.value
-    dy = crank_pin.y.second
-    square = dx * dx + dy * dy
-    ex = dx / square
-    ey = dy / square
-    turn = ex * crank_pin.x.second + ey * dy
+    d = Vector(driver.ground_length - crank_pin.x.value, crank_pin.y.second)
+    square = dot(d, d)
+    e = Vector(d.x / square, d.y / square)
+    turn = e.x * crank_pin.x.second + e.y * d.y
     minus_ground = -driver.ground_length
-    stretch = minus_ground * ey
-    return Line(dx, dy, square, ex, ey, turn, stretch, stretch, (minus_ground * ex) * turn)
+    stretch = minus_ground * e.y
+    return Line(d, square, e, turn, stretch, stretch, (minus_ground * e.x) * turn)
 
 
-def _vectors_and_turns(line: Line, geometry: Pin) -> tuple[Array, Array, Array, Array, Array, Array, Array, Array]:
-    """Rod and rocker as vectors to the joint; first, then second derivatives of their angles.
+def _vectors_and_angles(line: Line, geometry: Pin) -> tuple[Vector, Vector, Coefficient, Coefficient]:
+    """Rod and rocker as vectors to the joint, and their angles.
 
-    On its own so that its intermediate arrays are freed before the results are made.
+    On its own so that its intermediate arrays are freed before the results are made, and with the angles at once: a
+    compiled loop then has less to keep across the calls of arctan2.
     """
-    dx, dy, square, ex, ey, turn, stretch, across, bend = line
+    d, square, e, turn, stretch, across, bend = line
     total = geometry.rod_length + geometry.rocker_length
     difference = geometry.rod_length - geometry.rocker_length
-    cross = (0.5 * geometry.side) * np.sqrt((total * total - square) * (square - difference * difference))
+    area = (0.5 * geometry.side) * np.sqrt((total * total - square) * (square - difference * difference))
     ahead = 0.5 * total * difference + 0.5 * square
     behind = ahead - square
-    qx = ahead * ex - cross * ey
-    qy = ahead * ey + cross * ex
-    per_cross = 1.0 / cross
-    opening = stretch * per_cross
+    q = rotated(e, ahead, area)
+    t = Vector(q.x - d.x, q.y - d.y)
+    per_area = 1.0 / area
+    opening = stretch * per_area
     rod_swing = opening * behind
     rocker_swing = opening * ahead
     rod_turn = turn + rod_swing
     rocker_turn = turn + rocker_swing
     common = across - stretch * (rod_turn + rocker_turn)
-    spread = (bend - rod_swing * rocker_swing) * per_cross
-    return qx, qy, qx - dx, qy - dy, rod_turn, rocker_turn, common + spread * behind, common + spread * ahead
+    spread = (bend - rod_swing * rocker_swing) * per_area
+    rod = Coefficient(np.arctan2(q.y, q.x), rod_turn, common + spread * behind)
+    return q, t, rod, Coefficient(np.arctan2(t.y, t.x), rocker_turn, common + spread * ahead)
+
+
+def _swept(arm: Vector, angle: Coefficient) -> tuple[Vector, Vector]:
+    """Derivatives of an arm that turns, θ′ρ⊥ and θ″ρ⊥ − θ′²ρ."""
+    turn = angle.first
+    v = Vector(-arm.y * turn, arm.x * turn)
+    return v, Vector(-(arm.y * angle.second + v.y * turn), arm.x * angle.second + v.x * turn)
 
 
 def pin_gap(ends: Ends, geometry: Pin) -> Array:
     """By how much the triangle of rod, rocker and the line between their ends can close; negative where not. [m]"""
-    dx = ends.rocker.x.value - ends.rod.x.value
-    dy = ends.rocker.y.value - ends.rod.y.value
-    distance = np.sqrt(dx * dx + dy * dy)
+    d = between(ends.rod, ends.rocker)
+    distance = np.sqrt(dot(d, d))
     return np.minimum(
         geometry.rod_length + geometry.rocker_length - distance,
         distance - np.abs(geometry.rod_length - geometry.rocker_length),

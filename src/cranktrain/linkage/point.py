@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cranktrain.linkage.vectors import Vector, rotated, swept
 from cranktrain.motion import Array, Coefficient, Link, Point
 
 
@@ -30,18 +31,17 @@ def point(link: Link, geometry: LinkPoint) -> Point:
     -----
     p = o + ρ, ρ = r(cos(θ + ζ), sin(θ + ζ)); p′ = o′ + θ′ρ⊥, p″ = o″ + θ″ρ⊥ − θ′²ρ. Exact; docs/theory/groups.
     """
-    cos = np.cos(geometry.angle)
-    sin = np.sin(geometry.angle)
-    x = geometry.radius * (cos * link.cos - sin * link.sin)
-    y = geometry.radius * (cos * link.sin + sin * link.cos)
-    turn = link.angle.first
-    rate = link.angle.second
-    square = turn * turn
-    origin = link.origin
-    return Point(
-        Coefficient(origin.x.value + x, origin.x.first - y * turn, origin.x.second - (y * rate + x * square)),
-        Coefficient(origin.y.value + y, origin.y.first + x * turn, origin.y.second + (x * rate - y * square)),
-    )
+    arm = arm_of(link, geometry)
+    x = link.origin.x
+    y = link.origin.y
+    v, a = swept(link.origin, arm, link.angle)
+    return Point(Coefficient(x.value + arm.x, v.x, a.x), Coefficient(y.value + arm.y, v.y, a.y))
+
+
+def arm_of(link: Link, geometry: LinkPoint) -> Vector:
+    """Arm of a point from its link's first pin. [m]"""
+    toward = rotated(Vector(np.cos(geometry.angle), np.sin(geometry.angle)), link.cos, link.sin)
+    return Vector(geometry.radius * toward.x, geometry.radius * toward.y)
 
 
 def fixed(x: Array, y: Array) -> Point:

@@ -7,6 +7,7 @@ import numpy as np
 from cranktrain.linkage.crank import Crank, crank
 from cranktrain.linkage.point import fixed
 from cranktrain.linkage.slide import AHEAD
+from cranktrain.linkage.vectors import between, cross, dot, moving_between, rotated
 from cranktrain.motion import Array, Coefficient, Link, Point
 
 
@@ -64,21 +65,17 @@ def swivel(ends: SwivelEnds, geometry: Swivel) -> SwivelMotion:
     >>> round(float(swivel(SwivelEnds(pin, fixed(0.0, -0.1)), Swivel(0.0, AHEAD)).guide.angle.first), 12)
     0.75
     """
-    dx = ends.pin.x.value - ends.pivot.x.value
-    dy = ends.pin.y.value - ends.pivot.y.value
-    dx1 = ends.pin.x.first - ends.pivot.x.first
-    dy1 = ends.pin.y.first - ends.pivot.y.first
-    dx2 = ends.pin.x.second - ends.pivot.x.second
-    dy2 = ends.pin.y.second - ends.pivot.y.second
-    square = dx * dx + dy * dy
+    d, d1, d2 = moving_between(ends.pivot, ends.pin)
+    square = dot(d, d)
     distance = np.sqrt(square)
     reach = geometry.side * np.sqrt((distance - geometry.offset) * (distance + geometry.offset))
-    cos = (reach * dx + geometry.offset * dy) / square
-    sin = (reach * dy - geometry.offset * dx) / square
-    turn = (dx * dy1 - dy * dx1) / square
-    stretch = (dx * dx1 + dy * dy1) / square
-    turn_rate = (dx * dy2 - dy * dx2) / square - 2.0 * stretch * turn
-    stretch_rate = (dx * dx2 + dy * dy2) / square + (turn * turn - stretch * stretch)
+    along = rotated(d, reach, -geometry.offset)
+    cos = along.x / square
+    sin = along.y / square
+    turn = cross(d, d1) / square
+    stretch = dot(d, d1) / square
+    turn_rate = cross(d, d2) / square - 2.0 * stretch * turn
+    stretch_rate = dot(d, d2) / square + (turn * turn - stretch * stretch)
     cot = geometry.offset / reach
     cot_square = cot * cot
     stretch_square = stretch * stretch
@@ -94,9 +91,8 @@ def swivel(ends: SwivelEnds, geometry: Swivel) -> SwivelMotion:
 
 def swivel_gap(ends: SwivelEnds, geometry: Swivel) -> Array:
     """By how much the pin is farther from the pivot than the guide's line; negative where it cannot close. [m]"""
-    dx = ends.pin.x.value - ends.pivot.x.value
-    dy = ends.pin.y.value - ends.pivot.y.value
-    return np.sqrt(dx * dx + dy * dy) - np.abs(geometry.offset)
+    d = between(ends.pivot, ends.pin)
+    return np.sqrt(dot(d, d)) - np.abs(geometry.offset)
 
 
 class CrankAndPivot(NamedTuple):

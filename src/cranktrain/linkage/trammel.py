@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.linkage.point import turned
+from cranktrain.linkage.vectors import direction, rotated
 from cranktrain.motion import Array, Coefficient, Link
 
 
@@ -88,9 +89,6 @@ def turned_link(link: Link, angle: Array) -> Link:
     Link, shape (..., n)
         Its angle is a principal value in (−π, π].
     """
-    cos = np.cos(angle)
-    sin = np.sin(angle)
-    cos_from_axis = cos * link.cos + sin * link.sin
-    sin_from_axis = cos * link.sin - sin * link.cos
-    direction = Coefficient(np.arctan2(sin_from_axis, cos_from_axis), link.angle.first, link.angle.second)
-    return Link(turned(link.origin, angle), direction, cos_from_axis, sin_from_axis)
+    along = rotated(direction(link), np.cos(angle), -np.sin(angle))
+    turning = Coefficient(np.arctan2(along.y, along.x), link.angle.first, link.angle.second)
+    return Link(turned(link.origin, angle), turning, along.x, along.y)

@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.linkage.point import LinkPoint
+from cranktrain.linkage.vectors import Vector, Wrench, at_arm, cross, crossed, direction, dot, rotated
 from cranktrain.motion import Array, Coefficient, Link, Point, single
 
 ROD = single(0.0)
@@ -73,129 +74,117 @@ class TriadMotion(NamedTuple):
 class _Hold(NamedTuple):
     """A leg with what does not depend on the pose: its end, its point in the link's axes, its equation's constants."""
 
-    x: Array
-    y: Array
-    arm_x: Array
-    arm_y: Array
+    end: Vector
+    arm: Vector
     rod: Array
-    normal_x: Array
-    normal_y: Array
+    normal: Vector
     share: Array
     level: Array
 
 
 class _Row(NamedTuple):
-    """A leg's equation at a pose: gradient by x, y, angle; how far it is from holding; arm and leg as vectors."""
+    """A leg's equation at a pose: gradient by x, y, angle; how far it is from holding; arm and leg as vectors.
 
-    x: Array
-    y: Array
-    turn: Array
+    The gradient is the wrench on the link of a unit force of the leg.
+    """
+
+    unit: Wrench
     misfit: Array
-    arm_x: Array
-    arm_y: Array
-    leg_x: Array
-    leg_y: Array
+    arm: Vector
+    leg: Vector
 
 
 class _Inverse(NamedTuple):
     """Determinant of three rows and its cofactors: the coefficients of each row's right side in x, y and angle."""
 
     determinant: Array
-    x: tuple[Array, Array, Array]
-    y: tuple[Array, Array, Array]
-    turn: tuple[Array, Array, Array]
+    a: Wrench
+    b: Wrench
+    c: Wrench
 
 
 def _hold(end: Link, leg: Leg) -> _Hold:
     """Take a leg's equation together: k v·w = level, v = w, k = ½ for a rod, v = n, k = 1 for a guide."""
     rod = 1.0 - leg.kind
     return _Hold(
-        end.origin.x.value,
-        end.origin.y.value,
-        leg.point.radius * np.cos(leg.point.angle),
-        leg.point.radius * np.sin(leg.point.angle),
+        Vector(end.origin.x.value, end.origin.y.value),
+        Vector(leg.point.radius * np.cos(leg.point.angle), leg.point.radius * np.sin(leg.point.angle)),
         rod,
-        -leg.kind * end.sin,
-        leg.kind * end.cos,
+        Vector(-leg.kind * end.sin, leg.kind * end.cos),
         0.5 * (1.0 + leg.kind),
         rod * (0.5 * leg.length * leg.length) + leg.kind * leg.length,
     )
 
 
-def _row(hold: _Hold, x: Array, y: Array, cos: Array, sin: Array) -> _Row:
-    """Linearise a leg's equation at a pose."""
-    arm_x = hold.arm_x * cos - hold.arm_y * sin
-    arm_y = hold.arm_x * sin + hold.arm_y * cos
-    leg_x = (x - hold.x) + arm_x
-    leg_y = (y - hold.y) + arm_y
-    row_x = hold.rod * leg_x + hold.normal_x
-    row_y = hold.rod * leg_y + hold.normal_y
-    misfit = hold.share * (row_x * leg_x + row_y * leg_y) - hold.level
-    return _Row(row_x, row_y, row_y * arm_x - row_x * arm_y, misfit, arm_x, arm_y, leg_x, leg_y)
+def _row(hold: _Hold, pose: Pose, cos: Array, sin: Array) -> _Row:
+    """Linearise a leg's equation at a pose, whose angle has this cosine and sine."""
+    arm = rotated(hold.arm, cos, sin)
+    leg = Vector((pose.x - hold.end.x) + arm.x, (pose.y - hold.end.y) + arm.y)
+    normal = Vector(hold.rod * leg.x + hold.normal.x, hold.rod * leg.y + hold.normal.y)
+    return _Row(at_arm(arm, normal), hold.share * dot(normal, leg) - hold.level, arm, leg)
 
 
 def _inverse(a: _Row, b: _Row, c: _Row) -> _Inverse:
     """Cofactors of three rows."""
-    x = (b.y * c.turn - b.turn * c.y, c.y * a.turn - c.turn * a.y, a.y * b.turn - a.turn * b.y)
-    y = (b.turn * c.x - b.x * c.turn, c.turn * a.x - c.x * a.turn, a.turn * b.x - a.x * b.turn)
-    turn = (b.x * c.y - b.y * c.x, c.x * a.y - c.y * a.x, a.x * b.y - a.y * b.x)
-    return _Inverse(a.turn * turn[0] + b.turn * turn[1] + c.turn * turn[2], x, y, turn)
+    bc = crossed(b.unit, c.unit)
+    ca = crossed(c.unit, a.unit)
+    ab = crossed(a.unit, b.unit)
+    return _Inverse(a.unit.moment * bc.moment + b.unit.moment * ca.moment + c.unit.moment * ab.moment, bc, ca, ab)
 
 
-def _combined(cofactors: tuple[Array, Array, Array], a: Array, b: Array, c: Array) -> Array:
-    return cofactors[0] * a + cofactors[1] * b + cofactors[2] * c
+def _solution(inverse: _Inverse, a: Array, b: Array, c: Array) -> Pose:
+    """What three rows with these right sides ask of x, y and angle, times the determinant."""
+    return Pose(
+        inverse.a.x * a + inverse.b.x * b + inverse.c.x * c,
+        inverse.a.y * a + inverse.b.y * b + inverse.c.y * c,
+        inverse.a.moment * a + inverse.b.moment * b + inverse.c.moment * c,
+    )
 
 
 def _closer(first: _Hold, second: _Hold, third: _Hold, pose: Pose) -> Pose:
     """One step of Newton's."""
     cos = np.cos(pose.angle)
     sin = np.sin(pose.angle)
-    a = _row(first, pose.x, pose.y, cos, sin)
-    b = _row(second, pose.x, pose.y, cos, sin)
-    c = _row(third, pose.x, pose.y, cos, sin)
+    a = _row(first, pose, cos, sin)
+    b = _row(second, pose, cos, sin)
+    c = _row(third, pose, cos, sin)
     inverse = _inverse(a, b, c)
+    step = _solution(inverse, a.misfit, b.misfit, c.misfit)
     return Pose(
-        pose.x - _combined(inverse.x, a.misfit, b.misfit, c.misfit) / inverse.determinant,
-        pose.y - _combined(inverse.y, a.misfit, b.misfit, c.misfit) / inverse.determinant,
-        pose.angle - _combined(inverse.turn, a.misfit, b.misfit, c.misfit) / inverse.determinant,
+        pose.x - step.x / inverse.determinant,
+        pose.y - step.y / inverse.determinant,
+        pose.angle - step.angle / inverse.determinant,
     )
 
 
 def _velocity_of_end(end: Link, leg: Leg, row: _Row) -> Array:
     """What a leg's equation asks of the link's first derivatives: v·a′, and β′u·w for a guide that turns."""
-    along = end.cos * row.leg_x + end.sin * row.leg_y
-    return row.x * end.origin.x.first + row.y * end.origin.y.first + leg.kind * (end.angle.first * along)
+    along = dot(direction(end), row.leg)
+    return row.unit.x * end.origin.x.first + row.unit.y * end.origin.y.first + leg.kind * (end.angle.first * along)
 
 
-def _acceleration_of_end(end: Link, leg: Leg, row: _Row, x1: Array, y1: Array, turn: Array) -> Array:
+def _acceleration_of_end(end: Link, leg: Leg, row: _Row, first: Pose) -> Array:
     """What a leg's equation asks of the second derivatives, the first being known."""
-    leg_x1 = (x1 - end.origin.x.first) - turn * row.arm_y
-    leg_y1 = (y1 - end.origin.y.first) + turn * row.arm_x
-    along = end.cos * row.leg_x + end.sin * row.leg_y
-    across = end.cos * row.leg_y - end.sin * row.leg_x
-    along1 = end.cos * leg_x1 + end.sin * leg_y1
-    carried = end.angle.first * (2.0 * along1 + end.angle.first * across) + end.angle.second * along
+    turn = first.angle
+    leg1 = Vector((first.x - end.origin.x.first) - turn * row.arm.y, (first.y - end.origin.y.first) + turn * row.arm.x)
+    u = direction(end)
+    swing = 2.0 * dot(u, leg1) + end.angle.first * cross(u, row.leg)
+    carried = end.angle.first * swing + end.angle.second * dot(u, row.leg)
     return (
-        row.x * end.origin.x.second
-        + row.y * end.origin.y.second
-        + turn * turn * (row.x * row.arm_x + row.y * row.arm_y)
-        + (leg.kind * carried - (1.0 - leg.kind) * (leg_x1 * leg_x1 + leg_y1 * leg_y1))
+        row.unit.x * end.origin.x.second
+        + row.unit.y * end.origin.y.second
+        + turn * turn * dot(row.unit, row.arm)
+        + (leg.kind * carried - (1.0 - leg.kind) * dot(leg1, leg1))
     )
 
 
-def _norm(row: _Row) -> Array:
-    return np.sqrt(row.x * row.x + row.y * row.y)
-
-
 def _opening_square(row: _Row) -> Array:
-    return row.misfit * row.misfit / (row.x * row.x + row.y * row.y)
+    return row.misfit * row.misfit / dot(row.unit, row.unit)
 
 
 def _size_square(hold: _Hold, row: _Row) -> Array:
     """Square of the lengths whose rounding shows in a leg's opening."""
-    arm = row.arm_x * row.arm_x + row.arm_y * row.arm_y
-    leg = row.leg_x * row.leg_x + row.leg_y * row.leg_y
-    return (arm + leg) + (hold.x * hold.x + hold.y * hold.y)
+    return (dot(row.arm, row.arm) + dot(row.leg, row.leg)) + dot(hold.end, hold.end)
 
 
 def triad(driver: TriadDriver, geometry: Triad) -> TriadMotion:
@@ -229,9 +218,9 @@ def triad(driver: TriadDriver, geometry: Triad) -> TriadMotion:
         pose = _closer(first, second, third, pose)
     cos = np.cos(pose.angle)
     sin = np.sin(pose.angle)
-    a = _row(first, pose.x, pose.y, cos, sin)
-    b = _row(second, pose.x, pose.y, cos, sin)
-    c = _row(third, pose.x, pose.y, cos, sin)
+    a = _row(first, pose, cos, sin)
+    b = _row(second, pose, cos, sin)
+    c = _row(third, pose, cos, sin)
     opening_square = _opening_square(a) + _opening_square(b) + _opening_square(c)
     size_square = _size_square(first, a) + _size_square(second, b) + _size_square(third, c)
     # Newton's steps always give numbers: those that do not close the legs become NaN.
@@ -241,15 +230,15 @@ def triad(driver: TriadDriver, geometry: Triad) -> TriadMotion:
     a1 = _velocity_of_end(ends.first, geometry.first, a) / determinant
     b1 = _velocity_of_end(ends.second, geometry.second, b) / determinant
     c1 = _velocity_of_end(ends.third, geometry.third, c) / determinant
-    x1 = _combined(inverse.x, a1, b1, c1)
-    y1 = _combined(inverse.y, a1, b1, c1)
-    turn = _combined(inverse.turn, a1, b1, c1)
-    a2 = _acceleration_of_end(ends.first, geometry.first, a, x1, y1, turn) / determinant
-    b2 = _acceleration_of_end(ends.second, geometry.second, b, x1, y1, turn) / determinant
-    c2 = _acceleration_of_end(ends.third, geometry.third, c, x1, y1, turn) / determinant
+    velocity = _solution(inverse, a1, b1, c1)
+    a2 = _acceleration_of_end(ends.first, geometry.first, a, velocity) / determinant
+    b2 = _acceleration_of_end(ends.second, geometry.second, b, velocity) / determinant
+    c2 = _acceleration_of_end(ends.third, geometry.third, c, velocity) / determinant
+    acceleration = _solution(inverse, a2, b2, c2)
     origin = Point(
-        Coefficient(pose.x + closed, x1, _combined(inverse.x, a2, b2, c2)),
-        Coefficient(pose.y + closed, y1, _combined(inverse.y, a2, b2, c2)),
+        Coefficient(pose.x + closed, velocity.x, acceleration.x),
+        Coefficient(pose.y + closed, velocity.y, acceleration.y),
     )
-    angle = Coefficient(np.arctan2(sin, cos) + closed, turn, _combined(inverse.turn, a2, b2, c2))
-    return TriadMotion(Link(origin, angle, cos + closed, sin + closed), determinant / (_norm(a) * _norm(b) * _norm(c)))
+    angle = Coefficient(np.arctan2(sin, cos) + closed, velocity.angle, acceleration.angle)
+    norms = np.sqrt(dot(a.unit, a.unit)) * np.sqrt(dot(b.unit, b.unit)) * np.sqrt(dot(c.unit, c.unit))
+    return TriadMotion(Link(origin, angle, cos + closed, sin + closed), determinant / norms)

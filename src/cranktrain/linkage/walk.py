@@ -14,7 +14,6 @@ _FIRST_STEP = _TURN / 48
 _LARGEST_STEP = _TURN / 12
 _SMALLEST_STEP = _TURN / 2**16
 _MOST_MISSED = 1e-3  # of the link's size, by the prediction of a step
-_LOST = Coefficient(*(np.full(1, np.nan) for _ in range(3)))
 
 
 class Walk(NamedTuple):
@@ -66,20 +65,21 @@ def triad_walk(ends: Callable[[Array], TriadEnds], geometry: Triad, start: Pose,
             after = np.minimum(at + step, end)
             expected = _predicted(pose, after - at)
             found = triad(TriadDriver(ends(after), Pose(*expected)), geometry)
-            reached = _without_jump(_pose(found), expected)
-            missed = np.max(np.abs(reached.value - expected) / scale, axis=0) / _MOST_MISSED
+            reached = _pose(found)
+            reached[0, 2] = expected[2] + _turn_apart(reached[0, 2] - expected[2])  # counted on from the last angle
+            missed = np.max(np.abs(reached[0] - expected) / scale, axis=0) / _MOST_MISSED
             missed = np.where(found.transmission * side > 0, missed, np.inf)
             is_taken = missed <= 1
             is_stuck = ~is_taken & (step <= _SMALLEST_STEP)
-            pose = _chosen(is_taken, reached, _chosen(is_stuck, _LOST, pose))
+            pose = np.where(is_taken, reached, np.where(is_stuck, np.nan, pose))
             at = np.where(is_taken, after, np.where(is_stuck, end, at))
             step = np.minimum(step * np.clip(0.9 / np.cbrt(missed), 0.1, 2.0), _LARGEST_STEP)
             nodes.append((at, pose))
-    change = (pose.value - nodes[0][1].value) / scale
+    change = (pose[0] - nodes[0][1][0]) / scale
     change[2] = _turn_apart(change[2])
     return Walk(
         np.concatenate([at for at, _ in nodes], axis=-1),
-        Coefficient(*(np.concatenate(order, axis=-1) for order in zip(*(pose for _, pose in nodes), strict=True))),
+        Coefficient(*np.concatenate([pose for _, pose in nodes], axis=-1)),
         np.max(np.abs(change), axis=0) <= _MOST_MISSED,
     )
 
@@ -126,10 +126,9 @@ def _at_node(walk: Walk, node: NDArray[np.intp], step: Array) -> tuple[Array, Ar
     return value, first * step, second * step * step
 
 
-def _pose(motion: TriadMotion) -> Coefficient:
-    """Stack x, y and angle of the link along a new first axis."""
-    parts = (motion.link.origin.x, motion.link.origin.y, motion.link.angle)
-    return Coefficient(*(np.stack(np.broadcast_arrays(*order)) for order in zip(*parts, strict=True)))
+def _pose(motion: TriadMotion) -> Array:
+    """Value, first and second derivative of x, y and angle of the link, (3, 3, ..., 1)."""
+    return np.stack([motion.link.origin.x, motion.link.origin.y, motion.link.angle], axis=1)
 
 
 def _scale(geometry: Triad, side: Array) -> Array:
@@ -138,19 +137,9 @@ def _scale(geometry: Triad, side: Array) -> Array:
     return np.stack([radius, radius, np.ones_like(radius)])
 
 
-def _predicted(pose: Coefficient, step: Array) -> Array:
-    return pose.value + step * (pose.first + 0.5 * step * pose.second)
+def _predicted(pose: Array, step: Array) -> Array:
+    return pose[0] + step * (pose[1] + 0.5 * step * pose[2])
 
 
 def _turn_apart(difference: Array) -> Array:
     return difference - _TURN * np.round(difference / _TURN)
-
-
-def _without_jump(pose: Coefficient, expected: Array) -> Coefficient:
-    """Count the angle on from the last one."""
-    x, y, angle = pose.value
-    return pose._replace(value=np.stack([x, y, expected[2] + _turn_apart(angle - expected[2])]))
-
-
-def _chosen(condition: NDArray[np.bool_], one: Coefficient, other: Coefficient) -> Coefficient:
-    return Coefficient(*(np.where(condition, first, second) for first, second in zip(one, other, strict=True)))

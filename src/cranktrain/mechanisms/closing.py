@@ -79,7 +79,7 @@ def closing_margin(kind: Kind[Motion, Geometry], geometry: Geometry) -> ClosingM
 def _of_longest(kind: Kind[Motion, Geometry], geometry: Geometry, least: Extreme) -> ClosingMargin:
     """Margin where every length takes as much of the gap as it changes: that of the longest."""
     lengths = np.abs(np.stack([named_part(geometry, name) for name in kind.lengths]))
-    closes = least.value > _ROUNDING * np.sum(lengths, axis=0)
+    closes = least.value > _rounding(kind, geometry)
     return ClosingMargin(
         np.where(closes, least.value / np.max(lengths, axis=0), np.nan),
         np.where(closes, np.argmax(lengths, axis=0), -1),

@@ -1,6 +1,6 @@
 """What forces a kind of mechanism gives: its joints, what slides in it, its groups and kernels."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, Generic, Literal, NamedTuple, TypeAlias, TypeVar
 
 from cranktrain.linkage.forces import Body, Conditions, Gravity, Reduced, Wrench, reduced_of
@@ -10,8 +10,7 @@ from cranktrain.record import record
 
 _Motion = TypeVar("_Motion", bound=tuple[object, ...])
 _Geometry = TypeVar("_Geometry", bound=tuple[object, ...])
-_Bodies = TypeVar("_Bodies", bound=tuple[Body, ...])
-_Loads = TypeVar("_Loads", bound=tuple[Wrench, ...])
+_Each = TypeVar("_Each")
 
 Role = Literal["main_bearing", "crank_pin", "knuckle_pin", "piston_pin", "guide", "slot", "pivot", "pin"]
 """What a joint is to its mechanism, whatever it is called.
@@ -68,14 +67,13 @@ FRAME = "frame"
 
 
 @record
-class Dynamics(Generic[_Motion, _Geometry, _Bodies, _Loads]):
+class Dynamics(Generic[_Motion, _Geometry]):
     """What forces a kind of mechanism gives; every function is a kernel.
 
     Attributes
     ----------
-    bodies : callable (*Body) → what `forces` takes as bodies
     moving : tuple of str
-        What has mass and bears loads, in the order in which `forces` takes bodies and loads.
+        What has mass and bears loads, in the order in which links, bodies and loads stand.
     reactions : tuple of Reaction
         In the order in which `forces` gives them.
     sliding : tuple of str
@@ -86,43 +84,50 @@ class Dynamics(Generic[_Motion, _Geometry, _Bodies, _Loads]):
     groups : tuple of Group
         What hangs on the crank, each after those that carry it.
     links : kernel (motion, geometry) → tuple of Link
-        In the order of `moving`, in the mechanism's axes.
-    load : kernel (motion, geometry, value) → wrenches
-        Load on each of `moving` for a force along the output slider's coordinate, or a torque on the output link, or
-        of whichever else has to bear its counterpart. [N or N·m]
+        In the mechanism's axes.
+    load : kernel (motion, geometry, value) → tuple of Wrench
+        Load on each link, about its first pin, for a force along the output slider's coordinate, or a torque on the
+        output link; with its counterpart on whichever has to bear it. [N or N·m]
     forces : kernel (motion, geometry, bodies, loads, conditions) → Forces
-        bodies and loads as `moving` has them; `Forces` has the joints' wrenches, as `reactions` has them, the driving
-        torque by them, and that of friction.
+        `Forces` has the joints' wrenches, as `reactions` has them, the driving torque by them, and that of friction.
     on_master : kernel (motion, geometry, wrench) → Wrench, optional
         Of a mechanism that hangs on another's rod: what it does to that rod, from the reaction in its knuckle pin.
     """
 
-    bodies: Callable[..., _Bodies]
     moving: tuple[str, ...]
     reactions: tuple[Reaction, ...]
     sliding: tuple[str, ...]
     contacts: tuple[Contact, ...]
     groups: tuple[Group, ...]
     links: Callable[[_Motion, _Geometry], tuple[Link, ...]]
-    load: Callable[[_Motion, _Geometry, Array], _Loads]
-    forces: Callable[[_Motion, _Geometry, _Bodies, _Loads, Conditions], Forces[tuple[Wrench, ...]]]
+    load: Callable[[_Motion, _Geometry, Array], tuple[Wrench, ...]]
+    forces: Callable[[_Motion, _Geometry, tuple[Body, ...], tuple[Wrench, ...], Conditions], Forces]
     on_master: Callable[[_Motion, _Geometry, Wrench], Wrench] | None = None
 
     def reduced(
-        self, motion: _Motion, geometry: _Geometry, bodies: _Bodies, loads: _Loads, gravity: Gravity
+        self,
+        motion: _Motion,
+        geometry: _Geometry,
+        bodies: tuple[Body, ...],
+        loads: tuple[Wrench, ...],
+        gravity: Gravity,
     ) -> Reduced:
         """What an equation of motion needs: reduced inertia, its derivative, and the loads' torque on the crank."""
         return reduced_of(self.links(motion, geometry), bodies, loads, gravity)
 
-    def joint(self, role: Role) -> int | None:
-        """Place among `reactions` of the first of the mechanism's own joints that has a role; None without one."""
-        return self._place(role, is_own=True)
+    def by_link(self, each: Iterable[_Each]) -> dict[str, _Each]:
+        """What each of `moving` has, by its name: its link, its body, or the load that it bears."""
+        return dict(zip(self.moving, each, strict=True))
 
-    def share_of_masters(self, role: Role) -> int | None:
-        """Place among `reactions` of a slave's share of that joint of its master's; None without one."""
-        return self._place(role, is_own=False)
+    def by_joint(self, joints: Iterable[Wrench]) -> dict[str, Wrench]:
+        """What passes through each of `reactions`, by its name."""
+        return dict(zip((reaction.name for reaction in self.reactions), joints, strict=True))
 
-    def _place(self, role: Role, *, is_own: bool) -> int | None:
+    def joint(self, role: Role, *, is_own: bool = True) -> int | None:
+        """Place among `reactions` of the first of the mechanism's own joints that has a role; None without one.
+
+        Unless `is_own`, of a slave's shares of its master's joints.
+        """
         places = (
             place
             for place, reaction in enumerate(self.reactions)
@@ -131,5 +136,5 @@ class Dynamics(Generic[_Motion, _Geometry, _Bodies, _Loads]):
         return next(places, None)
 
 
-AnyDynamics: TypeAlias = Dynamics[Any, Any, Any, Any]
+AnyDynamics: TypeAlias = Dynamics[Any, Any]
 """Forces of a kind that is known only when it runs."""

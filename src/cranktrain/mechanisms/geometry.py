@@ -15,7 +15,7 @@ Geometry = TypeVar("Geometry", bound=tuple[object, ...])
 _MIRRORED = frozenset(
     {
         *("offset", "shift", "y", "articulation_angle", "bank_angle", "slot_angle", "direction", "ahead", "side"),
-        *("across", "moment"),
+        *("angle", "across", "moment"),
     }
 )
 """What changes sign when the mechanism's y is mirrored: what counts toward +y or in the sense of rotation."""
@@ -40,11 +40,6 @@ def named_part(geometry: tuple[object, ...], name: str) -> Array:
 def _part(geometry: object, name: str) -> object:
     """Give one part by its name, or of a plain tuple by its place."""
     return cast("tuple[object, ...]", geometry)[int(name)] if name.isdecimal() else getattr(geometry, name)
-
-
-def scaled(geometry: Geometry, length: str, factor: Array) -> Geometry:
-    """Give the geometry with one length, named by its dotted path, multiplied by a factor."""
-    return mapped(lambda name, value: value * factor if name == length else value, geometry)
 
 
 def rows(geometry: Geometry, index: NDArray[np.intp]) -> Geometry:

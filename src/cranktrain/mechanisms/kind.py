@@ -93,8 +93,8 @@ class Kind(Generic[Motion, Geometry]):
         Where `lengths` stand in the mechanism's table, where they are not the same.
     composed : callable (spec) → Kind, optional
         For a kind whose file says what the mechanism is made of: the kind of just this one.
-    closing_field : callable (geometry) → str, optional
-        Path in the mechanism's table of what cannot close; unless given, the spec's `rod_field`.
+    closing_field : str, or callable (spec, geometry) → str
+        Path in the mechanism's table of what to change where links cannot close; of the rod, unless there is none.
     least_gap : callable (geometry) → Extreme, optional
         The least gap over a turn in closed form, for a kind of whose gap every length takes as much as it changes.
     openings : callable (geometry) → Openings, optional
@@ -117,14 +117,14 @@ class Kind(Generic[Motion, Geometry]):
     closing_advice: Callable[[Geometry], str]
     members: type[Members[Geometry]]
     stages: tuple[Callable[..., object], ...]
-    dynamics: Dynamics[Motion, Geometry, Any, Any]
+    dynamics: Dynamics[Motion, Geometry]
     example: str
     sliders: tuple[str, ...] = ()
     joints: tuple[str, ...] = ()
     part: Callable[[Motion, str], Any] = getattr
     length_paths: tuple[str, ...] = ()
     composed: "Callable[[Any], Kind[Any, Any]] | None" = None
-    closing_field: Callable[[Geometry], str] | None = None
+    closing_field: str | Callable[[Any, Geometry], str] = "rod_length"
     least_gap: Callable[[Geometry], Extreme] | None = None
     openings: Callable[[Geometry], Openings] | None = None
     has_chambers: bool = True

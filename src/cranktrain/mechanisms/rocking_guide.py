@@ -16,11 +16,6 @@ class RockingGuideSpec(MechanismSpec, frozen=True):
     ground_length: PositiveLength
     offset: Length = Given(0.0, "0 mm")
 
-    @property
-    def rod_field(self) -> str:
-        """There is no rod: the ground decides whether it closes."""
-        return "ground_length"
-
 
 def rocking_guide_geometry(spec: RockingGuideSpec, _master: Master | None = None) -> CrankAndPivot:
     """Lengths in SI."""

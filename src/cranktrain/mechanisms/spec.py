@@ -32,11 +32,6 @@ class MechanismSpec(Spec, frozen=True):
     master_field: ClassVar[str | None] = None
     """Field that names the bank whose slider-crank, on the same throw, this mechanism hangs on."""
 
-    @property
-    def rod_field(self) -> str:
-        """Name of the field that says how long the rod is: what to change where links cannot close."""
-        return "rod_length"
-
 
 class Master(NamedTuple):
     """What a slave mechanism hangs on: the master's geometry, and the slave's axis ahead of the master's. [rad]"""

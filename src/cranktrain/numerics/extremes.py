@@ -64,22 +64,14 @@ def extremes(
     return Extremes(*_refined(curve, slope, grid, samples, _BOTH))
 
 
-def largest(
-    curve: Curve,
-    slope: Curve | None = None,
-    *,
-    grid: Array | None = None,
-    samples: Array | None = None,
-) -> Extreme:
+def largest(curve: Curve, *, grid: Array | None = None, samples: Array | None = None) -> Extreme:
     """Largest value of each curve over a turn; as `extremes`."""
-    return _refined(curve, slope, grid, samples, (1.0,))[0]
+    return _refined(curve, None, grid, samples, (1.0,))[0]
 
 
-def smallest(
-    curve: Curve, slope: Curve | None = None, *, grid: Array | None = None, samples: Array | None = None
-) -> Extreme:
+def smallest(curve: Curve, *, grid: Array | None = None, samples: Array | None = None) -> Extreme:
     """Smallest value of each curve over a turn; as `extremes`."""
-    return _refined(curve, slope, grid, samples, (-1.0,))[0]
+    return _refined(curve, None, grid, samples, (-1.0,))[0]
 
 
 def turning_points(motion: Callable[[Array], Coefficient], samples: Array, grid: Array | None = None) -> Extremes:

@@ -1,6 +1,7 @@
-"""A periodic cubic spline through points wherever they stand, as a curve."""
+"""Curves of cubics between points wherever they stand round a period; of them the periodic cubic spline."""
 
-from typing import cast
+from functools import partial
+from typing import NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,8 +11,45 @@ from cranktrain.numerics.periodic import PeriodicCurve, cycle_grid
 from cranktrain.numerics.spline import periodic_slopes
 
 
-def knotted_curve(places: Array, values: Array, period: float, n_points: int, cycle: float) -> PeriodicCurve:
-    """Lay the spline through points, with samples at equal steps over a cycle.
+class Knotted(NamedTuple):
+    """Cubics from point to point round a period.
+
+    Attributes
+    ----------
+    places : Array, shape (n,)
+        Of the points, rising within one period. [rad]
+    powers : Array, shape (4, n)
+        Coefficients of the cubic behind each point, by powers of the distance from there.
+    period : float
+        After which the first point follows the last. [rad]
+    """
+
+    places: Array
+    powers: Array
+    period: float
+
+
+def knotted_motion(knotted: Knotted, angle: Array) -> Coefficient:
+    """Value and first two derivatives at angles of any shape, of that shape."""
+    places, powers, period = knotted
+    beyond = np.mod(angle - places[0], period)
+    starts = places - places[0]
+    # Of an angle that is NaN any piece will do, as its distance is NaN.
+    found = cast("NDArray[np.intp]", np.searchsorted(starts, beyond, side="right")) - 1
+    piece: NDArray[np.intp] = np.clip(found, 0, len(places) - 1)
+    x = beyond - starts[piece]
+    a, b, c, d = powers[:, piece]
+    return Coefficient(a + x * (b + x * (c + x * d)), b + x * (2 * c + 3 * x * d), 2 * c + 6 * x * d)
+
+
+def knotted_curve(knotted: Knotted, n_points: int, cycle: float) -> PeriodicCurve:
+    """Curve with samples at equal steps over a cycle [rad], into which the period goes."""
+    motion = partial(knotted_motion, knotted)
+    return PeriodicCurve(cycle, motion(cycle_grid(n_points, cycle)).value, motion)
+
+
+def spline_through(places: Array, values: Array, period: float) -> Knotted:
+    """Lay the periodic cubic spline through points.
 
     Parameters
     ----------
@@ -19,21 +57,17 @@ def knotted_curve(places: Array, values: Array, period: float, n_points: int, cy
         Rising, within one period; at least three. [rad]
     values : Array, shape (n,)
     period : float
-        Which goes into the cycle. [rad]
-    n_points : int
-        Of the samples.
-    cycle : float
         [rad]
 
     Returns
     -------
-    PeriodicCurve
+    Knotted
 
     Examples
     --------
     >>> places = np.radians([0.0, 90.0, 200.0, 300.0])
-    >>> curve = knotted_curve(places, np.array([1.0, 2.0, 4.0, 3.0]), 2 * np.pi, 4, 2 * np.pi)
-    >>> np.round(curve.value(places + 4 * np.pi), 12).tolist()
+    >>> spline = spline_through(places, np.array([1.0, 2.0, 4.0, 3.0]), 2 * np.pi)
+    >>> np.round(knotted_motion(spline, places + 4 * np.pi).value, 12).tolist()
     [1.0, 2.0, 4.0, 3.0]
     """
     slopes = periodic_slopes(places, values, period)
@@ -41,15 +75,4 @@ def knotted_curve(places: Array, values: Array, period: float, n_points: int, cy
     rise, after = np.roll(values, -1) - values, np.roll(slopes, -1)
     second = (3 * rise / steps - 2 * slopes - after) / steps
     third = (slopes + after - 2 * rise / steps) / steps**2
-    starts = places - places[0]
-
-    def motion(angle: Array) -> Coefficient:
-        beyond = np.mod(angle - places[0], period)
-        # Of an angle that is NaN any piece will do, as its distance is NaN.
-        found = cast("NDArray[np.intp]", np.searchsorted(starts, beyond, side="right")) - 1
-        piece: NDArray[np.intp] = np.clip(found, 0, len(places) - 1)
-        x = beyond - starts[piece]
-        a, b, c, d = values[piece], slopes[piece], second[piece], third[piece]
-        return Coefficient(a + x * (b + x * (c + x * d)), b + x * (2 * c + 3 * x * d), 2 * c + 6 * x * d)
-
-    return PeriodicCurve(cycle, motion(cycle_grid(n_points, cycle)).value, motion)
+    return Knotted(places, np.stack([values, slopes, second, third]), period)

@@ -1,7 +1,10 @@
 """Arrays in nested NamedTuples, as kernels take geometry and give motions: listed, or each changed by its name."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TypeVar, cast
+
+import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 
@@ -60,6 +63,15 @@ def leaves(parts: tuple[object, ...]) -> list[Array]:
         else:
             found.append(cast(Array, part))
     return found
+
+
+def side_by_side(found: Sequence[tuple[NDArray[np.intp], Nested]], shape: tuple[int, ...]) -> Nested:
+    """Join nested tuples of arrays, each at its places along the axis after the design's, to arrays of that shape."""
+    columns = [np.empty(shape) for _leaf in leaves(found[0][1])]
+    for places, parts in found:
+        for column, values in zip(columns, leaves(parts), strict=True):
+            column[:, places] = values
+    return filled(found[0][1], iter(columns))
 
 
 def filled(parts: Nested, arrays: Iterator[Array]) -> Nested:

@@ -9,6 +9,7 @@ import numpy as np
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extremes, turning_points
 from cranktrain.numerics.harmonics import TURN, harmonics, phasor
+from cranktrain.numerics.polynomials import polynomial
 
 
 class PeriodicCurve(NamedTuple):
@@ -179,12 +180,7 @@ def _by_pieces(coefficients: Array, cycle: float) -> PeriodicCurve:
         place = np.floor(angle / step)
         share = angle / step - place
         # Of an angle that is NaN any piece will do, as its share is NaN.
-        *others, value = flat[:, np.fmax(np.mod(place, n_points), 0.0).astype(np.intp) + rows]
-        first = second = np.zeros_like(value)
-        for part in reversed(others):
-            second = second * share + first
-            first = first * share + value
-            value = value * share + part
-        return Coefficient(value, first / step, 2 * second / step**2)
+        found = polynomial(flat[:, np.fmax(np.mod(place, n_points), 0.0).astype(np.intp) + rows], share)
+        return Coefficient(found.value, found.first / step, found.second / step**2)
 
     return PeriodicCurve(cycle, coefficients[0], motion, coefficients)

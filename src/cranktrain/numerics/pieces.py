@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
+from cranktrain.numerics.polynomials import polynomial
 from cranktrain.numerics.series import around_zero
 
 _ABOUT = 1.2
@@ -94,7 +95,7 @@ def _tops(curves: Curves, centre: Array, edges: Array, is_piece: NDArray[np.bool
         # What is level from before its grid point on begins, for us, there.
         level = np.where((piece == 0) & (start * end < 0), -(end + start) / (end - start), -1.0)
         way = _top(powers, scale[row], level)
-        value = base + _value(powers, way)
+        value = base + polynomial(powers.T, way).value
     top, angle, at = np.full((3, *is_piece.shape), np.nan)
     top[is_piece], angle[is_piece], at[is_piece] = value, middle + half * way, way
     ends = np.full((2, *is_piece.shape), np.nan)
@@ -186,29 +187,13 @@ def _top(powers: Array, scale: Array, level: Array) -> Array:
     is_top = tried >= np.max(tried, axis=-1, keepdims=True) - _LEVEL * scale[:, np.newaxis]
     place = np.argmax(is_top, axis=-1)
     start, apart = _TRIED[place], float(_TRIED[1] - _TRIED[0])
+    slopes = (powers[:, 1:] * np.arange(1, _N_NODES)).T
     way = start
     for _step in range(_NEWTON_STEPS):
-        first, second = _derivatives(powers, way)
+        first, second, _third = polynomial(slopes, way)
         move = np.where(second < 0, -first / second, np.sign(first) * apart)
         way = np.clip(way + np.nan_to_num(move), np.maximum(start - apart, -1.0), np.minimum(start + apart, 1.0))
     return np.where(np.sum(is_top, axis=-1) > 1, np.where(place == 0, level, start), way)
-
-
-def _value(powers: Array, way: Array) -> Array:
-    """Polynomials by rising powers."""
-    total = np.zeros_like(way)
-    for part in reversed(range(_N_NODES)):
-        total = total * way + powers[:, part]
-    return total
-
-
-def _derivatives(powers: Array, way: Array) -> tuple[Array, Array]:
-    """First and second derivatives of the polynomials."""
-    first = second = np.zeros_like(way)
-    for part in reversed(range(1, _N_NODES)):
-        second = second * way + first
-        first = first * way + part * powers[:, part]
-    return first, second
 
 
 def _sides(way: Array, ends: Array, scale: Array) -> Array:

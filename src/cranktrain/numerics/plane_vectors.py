@@ -5,7 +5,6 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.numerics import Extreme, largest, turn_grid
 from cranktrain.numerics.harmonics import TURN, ComplexArray, phasor
 
 
@@ -94,12 +93,6 @@ def integrated(of: PlaneVectors) -> PlaneVectors:
     return PlaneVectors(of.order, of.forward / (1j * of.order), of.backward * 1j / of.order)
 
 
-def turned_vectors(of: PlaneVectors, angle: Array) -> PlaneVectors:
-    """Give vectors in axes from which their own are turned by an angle [rad] of shape (...), from x toward y."""
-    turn = phasor(angle)[..., np.newaxis]
-    return PlaneVectors(of.order, of.forward * turn, of.backward * turn)
-
-
 def delayed_vectors(of: PlaneVectors, angle: Array) -> PlaneVectors:
     """The same vectors, later by a crank angle [rad] of shape (...)."""
     turn = phasor(-np.asarray(angle)[..., np.newaxis] * of.order)
@@ -169,21 +162,3 @@ def hodograph(of: PlaneVectors) -> Hodograph:
     forward, backward = np.abs(of.forward), np.abs(of.backward)
     direction = np.angle(of.forward * np.where(backward > 0, of.backward, 1.0)) / 2
     return Hodograph(forward + backward, np.abs(forward - backward), direction, np.sign(forward - backward))
-
-
-def largest_length(of: PlaneVectors, n_points: int = 720) -> Extreme:
-    """Largest length of the vector of all orders together, refined between the grid's points.
-
-    Parameters
-    ----------
-    of : PlaneVectors, shape (..., n)
-        Whole orders.
-    n_points : int
-        Points of the turn at which to look first.
-
-    Returns
-    -------
-    Extreme, shape (..., 1)
-    """
-    grid = turn_grid(n_points)
-    return largest(lambda angle: np.abs(vector_curve(of, angle)), grid=grid)

@@ -15,7 +15,7 @@ _SETTLED = 1e-13
 """A step of Newton's method after which the next one is less than rounding. [rad, or in parts of the root]"""
 
 
-def bracketed_roots(curve: Curve, low: Array, high: Array, *, precision: float = 0.0) -> Array:
+def bracketed_roots(curve: Curve, low: Array, high: Array) -> Array:
     """Roots of many curves, each within its own bracket, by Chandrupatla's method.
 
     Parameters
@@ -23,13 +23,11 @@ def bracketed_roots(curve: Curve, low: Array, high: Array, *, precision: float =
     curve : Curve
     low, high : Array, shape (..., n)
         Ends of each bracket. [rad]
-    precision : float
-        Relative precision at which to stop; 0 goes on to rounding.
 
     Returns
     -------
     Array, shape (..., n)
-        To rounding, or the precision asked for; NaN where the curve has the same sign at both ends, or is NaN within.
+        To rounding; NaN where the curve has the same sign at both ends, or is NaN within.
 
     Notes
     -----
@@ -51,8 +49,7 @@ def bracketed_roots(curve: Curve, low: Array, high: Array, *, precision: float =
             other, value_other = np.where(same, other, newest), np.where(same, value_other, value_newest)
             newest, value_newest = trial, value
             best = np.where(np.abs(value_newest) < np.abs(value_other), newest, other)
-            tolerance = np.maximum(np.spacing(np.abs(best)), precision * np.abs(best)) + 1e-17
-            least = tolerance / np.abs(other - newest)
+            least = (np.spacing(np.abs(best)) + 1e-17) / np.abs(other - newest)
             if np.all((least > 0.5) | (value_newest == 0) | (value_other == 0) | ~bracketed | np.isnan(value_newest)):
                 break
             xi = (newest - other) / (third - other)

@@ -158,7 +158,7 @@ def _parabola(three: Array, sign: Array) -> tuple[Array, Array]:
     before, after = three[..., 0, :] - centre, three[..., 2, :] - centre
     slope, curvature = (after - before) / 2, before + after
     # A parabola that opens the wrong way has its top at an end.
-    way = _within_one(np.where(sign * curvature < 0, -slope / curvature, np.sign(sign * slope)))
+    way = np.clip(np.where(sign * curvature < 0, -slope / curvature, np.sign(sign * slope)), -1.0, 1.0)
     return way, centre + (slope + curvature / 2 * way) * way
 
 
@@ -172,12 +172,8 @@ def top_of_quartic(five: Array, sign: Array) -> Top:
     # The differences of close points are exact, which their sums are not.
     slope = _QUARTIC_SLOPE @ (five - centre[..., np.newaxis, :])
     a, b, c, d = (slope[..., power, :] for power in range(4))
-    way = _within_one(start - (a + start * (b + start * (c + start * d))) / (b + start * (2 * c + start * 3 * d)))
+    move = (a + start * (b + start * (c + start * d))) / (b + start * (2 * c + start * 3 * d))
+    way = np.clip(start - move, -1.0, 1.0)
     value = centre + way * (a + way * (b / 2 + way * (c / 3 + way * d / 4)))
     is_known = ~np.isnan(way)
     return Top(np.where(is_known, way, start), np.where(is_known, value, parabola), start)
-
-
-def _within_one(way: Array) -> Array:
-    """Bring a way into [−1, 1]."""
-    return np.minimum(np.maximum(way, -1.0), 1.0)

@@ -3,24 +3,14 @@
 All axes are the machine's, X right and Y up, seen from the free end.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from cranktrain.linkage.forces import Wrench
-from cranktrain.machine import Machine
 from cranktrain.mechanisms.dynamics import FRAME, AnyDynamics, Reaction
 from cranktrain.motion import Array
-from cranktrain.plans.acting import (
-    MASTER_ROD,
-    Force,
-    Member,
-    known_forces,
-    link_numbers,
-    member_of,
-    pair_symbol,
-    turned_to_machine,
-)
-from cranktrain.questions.forces.loaded_machine import SolvedBatch
+from cranktrain.plans.acting import MASTER_ROD, Member, known_forces, link_numbers, member_of, pair_symbol
+from cranktrain.plans.force_sides import PolygonForce
+from cranktrain.plans.vectors import pair
 
 _CRANK, _ROD, _MASTER = "crank", "rod", "master_"
 """What a master calls its crank and rod; before what its slaves call its rod and slider."""
@@ -33,7 +23,6 @@ class Seen:
     Attributes
     ----------
     one : Member
-        At one angle.
     numbers, names : mapping by the mechanism's own names of its bodies
         1 is the frame, 2 the crank; `master_rod` of a mechanism that is seen as another's master.
     hung : mapping of slave to number
@@ -60,44 +49,40 @@ def seen_by_slave(master: Member, slave: Seen) -> Seen:
     return Seen(master, numbers, names, {slave.one.place.name: slave.numbers[_ROD]})
 
 
-def master_of(machine: Machine, slave: Member) -> Member | None:
+def master_of(slave: Member) -> Member | None:
     """Find the mechanism on whose rod another hangs; None of one that hangs on a crank."""
-    loaded = slave.loaded
-    index = int(loaded.carriers.master[loaded.mechanisms.names.index(slave.place.name)])
-    if index < 0:
-        return None
-    name = loaded.mechanisms.names[index]
-    place = next(place for place in machine.places if place.name == name)
-    return member_of(machine, loaded, place, slave.angle)
+    places = slave.machine.places
+    index = int(slave.loaded.carriers.master[places.index(slave.place)])
+    return None if index < 0 else member_of(slave.machine, slave.loaded, places[index], slave.angle)
 
 
-def acted_links(machine: Machine, seen: Seen) -> dict[str, tuple[Force, ...]]:
+def acted_links(seen: Seen) -> dict[str, tuple[PolygonForce, ...]]:
     """Give all that acts on the links of a mechanism: what is known first, then reactions.
 
     Parameters
     ----------
-    machine : Machine
     seen : Seen
 
     Returns
     -------
-    dict of str to tuple of Force
+    dict of str to tuple of PolygonForce
         By the links' names; further cranks of a shaft are one body with the first. Reactions are the exact ones of the
         whole machine: a master's hold what its slaves do to it, the forces of whose rods on the master's are named for
         them, `F_1R`, unless the slave's rod has a number.
     """
-    one, numbers = seen.one, seen.numbers
-    solved = one.loaded.solved(one.angle)
-    reactions = list(_reactions(machine, one, solved[one.batch].forces.joints))
-    bodies = _on_shaft(one.dynamics)
-    found: dict[str, list[Force]] = {body: [] for body in bodies.values()}
+    numbers = seen.numbers
+    bodies = _on_shaft(seen.one.dynamics)
+    found: dict[str, list[PolygonForce]] = {body: [] for body in bodies.values()}
     for i, (name, body) in enumerate(bodies.items()):
-        found[body] += known_forces(machine, one, i, numbers[name])
+        found[body] += known_forces(seen.one, i, numbers[name])
         if name == _ROD:
-            found[body] += _hanging(machine, seen, solved)
-    for name, body in bodies.items():
-        found[body] += _reactions_on(name, reactions, numbers)
-    return {body: tuple(forces) for body, forces in found.items()}
+            found[body] += _hanging(seen)
+    for reaction, value in _reactions(seen.one):
+        for on, by, force in ((reaction.on, reaction.by, value), (reaction.by, reaction.on, -value)):
+            if on in bodies:
+                symbol = pair_symbol("F", numbers[by], numbers[on])
+                found[bodies[on]].append(PolygonForce(symbol, "reaction", reaction.name, on, pair(force)))
+    return {body: tuple(force._replace(link=seen.names[body]) for force in forces) for body, forces in found.items()}
 
 
 def _on_shaft(dynamics: AnyDynamics) -> dict[str, str]:
@@ -113,34 +98,21 @@ def cranks_of(dynamics: AnyDynamics) -> tuple[str, ...]:
     return tuple(name for name in dynamics.moving if name not in in_groups)
 
 
-def _reactions(machine: Machine, one: Member, joints: Sequence[Wrench]) -> Iterator[tuple[Reaction, Array]]:
-    """Reactions of a mechanism's own joints, X and Y of shape (2, n); a slave's share of its master's are none."""
-    for reaction, wrench in zip(one.dynamics.reactions, joints, strict=True):
+def _reactions(one: Member) -> Iterator[tuple[Reaction, Array]]:
+    """Reactions of a mechanism's own joints, shape (2,); a slave's share of its master's are none."""
+    for reaction, wrench in zip(one.dynamics.reactions, one.solved.forces.joints, strict=True):
         if reaction.on in one.dynamics.moving:
-            yield reaction, turned_to_machine(machine, one.place, one.own(wrench.x), one.own(wrench.y))
+            yield reaction, one.in_machine_axes(wrench.x, wrench.y)
 
 
-def _reactions_on(
-    name: str, reactions: Sequence[tuple[Reaction, Array]], numbers: Mapping[str, int]
-) -> Iterator[Force]:
-    """Reactions on one link."""
-    for reaction, value in reactions:
-        if name == reaction.on:
-            yield Force(pair_symbol("F", numbers[reaction.by], numbers[name]), "reaction", reaction.name, value)
-        elif name == reaction.by:
-            yield Force(pair_symbol("F", numbers[reaction.on], numbers[name]), "reaction", reaction.name, -value)
-
-
-def _hanging(machine: Machine, seen: Seen, solved: Sequence[SolvedBatch]) -> Iterator[Force]:
+def _hanging(seen: Seen) -> Iterator[PolygonForce]:
     """Forces of the rods that hang on a mechanism's rod."""
     one = seen.one
-    loaded = one.loaded
-    own = loaded.mechanisms.names.index(one.place.name)
-    for place in machine.places:
-        if loaded.carriers.master[loaded.mechanisms.names.index(place.name)] == own:
-            slave = member_of(machine, loaded, place, one.angle)
+    places = one.machine.places
+    for place, master in zip(places, one.loaded.carriers.master.tolist(), strict=True):
+        if master == places.index(one.place):
             number = seen.hung.get(place.name)
             symbol = f"F_{place.name}" if number is None else pair_symbol("F", number, seen.numbers[_ROD])
-            for reaction, value in _reactions(machine, slave, solved[slave.batch].forces.joints):
+            for reaction, value in _reactions(member_of(one.machine, one.loaded, place, one.angle)):
                 if reaction.by == MASTER_ROD:
-                    yield Force(symbol, "reaction", f"{place.name}.{reaction.name}", -value)
+                    yield PolygonForce(symbol, "reaction", f"{place.name}.{reaction.name}", _ROD, pair(-value))

@@ -3,9 +3,8 @@
 All axes are the machine's, X right and Y up, seen from the free end.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -14,54 +13,50 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.layout.frames import in_machine_axes
 from cranktrain.layout.places import PlacedMechanism
-from cranktrain.linkage.forces import NO_FRICTION, WEIGHTLESS, Body, Conditions, Drive, Gravity, Wrench
+from cranktrain.linkage.forces import WEIGHTLESS, Body, Wrench, applied, weight
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.dynamics import FRAME, AnyDynamics
 from cranktrain.mechanisms.geometry import rows
-from cranktrain.mechanisms.kind import AnyGeometry, AnyMotion
-from cranktrain.motion import ZERO, Array
+from cranktrain.mechanisms.kind import AnyGeometry
+from cranktrain.motion import Array, Link
+from cranktrain.numerics.nested import mapped
+from cranktrain.plans.force_sides import Cause, PolygonForce
 from cranktrain.plans.placement import frame
-from cranktrain.questions.forces.loaded_machine import LoadedMachine
-
-Cause = Literal["load", "weight", "inertia", "reaction"]
+from cranktrain.plans.vectors import pair
+from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 
 _STEP = 10.0
 """Of the grid on which a machine is made ready; the forces themselves are asked for at any angle. [deg]"""
-
-NO_BODY = Body(ZERO, ZERO, ZERO, ZERO)
-"""A link without mass."""
 
 MASTER_ROD = "master_rod"
 """What a slave calls its master's rod."""
 
 
-class Force(NamedTuple):
-    """A force on a link: symbol such as `F_34` (of 3 on 4), cause, joint of a reaction, X and Y of shape (n,). [N]"""
-
-    symbol: str
-    cause: Cause
-    joint: str
-    value: Array
-
-
 @dataclass(frozen=True)
 class Member:
-    """One mechanism of a loaded machine: its place, batch, member of it; motion of shape (1, n), size and masses."""
+    """One mechanism of a loaded machine at one crank angle φ; all arrays have shape (1,).
 
+    Attributes
+    ----------
+    machine : Machine
+    loaded : LoadedMachine
+    place : PlacedMechanism
+    angle : Array
+        φ. [rad]
+    size : AnyGeometry
+    bodies : tuple of Body
+        Of its links, as its dynamics have them.
+    solved : SolvedBatch
+        Its own motion, loads, conditions and forces.
+    """
+
+    machine: Machine
     loaded: LoadedMachine
     place: PlacedMechanism
-    batch: int
-    member: int
     angle: Array
-    motion: AnyMotion
     size: AnyGeometry
     bodies: tuple[Body, ...]
-    gravity: Gravity
-
-    def own(self, values: Array) -> Array:
-        """Give its own, shape (n,), of values of its batch's members, broadcastable to (1, member, n)."""
-        members = self.loaded.mechanisms.batches[self.batch].index
-        return np.broadcast_to(values, (1, members.size, self.angle.size))[0, self.member]
+    solved: SolvedBatch
 
     @property
     def dynamics(self) -> AnyDynamics:
@@ -69,9 +64,13 @@ class Member:
         return self.place.kind.dynamics
 
     @property
-    def drive(self) -> Drive:
-        """How the crank turns there, arrays of shape (1, 1) or (1, n)."""
-        return Drive(*(part[0] for part in self.loaded.speed.drive(self.angle)))
+    def links(self) -> tuple[Link, ...]:
+        """How its links move, in its own axes."""
+        return self.dynamics.links(self.solved.motion, self.size)
+
+    def in_machine_axes(self, x: Array, y: Array) -> Array:
+        """Give a vector of its own axes in the machine's, shape (2,)."""
+        return np.ravel(in_machine_axes(x, y, frame(self.machine, self.place)))
 
 
 def made_ready(machine: Machine, speed: SpeedWanted) -> LoadedMachine:
@@ -99,16 +98,15 @@ def refuse_idle(machine: Machine) -> None:
 
 
 def member_of(machine: Machine, loaded: LoadedMachine, place: PlacedMechanism, angle: Array) -> Member:
-    """Find a mechanism in a loaded machine, at φ of shape (n,). [rad]"""
+    """Find a mechanism in a loaded machine, at φ of shape (1,). [rad]"""
     index = loaded.mechanisms.names.index(place.name)
-    at = next(i for i, batch in enumerate(loaded.mechanisms.batches) if index in batch.index)
-    batch = loaded.mechanisms.batches[at]
+    at, batch = next((i, batch) for i, batch in enumerate(loaded.mechanisms.batches) if index in batch.index)
     member = batch.index.tolist().index(index)
-    own = np.array([member])
-    size = rows(batch.members.geometry, own)
-    made = rows(loaded.masses.batches[at], own)
-    motion = batch.kind.motion(angle + rows((batch.members.phase,), own)[0], size)
-    return Member(loaded, place, at, member, angle, motion, size, tuple(made.bodies), made.gravity)
+    shape = (1, batch.index.size, angle.size)
+    solved = mapped(lambda _name, part: np.broadcast_to(part, shape)[0, member], loaded.solved(angle)[at])
+    size = rows(batch.members.geometry, np.array(member))
+    bodies = rows(loaded.masses.batches[at].bodies, np.array(member))
+    return Member(machine, loaded, place, angle, size, bodies, solved)
 
 
 def link_numbers(place: PlacedMechanism, after: int = 1) -> dict[str, int]:
@@ -125,50 +123,15 @@ def pair_symbol(letter: str, by: int, on: int) -> str:
     return f"{letter}_{by}{on}" if max(by, on) < 10 else f"{letter}_{by},{on}"
 
 
-def turned_to_machine(machine: Machine, place: PlacedMechanism, x: Array, y: Array) -> Array:
-    """Give a vector of a mechanism's axes in the machine's, shape (2, n)."""
-    return np.stack(in_machine_axes(x, y, frame(machine, place)))
-
-
-def known_forces(machine: Machine, one: Member, i: int, number: int) -> Iterator[Force]:
+def known_forces(one: Member, i: int, number: int) -> Iterator[PolygonForce]:
     """Load, weight and inertia of one link."""
-    load = loads_of(one)[i]
-    mass = np.ravel(one.bodies[i].mass)
-    still = np.zeros(len(one.angle))
-    weights = (mass * np.ravel(part) + still for part in one.gravity)
-    yield Force(f"P_{number}", "load", "", turned_to_machine(machine, one.place, load.x[0] + still, load.y[0] + still))
-    yield Force(f"G_{number}", "weight", "", turned_to_machine(machine, one.place, *weights))
-    yield Force(f"Φ_{number}", "inertia", "", turned_to_machine(machine, one.place, *_inertia(one, i)))
-
-
-def loads_of(one: Member) -> Sequence[Wrench]:
-    """Loads of all links, shape (1, n)."""
-    value = np.zeros((1, len(one.angle)))
-    gas, piston = one.loaded.gas, one.loaded.carriers.piston[one.loaded.mechanisms.names.index(one.place.name)]
-    if gas is not None and piston >= 0:
-        value = -gas.force(gas.pressure(one.angle, gas.volume(one.angle)))[:, piston]
-    loads = one.dynamics.load(one.motion, one.size, value)
-    return [Wrench(*(np.broadcast_to(part, value.shape) for part in load)) for load in loads]
-
-
-def unloaded(one: Member) -> Any:
-    """Loads of nothing on all links."""
-    return one.dynamics.load(one.motion, one.size, np.zeros((1, 1)))
-
-
-def body_alone(one: Member, i: int, body: Body) -> Any:
-    """Bodies of all links, of which only one has mass."""
-    return one.dynamics.bodies(*(body if j == i else NO_BODY for j in range(len(one.bodies))))
-
-
-def _inertia(one: Member, i: int) -> tuple[Array, Array]:
-    """Inertia force of one link, in the mechanism's axes: what the frame bears where nothing else has mass. [N]"""
-    bodies = body_alone(one, i, one.bodies[i])
-    conditions = Conditions(one.drive, WEIGHTLESS, tuple(NO_FRICTION for _slider in one.dynamics.sliding))
-    joints = one.dynamics.forces(one.motion, one.size, bodies, unloaded(one), conditions).joints
-    on_frame = [w for reaction, w in zip(one.dynamics.reactions, joints, strict=True) if reaction.by == FRAME]
-    x, y = (
-        -np.sum([np.broadcast_to(part, (1, len(one.angle)))[0] for part in parts], axis=0)
-        for parts in ([w.x for w in on_frame], [w.y for w in on_frame])
+    link, body = one.links[i], one.bodies[i]
+    conditions = one.solved.conditions
+    acting: tuple[tuple[str, Cause, Wrench], ...] = (
+        ("P", "load", one.solved.loads[i]),
+        ("G", "weight", weight(link, body, conditions.gravity)),
+        ("Φ", "inertia", applied(link, body, conditions.drive, WEIGHTLESS)),
     )
-    return x, y
+    for letter, cause, wrench in acting:
+        value = pair(one.in_machine_axes(wrench.x, wrench.y))
+        yield PolygonForce(f"{letter}_{number}", cause, "", one.dynamics.moving[i], value)

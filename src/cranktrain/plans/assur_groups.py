@@ -8,7 +8,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.machine import Machine
 from cranktrain.mechanisms.dynamics import Group, Reaction
 from cranktrain.motion import Array
 from cranktrain.plans.acted_links import (
@@ -19,9 +18,10 @@ from cranktrain.plans.acted_links import (
     seen_by_itself,
     seen_by_slave,
 )
-from cranktrain.plans.acting import Force, Member, pair_symbol, turned_to_machine
+from cranktrain.plans.acting import Member, pair_symbol
 from cranktrain.plans.force_sides import INITIAL, GroupForces, PolygonForce, Span
-from cranktrain.plans.rubbing import friction_on_links, rubbing_force
+from cranktrain.plans.rubbing import friction_on_links
+from cranktrain.plans.vectors import pair
 
 _NOTHING = 1e-9
 """A force less than this part of the mechanism's largest is none."""
@@ -35,14 +35,12 @@ class _Arc(NamedTuple):
     last: tuple[PolygonForce, ...]
 
 
-def group_forces(machine: Machine, one: Member, after: int = 1) -> Iterator[GroupForces]:
+def group_forces(one: Member, after: int = 1) -> Iterator[GroupForces]:
     """Forces on a mechanism's groups at one crank angle.
 
     Parameters
     ----------
-    machine : Machine
     one : Member
-        At one angle.
     after : int
         The crank has the next number.
 
@@ -53,38 +51,36 @@ def group_forces(machine: Machine, one: Member, after: int = 1) -> Iterator[Grou
         at the end.
     """
     seen = seen_by_itself(one, after)
-    yield from _of_mechanism(machine, seen)
-    master = master_of(machine, one)
+    yield from _of_mechanism(seen)
+    master = master_of(one)
     if master is not None:
-        yield from _of_mechanism(machine, seen_by_slave(master, seen))
+        yield from _of_mechanism(seen_by_slave(master, seen))
 
 
-def _of_mechanism(machine: Machine, seen: Seen) -> Iterator[GroupForces]:
+def _of_mechanism(seen: Seen) -> Iterator[GroupForces]:
     """Forces on one mechanism's groups and crank."""
     one = seen.one
-    links = acted_links(machine, seen)
-    largest = max(float(np.max(np.hypot(*force.value))) for forces in links.values() for force in forces)
-    laying = _Laying(machine, seen, links, _friction(machine, seen), _NOTHING * largest)
+    links = acted_links(seen)
+    largest = max(force.size for forces in links.values() for force in forces)
+    friction = {
+        (rubbing.on, rubbing.by): one.in_machine_axes(rubbing.wrench.x, rubbing.wrench.y)
+        for rubbing in friction_on_links(one)
+    }
+    laying = _Laying(seen, links, friction, _NOTHING * largest)
     cranks = cranks_of(one.dynamics)
     groups = [*reversed(one.dynamics.groups), *([Group(INITIAL, cranks)] if cranks else [])]
     for group in groups:
         yield laying.of_group(group)
 
 
-def _friction(machine: Machine, seen: Seen) -> dict[tuple[str, str], Array]:
-    """Forces of friction, shape (2,), by the links on and by which they act."""
-    return {
-        (rubbing.on, rubbing.by): rubbing_force(machine, seen.one, rubbing)[:, 0]
-        for rubbing in friction_on_links(seen.one)
-    }
-
-
 class _Laying(NamedTuple):
-    """How the forces on a mechanism's links are laid end to end; a force of less than `least` is none."""
+    """How the forces on a mechanism's links are laid end to end; a force of less than `least` is none.
 
-    machine: Machine
+    friction, shape (2,), is by the links on and by which it acts.
+    """
+
     seen: Seen
-    links: Mapping[str, tuple[Force, ...]]
+    links: Mapping[str, tuple[PolygonForce, ...]]
     friction: Mapping[tuple[str, str], Array]
     least: float
 
@@ -103,74 +99,49 @@ class _Laying(NamedTuple):
             sides,
             tuple(self._wholes(own, sides)),
             tuple(self._chords(group, ends)),
-            self._moment() if group.sort == INITIAL else float("nan"),
+            float(self.seen.one.solved.forces.driving_torque[0]) if group.sort == INITIAL else float("nan"),
         )
 
     def _arc(self, name: str, group: Group) -> _Arc:
         """Sort the forces on a link of a group; of reactions in inner joints there is none."""
-        first: list[PolygonForce] = []
-        known: list[PolygonForce] = []
-        last: list[PolygonForce] = []
-        for force in self.links[name]:
-            reaction = self._reaction(force.joint)
-            if reaction is not None and {reaction.on, reaction.by} <= {*group.links}:
-                continue
-            if reaction is None or reaction.on != name:
-                known.append(self._side(name, force))
-                continue
-            for part in self._parts(name, force, reaction, group):
-                (first if part.about else last).append(part)
+        reactions = self.seen.one.dynamics.reactions
+        inner = {one.name for one in reactions if {one.on, one.by} <= {*group.links}}
+        own = {one.name: one for one in reactions if one.on == name and one.name not in inner}
+        known = [force for force in self.links[name] if force.joint not in {*inner, *own}]
+        wholes = [force for force in self.links[name] if force.joint in own]
+        found = [part for force in wholes for part in self._parts(name, force, own[force.joint], group)]
+        first = [part for part in found if part.about]
+        last = [part for part in found if not part.about]
         return _Arc(*(tuple(side for side in sides if side.size > self.least) for sides in (first, known, last)))
 
-    def _reaction(self, joint: str) -> Reaction | None:
-        """Find one of the mechanism's own joints."""
-        return next((one for one in self.seen.one.dynamics.reactions if one.name == joint), None)
-
-    def _side(
-        self, name: str, force: Force, mark: str = "", value: Array | None = None, about: str = ""
-    ) -> PolygonForce:
-        """Give a force, or a part of it."""
-        x, y = map(float, force.value[:, 0] if value is None else value)
-        return PolygonForce(f"{force.symbol}{mark}", force.cause, force.joint, self.seen.names[name], (x, y), about)
-
-    def _parts(self, name: str, force: Force, reaction: Reaction, group: Group) -> list[PolygonForce]:
+    def _parts(self, name: str, force: PolygonForce, reaction: Reaction, group: Group) -> list[PolygonForce]:
         """Give an outer reaction in parts: across the link and along it, or pressing a guide and rubbing on it."""
-        whole = force.value[:, 0]
+        whole = np.array(force.value)
         drag = self.friction.get((name, reaction.by))
         across = next((one for one in group.across if one.joint == force.joint), None)
         if drag is not None:
             numbers = self.seen.numbers[reaction.by], self.seen.numbers[name]
-            parts = [
-                self._side(name, force._replace(symbol=pair_symbol(letter, *numbers)), value=value)
-                for letter, value in (("N", whole - drag), ("f", drag))
-            ]
+            split = ((pair_symbol("N", *numbers), whole - drag, ""), (pair_symbol("f", *numbers), drag, ""))
         elif across is not None:
-            along = (axis := self._direction(across.link)) * float(axis @ whole)
-            parts = [
-                self._side(name, force, "^t", whole - along, across.about),
-                self._side(name, force, "^n", along),
-            ]
+            one = self.seen.one
+            link = one.links[one.dynamics.moving.index(across.link)]
+            axis = one.in_machine_axes(link.cos, link.sin)
+            along = axis * float(axis @ whole)
+            split = ((f"{force.symbol}^t", whole - along, across.about), (f"{force.symbol}^n", along, ""))
         else:
-            return [self._side(name, force)]
-        return parts if min(part.size for part in parts) > self.least else [self._side(name, force)]
-
-    def _direction(self, link: str) -> Array:
-        """Direction of a link in the machine's axes, shape (2,)."""
-        one = self.seen.one
-        found = one.dynamics.links(one.motion, one.size)[one.dynamics.moving.index(link)]
-        shape = (1, len(one.angle))
-        x, y = (np.broadcast_to(part, shape)[0] for part in (found.cos, found.sin))
-        return turned_to_machine(self.machine, one.place, x, y)[:, 0]
+            return [force]
+        parts = [force._replace(symbol=symbol, value=pair(value), about=about) for symbol, value, about in split]
+        return parts if min(part.size for part in parts) > self.least else [force]
 
     def _wholes(self, own: Sequence[str], sides: Sequence[PolygonForce]) -> Iterator[Span]:
         """Give the reactions whose parts are sides."""
         for name in own:
             for force in self.links[name]:
-                reaction = self._reaction(force.joint)
+                reaction = next((one for one in self.seen.one.dynamics.reactions if one.name == force.joint), None)
                 at = [i for i, side in enumerate(sides) if side.cause == "reaction" and side.joint == force.joint]
                 if reaction is not None and len(at) == 2 and sides[at[0]].link == self.seen.names[name]:
                     start = at[0] if at[1] == at[0] + 1 else at[1]
-                    yield Span(self._side(name, force), self.seen.names[reaction.by], start, (start + 2) % len(sides))
+                    yield Span(force, self.seen.names[reaction.by], start, (start + 2) % len(sides))
 
     def _chords(self, group: Group, ends: Mapping[str, tuple[int, int]]) -> Iterator[Span]:
         """Give the reactions in inner joints, each on a link that has no other one."""
@@ -179,12 +150,6 @@ class _Laying(NamedTuple):
         for one in inner:
             name, by = (one.on, one.by) if joined.count(one.on) == 1 else (one.by, one.on)
             force = next(force for force in self.links[name] if force.joint == one.name)
-            side = self._side(name, force)
-            if side.size > self.least:
+            if force.size > self.least:
                 start, end = ends[name]
-                yield Span(side, self.seen.names[by], end, start)
-
-    def _moment(self) -> float:
-        """Balancing moment on the crank, in the sense in which its shaft turns. [N·m]"""
-        one = self.seen.one
-        return float(one.own(one.loaded.solved(one.angle)[one.batch].forces.driving_torque)[0])
+                yield Span(force, self.seen.names[by], end, start)

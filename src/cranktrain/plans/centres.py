@@ -13,7 +13,7 @@ from cranktrain.motion import Array, Coefficient
 from cranktrain.plans.lettering import lettered
 from cranktrain.plans.placement import place_called, placed
 from cranktrain.plans.positions import closed_angles
-from cranktrain.plans.vectors import cross, pin_coefficients, spoken_name, turned_left
+from cranktrain.plans.vectors import cross, in_plane, spoken_name, turned_left
 
 _Sort = Literal["frame", "link", "slider", "block"]
 
@@ -126,7 +126,7 @@ def instant_centres(
     drawing = placed(machine, place, np.array([np.deg2rad(angle) + machine.zero]))
     if is_lettered:
         drawing = lettered(drawing)
-    pins = {name: pin_coefficients(drawing, name, 0) for name in drawing.pins}
+    pins = {name: in_plane(pin) for name, pin in drawing.pins.items()}
     with np.errstate(all="ignore"):  # where links only just close velocities have no bound, and centres are nowhere
         bodies, across = _bodies(drawing, pins)
         centres = tuple(_centre(bodies, pair, pins, across) for pair in combinations(range(len(bodies)), 2))
@@ -193,16 +193,17 @@ def _centre(
 ) -> Centre:
     """Instant centre of two bodies: a pin of both, across where they slide, or where their velocities agree."""
     one, other = (bodies[number] for number in pair)
-    numbers = (pair[0] + 1, pair[1] + 1)
-    nowhere = np.full(2, np.nan)
     common = [pin for pin in one.pins if pin in other.pins]
-    if common:
-        return Centre(*numbers, pins[common[0]].value, np.nan, is_joint=True)
-    if pair in across:
-        return Centre(*numbers, nowhere, across[pair], is_joint=True)
     drift = turned_left(one.drift - other.drift)
     turning = one.turning - other.turning
-    if abs(turning) > _PARALLEL:
-        return Centre(*numbers, drift / turning, np.nan, is_joint=False)
-    is_at_rest = np.hypot(*drift) < _PARALLEL * np.hypot(*pins[bodies[1].pins[-1]].value)
-    return Centre(*numbers, nowhere, np.nan if is_at_rest else _away(drift), is_joint=False)
+    place: Array = np.full(2, np.nan)
+    direction = np.nan
+    if common:
+        place = pins[common[0]].value
+    elif pair in across:
+        direction = across[pair]
+    elif abs(turning) > _PARALLEL:
+        place = drift / turning
+    elif np.hypot(*drift) >= _PARALLEL * np.hypot(*pins[bodies[1].pins[-1]].value):
+        direction = _away(drift)
+    return Centre(pair[0] + 1, pair[1] + 1, place, direction, is_joint=bool(common) or pair in across)

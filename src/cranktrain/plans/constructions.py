@@ -6,7 +6,7 @@ from where the crank points along x, and displacements from the top toward the s
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from typing import Literal
 
 import numpy as np
 
@@ -18,26 +18,13 @@ from cranktrain.mechanisms.slider_crank import SliderCrank, slider_crank
 from cranktrain.motion import Array
 from cranktrain.plans.placement import slider_crank_called
 from cranktrain.plans.positions import plan_angles
-from cranktrain.textbook.ranges import RANGES
+from cranktrain.textbook.ranges import RANGES, Range
 from cranktrain.textbook.steam_engine import brix, infinite_rod, largest_difference
 
 Method = Literal["arc", "projection", "brix", "brix_backward"]
 
 _RANGES = {"projection": "infinite_rod", "brix": "brix", "brix_backward": "brix"}
 """Methods of `cranktrain.textbook.ranges` whose range a construction has; the arc has none."""
-
-
-class Drawn(NamedTuple):
-    """What a construction draws: points of shape (2, n). [m]
-
-    on_circle: where the crank circle is met; foot: the reading on the line of stroke; exact: where that should be;
-    piston: the crosshead's pin.
-    """
-
-    on_circle: Array
-    foot: Array
-    exact: Array
-    piston: Array
 
 
 @dataclass(frozen=True)
@@ -50,14 +37,19 @@ class Readings:
         Crank angle; read backwards, as constructed and as it is, else both as given. [rad]
     displacement, exact_displacement : Array, shape (n,)
         As constructed and as it is; read backwards, both as given. [m]
-    drawn : Drawn
+    on_circle, foot, exact_foot, piston : Array, shape (2, n)
+        What is drawn: where the crank circle is met, the reading on the line of stroke, where that should be, and the
+        crosshead's pin. [m]
     """
 
     angle: Array
     exact_angle: Array
     displacement: Array
     exact_displacement: Array
-    drawn: Drawn
+    on_circle: Array
+    foot: Array
+    exact_foot: Array
+    piston: Array
 
 
 @dataclass(frozen=True)
@@ -71,26 +63,20 @@ class Construction(Readings):
     geometry : SliderCrank
     pole : float
         x of Brix's pole. [m]
-    source : str
-        Citation key.
-    condition : str
-        The source's range in words; empty where it needs none.
-    is_outside : bool
-        Whether the mechanism is outside it.
+    limits : Range or None
+        The source's range; None where it needs none.
     """
 
     mechanism: str
     method: Method
     geometry: SliderCrank
     pole: float
-    source: str
-    condition: str
-    is_outside: bool
+    limits: Range | None
 
     @property
     def stroke(self) -> float:
         """Exact stroke. [m]"""
-        return _top(self.geometry) - _bottom(self.geometry)
+        return _end(self.geometry) - _end(self.geometry, -1.0)
 
     @property
     def ratio(self) -> float:
@@ -143,7 +129,6 @@ def construction(
         made = _FORWARD[method](geometry, phi)
     if not np.all(np.isfinite(made.exact_displacement + made.exact_angle)):
         raise InputError([Problem("", place.name, _("the links cannot close at every angle that is to be drawn"))])
-    limits = next((one for one in RANGES if one.method == _RANGES.get(method)), None)
     ratio = geometry.crank_radius / geometry.rod_length
     return Construction(
         **vars(made),
@@ -151,9 +136,7 @@ def construction(
         method=method,
         geometry=geometry,
         pole=-float(largest_difference(geometry.crank_radius, ratio)),
-        source="steam-engine",
-        condition="" if limits is None else _(limits.condition),
-        is_outside=limits is not None and bool(limits.outside(ratio, geometry.offset)),
+        limits=next((one for one in RANGES if one.method == _RANGES.get(method)), None),
     )
 
 
@@ -175,29 +158,20 @@ def exact_crank_angle(displacement: Array, geometry: SliderCrank) -> Array:
     -----
     The rule of cosines in the triangle of shaft, crank pin and piston pin.
     """
-    along = _top(geometry) - displacement
+    along = _end(geometry) - displacement
     square = along**2 + geometry.offset**2
     cosine = (geometry.crank_radius**2 + square - geometry.rod_length**2) / (
         2 * geometry.crank_radius * np.sqrt(square)
     )
-    return np.arctan2(geometry.offset, along) + np.arccos(_kept_at_ends(cosine))
+    # What rounding moved off ±1 is taken back.
+    kept = np.where(np.abs(np.abs(cosine) - 1) < 1e-14, np.sign(cosine), cosine)
+    return np.arctan2(geometry.offset, along) + np.arccos(kept)
 
 
-def _top(geometry: SliderCrank) -> float:
-    """Farthest place of the piston's pin along the line of stroke. [m]"""
-    reach = geometry.crank_radius + geometry.rod_length
+def _end(geometry: SliderCrank, side: float = 1.0) -> float:
+    """Farthest place of the piston's pin along the line of stroke, or the nearest one, where side is −1. [m]"""
+    reach = geometry.rod_length + side * geometry.crank_radius
     return float(np.sqrt(reach**2 - geometry.offset**2))
-
-
-def _bottom(geometry: SliderCrank) -> float:
-    """Nearest place of the piston's pin. [m]"""
-    reach = geometry.rod_length - geometry.crank_radius
-    return float(np.sqrt(reach**2 - geometry.offset**2))
-
-
-def _kept_at_ends(cosine: Array) -> Array:
-    """Take what rounding moved off ±1 back."""
-    return np.where(np.abs(np.abs(cosine) - 1) < 1e-14, np.sign(cosine), cosine)
 
 
 def _on_line(along: Array, geometry: SliderCrank) -> Array:
@@ -219,23 +193,34 @@ def _arc(geometry: SliderCrank, phi: Array) -> Readings:
     """The arc about the piston's pin through the crank pin meets the line of stroke nearer to the shaft."""
     on_circle, piston = _on_circle(phi, geometry), _on_line(_exact(phi, geometry), geometry)
     foot = piston[0] - np.hypot(*(on_circle - piston))
-    start = _top(geometry) - geometry.rod_length
-    drawn = Drawn(on_circle, _on_line(foot, geometry), _on_line(piston[0] - geometry.rod_length, geometry), piston)
-    return Readings(phi, phi, start - foot, _top(geometry) - piston[0], drawn)
+    start = _end(geometry) - geometry.rod_length
+    return Readings(
+        angle=phi,
+        exact_angle=phi,
+        displacement=start - foot,
+        exact_displacement=_end(geometry) - piston[0],
+        on_circle=on_circle,
+        foot=_on_line(foot, geometry),
+        exact_foot=_on_line(piston[0] - geometry.rod_length, geometry),
+        piston=piston,
+    )
 
 
 def _read_on_diameter(geometry: SliderCrank, phi: Array, on_circle: Array, displacement: Array) -> Readings:
     """Readings from the end of the crank circle's diameter."""
     piston = _exact(phi, geometry)
-    exact = _top(geometry) - piston
+    exact = _end(geometry) - piston
     level = np.zeros_like(phi)
-    drawn = Drawn(
-        on_circle,
-        np.stack([geometry.crank_radius - displacement, level]),
-        np.stack([geometry.crank_radius - exact, level]),
-        _on_line(piston, geometry),
+    return Readings(
+        angle=phi,
+        exact_angle=phi,
+        displacement=displacement,
+        exact_displacement=exact,
+        on_circle=on_circle,
+        foot=np.stack([geometry.crank_radius - displacement, level]),
+        exact_foot=np.stack([geometry.crank_radius - exact, level]),
+        piston=_on_line(piston, geometry),
     )
-    return Readings(phi, phi, displacement, exact, drawn)
 
 
 def _projection(geometry: SliderCrank, phi: Array) -> Readings:
@@ -252,20 +237,28 @@ def _brix(geometry: SliderCrank, phi: Array) -> Readings:
 
 def _backward(geometry: SliderCrank, chosen: int | Array) -> Readings:
     """From displacements: equal parts of the stroke, or those of crank angles, to angles on the way to the shaft."""
-    whole = _top(geometry) - _bottom(geometry)
+    whole = _end(geometry) - _end(geometry, -1.0)
     if isinstance(chosen, int):
         displacement = whole * np.arange(chosen + 1) / chosen
         exact = exact_crank_angle(displacement, geometry)
     else:
         exact = np.arccos(np.cos(chosen))
-        displacement = _top(geometry) - _exact(exact, geometry)
+        displacement = _end(geometry) - _exact(exact, geometry)
     read = np.minimum(displacement, 2 * geometry.crank_radius)  # an offset stroke is longer than the diameter
     angle = brix_angle(read, geometry.crank_radius, geometry.crank_radius / geometry.rod_length)
     along = geometry.crank_radius - read
     height = np.sqrt(np.maximum(geometry.crank_radius**2 - along**2, 0.0))
     foot = np.stack([along, np.zeros_like(along)])
-    drawn = Drawn(np.stack([along, height]), foot, foot, _on_line(_top(geometry) - displacement, geometry))
-    return Readings(angle, exact, displacement, displacement, drawn)
+    return Readings(
+        angle=angle,
+        exact_angle=exact,
+        displacement=displacement,
+        exact_displacement=displacement,
+        on_circle=np.stack([along, height]),
+        foot=foot,
+        exact_foot=foot,
+        piston=_on_line(_end(geometry) - displacement, geometry),
+    )
 
 
 _FORWARD: Mapping[str, Callable[[SliderCrank, Array], Readings]] = {

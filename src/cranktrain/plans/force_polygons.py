@@ -51,24 +51,8 @@ class ForcePolygon(GroupForces):
     @property
     def gap(self) -> float:
         """By how much the polygon does not close, in parts of its largest force."""
-        return _gap([force.value for force in self.forces])
-
-    def gap_of(self, link: str) -> float:
-        """By how much one link's own sides do not close with the chords, in parts of the largest of them."""
-        return _gap(
-            [
-                *(force.value for force in self.forces if force.link == link),
-                *(chord.force.value for chord in self.chords if chord.force.link == link),
-                *((-chord.force.value[0], -chord.force.value[1]) for chord in self.chords if chord.by == link),
-            ]
-        )
-
-
-def _gap(values: Sequence[tuple[float, float]]) -> float:
-    """Sum of forces in parts of the largest; 0 without any."""
-    if not values:
-        return 0.0
-    return float(np.hypot(*np.sum(values, axis=0))) / float(np.max(np.hypot(*np.transpose(values))))
+        values = [force.value for force in self.forces]
+        return float(np.hypot(*np.sum(values, axis=0))) / max(force.size for force in self.forces)
 
 
 def force_polygons(
@@ -119,7 +103,7 @@ def force_polygons(
         after = 1
         for i, place in enumerate(places):
             one = member_of(machine, loaded, place, np.deg2rad([angle]) + machine.zero)
-            groups = [_numbered(group, i) for group in group_forces(machine, one, after) if group.forces]
+            groups = [_numbered(group, i) for group in group_forces(one, after) if group.forces]
             after = max((number for group in groups for number in group.numbers), default=after)
             found += [(place.name, angle, group) for group in groups]
     if not found:

@@ -1,21 +1,21 @@
 """Sides of a polygon of forces, and the forces between its corners."""
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
-from cranktrain.plans.acting import Cause
+Cause = Literal["load", "weight", "inertia", "reaction"]
 
 INITIAL = "initial"
 """Sort of the link that no group is: the crank, which gets the balancing moment."""
 
 
 class PolygonForce(NamedTuple):
-    """A side of a polygon of forces.
+    """A force on a link, as a polygon has it for a side.
 
-    Symbol, cause, joint of a reaction, link on which it acts, exact X and Y [N]; of a part that moments give, the pin
-    about which they are taken.
+    Symbol such as `F_34` (of 3 on 4), cause, joint of a reaction, link on which it acts, exact X and Y [N]; of a part
+    that moments give, the pin about which they are taken.
     """
 
     symbol: str

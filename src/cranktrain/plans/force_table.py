@@ -163,7 +163,7 @@ def _is_gauge(unit: str) -> bool:
 
 def _piston(machine: Machine, wanted: str | None) -> PlacedMechanism:
     """Find a piston with a rod; unless named, the first whose rod is on a crank pin."""
-    rods = {place.name: place for place in machine.pistons if place.kind.has_rod}
+    rods = {place.name: place for place in machine.design.pistons if place.kind.has_rod}
     if not rods:
         raise InputError([Problem("--piston", wanted, _("this machine has no piston with a rod"))])
     if wanted is None:
@@ -176,7 +176,7 @@ def _piston(machine: Machine, wanted: str | None) -> PlacedMechanism:
 
 def _area(machine: Machine, piston: str) -> float:
     """Area of a piston, π/4 of its bore squared. [m²]"""
-    at = next(i for i, place in enumerate(machine.pistons) if place.name == piston)
+    at = next(i for i, place in enumerate(machine.design.pistons) if place.name == piston)
     bore = next((one.spec.bore for one in machine.design.once(cylinders) if at in one.pistons), None)
     if bore is None:
         raise InputError([Problem("cylinder.bore", None, _("is missing: forces over the piston's area need it"))])

@@ -1,5 +1,6 @@
 """Klein's construction for the slider-crank, and the instant centre of its rod, as points of the plan."""
 
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +15,7 @@ from cranktrain.plans.vectors import turned_left
 
 
 class Klein(NamedTuple):
-    """Klein's construction at one crank angle: points (X, Y) from the shaft centre O. [m]
+    """Klein's construction at one crank angle: points (X, Y) by their letters, from the shaft centre O. [m]
 
     A crank pin, B piston pin; C where the rod's line meets the perpendicular to the line of stroke through O; K, L
     where the circle about A through C meets the circle on AB as diameter; D where the chord KL meets the rod; N where
@@ -28,13 +29,7 @@ class Klein(NamedTuple):
 
     mechanism: str
     angle: float
-    A: Array
-    B: Array
-    C: Array
-    D: Array
-    K: Array
-    L: Array
-    N: Array
+    points: Mapping[str, Array]
     centre: Array
     stroke: Array
 
@@ -84,16 +79,14 @@ def klein(machine: Machine, angle: float, *, mechanism: str | None = None) -> Kl
     reach = -np.dot(middle, across) / np.dot(chord, across)
     radius = np.dot(pin, stroke)
     centre = pin * (np.dot(piston, stroke) / radius) if abs(radius) > 1e-12 * length else np.full(2, np.nan)
-    return Klein(
-        mechanism=place.name,
-        angle=angle,
-        A=pin,
-        B=piston,
-        C=crossing,
-        D=middle,
-        K=middle + half * chord,
-        L=middle - half * chord,
-        N=middle + reach * chord,
-        centre=centre,
-        stroke=stroke,
-    )
+    points = {
+        "A": pin,
+        "B": piston,
+        "C": crossing,
+        "D": middle,
+        "K": middle + half * chord,
+        "L": middle - half * chord,
+        "N": middle + reach * chord,
+        "O": np.zeros(2),
+    }
+    return Klein(place.name, angle, points, centre, stroke)

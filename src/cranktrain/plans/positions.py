@@ -91,6 +91,15 @@ def position_plan(
     return PositionPlan(together_name(places), shown, scale, named.scaled(1.0 / scale))
 
 
+def single_plans(
+    machine: Machine, angles: Sequence[float], *, mechanism: str | None, room: tuple[float, float]
+) -> list[PositionPlan]:
+    """Plans of a mechanism in one position each, with letters, all to one scale that suffices for a room."""
+    plans = [position_plan(machine, [angle], mechanism=mechanism, room=room, is_lettered=True) for angle in angles]
+    scale = max(plan.scale for plan in plans)
+    return [rescaled(plan, scale) for plan in plans]
+
+
 def track(machine: Machine, scale: float, *, mechanism: str | None = None) -> Drawing:
     """Give a mechanism over a whole turn, for its paths: NaN where it cannot close. [drawing mm]"""
     phi = np.linspace(0.0, 2 * np.pi, 361) + machine.zero

@@ -1,15 +1,15 @@
 """Forces of friction of one mechanism, taken from the reactions in its guides and slots."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.linkage.forces import Wrench
-from cranktrain.machine import Machine
+from cranktrain.linkage.forces import Wrench, handed_back
 from cranktrain.mechanisms.dynamics import FRAME, Contact
-from cranktrain.motion import Array, Link, Point
-from cranktrain.plans.acting import Member, turned_to_machine
+from cranktrain.motion import ZERO, Array, Coefficient, Link, Point
+from cranktrain.plans.acting import Member
+from cranktrain.plans.vectors import in_plane, turned_left
 
 _STANDING = 1e-12
 """Of the crank pin's velocity: what slides less than this stands still, and its friction does no work."""
@@ -25,7 +25,7 @@ class Rubbing(NamedTuple):
     pin : str
         Where it acts; with a prime where the link's own point there is not the pin, but passes under it.
     wrench : Wrench
-        About the link's first pin, shape (1, 1).
+        About the link's first pin, shape (1,).
     velocity : Array, shape (2,)
         Of the link's point there, by the crank angle. [m/rad]
     """
@@ -43,7 +43,6 @@ def friction_on_links(one: Member) -> Iterator[Rubbing]:
     Parameters
     ----------
     one : Member
-        At one angle.
 
     Yields
     ------
@@ -54,66 +53,42 @@ def friction_on_links(one: Member) -> Iterator[Rubbing]:
     -----
     Friction is what a reaction has along the relative velocity of the two links. docs/theory/forces, eq. (13.9).
     """
-    coefficients = one.loaded.masses.batches[one.batch].friction
-    links = dict(zip(one.dynamics.moving, one.dynamics.links(one.motion, one.size), strict=True))
-    if not any(np.any(coefficient) for coefficient in coefficients):
+    if not any(np.any(friction.coefficient) for friction in one.solved.conditions.friction):
         return
-    batch = one.loaded.mechanisms.batches[one.batch]
-    joints = one.loaded.solved(one.angle)[one.batch].forces.joints
-    pins = one.place.kind.drawing(one.angle + batch.members.phase[0, one.member], one.place.geometry).pins
-    fastest = max(float(np.hypot(*_velocity(pin))) for pin in pins.values())
+    links = one.dynamics.by_link(one.links)
+    pins = one.place.kind.drawing(one.angle + one.place.phase, one.place.geometry).pins
+    fastest = max(float(np.hypot(*in_plane(pin).first)) for pin in pins.values())
     for contact in one.dynamics.contacts:
-        yield from _of_contact(one, contact, joints, links, pins[contact.pin], fastest)
-
-
-def rubbing_force(machine: Machine, one: Member, rubbing: Rubbing) -> Array:
-    """Friction in machine axes, shape (2, 1). [N]"""
-    return turned_to_machine(machine, one.place, rubbing.wrench.x[0], rubbing.wrench.y[0])
+        yield from _of_contact(one, contact, links, pins[contact.pin], fastest)
 
 
 def _of_contact(
-    one: Member, contact: Contact, joints: Sequence[Wrench], links: dict[str, Link], pin: Point, fastest: float
+    one: Member, contact: Contact, links: Mapping[str, Link], pin: Point, fastest: float
 ) -> Iterator[Rubbing]:
     """Friction of one contact on its two links; nothing where they do not slide."""
     names = [reaction.name for reaction in one.dynamics.reactions]
-    reaction, wrench = one.dynamics.reactions[names.index(contact.joint)], joints[names.index(contact.joint)]
-    on, by = (_carried(links.get(body), pin) for body in (reaction.on, reaction.by))
+    at = names.index(contact.joint)
+    reaction, wrench = one.dynamics.reactions[at], one.solved.forces.joints[at]
+    place = in_plane(pin)
+    on, by = (_carried(links.get(body), place) for body in (reaction.on, reaction.by))
     rate = float(np.hypot(*(on - by)))
     if rate <= _STANDING * fastest:
         return
     along = (on - by) / rate
-    force = np.array([one.own(part)[0] for part in (wrench.x, wrench.y)])
+    force = np.ravel([wrench.x, wrench.y])
     drag = float(along @ force) * along
     bodies = ((reaction.on, reaction.by, drag, on), (reaction.by, reaction.on, -drag, by))
     for body, other, value, velocity in bodies:
         if body != FRAME and np.any(value):
-            is_pin = np.hypot(*(velocity - _velocity(pin))) <= _STANDING * fastest
+            is_pin = np.hypot(*(velocity - place.first)) <= _STANDING * fastest
             name = contact.pin if is_pin else f"{contact.pin}'"
-            yield Rubbing(body, other, name, _about_origin(links[body], pin, value), velocity)
+            acting = handed_back(links[body], pin, Wrench(-value[:1], -value[1:], ZERO))
+            yield Rubbing(body, other, name, acting, velocity)
 
 
-def _velocity(pin: Point) -> Array:
-    """Velocity of a pin by the crank angle; one that stands still may have no axis for it. [m/rad]"""
-    return np.array([float(np.ravel(part.first)[0]) for part in pin])
-
-
-def _carried(link: Link | None, pin: Point) -> Array:
+def _carried(link: Link | None, pin: Coefficient) -> Array:
     """Velocity of a link's point at a pin; the frame has none. [m/rad]"""
     if link is None:
         return np.zeros(2)
-    x, y = _arm(link, pin)
-    turn = float(np.ravel(link.angle.first)[0])
-    return _velocity(link.origin) + turn * np.array([-y, x])
-
-
-def _arm(link: Link, pin: Point) -> tuple[float, float]:
-    """Pin from a link's first pin. [m]"""
-    x, y = (float(np.ravel(place.value - start.value)[0]) for place, start in zip(pin, link.origin, strict=True))
-    return x, y
-
-
-def _about_origin(link: Link, pin: Point, force: Array) -> Wrench:
-    """Force at a pin as a wrench about a link's first pin."""
-    x, y = _arm(link, pin)
-    parts = (force[0], force[1], x * force[1] - y * force[0])
-    return Wrench(*(np.full((1, 1), part) for part in parts))
+    origin = in_plane(link.origin)
+    return origin.first + np.ravel(link.angle.first)[0] * turned_left(pin.value - origin.value)

@@ -68,7 +68,10 @@ def placed_together(machine: Machine, places: Sequence[PlacedMechanism], angle: 
     for i, place in enumerate(places):
         drawing = placed(machine, place, angle)
         away = np.ravel(centres[place.shaft] - centres[places[0].shaft])
-        pins = {name: _moved(pin, away) for name, pin in drawing.pins.items()}
+        pins = {
+            name: Point(*(along._replace(value=along.value + step) for along, step in zip(pin, away, strict=True)))
+            for name, pin in drawing.pins.items()
+        }
         parts.append(renamed(replace(drawing, pins=pins), {name: numbered_pin(name, i) for name in pins}))
     return Drawing(
         pins={name: pin for part in parts for name, pin in part.pins.items()},
@@ -87,8 +90,3 @@ def numbered_pin(name: str, i: int) -> str:
 def together_name(places: Sequence[PlacedMechanism]) -> str:
     """Name of what is drawn together: a mechanism, or a cylinder."""
     return places[0].name if len(places) == 1 else places[0].cylinder
-
-
-def _moved(pin: Point, away: Array) -> Point:
-    """Move a point."""
-    return Point(*(part._replace(value=part.value + away[i]) for i, part in enumerate(pin)))

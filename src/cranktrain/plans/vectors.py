@@ -9,7 +9,7 @@ import numpy as np
 from cranktrain.layout.speed import rates
 from cranktrain.linkage.forces import Drive
 from cranktrain.mechanisms.drawing import Drawing
-from cranktrain.motion import Array, Coefficient
+from cranktrain.motion import Array, Coefficient, Point
 
 Quantity = Literal["velocity", "acceleration"]
 Part = Literal["absolute", "relative", "normal", "tangential", "coriolis"]
@@ -74,7 +74,7 @@ class _Plan:
     def vector(self, pins: tuple[str, ...], part: Part, ends: tuple[str, str], value: Array, mark: str = "") -> Vector:
         """Name a vector for its pins."""
         symbol = f"{self.quantity[0]}_{_index(pins)}" + (f"^{mark}" if mark else "")
-        return Vector(symbol, part, *ends, (float(value[0]), float(value[1])), pins)
+        return Vector(symbol, part, *ends, pair(value), pins)
 
 
 def plan_vectors(drawing: Drawing, at: int, drive: Drive, quantity: Quantity) -> tuple[Vector, ...]:
@@ -108,7 +108,8 @@ def plan_vectors(drawing: Drawing, at: int, drive: Drive, quantity: Quantity) ->
 
 def _motions(drawing: Drawing, at: int, drive: Drive) -> tuple[dict[str, PinMotion], list[_Leg]]:
     """Motions of all pins, and of the points under those in slots; the steps in which a polygon reaches them."""
-    every = {name: _motion(drawing, name, at, drive) for name in drawing.pins}
+    places = {name: in_plane(pin, at) for name, pin in drawing.pins.items()}
+    every = {name: PinMotion(place.value, *rates(place, drive)) for name, place in places.items()}
     motions = {name: motion for name, motion in every.items() if name not in drawing.ends}
     legs: list[_Leg] = []
     for link in drawing.links:
@@ -117,22 +118,21 @@ def _motions(drawing: Drawing, at: int, drive: Drive) -> tuple[dict[str, PinMoti
     for pin, link in drawing.blocks:
         if len(link) == 1:
             legs.append(_Leg(pin, link[0], 0.0))
-            continue
-        under = _unused(f"{pin}'", motions)
-        motions[under], turning = _point_under(motions[pin], every[link[0]], every[link[-1]])
-        legs += [_Leg(under, link[0]), _Leg(pin, under, turning)]
+        else:
+            under = _unused(f"{pin}'", motions)
+            motions[under], turning = _point_under(motions[pin], every[link[0]], every[link[-1]])
+            legs += [_Leg(under, link[0]), _Leg(pin, under, turning)]
     return motions, legs
 
 
-def _motion(drawing: Drawing, name: str, at: int, drive: Drive) -> PinMotion:
-    """Motion of one pin."""
-    place = pin_coefficients(drawing, name, at)
-    return PinMotion(place.value, *rates(place, drive))
+def in_plane(pin: Point, at: int = 0) -> Coefficient:
+    """Place of a pin in one of its positions, with its derivatives: X and Y each. [m, m/rad, m/rad²]"""
+    return Coefficient(*(np.array([np.ravel(x)[at], np.ravel(y)[at]]) for x, y in zip(*pin, strict=True)))
 
 
-def pin_coefficients(drawing: Drawing, name: str, at: int) -> Coefficient:
-    """Place of a pin in one of a drawing's positions, with its derivatives: X and Y each. [m, m/rad, m/rad²]"""
-    return Coefficient(*(np.array([x[at], y[at]]) for x, y in zip(*drawing.pins[name], strict=True)))
+def pair(vector: Array) -> tuple[float, float]:
+    """X and Y of a vector as numbers."""
+    return float(vector[0]), float(vector[1])
 
 
 def _point_under(pin: PinMotion, base: PinMotion, other: PinMotion) -> tuple[PinMotion, float]:
@@ -168,45 +168,34 @@ def _vectors(plan: _Plan, legs: Sequence[_Leg]) -> Iterator[Vector]:
             if pin not in reached:
                 yield plan.vector((pin,), "absolute", (POLE, plan.letters[pin]), plan.whole(pin))
                 reached.add(pin)
-        if leg.slot_turning is not None:
-            yield from _along_slot(plan, leg, leg.slot_turning)
-        elif leg.pin != leg.about:
-            yield from _about(plan, leg)
+        if leg.pin != leg.about:
+            yield from _between(plan, leg)
 
 
-def _about(plan: _Plan, leg: _Leg) -> Iterator[Vector]:
-    """Vectors of a pin about another one of the same link."""
-    pair = (leg.pin, leg.about)
+def _between(plan: _Plan, leg: _Leg) -> Iterator[Vector]:
+    """Vectors of a pin about another one of the same link; in a slot, about the slotted link's point under it."""
+    names = (leg.pin, leg.about)
     is_fixed = leg.about in plan.fixed
     ends = (POLE if is_fixed else plan.letters[leg.about], plan.letters[leg.pin])
     whole = plan.whole(leg.pin) - plan.whole(leg.about)
-    if plan.quantity == "acceleration":
-        pin, about = (plan.motions[name] for name in pair)
-        arm, speed = pin.place - about.place, pin.velocity - about.velocity
+    pin, about = (plan.motions[name] for name in names)
+    speed = pin.velocity - about.velocity
+    if plan.quantity == "acceleration" and leg.slot_turning is None:
+        arm = pin.place - about.place
         normal = -np.dot(speed, speed) / np.dot(arm, arm) * arm
         tangential = whole - normal
         if is_fixed and np.hypot(*tangential) <= _EVEN * np.hypot(*normal):
             return
-        corner = f"n_{_index(pair)}"
-        yield plan.vector(pair, "normal", (ends[0], corner), normal, "n")
-        yield plan.vector(pair, "tangential", (corner, ends[1]), tangential, "t")
-    if not is_fixed:
-        yield plan.vector(pair, "relative", ends, whole)
-
-
-def _along_slot(plan: _Plan, leg: _Leg, turning: float) -> Iterator[Vector]:
-    """Vectors of a pin along a slot, about the point of the slotted link under it."""
-    pair = (leg.pin, leg.about)
-    ends = (plan.letters[leg.about], plan.letters[leg.pin])
-    whole = plan.whole(leg.pin) - plan.whole(leg.about)
-    if plan.quantity == "velocity" or not leg.about.endswith("'"):
-        yield plan.vector(pair, "relative", ends, whole)
-        return
-    sliding = plan.motions[leg.pin].velocity - plan.motions[leg.about].velocity
-    coriolis = 2.0 * turning * turned_left(sliding)
-    corner = f"k_{_index(pair)}"
-    yield plan.vector(pair, "coriolis", (ends[0], corner), coriolis, "c")
-    yield plan.vector(pair, "relative", (corner, ends[1]), whole - coriolis, "r")
+        corner = f"n_{_index(names)}"
+        yield plan.vector(names, "normal", (ends[0], corner), normal, "n")
+        yield plan.vector(names, "tangential", (corner, ends[1]), tangential, "t")
+    if plan.quantity == "acceleration" and leg.slot_turning is not None and leg.about.endswith("'"):
+        coriolis = 2.0 * leg.slot_turning * turned_left(speed)
+        corner = f"k_{_index(names)}"
+        yield plan.vector(names, "coriolis", (ends[0], corner), coriolis, "c")
+        yield plan.vector(names, "relative", (corner, ends[1]), whole - coriolis, "r")
+    elif not is_fixed:
+        yield plan.vector(names, "relative", ends, whole)
 
 
 def spoken_name(pin: str) -> str:

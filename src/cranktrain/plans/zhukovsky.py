@@ -3,33 +3,21 @@
 The plan is turned by 90° clockwise, so that a force's moment about the pole, anticlockwise, is its power.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
 from cranktrain.analysis import SpeedWanted
-from cranktrain.linkage.forces import NO_FRICTION, WEIGHTLESS, Conditions, Gravity, Wrench, added, torque_by_work
+from cranktrain.linkage.forces import NO_FRICTION, WEIGHTLESS, added, applied, momentum
 from cranktrain.machine import Machine
-from cranktrain.motion import Array
-from cranktrain.numerics.nested import remade
-from cranktrain.plans.acting import (
-    NO_BODY,
-    Member,
-    body_alone,
-    known_forces,
-    link_numbers,
-    loads_of,
-    made_ready,
-    member_of,
-    pair_symbol,
-    unloaded,
-)
-from cranktrain.plans.acting import turned_to_machine as turned
+from cranktrain.motion import ONE, ZERO, Array
+from cranktrain.plans.acting import Member, known_forces, link_numbers, made_ready, member_of, pair_symbol
 from cranktrain.plans.placement import place_called
 from cranktrain.plans.positions import closed_angles
-from cranktrain.plans.rubbing import Rubbing, friction_on_links, rubbing_force
+from cranktrain.plans.rubbing import Rubbing, friction_on_links
+from cranktrain.plans.vectors import pair
 
 
 class LeverForce(NamedTuple):
@@ -104,56 +92,53 @@ def zhukovsky_lever(
     """
     place = place_called(machine, mechanism)
     shown = closed_angles(machine, [place], [angle])
-    loaded = made_ready(machine, speed)
-    one = member_of(machine, loaded, place, np.deg2rad(shown) + machine.zero)
+    one = member_of(machine, made_ready(machine, speed), place, np.deg2rad(shown) + machine.zero)
     numbers = link_numbers(place)
     forces = [
         force
         for i, name in enumerate(one.dynamics.moving)
-        for force in _of_link(machine, one, i, numbers[name])
+        for force in _of_link(one, i, numbers[name])
         if force.moment != 0.0 or (force.point and np.any(force.value))
     ]
     rubbing = list(friction_on_links(one))
-    forces += (_of_friction(machine, one, each, numbers) for each in rubbing)
-    torque = _driving_torque(one, rubbing)
-    return Lever(place.name, float(shown[0]), _speed(one), tuple(forces), torque)
+    forces += (_of_friction(one, each, numbers) for each in rubbing)
+    return Lever(place.name, float(shown[0]), _speed(one), tuple(forces), _driving_torque(one, rubbing))
 
 
-def _of_link(machine: Machine, one: Member, i: int, number: int) -> Iterator[LeverForce]:
+def _of_link(one: Member, i: int, number: int) -> Iterator[LeverForce]:
     """Load at a link's pin, weight and inertia at its centroid, couples of both."""
-    load, weight, inertia = known_forces(machine, one, i, number)
-    pin = _velocity(machine, one, i, _work_at_pin)
-    centroid = _velocity(machine, one, i, _work_at_centroid)
-    yield _at(load.symbol, load.value, _pin_name(one, i), pin, one)
-    yield _at(weight.symbol, weight.value, f"s_{number}", centroid, one)
-    yield _at(inertia.symbol, inertia.value, f"s_{number}", centroid, one)
-    nowhere = (np.nan, np.nan)
-    torque = float(loads_of(one)[i].moment[0, 0])
-    yield LeverForce("M", "", nowhere, nowhere, torque * _work_at_pin(one, i, 0.0, 0.0, moment=1.0))
-    yield LeverForce(f"M_Φ{number}", "", nowhere, nowhere, -_couple(one, i))
+    link, body = one.links[i], one.bodies[i]
+    load, *at_centroid = known_forces(one, i, number)
+    pin = link.origin
+    yield _at(one, load.symbol, load.value, _pin_name(one, i), (pin.x.first, pin.y.first))
+    centroid = momentum(link, body._replace(mass=ONE))
+    for force in at_centroid:
+        yield _at(one, force.symbol, force.value, f"s_{number}", (centroid.x, centroid.y))
+    turning = applied(link, body._replace(mass=ZERO), one.solved.conditions.drive, WEIGHTLESS)
+    for symbol, couple in (("M", one.solved.loads[i]), (f"M_Φ{number}", turning)):
+        moment = float(np.squeeze(couple.moment * link.angle.first))
+        yield LeverForce(symbol, "", (np.nan, np.nan), (np.nan, np.nan), moment)
 
 
-def _at(symbol: str, value: Array, point: str, velocity: Array, one: Member) -> LeverForce:
-    """Put a force, shape (2, 1), to its point."""
-    force = value[:, 0]
-    return LeverForce(symbol, point, _pair(force), _pair(velocity), float(force @ velocity) / _speed(one))
+def _at(
+    one: Member, symbol: str, value: tuple[float, float], point: str, velocity: tuple[Array, Array] | Array
+) -> LeverForce:
+    """Put a force to its point, of which the velocity is by the crank angle, in the mechanism's axes. [m/rad]"""
+    x, y = velocity
+    turned = one.in_machine_axes(_speed(one) * x, _speed(one) * y)
+    return LeverForce(symbol, point, value, pair(turned), float(np.dot(value, turned)) / _speed(one))
 
 
-def _of_friction(machine: Machine, one: Member, rubbing: Rubbing, numbers: dict[str, int]) -> LeverForce:
+def _of_friction(one: Member, rubbing: Rubbing, numbers: Mapping[str, int]) -> LeverForce:
     """Friction at its point, `f_14` of 1 on 4."""
-    x, y = (_speed(one) * np.array([part]) for part in rubbing.velocity)
-    velocity = turned(machine, one.place, x, y)[:, 0]
     symbol = pair_symbol("f", numbers[rubbing.by], numbers[rubbing.on])
-    return _at(symbol, rubbing_force(machine, one, rubbing), rubbing.pin, velocity, one)
+    value = pair(one.in_machine_axes(rubbing.wrench.x, rubbing.wrench.y))
+    return _at(one, symbol, value, rubbing.pin, rubbing.velocity)
 
 
 def _speed(one: Member) -> float:
     """Speed of the crank. [rad/s]"""
-    return float(one.drive.speed[0, 0])
-
-
-def _pair(vector: Array) -> tuple[float, float]:
-    return float(vector[0]), float(vector[1])
+    return float(one.solved.conditions.drive.speed[0])
 
 
 def _pin_name(one: Member, i: int) -> str:
@@ -163,41 +148,13 @@ def _pin_name(one: Member, i: int) -> str:
     return guides[0].pin if guides and name == "slider" else name
 
 
-def _velocity(machine: Machine, one: Member, i: int, work: Callable[[Member, int, float, float], float]) -> Array:
-    """Velocity of a point of a link, by the work of unit forces along x and y there. [m/s]"""
-    x, y = (_speed(one) * np.array([work(one, i, *unit)]) for unit in ((1.0, 0.0), (0.0, 1.0)))
-    return turned(machine, one.place, x, y)[:, 0]
-
-
-def _work_at_pin(one: Member, i: int, x: float, y: float, moment: float = 0.0) -> float:
-    """Work by the crank angle of a force at one link's first pin, and of a moment on it."""
-    loads = list(unloaded(one))
-    loads[i] = Wrench(*(np.array([part]) for part in (x, y, moment)))
-    acting = remade(unloaded(one), loads)
-    bodies = body_alone(one, i, NO_BODY)
-    return float(np.ravel(one.dynamics.reduced(one.motion, one.size, bodies, acting, WEIGHTLESS).load)[0])
-
-
-def _work_at_centroid(one: Member, i: int, x: float, y: float) -> float:
-    """Work by the crank angle of a force at one link's centroid: the weight of 1 kg in a field of that strength."""
-    bodies = body_alone(one, i, one.bodies[i]._replace(mass=np.ones((1, 1))))
-    gravity = Gravity(np.array([x]), np.array([y]))
-    return float(np.ravel(one.dynamics.reduced(one.motion, one.size, bodies, unloaded(one), gravity).load)[0])
-
-
-def _couple(one: Member, i: int) -> float:
-    """Torque on the crank that a link's inertia about its own centroid takes: ½J′ω² + Jε of a link without mass."""
-    bodies = body_alone(one, i, one.bodies[i]._replace(mass=np.zeros((1, 1))))
-    equation = one.dynamics.reduced(one.motion, one.size, bodies, unloaded(one), WEIGHTLESS)
-    return float(np.ravel(torque_by_work(equation, one.drive))[0])
-
-
 def _driving_torque(one: Member, rubbing: Sequence[Rubbing]) -> float:
     """Torque to be applied to the crank for the mechanism alone, by its joints' reactions; friction is a load."""
-    conditions = Conditions(one.drive, one.gravity, tuple(NO_FRICTION for _slider in one.dynamics.sliding))
-    acting = dict(zip(one.dynamics.moving, loads_of(one), strict=True))
+    solved = one.solved
+    conditions = solved.conditions._replace(friction=tuple(NO_FRICTION for _slider in one.dynamics.sliding))
+    acting = one.dynamics.by_link(solved.loads)
     for each in rubbing:
         acting[each.on] = added(acting[each.on], each.wrench)
-    loads = remade(unloaded(one), acting.values())
-    forces = one.dynamics.forces(one.motion, one.size, one.dynamics.bodies(*one.bodies), loads, conditions)
+    loads = tuple(acting.values())
+    forces = one.dynamics.forces(solved.motion, one.size, one.bodies, loads, conditions)
     return float(np.ravel(forces.driving_torque)[0])

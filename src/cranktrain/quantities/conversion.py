@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 from functools import cache
-from typing import TYPE_CHECKING, NamedTuple, overload
+from typing import TYPE_CHECKING, TypeVar
 
 from cranktrain.language import _
 from cranktrain.quantities.dimensions import Dimension, Unit, plain, spellings
@@ -12,11 +12,10 @@ if TYPE_CHECKING:
     from cranktrain.motion import Array
 
 
-@overload
-def shown(si: float, unit: str) -> float: ...
-@overload
-def shown(si: "Array", unit: str) -> "Array": ...
-def shown(si: "float | Array", unit: str) -> "float | Array":
+Size = TypeVar("Size", float, "Array")
+
+
+def shown(si: Size, unit: str) -> Size:
     """Express an SI value in a unit of the list, for output.
 
     Parameters
@@ -44,25 +43,17 @@ def shown(si: "float | Array", unit: str) -> "float | Array":
     return (si - offset) * scale if is_factor else (si - offset) / scale
 
 
-class _Conversion(NamedTuple):
-    """What to multiply with or to divide by, and what to take off before: whichever of the two is exact in binary.
+@cache
+def _conversion(name: str) -> tuple[float, bool, float]:
+    """What to multiply with, or else to divide by, whichever is exact in binary; and what to take off before.
 
     So 0.07 m are 70 mm and not 70.00000000000001.
     """
-
-    scale: float
-    is_factor: bool
-    offset: float
-
-
-@cache
-def _conversion(name: str) -> _Conversion:
-    """Find a unit in the whole list."""
     unit = _unit_called(name)
     per_unit = float(1 / unit.scale)
     if Fraction(per_unit) == 1 / unit.scale:
-        return _Conversion(per_unit, True, float(unit.offset))
-    return _Conversion(float(unit.scale), False, float(unit.offset))
+        return per_unit, True, float(unit.offset)
+    return float(unit.scale), False, float(unit.offset)
 
 
 def _unit_called(name: str) -> Unit:

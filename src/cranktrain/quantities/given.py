@@ -2,7 +2,7 @@
 
 import operator
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal, TypeAlias, cast, get_args
 
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
@@ -13,7 +13,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.quantities.conversion import shown
 from cranktrain.quantities.dimensions import Dimension, expected
-from cranktrain.quantities.number import PATTERN
+from cranktrain.quantities.pattern import pattern
 from cranktrain.quantities.reading import Reading, reading
 from cranktrain.quantities.refusal import QuantityError, unknown_key, unlisted, written
 
@@ -90,7 +90,7 @@ class Quantity:
                 raise QuantityError(None, _("is missing; {expected}").format(expected=expected(self.dimension)))
             read = self._in_range(table["value"])
         except QuantityError as error:
-            problems.insert(0, Problem("value", error.given, error.allowed, error.repair))
+            problems.insert(0, replace(error.problems[0], path="value"))
         if read is None or problems:
             raise InputError(problems)
         about = cast("dict[str, Any]", {key: table[key] for key in _KEYS[1:] if key in table})
@@ -125,30 +125,29 @@ class Quantity:
         )
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
-        """Describe the text and the table for editors and forms."""
-        about = [
-            expected(self.dimension),
-            *(allowed.format(limit=f"{limit:g} (SI)") for limit, _h, allowed in self._limits()),
-        ]
-        text = {
-            "type": "string",
-            "pattern": PATTERN + (r"\s*[^\s0-9]" if self.dimension.units else r"\s*$"),
-            "description": "; ".join(about),
-            "examples": [self.dimension.example],
-        }
+        """Describe it for editors and forms."""
+        return self.schema()
+
+    def schema(self) -> dict[str, Any]:
+        """Describe text with its unit, or a table that also says where the number is from, as a JSON schema."""
+        example = [self.dimension.example]
+        least = max((limit for limit in (self.above, self.at_least) if limit is not None), default=-1.0)
+        text = {"type": "string", "pattern": pattern(self.dimension, is_signed=least < 0), "examples": example}
         value = text if self.dimension.units else {"anyOf": [{"type": "number"}, text]}
         table = {
             "type": "object",
             "properties": {
                 "value": value,
-                "status": {"enum": list(get_args(Status))},
-                "note": {"type": "string"},
-                "source": {"type": "string"},
+                "status": {"enum": list(get_args(Status)), "description": _("how the number came about")},
+                "note": {"type": "string", "description": _("in which sense")},
+                "source": {"type": "string", "description": _("from where")},
             },
             "required": ["value"],
             "additionalProperties": False,
         }
-        return {"anyOf": [*value.get("anyOf", [text]), table]}
+        limits = [allowed.format(limit=f"{limit:g} (SI)") for limit, _holds, allowed in self._limits()]
+        sentence = "; ".join([expected(self.dimension), *limits])
+        return {"description": sentence, "anyOf": [value, table], "examples": example}
 
 
 def _table_problems(table: Mapping[str, object]) -> Iterator[Problem]:
@@ -166,6 +165,5 @@ def _table_problems(table: Mapping[str, object]) -> Iterator[Problem]:
 def _in_file(given: Given) -> object:
     """Write a quantity as a machine file holds it: text or plain number, or a table with where it is from."""
     value = next((number for number in (int(given.si), given.si) if str(number) == given.text), given.text)
-    about = {"status": given.status, "note": given.note, "source": given.source}
-    known = {key: word for key, word in about.items() if word is not None}
-    return {"value": value, **known} if known else value
+    about = {key: getattr(given, key) for key in _KEYS[1:] if getattr(given, key) is not None}
+    return {"value": value, **about} if about else value

@@ -156,7 +156,7 @@ def _other_habit(text: str, dimension: Dimension) -> str | None:
     try:
         repair = _write(reading(ours, dimension).text)
     except QuantityError as error:
-        return error.repair
+        return error.problems[0].repair
     if _THOUSANDS.match(text):
         repair = _('write "{one}" or "{other}"').format(one=ours, other=text.replace(",", ""))
     return repair

@@ -13,9 +13,6 @@ class QuantityError(InputError):
     """A text that is not the quantity asked for: what was given, what is allowed, what to write instead."""
 
     def __init__(self, given: str | None, allowed: str, repair: str | None = None) -> None:
-        self.given = given
-        self.allowed = allowed
-        self.repair = repair
         super().__init__((Problem("", given, allowed, repair),))
 
 

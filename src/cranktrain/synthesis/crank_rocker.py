@@ -1,11 +1,12 @@
 """Crank-rocker from swing, time ratio and rocker length, with the best transmission angle; docs/theory/synthesis."""
 
+from collections.abc import Iterator
 from math import degrees, pi, sin
 from typing import Annotated, Literal
 
 import numpy as np
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.crank_rocker import CrankRocker
 from cranktrain.mechanisms.crank_rocker.facts import CLASSES
@@ -84,7 +85,7 @@ def crank_rocker_from_swing(
     >>> round(proposal.value("crank_radius"), 6), round(degrees(proposal.value("transmission_angle")), 5)
     (0.401961, 43.25994)
     """
-    _refuse_impossible(swing, time_ratio, rocker_length, transmission_angle, rod_length, speed)
+    refuse(_impossible(swing, time_ratio, rocker_length, transmission_angle, rod_length, speed))
     _refuse_unreachable(swing, time_ratio, slow_swing)
     want = Want(swing, excess_angle(time_ratio), rocker_length)
     if want.excess < _EQUAL:
@@ -114,28 +115,25 @@ def crank_rocker_from_swing(
     )
 
 
-def _refuse_impossible(
+def _impossible(
     swing: float,
     time_ratio: float,
     rocker_length: float,
     transmission_angle: float | None,
     rod_length: float | None,
     speed: float | None,
-) -> None:
-    """Refuse wants that contradict themselves or geometry."""
-    problems: list[Problem] = []
+) -> Iterator[Problem]:
+    """Find wants that contradict themselves or geometry."""
     if not 0 < swing < pi:
-        problems.append(Problem("swing", number(swing, "deg"), _("must lie between 0 and 180 deg")))
+        yield Problem("swing", number(swing, "deg"), _("must lie between 0 and 180 deg"))
     if not time_ratio >= 1:
         allowed = _("must be at least 1: the slow swing's time over the quick one's")
-        problems.append(Problem("time_ratio", plain(time_ratio), allowed))
-    problems += not_positive({"rocker_length": rocker_length, "rod_length": rod_length})
+        yield Problem("time_ratio", plain(time_ratio), allowed)
+    yield from not_positive({"rocker_length": rocker_length, "rod_length": rod_length})
     if transmission_angle is not None and not 0 < transmission_angle < pi / 2:
         allowed = _("must lie between 0 and 90 deg")
-        problems.append(Problem("transmission_angle", number(transmission_angle, "deg"), allowed))
-    problems += not_positive({"speed": speed}, plain)
-    if problems:
-        raise InputError(problems)
+        yield Problem("transmission_angle", number(transmission_angle, "deg"), allowed)
+    yield from not_positive({"speed": speed}, plain)
 
 
 def _refuse_unreachable(swing: float, time_ratio: float, slow_swing: Swing) -> None:

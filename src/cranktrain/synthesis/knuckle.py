@@ -1,10 +1,10 @@
 """Knuckle of an articulated rod from a wanted stroke, unshifted dead centre, pin height or compression ratio."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from math import pi
 from typing import Annotated, Literal
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
@@ -102,7 +102,7 @@ def knuckle_from_wants(
         "rod_length": rod_length,
     }
     master = SliderCrank(single(crank_radius), single(master_rod_length), single(master_offset))
-    _refuse_impossible(wants, given, master, bank_angle, bore, speed)
+    refuse(_impossible(wants, given, master, bank_angle, bore, speed))
     known: dict[Free, float] = {name: value for name, value in given.items() if value is not None}
     rods = _solutions(master, bank_angle, wants, known)
     rod = rods[0]
@@ -114,20 +114,20 @@ def knuckle_from_wants(
             *_with_other_dimensions(rod, wants, known),
             *_with_other_wants(rod, same_ratio),
         ),
-        remarks=_remarks(rod, wants, known),
+        remarks=tuple(_remarks(rod, wants, known)),
         tables=_tables(rod, wants, known, bore, speed),
     )
 
 
-def _refuse_impossible(
+def _impossible(
     wants: Wants,
     given: dict[Free, float | None],
     master: SliderCrank,
     bank_angle: float,
     bore: float | None,
     speed: float | None,
-) -> None:
-    """Refuse wants that contradict themselves or geometry."""
+) -> Iterator[Problem]:
+    """Find wants that contradict themselves or geometry."""
     lengths = {
         "crank_radius": float(master.crank_radius),
         "stroke": wants.stroke,
@@ -135,40 +135,38 @@ def _refuse_impossible(
         "rod_length": given["rod_length"],
         "bore": bore,
     }
-    problems = [*not_positive(lengths), *not_positive({"speed": speed}, plain)]
+    yield from not_positive(lengths)
+    yield from not_positive({"speed": speed}, plain)
     if not -2 * pi < bank_angle < 2 * pi:
-        problems.append(Problem("bank_angle", number(bank_angle, "deg"), _("must lie between -360 and 360 deg")))
+        yield Problem("bank_angle", number(bank_angle, "deg"), _("must lie between -360 and 360 deg"))
     least = float(master.crank_radius + abs(master.offset))
     if not master.rod_length > least:
         allowed = _("must be more than {least}, or the crank cannot turn").format(least=precise(least))
-        problems.append(Problem("master_rod_length", precise(float(master.rod_length)), allowed))
+        yield Problem("master_rod_length", precise(float(master.rod_length)), allowed)
     if wants.same_ratio is not None and not wants.same_ratio > 1:
-        problems.append(Problem("same_ratio", plain(wants.same_ratio), _("must be more than 1")))
-    problems += _count_problems(wants, [name for name, value in given.items() if value is None])
-    if problems:
-        raise InputError(problems)
+        yield Problem("same_ratio", plain(wants.same_ratio), _("must be more than 1"))
+    yield from _count_problems(wants, [name for name, value in given.items() if value is None])
 
 
-def _count_problems(wants: Wants, free: list[Free]) -> list[Problem]:
+def _count_problems(wants: Wants, free: list[Free]) -> Iterator[Problem]:
     """Say what is missing or too much where wants and free dimensions are not as many."""
     if wants.decided == 0:
         allowed = _("is missing; want a stroke, an unshifted dead centre, the same_height or the same_ratio")
-        return [Problem("stroke", None, allowed)]
-    if wants.decided != len(free):
+        yield Problem("stroke", None, allowed)
+    elif wants.decided != len(free):
         allowed = _("each want decides one dimension; wants: {wants}, free dimensions: {free}").format(
             wants=wants.decided, free=len(free)
         )
         repair = _("give more of {names}").format(names=", ".join(free))
         if wants.decided > len(free):
             repair = _("leave out more of {names}").format(names=", ".join(name for name in _FREE if name not in free))
-        return [Problem("", None, allowed, repair)]
-    if wants.unshifted is not None and "articulation_angle" not in free:
+        yield Problem("", None, allowed, repair)
+    elif wants.unshifted is not None and "articulation_angle" not in free:
         allowed = _("must be left out: an unshifted dead centre decides it")
-        return [Problem("articulation_angle", None, allowed)]
-    if wants.decided - (wants.unshifted is not None) == 3:
+        yield Problem("articulation_angle", None, allowed)
+    elif wants.decided - (wants.unshifted is not None) == 3:
         allowed = _("must not stand beside stroke and same_ratio, which decide the height")
-        return [Problem("same_height", None, allowed)]
-    return []
+        yield Problem("same_height", None, allowed)
 
 
 def _solutions(
@@ -208,9 +206,8 @@ def _unreachable(rod: ArticulatedRod, wants: Wants, search: Search, free: Sequen
     return Problem(path, None, allowed.format(names=names))
 
 
-def _with_other_dimensions(rod: ArticulatedRod, wants: Wants, known: dict[Free, float]) -> tuple[Alternative, ...]:
+def _with_other_dimensions(rod: ArticulatedRod, wants: Wants, known: dict[Free, float]) -> Iterator[Alternative]:
     """The same wants met with each given dimension somewhat changed; those that cannot be had are left out."""
-    found_ones: list[Alternative] = []
     for name, value in known.items():
         changed = [value + step for step in _STEPS] if name == "articulation_angle" else [value * by for by in _FACTORS]
         for other in changed:
@@ -221,8 +218,7 @@ def _with_other_dimensions(rod: ArticulatedRod, wants: Wants, known: dict[Free, 
             label = _("the same wants with {symbol} = {value}").format(
                 symbol=_SYMBOLS[name], value=number(other, _UNITS[name])
             )
-            found_ones.append(Alternative(label, slave_numbers(best, wants.same_ratio)))
-    return tuple(found_ones)
+            yield Alternative(label, slave_numbers(best, wants.same_ratio))
 
 
 _SYMBOLS: dict[Free, str] = {"articulation_angle": "ζ", "knuckle_radius": "r", "rod_length": "l"}
@@ -243,29 +239,23 @@ def _with_other_wants(rod: ArticulatedRod, ratio: float | None) -> tuple[Alterna
     return tuple(Alternative(label, slave_numbers(other, ratio)) for label, other in others.items() if is_usable(other))
 
 
-def _remarks(rod: ArticulatedRod, wants: Wants, known: dict[Free, float]) -> tuple[str, ...]:
+def _remarks(rod: ArticulatedRod, wants: Wants, known: dict[Free, float]) -> Iterator[str]:
     """Say in words what the wants fix and what they do not."""
     product = number(float(stroke_product(rod)), "mm")
-    remarks: list[str] = []
     if wants.stroke is not None:
-        remarks.append(
-            _(
-                "A stroke fixes little more than r(1 + r/l) sin(ζ − γ), here {product}; not r, l and ζ each. "
-                "The alternatives with other dimensions have the same stroke."
-            ).format(product=product)
-        )
+        yield _(
+            "A stroke fixes little more than r(1 + r/l) sin(ζ − γ), here {product}; not r, l and ζ each. "
+            "The alternatives with other dimensions have the same stroke."
+        ).format(product=product)
     if wants.stroke is not None or wants.same_height or wants.same_ratio is not None:
-        remarks.append(_("Dimensions found in this way are fitted: they are no data of any engine."))
+        yield _("Dimensions found in this way are fitted: they are no data of any engine.")
     if wants.unshifted is not None:
         stays, moves = (_("top"), _("bottom")) if wants.unshifted == "top" else (_("bottom"), _("top"))
-        remarks.append(
-            _("The {stays} dead centre stays, so the {moves} one must shift, unless sin γ = 0; and {sum}.").format(
-                stays=stays, moves=moves, sum="H = R + r + l" if wants.unshifted == "top" else "h = r + l − R"
-            )
+        yield _("The {stays} dead centre stays, so the {moves} one must shift, unless sin γ = 0; and {sum}.").format(
+            stays=stays, moves=moves, sum="H = R + r + l" if wants.unshifted == "top" else "h = r + l − R"
         )
     if not known:
-        remarks.append(_("All three dimensions follow from the wants; none was given."))
-    return tuple(remarks)
+        yield _("All three dimensions follow from the wants; none was given.")
 
 
 def _tables(
@@ -290,9 +280,6 @@ def _tables(
     }
     if master.offset:
         master_keys["offset"] = wanted(float(master.offset), "mm")
-    cylinders = () if wants.same_ratio is None else (cylinder_table(wants.same_ratio, bore),)
-    if wants.same_ratio is None and bore is not None:
-        cylinders = (Table("cylinder", {"bore": wanted(bore, "mm")}),)
     return (
         *shaft_table(speed),
         Table("bank.M.mechanism", master_keys),
@@ -307,5 +294,5 @@ def _tables(
                 "articulation_angle": written("articulation_angle"),
             },
         ),
-        *cylinders,
+        *cylinder_table(wants.same_ratio, bore),
     )

@@ -50,10 +50,12 @@ def slave_numbers(rod: ArticulatedRod, master_ratio: float | None) -> tuple[Numb
     )
 
 
-def cylinder_table(ratio: float, bore: float | None) -> Table:
-    """Write the cylinders' table: the master's compression ratio, and the bore where there is one."""
-    keys = {"compression_ratio": f"{{ value = {ratio!r}, note = {quoted(_('as wanted'))} }}"}
-    return Table("cylinder", keys if bore is None else {"bore": wanted(bore, "mm"), **keys})
+def cylinder_table(ratio: float | None, bore: float | None) -> tuple[Table, ...]:
+    """Write the cylinders' table: the bore and the master's compression ratio, where there is either."""
+    keys = {} if bore is None else {"bore": wanted(bore, "mm")}
+    if ratio is not None:
+        keys["compression_ratio"] = f"{{ value = {ratio!r}, note = {quoted(_('as wanted'))} }}"
+    return (Table("cylinder", keys),) if keys else ()
 
 
 def master_top(master: SliderCrank) -> float:

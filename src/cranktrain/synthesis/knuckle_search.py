@@ -88,7 +88,7 @@ def searched(rod: ArticulatedRod, wants: Wants, free: Sequence[Free]) -> Search:
     """
     if wants.unshifted is not None:
         rod = rod._replace(articulation_angle=unshifted_angle(rod, wants.unshifted))
-    goals = goals_of(wants, rod.master)
+    goals = list(goals_of(wants, rod.master))
     if not goals:
         return Search((rod,) if is_usable(rod) else (), np.nan, np.nan)
 

@@ -3,6 +3,7 @@
 Every want but an unshifted dead centre is linear in the distances H, h of the two dead centres from the shaft.
 """
 
+from collections.abc import Iterator
 from typing import Literal, NamedTuple
 
 from cranktrain.mechanisms.slider_crank import SliderCrank
@@ -35,7 +36,7 @@ class Goal(NamedTuple):
     target: float
 
 
-def goals_of(wants: Wants, master: SliderCrank) -> tuple[Goal, ...]:
+def goals_of(wants: Wants, master: SliderCrank) -> Iterator[Goal]:
     """The wants as equations, the stroke first: it varies most with what is chosen first.
 
     Parameters
@@ -44,19 +45,17 @@ def goals_of(wants: Wants, master: SliderCrank) -> tuple[Goal, ...]:
     master : SliderCrank
         Of single numbers.
 
-    Returns
-    -------
-    tuple of Goal
+    Yields
+    ------
+    Goal
         Stroke H − h = S; height H = H_m; compression ratio with the master's deck and chamber,
         H − h = (ε − 1)(c_m + H_m − H), where its ε sets the clearance c_m = S_m/(ε − 1).
     """
-    goals: list[Goal] = []
     if wants.stroke is not None:
-        goals.append(Goal(1.0, -1.0, wants.stroke))
+        yield Goal(1.0, -1.0, wants.stroke)
     if wants.same_height:
-        goals.append(Goal(1.0, 0.0, master_top(master)))
+        yield Goal(1.0, 0.0, master_top(master))
     if wants.same_ratio is not None:
         over_clearance = wants.same_ratio - 1
         clearance = master_stroke(master) / over_clearance
-        goals.append(Goal(wants.same_ratio, -1.0, over_clearance * (clearance + master_top(master))))
-    return tuple(goals)
+        yield Goal(wants.same_ratio, -1.0, over_clearance * (clearance + master_top(master)))

@@ -1,11 +1,12 @@
 """Quick returns: time ratio from geometry and geometry from time ratio, in closed form; docs/theory/synthesis."""
 
+from collections.abc import Iterator
 from math import asin, cos, pi, sin, tan
-from typing import Annotated, NamedTuple
+from typing import Annotated
 
 import numpy as np
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
@@ -18,52 +19,15 @@ from cranktrain.synthesis.slider_crank_lengths import Lengths
 from cranktrain.wording import number, precise
 
 
-class SlottedLever(NamedTuple):
-    """Lever with a slot that a shorter crank drives: it swings.
-
-    crank_to_distance: crank radius over the distance of shaft and pivot [1]; swing of the lever [rad].
-    """
-
-    crank_to_distance: float
-    swing: float
-
-
-def slotted_lever_time_ratio(crank_to_distance: float) -> float:
-    """Time ratio of a slotted lever, sin(ϑ/2) = R/d < 1.
-
-    Examples
-    --------
-    >>> round(slotted_lever_time_ratio(0.5), 12)
-    2.0
-    """
-    return time_ratio_of(2 * asin(crank_to_distance))
-
-
-def slotted_lever(ratio: float) -> SlottedLever:
-    """Slotted lever of a time ratio: R/d = sin(ϑ/2), and its swing is ϑ itself.
+def slotted_time_ratio(share: float) -> float:
+    """Time ratio of a slotted lever or of a Whitworth quick return, sin(ϑ/2) = share.
 
     Parameters
     ----------
-    ratio : float
-        k > 1.
-
-    Returns
-    -------
-    SlottedLever
-    """
-    excess = excess_angle(ratio)
-    return SlottedLever(sin(excess / 2), excess)
-
-
-def whitworth_time_ratio(distance_to_crank: float, line_angle: float = pi / 2) -> float:
-    """Time ratio of a Whitworth quick return, sin(ϑ/2) = (d/R) sin χ.
-
-    Parameters
-    ----------
-    distance_to_crank : float
-        Distance of the two shafts over the crank radius, below 1: the slotted link turns fully.
-    line_angle : float
-        χ, from the line of the shafts to the line of stroke, which passes through the slotted link's shaft. [rad]
+    share : float
+        Below 1. Of a lever that swings, crank radius over the distance of shaft and pivot, R/d; of Whitworth's link,
+        which turns fully, (d/R) sin χ with d the distance of the two shafts and χ the angle from their line to the line
+        of stroke, which passes through the slotted link's shaft.
 
     Returns
     -------
@@ -71,14 +35,14 @@ def whitworth_time_ratio(distance_to_crank: float, line_angle: float = pi / 2) -
 
     Examples
     --------
-    >>> round(whitworth_time_ratio(0.5), 12)
+    >>> round(slotted_time_ratio(0.5), 12)
     2.0
     """
-    return time_ratio_of(2 * asin(distance_to_crank * sin(line_angle)))
+    return time_ratio_of(2 * asin(share))
 
 
-def whitworth(ratio: float) -> float:
-    """Distance of the shafts over the crank radius of a Whitworth quick return whose line of stroke is square to it."""
+def slotted_share(ratio: float) -> float:
+    """R/d of the slotted lever of a time ratio k > 1, swinging by ϑ; d/R of a Whitworth drive with a square line."""
     return sin(excess_angle(ratio) / 2)
 
 
@@ -170,7 +134,7 @@ def quick_return(
     >>> round(proposal.value("time_ratio"), 12)
     1.2
     """
-    _refuse_impossible(stroke, time_ratio, speed)
+    refuse(_impossible(stroke, time_ratio, speed))
     excess = excess_angle(time_ratio)
     parameter = least_pressure_parameter(excess) if rod_length is None else _parameter_of(stroke, excess, rod_length)
     lengths = offset_slider_crank(stroke, excess, parameter)
@@ -203,19 +167,18 @@ def quick_return(
     )
 
 
-def _refuse_impossible(stroke: float, ratio: float, speed: float | None) -> None:
-    """Refuse wants that contradict geometry."""
-    problems = [*not_positive({"stroke": stroke}), *not_positive({"speed": speed}, plain)]
+def _impossible(stroke: float, ratio: float, speed: float | None) -> Iterator[Problem]:
+    """Find wants that contradict geometry."""
+    yield from not_positive({"stroke": stroke})
+    yield from not_positive({"speed": speed}, plain)
     if not 1 < ratio < 3:
         repair = None
         if ratio >= 3:
             repair = _(
                 "a slotted lever can, with a crank of {share:.4f} of the distance between shaft and pivot"
-            ).format(share=slotted_lever(ratio).crank_to_distance)
+            ).format(share=slotted_share(ratio))
         allowed = _("must lie between 1 and 3 for an offset slider-crank")
-        problems.append(Problem("time_ratio", plain(ratio), allowed, repair))
-    if problems:
-        raise InputError(problems)
+        yield Problem("time_ratio", plain(ratio), allowed, repair)
 
 
 def _parameter_of(stroke: float, excess: float, rod_length: float) -> float:
@@ -230,20 +193,20 @@ def _parameter_of(stroke: float, excess: float, rod_length: float) -> float:
 
 def _alternatives(stroke: float, ratio: float) -> tuple[Alternative, ...]:
     """Slotted lever and Whitworth drive of the same stroke and time ratio."""
-    lever = slotted_lever(ratio)
+    share = slotted_share(ratio)
     return (
         Alternative(
             _("slotted lever, its end moving the slider"),
             (
-                Number("crank_to_distance", "R/d", lever.crank_to_distance, "1", _("Crank radius over distance")),
-                Number("swing", "γ", lever.swing, "deg", _("Swing of the lever")),
-                Number("lever_length", "l", stroke / 2 / sin(lever.swing / 2), "mm", _("Lever from pivot to its end")),
+                Number("crank_to_distance", "R/d", share, "1", _("Crank radius over distance")),
+                Number("swing", "γ", excess_angle(ratio), "deg", _("Swing of the lever")),
+                Number("lever_length", "l", stroke / 2 / share, "mm", _("Lever from pivot to its end")),
             ),
         ),
         Alternative(
             _("Whitworth drive, line of stroke square to the line of the shafts"),
             (
-                Number("distance_to_crank", "d/R", whitworth(ratio), "1", _("Distance of shafts over crank radius")),
+                Number("distance_to_crank", "d/R", share, "1", _("Distance of shafts over crank radius")),
                 Number("output_radius", "r", stroke / 2, "mm", _("Radius at which the slotted link drives the slider")),
             ),
         ),

@@ -1,10 +1,10 @@
 """Radial engines with articulated rods: five ways to choose the knuckles, each with what it costs elsewhere."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from math import pi
 from typing import Annotated, Literal
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
@@ -95,13 +95,8 @@ def radial(
     InputError
         If the strategy cannot be had, with what is possible.
     """
-    _refuse_impossible(
-        n_cylinders,
-        strategy,
-        compression_ratio,
-        {"crank_radius": crank_radius, "knuckle_radius": knuckle_radius, "slave_rod_length": slave_rod_length},
-        rod_length,
-    )
+    lengths = {"crank_radius": crank_radius, "knuckle_radius": knuckle_radius, "slave_rod_length": slave_rod_length}
+    refuse(_impossible(n_cylinders, strategy, compression_ratio, lengths, rod_length))
     master = SliderCrank(single(crank_radius), single(rod_length), single(0.0))
     common = single(knuckle_radius), single(slave_rod_length)
     start = [
@@ -118,7 +113,7 @@ def radial(
             for i, rod in enumerate(chosen, start=2)
             for one in slave_numbers(rod, compression_ratio)
         ),
-        alternatives=_alternatives(start, compression_ratio),
+        alternatives=tuple(_alternatives(start, compression_ratio)),
         remarks=(
             _("Chosen: {strategy}.").format(strategy=_(STRATEGIES[strategy])),
             _("Equal strokes and unshifted top dead centres exclude one another; one of them has to be borne."),
@@ -127,22 +122,20 @@ def radial(
     )
 
 
-def _refuse_impossible(
+def _impossible(
     n_cylinders: int, strategy: str, compression_ratio: float, lengths: Mapping[str, float], rod_length: float
-) -> None:
-    """Refuse wants that contradict themselves."""
-    problems = not_positive(lengths)
+) -> Iterator[Problem]:
+    """Find wants that contradict themselves."""
+    yield from not_positive(lengths)
     if not rod_length > lengths["crank_radius"]:
         allowed = _("must be more than the crank radius, or the crank cannot turn")
-        problems.append(Problem("rod_length", precise(rod_length), allowed))
+        yield Problem("rod_length", precise(rod_length), allowed)
     if n_cylinders < 3:
-        problems.append(Problem("n_cylinders", str(n_cylinders), _("must be at least 3")))
+        yield Problem("n_cylinders", str(n_cylinders), _("must be at least 3"))
     if strategy not in STRATEGIES:
-        problems.append(unlisted("strategy", strategy, list(STRATEGIES)))
+        yield unlisted("strategy", strategy, list(STRATEGIES))
     if not compression_ratio > 1:
-        problems.append(Problem("compression_ratio", plain(compression_ratio), _("must be more than 1")))
-    if problems:
-        raise InputError(problems)
+        yield Problem("compression_ratio", plain(compression_ratio), _("must be more than 1"))
 
 
 def _wants(strategy: Strategy, master: SliderCrank, ratio: float) -> Wants:
@@ -178,16 +171,14 @@ def _unreachable(rod: ArticulatedRod, strategy: Strategy, search: Search) -> Pro
     return Problem("strategy", strategy, allowed, _("choose another strategy, or other common sizes"))
 
 
-def _alternatives(start: Sequence[ArticulatedRod], ratio: float) -> tuple[Alternative, ...]:
+def _alternatives(start: Sequence[ArticulatedRod], ratio: float) -> Iterator[Alternative]:
     """All strategies with the spread of what they give; those that cannot be had are left out."""
-    alternatives: list[Alternative] = []
     for strategy, words in STRATEGIES.items():
         try:
             rods = [_chosen(rod, strategy, ratio) for rod in start]
         except InputError:
             continue
-        alternatives.append(Alternative(_(words), _spread(rods, ratio)))
-    return tuple(alternatives)
+        yield Alternative(_(words), _spread(rods, ratio))
 
 
 def _spread(rods: Sequence[ArticulatedRod], ratio: float) -> tuple[Number, ...]:
@@ -242,5 +233,5 @@ def _tables(
                 "articulation_angle": each("articulation_angle", "deg"),
             },
         ),
-        cylinder_table(ratio, bore),
+        *cylinder_table(ratio, bore),
     )

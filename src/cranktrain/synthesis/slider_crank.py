@@ -1,9 +1,10 @@
 """Slider-crank from stroke, speed and permissible pressure angles, exact with an offset; docs/theory/synthesis."""
 
+from collections.abc import Iterator
 from math import isnan, pi, sin, tan
 from typing import Annotated, Literal
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.synthesis.four_bars import time_ratio_of
 from cranktrain.synthesis.positive import not_positive, plain
@@ -88,7 +89,10 @@ def slider_crank_from_stroke(
     >>> round(proposal.value("rod_length"), 6), round(proposal.value("speed"), 2)
     (0.16, 123.7)
     """
-    _refuse_impossible(stroke, pressure_angle, return_pressure_angle, rod_length, offset, mean_speed, speed)
+    refuse(_impossible(stroke, pressure_angle, return_pressure_angle, rod_length, mean_speed, speed))
+    if rod_length is not None and rod_length <= (least := least_rod(stroke, offset or 0.0)):
+        allowed = _("must be more than {least} for this stroke, or the crank cannot turn").format(least=precise(least))
+        raise InputError([Problem("rod_length", precise(rod_length), allowed)])
     working = pi / 2 if pressure_angle is None else pressure_angle
     back = working if return_pressure_angle is None else return_pressure_angle
     lengths = _chosen(stroke, rod_length, offset, working_stroke, (sin(working), sin(back)))
@@ -107,34 +111,25 @@ def slider_crank_from_stroke(
     )
 
 
-def _refuse_impossible(
+def _impossible(
     stroke: float,
     pressure_angle: float | None,
     return_pressure_angle: float | None,
     rod_length: float | None,
-    offset: float | None,
     mean_speed: float | None,
     speed: float | None,
-) -> None:
-    """Refuse wants that contradict themselves or geometry."""
-    problems = not_positive({"stroke": stroke, "rod_length": rod_length})
-    problems += not_positive({"mean_speed": mean_speed, "speed": speed}, plain)
-    angles = {"pressure_angle": pressure_angle, "return_pressure_angle": return_pressure_angle}
-    problems += [
-        Problem(name, number(value, "deg"), _("must lie between 0 and 90 deg"))
-        for name, value in angles.items()
-        if value is not None and not 0 < value < pi / 2
-    ]
+) -> Iterator[Problem]:
+    """Find wants that contradict themselves or geometry."""
+    yield from not_positive({"stroke": stroke, "rod_length": rod_length})
+    yield from not_positive({"mean_speed": mean_speed, "speed": speed}, plain)
+    for name, value in {"pressure_angle": pressure_angle, "return_pressure_angle": return_pressure_angle}.items():
+        if value is not None and not 0 < value < pi / 2:
+            yield Problem(name, number(value, "deg"), _("must lie between 0 and 90 deg"))
     if pressure_angle is None and rod_length is None:
         allowed = _("is missing; without a rod_length it decides how long the rod must be")
-        problems.append(Problem("pressure_angle", None, allowed))
+        yield Problem("pressure_angle", None, allowed)
     if mean_speed is not None and speed is not None:
-        problems.append(Problem("speed", plain(speed), _("must not stand beside mean_speed; give one of them")))
-    if not problems and rod_length is not None and rod_length <= (least := least_rod(stroke, offset or 0.0)):
-        allowed = _("must be more than {least} for this stroke, or the crank cannot turn").format(least=precise(least))
-        problems.append(Problem("rod_length", precise(rod_length), allowed))
-    if problems:
-        raise InputError(problems)
+        yield Problem("speed", plain(speed), _("must not stand beside mean_speed; give one of them"))
 
 
 def _chosen(
@@ -176,7 +171,7 @@ def _refuse_over_limits(lengths: Lengths, working_stroke: Stroke, working: float
     limits = {"pressure_angle": (working, max(angles))}
     if back is not None:
         limits = {"pressure_angle": (working, angles[0]), "return_pressure_angle": (back, angles[1])}
-    problems = [
+    refuse(
         Problem(
             name,
             number(limit, "deg"),
@@ -187,9 +182,7 @@ def _refuse_over_limits(lengths: Lengths, working_stroke: Stroke, working: float
         )
         for name, (limit, angle) in limits.items()
         if angle > limit * (1 + _ROUNDING)
-    ]
-    if problems:
-        raise InputError(problems)
+    )
 
 
 def slider_crank_numbers(lengths: Lengths, working_stroke: Stroke, speed: float | None) -> tuple[Number, ...]:

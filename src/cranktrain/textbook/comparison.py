@@ -1,12 +1,13 @@
 """The sources' forms beside the exact motion: the same curves by each method, their largest errors, their ranges."""
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import field
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import product
 from typing import Any
 
 import numpy as np
 
 from cranktrain.catalogue import coefficients, extreme
+from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Batch, Pistons
@@ -73,7 +74,7 @@ FORMS: Mapping[str, Mapping[str, Form]] = {
 
 
 @record
-class TextbookMotion:
+class TextbookMotion(StageResult):
     """Motion of every piston by each method, `exact` first; NaN where a source has no form for the mechanism."""
 
     displacement_by_method: Coefficient = coefficients(
@@ -109,8 +110,6 @@ class TextbookMotion:
         N_("Crank angle of the largest error of acceleration"),
         _THEORY,
     )
-    flags: tuple[str, ...] = ()
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"method": ("exact", *FORMS)})
 
     def answer(self, names: Names, design: int) -> str | None:
         """Say how far the forms that textbooks use most are off."""
@@ -156,7 +155,7 @@ def textbook_motion(
             own = form(members.geometry)(crank_angle.first_turn + members.phase)
             for curve, values in zip(curves, own, strict=True):
                 curve[:, method, batch.index] = values[..., np.newaxis, :]
-        samples = Coefficient(*(part[:, alike.index] for part in turn.samples[:3]))
+        samples = Coefficient(*(part[:, alike.index] for part in turn.samples.slider))
         peaks = Extremes(*(Extreme(*(part[:, :, alike.index] for part in one)) for one in turn.peaks))
         worst = _largest_errors(tuple(forms.values()), alike, samples, peaks)
         origin = turn.distinct.origin[:, batch.index] - alike.index[0]
@@ -167,7 +166,8 @@ def textbook_motion(
     return TextbookMotion(
         Coefficient(*curves.reshape(3, n_designs, n_methods, n_pistons, n_angles)),
         *(Extreme(*one) for one in zip(angles, errors, strict=True)),
-        flags=_flags(pistons),
+        labels={"method": ("exact", *FORMS)},
+        flags=tuple(_flags(pistons)),
     )
 
 
@@ -206,27 +206,21 @@ def _own_rows(motion: Coefficient) -> Array:
     return np.stack([part[order] if part.ndim == 4 else part for order, part in enumerate(motion)])
 
 
-def _flags(pistons: Pistons) -> tuple[str, ...]:
+def _flags(pistons: Pistons) -> Iterator[str]:
     """Say which methods are outside their source's range, for which pistons, and what the source says."""
-    flags: list[str] = []
-    for one in RANGES:
-        for batch in pistons.batches:
-            if batch.kind.name not in FORMS[one.method]:
-                continue
+    for one, batch in product(RANGES, pistons.batches):
+        if batch.kind.name in FORMS[one.method]:
             geometry = batch.members.geometry
             plain = getattr(geometry, "master", geometry)
             outside = one.outside(plain.crank_radius / plain.rod_length, plain.offset)[..., 0]
             members = np.flatnonzero(np.any(outside, axis=0)).tolist()
             if members:
-                flags.append(
-                    _(
-                        "{method} {equations} is outside its source's range ({condition}) for {pistons} [{source}]"
-                    ).format(
-                        method=_(one.name),
-                        equations=", ".join(one.equations),
-                        condition=_(one.condition),
-                        pistons=ranged(batch.members.names, members),
-                        source=one.source,
-                    )
+                yield _(
+                    "{method} {equations} is outside its source's range ({condition}) for {pistons} [{source}]"
+                ).format(
+                    method=_(one.name),
+                    equations=", ".join(one.equations),
+                    condition=_(one.condition),
+                    pistons=ranged(batch.members.names, members),
+                    source=one.source,
                 )
-    return tuple(flags)

@@ -7,7 +7,7 @@ from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
 from cranktrain.errors import InputError, Position, Problem
-from cranktrain.io.output import write_whole_bytes
+from cranktrain.io.output import write_whole
 from cranktrain.language import _
 
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ def save(figure: "Figure | Callable[[], Figure]", path: "str | os.PathLike[str]"
     if suffix not in _UNDATED:
         allowed = _("must end in one of: {suffixes}").format(suffixes=", ".join(FORMATS))
         raise InputError([Problem("", os.fspath(path), allowed, position=Position("-o"))])
-    write_whole_bytes(path, _pieces(figure, suffix), force=force)
+    write_whole(path, _pieces(figure, suffix), force=force)
 
 
 def save_animation(result: "Result", path: "str | os.PathLike[str]", *, force: bool = False, design: int = 0) -> None:
@@ -70,16 +70,15 @@ def save_animation(result: "Result", path: "str | os.PathLike[str]", *, force: b
     """
     from cranktrain.viz.throw.gif import animation
 
-    write_whole_bytes(path, (animation(result, design=design) for _once in range(1)), force=force)
+    write_whole(path, (animation(result, design=design) for _once in range(1)), force=force)
 
 
 def _pieces(figure: "Figure | Callable[[], Figure]", suffix: str) -> Iterator[bytes]:
     """Draw and give the file's bytes."""
     from cranktrain.viz.paper.page import drawing_settings
 
-    drawn: Figure = figure() if callable(figure) else figure
+    drawn: Any = figure() if callable(figure) else figure
     with drawing_settings():
         content = BytesIO()
-        picture: Any = drawn
-        picture.savefig(content, format=suffix[1:], dpi=DOTS_PER_INCH, metadata=_UNDATED[suffix])
+        drawn.savefig(content, format=suffix[1:], dpi=DOTS_PER_INCH, metadata=_UNDATED[suffix])
         yield content.getvalue()

@@ -6,7 +6,7 @@ from typing import ClassVar
 import pytest
 
 from cranktrain.analysis import Stage, ordered
-from cranktrain.analysis.stages import run_stages
+from cranktrain.analysis.stages import lacking, missing_results, run_stages
 from cranktrain.catalogue import quantity
 
 
@@ -48,7 +48,13 @@ def odd(other: Other, area: Area) -> Odd:
     return Odd(0.0 * area.area)
 
 
-STAGES = [Stage(function) for function in (odd, force, area)]
+STAGES = tuple(Stage(function) for function in (odd, force, area))
+
+
+def ran(stages, parts):
+    """What stages give, and what is missing for the others."""
+    absent = lacking(stages, parts)
+    return run_stages(stages, parts, absent), missing_results(stages, absent)
 
 
 def test_annotations_are_needs_and_gift():
@@ -63,21 +69,21 @@ def test_needs_come_before_their_use():
 
 
 def test_gifts_in_the_order_of_the_declaration():
-    outcomes, missing = run_stages(STAGES, {Bore: Bore(3.0), Other: Other()})
+    outcomes, missing = ran(STAGES, {Bore: Bore(3.0), Other: Other()})
     assert list(outcomes) == [Odd, Force, Area]
     assert outcomes[Force].force == 18.0
     assert missing == ()
 
 
 def test_an_optional_need_is_not_missed():
-    outcomes, missing = run_stages(STAGES, {Bore: Bore(3.0)})
+    outcomes, missing = ran(STAGES, {Bore: Bore(3.0)})
     assert outcomes[Force].force == 9.0
     assert Odd not in outcomes
     assert missing == ()  # no machine file can give what it lacks
 
 
 def test_what_is_missing_is_traced_to_the_file():
-    outcomes, missing = run_stages(STAGES, {Other: Other()})
+    outcomes, missing = ran(STAGES, {Other: Other()})
     assert outcomes == {}
     (found,) = missing
     assert found.needs == ("[x] bore",)
@@ -90,7 +96,7 @@ def test_division_by_zero_within_a_stage_is_nan_and_no_warning():
     def nothing(bore: Bore) -> Area:
         return Area(float(np.divide(0.0 * bore.value, 0.0)))
 
-    outcomes, _missing = run_stages([Stage(nothing)], {Bore: Bore(1.0)})
+    outcomes, _missing = ran([Stage(nothing)], {Bore: Bore(1.0)})
     assert outcomes[Area].area != outcomes[Area].area
 
 
@@ -102,4 +108,4 @@ def test_stages_that_need_each_other_cannot_be_ordered():
         return Force(area.area)
 
     with pytest.raises(ValueError, match="cycle"):
-        ordered([Stage(first), Stage(second)])
+        ordered((Stage(first), Stage(second)))

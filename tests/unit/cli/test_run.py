@@ -284,7 +284,7 @@ def test_names_cannot_upset_the_terminal(typed, written):
 
 
 def test_bug_is_reported_in_a_sentence(typed, monkeypatch):
-    monkeypatch.setattr("cranktrain.cli.run.read_machine", lambda *_arguments, **_settings: 1 / 0)
+    monkeypatch.setattr("cranktrain.cli.asked.read_machine", lambda *_arguments, **_settings: 1 / 0)
     answer = typed("run", "some file.toml")
     assert (answer.status, answer.output) == (70, "")
     assert answer.errors.startswith("This is a bug of cranktrain. Please report it")

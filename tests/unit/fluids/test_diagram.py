@@ -50,8 +50,8 @@ def test_firing_dead_centre_is_found(count):
     degrees = np.mod(DEGREES + count, 720) + (count - np.mod(count, 720))
     order = np.argsort(degrees)
     diagram = diagram_of(csv(degrees[order], PRESSURES[order]))
-    assert diagram.angles == pytest.approx(PLAIN.angles, abs=1e-12)
-    assert diagram.pressures == pytest.approx(PLAIN.pressures, rel=1e-12)
+    assert diagram.curve.places == pytest.approx(PLAIN.curve.places, abs=1e-12)
+    assert diagram.curve.starts == pytest.approx(PLAIN.curve.starts, rel=1e-12)
     assert diagram.flags == ()
     assert any(f"at the file's {count:g}°" in finding or "180°" in finding for finding in diagram.findings)
 
@@ -60,10 +60,10 @@ def test_jumps_of_the_angle_are_taken_out():
     """A file that begins in the middle of a cycle and goes on from 0."""
     degrees = np.roll(DEGREES, -250)
     diagram = diagram_of(csv(degrees, np.roll(PRESSURES, -250)))
-    assert diagram.angles == pytest.approx(PLAIN.angles, abs=1e-12)
-    assert diagram.pressures == pytest.approx(PLAIN.pressures, rel=1e-12)
+    assert diagram.curve.places == pytest.approx(PLAIN.curve.places, abs=1e-12)
+    assert diagram.curve.starts == pytest.approx(PLAIN.curve.starts, rel=1e-12)
     twice = np.mod(DEGREES, 360)
-    assert diagram_of(csv(twice, PRESSURES)).pressures == pytest.approx(PLAIN.pressures, rel=1e-12)
+    assert diagram_of(csv(twice, PRESSURES)).curve.starts == pytest.approx(PLAIN.curve.starts, rel=1e-12)
 
 
 def test_noise_reversed_sense_and_wrong_dead_centre_are_recovered_and_told():
@@ -87,13 +87,13 @@ def test_noise_reversed_sense_and_wrong_dead_centre_are_recovered_and_told():
     uncertain = 3 * 0.2e5 * np.sqrt(np.sum(ENGINE.slope(np.radians(degrees)) ** 2)) * np.radians(0.5)
     assert diagram_work(diagram, ENGINE.slope) == pytest.approx(diagram_work(PLAIN, ENGINE.slope), abs=uncertain)
     same = diagram_of(text, sense="backward", smoothing="0.7 deg")
-    np.testing.assert_array_equal(same.pressures, diagram.pressures)
+    np.testing.assert_array_equal(same.curve.starts, diagram.curve.starts)
 
 
 def test_rows_in_no_order_are_sorted():
     order = np.random.default_rng(5).permutation(len(DEGREES))
     diagram = diagram_of(csv(DEGREES[order], PRESSURES[order]))
-    np.testing.assert_array_equal(diagram.pressures, PLAIN.pressures)
+    np.testing.assert_array_equal(diagram.curve.starts, PLAIN.curve.starts)
 
 
 @pytest.mark.parametrize("offset", [-101325.0, 101325.0], ids=["gauge as absolute", "absolute as gauge"])
@@ -183,7 +183,7 @@ def test_small_gap_and_repeated_rows_are_told():
     assert any("between 199° and 206°: the curve bridges them" in flag for flag in diagram_of(few).flags)
     again = diagram_of(csv(np.insert(DEGREES, 5, 4.0), np.insert(PRESSURES, 5, PRESSURES[4])))
     assert any("1 samples that were given twice" in finding for finding in again.findings)
-    np.testing.assert_array_equal(again.pressures, PLAIN.pressures)
+    np.testing.assert_array_equal(again.curve.starts, PLAIN.curve.starts)
 
 
 def test_many_gaps_are_told_in_one_sentence():
@@ -298,7 +298,7 @@ def test_a_students_table(last):
     bars = wiebe_cycle(ENGINE, CASE, np.radians(degrees - 360.0)) / 1e5
     rows = (f"{angle};{bar / 10:.4f}".replace(".", ",") for angle, bar in zip(degrees, bars, strict=True))
     diagram = diagram_of(STUDENT + "\n".join(rows), pressure="absolute")
-    assert len(diagram.angles) == 72
+    assert len(diagram.curve.places) == 72
     assert any("at the file's 360°" in finding for finding in diagram.findings)
     assert diagram.flags == ()
     assert pressure_at(diagram, np.radians(20.0)) == pytest.approx(bars[38] * 1e5, rel=1e-4)
@@ -308,7 +308,7 @@ def test_a_textbooks_table_in_steps_of_30_degrees():
     """10° about the peak; the table ends at 720°, which is 0°."""
     degrees = np.unique(np.concatenate([np.arange(0.0, 721, 30), [10, 20, 40, 50, 370, 380, 390, 700, 710]]))
     diagram = diagram_of(csv(degrees, wiebe_cycle(ENGINE, CASE, np.radians(degrees))))
-    assert len(diagram.angles) == len(degrees) - 1
+    assert len(diagram.curve.places) == len(degrees) - 1
     assert diagram.flags == ()
 
 
@@ -385,8 +385,8 @@ def test_smoothing_keeps_mean_and_parabola():
     wave = diagram_through(Samples(places, 5 + np.cos(3 * places), (), ()), 2 * np.pi)
     found = smoothed(wave, np.radians(2.0))
     half = (3 * np.radians(2.0)) ** 2 / 2
-    assert found.pressures == pytest.approx(5 + (1 + half) * np.exp(-half) * np.cos(3 * places), abs=1e-10)
-    assert np.mean(found.pressures) == pytest.approx(5, rel=1e-14)
+    assert found.curve.starts == pytest.approx(5 + (1 + half) * np.exp(-half) * np.cos(3 * places), abs=1e-10)
+    assert np.mean(found.curve.starts) == pytest.approx(5, rel=1e-14)
 
 
 PIECES = ["1e30", "-1e30", "1e-320", "0", "nan", "", ";", ",", "\n", "x", " ", "360", "-5", "\ufeff", "1,5", "\0", "−3"]
@@ -410,7 +410,7 @@ def test_a_spoilt_file_is_read_or_refused(spoilt, more):
     except InputError as refusal:
         assert refusal.problems
     else:
-        assert np.all(np.isfinite(diagram.pressures))
+        assert np.all(np.isfinite(diagram.curve.starts))
         assert np.all(np.isfinite(diagram.curve.start_slopes))
         assert np.all(np.isfinite(diagram.curve.end_slopes))
-        assert np.all(np.diff(diagram.angles) > 0)
+        assert np.all(np.diff(diagram.curve.places) > 0)

@@ -307,7 +307,7 @@ class TestLocated:
             Problem("bank.R.mechanism.rod_length", None, "d"),
             Problem("mechanism.part[1].guide.offset", "0 mm", "e"),
         ]
-        assert [str(problem) for problem in engine.located(problems)] == [
+        assert [str(problem) for problem in map(engine.located, problems)] == [
             "v6.toml:7:9  shaft.main.speed = 1500 rpm: a",
             'v6.toml:5:10  shaft.main.throws = ["0 deg", "240 deg", "120 deg"]: b',
             "v6.toml:11:1  bank.R.mechanism: c",
@@ -317,17 +317,17 @@ class TestLocated:
 
     def test_keeps_a_place_that_is_there(self, engine):
         problem = Problem("name", None, "a", position=Position("other.toml", 3, 4))
-        assert engine.located([problem]) == (problem,)
+        assert engine.located(problem) == problem
 
     @pytest.mark.parametrize(
         ("typed", "given"), [('""', '""'), ('" a"', " a"), (r'"\u0041"', r'"\u0041"'), ("nan", "nan")]
     )
     def test_given_as_typed(self, typed, given):
-        (problem,) = Document.from_text(f"x = {typed}", "m.toml").located([Problem("x", None, "a")])
+        problem = Document.from_text(f"x = {typed}", "m.toml").located(Problem("x", None, "a"))
         assert problem.given == given.strip()
 
     def test_a_path_that_cannot_be_read(self, engine):
-        (problem,) = engine.located([Problem("a..b", None, "x")])
+        problem = engine.located(Problem("a..b", None, "x"))
         assert problem == Problem("a..b", None, "x", position=Position("v6.toml", 1, 1))
 
 

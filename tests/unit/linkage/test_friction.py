@@ -38,7 +38,7 @@ from cranktrain.linkage.forces import (
     triad_reactions_with_friction,
     yoke_reactions,
 )
-from cranktrain.linkage.forces.guide import Guided, dragged, pressing
+from cranktrain.linkage.forces.guide import Guided, friction_force
 
 GUIDE_ALONE = CrossingFriction(Friction(0.3, 1.0), Friction(0.0, 1.0))
 
@@ -53,9 +53,9 @@ def slid(angle, load, friction, rod_length=0.5):
 @pytest.mark.parametrize("lever", [-2.0, 0.5, 3.0])
 def test_normal_force_belongs_to_its_friction(frictionless, sense, lever):
     friction = Friction(0.3, sense)
-    pressed = pressing(Guided(frictionless, 5.0, lever, 0.2), friction)
-    normal = frictionless + lever * dragged(pressed, friction)
-    assert pressed == pytest.approx(abs(normal), rel=1e-15, abs=1e-15)
+    force = friction_force(Guided(frictionless, 5.0, lever, 0.2), friction)
+    normal = frictionless + lever * force
+    assert force == pytest.approx(-0.3 * sense * abs(normal), rel=1e-15, abs=1e-15)
     assert np.sign(normal) == np.sign(frictionless)
 
 

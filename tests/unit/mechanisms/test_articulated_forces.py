@@ -3,11 +3,7 @@
 import numpy as np
 
 from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity, turned_wrench
-from cranktrain.mechanisms.articulated_rod.forces import (
-    ArticulatedRodLinks,
-    articulated_rod_forces,
-    articulated_rod_load,
-)
+from cranktrain.mechanisms.articulated_rod.forces import DYNAMICS, articulated_rod_forces, articulated_rod_load
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
 
@@ -21,12 +17,13 @@ def test_side_forces_on_slave_and_master():
     nothing = Body(0.0, 0.0, 0.0, 0.0)
     standing = Conditions(Drive(0.0, 0.0), Gravity(0.0, 0.0), (NO_FRICTION,))
     load = articulated_rod_load(motion, geometry, -force)
-    found = articulated_rod_forces(motion, geometry, ArticulatedRodLinks(nothing, nothing), load, standing)
+    found = articulated_rod_forces(motion, geometry, (nothing, nothing), load, standing)
+    joints = DYNAMICS.by_joint(found.joints)
     beta = np.arcsin(0.09 * np.sin(phi) / 0.32)
     chi = np.arcsin((0.09 * np.sin(phi - gamma) + radius * np.sin(zeta - gamma - beta)) / 0.235)
-    np.testing.assert_allclose(found.joints.guide.y, force * np.tan(chi), atol=1e-10)
+    np.testing.assert_allclose(joints["guide"].y, force * np.tan(chi), atol=1e-10)
     eta = zeta - gamma + chi - beta
-    master = turned_wrench(found.joints.master_guide, -gamma)
+    master = turned_wrench(joints["master_guide"], -gamma)
     np.testing.assert_allclose(
         master.y, -force * radius * np.sin(eta) / (0.32 * np.cos(beta) * np.cos(chi)), atol=1e-10
     )

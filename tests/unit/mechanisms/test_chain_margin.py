@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from tests.machines import scaled
 
 import cranktrain as ct
 from cranktrain.io.machine_file import read_machine
@@ -11,7 +12,7 @@ from cranktrain.mechanisms.chain.kinematics import chain_made, triad_branch
 from cranktrain.mechanisms.chain.triads import triad_at, triad_ends, triad_legs
 from cranktrain.mechanisms.chain.walks import start_at
 from cranktrain.mechanisms.closing import Way, changed, closing_margin
-from cranktrain.mechanisms.geometry import rows, scaled, stacked
+from cranktrain.mechanisms.geometry import rows, stacked
 
 N_DESIGNS = 6
 N_STEPS = 50

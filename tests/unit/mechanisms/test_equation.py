@@ -8,7 +8,6 @@ from tests.contract.force_kernels import KINDS as EXAMPLES
 from cranktrain.linkage.forces import Body, Gravity
 from cranktrain.mechanisms import kind_named
 from cranktrain.mechanisms.equation import compiled_equation, equation_of_motion
-from cranktrain.mechanisms.slider_crank.forces import SliderCrankLinks
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
 
 ANGLES = np.linspace(0.0, 6.0, 7)
@@ -35,7 +34,7 @@ def test_energy_of_a_crank_left_alone():
     kind = kind_named("slider_crank")
     at = equation_of_motion(kind)
     geometry = SliderCrank(0.1, 0.3, 0.02)
-    bodies = SliderCrankLinks(Body(3.0, 0.05, 0.01, 0.02), Body(2.0, 0.1, 0.02, 0.03), Body(4.0, 0.0, 0.0, 0.0))
+    bodies = (Body(3.0, 0.05, 0.01, 0.02), Body(2.0, 0.1, 0.02, 0.03), Body(4.0, 0.0, 0.0, 0.0))
     gravity = Gravity(-9.0, -3.0)
 
     def rate(_time, state):

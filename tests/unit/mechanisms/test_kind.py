@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
+from tests.machines import scaled
 
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.crank_rocker import CrankRocker
-from cranktrain.mechanisms.geometry import mirrored, named_part, rows, scaled, stacked
+from cranktrain.mechanisms.geometry import mirrored, named_part, rows, stacked
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.numerics.nested import leaves
 

@@ -81,20 +81,6 @@ def test_a_root_at_an_end_does_not_hide_the_one_within():
     np.testing.assert_allclose(found, 0.3, rtol=1e-15)
 
 
-def test_precision_stops_early():
-    calls = []
-
-    def curve(x):
-        calls.append(x)
-        return (x - 0.7) ** 3
-
-    found = bracketed_roots(curve, np.array([0.0]), np.array([5.0]), precision=1e-3)
-    early = len(calls)
-    bracketed_roots(curve, np.array([0.0]), np.array([5.0]))
-    assert found[0] == pytest.approx(0.7, rel=2e-3)
-    assert early < len(calls) - early
-
-
 def test_turn_grid_is_open_at_its_end():
     grid = turn_grid(8)
     np.testing.assert_allclose(grid, np.arange(8) * np.pi / 4)

@@ -4,16 +4,16 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.vectors_by_order import turned_vectors
 
+from cranktrain.numerics import largest, turn_grid
 from cranktrain.numerics.plane_vectors import (
     PlaneVectors,
     added,
     curve_vectors,
     delayed_vectors,
     hodograph,
-    largest_length,
     machine_axes,
-    turned_vectors,
     vector_curve,
 )
 
@@ -96,6 +96,6 @@ def test_added():
 def test_largest_length_lies_between_the_points():
     # |1 + 0.5 e^{i(φ − 0.0123)}| is largest at 0.0123, where it is 1.5
     known = PlaneVectors(np.array([0.0, 1.0]), np.array([1.0, 0.5 * np.exp(-0.0123j)]), np.zeros(2, dtype=complex))
-    found = largest_length(known, 36)
+    found = largest(lambda angle: np.abs(vector_curve(known, angle)), grid=turn_grid(36))
     assert found.value[0] == pytest.approx(1.5, abs=1e-15)
     assert found.angle[0] == pytest.approx(0.0123, abs=1e-8)

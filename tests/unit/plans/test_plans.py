@@ -126,19 +126,23 @@ def test_klein_gives_velocity_and_acceleration(crank, angle):
     found = klein(crank, angle)
     v_x, v_y = derivative_exact("B", angle, 1)
     a_x, a_y = derivative_exact("B", angle, 2)
-    np.testing.assert_allclose(np.array([found.C[1], -found.C[0]]) * OMEGA, [v_x, v_y], rtol=0, atol=1e-12 * R * OMEGA)
-    np.testing.assert_allclose(-found.N * OMEGA**2, [a_x, a_y], rtol=0, atol=1e-12 * R * OMEGA**2)
-    middle = (found.A + found.B) / 2
-    for point in (found.K, found.L):
+    np.testing.assert_allclose(
+        np.array([found.points["C"][1], -found.points["C"][0]]) * OMEGA, [v_x, v_y], rtol=0, atol=1e-12 * R * OMEGA
+    )
+    np.testing.assert_allclose(-found.points["N"] * OMEGA**2, [a_x, a_y], rtol=0, atol=1e-12 * R * OMEGA**2)
+    middle = (found.points["A"] + found.points["B"]) / 2
+    for point in (found.points["K"], found.points["L"]):
         assert np.hypot(*(point - middle)) == pytest.approx(L / 2, rel=1e-13)
-        assert np.hypot(*(point - found.A)) == pytest.approx(np.hypot(*(found.C - found.A)), rel=1e-12)
+        assert np.hypot(*(point - found.points["A"])) == pytest.approx(
+            np.hypot(*(found.points["C"] - found.points["A"])), rel=1e-12
+        )
 
 
 def test_instant_centre_makes_both_pins_velocities(crank):
     """About the centre, v = ω_rod × arm: both arms stand across their velocities, and the ratios agree."""
     found = klein(crank, 75.0)
     rates = []
-    for name, pin in (("A", found.A), ("B", found.B)):
+    for name, pin in (("A", found.points["A"]), ("B", found.points["B"])):
         velocity = np.array(derivative_exact(name, 75.0, 1))
         arm = pin - found.centre
         assert abs(np.dot(velocity, arm)) < 1e-12 * np.hypot(*velocity) * np.hypot(*arm)
@@ -150,7 +154,7 @@ def test_klein_at_right_angles_has_no_centre():
     """With crank and line of stroke at right angles the rod only moves along: its centre is infinitely far."""
     plain = ct.Machine(mechanism={"kind": "slider_crank", "crank_radius": "30 mm", "rod_length": "50 mm"})
     found = klein(plain, 90.0)
-    np.testing.assert_allclose(found.C, found.A, rtol=0, atol=1e-15)
+    np.testing.assert_allclose(found.points["C"], found.points["A"], rtol=0, atol=1e-15)
     assert np.all(np.isnan(found.centre))
 
 

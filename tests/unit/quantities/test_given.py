@@ -75,7 +75,8 @@ def test_everything_wrong_in_a_table_is_told_at_once() -> None:
 def test_range_is_told_in_the_unit_given(quantity: Quantity, text: object, allowed: str) -> None:
     with pytest.raises(QuantityError) as refused:
         quantity.given(text)
-    assert (refused.value.given, refused.value.allowed) == (str(text), allowed)
+    (problem,) = refused.value.problems
+    assert (problem.given, problem.allowed) == (str(text), allowed)
 
 
 @pytest.mark.parametrize("text", ["50 mm", "60 mm"])
@@ -128,16 +129,17 @@ def test_every_annotation(name: str, accepted: object, refused: object) -> None:
 def test_editors_learn_units_range_and_statuses() -> None:
     schema: dict[str, Any] = TypeAdapter(q.PositiveLength).json_schema()
     text, table = schema["anyOf"]
-    assert text["description"] == f"{A_LENGTH}; {NOT_POSITIVE} (SI)"
+    assert schema["description"] == f"{A_LENGTH}; {NOT_POSITIVE} (SI)"
     assert text["examples"] == ["90 mm"]
-    assert table["properties"]["status"] == {"enum": ["published", "derived", "assumed", "fitted"]}
+    assert table["properties"]["status"]["enum"] == ["published", "derived", "assumed", "fitted"]
     assert table["required"] == ["value"]
     assert table["additionalProperties"] is False
     assert table["properties"]["value"] == text
     for wrong in ("90", "1,5 m", "mm", "nan m", "1_000 mm", ""):
         assert not re.search(text["pattern"], wrong)
     ratio: dict[str, Any] = TypeAdapter(q.Ratio).json_schema()
-    assert [kind["type"] for kind in ratio["anyOf"]] == ["number", "string", "object"]
+    number, _table = ratio["anyOf"]
+    assert [kind["type"] for kind in number["anyOf"]] == ["number", "string"]
     assert TypeAdapter(q.Ratio).json_schema(mode="serialization") == ratio
 
 

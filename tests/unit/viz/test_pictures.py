@@ -20,7 +20,7 @@ from cranktrain.errors import InputError
 from cranktrain.io.description import counted_by_status
 from cranktrain.io.examples import example_names
 from cranktrain.io.machine_file import inputs_of, read_machine
-from cranktrain.io.output import write_whole_bytes
+from cranktrain.io.output import write_whole
 from cranktrain.layout.frames import in_machine_axes
 from cranktrain.mechanisms import KINDS
 from cranktrain.plans.placement import frame
@@ -416,7 +416,7 @@ def test_saved_pictures_are_always_the_same(results, tmp_path, suffix):
 
 
 def test_bytes_to_the_standard_output(capfdbinary):
-    write_whole_bytes("-", [b"\x89PNG\r\n", b"\x00"], force=False)
+    write_whole("-", [b"\x89PNG\r\n", b"\x00"], force=False)
     assert capfdbinary.readouterr().out == b"\x89PNG\r\n\x00"
 
 
@@ -609,7 +609,7 @@ def test_room_between_two_pistons_is_the_results(results, angle):
     ]
     combined = 1e3 * result.combined_displacement[0, int(angle)]
     assert apart[0] - apart[1] == pytest.approx(combined, abs=1e-9)
-    assert one.above + other.above < apart[1]
+    assert scene.above(one) + scene.above(other) < apart[1]
 
 
 def test_common_cylinder_has_no_head_and_gaps_for_ports(results):
@@ -621,9 +621,9 @@ def test_common_cylinder_has_no_head_and_gaps_for_ports(results):
     assert len(walls) == 6
     assert walls[::2] == walls[1::2]
     first, middle, last = walls[::2]
-    assert first[1] == pytest.approx(508 - 127 + one.above)
-    assert middle == pytest.approx((first[1] + 60.0, 1480 - 381 - other.above - 50.0))
-    assert last[0] == pytest.approx(1480 - 381 - other.above)
+    assert first[1] == pytest.approx(508 - 127 + scene.above(one))
+    assert middle == pytest.approx((first[1] + 60.0, 1480 - 381 - scene.above(other) - 50.0))
+    assert last[0] == pytest.approx(1480 - 381 - scene.above(other))
 
 
 def test_far_piston_has_its_crown_toward_the_shaft():

@@ -4,9 +4,10 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from rich.cells import cell_len
+from rich.console import Console
 from rich.text import Text
 
-from cranktrain.cli.screen.text import table
+from cranktrain.cli.screen.text import INDENT, section, table
 
 _GAP = 2
 _ROOM_FOR_WORDS = 26
@@ -47,6 +48,11 @@ def column_tables(columns: Sequence[Column], labels: Sequence[str], width: int) 
         if i:
             yield Text()
         yield from column_table(part, labels, has_units=any(column.unit for column in part))
+
+
+def section_of_columns(console: Console, heading: str, columns: Sequence[Column], labels: Sequence[str]) -> None:
+    """Show rows that have labels under a heading."""
+    section(console, heading, column_tables(columns, labels, console.width - INDENT))
 
 
 def column_table(

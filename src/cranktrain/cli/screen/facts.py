@@ -15,6 +15,7 @@ from cranktrain.catalogue import Entry
 from cranktrain.cli.screen.columns import Column, column_table, side_by_side
 from cranktrain.cli.screen.figures import ABSENT, figures
 from cranktrain.cli.screen.text import table
+from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.question import Dimension
 from cranktrain.record import record
@@ -136,10 +137,7 @@ def _groups(rows: Sequence[FactRow], members: Sequence[str]) -> list[list[int]]:
 
 def _split(groups: Sequence[Sequence[int]], row: FactRow, members: Sequence[str]) -> list[list[int]]:
     """Part groups of members that are not equal in one more fact."""
-    found: dict[tuple[int, str], list[int]] = {}
-    for i, group in enumerate(groups):
-        for member in group:
-            found.setdefault((i, row.text(members[member])), []).append(member)
+    found = grouped(((i, row.text(members[k])), k) for i, group in enumerate(groups) for k in group)
     return sorted(found.values())
 
 
@@ -200,7 +198,7 @@ def _by_member(rows: Sequence[FactRow], lines: Sequence[_Line], width: int, titl
     labels = [textwrap.wrap(line.label, width // 2, break_on_hyphens=False) or [""] for line in lines]
     columns = [
         Column(
-            _symbol(row),
+            row.entry.symbol or row.entry.name,
             row.unit,
             tuple(
                 cell
@@ -216,7 +214,3 @@ def _by_member(rows: Sequence[FactRow], lines: Sequence[_Line], width: int, titl
         yield ""
         yield from column_table(part, beside, title)
         yield ", ".join(f"{column.head} {column.name}" for column in part)
-
-
-def _symbol(row: FactRow) -> str:
-    return row.entry.symbol or row.entry.name

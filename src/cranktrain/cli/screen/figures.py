@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.wording import number
+from cranktrain.wording import figure
 
 _SHOWN = {"m": "mm", "rad": "deg", "deg": "deg", "m/s": "m/s", "m/s^2": "m/s^2", "1": "1"}
 """Units in which sentences give a quantity of that unit, too."""
@@ -52,12 +52,12 @@ def figures(values: Array, unit: str) -> Figures:
         texts = [f"{value:.0f}" for value in values]
     elif unit == "1" and np.all(np.abs(whole) < 1):
         shown = "%"
-        texts = [number(float(value), shown).removesuffix(f" {shown}") for value in values]
+        texts = [figure(float(value), shown) for value in values]
     elif shown is None:
         texts = [f"{value:#.4g}".removesuffix(".") for value in values]
     else:
         si = np.deg2rad(values) if unit == "deg" else values
-        texts = [number(float(value), shown).removesuffix(f" {shown}") for value in si]
+        texts = [figure(float(value), shown) for value in si]
     absent = (~np.isfinite(values)).tolist()
     kept = tuple(ABSENT if is_absent else text for text, is_absent in zip(texts, absent, strict=True))
     return Figures(kept, (shown or unit).removeprefix("1"))

@@ -21,18 +21,16 @@ def provenance(file: MachineFile, width: int) -> Iterator[str | Text]:
     yield _("{n} numbers of the file: {counted}").format(n=len(inputs), counted=counted)
     told = [one for status in _TOLD for one in inputs if one.given.status == status]
     if told:
-        yield from table(("", "", "", ""), _rows(told), fold=width)
+        yield from table(("", "", "", ""), list(_rows(told)), fold=width)
 
 
 def input_table(file: MachineFile, width: int) -> list[Text]:
     """Every number of a file, with its status and note, in a width of columns."""
-    return table(("", "", "", ""), _rows(inputs_of(file)), fold=width)
+    return table(("", "", "", ""), list(_rows(inputs_of(file))), fold=width)
 
 
-def _rows(inputs: Sequence[Input]) -> list[tuple[str, str, str, str]]:
+def _rows(inputs: Sequence[Input]) -> Iterator[tuple[str, str, str, str]]:
     """Give path, value, status and note of inputs."""
-    rows: list[tuple[str, str, str, str]] = []
     for path, given in inputs:
         about = "; ".join(one_line(word) for word in (given.note, given.source) if word)
-        rows.append((path, one_line(given.text), given.status or "", about))
-    return rows
+        yield path, one_line(given.text), given.status or "", about

@@ -13,6 +13,7 @@ from cranktrain.cli.screen.facts import fact_tables
 from cranktrain.cli.screen.figures import ABSENT, figures
 from cranktrain.cli.screen.inputs import input_table, provenance
 from cranktrain.cli.screen.text import INDENT, paragraph, section, table
+from cranktrain.grouping import places_of_equal
 from cranktrain.io.description import layout_words
 from cranktrain.io.machine_file import MachineFile
 from cranktrain.language import _
@@ -56,7 +57,7 @@ def show_result(
     names = [name for name in names if name not in deep]
     facts = [name for name in names if result.catalogue[name].is_fact]
     if facts:
-        section(console, _("Results"), list(fact_tables(result, facts, width)))
+        section(console, _("Results"), fact_tables(result, facts, width))
     peaks = list(_peaks(result, names))
     if peaks:
         step = f"{result.crank_angle[1]:g}°"
@@ -66,10 +67,10 @@ def show_result(
     if deep:
         section(console, _("By each method, with --quantities"), [", ".join(deep)])
     if result.checks:
-        section(console, _("Checks"), list(_checks(console, result)))
+        section(console, _("Checks"), _checks(console, result))
     if result.flags:
         section(console, _("Mind"), result.flags)
-    about = input_table(file, width) if with_inputs else list(provenance(file, width))
+    about = input_table(file, width) if with_inputs else provenance(file, width)
     section(console, _("What this rests on"), about)
     if result.missing:
         section(console, _("To learn more"), [_missing(missing) for missing in result.missing])
@@ -86,10 +87,8 @@ def title(machine: Machine) -> str:
     parts = [layout_words(machine)]
     if len(machine.shafts) > 1:
         parts.append(_shafts(machine))
-    if machine.main_shaft.speed is not None:
-        parts.append(machine.main_shaft.speed.text)
-    if machine.main_shaft.acceleration is not None:
-        parts.append(machine.main_shaft.acceleration.text)
+    shaft = machine.main_shaft
+    parts += [given.text for given in (shaft.speed, shaft.acceleration) if given is not None]
     senses = {
         "clockwise": _("clockwise"),
         "anticlockwise": _("anticlockwise"),
@@ -104,10 +103,7 @@ def _shafts(machine: Machine) -> str:
     """Say which mechanisms work on which shaft."""
     places = machine.places
     names = [place.name for place in places]
-    on = {
-        shaft: [i for i, place in enumerate(places) if place.shaft == shaft]
-        for shaft in dict.fromkeys(place.shaft for place in places)
-    }
+    on = places_of_equal([place.shaft for place in places])
     said = (_("{shaft} ({mechanisms})").format(shaft=shaft, mechanisms=ranged(names, few)) for shaft, few in on.items())
     return _("shafts {shafts}").format(shafts=", ".join(said))
 

@@ -3,8 +3,9 @@
 import re
 import sys
 import textwrap
-from collections.abc import Container, Generator, Iterator, Sequence
+from collections.abc import Container, Generator, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from typing import Any
 
 from rich.cells import cell_len
 from rich.console import Console
@@ -34,14 +35,13 @@ def page() -> Generator[Console]:
 
 def _screen() -> Console:
     """Give a console for the standard output: as wide as a terminal is, else of 80 columns and without colour."""
-    if sys.stdout.isatty():
-        return Console(highlight=False, markup=False, emoji=False)
-    return Console(
-        highlight=False, markup=False, emoji=False, width=_WIDTH, height=_WIDTH, color_system=None, force_terminal=False
-    )
+    options: dict[str, Any] = {"highlight": False, "markup": False, "emoji": False}
+    if not sys.stdout.isatty():
+        options |= {"width": _WIDTH, "height": _WIDTH, "color_system": None, "force_terminal": False}
+    return Console(**options)
 
 
-def section(console: Console, heading: str, lines: Sequence[str | Text]) -> None:
+def section(console: Console, heading: str, lines: Iterable[str | Text]) -> None:
     """Show lines under a heading; one that is no `Text` is a paragraph, folded to the width of the screen."""
     parts = [part for line in lines for part in ([line] if isinstance(line, Text) else paragraph(console, line))]
     console.print()

@@ -11,11 +11,12 @@ from cranktrain.cli.screen.columns import Column, column_tables, worded_tables
 from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.synthesis.wants import Typed, proposed
 from cranktrain.cli.textbook.errata import SOURCE_EXAMPLE, show_source_example
+from cranktrain.grouping import grouped
 from cranktrain.io.output import STANDARD_OUTPUT, write_whole
 from cranktrain.language import _
 from cranktrain.one_line import one_line
 from cranktrain.synthesis.proposal import Alternative, Number, Proposal
-from cranktrain.wording import number
+from cranktrain.wording import figure
 
 _OF_MEMBER = re.compile(r"(?P<name>.+)\((?P<member>\d+)\)$")
 
@@ -58,9 +59,9 @@ def show_proposal(console: Console, proposal: Proposal) -> None:
     """Show numbers, alternatives and remarks."""
     width = console.width - INDENT
     console.print(Text(one_line(proposal.title), style="bold"))
-    section(console, _("Proposed"), list(_numbers(proposal.numbers, width)))
+    section(console, _("Proposed"), _numbers(proposal.numbers, width))
     if proposal.alternatives:
-        section(console, _("Also considered"), list(_alternatives(proposal, width)))
+        section(console, _("Also considered"), _alternatives(proposal, width))
     if proposal.remarks:
         section(console, _("Mind"), proposal.remarks)
 
@@ -69,17 +70,11 @@ def _numbers(numbers: Sequence[Number], width: int) -> Iterator[str | Text]:
     """Numbers one in a line; those of several members, such as `stroke(2)`, in columns."""
     single = [one for one in numbers if _OF_MEMBER.match(one.name) is None]
     if single:
-        rows = [(one.sentence, one.symbol, *_figure(one)) for one in single]
+        rows = [(one.sentence, one.symbol, figure(one.value, one.unit), one.unit.removeprefix("1")) for one in single]
         yield from table(("", "", "", ""), rows, right=(2,))
-    several: dict[str, list[Number]] = {}
-    for one in numbers:
-        if found := _OF_MEMBER.match(one.name):
-            several.setdefault(found["member"], []).append(one)
+    several = grouped((found["member"], one) for one in numbers if (found := _OF_MEMBER.match(one.name)))
     if several:
-        columns = [
-            Column(_symbol(each[0]), _unit(each[0].unit), tuple(_figure(one)[0] for one in each))
-            for each in zip(*several.values(), strict=True)
-        ]
+        columns = [_column(each[0], each) for each in zip(*several.values(), strict=True)]
         yield from column_tables(columns, tuple(several), width)
         yield ""
         yield _legend(next(iter(several.values())))
@@ -111,8 +106,8 @@ def _by_name(alternative: Alternative) -> tuple[str, Mapping[str, Number]]:
 
 def _column(like: Number, numbers: Sequence[Number | None]) -> Column:
     """A column of one kind of number; empty where a row has none."""
-    texts = tuple("" if one is None else _figure(one)[0] for one in numbers)
-    return Column(_symbol(like), _unit(like.unit), texts)
+    texts = tuple("" if one is None else figure(one.value, one.unit) for one in numbers)
+    return Column(_symbol(like), like.unit.removeprefix("1"), texts)
 
 
 def _legend(numbers: Sequence[Number]) -> str:
@@ -124,12 +119,3 @@ def _symbol(one: Number) -> str:
     """Symbol without the member that it is of."""
     found = _OF_MEMBER.match(one.symbol)
     return found["name"] if found else one.symbol
-
-
-def _figure(one: Number) -> tuple[str, str]:
-    """Number and unit as text."""
-    return number(one.value, one.unit).removesuffix(f" {one.unit}"), _unit(one.unit)
-
-
-def _unit(unit: str) -> str:
-    return "" if unit == "1" else unit

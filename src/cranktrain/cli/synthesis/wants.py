@@ -1,12 +1,13 @@
 """What was typed for a synthesis: each want read as what it must be, and all that is wrong with them at once."""
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
+from functools import partial
 from inspect import Parameter, signature
 from typing import TypeAlias
 
-from cranktrain.errors import InputError, Position, Problem
+from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.language import _
 from cranktrain.quantities import Dimension, QuantityError, unlisted
 from cranktrain.spec import missing, parts_of, quantity_of, words_of
@@ -78,12 +79,9 @@ def proposed(problem: str, typed: Typed) -> Proposal:
                 problems.append(Problem(option_of(want.name), None, missing(want.annotation)))
         except InputError as error:
             problems += [replace(one, path=option_of(want.name)) for one in error.problems]
-    if problems:
-        raise InputError(problems)
-    try:
+    refuse(problems)
+    with problems_as(partial(_in_options, typed, Position(f"cranktrain synthesise {problem}"))):
         return SYNTHESES[problem](**wants)
-    except InputError as error:
-        raise InputError(_in_options(error, typed, Position(f"cranktrain synthesise {problem}"))) from None
 
 
 def option_of(name: str) -> str:
@@ -116,17 +114,16 @@ def _can_be_free(want: Parameter) -> bool:
     return want.default is not None and type(None) in parts_of(want.annotation)
 
 
-def _in_options(error: InputError, typed: Typed, command: Position) -> Iterator[Problem]:
+def _in_options(typed: Typed, command: Position, problem: Problem) -> Problem:
     """Speak of options, and of what was typed, where a synthesis speaks of its parameters."""
-    for problem in error.problems:
-        given = typed.get(problem.path)
-        yield Problem(
-            option_of(problem.path) if problem.path else "",
-            given.strip() if isinstance(given, str) else problem.given,
-            _with_options(problem.allowed, typed),
-            problem.repair and _with_options(problem.repair, typed),
-            problem.position if problem.path else command,
-        )
+    given = typed.get(problem.path)
+    return Problem(
+        option_of(problem.path) if problem.path else "",
+        given.strip() if isinstance(given, str) else problem.given,
+        _with_options(problem.allowed, typed),
+        problem.repair and _with_options(problem.repair, typed),
+        problem.position if problem.path else command,
+    )
 
 
 def _with_options(sentence: str, typed: Typed) -> str:

@@ -1,20 +1,19 @@
 """`textbook`: the sources' own formulas for a machine, with their ranges and errors; the sources' own errors."""
 
 import os
-from collections.abc import Hashable, Iterator, Sequence
-from typing import TypeVar
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from rich.console import Console
 from rich.text import Text
 
 from cranktrain.analysis import Result, run
-from cranktrain.cli.screen.columns import Column, column_tables
+from cranktrain.cli.screen.columns import Column, column_tables, section_of_columns
 from cranktrain.cli.screen.report import title
 from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.textbook.errata import show_errata
-from cranktrain.errors import InputError, Position, Problem
-from cranktrain.io.machine_file import read_machine
+from cranktrain.cli.textbook.source import machine_file
+from cranktrain.grouping import places_of_equal
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
@@ -23,7 +22,7 @@ from cranktrain.plans.constructions import Construction, construction
 from cranktrain.references import REFERENCES
 from cranktrain.textbook.comparison import FORMS
 from cranktrain.textbook.ranges import RANGES, Range
-from cranktrain.wording import around_turn, number, ranged
+from cranktrain.wording import around_turn, figure, number, ranged
 
 _ERRATA = "errata"
 _STEP = 30.0
@@ -31,8 +30,6 @@ _STEP = 30.0
 _TURN = 360.0
 _PARTS, _FINE = 10, 720
 """Of the stroke or turn: where a table of a construction is shown, and where its largest error is sought."""
-
-_Key = TypeVar("_Key", bound=Hashable)
 
 _ERRORS = {"Δx": "displacement_error", "Δv": "velocity_error", "Δj": "acceleration_error"}
 _CURVES = (
@@ -63,15 +60,11 @@ def show_textbook(source: str, settings: Sequence[str], *, with_table: bool, wit
         With everything that is wrong with the machine.
     """
     is_errata = source.casefold() == _ERRATA and not os.path.isfile(source)  # noqa: PTH113 - takes a NUL byte
-    if not source and not with_errata:
-        allowed = _("FILE is missing")
-        repair = _("such as: {example}").format(example="cranktrain textbook 3d12")
-        raise InputError([Problem("", None, allowed, repair, Position("cranktrain textbook"))])
-    if is_errata or not source:
+    if is_errata or (with_errata and not source):
         with page() as console:
             show_errata(console)
         return
-    machine = read_machine(source, settings).machine
+    machine = machine_file(source, settings, "cranktrain textbook 3d12").machine
     result = run(machine, step_degrees=_STEP, quantities=_NEEDED)
     with page() as console:
         console.print(Text(title(machine), style="bold"))
@@ -92,7 +85,7 @@ def _show_methods(console: Console, machine: Machine, result: Result, *, with_ta
     width = console.width - INDENT
     for one in ranges:
         heading = f"{_(one.name)}: {', '.join(one.equations)} [{one.source}]"
-        section(console, heading[:1].upper() + heading[1:], list(_method(machine, result, one, width)))
+        section(console, heading[:1].upper() + heading[1:], _method(machine, result, one, width))
     explained = _(
         "Δx in parts of the stroke, Δv and Δj of their exact peaks, each curve from its own top; φ after the crank "
         "points along the cylinder. λ is crank radius by rod, of a slave its master's."
@@ -111,8 +104,7 @@ def _show_constructions(console: Console, machine: Machine, *, with_table: bool)
     cranks = [place for place in machine.places if place.kind.name == "slider_crank"]
     if not cranks:
         return
-    width = console.width - INDENT
-    groups = _grouped([place.geometry for place in cranks])
+    groups = places_of_equal([place.geometry for place in cranks])
     names = [place.name for place in cranks]
     said = [ranged(names, members) for members in groups.values()]
     firsts = [cranks[members[0]] for members in groups.values()]
@@ -124,12 +116,12 @@ def _show_constructions(console: Console, machine: Machine, *, with_table: bool)
     errors = [np.rad2deg(one.angle - one.exact_angle) for one in read]
     worst = [int(np.nanargmax(np.abs(error))) for error in errors]
     columns = [
-        Column("OP = λR/2", "mm", tuple(_millimetres(-one.pole) for one in read)),
+        Column("OP = λR/2", "mm", tuple(figure(-one.pole, "mm") for one in read)),
         Column("Δφ", "deg", tuple(f"{error[at]:.2f}" for error, at in zip(errors, worst, strict=True))),
-        Column("S", "mm", tuple(_millimetres(one.displacement[at]) for one, at in zip(read, worst, strict=True))),
+        Column("S", "mm", tuple(figure(one.displacement[at], "mm") for one, at in zip(read, worst, strict=True))),
     ]
     about = _("crank angle from the displacement: largest error, and where; the pole P lies away from the cylinder")
-    lines = [about, *column_tables(columns, said, width)]
+    lines = [about, *column_tables(columns, said, console.width - INDENT)]
     section(console, _("Brix's construction backwards: fig. 147 [steam-engine]"), lines)
     if with_table:
         _show_backwards(console, construction(machine, "brix_backward", _PARTS, mechanism=firsts[0].name))
@@ -137,30 +129,30 @@ def _show_constructions(console: Console, machine: Machine, *, with_table: bool)
 
 def _show_backwards(console: Console, read: Construction) -> None:
     """Show the angles that Brix's construction gives for tenths of the stroke, beside the exact ones."""
-    labels = [f"{_millimetres(value)} mm" for value in read.displacement]
+    labels = [number(value, "mm") for value in read.displacement]
     angles = (read.angle, read.exact_angle, read.angle - read.exact_angle)
     columns = [
         Column(head, "deg", tuple(f"{np.rad2deg(value):.2f}" for value in values))
         for head, values in zip(("brix", "exact", "Δφ"), angles, strict=True)
     ]
     heading = _("φ of piston {piston} by the displacement S, on the way to the shaft").format(piston=read.mechanism)
-    section(console, heading, list(column_tables(columns, labels, console.width - INDENT)))
+    section_of_columns(console, heading, columns, labels)
 
 
 def _method(machine: Machine, result: Result, one: Range, width: int) -> Iterator[str | Text]:
     """Range of a method, which pistons are inside, and the largest errors."""
     places = [place for place in machine.places if place.kind.name in FORMS[one.method]]
     names = [place.name for place in places]
-    ratios = [_ratio(place) for place in places]
     yield _("range: {condition}").format(condition=_(one.condition))
     if _has_limits(one):
-        verdicts = [
-            _("outside, λ = {ratio:.3f}") if one.outside(ratio, _offset(place)) else _("inside, λ = {ratio:.3f}")
-            for place, ratio in zip(places, ratios, strict=True)
+        said = [
+            (_("outside, λ = {ratio:.3f}") if one.outside(ratio, offset) else _("inside, λ = {ratio:.3f}")).format(
+                ratio=float(ratio)
+            )
+            for ratio, offset in map(_sizes, places)
         ]
-        said = [verdict.format(ratio=float(ratio)) for verdict, ratio in zip(verdicts, ratios, strict=True)]
-        yield "; ".join(f"{ranged(names, members)}: {words}" for words, members in _grouped(said).items())
-    groups = _grouped([_errors(result, one.method, name) for name in names])
+        yield "; ".join(f"{ranged(names, members)}: {words}" for words, members in places_of_equal(said).items())
+    groups = places_of_equal([tuple(_errors(result, one.method, name)) for name in names])
     heads = [text for symbol in _ERRORS for text in (symbol, "φ")]
     units = ["%", "deg"] * len(_ERRORS)
     columns = [
@@ -170,16 +162,14 @@ def _method(machine: Machine, result: Result, one: Range, width: int) -> Iterato
     yield from column_tables(columns, [ranged(names, members) for members in groups.values()], width)
 
 
-def _errors(result: Result, method: str, piston: str) -> tuple[str, ...]:
+def _errors(result: Result, method: str, piston: str) -> Iterator[str]:
     """Largest error of each order and where it is, as text."""
     row, place = result.labels["method"].index(method), result.labels["piston"].index(piston)
     zero = result.top_dead_centre[place] - result.top_shift[place]
-    texts: list[str] = []
     for name in _ERRORS.values():
         angle = around_turn(np.deg2rad(getattr(result, f"{name}_at")[row, place] - zero))
-        texts.append(number(float(getattr(result, name)[row, place]), "%").removesuffix(" %"))
-        texts.append(number(float(angle), "deg").removesuffix(" deg"))
-    return tuple(texts)
+        yield figure(float(getattr(result, name)[row, place]), "%")
+        yield figure(float(angle), "deg")
 
 
 def _show_motion(console: Console, result: Result, places: Sequence[PlacedMechanism]) -> None:
@@ -193,11 +183,11 @@ def _show_motion(console: Console, result: Result, places: Sequence[PlacedMechan
         entry = result.catalogue[name]
         curves = getattr(result, name)[:, piston][:, turn]
         columns = [
-            Column(method, unit, tuple(_millimetres(value) for value in curves[result.labels["method"].index(method)]))
+            Column(method, unit, tuple(figure(value, "mm") for value in curves[result.labels["method"].index(method)]))
             for method in methods
         ]
         heading = _("{symbol} of piston {piston} by the crank angle").format(symbol=entry.symbol, piston=first.name)
-        section(console, heading, list(column_tables(columns, labels, console.width - INDENT)))
+        section_of_columns(console, heading, columns, labels)
     if len(places) > 1:
         names = [place.name for place in places]
         alike = ranged(names, range(1, len(names)))
@@ -205,35 +195,17 @@ def _show_motion(console: Console, result: Result, places: Sequence[PlacedMechan
         console.print(_("Alike, each from its own top: {pistons}.").format(pistons=alike))
 
 
-def _millimetres(value: float) -> str:
-    """Write a length, or one per radian, in millimetres."""
-    return number(value, "mm").removesuffix(" mm")
-
-
 def _alike(places: Sequence[PlacedMechanism]) -> list[list[PlacedMechanism]]:
     """Put pistons together that move alike, as far as any source has a form for them."""
     spoken_of = [place for place in places if any(place.kind.name in form for form in FORMS.values())]
-    groups = _grouped([(place.kind.name, place.geometry) for place in spoken_of])
+    groups = places_of_equal([(place.kind.name, place.geometry) for place in spoken_of])
     return [[spoken_of[i] for i in members] for members in groups.values()]
 
 
-def _grouped(keys: Sequence[_Key]) -> dict[_Key, list[int]]:
-    """Places of equal keys."""
-    groups: dict[_Key, list[int]] = {}
-    for i, key in enumerate(keys):
-        groups.setdefault(key, []).append(i)
-    return groups
-
-
-def _ratio(place: PlacedMechanism) -> Array:
-    """Crank radius by rod, of a slave its master's, as ranges have it."""
+def _sizes(place: PlacedMechanism) -> tuple[Array, Array]:
+    """Crank radius by rod and offset of the line of stroke [m], of a slave its master's, as ranges have them."""
     geometry = getattr(place.geometry, "master", place.geometry)
-    return single(geometry.crank_radius / geometry.rod_length)
-
-
-def _offset(place: PlacedMechanism) -> Array:
-    """Offset of the line of stroke, of a slave its master's. [m]"""
-    return single(getattr(place.geometry, "master", place.geometry).offset)
+    return single(geometry.crank_radius / geometry.rod_length), single(geometry.offset)
 
 
 def _has_limits(one: Range) -> bool:

@@ -42,8 +42,8 @@ def show_source_example(console: Console) -> None:
     section(console, f"[{SOURCE}]", [REFERENCES[SOURCE].text, _("Its example: {wants}.").format(wants=_example())])
     for place, step in enumerate(wrong_steps(), start=1):
         words = _(step.step)
-        section(console, f"{place}. {words[:1].upper()}{words[1:]}", list(_rows_of(step, width)))
-    section(console, _("Its table of slider velocities, m/s"), list(_velocities(width)))
+        section(console, f"{place}. {words[:1].upper()}{words[1:]}", _rows_of(step, width))
+    section(console, _("Its table of slider velocities, m/s"), _velocities(width))
 
 
 def _example() -> str:

@@ -1,17 +1,16 @@
 """`textbook --forces`: a piston's forces at round crank angles, exact and by the textbook's formula, with errors."""
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 from rich.console import Console
 from rich.text import Text
 
-from cranktrain.cli.screen.columns import Column, column_tables
+from cranktrain.cli.screen.columns import Column, section_of_columns
 from cranktrain.cli.screen.report import title
-from cranktrain.cli.screen.text import INDENT, page, section
-from cranktrain.errors import InputError, Position, Problem
-from cranktrain.io.machine_file import read_machine
+from cranktrain.cli.screen.text import page, section
+from cranktrain.cli.textbook.source import machine_file
+from cranktrain.errors import Problem, problems_as, refuse
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.plans.force_table import ForceColumn, ForceTable, force_table
@@ -19,56 +18,43 @@ from cranktrain.plans.force_table import ForceColumn, ForceTable, force_table
 _FIGURES = 5
 """Of the largest number in a column."""
 
-_STEP = 30.0
-"""Of the crank angle, unless given. [deg]"""
-
 _TOLD = 5e-5
 """An error that is shown, in parts of the peak."""
 
 
-@dataclass(frozen=True)
-class ForceRequest:
-    """What is asked of the tables of forces, as typed."""
-
-    file: str
-    unit: str
-    settings: tuple[str, ...] = ()
-    step: float | None = None
-    piston: str | None = None
-
-
-def show_force_tables(request: ForceRequest) -> None:
+def show_force_tables(source: str, settings: Sequence[str], *, unit: str, step: float, piston: str | None) -> None:
     """Show the tables.
+
+    Parameters
+    ----------
+    source : str
+        A machine file or an example.
+    settings : sequence of str
+        `PATH=VALUE`
+    unit : str
+        Of the forces.
+    step : float
+        Of the crank angle. [deg]
+    piston : str or None
+        Whose forces; the first's unless given.
 
     Raises
     ------
     InputError
         With everything that is wrong with the machine, or with the request.
     """
-    if not request.file:
-        repair = _("such as: {example}").format(example=f"cranktrain textbook 3d12 --forces {request.unit}")
-        raise InputError([Problem("", None, _("FILE is missing"), repair, Position("cranktrain textbook"))])
-    file = read_machine(request.file, request.settings)
-    try:
-        step = _STEP if request.step is None else request.step
-        table = force_table(file.machine, step=step, unit=request.unit, piston=request.piston)
-    except InputError as error:
-        raise InputError(
-            problem if problem.path.startswith("-") else file.document.located([problem])[0]
-            for problem in error.problems
-        ) from None
+    file = machine_file(source, settings, f"cranktrain textbook 3d12 --forces {unit}")
+    with problems_as(lambda problem: problem if problem.path.startswith("-") else file.document.located(problem)):
+        table = force_table(file.machine, step=step, unit=unit, piston=piston)
     with page() as console:
         console.print(Text(title(file.machine), style="bold"))
         _show(console, table)
 
 
-def refuse_without_forces(step: float | None, piston: str | None) -> None:
+def refuse_without_forces(given: Mapping[str, str | None]) -> None:
     """Refuse options that mean nothing but for tables of forces."""
-    given = {"--step": None if step is None else f"{step:g}", "--piston": piston}
     allowed = _("is for tables of forces: ask for --forces UNIT, too")
-    problems = [Problem(name, value, allowed) for name, value in given.items() if value is not None]
-    if problems:
-        raise InputError(problems)
+    refuse(Problem(name, value, allowed) for name, value in given.items() if value is not None)
 
 
 def _show(console: Console, table: ForceTable) -> None:
@@ -78,7 +64,7 @@ def _show(console: Console, table: ForceTable) -> None:
     heading = _("Forces of piston {piston} by the reactions in the joints").format(piston=table.piston)
     if table.area is not None:
         heading = _("{heading}, over its area of {area:.2f} cm²").format(heading=heading, area=1e4 * table.area)
-    section(console, heading, list(column_tables(exact, labels, console.width - INDENT)))
+    section_of_columns(console, heading, exact, labels)
     by_formula = [(one, one.textbook, one.textbook_error) for one in table.columns]
     by_harmonics = [(one, one.two_harmonics, one.two_harmonics_error) for one in table.columns]
     heading = _("The same by the textbook's P·f(β)")
@@ -87,7 +73,7 @@ def _show(console: Console, table: ForceTable) -> None:
     else:
         _show_method(console, heading, by_formula, labels)
     _show_method(console, _("The same with two harmonics of inertia"), by_harmonics, labels)
-    section(console, _("What they are"), list(_explained(table)))
+    section(console, _("What they are"), _explained(table))
 
 
 def _show_method(
@@ -96,14 +82,13 @@ def _show_method(
     """Show the forces by a method, and their errors; nothing where there are none."""
     if all(np.all(np.isnan(values)) for _one, values, _error in columns):
         return
-    width = console.width - INDENT
     forces = [Column(one.symbol, one.unit, _written(values, one.exact)) for one, values, _error in columns]
-    section(console, heading, list(column_tables(forces, labels, width)))
+    section_of_columns(console, heading, forces, labels)
     errors = [
         Column(f"Δ{one.symbol}", "%", tuple(_signless(f"{100 * value:.2f}") for value in error))
         for one, _values, error in columns
     ]
-    section(console, _("Their errors, of the exact peaks"), list(column_tables(errors, labels, width)))
+    section_of_columns(console, _("Their errors, of the exact peaks"), errors, labels)
 
 
 def _explained(table: ForceTable) -> Iterator[str]:

@@ -1,19 +1,18 @@
 """`textbook --harmonics`: a piston's harmonics in closed form beside the texts' series and their two harmonics."""
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from rich.console import Console
 from rich.text import Text
 
-from cranktrain.cli.screen.columns import Column, column_tables
+from cranktrain.cli.screen.columns import Column, section_of_columns
 from cranktrain.cli.screen.report import title
-from cranktrain.cli.screen.text import INDENT, page, section
-from cranktrain.errors import InputError, Position, Problem
-from cranktrain.io.machine_file import read_machine
+from cranktrain.cli.screen.text import page, section
+from cranktrain.cli.textbook.source import file_missing, machine_file
+from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.grouping import places_of_equal
 from cranktrain.language import _
-from cranktrain.machine import Machine
 from cranktrain.motion import single
 from cranktrain.quantities import Dimension, Quantity
 from cranktrain.questions.torque.rod_harmonics import MOST_RATIO
@@ -27,83 +26,80 @@ from cranktrain.textbook.harmonic_series import (
 from cranktrain.wording import ranged
 
 RATIO_OPTION = "--crank-to-rod-ratio"
+_EXAMPLE = "cranktrain textbook 3d12 --harmonics"
 _DECIMALS = 10
 _LEAST = 1e-15
 """A smaller error is rounding."""
 
 
-@dataclass(frozen=True)
-class HarmonicRequest:
-    """What is asked of the tables of harmonics, as typed; `others` are options that mean nothing to them."""
-
-    file: str
-    ratio: str | None
-    settings: tuple[str, ...]
-    others: Mapping[str, str | None]
-
-
-def show_harmonics(request: HarmonicRequest) -> None:
+def show_harmonics(
+    source: str, settings: Sequence[str], *, ratio: str | None, others: Mapping[str, str | None]
+) -> None:
     """Show the tables of a machine, or of a ratio of crank radius and rod.
+
+    Parameters
+    ----------
+    source : str
+        A machine file or an example; none where a ratio is given.
+    settings : sequence of str
+        `PATH=VALUE`
+    ratio : str or None
+        As typed.
+    others : mapping of str
+        Options that mean nothing for harmonics, as typed.
 
     Raises
     ------
     InputError
         With everything that is wrong with the request, or with the machine.
     """
-    given = _given_ratio(request)
+    given = _given_ratio(source, settings, ratio, others)
     if given is not None:
         with page() as console:
             console.print(Text(_("Central slider-crank"), style="bold"))
             _show(console, f"λ = {given:g}", given)
             _explain(console)
         return
-    machine = read_machine(request.file, request.settings).machine
+    machine = machine_file(source, settings, _EXAMPLE).machine
+    places = [place for place in machine.places if place.kind.name == "slider_crank" and place.geometry.offset == 0.0]
+    ratios = places_of_equal([float(place.geometry.crank_radius / place.geometry.rod_length) for place in places])
     with page() as console:
         console.print(Text(title(machine), style="bold"))
-        ratios = list(_ratios(machine))
         if not ratios:
             section(console, _("Harmonics"), [_("Only a central slider-crank has them in closed form.")])
             return
-        for names, ratio in ratios:
-            _show(console, _("{pistons}, λ = {ratio:.4g}").format(pistons=names, ratio=ratio), ratio)
+        for own, members in ratios.items():
+            pistons = ranged([place.name for place in places], members)
+            _show(console, _("{pistons}, λ = {ratio:.4g}").format(pistons=pistons, ratio=own), own)
         _explain(console)
 
 
-def _given_ratio(request: HarmonicRequest) -> float | None:
+def _given_ratio(
+    source: str, settings: Sequence[str], typed: str | None, others: Mapping[str, str | None]
+) -> float | None:
     """Read the ratio, where one is given, and refuse what does not go with it or with harmonics."""
     allowed = _("is for the motion or its forces: ask for it without harmonics")
-    problems = [Problem(name, value or None, allowed) for name, value in request.others.items() if value is not None]
+    problems = [Problem(name, value or None, allowed) for name, value in others.items() if value is not None]
     ratio = None
-    if request.ratio is None:
-        if not request.file:
-            repair = _("such as: {example}").format(example="cranktrain textbook 3d12 --harmonics")
-            problems.append(Problem("", None, _("FILE is missing"), repair, Position("cranktrain textbook")))
+    if typed is None:
+        if not source:
+            problems.append(file_missing(_EXAMPLE))
     else:
         try:
-            ratio = Quantity(Dimension.RATIO, above=0.0, at_most=MOST_RATIO).given(request.ratio).si
+            ratio = Quantity(Dimension.RATIO, above=0.0, at_most=MOST_RATIO).given(typed).si
         except InputError as error:
             problems += [Problem(RATIO_OPTION, one.given, one.allowed, one.repair) for one in error.problems]
-        if request.file:
-            problems.append(Problem("FILE", request.file, _("has ratios of its own: give one or the other")))
-        elif request.settings:
-            problems.append(Problem("--set", request.settings[0], _("is for a machine: name FILE")))
-    if problems:
-        raise InputError(problems)
+        if source:
+            problems.append(Problem("FILE", source, _("has ratios of its own: give one or the other")))
+        elif settings:
+            problems.append(Problem("--set", settings[0], _("is for a machine: name FILE")))
+    refuse(problems)
     return ratio
-
-
-def _ratios(machine: Machine) -> Iterator[tuple[str, float]]:
-    """Pistons of central slider-cranks by their ratio."""
-    places = [place for place in machine.places if place.kind.name == "slider_crank" and place.geometry.offset == 0.0]
-    ratios = [float(place.geometry.crank_radius / place.geometry.rod_length) for place in places]
-    names = [place.name for place in places]
-    for ratio in dict.fromkeys(ratios):
-        yield ranged(names, [i for i, one in enumerate(ratios) if one == ratio]), ratio
 
 
 def _show(console: Console, whose: str, ratio: float) -> None:
     """Show the harmonics of acceleration and torque for one ratio."""
-    value, width = single(ratio), console.width - INDENT
+    value = single(ratio)
     for heading, symbol, series, two in (
         (_("Acceleration of {pistons}: x″ = R Σ A_k cos kα"), "A", acceleration_series(value), two_harmonics(value)),
         (
@@ -118,7 +114,7 @@ def _show(console: Console, whose: str, ratio: float) -> None:
         for head, method in ((_("series"), series), (_("two harmonics"), two)):
             columns += _beside(head, method, orders)
         labels = [f"{symbol}_{order}" for order in orders]
-        section(console, heading.format(pistons=whose), list(column_tables(columns, labels, width)))
+        section_of_columns(console, heading.format(pistons=whose), columns, labels)
 
 
 def _beside(head: str, method: HarmonicsByMethod, orders: list[int]) -> tuple[Column, Column]:

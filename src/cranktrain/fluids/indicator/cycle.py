@@ -5,7 +5,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.errors import InputError, Position, Problem
 from cranktrain.fluids.indicator.reading import Trace
 from cranktrain.language import _
 from cranktrain.motion import Array
@@ -112,7 +111,7 @@ def _refuse_few(trace: Trace, n_samples: int, cycle: float) -> None:
     fewest = round(_FEWEST * cycle / (2 * _TURN))
     if n_samples < fewest:
         allowed = _("has {n} samples; a cycle needs {fewest} at least")
-        _refuse(trace, allowed.format(n=n_samples, fewest=fewest))
+        raise trace.refused(allowed.format(n=n_samples, fewest=fewest))
 
 
 def _without_turns(angles: Array) -> tuple[Array, bool]:
@@ -137,7 +136,7 @@ def _each_once(
         allowed = _("has two pressures for the angle {angle}, the first in line {line} ({n} angles are given twice)")
         repair = _("keep one row for each angle, or the mean of both; rows in order may have {most} jumps")
         allowed = allowed.format(angle=_degrees(float(angles[jumps[0]])), line=first, n=jumps.size)
-        _refuse(trace, allowed, again, repair.format(most=_MOST_JUMPS))
+        raise trace.refused(allowed, again, repair.format(most=_MOST_JUMPS))
     n_left_out = len(samples.angles) - len(kept)
     told = (_("{n} samples that were given twice are left out.").format(n=n_left_out),) if n_left_out else ()
     return Samples(angles, samples.pressures[kept], told, ()), lines[kept]
@@ -175,10 +174,10 @@ def _refuse_another_cycle(trace: Trace, angles: Array, step: float, cycle: float
     own, needed = _degrees(recorded + step), _degrees(cycle)
     if recorded > cycle - _SAME * step:
         allowed = _("holds {own} of crank angle, more than one cycle of {needed}; give one cycle, or the mean of many")
-        _refuse(trace, allowed.format(own=own, needed=needed))
+        raise trace.refused(allowed.format(own=own, needed=needed))
     if cycle > 1.5 * _TURN and abs(recorded + step - _TURN) < max(1.5 * step, _WIDEST_GAP):
         allowed = _("holds one turn, {own}, and a four-stroke's cycle has two; the turn of gas exchange is missing")
-        _refuse(trace, allowed.format(own=own))
+        raise trace.refused(allowed.format(own=own))
 
 
 def _gap_flags(trace: Trace, angles: Array, lines: NDArray[np.intp], cycle: float, step: float) -> tuple[str, ...]:
@@ -197,7 +196,7 @@ def _gap_flags(trace: Trace, angles: Array, lines: NDArray[np.intp], cycle: floa
         repair = _("give what is missing, or a whole cycle")
         if shown(float(np.ptp(angles)), "deg") < _RADIANS:
             repair = _('if the file\'s angles are radians, write axis_unit = "rad"')
-        _refuse(trace, allowed, int(lines[widest]), repair)
+        raise trace.refused(allowed, int(lines[widest]), repair)
     if gaps.size == 1:
         return (
             _("There are no samples between {start} and {end}: the curve bridges them.").format(start=start, end=end),
@@ -209,10 +208,3 @@ def _gap_flags(trace: Trace, angles: Array, lines: NDArray[np.intp], cycle: floa
 def _degrees(angle: float) -> str:
     """Write an angle in degrees."""
     return f"{shown(float(angle), 'deg'):.7g}°"
-
-
-def _refuse(trace: Trace, allowed: str, line: int | None = None, repair: str | None = None) -> None:
-    """Refuse the file, at a line of it if it has one."""
-    if line is None:
-        raise InputError([Problem("file", trace.name, allowed, repair)])
-    raise InputError([Problem("", None, allowed, repair, Position(trace.name, line))])

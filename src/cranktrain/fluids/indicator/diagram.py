@@ -38,16 +38,6 @@ class Diagram:
     findings: tuple[str, ...] = ()
     flags: tuple[str, ...] = ()
 
-    @property
-    def angles(self) -> Array:
-        """Angles of the samples, each once, shape (n,). [rad]"""
-        return self.curve.places
-
-    @property
-    def pressures(self) -> Array:
-        """Pressures there, at a jump the one after it, shape (n,). [Pa]"""
-        return self.curve.starts
-
 
 def diagram_through(samples: Samples, cycle: float, interpolation: Interpolation = "limited") -> Diagram:
     """Lay a curve through the samples of one cycle.
@@ -104,7 +94,6 @@ def diagram_work(diagram: Diagram, volume_slope: Callable[[Array], Array]) -> fl
     Notes
     -----
     Gauss's quadrature from sample to sample: on a step of the curve p is a cubic, and V′ smooth.
-    `indicated_work` is the sum over equal steps.
     """
     nodes, weights = np.polynomial.legendre.leggauss(_GAUSS_POINTS)
     curve = diagram.curve

@@ -1,5 +1,6 @@
 """Where the file's angles stand on the machine: firing dead centre and sense, found by the pressures themselves."""
 
+from collections.abc import Iterator
 from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
@@ -124,23 +125,20 @@ def _widths(angles: Array, cycle: float) -> Array:
     return (steps + np.roll(steps, 1)) / 2
 
 
-def _findings(own: _Found, count: float, is_backward: bool, sense: Sense, is_given: bool) -> tuple[str, ...]:
+def _findings(own: _Found, count: float, is_backward: bool, sense: Sense, is_given: bool) -> Iterator[str]:
     """Say where firing stands in the file, and how the sense was taken."""
     place = _("The firing dead centre is at the file's {angle}, by the peak {peak} after it.")
     if is_given:
         place = _("The firing dead centre is at the file's {angle}, as given; the peak stands {peak} after it.")
     elif own.peak < 0:
         place = _("The firing dead centre is at the file's {angle}, by the peak {peak} before it.")
-    told = [place.format(angle=_degrees(count), peak=_degrees(abs(own.peak) if not is_given else own.peak))]
+    yield place.format(angle=_degrees(count), peak=_degrees(abs(own.peak) if not is_given else own.peak))
     if is_backward and sense == "found":
-        told.append(
-            _("The file's angles count against the rotation, as the gas would take work: they are turned round.")
-        )
+        yield _("The file's angles count against the rotation, as the gas would take work: they are turned round.")
     elif is_backward:
-        told.append(_("The file's angles are turned round, as given."))
+        yield _("The file's angles are turned round, as given.")
     if own.is_motored:
-        told.append(_("Nothing burns in this cycle: it is motored, and its sense cannot be told from it."))
-    return tuple(told)
+        yield _("Nothing burns in this cycle: it is motored, and its sense cannot be told from it.")
 
 
 def _flags(own: _Found, *, is_backward: bool) -> tuple[str, ...]:

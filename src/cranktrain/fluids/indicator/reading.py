@@ -85,6 +85,12 @@ class Trace:
     findings: tuple[str, ...]
     flags: tuple[str, ...]
 
+    def refused(self, allowed: str, line: int | None = None, repair: str | None = None) -> InputError:
+        """Give the error that says what is wrong with the file, at a line of it if it has one."""
+        if line is None:
+            return InputError([Problem("file", self.name, allowed, repair)])
+        return InputError([Problem("", None, allowed, repair, Position(self.name, line))])
+
 
 def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
     r"""Read an indicator file.
@@ -120,13 +126,10 @@ def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
     place_scale, findings = _place_scale(axis, labels[where], said, table, where)
     unit = said.pressure_unit or unit_in(labels[level], Dimension.PRESSURE)
     if unit is None:
-        allowed = _("the file names no unit of pressure")
-        repair = _('write pressure_unit = "bar" (or {units})').format(units=", ".join(unit_names(Dimension.PRESSURE)))
-        raise InputError([Problem("pressure_unit", None, allowed, repair)])
+        repair = _('write pressure_unit = "bar" (or {units})')
+        raise _without_unit("pressure_unit", _("the file names no unit of pressure"), repair, Dimension.PRESSURE)
     pressures, told = _absolute(table.rows[:, level], unit, labels[level], said)
-    problems = _negative(pressures, table, level)
-    if problems:
-        raise InputError(problems)
+    _refuse_negative(pressures, table, level)
     return Trace(
         name=name,
         axis=axis,
@@ -134,7 +137,7 @@ def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
         pressures=pressures,
         lines=table.lines,
         findings=(*_columns_taken(table, said, level), *findings, *told),
-        flags=_level_flags(pressures),
+        flags=tuple(_level_flags(pressures)),
     )
 
 
@@ -215,18 +218,17 @@ def _place_scale(axis: Axis, label: str, said: Columns, table: Table, column: in
     if axis == "displacement":
         return 1.0, ()
     if axis == "volume":
-        raise InputError([_missing_volume_unit()])
+        repair = _('write axis_unit = "cm³" (or {units})')
+        raise _without_unit("axis_unit", _("the file names no unit of volume"), repair, Dimension.VOLUME)
     farthest = float(np.ptp(table.rows[:, column]))
     unit = "deg" if farthest > _DEGREES_BEYOND else "rad"
     said_so = _("The file does not say the unit of its angles; they reach over {span:.6g}, so {unit} is taken.")
     return read(f"1 {unit}", Dimension.ANGLE), (said_so.format(span=farthest, unit=unit),)
 
 
-def _missing_volume_unit() -> Problem:
-    """Refuse volumes without a unit."""
-    allowed = _("the file names no unit of volume")
-    repair = _('write axis_unit = "cm³" (or {units})').format(units=", ".join(unit_names(Dimension.VOLUME)))
-    return Problem("axis_unit", None, allowed, repair)
+def _without_unit(key: str, allowed: str, repair: str, dimension: Dimension) -> InputError:
+    """Give the error that asks for a unit of the file."""
+    return InputError([Problem(key, None, allowed, repair.format(units=", ".join(unit_names(dimension))))])
 
 
 def _absolute(numbers: Array, unit: str, label: str, said: Columns) -> tuple[Array, tuple[str, ...]]:
@@ -250,34 +252,27 @@ def _absolute(numbers: Array, unit: str, label: str, said: Columns) -> tuple[Arr
     return numbers * scale, ()
 
 
-def _negative(pressures: Array, table: Table, level: int) -> list[Problem]:
+def _refuse_negative(pressures: Array, table: Table, level: int) -> None:
     """Refuse absolute pressures that cannot be, at the first of them."""
     wrong = np.flatnonzero(pressures <= 0)
-    if not wrong.size:
-        return []
-    first = int(wrong[0])
-    allowed = _("an absolute pressure must be more than 0 ({n} values are not)").format(n=wrong.size)
-    repair = _('if these are gauge pressures, write pressure = "gauge"')
-    return [Problem("", f"{table.rows[first, level]:g}", allowed, repair, table.position(first, level))]
+    if wrong.size:
+        first = int(wrong[0])
+        allowed = _("an absolute pressure must be more than 0 ({n} values are not)").format(n=wrong.size)
+        repair = _('if these are gauge pressures, write pressure = "gauge"')
+        raise InputError([Problem("", f"{table.rows[first, level]:g}", allowed, repair, table.position(first, level))])
 
 
-def _level_flags(pressures: Array) -> tuple[str, ...]:
+def _level_flags(pressures: Array) -> Iterator[str]:
     """Flag pressures as no engine has them: gauge for absolute, or a unit that is off by ten."""
     lowest, highest = float(np.min(pressures)), float(np.max(pressures))
     low, high = (f"{shown(pressure, 'bar'):.4g}" for pressure in (lowest, highest))
-    flags: list[str] = []
     if lowest < _LOWEST_USUAL:
-        flags.append(
-            _(
-                "The lowest pressure is {low} bar absolute, too low for an engine: gauge pressures, or another unit?"
-            ).format(low=low)
-        )
+        yield _(
+            "The lowest pressure is {low} bar absolute, too low for an engine: gauge pressures, or another unit?"
+        ).format(low=low)
     if lowest > _HIGHEST_LOWEST or highest > _HIGHEST_USUAL:
-        flags.append(
-            _("Pressures of {low} to {high} bar are too high for an engine: is the unit right?").format(
-                low=low, high=high
-            )
+        yield _("Pressures of {low} to {high} bar are too high for an engine: is the unit right?").format(
+            low=low, high=high
         )
     elif highest < _LOWEST_PEAK:
-        flags.append(_("The peak of {high} bar is too low for an engine: is the unit right?").format(high=high))
-    return tuple(flags)
+        yield _("The peak of {high} bar is too low for an engine: is the unit right?").format(high=high)

@@ -1,12 +1,13 @@
 """The table of a machine file that names an indicator diagram, and what it says beside the file."""
 
+from collections.abc import Iterator
 from functools import lru_cache
 from math import pi
-from typing import Annotated, Literal, Self
+from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import Problem
 from cranktrain.fluids.fluid import FluidSpec
 from cranktrain.fluids.indicator.card import Card, CardNumbers, Peg
 from cranktrain.fluids.indicator.diagram import Interpolation
@@ -15,7 +16,7 @@ from cranktrain.fluids.indicator.reading import AXES, STANDARD_ATMOSPHERE, Axis,
 from cranktrain.fluids.indicator.table import held_text
 from cranktrain.language import N_, _
 from cranktrain.quantities import Dimension, Given, Quantity, TurnedAngle, is_unit, one_of, unit_names
-from cranktrain.spec import Refused, Spec
+from cranktrain.spec import Spec
 
 Pressure = Annotated[Given, Quantity(Dimension.PRESSURE, above=0.0)]
 Exponent = Annotated[Given, Quantity(Dimension.RATIO, above=1.0, at_most=2.0)]
@@ -43,14 +44,13 @@ class PegSpec(Spec, frozen=True):
         description=N_("Where that piece of the compression ends, from the firing dead centre."),
     )
 
-    @model_validator(mode="after")
-    def _one_way(self) -> Self:
-        """Refuse both ways together, neither, and a piece that is no compression."""
+    def _problems(self) -> Iterator[Problem]:
+        """Find both ways together, neither, and a piece that is no compression."""
         if (self.pressure is None) == (self.exponent is None):
-            raise Refused(_("must have either pressure or exponent"))
-        if self.exponent is not None and not -pi <= self.start.si < self.end.si <= 0:
-            raise Refused(_("start and end must lie within the compression, -180 deg to 0 deg, one after the other"))
-        return self
+            yield Problem("", None, _("must have either pressure or exponent"))
+        elif self.exponent is not None and not -pi <= self.start.si < self.end.si <= 0:
+            allowed = _("start and end must lie within the compression, -180 deg to 0 deg, one after the other")
+            yield Problem("", None, allowed)
 
 
 class IndicatorSpec(FluidSpec, frozen=True):
@@ -105,9 +105,8 @@ class IndicatorSpec(FluidSpec, frozen=True):
         default="exact", description=N_("How displacements become crank angles: exactly, or by Brix's construction.")
     )
 
-    @model_validator(mode="after")
-    def _readable(self) -> Self:
-        """Refuse units that are none, and a file that cannot be read as a diagram."""
+    def _problems(self) -> list[Problem]:
+        """Find units that are none, and what cannot be read as a diagram in the file."""
         wrong = [
             Problem(path, unit, one_of(unit_names(dimension)))
             for path, unit, dimension in (
@@ -116,11 +115,9 @@ class IndicatorSpec(FluidSpec, frozen=True):
             )
             if unit is not None and not is_unit(unit, dimension)
         ]
-        if wrong:
-            raise InputError(wrong)
-        if self.text is not None:
+        if self.text is not None and not wrong:
             trace_of(self)
-        return self
+        return wrong
 
 
 @lru_cache(maxsize=8)  # asked for by every chamber

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Iterator, Sequence
-from itertools import islice, pairwise
+from itertools import accumulate, islice, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -50,15 +50,7 @@ class Table:
 
     def position(self, row: int, column: int) -> Position:
         """Where a number stands in the file."""
-        return Position(self.name, int(self.lines[row]), _fields(self.texts[row], self.separator)[column].column)
-
-
-@record
-class _Field:
-    """A field of a line: its text without blanks and quotes, and its column from 1."""
-
-    text: str
-    column: int
+        return Position(self.name, int(self.lines[row]), _starts(self.texts[row], self.separator)[column])
 
 
 def held_text(file: str, text: str | None) -> str:
@@ -151,16 +143,13 @@ def _cells(line: str, separator: str) -> list[str]:
     return [part.strip().strip("\"'") for part in _parts(line, separator)]
 
 
-def _fields(line: str, separator: str) -> tuple[_Field, ...]:
-    """Texts of a line's fields, and where each begins."""
+def _starts(line: str, separator: str) -> list[int]:
+    """Where each of a line's fields begins, counted from 1."""
     if separator == " ":
-        return tuple(_Field(found[0], found.start() + 1) for found in re.finditer(r"\S+", line))
-    found: list[_Field] = []
-    place = 0
-    for part, text in zip(_parts(line, separator), _cells(line, separator), strict=True):
-        found.append(_Field(text, place + len(part) - len(part.lstrip()) + 1))
-        place += len(part) + 1
-    return tuple(found)
+        return [found.start() + 1 for found in re.finditer(r"\S+", line)]
+    parts = _parts(line, separator)
+    starts = accumulate((len(part) + 1 for part in parts[:-1]), initial=1)
+    return [start + len(part) - len(part.lstrip()) for start, part in zip(starts, parts, strict=True)]
 
 
 def _numbers(texts: Sequence[str], separator: str, n_columns: int) -> Array | None:
@@ -200,17 +189,17 @@ def _problems(body: Sequence[tuple[int, str]], separator: str, name: str) -> Ite
     """Find lines of another length and what is no number."""
     expected = len(_cells(body[0][1], separator))
     for number, line in body:
-        row = _fields(line, separator)
+        row = _cells(line, separator)
         if len(row) != expected:
             allowed = _("must have {expected} values, as the first line of numbers has").format(expected=expected)
             yield Problem("", _("{n} values").format(n=len(row)), allowed, None, Position(name, number))
         else:
-            for field in row:
-                text = _plain(field.text, separator)
+            for cell, column in zip(row, _starts(line, separator), strict=True):
+                text = _plain(cell, separator)
                 is_number = _NUMBER.fullmatch(text) is not None
                 if not is_number or abs(float(text)) > _LARGEST:
                     allowed = _("is beyond the size of any machine") if is_number else _("must be a number")
-                    yield Problem("", field.text or '""', allowed, None, Position(name, number, field.column))
+                    yield Problem("", cell or '""', allowed, None, Position(name, number, column))
 
 
 def _first_of(problems: Iterator[Problem], name: str) -> Iterator[Problem]:

@@ -6,7 +6,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.errors import InputError, Problem
 from cranktrain.fluids.indicator.chamber import Chamber
 from cranktrain.fluids.indicator.curve import Curve, curve_at
 from cranktrain.fluids.indicator.cycle import Samples, once_or_jump
@@ -108,7 +107,7 @@ def unrolled(
     branches = _branches(travelled, trace.pressures)
     if len(branches) != n_strokes:
         allowed = _("has {n} strokes, and a cycle of this machine has {needed}")
-        raise _refusal(trace, allowed.format(n=len(branches), needed=n_strokes))
+        raise trace.refused(allowed.format(n=len(branches), needed=n_strokes))
     ends = dead_centres_of(chamber.volume)
     in_order = _in_order(branches, trace)
     strokes = [
@@ -125,7 +124,7 @@ def _travelled(trace: Trace, chamber: Chamber) -> tuple[Array, tuple[str, ...]]:
     """Travelled part of the stroke from the top; a displacement's own ends are those of the stroke."""
     low, high = float(np.min(trace.places)), float(np.max(trace.places))
     if high - low <= _SAME_PLACE * max(abs(low), abs(high)):
-        raise _refusal(trace, _("has one volume only"))
+        raise trace.refused(_("has one volume only"))
     if trace.axis == "displacement":
         part = (trace.places - low) / (high - low)
         is_turned = bool(part[np.argmax(trace.pressures)] > 0.5)
@@ -138,7 +137,7 @@ def _travelled(trace: Trace, chamber: Chamber) -> tuple[Array, tuple[str, ...]]:
     if np.min(part) < -_BEYOND or np.max(part) > 1 + _BEYOND:
         allowed = _("has volumes of {low} to {high} cm³, and the machine has {smallest} to {largest} cm³")
         own = (f"{shown(float(volume), 'cm³'):.6g}" for volume in (low, high, smallest, largest))
-        raise _refusal(trace, allowed.format(**dict(zip(("low", "high", "smallest", "largest"), own, strict=True))))
+        raise trace.refused(allowed.format(**dict(zip(("low", "high", "smallest", "largest"), own, strict=True))))
     is_beyond = (part < -_SAME_PLACE) | (part > 1 + _SAME_PLACE)
     moved = _("{n} volumes a little beyond the machine's are moved to its dead centres.").format(n=np.sum(is_beyond))
     return np.clip(part, 0.0, 1.0), (moved,) if np.any(is_beyond) else ()
@@ -185,7 +184,7 @@ def _in_order(branches: Sequence[_Branch], trace: Trace) -> Sequence[_Branch]:
         return [branches[(highest + i) % n_strokes] for i in range(n_strokes)]
     if (second - highest) % n_strokes == 1:  # the file runs backwards
         return [branches[(highest - i) % n_strokes] for i in range(n_strokes)]
-    raise _refusal(trace, _("its strokes are in no order in which an engine makes them"))
+    raise trace.refused(_("its strokes are in no order in which an engine makes them"))
 
 
 def _angles(
@@ -239,8 +238,3 @@ def _filled(angles: Array, pressures: Array, chamber: Chamber, curve_through: Cu
 def _change(values: Array) -> Array:
     """How much positive values change from each to the next, round the cycle."""
     return np.abs(np.log(np.roll(values, -1) / values))
-
-
-def _refusal(trace: Trace, allowed: str) -> InputError:
-    """Give the error that says what is wrong with the file."""
-    return InputError([Problem("file", trace.name, allowed)])

@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from cranktrain.linkage.forces.wrench import Wrench, work
+from cranktrain.linkage.vectors import Vector, cross, dot, rotated, swept
 from cranktrain.motion import ZERO, Array, Link
 
 
@@ -57,33 +58,9 @@ class Momentum(NamedTuple):
     moment: Array
 
 
-class _Centroid(NamedTuple):
-    """Centroid from the link's first pin, and its first and second derivatives by the crank angle."""
-
-    arm_x: Array
-    arm_y: Array
-    first_x: Array
-    first_y: Array
-    second_x: Array
-    second_y: Array
-
-
-def _centroid(link: Link, body: Body) -> _Centroid:
-    """ρ; r′ = o′ + θ′ρ⊥, r″ = o″ + θ″ρ⊥ − θ′²ρ."""
-    x = body.along * link.cos - body.across * link.sin
-    y = body.along * link.sin + body.across * link.cos
-    turn = link.angle.first
-    rate = link.angle.second
-    square = turn * turn
-    origin = link.origin
-    return _Centroid(
-        x,
-        y,
-        origin.x.first - y * turn,
-        origin.y.first + x * turn,
-        origin.x.second - (y * rate + x * square),
-        origin.y.second + (x * rate - y * square),
-    )
+def _arm(link: Link, body: Body) -> Vector:
+    """Centroid from the link's first pin."""
+    return rotated(Vector(body.along, body.across), link.cos, link.sin)
 
 
 def applied(link: Link, body: Body, drive: Drive, gravity: Gravity) -> Wrench:
@@ -111,21 +88,22 @@ def applied(link: Link, body: Body, drive: Drive, gravity: Gravity) -> Wrench:
     >>> round(float(applied(link, Body(2.0, 0.03, 0.0, 0.001), Drive(100.0, 0.0), Gravity(0.0, 0.0)).x), 9)
     600.0
     """
-    centroid = _centroid(link, body)
+    arm = _arm(link, body)
+    v, a = swept(link.origin, arm, link.angle)
     square = drive.speed * drive.speed
-    x = body.mass * (gravity.x - (centroid.second_x * square + centroid.first_x * drive.acceleration))
-    y = body.mass * (gravity.y - (centroid.second_y * square + centroid.first_y * drive.acceleration))
+    force = Vector(
+        body.mass * (gravity.x - (a.x * square + v.x * drive.acceleration)),
+        body.mass * (gravity.y - (a.y * square + v.y * drive.acceleration)),
+    )
     turning = link.angle.second * square + link.angle.first * drive.acceleration
-    return Wrench(x, y, (centroid.arm_x * y - centroid.arm_y * x) - body.inertia * turning)
+    return Wrench(force.x, force.y, cross(arm, force) - body.inertia * turning)
 
 
 def weight(link: Link, body: Body, gravity: Gravity) -> Wrench:
     """Weight of a link, about its first pin."""
-    x = body.mass * gravity.x
-    y = body.mass * gravity.y
-    arm_x = body.along * link.cos - body.across * link.sin
-    arm_y = body.along * link.sin + body.across * link.cos
-    return Wrench(x + 0.0 * arm_x, y + 0.0 * arm_y, arm_x * y - arm_y * x)
+    arm = _arm(link, body)
+    force = Vector(body.mass * gravity.x, body.mass * gravity.y)
+    return Wrench(force.x + 0.0 * arm.x, force.y + 0.0 * arm.y, cross(arm, force))
 
 
 def momentum(link: Link, body: Body) -> Momentum:
@@ -141,12 +119,11 @@ def momentum(link: Link, body: Body) -> Momentum:
     Momentum, shape (..., n)
         m r′, and r × m r′ + Iθ′. docs/theory/balance, eqs. (16.15) and (16.16).
     """
-    centroid = _centroid(link, body)
-    x = body.mass * centroid.first_x
-    y = body.mass * centroid.first_y
-    place_x = link.origin.x.value + centroid.arm_x
-    place_y = link.origin.y.value + centroid.arm_y
-    return Momentum(x, y, (place_x * y - place_y * x) + body.inertia * link.angle.first)
+    arm = _arm(link, body)
+    v, _ = swept(link.origin, arm, link.angle)
+    place = Vector(link.origin.x.value + arm.x, link.origin.y.value + arm.y)
+    of_mass = Vector(body.mass * v.x, body.mass * v.y)
+    return Momentum(of_mass.x, of_mass.y, cross(place, of_mass) + body.inertia * link.angle.first)
 
 
 def reduced_inertia(link: Link, body: Body) -> ReducedInertia:
@@ -162,13 +139,11 @@ def reduced_inertia(link: Link, body: Body) -> ReducedInertia:
     ReducedInertia, shape (..., n)
         J = m r′·r′ + Iθ′², J′ = 2(m r′·r″ + Iθ′θ″). docs/theory/forces, eq. (13.4).
     """
-    centroid = _centroid(link, body)
+    v, a = swept(link.origin, _arm(link, body), link.angle)
     turn = link.angle.first
-    square = centroid.first_x * centroid.first_x + centroid.first_y * centroid.first_y
-    half = centroid.first_x * centroid.second_x + centroid.first_y * centroid.second_y
     return ReducedInertia(
-        body.mass * square + body.inertia * (turn * turn),
-        2.0 * (body.mass * half + body.inertia * (turn * link.angle.second)),
+        body.mass * dot(v, v) + body.inertia * (turn * turn),
+        2.0 * (body.mass * dot(v, a) + body.inertia * (turn * link.angle.second)),
     )
 
 

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.linkage.forces.conditions import Friction
-from cranktrain.linkage.forces.guide import Guided, dragged, pressing
+from cranktrain.linkage.forces.guide import Guided, friction_force
 from cranktrain.linkage.forces.wrench import Wrench
 from cranktrain.motion import Array
 
@@ -84,4 +84,4 @@ def crossing_forces(
 def _guide_drag(slope: Array, place: Array, load: Wrench, turning: Turning, friction: Friction) -> Array:
     """Friction of the guide where the slot's force leans one way: N₁ = (X + f)/s, F_y = (X + f)c/s, C = C₀ − tN₁."""
     guided = Guided(-load.y - load.x * slope, turning.moment - load.x * place, -slope, -place)
-    return dragged(pressing(guided, friction), friction)
+    return friction_force(guided, friction)

@@ -56,12 +56,12 @@ def edge_forces(normal: Array, moment: Array, per_length: Array, middle: Array) 
     return EdgeForces(0.5 * normal + couple, 0.5 * normal - couple)
 
 
-def pressing(guided: Guided, friction: Friction) -> Array:
-    """Sum of what both edges press, max(|N|, 2|C − cN|/b), where friction has its part in it. [N]
+def friction_force(guided: Guided, friction: Friction) -> Array:
+    """Force of friction on a slider, against its motion, from the sum of what both edges press. [N]
 
-    Both numbers are linear in the sum itself: each alone has one solution, and the greater of the two is the answer.
-    NaN where the guide wedges: where there are loads for which two sums would do, or none. docs/theory/forces, eqs.
-    (13.44) and (13.45).
+    That is max(|N|, 2|C − cN|/b), where friction has its part in it: both numbers are linear in the sum itself, each
+    alone has one solution, and the greater of the two is the answer. NaN where the guide wedges: where there are loads
+    for which two sums would do, or none. docs/theory/forces, eqs. (13.44) and (13.45).
     """
     rub = friction.coefficient * friction.sense
     doubled = 2.0 * friction.per_length
@@ -70,14 +70,10 @@ def pressing(guided: Guided, friction: Friction) -> Array:
     # 0 where friction lets the slider go, NaN where it is too much.
     held = 0.0 * np.sqrt(1.0 - np.maximum(slope * slope, turning * turning))
     overturning = doubled * (guided.moment - friction.middle * guided.normal)
-    return np.maximum(_pressing_alone(guided.normal, slope), _pressing_alone(overturning, turning)) + held
+    pressed = np.maximum(_pressing_alone(guided.normal, slope), _pressing_alone(overturning, turning)) + held
+    return -rub * pressed
 
 
 def _pressing_alone(frictionless: Array, slope: Array) -> Array:
     """|N| of N = N₀ − k|N|, which for |k| < 1 has the sign of N₀; docs/theory/forces, eqs. (13.9) and (13.10)."""
     return np.abs(frictionless) / (1.0 + slope * np.sign(frictionless))
-
-
-def dragged(pressed: Array, friction: Friction) -> Array:
-    """Force of friction on a slider, against its motion, from what the guide presses in all. [N]"""
-    return -(friction.coefficient * friction.sense) * pressed

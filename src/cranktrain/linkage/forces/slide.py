@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from cranktrain.linkage.forces.conditions import Friction
-from cranktrain.linkage.forces.guide import Guided, dragged, pressing
+from cranktrain.linkage.forces.guide import Guided, friction_force
 from cranktrain.linkage.forces.wrench import Wrench
 from cranktrain.linkage.slide import Slide
 from cranktrain.motion import ONE, ZERO, Array, Coefficient, Link, Point
@@ -60,7 +60,7 @@ def slide_reactions(rod: Link, geometry: Slide, loads: SlideLoads, friction: Fri
     across = loads.rod.moment / (geometry.rod_length * rod.cos)
     frictionless = load.x * slope - across - load.y
     zero = 0.0 * frictionless
-    drag = dragged(pressing(Guided(frictionless, -load.moment, slope, ZERO), friction), friction)
+    drag = friction_force(Guided(frictionless, -load.moment, slope, ZERO), friction)
     x = -load.x - drag
     y = x * slope + across
     return SlideReactions(

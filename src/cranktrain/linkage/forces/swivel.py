@@ -3,10 +3,11 @@
 from typing import NamedTuple
 
 from cranktrain.linkage.forces.conditions import Friction
-from cranktrain.linkage.forces.guide import Guided, dragged, pressing
+from cranktrain.linkage.forces.guide import Guided, friction_force
 from cranktrain.linkage.forces.wrench import Wrench
 from cranktrain.linkage.legs import OnLine
 from cranktrain.linkage.swivel import Swivel
+from cranktrain.linkage.vectors import Vector, between, direction, dot, rotated
 from cranktrain.motion import ZERO, Link, Point
 
 
@@ -56,17 +57,15 @@ def swivel_reactions(held: OnLine, geometry: Swivel, loads: SwivelLoads, frictio
     its left, and N = N₀ + f e/ρ, f = μσ max(|N|, 2|C|/b). docs/theory/forces, eqs. (13.15) to (13.17), (13.44).
     """
     guide, pin = held
-    reach = guide.cos * (pin.x.value - guide.origin.x.value) + guide.sin * (pin.y.value - guide.origin.y.value)
+    reach = dot(direction(guide), between(guide.origin, pin))
     frictionless = -(loads.guide.moment + loads.slider.moment) / reach
     lever = -geometry.offset / reach
-    on_slider = dragged(pressing(Guided(frictionless, loads.slider.moment, lever, ZERO), friction), friction)
+    on_slider = friction_force(Guided(frictionless, loads.slider.moment, lever, ZERO), friction)
     normal = frictionless + lever * on_slider
-    drag = -on_slider
-    x = drag * guide.cos - normal * guide.sin
-    y = drag * guide.sin + normal * guide.cos
-    zero = 0.0 * x
+    force = rotated(Vector(-on_slider, normal), guide.cos, guide.sin)
+    zero = 0.0 * force.x
     return SwivelReactions(
-        Wrench(x - loads.slider.x, y - loads.slider.y, zero),
-        Wrench(x, y, zero + loads.slider.moment),
-        Wrench(-x - loads.guide.x, -y - loads.guide.y, zero),
+        Wrench(force.x - loads.slider.x, force.y - loads.slider.y, zero),
+        Wrench(force.x, force.y, zero + loads.slider.moment),
+        Wrench(-force.x - loads.guide.x, -force.y - loads.guide.y, zero),
     )

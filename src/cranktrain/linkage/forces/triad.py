@@ -4,9 +4,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.linkage.forces.wrench import Wrench
+from cranktrain.linkage.forces.wrench import Wrench, added, opposite, plus
+from cranktrain.linkage.point import arm_of
 from cranktrain.linkage.triad import Leg, Triad, TriadEnds
-from cranktrain.motion import Array, Link
+from cranktrain.linkage.vectors import Vector, at_arm, crossed
+from cranktrain.motion import ZERO, Array, Link
 
 
 class TriadLoads(NamedTuple):
@@ -39,78 +41,64 @@ class TriadReactions(NamedTuple):
     third: LegReactions
 
 
-class Screw(NamedTuple):
-    """A force on the floating link: along x and y, and its moment about the link's first pin."""
-
-    x: Array
-    y: Array
-    turn: Array
-
-
 class Hold(NamedTuple):
-    """A leg at its point: arm from the link's first pin, its unknown force of unit size, its known force."""
+    """A leg's arm from the link's first pin, and its forces on the link about that pin: of unit size, and known."""
 
-    arm_x: Array
-    arm_y: Array
-    unit: Screw
-    known: Screw
-
-
-def screw_of(arm_x: Array, arm_y: Array, x: Array, y: Array) -> Screw:
-    """Force at an arm from the link's first pin."""
-    return Screw(x, y, arm_x * y - arm_y * x)
+    arm: Vector
+    unit: Wrench
+    known: Wrench
 
 
 def hold_of(link: Link, end: Link, leg: Leg, load: Wrench) -> Hold:
     """Along a rod, across a guide; what is known is the rod's force across itself, or the block's own load."""
-    cos = np.cos(leg.point.angle)
-    sin = np.sin(leg.point.angle)
-    arm_x = leg.point.radius * (cos * link.cos - sin * link.sin)
-    arm_y = leg.point.radius * (cos * link.sin + sin * link.cos)
+    arm = arm_of(link, leg.point)
     guide = leg.kind
     rod = 1.0 - guide
-    leg_x = (link.origin.x.value + arm_x) - end.origin.x.value
-    leg_y = (link.origin.y.value + arm_y) - end.origin.y.value
+    x = (link.origin.x.value + arm.x) - end.origin.x.value
+    y = (link.origin.y.value + arm.y) - end.origin.y.value
     # A block may stand where its line begins: its distance from there is not divided by.
-    square = rod * (leg_x * leg_x + leg_y * leg_y) + guide
+    square = rod * (x * x + y * y) + guide
     length = np.sqrt(square)
-    x = rod * (leg_x / length) - guide * end.sin
-    y = rod * (leg_y / length) + guide * end.cos
     across = rod * (load.moment / square)
-    known_x = guide * load.x - across * leg_y
-    known_y = guide * load.y + across * leg_x
-    return Hold(arm_x, arm_y, screw_of(arm_x, arm_y, x, y), screw_of(arm_x, arm_y, known_x, known_y))
-
-
-def needed_of(load: Wrench, a: Screw, b: Screw, c: Screw) -> Screw:
-    """What the unknown forces must come to, the known ones being these."""
-    return Screw(
-        -(load.x + a.x + b.x + c.x),
-        -(load.y + a.y + b.y + c.y),
-        -(load.moment + a.turn + b.turn + c.turn),
+    return Hold(
+        arm,
+        at_arm(arm, Vector(rod * (x / length) - guide * end.sin, rod * (y / length) + guide * end.cos)),
+        at_arm(arm, Vector(guide * load.x - across * y, guide * load.y + across * x)),
     )
 
 
-def crossed(one: Screw, other: Screw) -> Screw:
-    """Cross product of two forces: what a third must carry alone."""
-    return Screw(
-        one.y * other.turn - one.turn * other.y,
-        one.turn * other.x - one.x * other.turn,
-        one.x * other.y - one.y * other.x,
-    )
+def needed_of(load: Wrench, a: Hold, b: Hold, c: Hold) -> Wrench:
+    """What the unknown forces must come to."""
+    return opposite(added(added(added(load, a.known), b.known), c.known))
 
 
-def triple(one: Screw, cross: Screw) -> Array:
+def triple(one: Wrench, cross: Wrench) -> Array:
     """Determinant of three forces, two of them as their cross product."""
-    return one.x * cross.x + one.y * cross.y + one.turn * cross.turn
+    return one.x * cross.x + one.y * cross.y + one.moment * cross.moment
 
 
-def leg_reactions(known: Screw, unit: Screw, force: Array, leg: Leg, load: Wrench) -> LegReactions:
+def leg_reactions(hold: Hold, force: Array, leg: Leg, load: Wrench) -> LegReactions:
     """Reactions of a leg whose force has been found."""
-    x = known.x + force * unit.x
-    y = known.y + force * unit.y
-    zero = 0.0 * x
-    return LegReactions(Wrench(x, y, zero), Wrench(x - load.x, y - load.y, zero - leg.kind * load.moment))
+    joint = plus(hold.known, force, hold.unit)
+    zero = 0.0 * joint.x
+    return LegReactions(
+        Wrench(joint.x, joint.y, zero), Wrench(joint.x - load.x, joint.y - load.y, zero - leg.kind * load.moment)
+    )
+
+
+def reactions_of(a: Hold, b: Hold, c: Hold, held: Array, geometry: Triad, loads: TriadLoads) -> TriadReactions:
+    """Reactions of three legs; `held` is 0, or NaN where they do not hold the link."""
+    needed = needed_of(loads.link, a, b, c)
+    bc = crossed(b.unit, c.unit)
+    determinant = triple(a.unit, bc) + held
+    first = triple(needed, bc) / determinant
+    second = triple(needed, crossed(c.unit, a.unit)) / determinant
+    third = triple(needed, crossed(a.unit, b.unit)) / determinant
+    return TriadReactions(
+        leg_reactions(a, first, geometry.first, loads.first),
+        leg_reactions(b, second, geometry.second, loads.second),
+        leg_reactions(c, third, geometry.third, loads.third),
+    )
 
 
 def triad_reactions(link: Link, ends: TriadEnds, geometry: Triad, loads: TriadLoads) -> TriadReactions:
@@ -137,14 +125,4 @@ def triad_reactions(link: Link, ends: TriadEnds, geometry: Triad, loads: TriadLo
     a = hold_of(link, ends.first, geometry.first, loads.first)
     b = hold_of(link, ends.second, geometry.second, loads.second)
     c = hold_of(link, ends.third, geometry.third, loads.third)
-    needed = needed_of(loads.link, a.known, b.known, c.known)
-    bc = crossed(b.unit, c.unit)
-    determinant = triple(a.unit, bc)
-    first = triple(needed, bc) / determinant
-    second = triple(needed, crossed(c.unit, a.unit)) / determinant
-    third = triple(needed, crossed(a.unit, b.unit)) / determinant
-    return TriadReactions(
-        leg_reactions(a.known, a.unit, first, geometry.first, loads.first),
-        leg_reactions(b.known, b.unit, second, geometry.second, loads.second),
-        leg_reactions(c.known, c.unit, third, geometry.third, loads.third),
-    )
+    return reactions_of(a, b, c, ZERO, geometry, loads)

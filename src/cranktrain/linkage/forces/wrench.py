@@ -1,19 +1,9 @@
 """Wrenches: a force and a moment, what acts on a link or passes through a joint."""
 
-from typing import NamedTuple
-
 import numpy as np
 
+from cranktrain.linkage.vectors import Wrench, between, cross, rotated
 from cranktrain.motion import ZERO, Array, Link, Point
-
-
-class Wrench(NamedTuple):
-    """Force [N], and moment about a point [N·m]: on a link about its first pin, in a joint about the joint's point."""
-
-    x: Array
-    y: Array
-    moment: Array
-
 
 NOTHING = Wrench(ZERO, ZERO, ZERO)
 
@@ -21,6 +11,11 @@ NOTHING = Wrench(ZERO, ZERO, ZERO)
 def added(one: Wrench, other: Wrench) -> Wrench:
     """Give both together; they must be about the same point and in the same axes."""
     return Wrench(one.x + other.x, one.y + other.y, one.moment + other.moment)
+
+
+def plus(one: Wrench, times: Array, other: Wrench) -> Wrench:
+    """Give a wrench and so many times another; they must be about the same point and in the same axes."""
+    return Wrench(one.x + times * other.x, one.y + times * other.y, one.moment + times * other.moment)
 
 
 def opposite(wrench: Wrench) -> Wrench:
@@ -45,16 +40,13 @@ def handed_back(link: Link, place: Point, reaction: Wrench) -> Wrench:
     Wrench, shape (..., n)
         On the link, about its first pin: the opposite of the reaction. docs/theory/forces, eq. (13.3).
     """
-    arm_x = place.x.value - link.origin.x.value
-    arm_y = place.y.value - link.origin.y.value
-    return Wrench(-reaction.x, -reaction.y, -(reaction.moment + (arm_x * reaction.y - arm_y * reaction.x)))
+    return Wrench(-reaction.x, -reaction.y, -(reaction.moment + cross(between(link.origin, place), reaction)))
 
 
 def turned_wrench(wrench: Wrench, angle: Array) -> Wrench:
     """Give the same wrench in axes turned by `angle` in the sense of rotation; as `turned` does with points."""
-    cos = np.cos(angle)
-    sin = np.sin(angle)
-    return Wrench(cos * wrench.x + sin * wrench.y, cos * wrench.y - sin * wrench.x, wrench.moment)
+    force = rotated(wrench, np.cos(angle), -np.sin(angle))
+    return Wrench(force.x, force.y, wrench.moment)
 
 
 def work(link: Link, wrench: Wrench) -> Array:

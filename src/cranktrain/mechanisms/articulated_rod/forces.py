@@ -1,7 +1,5 @@
 """Forces of the articulated rod: reactions of slave rod and slider, and what they add to those of the master."""
 
-from typing import Generic, NamedTuple
-
 from cranktrain.linkage import AHEAD, Crank, Slide, turned
 from cranktrain.linkage.forces import (
     NO_FRICTION,
@@ -9,7 +7,6 @@ from cranktrain.linkage.forces import (
     Body,
     Conditions,
     SlideLoads,
-    SlideReactions,
     Wrench,
     borne,
     crank_link,
@@ -21,66 +18,18 @@ from cranktrain.linkage.forces import (
 )
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, ArticulatedRodMotion
 from cranktrain.mechanisms.dynamics import FRAME, Across, Contact, Dynamics, Group, Reaction
-from cranktrain.mechanisms.solved import Each, Forces
+from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import ZERO, Array, Link
 
 
-class ArticulatedRodLinks(NamedTuple, Generic[Each]):
-    """What each link has: slave rod, from the knuckle pin to the slider's; slider, along the slave cylinder.
-
-    Its link, its body, or the wrench that it bears, about its first pin, in the slave cylinder's axes.
-    """
-
-    rod: Each
-    slider: Each
+def articulated_rod_links(motion: ArticulatedRodMotion, geometry: ArticulatedRod) -> tuple[Link, ...]:
+    """What moves, in the slave cylinder's axes: its rod, from the knuckle pin to the slider's; the slider, along it."""
+    return motion.rod, slider_link(motion.slider, geometry.offset)
 
 
-class ArticulatedRodJoints(NamedTuple):
-    """Wrenches in the slave's joints, and the slave's share of those in the master's.
-
-    Of the master rod on the slave rod, the slave rod on the slider, the guide on it; of the bearing on the crank, the
-    crank on the master rod, that on the master's slider, its guide on it. All in the slave cylinder's axes.
-    """
-
-    knuckle: Wrench
-    wrist_pin: Wrench
-    guide: Wrench
-    main_bearing: Wrench
-    crank_pin: Wrench
-    master_wrist_pin: Wrench
-    master_guide: Wrench
-
-
-def articulated_rod_links(motion: ArticulatedRodMotion, geometry: ArticulatedRod) -> ArticulatedRodLinks[Link]:
-    """What moves, as links: the slave's rod and slider."""
-    return ArticulatedRodLinks(motion.rod, slider_link(motion.slider, geometry.offset))
-
-
-def articulated_rod_load(
-    _motion: ArticulatedRodMotion, _geometry: ArticulatedRod, force: Array
-) -> ArticulatedRodLinks[Wrench]:
+def articulated_rod_load(_motion: ArticulatedRodMotion, _geometry: ArticulatedRod, force: Array) -> tuple[Wrench, ...]:
     """Loads for a force on the slave's slider along its cylinder, away from the shaft; a gas presses toward it. [N]"""
-    return ArticulatedRodLinks(NOTHING, Wrench(force, ZERO, ZERO))
-
-
-def slave_reactions(
-    motion: ArticulatedRodMotion,
-    geometry: ArticulatedRod,
-    bodies: ArticulatedRodLinks[Body],
-    loads: ArticulatedRodLinks[Wrench],
-    conditions: Conditions,
-) -> SlideReactions:
-    """Reactions of the slave's own joints: knuckle pin, wrist pin and guide; parameters as of the forces."""
-    rod, slider = articulated_rod_links(motion, geometry)
-    return slide_reactions(
-        rod,
-        Slide(geometry.rod_length, geometry.offset, AHEAD),
-        SlideLoads(
-            borne(rod, bodies.rod, loads.rod, conditions),
-            borne(slider, bodies.slider, loads.slider, conditions),
-        ),
-        conditions.friction[0],
-    )
+    return NOTHING, Wrench(force, ZERO, ZERO)
 
 
 def on_master_rod(motion: ArticulatedRodMotion, geometry: ArticulatedRod, knuckle: Wrench) -> Wrench:
@@ -91,7 +40,7 @@ def on_master_rod(motion: ArticulatedRodMotion, geometry: ArticulatedRod, knuckl
     motion : ArticulatedRodMotion, shape (..., n)
     geometry : ArticulatedRod, fields broadcastable to (..., 1)
     knuckle : Wrench, shape (..., n)
-        Of the master rod on the slave rod, in the slave cylinder's axes, as `slave_reactions` gives it.
+        Of the master rod on the slave rod, in the slave cylinder's axes.
 
     Returns
     -------
@@ -106,26 +55,30 @@ def on_master_rod(motion: ArticulatedRodMotion, geometry: ArticulatedRod, knuckl
 def articulated_rod_forces(
     motion: ArticulatedRodMotion,
     geometry: ArticulatedRod,
-    bodies: ArticulatedRodLinks[Body],
-    loads: ArticulatedRodLinks[Wrench],
+    bodies: tuple[Body, ...],
+    loads: tuple[Wrench, ...],
     conditions: Conditions,
-) -> Forces[ArticulatedRodJoints]:
+) -> Forces:
     """All forces of an articulated rod, and its share of its master's.
 
     Parameters
     ----------
     motion : ArticulatedRodMotion, shape (..., n)
     geometry : ArticulatedRod, fields broadcastable to (..., 1)
-    bodies : ArticulatedRodLinks of Body, fields broadcastable to (..., 1)
-    loads : ArticulatedRodLinks of Wrench, shape (..., n)
+    bodies : two of Body, fields broadcastable to (..., 1)
+        Of the slave's rod and slider.
+    loads : two of Wrench, shape (..., n)
     conditions : Conditions, fields broadcastable to (..., n)
         Gravity in the slave cylinder's axes; friction of the slave's slider.
 
     Returns
     -------
-    Forces of ArticulatedRodJoints, shape (..., n)
-        NaN where master or slave cannot close, or friction wedges the slave's slider. The shares of the master's joints
-        add up, and to the master's own, where the master's slider has no friction.
+    Forces, shape (..., n)
+        Of the master rod on the slave rod, the slave rod on the slider, the guide on it; and the slave's share of the
+        master's: of the bearing on the crank, the crank on the master rod, that on the master's slider, its guide on
+        it. All in the slave cylinder's axes. NaN where master or slave cannot close, or friction wedges the slave's
+        slider. The shares of the master's joints add up, and to the master's own, where the master's slider has no
+        friction.
 
     Notes
     -----
@@ -133,7 +86,13 @@ def articulated_rod_forces(
     and (13.26).
     """
     master = geometry.master
-    own = slave_reactions(motion, geometry, bodies, loads, conditions)
+    rod, slider = articulated_rod_links(motion, geometry)
+    own = slide_reactions(
+        rod,
+        Slide(geometry.rod_length, geometry.offset, AHEAD),
+        SlideLoads(borne(rod, bodies[0], loads[0], conditions), borne(slider, bodies[1], loads[1], conditions)),
+        conditions.friction[0],
+    )
     share = slide_reactions(
         motion.master_rod,
         Slide(master.rod_length, master.offset, AHEAD),
@@ -144,7 +103,7 @@ def articulated_rod_forces(
     shaft = crank_reactions(handed_back(crank, motion.pin, share.pin))
     gamma = geometry.bank_angle
     return Forces(
-        ArticulatedRodJoints(
+        (
             own.pin,
             own.joint,
             own.guide,
@@ -159,8 +118,7 @@ def articulated_rod_forces(
 
 
 DYNAMICS = Dynamics(
-    bodies=ArticulatedRodLinks[Body],
-    moving=ArticulatedRodLinks._fields,
+    moving=("rod", "slider"),
     reactions=(
         Reaction("knuckle", "rod", "master_rod", "knuckle_pin"),
         Reaction("wrist_pin", "slider", "rod", "piston_pin"),

@@ -1,13 +1,13 @@
 """Chain: any linkage of groups on one shaft, as its file composes it."""
 
 from cranktrain.language import N_
-from cranktrain.mechanisms.chain.composed import chain_kind, fields_of
+from cranktrain.mechanisms.chain.composed import fields_of, kind_of_structure
 from cranktrain.mechanisms.chain.drawing import chain_drawing
 from cranktrain.mechanisms.chain.gaps import chain_gap
 from cranktrain.mechanisms.chain.kinematics import ChainMotion, chain_motion
 from cranktrain.mechanisms.chain.spec import ChainSpec
 from cranktrain.mechanisms.chain.steps import ChainSize, SlideStep, Structure
-from cranktrain.mechanisms.chain.table import chain_geometry
+from cranktrain.mechanisms.chain.table import chain_geometry, structure_of
 from cranktrain.mechanisms.kind import Kind, Members
 
 __all__ = ["KIND", "ChainMotion", "ChainSize", "ChainSpec", "chain_drawing", "chain_gap", "chain_motion"]
@@ -24,7 +24,7 @@ KIND = Kind(
     has_rod=False,
     members=Members,
     stages=(),
-    composed=lambda spec: chain_kind(KIND, spec),
+    composed=lambda spec: kind_of_structure(KIND, fields_of, structure_of(spec)),
     **fields_of(_SIMPLEST),
     example="""\
 [mechanism]

@@ -120,10 +120,7 @@ def _least_open(ends: TriadEnds, legs: Triad) -> StartSize:
     with np.errstate(all="ignore"):
         x = float(np.mean([end.origin.x.value for end in ends]))
         y = float(np.mean([end.origin.y.value for end in ends]))
-        tries = [nearest_pose(ends, legs, _pose(x, y, 2 * np.pi * i / _TRIED)) for i in range(_TRIED)]
+        starts = (Pose(single(x), single(y), single(2 * np.pi * i / _TRIED)) for i in range(_TRIED))
+        tries = [nearest_pose(ends, legs, start) for start in starts]
     best = min(tries, key=lambda one: float(np.nan_to_num(one.opening, nan=np.inf)))
     return StartSize(*(single(float(part)) for part in (*best.pose, 1.0, 1.0)))
-
-
-def _pose(x: float, y: float, angle: float) -> Pose:
-    return Pose(single(x), single(y), single(angle))

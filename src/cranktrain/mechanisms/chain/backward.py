@@ -1,4 +1,4 @@
-"""A chain's groups solved one by one from the last: each to its joints' wrenches and the loads of what carries it."""
+"""A chain's groups, each solved by itself: from what its links bear to the wrenches in its joints."""
 
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
@@ -19,8 +19,6 @@ from cranktrain.linkage.forces import (
     TriadLoads,
     Wrench,
     YokeLoads,
-    added,
-    handed_back,
     pin_reactions,
     slide_reactions,
     swivel_reactions,
@@ -30,19 +28,12 @@ from cranktrain.linkage.forces import (
     turned_wrench,
     yoke_reactions,
 )
-from cranktrain.mechanisms.chain.joints import GUIDE, joint_name
-from cranktrain.mechanisms.chain.made import Made, pin_of, slot_of
+from cranktrain.mechanisms.chain.made import Made, slot_of
 from cranktrain.mechanisms.chain.steps import (
-    ChainSize,
-    MountStep,
-    PinSize,
     PinStep,
-    PointSize,
-    PointStep,
     RodLegStep,
     SlideSize,
     SlideStep,
-    Structure,
     SwivelSize,
     SwivelStep,
     TrammelSize,
@@ -53,134 +44,98 @@ from cranktrain.mechanisms.chain.steps import (
     YokeStep,
 )
 from cranktrain.mechanisms.chain.triads import triad_ends, triad_legs
-from cranktrain.mechanisms.dynamics import FRAME
-from cranktrain.motion import Array, Link, Point
+from cranktrain.motion import ZERO, Array
 
 
-class BackwardWalk(NamedTuple):
-    """What the walk goes by, and what it fills: links' loads, joints' wrenches, friction of sliders and blocks."""
+class Acting(NamedTuple):
+    """What groups are solved with: all that the chain makes, what each link bears, friction of what slides."""
 
     made: Made
-    links: Mapping[str, Link]
-    carriers: Mapping[str, str]
+    loads: Mapping[str, Wrench]
     friction: Mapping[str, Friction]
-    loads: dict[str, Wrench]
-    joints: dict[str, Wrench]
-    drags: dict[str, Array]
 
 
-def walk_backward(structure: Structure, size: ChainSize, walk: BackwardWalk) -> None:
-    """Fill the walk's joints and drags, and load its cranks with all that hangs on them."""
-    for step, own in reversed(tuple(zip(structure.steps, size.steps, strict=True))):
-        _SOLVED[type(step)](step, own, walk)
+class Solved(NamedTuple):
+    """Wrenches in a group's joints, in the file's axes; friction along what slides; both in the order of `Anatomy`."""
+
+    joints: tuple[Wrench, ...]
+    drags: tuple[Array, ...] = ()
 
 
-def _hang(walk: BackwardWalk, at: str, on: str, reaction: Wrench) -> None:
-    """Note the reaction of what carries a point on a link there, and load what carries it."""
-    walk.joints[joint_name(at, on)] = reaction
-    _load(walk, walk.carriers[at], walk.made[at], reaction)
+def _solve_pin(step: PinStep, own: Pin, acting: Acting) -> Solved:
+    motion = PinMotion(acting.made[step.joint], acting.made[step.rod], acting.made[step.rocker])
+    found = pin_reactions(motion, own, PinLoads(acting.loads[step.rod], acting.loads[step.rocker]))
+    return Solved((found.rod, found.rocker, found.joint))
 
 
-def _load(walk: BackwardWalk, carrier: str, place: Point, reaction: Wrench) -> None:
-    if carrier != FRAME:
-        back = handed_back(walk.links[carrier], place, reaction)
-        walk.loads[carrier] = added(walk.loads[carrier], back)
+def _solve_slide(step: SlideStep, own: SlideSize, acting: Acting) -> Solved:
+    loads = SlideLoads(*(turned_wrench(acting.loads[name], own.direction) for name in (step.rod, step.slider)))
+    rod = turned_link(acting.made[step.rod], own.direction)
+    found = slide_reactions(rod, Slide(own.rod_length, own.offset, own.way), loads, acting.friction[step.slider])
+    return _in_file(found, own.direction, found.guide.x)
 
 
-def _solve_pin(step: PinStep, own: PinSize, walk: BackwardWalk) -> None:
-    motion = PinMotion(walk.made[step.joint], walk.made[step.rod], walk.made[step.rocker])
-    found = pin_reactions(motion, Pin(*own), PinLoads(walk.loads[step.rod], walk.loads[step.rocker]))
-    _hang(walk, step.rod_from, step.rod, found.rod)
-    _hang(walk, step.rocker_from, step.rocker, found.rocker)
-    walk.joints[joint_name(step.joint, step.rocker)] = found.joint
+def _solve_swivel(step: SwivelStep, own: SwivelSize, acting: Acting) -> Solved:
+    held = OnLine(acting.made[step.guide], acting.made[step.pin])
+    loads = SwivelLoads(acting.loads[step.slider], acting.loads[step.guide])
+    found = swivel_reactions(held, Swivel(own.offset, own.way), loads, acting.friction[step.slider])
+    return Solved(found, (-_along(found.slider, held.line.cos, held.line.sin),))
 
 
-def _solve_slide(step: SlideStep, own: SlideSize, walk: BackwardWalk) -> None:
-    loads = SlideLoads(*(turned_wrench(walk.loads[name], own.direction) for name in (step.rod, step.slider)))
-    rod = turned_link(walk.made[step.rod], own.direction)
-    found = slide_reactions(rod, Slide(own.rod_length, own.offset, own.way), loads, walk.friction[step.slider])
-    _hang(walk, step.rod_from, step.rod, turned_wrench(found.pin, -own.direction))
-    walk.joints[joint_name(pin_of(step.slider), step.slider)] = turned_wrench(found.joint, -own.direction)
-    _note_guide(walk, step.slider, found.guide, own.direction)
+def _solve_yoke(step: YokeStep, own: YokeSize, acting: Acting) -> Solved:
+    block = acting.made[slot_of(step.slider)].value
+    loads = YokeLoads(NOTHING, turned_wrench(acting.loads[step.slider], own.direction))
+    found = yoke_reactions(block, Yoke(own.offset, own.slot_angle), loads, _crossing(acting, step.slider))
+    rubbing = -_along(found.slot, np.cos(own.slot_angle), np.sin(own.slot_angle))
+    return _in_file((found.pin, found.guide), own.direction, found.guide.x, rubbing)
 
 
-def _solve_swivel(step: SwivelStep, own: SwivelSize, walk: BackwardWalk) -> None:
-    held = OnLine(walk.made[step.guide], walk.made[step.pin])
-    loads = SwivelLoads(walk.loads[step.slider], walk.loads[step.guide])
-    found = swivel_reactions(held, Swivel(own.offset, own.way), loads, walk.friction[step.slider])
-    _hang(walk, step.pin, step.slider, found.pin)
-    _hang(walk, step.pivot, step.guide, found.pivot)
-    walk.joints[joint_name(step.slider, step.guide)] = found.slider
-    walk.drags[step.slider] = -_along(found.slider, held.line.cos, held.line.sin)
+def _solve_trammel(step: TrammelStep, own: TrammelSize, acting: Acting) -> Solved:
+    loads = TrammelLoads(NOTHING, turned_wrench(acting.loads[step.slider], own.direction))
+    link = turned_link(acting.made[step.link], own.direction)
+    found = trammel_reactions(link, loads, _crossing(acting, step.slider))
+    return _in_file((found.slot, found.guide), own.direction, found.guide.x, _along(found.slot, link.cos, link.sin))
 
 
-def _solve_yoke(step: YokeStep, own: YokeSize, walk: BackwardWalk) -> None:
-    block = walk.made[slot_of(step.slider)].value
-    loads = YokeLoads(NOTHING, turned_wrench(walk.loads[step.slider], own.direction))
-    found = yoke_reactions(block, Yoke(own.offset, own.slot_angle), loads, _crossing(walk, step.slider))
-    _hang(walk, step.pin, step.slider, turned_wrench(found.pin, -own.direction))
-    _note_guide(walk, step.slider, found.guide, own.direction)
-    walk.drags[slot_of(step.slider)] = -_along(found.slot, np.cos(own.slot_angle), np.sin(own.slot_angle))
-
-
-def _crossing(walk: BackwardWalk, slider: str) -> CrossingFriction:
-    return CrossingFriction(walk.friction[slider], walk.friction[slot_of(slider)])
+def _crossing(acting: Acting, slider: str) -> CrossingFriction:
+    return CrossingFriction(acting.friction[slider], acting.friction[slot_of(slider)])
 
 
 def _along(wrench: Wrench, cos: Array, sin: Array) -> Array:
     return cos * wrench.x + sin * wrench.y
 
 
-def _solve_trammel(step: TrammelStep, own: TrammelSize, walk: BackwardWalk) -> None:
-    loads = TrammelLoads(NOTHING, turned_wrench(walk.loads[step.slider], own.direction))
-    link = turned_link(walk.made[step.link], own.direction)
-    found = trammel_reactions(link, loads, _crossing(walk, step.slider))
-    slot = turned_wrench(found.slot, -own.direction)
-    place = pin_of(step.slider)
-    walk.joints[joint_name(place, step.slider)] = slot
-    _load(walk, step.link, walk.made[place], slot)
-    _note_guide(walk, step.slider, found.guide, own.direction)
-    walk.drags[slot_of(step.slider)] = _along(found.slot, link.cos, link.sin)
+def _in_file(joints: tuple[Wrench, ...], direction: Array, *drags: Array) -> Solved:
+    """Solved in the axes of a guide of that direction."""
+    return Solved(tuple(turned_wrench(joint, -direction) for joint in joints), drags)
 
 
-def _note_guide(walk: BackwardWalk, slider: str, guide: Wrench, direction: Array) -> None:
-    """Note a fixed guide's reaction, and apart from it what the friction along it takes."""
-    walk.joints[joint_name(GUIDE, slider)] = turned_wrench(guide, -direction)
-    walk.drags[slider] = guide.x
-
-
-def _solve_triad(step: TriadStep, own: TriadSize, walk: BackwardWalk) -> None:
+def _solve_triad(step: TriadStep, own: TriadSize, acting: Acting) -> Solved:
     moving = [leg.rod if isinstance(leg, RodLegStep) else leg.slider for leg in step.legs]
-    first, second, third = (walk.loads[name] for name in moving)
-    ends = triad_ends(step, own, walk.made)
-    loads = TriadLoads(walk.loads[step.link], first, second, third)
-    friction = TriadFriction(*(walk.friction.get(name, NO_FRICTION) for name in moving))
-    acting = walk.made[step.link], ends, triad_legs(own), loads
+    first, second, third = (acting.loads[name] for name in moving)
+    ends = triad_ends(step, own, acting.made)
+    loads = TriadLoads(acting.loads[step.link], first, second, third)
+    friction = TriadFriction(*(acting.friction.get(name, NO_FRICTION) for name in moving))
+    given = acting.made[step.link], ends, triad_legs(own), loads
     has_friction = any(np.any(part.coefficient) for part in friction)
-    found = triad_reactions_with_friction(*acting, friction) if has_friction else triad_reactions(*acting)
+    found = triad_reactions_with_friction(*given, friction) if has_friction else triad_reactions(*given)
+    joints: list[Wrench] = []
+    drags: list[Array] = []
     for leg, end, reactions in zip(step.legs, ends, found, strict=True):
         if isinstance(leg, RodLegStep):
-            walk.joints[joint_name(leg.joint, step.link)] = reactions.joint
-            _hang(walk, leg.rod_from, leg.rod, reactions.end)
+            joints += [reactions.end, reactions.joint]
         else:
-            walk.joints[joint_name(pin_of(leg.slider), step.link)] = reactions.joint
-            walk.joints[joint_name(GUIDE, leg.slider)] = reactions.end
-            if has_friction:
-                walk.drags[leg.slider] = _along(reactions.end, end.cos, end.sin)
+            joints += [reactions.joint, reactions.end]
+            drags.append(_along(reactions.end, end.cos, end.sin) if has_friction else ZERO)
+    return Solved(tuple(joints), tuple(drags))
 
 
-def _solve_point(_step: PointStep | MountStep, _own: PointSize, _walk: BackwardWalk) -> None:
-    """Nothing hangs on a point but by the link that carries it."""
-
-
-_SOLVED: Mapping[type, Callable[[Any, Any, BackwardWalk], None]] = {
+SOLVED: Mapping[type, Callable[[Any, Any, Acting], Solved]] = {
     PinStep: _solve_pin,
     SlideStep: _solve_slide,
     SwivelStep: _solve_swivel,
     YokeStep: _solve_yoke,
     TrammelStep: _solve_trammel,
     TriadStep: _solve_triad,
-    PointStep: _solve_point,
-    MountStep: _solve_point,
 }
-"""How each group is solved: from its links' loads to its joints and the loads of what carries it."""
+"""How each group is solved; nothing hangs on a point but by the link that carries it."""

@@ -11,8 +11,9 @@ from cranktrain.language import _
 from cranktrain.mechanisms.chain.drawing import chain_drawing
 from cranktrain.mechanisms.chain.forces import chain_dynamics
 from cranktrain.mechanisms.chain.gaps import chain_gap, chain_gaps
+from cranktrain.mechanisms.chain.groups import anatomy, made_names
 from cranktrain.mechanisms.chain.kinematics import ChainMotion, chain_motion, triad_branch
-from cranktrain.mechanisms.chain.made import SHAFT, Part, made_by, made_names, pin_of
+from cranktrain.mechanisms.chain.made import SHAFT, Part, pin_of
 from cranktrain.mechanisms.chain.margin import chain_openings
 from cranktrain.mechanisms.chain.spec import ChainSpec
 from cranktrain.mechanisms.chain.steps import (
@@ -30,7 +31,6 @@ from cranktrain.mechanisms.chain.steps import (
     TriadStep,
     YokeStep,
 )
-from cranktrain.mechanisms.chain.table import structure_of
 from cranktrain.mechanisms.geometry import Geometry
 from cranktrain.mechanisms.kind import Kind
 from cranktrain.motion import Array
@@ -57,14 +57,12 @@ _LEG_LENGTHS: dict[type, tuple[str, str]] = {
 }
 
 
-def chain_kind(base: Kind[ChainMotion, ChainSize], spec: ChainSpec) -> Kind[ChainMotion, ChainSize]:
-    """Give the kind of just this chain; chains alike but for their numbers are of one kind."""
-    return _chain_kind(base, structure_of(spec))
-
-
 @cache
-def _chain_kind(base: Kind[ChainMotion, ChainSize], structure: Structure) -> Kind[ChainMotion, ChainSize]:
-    return replace(base, composed=None, **fields_of(structure))
+def kind_of_structure(
+    base: Kind[ChainMotion, Geometry], fields: Callable[[Structure], dict[str, Any]], structure: Structure
+) -> Kind[ChainMotion, Geometry]:
+    """Give the kind of chains of one structure, alike but for their numbers: `fields` says what depends on it."""
+    return replace(base, composed=None, **fields(structure))
 
 
 def fields_of(structure: Structure) -> dict[str, Any]:
@@ -98,7 +96,7 @@ def as_chain(
     dict
         Fields of `Kind`. A triad is walked for its margin; without one the gap is followed as any other kind's.
     """
-    made = {name: sort for step in structure.steps for name, sort in made_by(step).items()}
+    made = {name: own.sort for step in structure.steps for name, own in anatomy(step).made.items()}
     has_triad = any(isinstance(step, TriadStep) for step in structure.steps)
 
     def named(sort: str) -> tuple[str, ...]:
@@ -164,7 +162,7 @@ def _stuck(structure: Structure, size: ChainSize) -> int:
     return next((place for place, gap in enumerate(least) if gap < 0), int(np.argmin(least)))
 
 
-def _stuck_part(structure: Structure, size: ChainSize) -> str:
+def _stuck_part(structure: Structure, _spec: ChainSpec, size: ChainSize) -> str:
     return f"part[{_stuck(structure, size)}]"
 
 
@@ -175,7 +173,7 @@ def _advice(structure: Structure, size: ChainSize) -> str:
     groups = step.legs if isinstance(step, TriadStep) else (step,)
     named = [getattr(group, field) for group in groups for field in _HUNG_ON if hasattr(group, field)]
     said = _("it is the part that makes {made} on {on}").format(
-        made=", ".join(name for name in made_by(step) if "." not in name),
+        made=", ".join(name for name in anatomy(step).made if "." not in name),
         on=", ".join(dict.fromkeys(name for name in named if name != SHAFT)) or SHAFT,
     )
     if isinstance(step, TriadStep) and np.any(triad_branch(structure, place, size).apart > 0):

@@ -1,29 +1,23 @@
 """A chain, to be drawn."""
 
-from typing import cast
-
 import numpy as np
 
 from cranktrain.linkage import LinkPoint, point
+from cranktrain.mechanisms.chain.groups import each_part, guide_directions
 from cranktrain.mechanisms.chain.kinematics import chain_made
 from cranktrain.mechanisms.chain.made import SHAFT, pin_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
-    GuideLegSize,
     GuideLegStep,
     MountStep,
     PinStep,
     PointStep,
     RodLegStep,
-    SlideSize,
     SlideStep,
     Structure,
     SwivelStep,
-    TrammelSize,
     TrammelStep,
-    TriadSize,
     TriadStep,
-    YokeSize,
     YokeStep,
 )
 from cranktrain.mechanisms.drawing import Block, Drawing, DrawnLink, Guide
@@ -37,10 +31,10 @@ def chain_drawing(structure: Structure, angle: Array, size: ChainSize) -> Drawin
     """All points at each angle, shape (..., n), and what joins them; the output's guide comes first."""
     made = chain_made(structure, angle, size)
     links = [DrawnLink(_crank(name), (SHAFT, pin_of(name))) for name in structure.cranks]
-    guides: list[Guide] = []
+    guides = [Guide(pin_of(name), direction) for name, direction in guide_directions(structure, size).items()]
     blocks: list[Block] = []
     ends: list[str] = []
-    for step, own in zip(structure.steps, size.steps, strict=True):
+    for step, _own in each_part(structure, size):
         match step:
             case PinStep():
                 links.append(DrawnLink(step.rod, (step.rod_from, step.joint)))
@@ -62,25 +56,20 @@ def chain_drawing(structure: Structure, angle: Array, size: ChainSize) -> Drawin
                 slotted = next(one.pins for one in links if one.name == step.link)
                 blocks.append(Block(pin_of(step.slider), slotted[:2]))
             case MountStep():
-                links.append(DrawnLink(step.point, (step.pin, step.point)))
+                links.append(DrawnLink(step.point, (pin_of(step.slider), step.point)))
+            case RodLegStep():
+                links.append(DrawnLink(step.rod, (step.rod_from, step.joint)))
+            case GuideLegStep():
+                pass
             case TriadStep():
                 pins = [leg.joint if isinstance(leg, RodLegStep) else pin_of(leg.slider) for leg in step.legs]
-                rods = [leg for leg in step.legs if isinstance(leg, RodLegStep)]
-                links += [DrawnLink(leg.rod, (leg.rod_from, leg.joint)) for leg in rods]
                 links.append(DrawnLink(step.link, (*pins, pins[0])))
-                for leg, size_of_leg in zip(step.legs, cast(TriadSize, own).legs, strict=True):
-                    if isinstance(leg, GuideLegStep):
-                        guide = Guide(pin_of(leg.slider), cast(GuideLegSize, size_of_leg).direction)
-                        guides.insert(0 if leg.slider == structure.output else len(guides), guide)
-        if isinstance(step, SlideStep | YokeStep | TrammelStep):
-            guide = Guide(pin_of(step.slider), cast(SlideSize | YokeSize | TrammelSize, own).direction)
-            guides.insert(0 if step.slider == structure.output else len(guides), guide)
     fixed = (SHAFT, *structure.fixed)
     points = {name: part for name, part in made.items() if isinstance(part, Point)}
     return Drawing(
         pins=points,
         links=tuple(links),
-        guides=tuple(guides),
+        guides=tuple(sorted(guides, key=lambda guide: guide.pin != pin_of(structure.output))),
         fixed=fixed,
         paths=tuple(name for name in points if name not in fixed),
         blocks=tuple(blocks),

@@ -1,8 +1,7 @@
 """Forces of a chain: its groups solved from the last backward, each loading what it hangs on."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import reduce
-from typing import Any
 
 from cranktrain.linkage import Crank
 from cranktrain.linkage.forces import (
@@ -15,21 +14,21 @@ from cranktrain.linkage.forces import (
     borne,
     crank_link,
     crank_reactions,
+    handed_back,
     swivel_slider_link,
 )
-from cranktrain.mechanisms.chain.backward import BackwardWalk, walk_backward
+from cranktrain.mechanisms.chain.backward import SOLVED, Acting
+from cranktrain.mechanisms.chain.groups import anatomy, guide_directions, made_names
 from cranktrain.mechanisms.chain.joints import (
     carriers_of,
     chain_contacts,
     chain_groups,
     chain_moving,
     chain_reactions,
-    chain_sliding,
-    moving_of,
 )
 from cranktrain.mechanisms.chain.kinematics import ChainMotion
-from cranktrain.mechanisms.chain.made import Made, made_names, pin_of
-from cranktrain.mechanisms.chain.steps import ChainSize, Step, Structure, SwivelSize, SwivelStep, TriadStep
+from cranktrain.mechanisms.chain.made import Made, pin_of
+from cranktrain.mechanisms.chain.steps import ChainSize, Step, Structure, SwivelSize, SwivelStep
 from cranktrain.mechanisms.dynamics import Dynamics
 from cranktrain.mechanisms.geometry import Geometry
 from cranktrain.mechanisms.solved import Forces
@@ -43,24 +42,22 @@ def chain_links(structure: Structure, motion: ChainMotion, size: ChainSize) -> d
         name: crank_link(made[pin_of(name)], Crank(own.radius))
         for name, own in zip(structure.cranks, size.cranks, strict=True)
     }
-    for step, own in zip(structure.steps, size.steps, strict=True):
-        for name in moving_of(step):
-            links[name] = _link(step, own, name, made)
-    return links
+    directions = guide_directions(structure, size)
+    return links | {
+        name: _link(step, name, made, directions) for step in structure.steps for name in anatomy(step).moving
+    }
 
 
 def _made(structure: Structure, motion: ChainMotion) -> Made:
     return dict(zip(made_names(structure), motion.parts, strict=True))
 
 
-def _link(step: Step, own: Any, name: str, made: Made) -> Link:
+def _link(step: Step, name: str, made: Made, directions: Mapping[str, Array]) -> Link:
     if isinstance(made[name], Link):
         return made[name]
     if isinstance(step, SwivelStep):
         return swivel_slider_link(made[step.pin], made[step.guide])
-    if isinstance(step, TriadStep):
-        own = next(leg_size for leg, leg_size in zip(step.legs, own.legs, strict=True) if name in leg)
-    return block_link(made[pin_of(name)], own.direction)
+    return block_link(made[pin_of(name)], directions[name])
 
 
 def chain_load(structure: Structure, motion: ChainMotion, size: ChainSize, value: Array) -> tuple[Wrench, ...]:
@@ -90,7 +87,7 @@ def chain_forces(
     bodies: tuple[Body, ...],
     loads: tuple[Wrench, ...],
     conditions: Conditions,
-) -> Forces[tuple[Wrench, ...]]:
+) -> Forces:
     """All forces of a chain.
 
     Parameters
@@ -103,7 +100,7 @@ def chain_forces(
     loads : tuple of Wrench, shape (..., n)
         In that order, each about the link's first pin: a crank's the shaft's centre, a slider's its pin.
     conditions : Conditions
-        Gravity in the file's axes; friction in the order of `chain_sliding`.
+        Gravity in the file's axes; friction in the order of `chain_contacts`.
 
     Returns
     -------
@@ -118,28 +115,32 @@ def chain_forces(
     made = _made(structure, motion)
     links = chain_links(structure, motion, size)
     carried = zip(links.items(), bodies, loads, strict=True)
-    walk = BackwardWalk(
-        made,
-        links,
-        carriers_of(structure),
-        dict(zip(chain_sliding(structure), conditions.friction, strict=True)),
-        {name: borne(link, body, load, conditions) for (name, link), body, load in carried},
-        {},
-        {},
+    on_links = {name: borne(link, body, load, conditions) for (name, link), body, load in carried}
+    friction = dict(zip(chain_contacts(structure), conditions.friction, strict=True))
+    carriers = carriers_of(structure)
+    passed: dict[str, Wrench] = {}
+    friction_torque = ZERO
+    groups = [pair for pair in zip(structure.steps, size.steps, strict=True) if type(pair[0]) in SOLVED]
+    for step, own in reversed(groups):
+        group = anatomy(step)
+        joints, drags = SOLVED[type(step)](step, own, Acting(made, on_links, friction))
+        for joint, wrench in zip(group.joints, joints, strict=True):
+            passed[joint.name] = wrench
+            carrier = joint.by or carriers[joint.at]
+            if carrier in links and carrier not in group.moving:
+                back = handed_back(links[carrier], made[joint.at], wrench)
+                on_links[carrier] = added(on_links[carrier], back)
+        for name, drag in zip(group.contacts, drags, strict=True):
+            friction_torque = friction_torque + drag * made[name].first
+    shaft = crank_reactions(reduce(added, (on_links[name] for name in structure.cranks)))
+    return Forces(
+        (shaft.bearing, *(passed[joint.name] for step in structure.steps for joint in anatomy(step).joints)),
+        shaft.driving_torque,
+        0.0 * shaft.driving_torque + friction_torque,
     )
-    walk_backward(structure, size, walk)
-    shaft = crank_reactions(reduce(added, (walk.loads[name] for name in structure.cranks)))
-    walk.joints["main_bearing"] = shaft.bearing
-    friction_torque = 0.0 * shaft.driving_torque
-    for name, drag in walk.drags.items():
-        friction_torque = friction_torque + drag * made[name].first
-    joints = tuple(walk.joints[reaction.name] for reaction in chain_reactions(structure))
-    return Forces(joints, shaft.driving_torque, friction_torque)
 
 
-def chain_dynamics(
-    structure: Structure, size_of: Callable[[Geometry], ChainSize]
-) -> Dynamics[ChainMotion, Geometry, tuple[Body, ...], tuple[Wrench, ...]]:
+def chain_dynamics(structure: Structure, size_of: Callable[[Geometry], ChainSize]) -> Dynamics[ChainMotion, Geometry]:
     """What forces a chain gives.
 
     Parameters
@@ -152,12 +153,12 @@ def chain_dynamics(
     -------
     Dynamics
     """
+    contacts = chain_contacts(structure)
     return Dynamics(
-        lambda *bodies: bodies,
         chain_moving(structure),
         chain_reactions(structure),
-        chain_sliding(structure),
-        chain_contacts(structure),
+        tuple(contacts),
+        tuple(contacts.values()),
         chain_groups(structure),
         lambda motion, geometry: tuple(chain_links(structure, motion, size_of(geometry)).values()),
         lambda motion, geometry, value: chain_load(structure, motion, size_of(geometry), value),

@@ -21,15 +21,15 @@ from cranktrain.linkage import (
     swivel_gap,
     trammel_transmission,
     triad,
+    turned,
     turned_link,
 )
 from cranktrain.mechanisms.chain.kinematics import triad_branch, triad_motion
-from cranktrain.mechanisms.chain.made import Made
-from cranktrain.mechanisms.chain.placing import driven, guide_offset, in_guide, place_group
+from cranktrain.mechanisms.chain.made import Made, pin_of
+from cranktrain.mechanisms.chain.placing import driven, guide_offset, placed
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     MountStep,
-    PinSize,
     PinStep,
     PointStep,
     SlideSize,
@@ -123,7 +123,7 @@ def _gaps(structure: Structure, angle: Array, size: ChainSize, radius: Array, tr
             place_triad(step, own, link, made)
         else:
             gap = _gap_of(step, own, made, radius)
-            place_group(step, own, made)
+            made |= placed(step, own, made)
         gaps.append(gap)
     return gaps
 
@@ -150,11 +150,11 @@ _HAIR = float(np.finfo(float).tiny)
 def _gap_of(step: Step, own: StepSize, made: Made, radius: Array) -> Array:
     """Gap of a group that is no triad."""
     match step, own:
-        case PinStep(), PinSize():
-            return pin_gap(Ends(made[step.rod_from], made[step.rocker_from]), Pin(*own))
+        case PinStep(), Pin():
+            return pin_gap(Ends(made[step.rod_from], made[step.rocker_from]), own)
         case SlideStep(), SlideSize():
             height = guide_offset(made, step.through, own.direction, own.offset)
-            return slide_gap(in_guide(made, step.rod_from, own.direction), Slide(own.rod_length, height, own.way))
+            return slide_gap(turned(made[step.rod_from], own.direction), Slide(own.rod_length, height, own.way))
         case SwivelStep(), SwivelSize():
             ends = SwivelEnds(made[step.pin], made[step.pivot])
             return swivel_gap(ends, Swivel(own.offset, own.way)) - _crossed(ends, own.outside)
@@ -165,7 +165,7 @@ def _gap_of(step: Step, own: StepSize, made: Made, radius: Array) -> Array:
         case PointStep(), _:
             return radius + 0.0 * made[step.link].cos
         case MountStep(), _:
-            return radius + 0.0 * made[step.pin].x.value
+            return radius + 0.0 * made[pin_of(step.slider)].x.value
         case _:
             raise TypeError(step)
 

@@ -1,16 +1,16 @@
 """Kinematics of a chain: the groups of its structure, one after the other, each on what those above it made."""
 
-from collections.abc import Hashable
+from functools import lru_cache
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
 from cranktrain.linkage import TriadDriver, TriadEnds, TriadMotion, triad
 from cranktrain.mechanisms.chain.made import Made, Part
-from cranktrain.mechanisms.chain.placing import driven, place_group
+from cranktrain.mechanisms.chain.placing import driven, placed
 from cranktrain.mechanisms.chain.steps import ChainSize, Structure, TriadSize, TriadStep
 from cranktrain.mechanisms.chain.triads import place_triad, triad_at, triad_ends, triad_legs
-from cranktrain.mechanisms.chain.walks import Branch, Walks, start_at
+from cranktrain.mechanisms.chain.walks import Branch, branch_from, start_at
 from cranktrain.motion import Array, Coefficient, Link
 from cranktrain.numerics.nested import leaves
 
@@ -40,7 +40,7 @@ def chain_made(structure: Structure, angle: Array, size: ChainSize) -> Made:
         if isinstance(step, TriadStep) and isinstance(own, TriadSize):
             place_triad(step, own, triad_motion(structure, place, angle, size, made).link, made)
         else:
-            place_group(step, own, made)
+            made |= placed(step, own, made)
     return made
 
 
@@ -75,21 +75,23 @@ def triad_motion(structure: Structure, place: int, angle: Array, size: ChainSize
     return triad(TriadDriver(triad_ends(step, own, made), start), triad_legs(own))
 
 
-class _Alike:
-    """A chain down to one of its groups, to be looked up: alike where its structure and all its numbers are."""
+_KEPT = 32
+"""Walks that are remembered: root finding asks for the same mechanisms at other angles again and again."""
 
-    def __init__(self, structure: Structure, size: ChainSize) -> None:
-        arrays = [np.asarray(leaf) for leaf in leaves(size)]
-        self._parts: Hashable = (structure, *((array.shape, array.tobytes()) for array in arrays))
+
+class _ChainTo:
+    """A chain down to one of its triads: alike where its structure and all its numbers are."""
+
+    def __init__(self, structure: Structure, place: int, size: ChainSize) -> None:
+        self.structure = structure._replace(steps=structure.steps[: place + 1])
+        self.size = size._replace(steps=size.steps[: place + 1])
+        self._key = (self.structure, *((np.shape(leaf), np.asarray(leaf).tobytes()) for leaf in leaves(self.size)))
 
     def __hash__(self) -> int:
-        return hash(self._parts)
+        return hash(self._key)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Alike) and self._parts == other._parts
-
-
-_WALKS = Walks()
+        return isinstance(other, _ChainTo) and self._key == other._key
 
 
 def triad_branch(structure: Structure, place: int, size: ChainSize) -> Branch:
@@ -107,13 +109,17 @@ def triad_branch(structure: Structure, place: int, size: ChainSize) -> Branch:
     Branch
         For `start_at`.
     """
-    above = structure._replace(steps=structure.steps[:place])
-    step, own = triad_at(structure, place, size)
-    upper = size._replace(steps=size.steps[:place])
-    key = _Alike(structure._replace(steps=structure.steps[: place + 1]), size._replace(steps=size.steps[: place + 1]))
+    return _branch(_ChainTo(structure, place, size))
+
+
+@lru_cache(maxsize=_KEPT)
+def _branch(chain: _ChainTo) -> Branch:
+    structure, size = chain.structure, chain.size
+    step, own = triad_at(structure, -1, size)
+    above, upper = structure._replace(steps=structure.steps[:-1]), size._replace(steps=size.steps[:-1])
     shape = np.broadcast_shapes((1,), *(np.shape(leaf) for leaf in leaves(size)))
 
     def ends(angle: Array) -> TriadEnds:
         return triad_ends(step, own, chain_made(above, angle + np.zeros(shape), upper))
 
-    return _WALKS.branch(key, ends, triad_legs(own), own.start)
+    return branch_from(ends, triad_legs(own), own.start)

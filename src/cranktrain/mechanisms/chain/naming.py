@@ -3,24 +3,14 @@
 import re
 from collections.abc import Iterator
 from math import sin
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.chain.made import SHAFT, pin_of
-from cranktrain.mechanisms.chain.parts import (
-    ChainTable,
-    PartSpec,
-    PinPartSpec,
-    PointPartSpec,
-    SlidePartSpec,
-    SwivelPartSpec,
-    TrammelPartSpec,
-    TriadLegSpec,
-    TriadPartSpec,
-    YokePartSpec,
-)
+from cranktrain.mechanisms.chain.parts import ChainTable, Made, Used, YokePartSpec
 from cranktrain.quantities import nearest
+from cranktrain.spec import Spec, parts_of
 
 MAIN = "main"
 _NAME = re.compile(r"[^\W\d]\w*")
@@ -36,78 +26,33 @@ _FITTING = {"point": ("point", "fixed"), "carrier": ("link", "slider")}
 """Sorts of what may stand where one is asked for, where they are not just that."""
 
 
-class Use(NamedTuple):
-    """A name that a part uses: where it stands, and what sort of thing it must be."""
+class Name(NamedTuple):
+    """A name in a part: the path of its key, and what it marks there."""
 
-    field: str
+    path: str
     name: str
-    sort: str
+    mark: Used | Made
+
+    @property
+    def made(self) -> dict[str, str]:
+        """What it makes, and of which sort: a slider in a fixed guide has a pin."""
+        pin = {pin_of(self.name): "point"} if self.mark.sort == "slider" else {}
+        return {self.name: self.mark.sort, **pin} if isinstance(self.mark, Made) else {}
 
 
-class Made(NamedTuple):
-    """A name that a part makes; `is_own` where it stands in the file as it is."""
-
-    field: str
-    name: str
-    sort: str
-    is_own: bool = True
-
-
-def uses(part: PartSpec) -> tuple[Use, ...]:
-    """Names that a part hangs on."""
-    match part:
-        case PinPartSpec():
-            return Use("rod.from", part.rod.start, "point"), Use("rocker.from", part.rocker.start, "point")
-        case SlidePartSpec():
-            return Use("rod.from", part.rod.start, "point"), Use("guide.through", part.guide.through, "fixed")
-        case SwivelPartSpec():
-            return Use("pin", part.pin, "point"), Use("guide.from", part.guide.start, "point")
-        case YokePartSpec():
-            return Use("pin", part.pin, "point"), Use("guide.through", part.guide.through, "fixed")
-        case TrammelPartSpec():
-            return Use("link", part.link, "link"), Use("guide.through", part.guide.through, "fixed")
-        case PointPartSpec():
-            return (Use("link", part.link, "carrier"),)
-        case TriadPartSpec():
-            return tuple(use for place, leg in enumerate(part.leg) for use in _leg_uses(f"leg[{place}]", leg))
-
-
-def _leg_uses(path: str, leg: TriadLegSpec) -> Iterator[Use]:
-    if leg.rod is not None:
-        yield Use(f"{path}.rod.from", leg.rod.start, "point")
-    if leg.guide is not None:
-        yield Use(f"{path}.guide.through", leg.guide.through, "fixed")
-
-
-def makes(part: PartSpec) -> tuple[Made, ...]:
-    """Names that a part makes."""
-    match part:
-        case PinPartSpec():
-            links = Made("rod.name", part.rod.name, "link"), Made("rocker.name", part.rocker.name, "link")
-            return (*links, Made("joint", part.joint, "point"))
-        case SlidePartSpec():
-            return (Made("rod.name", part.rod.name, "link"), *_slider(part.slider))
-        case SwivelPartSpec():
-            return Made("guide.name", part.guide.name, "link"), Made("slider", part.slider, "slider")
-        case YokePartSpec() | TrammelPartSpec():
-            return _slider(part.slider)
-        case PointPartSpec():
-            return (Made("name", part.name, "point"),)
-        case TriadPartSpec():
-            legs = tuple(made for place, leg in enumerate(part.leg) for made in _made_by_leg(f"leg[{place}]", leg))
-            return Made("link", part.link, "link"), *legs
-
-
-def _made_by_leg(path: str, leg: TriadLegSpec) -> Iterator[Made]:
-    if leg.joint is not None and leg.rod is not None:
-        yield Made(f"{path}.joint", leg.joint, "point")
-        yield Made(f"{path}.rod.name", leg.rod.name, "link")
-    if leg.slider is not None:
-        yield from _slider(leg.slider, f"{path}.slider")
-
-
-def _slider(name: str, field: str = "slider") -> tuple[Made, ...]:
-    return Made(field, name, "slider"), Made(field, pin_of(name), "point", is_own=False)
+def names_in(table: Spec, above: str) -> Iterator[Name]:
+    """Names that a part, or a table in it, uses and makes, in the order of its keys."""
+    for key, field in type(table).model_fields.items():
+        path, value = above + (field.alias or key), getattr(table, key)
+        if isinstance(value, Spec):
+            yield from names_in(value, f"{path}.")
+        elif isinstance(value, str):
+            marks = (*field.metadata, *parts_of(field.annotation))
+            yield from (Name(path, value, mark) for mark in marks if isinstance(mark, Used | Made))
+        elif isinstance(value, tuple):
+            for place, leg in enumerate(cast("tuple[object, ...]", value)):
+                if isinstance(leg, Spec):
+                    yield from names_in(leg, f"{path}[{place}].")
 
 
 def naming_problems(spec: ChainTable) -> tuple[Problem, ...]:
@@ -133,22 +78,23 @@ def _problems(spec: ChainTable) -> Iterator[Problem]:
         if name == MAIN and crank.angle.si != 0.0:
             allowed = _("must be 0 deg: the crank angle counts from this crank; the others have angles ahead of it")
             yield Problem("crank.main.angle", crank.angle.text, allowed)
+    names = [tuple(names_in(part, f"part[{place}].")) for place, part in enumerate(spec.part)]
     for place, part in enumerate(spec.part):
-        path = f"part[{place}]"
-        later = {made.name for after in spec.part[place:] for made in makes(after)}
-        wrong = [problem for use in uses(part) for problem in _wrong_use(path, use, known, later)]
+        used = [name for name in names[place] if isinstance(name.mark, Used)]
+        later = {made for after in names[place:] for name in after for made in name.made}
+        wrong = [problem for use in used for problem in _wrong_use(use, known, later)]
         yield from wrong
-        if not wrong and not any(use.name in driven for use in uses(part)):
-            yield Problem(path, None, _("is not driven: all that it hangs on stands still"))
+        if not wrong and not any(use.name in driven for use in used):
+            yield Problem(f"part[{place}]", None, _("is not driven: all that it hangs on stands still"))
         if isinstance(part, YokePartSpec) and abs(sin(part.slot_angle.si)) < _LEAST_SINE:
             allowed = _("must not lie along the guide: 90 deg is across it")
-            yield Problem(f"{path}.slot_angle", part.slot_angle.text, allowed)
-        for made in makes(part):
-            if made.is_own:
-                yield from _new_name(f"{path}.{made.field}", made.name, known)
-            known[made.name] = made.sort
-            driven.add(made.name)
-    outputs = [name for name, sort in known.items() if sort in ("slider", "link")]
+            yield Problem(f"part[{place}].slot_angle", part.slot_angle.text, allowed)
+        for name in names[place]:
+            if name.made:
+                yield from _new_name(name.path, name.name, known)
+            known |= name.made
+            driven |= name.made.keys()
+    outputs = [name for name, sort in known.items() if sort in ("slider", "block", "link")]
     if spec.output not in outputs:
         meant = nearest(spec.output, outputs)
         yield Problem(
@@ -169,18 +115,17 @@ def _new_name(path: str, name: str, known: dict[str, str]) -> Iterator[Problem]:
         yield Problem(path, name, _("stands already above; every name stands for one thing"))
 
 
-def _wrong_use(path: str, use: Use, known: dict[str, str], later: set[str]) -> Iterator[Problem]:
+def _wrong_use(use: Name, known: dict[str, str], later: set[str]) -> Iterator[Problem]:
     """Refuse a name that is unknown, made only further down, or of another sort."""
-    sorts = _FITTING.get(use.sort, (use.sort,))
-    # A block on a pin, of a swivel, is no slider to fix a point on.
-    fitting = [name for name, sort in known.items() if sort in sorts and (sort != "slider" or pin_of(name) in known)]
+    sorts = _FITTING.get(use.mark.sort, (use.mark.sort,))
+    fitting = [name for name, sort in known.items() if sort in sorts]
     if use.name in fitting:
         return
     allowed = _("must be {sort} that stands above: {names}").format(
-        sort=_(_SORTS[use.sort]), names=", ".join(fitting) or "–"
+        sort=_(_SORTS[use.mark.sort]), names=", ".join(fitting) or "–"
     )
     if use.name in later and use.name not in known:
         allowed = _("is made only here or further down; {allowed}").format(allowed=allowed)
     meant = pin_of(use.name) if pin_of(use.name) in fitting else nearest(use.name, fitting)
     repair = _("did you mean {name}?").format(name=meant) if meant else None
-    yield Problem(f"{path}.{use.field}", use.name, allowed, repair)
+    yield Problem(use.path, use.name, allowed, repair)

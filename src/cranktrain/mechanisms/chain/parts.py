@@ -1,18 +1,31 @@
 """The chain's table of the machine file, part by part."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from math import pi
-from typing import Annotated, Literal, Self
+from typing import Annotated, Literal, NamedTuple
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
+from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.spec import MechanismSpec
 from cranktrain.quantities import Angle, Given, Length, PositiveLength, Ratio
-from cranktrain.spec import Refused, Spec
+from cranktrain.spec import Spec
 
 FixedPoint = Annotated[tuple[Length, ...], Field(min_length=2, max_length=2)]
 """x and y in the file's own axes."""
+
+
+class Used(NamedTuple):
+    """Marks a name of something that stands above: of a point, a link, a fixed point, or what can carry a point."""
+
+    sort: str
+
+
+class Made(NamedTuple):
+    """Marks a name that a part gives: of a point, a link, a slider in a fixed guide, or a block on a swivel's pin."""
+
+    sort: str
 
 
 class ChainCrankSpec(Spec, frozen=True):
@@ -31,15 +44,17 @@ class ChainCrankSpec(Spec, frozen=True):
 class ChainLinkSpec(Spec, frozen=True):
     """A rod or rocker: its name, the point that its first pin is on, its length."""
 
-    name: str = Field(description=N_("Name of the link."))
-    start: str = Field(alias="from", description=N_("Point that the first pin is on."))
+    name: Annotated[str, Made("link")] = Field(description=N_("Name of the link."))
+    start: Annotated[str, Used("point")] = Field(alias="from", description=N_("Point that the first pin is on."))
     length: PositiveLength = Field(description=N_("From its first pin to its second."))
 
 
 class ChainGuideSpec(Spec, frozen=True):
     """A fixed guide: a line beside a fixed point, in a direction from x."""
 
-    through: str = Field(description=N_("Fixed point beside which the guide runs; O is the shaft's centre."))
+    through: Annotated[str, Used("fixed")] = Field(
+        description=N_("Fixed point beside which the guide runs; O is the shaft's centre.")
+    )
     direction: Angle = Field(
         description=N_("Direction of the guide from x toward y; the slider's position counts along it.")
     )
@@ -52,8 +67,8 @@ class ChainGuideSpec(Spec, frozen=True):
 class SwivelGuideSpec(Spec, frozen=True):
     """A guide that rocks about a point: its name, that point, the offset of its line to the left."""
 
-    name: str = Field(description=N_("Name of the guide, which is a link."))
-    start: str = Field(alias="from", description=N_("Point about which it rocks."))
+    name: Annotated[str, Made("link")] = Field(description=N_("Name of the guide, which is a link."))
+    start: Annotated[str, Used("point")] = Field(alias="from", description=N_("Point about which it rocks."))
     offset: Length = Field(
         default=Given(0.0, "0 mm"), description=N_("Of its line from that point, to the left of its direction.")
     )
@@ -65,7 +80,7 @@ class PinPartSpec(Spec, frozen=True):
     type: Literal["pin"] = Field(description=N_("Type of group."))
     rod: ChainLinkSpec = Field(description=N_("The rod, from the driving point to the joint."))
     rocker: ChainLinkSpec = Field(description=N_("The rocker, from its pivot to the joint."))
-    joint: str = Field(description=N_("Name of the point where both meet."))
+    joint: Annotated[str, Made("point")] = Field(description=N_("Name of the point where both meet."))
     side: Literal["left", "right"] = Field(
         description=N_("Of the line from the rod's first pin to the rocker's, on which the joint lies.")
     )
@@ -76,7 +91,7 @@ class SlidePartSpec(Spec, frozen=True):
 
     type: Literal["slide"] = Field(description=N_("Type of group."))
     rod: ChainLinkSpec = Field(description=N_("The rod, from the driving point to the slider."))
-    slider: str = Field(description=N_("Name of the slider; its pin is the point NAME.pin."))
+    slider: Annotated[str, Made("slider")] = Field(description=N_("Name of the slider; its pin is the point NAME.pin."))
     guide: ChainGuideSpec = Field(description=N_("The fixed guide."))
     side: Literal["ahead", "behind"] = Field(
         default="ahead",
@@ -88,9 +103,11 @@ class SwivelPartSpec(Spec, frozen=True):
     """Slider on a pin, in a guide that rocks about a point (RPR)."""
 
     type: Literal["swivel"] = Field(description=N_("Type of group."))
-    pin: str = Field(description=N_("Point that carries the slider."))
+    pin: Annotated[str, Used("point")] = Field(description=N_("Point that carries the slider."))
     guide: SwivelGuideSpec = Field(description=N_("The guide in which it slides."))
-    slider: str = Field(description=N_("Name of the slider, whose position counts along the guide."))
+    slider: Annotated[str, Made("block")] = Field(
+        description=N_("Name of the slider, whose position counts along the guide.")
+    )
     side: Literal["ahead", "behind"] = Field(
         default="ahead", description=N_("Whether the slider lies ahead of or behind the pivot, along the guide.")
     )
@@ -100,8 +117,8 @@ class YokePartSpec(Spec, frozen=True):
     """Slotted slider on a fixed guide, driven by a block on a pin (RPP)."""
 
     type: Literal["yoke"] = Field(description=N_("Type of group."))
-    pin: str = Field(description=N_("Point that carries the block in the slot."))
-    slider: str = Field(
+    pin: Annotated[str, Used("point")] = Field(description=N_("Point that carries the block in the slot."))
+    slider: Annotated[str, Made("slider")] = Field(
         description=N_("Name of the slotted slider; where its slot meets the guide is the point NAME.pin.")
     )
     guide: ChainGuideSpec = Field(description=N_("The fixed guide."))
@@ -114,8 +131,8 @@ class TrammelPartSpec(Spec, frozen=True):
     """Slider on a fixed guide, held where a link's slot crosses it (PRP)."""
 
     type: Literal["trammel"] = Field(description=N_("Type of group."))
-    link: str = Field(description=N_("Link that carries the slot."))
-    slider: str = Field(description=N_("Name of the slider; its pin is the point NAME.pin."))
+    link: Annotated[str, Used("link")] = Field(description=N_("Link that carries the slot."))
+    slider: Annotated[str, Made("slider")] = Field(description=N_("Name of the slider; its pin is the point NAME.pin."))
     guide: ChainGuideSpec = Field(description=N_("The fixed guide."))
     shift: Length = Field(default=Given(0.0, "0 mm"), description=N_("Of the slot from the link's line, to the left."))
 
@@ -124,8 +141,10 @@ class PointPartSpec(Spec, frozen=True):
     """A point fixed on a link, or on a slider in a fixed guide, on which other parts may hang."""
 
     type: Literal["point"] = Field(description=N_("Type of group."))
-    name: str = Field(description=N_("Name of the point."))
-    link: str = Field(description=N_("The link that carries it, or the slider in a fixed guide."))
+    name: Annotated[str, Made("point")] = Field(description=N_("Name of the point."))
+    link: Annotated[str, Used("carrier")] = Field(
+        description=N_("The link that carries it, or the slider in a fixed guide.")
+    )
     along: Length = Field(
         description=N_("Distance from the link's first pin toward its second; from a slider's pin along its guide.")
     )
@@ -145,12 +164,14 @@ class TriadLegSpec(Spec, frozen=True):
         default=Given(0.0, "0 mm"),
         description=N_("Joint's distance from the link's line through that point, to its left."),
     )
-    joint: str | None = Field(default=None, description=N_("Name of the joint, of a leg that is a rod."))
+    joint: Annotated[str, Made("point")] | None = Field(
+        default=None, description=N_("Name of the joint, of a leg that is a rod.")
+    )
     rod: ChainLinkSpec | None = Field(
         default=None,
         description=N_("The rod, from a point above to the joint; for a circular slot, from the slot's centre."),
     )
-    slider: str | None = Field(
+    slider: Annotated[str, Made("slider")] | None = Field(
         default=None, description=N_("Name of the slider, of a leg that is a guide; its pin, NAME.pin, is the joint.")
     )
     guide: ChainGuideSpec | None = Field(default=None, description=N_("The fixed guide."))
@@ -159,20 +180,18 @@ class TriadLegSpec(Spec, frozen=True):
         description=N_("Where about the joint lies when the crank lies along x: chooses the assembly mode."),
     )
 
-    @model_validator(mode="after")
-    def _of_one_sort(self) -> Self:
-        """Refuse a leg that is neither rod nor guide, or both."""
+    def _problems(self) -> Iterator[Problem]:
+        """Find a leg that is neither rod nor guide, or both."""
         given = {name for name in ("joint", "rod", "slider", "guide") if getattr(self, name) is not None}
         if given not in ({"joint", "rod"}, {"slider", "guide"}):
-            raise Refused(_("must have joint and rod, or slider and guide"))
-        return self
+            yield Problem("", None, _("must have joint and rod, or slider and guide"))
 
 
 class TriadPartSpec(Spec, frozen=True):
     """Link on three legs, each a rod or a guide; a circular slot is a rod to its centre."""
 
     type: Literal["triad"] = Field(description=N_("Type of group."))
-    link: str = Field(description=N_("Name of the link that the three legs hold."))
+    link: Annotated[str, Made("link")] = Field(description=N_("Name of the link that the three legs hold."))
     leg: Annotated[tuple[TriadLegSpec, ...], Field(min_length=3, max_length=3)] = Field(
         description=N_("The three legs, each with its joint on the link.")
     )
@@ -196,8 +215,3 @@ class ChainTable(MechanismSpec, frozen=True):
         description=N_("Cranks on the shaft: `main`, whose angle is the crank angle, and eccentrics.")
     )
     part: tuple[PartSpec, ...] = Field(min_length=1, description=N_("Groups, each on what stands above it."))
-
-    @property
-    def rod_field(self) -> str:
-        """Which part cannot close, its lengths say."""
-        return "part"

@@ -27,9 +27,7 @@ from cranktrain.mechanisms.chain.made import SHAFT, Made, pin_of, slot_of
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     MountStep,
-    PinSize,
     PinStep,
-    PointSize,
     PointStep,
     SlideSize,
     SlideStep,
@@ -61,24 +59,15 @@ def guide_offset(made: Made, through: str, direction: Array, offset: Array) -> A
     return offset + np.cos(direction) * place.y.value - np.sin(direction) * place.x.value
 
 
-def in_guide(made: Made, name: str, direction: Array) -> Point:
-    """Point in a guide's axes."""
-    return turned(made[name], direction)
-
-
-def place_group(step: Step, own: StepSize, made: Made) -> None:
-    """Add what one group makes, which is no triad."""
-    made |= _made_by(step, own, made)
-
-
-def _made_by(step: Step, own: StepSize, made: Made) -> Made:
+def placed(step: Step, own: StepSize, made: Made) -> Made:
+    """What one group makes, which is no triad, on what those above it made."""
     match step, own:
-        case PinStep(), PinSize():
-            motion = pin(Ends(made[step.rod_from], made[step.rocker_from]), Pin(*own))
+        case PinStep(), Pin():
+            motion = pin(Ends(made[step.rod_from], made[step.rocker_from]), own)
             return {step.joint: motion.joint, step.rod: motion.rod, step.rocker: motion.rocker}
         case SlideStep(), SlideSize():
             height = guide_offset(made, step.through, own.direction, own.offset)
-            motion = slide(in_guide(made, step.rod_from, own.direction), Slide(own.rod_length, height, own.way))
+            motion = slide(turned(made[step.rod_from], own.direction), Slide(own.rod_length, height, own.way))
             rod = _in_file(motion.rod, made[step.rod_from], own.direction)
             return {step.rod: rod, **_on_guide(step.slider, motion.slider, height, own.direction)}
         case SwivelStep(), SwivelSize():
@@ -86,14 +75,14 @@ def _made_by(step: Step, own: StepSize, made: Made) -> Made:
             return {step.slider: motion.slider, step.guide: motion.guide}
         case YokeStep(), YokeSize():
             height = guide_offset(made, step.through, own.direction, own.offset)
-            motion = yoke(in_guide(made, step.pin, own.direction), Yoke(height, own.slot_angle))
+            motion = yoke(turned(made[step.pin], own.direction), Yoke(height, own.slot_angle))
         case TrammelStep(), TrammelSize():
             height = guide_offset(made, step.through, own.direction, own.offset)
             motion = trammel(turned_link(made[step.link], own.direction), Trammel(height, own.shift))
-        case PointStep(), PointSize():
-            return {step.point: point(made[step.link], LinkPoint(*own))}
-        case MountStep(), PointSize():
-            return {step.point: _beside(made[step.pin], own)}
+        case PointStep(), LinkPoint():
+            return {step.point: point(made[step.link], own)}
+        case MountStep(), LinkPoint():
+            return {step.point: _beside(made[pin_of(step.slider)], own)}
         case _:
             raise TypeError(step)
     slider = _on_guide(step.slider, motion.slider, height, own.direction)
@@ -117,6 +106,6 @@ def _in_file(rod: Link, start: Point, direction: Array) -> Link:
     return Link(start, angle, cos * rod.cos - sin * rod.sin, sin * rod.cos + cos * rod.sin)
 
 
-def _beside(place: Point, own: PointSize) -> Point:
-    x, y = own.radius * np.cos(own.direction), own.radius * np.sin(own.direction)
+def _beside(place: Point, own: LinkPoint) -> Point:
+    x, y = own.radius * np.cos(own.angle), own.radius * np.sin(own.angle)
     return Point(place.x._replace(value=place.x.value + x), place.y._replace(value=place.y.value + y))

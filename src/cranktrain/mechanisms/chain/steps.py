@@ -2,6 +2,7 @@
 
 from typing import NamedTuple, TypeAlias
 
+from cranktrain.linkage import LinkPoint, Pin
 from cranktrain.motion import Array, single
 
 
@@ -57,9 +58,9 @@ class PointStep(NamedTuple):
 
 
 class MountStep(NamedTuple):
-    """Point fixed on a slider that does not turn, by the slider's pin."""
+    """Point fixed on a slider that does not turn."""
 
-    pin: str
+    slider: str
     point: str
 
 
@@ -111,14 +112,6 @@ class Coordinates(NamedTuple):
     y: Array
 
 
-class PinSize(NamedTuple):
-    """Lengths [m]; side +1 where the joint lies left of the line from the rod's first pin to the rocker's."""
-
-    rod_length: Array
-    rocker_length: Array
-    side: Array
-
-
 class SlideSize(NamedTuple):
     """Rod length [m], way +1 ahead; guide's direction from x [rad], its offset to the left of its point [m]."""
 
@@ -160,24 +153,17 @@ class TrammelSize(NamedTuple):
     side: Array
 
 
-class PointSize(NamedTuple):
-    """Radius from the link's first pin [m], direction from the link's [rad]; on a slider, from its pin and from x."""
-
-    radius: Array
-    direction: Array
-
-
 class RodLegSize(NamedTuple):
     """Joint on the link; rod length. [m]"""
 
-    joint: PointSize
+    joint: LinkPoint
     length: Array
 
 
 class GuideLegSize(NamedTuple):
     """Joint on the link; guide's direction [rad] and offset [m]."""
 
-    joint: PointSize
+    joint: LinkPoint
     direction: Array
     offset: Array
 
@@ -207,7 +193,8 @@ class TriadSize(NamedTuple):
     start: StartSize
 
 
-StepSize: TypeAlias = PinSize | SlideSize | SwivelSize | YokeSize | TrammelSize | PointSize | TriadSize
+StepSize: TypeAlias = Pin | SlideSize | SwivelSize | YokeSize | TrammelSize | LinkPoint | TriadSize
+"""Numbers of a group; of a point on a slider, radius and angle are from the slider's pin and from x."""
 
 
 class ChainSize(NamedTuple):

@@ -6,8 +6,8 @@ import numpy as np
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
+from cranktrain.linkage import LinkPoint, Pin
 from cranktrain.mechanisms.chain.assembly import assembled, made_above, modes_of
-from cranktrain.mechanisms.chain.made import pin_of
 from cranktrain.mechanisms.chain.parts import (
     ChainGuideSpec,
     ChainTable,
@@ -29,9 +29,7 @@ from cranktrain.mechanisms.chain.steps import (
     GuideLegSize,
     GuideLegStep,
     MountStep,
-    PinSize,
     PinStep,
-    PointSize,
     PointStep,
     RodLegSize,
     RodLegStep,
@@ -89,15 +87,15 @@ def _guide(guide: ChainGuideSpec) -> tuple[Array, Array]:
     return single(guide.direction.si), single(guide.offset.si)
 
 
-def _joint(along: float, across: float, turned: float = 0.0) -> PointSize:
-    return PointSize(single(float(np.hypot(along, across))), single(turned + float(np.arctan2(across, along))))
+def _joint(along: float, across: float, turned: float = 0.0) -> LinkPoint:
+    return LinkPoint(single(float(np.hypot(along, across))), single(turned + float(np.arctan2(across, along))))
 
 
 def _size(part: PartSpec, guides: Mapping[str, ChainGuideSpec]) -> StepSize:
     """One part's numbers; what `assembled` finds stands as nothing."""
     match part:
         case PinPartSpec():
-            return PinSize(single(part.rod.length.si), single(part.rocker.length.si), single(_SIDES[part.side]))
+            return Pin(single(part.rod.length.si), single(part.rocker.length.si), single(_SIDES[part.side]))
         case SlidePartSpec():
             return SlideSize(single(part.rod.length.si), single(_SIDES[part.side]), *_guide(part.guide))
         case SwivelPartSpec():
@@ -142,7 +140,7 @@ def _step(part: PartSpec, guides: Mapping[str, ChainGuideSpec]) -> Step:
         case TrammelPartSpec():
             return TrammelStep(part.link, part.slider, part.guide.through)
         case PointPartSpec():
-            return MountStep(pin_of(part.link), part.name) if part.link in guides else PointStep(part.link, part.name)
+            return MountStep(part.link, part.name) if part.link in guides else PointStep(part.link, part.name)
         case TriadPartSpec():
             return TriadStep(part.link, tuple(map(_leg_step, part.leg)))
 

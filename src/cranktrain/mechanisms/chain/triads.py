@@ -6,7 +6,6 @@ from cranktrain.linkage import (
     GUIDE,
     ROD,
     Leg,
-    LinkPoint,
     RodEnds,
     Triad,
     TriadEnds,
@@ -56,9 +55,7 @@ def triad_legs(own: TriadSize) -> Triad:
     """Legs as the kernel takes them."""
     return Triad(
         *(
-            Leg(LinkPoint(*leg.joint), leg.length, ROD)
-            if isinstance(leg, RodLegSize)
-            else Leg(LinkPoint(*leg.joint), leg.offset, GUIDE)
+            Leg(leg.joint, leg.length, ROD) if isinstance(leg, RodLegSize) else Leg(leg.joint, leg.offset, GUIDE)
             for leg in own.legs
         )
     )
@@ -68,7 +65,7 @@ def place_triad(step: TriadStep, own: TriadSize, link: Link, made: Made) -> None
     """Add what a triad makes, its link being known."""
     made[step.link] = link
     for leg, size in zip(step.legs, own.legs, strict=True):
-        joint = point(link, LinkPoint(*size.joint))
+        joint = point(link, size.joint)
         if isinstance(leg, RodLegStep):
             made[leg.joint] = joint
             made[leg.rod] = rod_between(RodEnds(made[leg.rod_from], joint))

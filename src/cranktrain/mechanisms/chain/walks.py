@@ -1,6 +1,6 @@
 """A triad of a chain round the turn: where to start at any crank angle, and how much a leg lacks where it is open."""
 
-from collections.abc import Callable, Hashable
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -18,9 +18,6 @@ EndsAt = Callable[[Array], TriadEnds]
 _ALIKE = 1e-6
 """Poses that differ by less, in parts of the link's size, are one. Of two modes only those of a loose link are near."""
 
-_KEPT = 32
-"""Walks that are remembered: root finding asks for the same mechanisms at other angles again and again."""
-
 
 class Branch(NamedTuple):
     """A triad's link round the turn from φ = 0: forward and, where it cannot turn on for all machines, backward.
@@ -35,22 +32,7 @@ class Branch(NamedTuple):
     apart: Array
 
 
-class Walks:
-    """Walks by what they are walks of, the last few."""
-
-    def __init__(self) -> None:
-        self._known: dict[Hashable, Branch] = {}
-
-    def branch(self, key: Hashable, ends: EndsAt, legs: Triad, start: StartSize) -> Branch:
-        """Give the branch of a triad; `key` must tell it from all others."""
-        if key not in self._known:
-            while len(self._known) >= _KEPT:
-                del self._known[next(iter(self._known))]
-            self._known[key] = _branch(ends, legs, start)
-        return self._known[key]
-
-
-def _branch(ends: EndsAt, legs: Triad, start: StartSize) -> Branch:
+def branch_from(ends: EndsAt, legs: Triad, start: StartSize) -> Branch:
     """Walk from the start: from the pose nearest to it, where lengths have been changed since it was found."""
     with np.errstate(all="ignore"):
         at_start = ends(np.zeros(1))
@@ -68,7 +50,7 @@ def _branch(ends: EndsAt, legs: Triad, start: StartSize) -> Branch:
 
 def _apart(forward: Walk, back: Walk | None) -> Array:
     """How far apart the link is at one crank angle, reached forward and backward; 0 where only one way leads. [m]"""
-    last, angle = _last(forward), _last_angle(forward)
+    last, angle = _last(forward), np.take_along_axis(forward.angle, _end(forward), axis=-1)
     other = Pose(*forward.pose.value[..., :1])
     if back is not None:
         back_there = pose_at(back, -angle)
@@ -108,10 +90,6 @@ def _given(one: Array, other: Array) -> Array:
 def _last(walk: Walk) -> Pose:
     """Where a walk ends; NaN, where it has not begun."""
     return Pose(*np.take_along_axis(walk.pose.value, np.broadcast_to(_end(walk), (3, *_end(walk).shape)), axis=-1))
-
-
-def _last_angle(walk: Walk) -> Array:
-    return np.take_along_axis(walk.angle, _end(walk), axis=-1)
 
 
 def _end(walk: Walk) -> NDArray[np.intp]:

@@ -1,10 +1,11 @@
 """The eccentric's table of the machine file."""
 
-from typing import Literal, Self
+from collections.abc import Iterator
+from typing import Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.eccentric.kinematics import Eccentric
 from cranktrain.mechanisms.spec import Master, MechanismSpec
@@ -36,17 +37,14 @@ class EccentricSpec(MechanismSpec, frozen=True):
         default=Given(0.0, "0 mm"), description=N_("Of the valve's line from the shaft, positive toward +y.")
     )
 
-    @model_validator(mode="after")
-    def _set_once(self) -> Self:
-        """Refuse an eccentric that is set twice or not at all."""
+    def _problems(self) -> Iterator[Problem]:
+        """Find an eccentric that is set twice or not at all."""
         if self.angle_of_advance is None and self.angle_ahead is None:
-            allowed = _("is missing; give it, or angle_ahead")
-            raise InputError([Problem("angle_of_advance", None, allowed)])
+            yield Problem("angle_of_advance", None, _("is missing; give it, or angle_ahead"))
         if self.angle_ahead is not None:
             for name in ("angle_of_advance", "admission"):
                 if name in self.model_fields_set:
-                    raise InputError([Problem(name, None, _("must not stand beside angle_ahead"))])
-        return self
+                    yield Problem(name, None, _("must not stand beside angle_ahead"))
 
 
 def eccentric_geometry(spec: EccentricSpec, _master: Master | None = None) -> Eccentric:

@@ -29,6 +29,7 @@ KIND = Kind(
     links=("cylinder",),
     drawing=oscillating_cylinder_drawing,
     closing_advice=oscillating_cylinder_advice,
+    closing_field="ground_length",
     members=Members,
     stages=(),
     dynamics=DYNAMICS,

@@ -22,6 +22,7 @@ KIND = Kind(
     links=(),
     drawing=scotch_yoke_drawing,
     closing_advice=scotch_yoke_advice,
+    closing_field="slot_angle",
     members=Members,
     stages=(),
     dynamics=DYNAMICS,

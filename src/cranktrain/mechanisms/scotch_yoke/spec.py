@@ -1,16 +1,17 @@
 """The scotch yoke's table of the machine file."""
 
+from collections.abc import Iterator
 from math import pi, sin
-from typing import Literal, Self
+from typing import Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
+from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import single
 from cranktrain.quantities import Angle, Given, Length, PositiveLength
-from cranktrain.spec import Refused
 
 _LEAST_SINE = 1e-3
 
@@ -31,18 +32,10 @@ class ScotchYokeSpec(MechanismSpec, frozen=True):
         description=N_("From the line of stroke to the slot, in the sense of rotation."),
     )
 
-    @model_validator(mode="after")
-    def _crosses(self) -> Self:
-        """Refuse a slot along the guide, where the slider would run away."""
+    def _problems(self) -> Iterator[Problem]:
+        """Find a slot along the guide, where the slider would run away."""
         if abs(sin(self.slot_angle.si)) < _LEAST_SINE:
-            allowed = _("must not lie along the line of stroke: 90 deg is across it")
-            raise Refused(allowed, path="slot_angle")
-        return self
-
-    @property
-    def rod_field(self) -> str:
-        """There is no rod: the slot decides whether it closes."""
-        return "slot_angle"
+            yield Problem("slot_angle", None, _("must not lie along the line of stroke: 90 deg is across it"))
 
 
 def scotch_yoke_geometry(spec: ScotchYokeSpec, _master: Master | None = None) -> ScotchYoke:

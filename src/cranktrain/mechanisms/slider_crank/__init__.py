@@ -11,7 +11,12 @@ from cranktrain.mechanisms.slider_crank.kinematics import (
     slider_crank_gap,
     slider_crank_least_gap,
 )
-from cranktrain.mechanisms.slider_crank.spec import SliderCrankSpec, slider_crank_advice, slider_crank_geometry
+from cranktrain.mechanisms.slider_crank.spec import (
+    SliderCrankSpec,
+    slider_crank_advice,
+    slider_crank_geometry,
+    slider_crank_rod_field,
+)
 
 __all__ = ["KIND", "SliderCrank", "SliderCrankMotion", "SliderCrankSpec", "slider_crank"]
 
@@ -29,6 +34,7 @@ KIND = Kind(
     links=("rod",),
     drawing=slider_crank_drawing,
     closing_advice=slider_crank_advice,
+    closing_field=slider_crank_rod_field,
     members=Members,
     stages=(),
     dynamics=DYNAMICS,

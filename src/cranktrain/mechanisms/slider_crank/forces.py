@@ -1,80 +1,54 @@
 """Forces of the slider-crank: reactions of crank, rod and slider, and the driving torque."""
 
-from typing import Generic, NamedTuple
-
 from cranktrain.linkage import AHEAD, Crank, Slide
 from cranktrain.linkage.forces import (
-    NOTHING,
     Body,
     Conditions,
     SlideLoads,
     Wrench,
-    borne,
     carrying_crank,
     crank_link,
     slide_reactions,
     slider_link,
 )
 from cranktrain.mechanisms.dynamics import FRAME, Across, Contact, Dynamics, Group, Reaction
+from cranktrain.mechanisms.on_crank import each_borne, force_on_slider
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, SliderCrankMotion
-from cranktrain.mechanisms.solved import Each, Forces
-from cranktrain.motion import ZERO, Array, Link
+from cranktrain.mechanisms.solved import Forces
+from cranktrain.motion import Link
 
 
-class SliderCrankLinks(NamedTuple, Generic[Each]):
-    """What each link has: crank, from the shaft to its pin; rod, from the crank pin to the slider's; slider, along x.
-
-    Its link, its body, or the wrench that it bears, about its first pin.
-    """
-
-    crank: Each
-    rod: Each
-    slider: Each
-
-
-class SliderCrankJoints(NamedTuple):
-    """Wrenches of the bearing on the crank, the crank on the rod, the rod on the slider, the guide on the slider."""
-
-    main_bearing: Wrench
-    crank_pin: Wrench
-    wrist_pin: Wrench
-    guide: Wrench
-
-
-def slider_crank_links(motion: SliderCrankMotion, geometry: SliderCrank) -> SliderCrankLinks[Link]:
-    """What moves, as links: crank, rod and slider."""
+def slider_crank_links(motion: SliderCrankMotion, geometry: SliderCrank) -> tuple[Link, ...]:
+    """What moves: crank, from the shaft to its pin; rod, from the crank pin to the slider's; slider, along x."""
     crank = crank_link(motion.pin, Crank(geometry.crank_radius))
     slider = slider_link(motion.slider, geometry.offset)
-    return SliderCrankLinks(crank, motion.rod, slider)
-
-
-def slider_crank_load(_motion: SliderCrankMotion, _geometry: SliderCrank, force: Array) -> SliderCrankLinks[Wrench]:
-    """Loads for a force on the slider along x, away from the shaft; a gas presses toward it. [N]"""
-    return SliderCrankLinks(NOTHING, NOTHING, Wrench(force, ZERO, ZERO))
+    return crank, motion.rod, slider
 
 
 def slider_crank_forces(
     motion: SliderCrankMotion,
     geometry: SliderCrank,
-    bodies: SliderCrankLinks[Body],
-    loads: SliderCrankLinks[Wrench],
+    bodies: tuple[Body, ...],
+    loads: tuple[Wrench, ...],
     conditions: Conditions,
-) -> Forces[SliderCrankJoints]:
+) -> Forces:
     """All forces of a slider-crank.
 
     Parameters
     ----------
     motion : SliderCrankMotion, shape (..., n)
     geometry : SliderCrank, fields broadcastable to (..., 1)
-    bodies : SliderCrankLinks of Body, fields broadcastable to (..., 1)
-    loads : SliderCrankLinks of Wrench, shape (..., n)
-        Rods that hang on this one load it: `loads.rod`.
+    bodies : three of Body, fields broadcastable to (..., 1)
+        Of crank, rod and slider.
+    loads : three of Wrench, shape (..., n)
+        Rods that hang on this one load it.
     conditions : Conditions, fields broadcastable to (..., n)
 
     Returns
     -------
-    Forces of SliderCrankJoints, shape (..., n)
-        In the mechanism's axes. NaN where the rod cannot reach, or friction wedges the slider.
+    Forces, shape (..., n)
+        Of the bearing on the crank, the crank on the rod, the rod on the slider, the guide on the slider; in the
+        mechanism's axes. NaN where the rod cannot reach, or friction wedges the slider.
 
     Notes
     -----
@@ -88,36 +62,32 @@ def slider_crank_forces(
     >>> from cranktrain.mechanisms.slider_crank.kinematics import slider_crank
     >>> geometry = SliderCrank(0.05, 0.13, 0.0)
     >>> motion = slider_crank(1.5707963267948966, geometry)
-    >>> bodies = SliderCrankLinks(*3 * [Body(0.0, 0.0, 0.0, 0.0)])
-    >>> load = slider_crank_load(motion, geometry, -1000.0)
+    >>> bodies = 3 * (Body(0.0, 0.0, 0.0, 0.0),)
+    >>> load = force_on_slider(motion, geometry, -1000.0)
     >>> standing = Conditions(Drive(0.0, 0.0), Gravity(0.0, 0.0), (NO_FRICTION,))
     >>> forces = slider_crank_forces(motion, geometry, bodies, load, standing)
-    >>> round(float(forces.driving_torque), 9), round(float(forces.joints.guide.y), 6)
+    >>> _bearing, _crank_pin, _wrist_pin, guide = forces.joints
+    >>> round(float(forces.driving_torque), 9), round(float(guide.y), 6)
     (-50.0, 416.666667)
     """
     links = slider_crank_links(motion, geometry)
-    crank, _, slider = links
+    on_crank, on_rod, on_slider = each_borne(links, bodies, loads, conditions)
     group = slide_reactions(
         motion.rod,
         Slide(geometry.rod_length, geometry.offset, AHEAD),
-        SlideLoads(
-            borne(motion.rod, bodies.rod, loads.rod, conditions),
-            borne(slider, bodies.slider, loads.slider, conditions),
-        ),
+        SlideLoads(on_rod, on_slider),
         conditions.friction[0],
     )
-    on_crank = borne(crank, bodies.crank, loads.crank, conditions)
-    shaft = carrying_crank(crank, on_crank, motion.pin, group.pin)
+    shaft = carrying_crank(links[0], on_crank, motion.pin, group.pin)
     return Forces(
-        SliderCrankJoints(shaft.bearing, group.pin, group.joint, group.guide),
+        (shaft.bearing, group.pin, group.joint, group.guide),
         shaft.driving_torque,
         group.guide.x * motion.slider.first,
     )
 
 
 DYNAMICS = Dynamics(
-    bodies=SliderCrankLinks[Body],
-    moving=SliderCrankLinks._fields,
+    moving=("crank", "rod", "slider"),
     reactions=(
         Reaction("main_bearing", "crank", FRAME, "main_bearing"),
         Reaction("crank_pin", "rod", "crank", "crank_pin"),
@@ -128,6 +98,6 @@ DYNAMICS = Dynamics(
     contacts=(Contact("guide", "B"),),
     groups=(Group("RRP", ("rod", "slider"), (Across("crank_pin", "rod", "B"),)),),
     links=slider_crank_links,
-    load=slider_crank_load,
+    load=force_on_slider,
     forces=slider_crank_forces,
 )

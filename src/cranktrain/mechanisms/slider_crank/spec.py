@@ -1,17 +1,16 @@
 """The slider-crank's table of the machine file."""
 
 from math import sqrt
-from typing import Literal, Self
+from typing import Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import single
 from cranktrain.quantities import Given, Length, PositiveLength, PositiveRatio
-from cranktrain.spec import Refused
 from cranktrain.wording import precise
 
 _CRANKS = ("crank_radius", "stroke")
@@ -42,20 +41,17 @@ class SliderCrankSpec(MechanismSpec, frozen=True):
         ),
     )
 
-    @property
-    def rod_field(self) -> str:
-        """Whichever of the three forms gives the rod."""
-        return next(name for name in _RODS if getattr(self, name) is not None)
-
-    @model_validator(mode="after")
-    def _sized_once(self) -> Self:
-        """Refuse a crank or a rod that is given twice or not at all, and a stroke that no crank can make."""
+    def _problems(self) -> list[Problem]:
+        """Find a crank or a rod that is given twice or not at all, and a stroke that no crank can make."""
         wrong = [problem for names in (_CRANKS, _RODS) if (problem := _not_once(self, names)) is not None]
-        if wrong:
-            raise InputError(wrong)
-        if self.stroke is not None and _radius_from_stroke(self) is None:
-            raise Refused(_stroke_limit(self), path="stroke")
-        return self
+        if not wrong and self.stroke is not None and _radius_from_stroke(self) is None:
+            wrong = [Problem("stroke", None, _stroke_limit(self))]
+        return wrong
+
+
+def slider_crank_rod_field(spec: SliderCrankSpec, _geometry: SliderCrank) -> str:
+    """Give whichever of the three forms gives the rod."""
+    return next(name for name in _RODS if getattr(spec, name) is not None)
 
 
 def _stroke_limit(spec: SliderCrankSpec) -> str:

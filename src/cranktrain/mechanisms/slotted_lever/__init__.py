@@ -24,6 +24,7 @@ KIND = Kind(
     links=("rocker",),
     drawing=slotted_lever_drawing,
     closing_advice=slotted_lever_advice,
+    closing_field="ground_length",
     members=Members,
     stages=(),
     dynamics=DYNAMICS,

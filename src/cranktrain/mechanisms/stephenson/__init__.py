@@ -1,12 +1,10 @@
 """Stephenson's link motion: a valve gear of two eccentrics and a link that is raised and lowered."""
 
-from dataclasses import replace
-from functools import cache, partial
+from functools import partial
 from typing import Any
 
 from cranktrain.language import N_
-from cranktrain.mechanisms.chain.composed import as_chain
-from cranktrain.mechanisms.chain.kinematics import ChainMotion
+from cranktrain.mechanisms.chain.composed import as_chain, kind_of_structure
 from cranktrain.mechanisms.chain.steps import Structure
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.stephenson.drawing import stephenson_drawing
@@ -43,12 +41,6 @@ def _fields(structure: Structure) -> dict[str, Any]:
     }
 
 
-@cache
-def _kind(structure: Structure) -> Kind[ChainMotion, Stephenson]:
-    """Give the kind of gears with a curved slot, or with a straight one."""
-    return replace(KIND, composed=None, **_fields(structure))
-
-
 KIND = Kind(
     name="stephenson",
     title=N_("Stephenson's link motion"),
@@ -56,10 +48,11 @@ KIND = Kind(
     geometry=stephenson_geometry,
     has_rod=False,
     closing_advice=stephenson_advice,
+    closing_field="eccentric_rod_length",
     members=Members,
     stages=(),
     has_chambers=False,
-    composed=lambda spec: _kind(structure_of(spec)),
+    composed=lambda spec: kind_of_structure(KIND, _fields, structure_of(spec)),
     **_fields(CURVED),
     example="""\
 [mechanism]

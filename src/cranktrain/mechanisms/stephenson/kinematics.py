@@ -4,12 +4,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.linkage import AHEAD
+from cranktrain.linkage import AHEAD, LinkPoint
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     Coordinates,
     CrankSize,
-    PointSize,
     PointStep,
     RodLegSize,
     RodLegStep,
@@ -109,7 +108,7 @@ def stephenson_size(structure: Structure, geometry: Stephenson) -> ChainSize:
     if structure is STRAIGHT:
         rest = (TrammelSize(none, along, geometry.offset, -geometry.side),)
     else:
-        centre = PointSize(geometry.slot_arc, toward_shaft * (0.5 * np.pi))
+        centre = LinkPoint(geometry.slot_arc, toward_shaft * (0.5 * np.pi))
         rest = (centre, SlideSize(geometry.slot_arc, AHEAD, along, geometry.offset))
     return ChainSize(
         (CrankSize(geometry.eccentricity, geometry.ahead), CrankSize(geometry.eccentricity, -geometry.ahead)),
@@ -121,5 +120,5 @@ def stephenson_size(structure: Structure, geometry: Stephenson) -> ChainSize:
     )
 
 
-def _joint(along: Array, across: Array) -> PointSize:
-    return PointSize(np.hypot(along, across), np.arctan2(across, along))
+def _joint(along: Array, across: Array) -> LinkPoint:
+    return LinkPoint(np.hypot(along, across), np.arctan2(across, along))

@@ -7,7 +7,8 @@ from pydantic import Field
 
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.chain.assembly import assembled
-from cranktrain.mechanisms.chain.steps import NO_START, Structure, TriadSize
+from cranktrain.mechanisms.chain.steps import NO_START, Structure
+from cranktrain.mechanisms.chain.triads import triad_at
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.mechanisms.stephenson.kinematics import CURVED, STRAIGHT, LiftingArm, Stephenson, stephenson_size
 from cranktrain.mechanisms.valve_gear import Admission, Notch, set_ahead
@@ -55,11 +56,6 @@ class StephensonSpec(MechanismSpec, frozen=True):
         default=Given(0.0, "0 mm"), description=N_("Of the valve's line from the shaft, positive toward +y.")
     )
 
-    @property
-    def rod_field(self) -> str:
-        """The eccentric rods."""
-        return "eccentric_rod_length"
-
 
 def structure_of(spec: StephensonSpec) -> Structure:
     """Give the gear's chain: its slot is an arc where it has a radius."""
@@ -91,8 +87,7 @@ def stephenson_geometry(spec: StephensonSpec, _master: Master | None = None) -> 
     )
     structure = structure_of(spec)
     size = assembled(structure, stephenson_size(structure, geometry), {"link": _upright(geometry)})
-    link = size.steps[0]
-    assert isinstance(link, TriadSize)
+    _step, link = triad_at(structure, 0, size)
     return geometry._replace(start=link.start)
 
 

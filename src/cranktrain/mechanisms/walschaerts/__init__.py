@@ -34,6 +34,7 @@ KIND = Kind(
     geometry=walschaerts_geometry,
     has_rod=False,
     closing_advice=walschaerts_advice,
+    closing_field="radius_rod_length",
     members=Members,
     stages=(),
     has_chambers=False,

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.linkage import AHEAD
+from cranktrain.linkage import AHEAD, LinkPoint, Pin
 from cranktrain.mechanisms.chain.steps import (
     ChainSize,
     Coordinates,
@@ -12,9 +12,7 @@ from cranktrain.mechanisms.chain.steps import (
     GuideLegSize,
     GuideLegStep,
     MountStep,
-    PinSize,
     PinStep,
-    PointSize,
     PointStep,
     RodLegSize,
     RodLegStep,
@@ -33,7 +31,7 @@ STRUCTURE = Structure(
     ("trunnion",),
     (
         SlideStep("main.pin", "main_rod", "crosshead", "O"),
-        MountStep("crosshead.pin", "drop_pin"),
+        MountStep("crosshead", "drop_pin"),
         PinStep("return.pin", "trunnion", "eccentric_rod", "link", "foot"),
         PointStep("link", "die"),
         TriadStep(
@@ -112,9 +110,9 @@ def walschaerts_size(geometry: Walschaerts) -> ChainSize:
     sagitta = geometry.die * geometry.die / (radius + np.sqrt((radius - geometry.die) * (radius + geometry.die)))
     die_angle = np.arctan2(-geometry.side * sagitta, geometry.die)
     legs = (
-        RodLegSize(PointSize(none, none), radius),
-        RodLegSize(PointSize(lever.length, none), geometry.union_link_length),
-        GuideLegSize(PointSize(np.abs(lever.valve_pin), np.arctan2(none, lever.valve_pin)), none, geometry.offset),
+        RodLegSize(LinkPoint(none, none), radius),
+        RodLegSize(LinkPoint(lever.length, none), geometry.union_link_length),
+        GuideLegSize(LinkPoint(np.abs(lever.valve_pin), np.arctan2(none, lever.valve_pin)), none, geometry.offset),
     )
     return ChainSize(
         (
@@ -124,9 +122,9 @@ def walschaerts_size(geometry: Walschaerts) -> ChainSize:
         (geometry.trunnion,),
         (
             SlideSize(master.rod_length, AHEAD, cylinder, master.offset),
-            PointSize(np.hypot(drop.x, drop.y), cylinder + np.arctan2(drop.y, drop.x)),
-            PinSize(geometry.rod_length, np.hypot(geometry.foot, geometry.foot_setback), geometry.side),
-            PointSize(np.hypot(geometry.die, sagitta), die_angle - foot_angle),
+            LinkPoint(np.hypot(drop.x, drop.y), cylinder + np.arctan2(drop.y, drop.x)),
+            Pin(geometry.rod_length, np.hypot(geometry.foot, geometry.foot_setback), geometry.side),
+            LinkPoint(np.hypot(geometry.die, sagitta), die_angle - foot_angle),
             TriadSize(legs, geometry.start),
         ),
     )

@@ -7,7 +7,8 @@ from pydantic import Field
 
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.chain.assembly import assembled
-from cranktrain.mechanisms.chain.steps import NO_START, Coordinates, TriadSize
+from cranktrain.mechanisms.chain.steps import NO_START, Coordinates
+from cranktrain.mechanisms.chain.triads import triad_at
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.mechanisms.valve_gear import Admission, Notch, set_ahead
 from cranktrain.mechanisms.walschaerts.kinematics import STRUCTURE, Lever, Walschaerts, upright, walschaerts_size
@@ -66,11 +67,6 @@ class WalschaertsSpec(MechanismSpec, frozen=True):
 
     master_field: ClassVar[str | None] = "crosshead"
 
-    @property
-    def rod_field(self) -> str:
-        """The radius rod."""
-        return "radius_rod_length"
-
 
 def walschaerts_geometry(spec: WalschaertsSpec, master: Master | None) -> Walschaerts:
     """Geometry in SI in the notch of the file, with the combination lever put together across the valve's line."""
@@ -95,8 +91,7 @@ def walschaerts_geometry(spec: WalschaertsSpec, master: Master | None) -> Walsch
         start=NO_START,
     )
     size = assembled(STRUCTURE, walschaerts_size(geometry), {"combination_lever": upright(geometry)})
-    lever = size.steps[-1]
-    assert isinstance(lever, TriadSize)
+    _step, lever = triad_at(STRUCTURE, -1, size)
     return geometry._replace(start=lever.start)
 
 

@@ -1,6 +1,6 @@
 """Balance: what shakes the frame, and the weights and shafts that balance it."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_
@@ -12,7 +12,7 @@ from cranktrain.questions.balance import frame_forces, running_frame, shaking, s
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 
 
-def _problems(design: Design) -> tuple[Problem, ...]:
+def _problems(design: Design) -> Iterable[Problem]:
     given = design.table(spec.BalanceSpec)
     return () if given is None else weights.balance_problems(given, design.main_shaft)
 

@@ -1,7 +1,7 @@
 """Counterweights on the crank, solved for: all that rotates, a share of what reciprocates, the least largest force.
 
 First *what* turns with the crank and is to be taken away (`share_of`, `middle_of`), of the force or, alike, of the
-couple; then *where* the weights stand (`counterweights` on each throw, `two_plane_counterweights`).
+couple; then *where* the weights stand: opposite, on each throw (`on_crank`), or in `two_plane_counterweights`.
 """
 
 import numpy as np
@@ -13,15 +13,16 @@ from cranktrain.numerics.plane_vectors import PlaneVectors, vector_curve
 from cranktrain.questions.balance.rotating_weights import RotatingWeights, on_crank
 
 
-def share_of(rotating: ComplexArray, reciprocating: PlaneVectors, share: Array | float) -> ComplexArray:
+def share_of(rotating: ComplexArray, swinging: ComplexArray, share: Array | float) -> ComplexArray:
     """All that rotates and a share of what reciprocates, as a vector that turns with the crank.
 
     Parameters
     ----------
     rotating : complex, shape (...)
         Mass times radius of what rotates, toward where it stands at φ = 0; or its first moment along the shaft. [kg·m]
-    reciprocating : PlaneVectors, shape (..., n)
-        Force of the reciprocating masses for each (rad/s)², with order 1; or its couple. [kg·m]
+    swinging : complex, shape (...)
+        What turns with the crank in the first order of the reciprocating masses' force for each (rad/s)²; or of its
+        couple. [kg·m]
     share : Array, shape (...)
         κ of the reciprocating masses: ½ is all that turns with the crank. [1]
 
@@ -34,8 +35,7 @@ def share_of(rotating: ComplexArray, reciprocating: PlaneVectors, share: Array |
     r + 2κ f_1: central slider-cranks of one throw have f_1 = ½ Σm R e^{iθ} whatever their axes. docs/theory/balance,
     eq. (16.9).
     """
-    first = reciprocating.forward[..., np.argmin(np.abs(reciprocating.order - 1))]
-    return rotating + 2 * np.asarray(share) * first
+    return rotating + 2 * np.asarray(share) * swinging
 
 
 def middle_of(force: PlaneVectors) -> ComplexArray:
@@ -66,23 +66,6 @@ def middle_of(force: PlaneVectors) -> ComplexArray:
 
         centre[place] = smallest_circle(seen_from_crank).centre
     return centre
-
-
-def counterweights(part: ComplexArray, position: Array) -> RotatingWeights:
-    """Counterweights on each throw.
-
-    Parameters
-    ----------
-    part : complex, shape (..., throw)
-        What they take away, of each throw. [kg·m]
-    position : Array, shape (..., throw)
-        z of the throws. [m]
-
-    Returns
-    -------
-    RotatingWeights, shape (..., throw)
-    """
-    return on_crank(-part, position)
 
 
 def two_plane_counterweights(

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.checks import Check
+from cranktrain.checks import Check, StageResult
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import HIGHEST_ORDER, CrankAngle
 from cranktrain.layout.frames import Frames
@@ -35,7 +35,7 @@ ENDED = 1e-13
 
 
 @record
-class FrameForces:
+class FrameForces(StageResult):
     """What the moving masses do to the frame, for each (rad/s)²; in the common axes of `Frames`, over one turn.
 
     Attributes
@@ -57,7 +57,6 @@ class FrameForces:
     step: int
     vectors: PlaneVectors
     own: PlaneVectors
-    checks: tuple[Check, ...] = ()
 
 
 class Momenta(NamedTuple):
@@ -107,8 +106,8 @@ def frame_forces(
                 "momentum",
                 throws.gathered(force),
                 throws.gathered(own),
-                in_joints=np.max(largest_in_joints(machine, solved), axis=1),
-                ended=np.all(ended, axis=(1, 2)),
+                largest_in_joints(machine, solved),
+                ended,
             ),
         ),
     )
@@ -131,8 +130,7 @@ def momenta(machine: LoadedMachine, motions: Sequence[AnyMotion], frames: Frames
         total = reduce(lambda one, other: Momentum(*map(np.add, one, other)), map(momentum, links, tuple(made.bodies)))
         vector = frames.common(batch.index, total.x, total.y)
         parts.append(Momenta(vector, frames.sense[batch.index, np.newaxis] * total.moment))
-    order = np.argsort(np.concatenate([batch.index for batch in machine.mechanisms.batches]))
-    return Momenta(*(np.concatenate(columns, axis=1)[:, order] for columns in zip(*parts, strict=True)))
+    return Momenta(*map(machine.in_order, zip(*parts, strict=True)))
 
 
 def derivative(vector: ComplexArray) -> ComplexArray:
@@ -156,14 +154,14 @@ def force_on_frame(
 
 
 def momentum_check(
-    name: str, force: ComplexArray, momentum_lost: ComplexArray, *, in_joints: Array, ended: NDArray[np.bool_]
+    name: str, force: ComplexArray, momentum_lost: ComplexArray, in_joints: Array, ended: NDArray[np.bool_]
 ) -> Check:
     """Compare the throws' forces with what their momentum says, by a series that may have ended, for each design."""
-    scale = np.max(np.abs(force), axis=(-2, -1)) + in_joints
+    scale = np.max(np.abs(force), axis=(-2, -1)) + np.max(in_joints, axis=-1)
     residual = np.max(np.abs(force - momentum_lost), axis=(-2, -1)) / np.where(scale == 0, 1.0, scale)
     return Check(
         name,
         _("Inertia forces on the frame against the change of momentum of all parts, relative to the joints' largest"),
-        np.where((residual > _LIMIT) & ~ended, np.inf, residual),
+        np.where((residual > _LIMIT) & ~np.all(ended, axis=(-2, -1)), np.inf, residual),
         _LIMIT,
     )

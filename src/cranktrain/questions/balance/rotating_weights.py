@@ -25,23 +25,22 @@ class RotatingWeights(NamedTuple):
         Where the weight stands at φ = 0, from x in the sense of rotation. [rad]
     position : Array
         z along the shaft. [m]
-    x, y : Array
-        Where its shaft lies; 0, 0 for the crankshaft. [m]
+    place : complex
+        Where its shaft lies, x + iy; 0 for the crankshaft. [m]
     """
 
     ratio: Array
     moment: Array
     angle: Array
     position: Array
-    x: Array
-    y: Array
+    place: ComplexArray
 
 
 def on_crank(vector: ComplexArray, position: Array) -> RotatingWeights:
     """Weights on the crankshaft from mass times radius as vectors at φ = 0 [kg·m], shape (..., weight)."""
     shape = np.broadcast_shapes(vector.shape, np.shape(position))
     moment, angle, z = (np.broadcast_to(part, shape) for part in (np.abs(vector), np.angle(vector), position))
-    return RotatingWeights(np.ones(shape), moment, angle, z, np.zeros(shape), np.zeros(shape))
+    return RotatingWeights(np.ones(shape), moment, angle, z, np.zeros(shape, dtype=np.complex128))
 
 
 def joined(*parts: RotatingWeights) -> RotatingWeights:
@@ -72,7 +71,7 @@ def weight_vectors(weights: RotatingWeights, order: Array) -> PlaneVectors:
     -----
     u k² e^{i(kφ + ψ)}. docs/theory/balance, eq. (16.7).
     """
-    force = _force(weights)[..., np.newaxis]
+    force = (weights.moment * weights.ratio**2 * phasor(weights.angle))[..., np.newaxis]
     ratio = weights.ratio[..., np.newaxis]
     forward = np.where(np.abs(ratio - order) < _SAME, force, 0.0)
     backward = np.where((np.abs(ratio + order) < _SAME) & (order > 0), force, 0.0)
@@ -97,12 +96,7 @@ def weight_roll(weights: RotatingWeights, order: Array) -> Harmonics:
     x F_y − y F_x. docs/theory/balance, eq. (16.8).
     """
     forward, backward = weight_vectors(weights, order)[1:]
-    place = (weights.x - 1j * weights.y)[..., np.newaxis]
+    place = np.conj(weights.place)[..., np.newaxis]
     # Im(place · F): a forward vector f gives −i·place·f as the amplitude of e^{inφ}, a backward one the conjugate.
     amplitude = -1j * place * forward + np.conj(-1j * place * backward)
     return from_vectors(order, np.sum(amplitude, axis=-2))
-
-
-def _force(weights: RotatingWeights) -> ComplexArray:
-    """Force of each weight at φ = 0 for each (rad/s)²."""
-    return weights.moment * weights.ratio**2 * phasor(weights.angle)

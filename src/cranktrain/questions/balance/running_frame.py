@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cranktrain.checks import Check
+from cranktrain.checks import StageResult
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.frames import Frames
 from cranktrain.layout.masses import Masses
@@ -32,7 +32,7 @@ from cranktrain.record import record
 
 
 @record
-class RunningFrame:
+class RunningFrame(StageResult):
     """As `FrameForces`, in newtons and over the whole cycle.
 
     Attributes
@@ -54,7 +54,6 @@ class RunningFrame:
     angle: Array
     drive: Drive
     step: int
-    checks: tuple[Check, ...] = ()
 
 
 def running_frame(
@@ -99,8 +98,8 @@ def running_frame(
                 "running_momentum",
                 throws.gathered(force),
                 throws.gathered(own),
-                in_joints=np.max(largest_in_joints(bare, solved), axis=1),
-                ended=np.all(ended, axis=(1, 2)),
+                largest_in_joints(bare, solved),
+                ended,
             ),
         ),
     )

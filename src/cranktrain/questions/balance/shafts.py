@@ -1,31 +1,16 @@
 """Balance shafts, solved for: they turn n times as fast as the crank, one with it and one against it."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.numerics.harmonics import ComplexArray, Harmonics, phasor
+from cranktrain.numerics.harmonics import ComplexArray
 from cranktrain.numerics.plane_vectors import PlaneVectors
 from cranktrain.questions.balance.counterweights import two_plane_vectors
 from cranktrain.questions.balance.rotating_weights import RotatingWeights
 from cranktrain.questions.balance.unit_shaking import Shaking
 
 
-class ShaftPlaces(NamedTuple):
-    """Where the shafts lie that turn with the crank and against it, x + iy: complex, shape (...). [m]"""
-
-    forward: ComplexArray
-    backward: ComplexArray
-
-
-AT_CRANK = ShaftPlaces(np.zeros((), dtype=complex), np.zeros((), dtype=complex))
-"""Both at the crankshaft's axis: no roll moment of their own."""
-
-
-def lanchester_shafts(
-    force: PlaneVectors, order: int, position: Array, places: ShaftPlaces = AT_CRANK
-) -> RotatingWeights:
+def lanchester_shafts(force: PlaneVectors, order: int, position: Array, places: ComplexArray) -> RotatingWeights:
     """Two shafts that cancel the force of one order.
 
     Parameters
@@ -36,8 +21,8 @@ def lanchester_shafts(
         Which order; the shafts turn at plus and minus so many times the crank's speed.
     position : Array, shape (...)
         z of their weights; the force's own plane, or a couple is left. [m]
-    places : ShaftPlaces
-        Where they lie.
+    places : complex, broadcastable to (..., 2)
+        Where they lie, x + iy, first the one that turns with the crank. [m]
 
     Returns
     -------
@@ -51,11 +36,11 @@ def lanchester_shafts(
     forward, backward = vectors_of(force, order)
     vectors = -np.stack([forward, backward], axis=-1)
     z = np.broadcast_to(np.asarray(position)[..., np.newaxis], vectors.shape)
-    return _shafts(vectors, order, z, np.array([1.0, -1.0]), np.stack(np.broadcast_arrays(*places), axis=-1))
+    return _shafts(vectors, order, z, np.array([1.0, -1.0]), places)
 
 
 def two_plane_shafts(
-    before: Shaking, order: int, planes: Array, places: ShaftPlaces = AT_CRANK, mid_plane: Array | float = 0.0
+    before: Shaking, order: int, planes: Array, places: ComplexArray, mid_plane: Array | float = 0.0
 ) -> RotatingWeights:
     """Two shafts with weights in two planes that cancel force and couple of one order.
 
@@ -67,8 +52,8 @@ def two_plane_shafts(
         Which order.
     planes : Array, shape (..., 2)
         z of both planes. [m]
-    places : ShaftPlaces
-        Where they lie.
+    places : complex, broadcastable to (..., 2)
+        Where they lie, x + iy, first the one that turns with the crank. [m]
     mid_plane : Array, shape (...)
         z̄. [m]
 
@@ -88,45 +73,13 @@ def two_plane_shafts(
     ]
     vectors = np.concatenate(pairs, axis=-1)
     z = np.broadcast_to(np.concatenate([planes, planes], axis=-1), vectors.shape)
-    where = np.stack(np.broadcast_arrays(*places), axis=-1)[..., [0, 0, 1, 1]]
-    return _shafts(vectors, order, z, np.array([1.0, 1.0, -1.0, -1.0]), where)
+    return _shafts(vectors, order, z, np.array([1.0, 1.0, -1.0, -1.0]), np.repeat(places, 2, axis=-1))
 
 
 def couple_of(before: Shaking) -> Shaking:
     """The couple alone, without its force."""
     order, forward, backward = before.force
     return Shaking(PlaneVectors(order, np.zeros_like(forward), np.zeros_like(backward)), before.couple)
-
-
-def roll_free_place(shafts: RotatingWeights, roll: Harmonics, order: int, backward: ComplexArray) -> ComplexArray:
-    """Where the forward shaft must lie so that both shafts also cancel a roll moment of their order.
-
-    Parameters
-    ----------
-    shafts : RotatingWeights, shape (..., 2)
-        Of `lanchester_shafts`; where they lie now does not matter.
-    roll : Harmonics, shape (..., n)
-        What rolls the frame without them, for each (rad/s)². [kg·m²]
-    order : int
-        Theirs.
-    backward : complex, shape (...)
-        Where the backward shaft lies, x + iy. [m]
-
-    Returns
-    -------
-    complex, shape (...)
-        x + iy of the forward shaft; NaN where there is none. [m]
-
-    Notes
-    -----
-    docs/theory/balance, eq. (16.13). The roll moment of the gas changes with the load and remains.
-    """
-    force = shafts.moment * shafts.ratio**2 * phasor(shafts.angle)
-    with_crank, against = force[..., 0], force[..., 1]
-    at = np.argmin(np.abs(roll.order - order))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        turned = -(roll.sine[..., at] + 1j * roll.cosine[..., at]) + np.conj(np.conj(backward) * against)
-        return np.conj(turned / with_crank)
 
 
 def vectors_of(vectors: PlaneVectors, order: int) -> tuple[ComplexArray, ComplexArray]:
@@ -137,5 +90,5 @@ def vectors_of(vectors: PlaneVectors, order: int) -> tuple[ComplexArray, Complex
 
 def _shafts(force: ComplexArray, order: int, position: Array, sense: Array, place: ComplexArray) -> RotatingWeights:
     """Weights with these forces for each (rad/s)² of the crank, on shafts that turn `order` times as fast."""
-    ratio, x, y = (np.broadcast_to(part, force.shape) for part in (sense * order, np.real(place), np.imag(place)))
-    return RotatingWeights(ratio, np.abs(force) / order**2, np.angle(force), position, x, y)
+    ratio, where = np.broadcast_to(sense * order, force.shape), np.broadcast_to(place, force.shape)
+    return RotatingWeights(ratio, np.abs(force) / order**2, np.angle(force), position, where)

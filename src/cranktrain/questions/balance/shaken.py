@@ -1,10 +1,12 @@
 """Force or couple on the frame from all mechanisms and balance weights, as curves and by order, and in words."""
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Sequence
+from dataclasses import field
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
+from cranktrain.checks import StageResult
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import HIGHEST_ORDER, CrankAngle, order_labels, orders
 from cranktrain.layout.frames import Frames
@@ -22,6 +24,9 @@ from cranktrain.numerics.plane_vectors import (
 from cranktrain.questions.balance.frame_forces import FrameForces
 from cranktrain.questions.balance.rotating_weights import RotatingWeights, weight_orders, weight_vectors
 from cranktrain.questions.balance.running_frame import RunningFrame
+from cranktrain.questions.balance.unit_shaking import gross
+from cranktrain.record import record
+from cranktrain.wording import Names
 
 _GONE = 1e-9
 """What is less than this share of what all parts could do together is none in words."""
@@ -33,24 +38,21 @@ _TOLD = 3
 """How many orders a sentence names."""
 
 
-class Shaken(NamedTuple):
+@record
+class Shaken(StageResult):
     """Force [N] or couple [N·m] on the frame, first without balance weights, then, where there are any, with them.
 
-    x, y are curves in the machine's axes, shape (design, balance, crank_angle); the others, by the cycle's orders, have
-    shape (design, balance, order), direction in radians from Y in the normal sense; gross, shape (design,), is what all
-    parts would do if they added up; labels are the names along both dimensions.
+    gross, shape (design,), is what all parts would do if they added up.
     """
 
-    x: Array
-    y: Array
-    forward: Array
-    backward: Array
-    largest: Array
-    smallest: Array
-    direction: Array
-    gross: Array
+    gross: Array = field(kw_only=True)
 
-    labels: dict[str, tuple[str, ...]]
+    def said(self, largest: Array, names: Names, design: int, unit: str) -> list[str]:
+        """Say its orders, without balance weights and, where there are any, with them."""
+        return [orders_in_words(names["order"], one, float(self.gross[design]), unit) for one in largest[design]]
+
+
+ShakenLike = TypeVar("ShakenLike", bound=Shaken)
 
 
 class Balanced(NamedTuple):
@@ -68,6 +70,7 @@ class _Sums(NamedTuple):
 
 
 def shaken(
+    made: Callable[..., ShakenLike],
     frame: FrameForces,
     running: RunningFrame | None,
     frames: Frames,
@@ -76,11 +79,15 @@ def shaken(
     *,
     arm: Array,
     balanced: Balanced | None,
-) -> Shaken:
+) -> ShakenLike:
     """Sum what all mechanisms and the balance weights do to the frame, in force or couple.
 
     Parameters
     ----------
+    made : callable
+        The result's class: of curves along the machine's X and Y, shape (design, balance, crank_angle), and by the
+        cycle's orders, shape (design, balance, order), of the parts that turn with the crank and against it, of the
+        largest and the smallest, and of its direction from Y in the normal sense [rad].
     frame : FrameForces
     running : RunningFrame or None
         Where the speed varies over the cycle.
@@ -93,7 +100,7 @@ def shaken(
 
     Returns
     -------
-    Shaken
+    What `made` gives.
 
     Notes
     -----
@@ -106,18 +113,18 @@ def shaken(
     curve = machine_axes(sums.curves, clockwise=frames.clockwise)
     vectors = sums.vectors
     ellipse = hodograph(vectors)
-    gross = speed.mean[:, 0, 0] ** 2 * _gross(frame, arm, balanced)
-    least = np.maximum(_GONE * gross[:, np.newaxis, np.newaxis], _GONE * ellipse.major)
+    scale = speed.mean[:, 0, 0] ** 2 * _gross(frame, arm, balanced)
+    least = np.maximum(_GONE * scale[:, np.newaxis, np.newaxis], _GONE * ellipse.major)
     # A circle has no long axis, and what has gone no direction.
     has_axis = ellipse.major - ellipse.minor > least
     # Directions along one line are one: from −90°, which itself counts as +90°.
     along = np.pi / 2 - np.mod(np.pi / 2 - frames.running * ellipse.direction, np.pi)
-    rounding = _ROUNDING * gross[:, np.newaxis, np.newaxis]
+    rounding = _ROUNDING * scale[:, np.newaxis, np.newaxis]
 
     def size(vector: Array | ComplexArray) -> Array:
         return np.where(np.abs(vector) <= rounding, 0.0, np.abs(vector))
 
-    return Shaken(
+    return made(
         curve.real,
         curve.imag,
         size(vectors.forward),
@@ -125,17 +132,16 @@ def shaken(
         size(ellipse.major),
         size(ellipse.minor),
         np.where(has_axis, along, np.nan),
-        gross,
-        {"balance": BALANCE[: sums.curves.shape[1]], **order_labels(crank_angle.cycle)},
+        gross=scale,
+        labels={"balance": BALANCE[: sums.curves.shape[1]], **order_labels(crank_angle.cycle)},
     )
 
 
 def _gross(frame: FrameForces, arm: Array, balanced: Balanced | None) -> Array:
     """What all parts would do if they added up, for each (rad/s)², shape (design,)."""
-    size = np.sum(np.abs(arm) * np.sum(hodograph(frame.vectors).major[..., 1:], axis=-1), axis=-1)
+    size = gross(frame.vectors, arm)
     if balanced is not None:
-        own = weight_vectors(balanced.weights, frame.vectors.order)
-        size = size + np.sum(np.abs(balanced.arm) * np.sum(hodograph(own).major, axis=-1), axis=-1)
+        size = size + gross(weight_vectors(balanced.weights, frame.vectors.order), balanced.arm)
     return size
 
 

@@ -1,11 +1,9 @@
 """Balance: shaking force and couple of the machine by order, without and with its balance weights, and what is left."""
 
-from collections.abc import Mapping
-from dataclasses import field
-
 import numpy as np
 
 from cranktrain.catalogue import quantity
+from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.axial import AxialPlaces
 from cranktrain.layout.crank_angle import CrankAngle
@@ -19,21 +17,21 @@ from cranktrain.numerics.plane_vectors import running_axes
 from cranktrain.questions.balance.frame_forces import FrameForces
 from cranktrain.questions.balance.rotating_weights import weight_orders, weight_roll
 from cranktrain.questions.balance.running_frame import RunningFrame
-from cranktrain.questions.balance.shaken import BALANCE, Balanced, orders_in_words, shaken
+from cranktrain.questions.balance.shaken import BALANCE, Balanced, Shaken, shaken
 from cranktrain.questions.balance.weights import BalanceWeights
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_BALANCE as _THEORY
 from cranktrain.wording import Names
 
 _CURVE = ("balance", "crank_angle")
 _ORDER = ("balance", "order")
-_THEORY = "docs/theory/balance"
 
 
 @record
-class ShakingForces:
+class ShakingForces(Shaken):
     """Force of the moving masses on the frame, without and with balance weights."""
 
     shaking_force_x: Array = quantity("F_X", "N", _CURVE, N_("Shaking force on the frame, to the right"), _THEORY)
@@ -53,20 +51,17 @@ class ShakingForces:
     shaking_force_direction: Array = quantity(
         "δ_F", "rad", _ORDER, N_("Of the order's largest shaking force, from Y in the normal sense"), _THEORY
     )
-    gross: Array = field(kw_only=True)
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"balance": (), "order": ()})
 
     def answer(self, labels: Names, design: int) -> str:
         """Say which orders of force shake the frame, and what the balance weights leave of them."""
-        of = self.shaking_force_largest[design]
-        said = [orders_in_words(labels["order"], one, float(self.gross[design]), "N") for one in of]
-        if len(said) == 1:
-            return _("Shaking force: {force}.").format(force=said[0])
-        return _("Shaking force: {force}; left with [balance]: {left}.").format(force=said[0], left=said[1])
+        force, *left = self.said(self.shaking_force_largest, labels, design, "N")
+        if not left:
+            return _("Shaking force: {force}.").format(force=force)
+        return _("Shaking force: {force}; left with [balance]: {left}.").format(force=force, left=left[0])
 
 
 @record
-class ShakingCouples:
+class ShakingCouples(Shaken):
     """Couple of the moving masses on the frame about the throws' mid-plane, without and with balance weights."""
 
     shaking_couple_x: Array = quantity(
@@ -94,16 +89,13 @@ class ShakingCouples:
         N_("Of the forces of the order's largest shaking couple, from Y in the normal sense"),
         _THEORY,
     )
-    gross: Array = field(kw_only=True)
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"balance": (), "order": ()})
 
     def answer(self, labels: Names, design: int) -> str:
         """Say which orders of couple shake the frame, and what the balance weights leave of them."""
-        of = self.shaking_couple_largest[design]
-        said = [orders_in_words(labels["order"], one, float(self.gross[design]), "N*m") for one in of]
-        if len(said) == 1:
-            return _("Shaking couple: {couple}.").format(couple=said[0])
-        return _("Shaking couple: {couple}; left with [balance]: {left}.").format(couple=said[0], left=said[1])
+        couple, *left = self.said(self.shaking_couple_largest, labels, design, "N*m")
+        if not left:
+            return _("Shaking couple: {couple}.").format(couple=couple)
+        return _("Shaking couple: {couple}; left with [balance]: {left}.").format(couple=couple, left=left[0])
 
 
 def shaking_forces(
@@ -117,8 +109,7 @@ def shaking_forces(
     """Sum the forces of all mechanisms, and of the balance weights."""
     balanced = None if weights is None else Balanced(weights.weights, np.ones_like(weights.weights.moment))
     arm = np.ones(frame.force.shape[:2])
-    found = shaken(frame, running, frames, crank_angle, speed, arm=arm, balanced=balanced)
-    return ShakingForces(*found[:7], gross=found.gross, labels=found.labels)
+    return shaken(ShakingForces, frame, running, frames, crank_angle, speed, arm=arm, balanced=balanced)
 
 
 def shaking_couples(
@@ -133,18 +124,17 @@ def shaking_couples(
     """Sum the first moments of the forces of all mechanisms about the mid-plane, and of the balance weights."""
     middle = axial.mid_plane[:, np.newaxis]
     balanced = None if weights is None else Balanced(weights.weights, weights.weights.position - middle)
-    found = shaken(frame, running, frames, crank_angle, speed, arm=axial.value - middle, balanced=balanced)
-    return ShakingCouples(*found[:7], gross=found.gross, labels=found.labels)
+    arm = axial.value - middle
+    return shaken(ShakingCouples, frame, running, frames, crank_angle, speed, arm=arm, balanced=balanced)
 
 
 @record
-class RollingMoment:
+class RollingMoment(StageResult):
     """What rolls the frame about the crankshaft: gas, inertia and weights, without and with balance weights."""
 
     rolling_moment: Array = quantity(
         "M_roll", "N*m", _CURVE, N_("Moment on the frame about the crankshaft, in the sense of rotation"), _THEORY
     )
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"balance": ()})
 
 
 def rolling_moment(
@@ -179,7 +169,7 @@ def rolling_moment(
         angle = crank_angle.angle[:, 0]
         turning = curve(roll, angle) * drive.speed**2 + curve(lagging, angle) * drive.acceleration
         curves.append(without + turning)
-    return RollingMoment(np.stack(curves, axis=1), {"balance": BALANCE[: len(curves)]})
+    return RollingMoment(np.stack(curves, axis=1), labels={"balance": BALANCE[: len(curves)]})
 
 
 def _roll_of_masses(of: FrameForces | RunningFrame, centre: ComplexArray) -> Array:

@@ -1,11 +1,11 @@
 """Counterweights and balance shafts: the table [balance] of the machine file."""
 
-from collections.abc import Sequence
-from typing import Annotated, Literal, Self
+from collections.abc import Iterator, Sequence
+from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import HIGHEST_ORDER
 from cranktrain.layout.specs import OneOrMany
@@ -49,23 +49,19 @@ class WeightSpec(Spec, frozen=True):
         default=_AT_CRANK, description=N_("Where its shaft lies from the crankshaft's centre: to the right, and up.")
     )
 
-    @model_validator(mode="after")
-    def _stands_somewhere(self) -> Self:
-        """Refuse a weight that stands nowhere or at two places, and on a throw what turns otherwise."""
-        found: list[Problem] = []
+    def _problems(self) -> Iterator[Problem]:
+        """Find a weight that stands nowhere or at two places, and on a throw what turns otherwise."""
         if self.throw is None:
             if self.z is None:
-                found.append(Problem("z", None, _("is missing; give it, or on the crankshaft the throw")))
+                yield Problem("z", None, _("is missing; give it, or on the crankshaft the throw"))
             if self.angle is None:
-                found.append(Problem("angle", None, _("is missing; only on a throw it is opposite that unless given")))
+                yield Problem("angle", None, _("is missing; only on a throw it is opposite that unless given"))
         else:
             allowed = _("must not stand beside throw, which says it")
-            found += [Problem(name, None, allowed) for name in ("z", "ratio", "place") if name in self.model_fields_set]
+            given = self.model_fields_set
+            yield from (Problem(name, None, allowed) for name in ("z", "ratio", "place") if name in given)
         if self.ratio == 0:
-            found.append(Problem("ratio", "0", _("must not be 0: a weight that does not turn balances nothing")))
-        if found:
-            raise InputError(found)
-        return self
+            yield Problem("ratio", "0", _("must not be 0: a weight that does not turn balances nothing"))
 
 
 class BalanceShaftsSpec(Spec, frozen=True):
@@ -92,18 +88,16 @@ class BalanceShaftsSpec(Spec, frozen=True):
         description=N_("Where the shaft lies that turns against the crank: to the right of its centre, and up."),
     )
 
-    @model_validator(mode="after")
-    def _in_planes(self) -> Self:
-        """Refuse planes that cannot bear what the shafts are for."""
+    def _problems(self) -> Iterator[Problem]:
+        """Find planes that cannot bear what the shafts are for."""
         if self.against == "force":
             if self.planes is not None and len(self.planes) > 1:
                 allowed = _('must be one plane against a force; two are for against = "couple" or "both"')
-                raise InputError([Problem("planes", None, allowed)])
+                yield Problem("planes", None, allowed)
         elif self.planes is None or len(self.planes) != 2:
-            raise InputError([Problem("planes", None, _("must be two, as a couple needs them"))])
+            yield Problem("planes", None, _("must be two, as a couple needs them"))
         elif (problem := _together(self.planes)) is not None:
-            raise InputError([problem])
-        return self
+            yield problem
 
 
 class BalanceSpec(Spec, frozen=True):
@@ -135,25 +129,18 @@ class BalanceSpec(Spec, frozen=True):
         default=(), description=N_("Pairs of balance shafts, solved for after all other weights.")
     )
 
-    @model_validator(mode="after")
-    def _solved_for(self) -> Self:
-        """Refuse a table that balances nothing, what belongs to other counterweights, and two planes that are one."""
-        found: list[Problem] = []
+    def _problems(self) -> Iterator[Problem]:
+        """Find a table that balances nothing, what belongs to other counterweights, and two planes that are one."""
         if self.share is not None and self.counterweights != "rotating":
             allowed = _('is for counterweights = "rotating": the share of what reciprocates that they take as well')
-            found.append(Problem("share", self.share.text, allowed))
+            yield Problem("share", self.share.text, allowed)
         if self.planes is not None:
             if self.counterweights is None:
-                found.append(
-                    Problem("planes", None, _("is for counterweights that are solved for; give these as well"))
-                )
+                yield Problem("planes", None, _("is for counterweights that are solved for; give these as well"))
             elif (problem := _together(self.planes)) is not None:
-                found.append(problem)
-        if not found and not self.weight and not self.shafts and self.counterweights is None:
-            found.append(Problem("", None, _("must hold weight, counterweights or shafts, or be left out")))
-        if found:
-            raise InputError(found)
-        return self
+                yield problem
+        if not any((self.weight, self.shafts, self.counterweights, self.share, self.planes)):
+            yield Problem("", None, _("must hold weight, counterweights or shafts, or be left out"))
 
 
 def _together(planes: Sequence[Given]) -> Problem | None:

@@ -9,6 +9,7 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from cranktrain.catalogue import quantity
+from cranktrain.checks import StageResult
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.axial import AxialPlaces, throw_positions
@@ -19,39 +20,38 @@ from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import ComplexArray, phasor
 from cranktrain.numerics.plane_vectors import PlaneVectors, reversed_vectors, running_axes
 from cranktrain.quantities import Given
-from cranktrain.questions.balance.change import gross_shaking, with_weights
-from cranktrain.questions.balance.counterweights import counterweights, middle_of, share_of, two_plane_counterweights
+from cranktrain.questions.balance.counterweights import middle_of, share_of, two_plane_counterweights
 from cranktrain.questions.balance.frame_forces import FrameForces
-from cranktrain.questions.balance.rotating_weights import RotatingWeights, joined
-from cranktrain.questions.balance.shafts import ShaftPlaces, couple_of, lanchester_shafts, two_plane_shafts
-from cranktrain.questions.balance.spec import BalanceShaftsSpec, BalanceSpec, WeightSpec
-from cranktrain.questions.balance.unit_shaking import Shaking, shaking
+from cranktrain.questions.balance.rotating_weights import RotatingWeights, joined, on_crank
+from cranktrain.questions.balance.shafts import couple_of, lanchester_shafts, two_plane_shafts
+from cranktrain.questions.balance.spec import BalanceShaftsSpec, BalanceSpec, Spot, WeightSpec
+from cranktrain.questions.balance.unit_shaking import Shaking, gross, shaking, with_weights
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_BALANCE as _THEORY
 
 _WEIGHT = ("weight",)
-_THEORY = "docs/theory/balance"
 _NOISE = 1e-12
 """Of what all parts could do together: less is rounding."""
 
 
 @record
 class DeclaredBalance:
-    """The table [balance] of each design, and the throws of `main`, to which its weights are put.
+    """The table [balance] of each design, and where its weights stand.
 
     Attributes
     ----------
     specs : tuple of BalanceSpec, one for each design
-    throw_angle : Array, shape (design, throw)
-        Of all throws of `main`, ahead of throw 1 in the normal sense. [rad]
-    throw_position : Array, shape (design, throw)
-        z of all throws of `main`; NaN where the file does not say. [m]
+    angle : Array, shape (design, weight)
+        Of the given weights, ahead of throw 1 in the normal sense. [rad]
+    position : Array, shape (design, weight)
+        z along the shaft; NaN where the file does not say. [m]
     """
 
     needs: ClassVar[str] = N_("[balance]")
 
     specs: tuple[BalanceSpec, ...]
-    throw_angle: Array
-    throw_position: Array
+    angle: Array
+    position: Array
 
 
 def declared_balance(
@@ -60,34 +60,33 @@ def declared_balance(
     """Put the tables to the throws; None where there is no table."""
     if not given:
         return None
-    mains = [design[MAIN] for design in shafts]
+    each = [(spec.weight, design[MAIN]) for spec, design in zip(given, shafts, strict=True)]
     return DeclaredBalance(
         given,
-        np.array([[throw.si - main.throws[0].si for throw in main.throws] for main in mains]),
-        np.array([np.full(len(main.throws), np.nan) if (z := throw_positions(main)) is None else z for main in mains]),
+        np.array([[_angle_on(weight, main) for weight in weights] for weights, main in each]),
+        np.array([[_position_on(weight, main) for weight in weights] for weights, main in each]),
     )
 
 
-def balance_problems(spec: BalanceSpec, main: ShaftSpec) -> tuple[Problem, ...]:
+def balance_problems(spec: BalanceSpec, main: ShaftSpec) -> Iterator[Problem]:
     """Find weights on throws that there are not, and couples where nothing says how far throws are apart."""
     n_throws = len(main.throws)
     allowed = _("must be one of the throws of the shaft `main`, 1 to {n}").format(n=n_throws)
-    found = [
+    yield from (
         Problem(f"balance.weight[{i}].throw", str(weight.throw), allowed)
         for i, weight in enumerate(spec.weight)
         if weight.throw is not None and weight.throw > n_throws
-    ]
-    found += _cancelled(spec, main)
+    )
+    yield from _cancelled(spec, main)
     if throw_positions(main) is None:
         unknown = _("needs [shaft.main] spacing, or couples along the shaft are not known")
-        found += [
+        yield from (
             Problem(f"balance.shafts[{i}].against", f'"{pair.against}"', unknown)
             for i, pair in enumerate(spec.shafts)
             if pair.against != "force"
-        ]
+        )
         if spec.planes is not None:
-            found.append(Problem("balance.planes", None, unknown))
-    return tuple(found)
+            yield Problem("balance.planes", None, unknown)
 
 
 def _cancelled(spec: BalanceSpec, main: ShaftSpec) -> Iterator[Problem]:
@@ -105,14 +104,22 @@ def _cancelled(spec: BalanceSpec, main: ShaftSpec) -> Iterator[Problem]:
 
 
 def _angle_on(weight: WeightSpec, main: ShaftSpec) -> float:
-    """Where a weight on a throw stands ahead of throw 1: opposite the throw unless given. [rad]"""
+    """Where a weight stands ahead of throw 1: opposite its throw unless given. [rad]"""
     if weight.angle is not None:
         return weight.angle.si
     return main.throws[(weight.throw or 1) - 1].si - main.throws[0].si + np.pi
 
 
+def _position_on(weight: WeightSpec, main: ShaftSpec) -> float:
+    """Where a weight stands along the shaft: at its throw unless given; NaN where nothing says where that is. [m]"""
+    if weight.z is not None:
+        return weight.z.si
+    positions = throw_positions(main)
+    return np.nan if positions is None else float(positions[(weight.throw or 1) - 1])
+
+
 @record
-class BalanceWeights:
+class BalanceWeights(StageResult):
     """Weights that balance the machine, given and solved for."""
 
     balance_weight_moment: Array = quantity(
@@ -132,7 +139,6 @@ class BalanceWeights:
         "κ", "1", _WEIGHT, N_("Turns of the balance weight for one of the crank; less than 0 against it"), _THEORY
     )
     weights: RotatingWeights = field(kw_only=True)
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"weight": ()})
 
 
 class _Named(NamedTuple):
@@ -155,17 +161,16 @@ def balance_weights(
     position = np.full((n_designs, n_mechanisms), np.nan) if axial is None else axial.value
     middle = np.zeros(n_designs) if axial is None else axial.mid_plane
     before = shaking(frame.vectors, position, middle)
-    lots = [*_given(declared, frames)]
+    lots = [_given(declared, frames)]
     if declared.specs[0].counterweights is not None:
         place = np.zeros((n_designs, n_mechanisms), dtype=complex) if centres is None else centres.value
         centre = running_axes(place, clockwise=frames.clockwise)
-        lots += _counterweights(declared, frame, frames, throws, _Along(position, middle, centre))
+        lots += _counterweights(declared, frame, frames, throws, position=position, middle=middle, centre=centre)
     for pair in range(len(declared.specs[0].shafts)):
         left = reduce(lambda one, lot: with_weights(one, lot.weights, middle), lots, before)
         lots.append(_shafts([spec.shafts[pair] for spec in declared.specs], left, middle, frames))
     names = tuple(name for lot in lots for name in lot.names)
-    nothing = RotatingWeights(*np.zeros((6, n_designs, 0)))
-    weights = _without_noise(joined(nothing, *(lot.weights for lot in lots)), frame)
+    weights = _without_noise(joined(*(lot.weights for lot in lots)), frame)
     ahead = frames.running * (weights.angle - frames.first[:, np.newaxis])
     return BalanceWeights(
         balance_weight_moment=weights.moment,
@@ -179,8 +184,8 @@ def balance_weights(
 
 def _without_noise(weights: RotatingWeights, frame: FrameForces) -> RotatingWeights:
     """Weights, of which those are exactly 0 that balance nothing but rounding."""
-    gross = gross_shaking(frame.vectors, np.zeros(frame.force.shape[:2])).force[:, np.newaxis]
-    is_noise = weights.moment * weights.ratio**2 < _NOISE * gross
+    scale = gross(frame.vectors, np.ones(frame.force.shape[:2]))[:, np.newaxis]
+    is_noise = weights.moment * weights.ratio**2 < _NOISE * scale
     return weights._replace(
         moment=np.where(is_noise, 0.0, weights.moment), angle=np.where(is_noise, 0.0, weights.angle)
     )
@@ -191,55 +196,44 @@ def _si(values: Sequence[Sequence[Given]]) -> Array:
     return np.array([[value.si for value in design] for design in values])
 
 
-def _given(declared: DeclaredBalance, frames: Frames) -> Iterator[_Named]:
-    """Weights of the file, each a lot of its own."""
-    for i in range(len(declared.specs[0].weight)):
-        of = [spec.weight[i] for spec in declared.specs]
-        throw, ratio = of[0].throw, of[0].ratio
-        if throw is not None:
-            position = declared.throw_position[:, throw - 1]
-            ahead = [_ahead(one, float(at)) for one, at in zip(of, declared.throw_angle[:, throw - 1], strict=True)]
-        else:
-            position = np.array([0.0 if one.z is None else one.z.si for one in of])
-            ahead = [_ahead(one, 0.0) for one in of]
-        place = running_axes(_complex_places([one.place for one in of]), clockwise=frames.clockwise)
-        weights = RotatingWeights(
-            ratio=np.full(len(of), float(ratio)),
-            moment=np.array([one.mass.si * one.radius.si for one in of]),
-            angle=frames.first + frames.running * np.array(ahead),
-            position=position,
-            x=place.real,
-            y=place.imag,
-        )
-        yield _Named((_("given {n}").format(n=i + 1),), RotatingWeights(*(part[:, np.newaxis] for part in weights)))
+def _given(declared: DeclaredBalance, frames: Frames) -> _Named:
+    """Weights of the file."""
+    each = [spec.weight for spec in declared.specs]
+    return _Named(
+        tuple(_("given {n}").format(n=i + 1) for i in range(len(each[0]))),
+        RotatingWeights(
+            ratio=np.array([[float(one.ratio) for one in weights] for weights in each]),
+            moment=np.array([[one.mass.si * one.radius.si for one in weights] for weights in each]),
+            angle=frames.first[:, np.newaxis] + frames.running * declared.angle,
+            position=declared.position,
+            place=_places([[one.place for one in weights] for weights in each], frames),
+        ),
+    )
 
 
-def _ahead(weight: WeightSpec, throw_angle: float) -> float:
-    """Where a weight stands at φ = 0, ahead of throw 1 in the normal sense: opposite its throw unless given. [rad]"""
-    return throw_angle + np.pi if weight.angle is None else weight.angle.si
-
-
-def _complex_places(places: Sequence[Sequence[Given]]) -> ComplexArray:
-    """X + iY of where something lies, shape (design,)."""
-    across = _si(places)
-    return np.asarray(across[:, 0] + 1j * across[:, 1])
-
-
-class _Along(NamedTuple):
-    """Where the mechanisms stand: z and mid-plane [m], and the centres of their shafts in the common axes [m]."""
-
-    position: Array
-    middle: Array
-    centre: ComplexArray
+def _places(spots: Sequence[Sequence[Spot]], frames: Frames) -> ComplexArray:
+    """Where something lies, in the common axes, shape (design, n). [m]"""
+    across = np.array([[complex(x.si, y.si) for x, y in design] for design in spots], dtype=np.complex128)
+    return running_axes(across, clockwise=frames.clockwise)
 
 
 def _counterweights(
-    declared: DeclaredBalance, frame: FrameForces, frames: Frames, throws: Throws, along: _Along
+    declared: DeclaredBalance,
+    frame: FrameForces,
+    frames: Frames,
+    throws: Throws,
+    *,
+    position: Array,
+    middle: Array,
+    centre: ComplexArray,
 ) -> Iterator[_Named]:
-    """Counterweights of every shaft, each seen as its own crank turns."""
+    """Counterweights of every shaft, each seen as its own crank turns.
+
+    position, middle: z of the mechanisms, and the mid-plane [m]; centre: of their shafts, in the common axes [m].
+    """
     spec = declared.specs[0]
     share = np.array([0.0 if one.share is None else one.share.si for one in declared.specs])
-    z = along.position[:, throws.first]
+    z = position[:, throws.first]
     for shaft in dict.fromkeys(throws.shafts):
         own = [i for i, name in enumerate(throws.shafts) if name == shaft]
         sense = float(frames.sense[throws.first[own[0]]])
@@ -248,28 +242,20 @@ def _counterweights(
         rotating, swinging = (throws.gathered(part)[:, own, 0] for part in _divided(frame, frames))
         if spec.planes is None:
             part = _part(spec, rotating, swinging, shaking_own, share[:, np.newaxis])
-            lot = counterweights(part, z[:, own])
+            lot = on_crank(-part, z[:, own])
             names = [_("throw {throw}").format(throw=throws.names[i]) for i in own]
         else:
-            arm = z[:, own] - along.middle[:, np.newaxis]
-            total = shaking(shaking_own, z[:, own], along.middle)
+            arm = z[:, own] - middle[:, np.newaxis]
+            total = shaking(shaking_own, z[:, own], middle)
             force = _part(spec, np.sum(rotating, axis=-1), np.sum(swinging, axis=-1), total.force, share)
             couple = _part(spec, np.sum(arm * rotating, axis=-1), np.sum(arm * swinging, axis=-1), total.couple, share)
             planes = _si([one.planes for one in declared.specs if one.planes is not None])
-            lot = two_plane_counterweights(force, couple, planes, along.middle)
+            lot = two_plane_counterweights(force, couple, planes, middle)
             named = _("plane {n}") if shaft == MAIN else _("{shaft}, plane {n}")
             names = [named.format(n=n, shaft=shaft) for n in (1, 2)]
-        centre = along.centre[:, throws.first[own[0]], np.newaxis]
         shape = np.shape(lot.moment)
-        yield _Named(
-            tuple(names),
-            lot._replace(
-                ratio=np.full(shape, sense),
-                angle=sense * lot.angle,
-                x=np.broadcast_to(centre.real, shape),
-                y=np.broadcast_to(centre.imag, shape),
-            ),
-        )
+        place = np.broadcast_to(centre[:, throws.first[own[0]], np.newaxis], shape)
+        yield _Named(tuple(names), lot._replace(ratio=np.full(shape, sense), angle=sense * lot.angle, place=place))
 
 
 def _divided(frame: FrameForces, frames: Frames) -> tuple[ComplexArray, ComplexArray]:
@@ -292,17 +278,13 @@ def _part(
     """What counterweights take away, of force or couple."""
     if spec.counterweights == "least_force":
         return middle_of(all_of)
-    one = swinging[..., np.newaxis]
-    return share_of(rotating, PlaneVectors(np.ones(1), one, np.zeros_like(one)), share)
+    return share_of(rotating, swinging, share)
 
 
 def _shafts(pairs: Sequence[BalanceShaftsSpec], left: Shaking, middle: Array, frames: Frames) -> _Named:
     """One pair of balance shafts, against what is left of its order."""
     pair, order = pairs[0], pairs[0].order
-    places = ShaftPlaces(
-        running_axes(_complex_places([one.forward for one in pairs]), clockwise=frames.clockwise),
-        running_axes(_complex_places([one.backward for one in pairs]), clockwise=frames.clockwise),
-    )
+    places = _places([(one.forward, one.backward) for one in pairs], frames)
     given = [one.planes for one in pairs if one.planes is not None]
     planes = _si(given) if given else middle[:, np.newaxis]
     if pair.against == "force":

@@ -1,7 +1,7 @@
 """The firing order of the file, put to the cylinders and held against where the crank pins stand."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -25,7 +25,7 @@ def firing_order_of(
     Whether the crank pins allow it can be told where the cycle is known, too.
     """
     names = [place.cylinder for place in leading]
-    problems = _number_problems(common, names)
+    problems = tuple(_number_problems(common, names))
     length = common.cycle_length
     if common.firing_angles is not None and length is not None and not problems:
         return given_firing(common, leading, length, zero=zero, astern=astern)
@@ -53,20 +53,17 @@ def _own_order(common: CylindersSpec, leading: Sequence[PlacedMechanism]) -> Fir
     return FiringOrder(np.argsort(tops, kind="stable"))
 
 
-def _number_problems(common: CylindersSpec, names: Sequence[str]) -> tuple[Problem, ...]:
+def _number_problems(common: CylindersSpec, names: Sequence[str]) -> Iterator[Problem]:
     """Find a maker's numbers for no cylinder, or two for one."""
-    problems: list[Problem] = []
     numbered: dict[str, str] = {}
     for word, name in common.numbers.items():
-        allowed = None
+        first = numbered.setdefault(name, word)
         if name not in names:
             allowed = _("must be a cylinder of this machine: {cylinders}").format(cylinders=", ".join(names))
-        elif name in numbered:
-            allowed = _("must be another cylinder: this one is number {number}").format(number=numbered[name])
-        if allowed is not None:
-            problems.append(Problem(f"cylinder.numbers.{word}", name, allowed))
-        numbered.setdefault(name, word)
-    return tuple(problems)
+            yield Problem(f"cylinder.numbers.{word}", name, allowed)
+        elif first != word:
+            allowed = _("must be another cylinder: this one is number {number}").format(number=first)
+            yield Problem(f"cylinder.numbers.{word}", name, allowed)
 
 
 def _order_problems(common: CylindersSpec, order: Sequence[str], names: Sequence[str]) -> tuple[Problem, ...]:

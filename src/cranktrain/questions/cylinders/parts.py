@@ -3,15 +3,17 @@
 from collections.abc import Iterator, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.errors import Problem
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts
+from cranktrain.motion import Array
 from cranktrain.questions.cylinders.declared import Cylinder, cylinder_problems, cylinders_of
 from cranktrain.questions.cylinders.firing import Cycle, FiringOrder, common_order
 from cranktrain.questions.cylinders.firing_order import firing_order_of
 from cranktrain.questions.cylinders.ports import Ports
-from cranktrain.questions.cylinders.spec import CylinderSpec, CylindersSpec
+from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.questions.cylinders.travel import CylinderPistons
 from cranktrain.questions.cylinders.volumes import Chambers, CompressionRatios
 
@@ -75,28 +77,37 @@ def chamber_names(cylinders: Sequence[Cylinder]) -> list[str]:
 def chambers_of(designs: Sequence[Sequence[Cylinder]], n_pistons: int) -> Chambers | None:
     """Signed area matrix of the working chambers; None where no bore is given."""
     first = designs[0]
-    if not first or any(cylinder.spec.bore is None for design in designs for cylinder in design):
+    bore, rod = (_si(designs, field) for field in ("bore", "piston_rod"))
+    if not first or np.any(np.isnan(bore)):
         return None
-    sides = [(i, side) for i, cylinder in enumerate(first) for side in cylinder.chambers]
-    areas = np.zeros((len(designs), n_pistons, len(sides)))
-    for d, design in enumerate(designs):
-        for column, (i, side) in enumerate(sides):
-            cylinder = design[i]
-            areas[d, list(cylinder.pistons), column] = _signed_area(cylinder.spec, side) * np.array(cylinder.signs)
+    cylinder, sides = _sides(first)
+    is_head = sides == "head"
+    full, rods = np.pi / 4 * bore**2, np.pi / 4 * np.nan_to_num(rod) ** 2
+    # A chamber grows as a near piston moves toward the shaft, on the crank's side it shrinks.
+    signed = np.where(is_head, full[:, cylinder], -(full - rods)[:, cylinder])
+    areas = np.zeros((len(designs), n_pistons, len(cylinder)))
+    of: list[Cylinder] = [first[i] for i in cylinder.tolist()]
+    for column, own in enumerate(of):
+        areas[:, list(own.pistons), column] = signed[:, [column]] * np.array(own.signs)
     return Chambers(
         names=tuple(chamber_names(first)),
-        banks=tuple(first[i].bank for i, _side in sides),
-        cylinder=np.array([i for i, _side in sides], dtype=np.intp),
-        is_head=np.array([side == "head" for _i, side in sides]),
+        banks=tuple(own.bank for own in of),
+        cylinder=cylinder,
+        is_head=is_head,
         areas=areas,
     )
 
 
-def _signed_area(spec: CylinderSpec, side: str) -> float:
-    """Area by which a chamber grows as a near piston moves toward the shaft. [m²]"""
-    assert spec.bore is not None  # looked at before
-    full = np.pi / 4 * spec.bore.si**2
-    return full if side == "head" else -(full - (np.pi / 4 * spec.piston_rod.si**2 if spec.piston_rod else 0.0))
+def _si(designs: Sequence[Sequence[Cylinder]], field: str) -> Array:
+    """Give a field of all cylinders, shape (design, cylinder), NaN where one has none."""
+    given = [[getattr(cylinder.spec, field) for cylinder in design] for design in designs]
+    return np.array([[np.nan if value is None else value.si for value in design] for design in given])
+
+
+def _sides(cylinders: Sequence[Cylinder]) -> tuple[NDArray[np.intp], NDArray[np.str_]]:
+    """Which cylinder each chamber is of, and on which side of its piston, shape (chamber,)."""
+    sides = [(i, side) for i, cylinder in enumerate(cylinders) for side in cylinder.chambers]
+    return np.array([i for i, _side in sides], dtype=np.intp), np.array([side for _i, side in sides], dtype=np.str_)
 
 
 def compression_ratios_of(designs: Sequence[Sequence[Cylinder]]) -> CompressionRatios | None:
@@ -104,41 +115,21 @@ def compression_ratios_of(designs: Sequence[Sequence[Cylinder]]) -> CompressionR
 
     The common ratio is the first master's; the heads of the other cylinders share its deck and chamber.
     """
-    first = designs[0]
-    sides = [(i, side) for i, cylinder in enumerate(first) for side in cylinder.chambers]
-    heads = [(k, i) for k, (i, side) in enumerate(sides) if side == "head"]
-    leader, leading = next(
-        ((k, i) for k, i in heads if first[i].is_master), heads[0] if heads else (0, sides[0][0] if sides else 0)
-    )
-    if not sides or any(design[leading].spec.compression_ratio is None for design in designs):
+    first, ratio = designs[0], _si(designs, "compression_ratio")
+    cylinder, sides = _sides(first)
+    is_head = sides == "head"
+    heads = np.flatnonzero(is_head).tolist()
+    leader = next((k for k in heads if first[int(cylinder[k])].is_master), heads[0] if heads else 0)
+    if not first or np.any(np.isnan(ratio[:, cylinder[leader]])):
         return None
-    value = np.full((len(designs), len(sides)), np.nan)
-    for d, design in enumerate(designs):
-        for column, (i, side) in enumerate(sides):
-            ratio = design[i].spec.compression_ratio
-            if ratio is not None and (i == leading or side == "crank" or design[i].has_own_ratio):
-                value[d, column] = ratio.si
-    leaders = [leader if side == "head" else column for column, (_i, side) in enumerate(sides)]
-    return CompressionRatios(value, np.array(leaders, dtype=np.intp))
+    has_own = np.array([one.has_own_ratio for one in first])[cylinder]
+    return CompressionRatios(
+        value=np.where((cylinder == cylinder[leader]) | ~is_head | has_own, ratio[:, cylinder], np.nan),
+        leader=np.where(is_head, leader, np.arange(len(cylinder))),
+    )
 
 
 def ports_of(designs: Sequence[Sequence[Cylinder]]) -> Ports | None:
     """Heights of the ports; None where any cylinder lacks one of the two."""
-    if not designs[0] or any(
-        cylinder.spec.exhaust_port is None or cylinder.spec.scavenge_port is None
-        for design in designs
-        for cylinder in design
-    ):
-        return None
-    return Ports(
-        piston=np.array([[cylinder.pistons[0], cylinder.pistons[-1]] for cylinder in designs[0]], dtype=np.intp),
-        height=np.array(
-            [
-                [
-                    [port.si for port in (cylinder.spec.exhaust_port, cylinder.spec.scavenge_port) if port is not None]
-                    for cylinder in design
-                ]
-                for design in designs
-            ]
-        ),
-    )
+    height = np.stack([_si(designs, "exhaust_port"), _si(designs, "scavenge_port")], axis=-1)
+    return None if not designs[0] or np.any(np.isnan(height)) else Ports(height)

@@ -4,7 +4,6 @@ from collections.abc import Iterator
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.language import N_, _
@@ -29,15 +28,13 @@ class Ports:
 
     Attributes
     ----------
-    piston : array of int, shape (cylinder, 2)
-        The piston that uncovers the exhaust ports, and the one that uncovers the scavenge ports.
     height : Array, shape (design, cylinder, 2)
-        Of the open part, from the edge to where the piston stands at its outer dead centre. [m]
+        Of the open part, from the edge to where the piston stands at its outer dead centre; of opposed pistons the
+        first uncovers the exhaust ports. [m]
     """
 
     needs: ClassVar[str] = N_("[cylinder] exhaust_port and scavenge_port")
 
-    piston: NDArray[np.intp]
     height: Array
 
 
@@ -108,13 +105,7 @@ def port_timing(
     A piston uncovers its port where it is the port's height from its outer dead centre: docs/theory/opposed-pistons,
     eq. (18.5); for a central slider-crank cos α = (x² + R² − L²)/(2Rx), with x the pin's distance from the shaft.
     """
-    opens, closes = (
-        np.stack(sides, axis=-1)
-        for sides in zip(
-            *(_events(ports, cylinders, pistons, dead_centres, port) for port in (0, 1)),
-            strict=True,
-        )
-    )
+    opens, closes = _events(ports, cylinders, pistons, dead_centres)
     shown_opens, shown_closes = (crank_angle.counted(angles) for angles in (opens, closes))
     before = around_zero(opens[..., 1] - opens[..., 0])
     return PortTiming(
@@ -129,28 +120,27 @@ def port_timing(
 
 
 def _events(
-    ports: Ports, cylinders: CylinderPistons, pistons: Pistons, dead_centres: DeadCentres, port: int
+    ports: Ports, cylinders: CylinderPistons, pistons: Pistons, dead_centres: DeadCentres
 ) -> tuple[Array, Array]:
-    """Crank angles φ at which one of the two ports opens and closes, shape (design, cylinder). [rad]"""
-    index = ports.piston[:, port]
-    is_far = cylinders.signs[:, port] < 0
+    """Crank angles φ at which the exhaust and the scavenge ports open and close, shape (design, cylinder, 2). [rad]"""
+    index, is_far = cylinders.index, cylinders.signs < 0
     nominal = pistons.nominal_top[:, index, 0]
     top = nominal + dead_centres.top_shift[:, index]
     bottom = nominal + np.pi + dead_centres.bottom_shift[:, index]
     inner, outer = np.where(is_far, bottom, top), np.where(is_far, top + 2 * np.pi, bottom)
-    height = ports.height[..., port]
     edge = np.where(
-        is_far, dead_centres.top_position[:, index] - height, dead_centres.bottom_position[:, index] + height
-    )[..., np.newaxis]
+        is_far,
+        dead_centres.top_position[:, index] - ports.height,
+        dead_centres.bottom_position[:, index] + ports.height,
+    )
+    each = np.arange(2)
 
     def past_edge(angle: Array) -> Array:
-        own = np.zeros((angle.shape[0], len(pistons.names), angle.shape[-1]))
-        own[:, index] = angle
-        return slider_motion(pistons, own).value[:, index] - edge
+        own = np.zeros((len(angle), len(pistons.names), 2))
+        own[:, index, each] = angle
+        return slider_motion(pistons, own).value[:, index, each] - edge
 
-    opens = bracketed_roots(past_edge, inner[..., np.newaxis], outer[..., np.newaxis])
-    closes = bracketed_roots(past_edge, outer[..., np.newaxis], inner[..., np.newaxis] + 2 * np.pi)
-    return opens[..., 0], closes[..., 0]
+    return bracketed_roots(past_edge, inner, outer), bracketed_roots(past_edge, outer, inner + 2 * np.pi)
 
 
 def _flags(names: tuple[str, ...], before: Array, opens: Array) -> Iterator[str]:

@@ -1,14 +1,15 @@
 """Cylinders: their table of the machine file."""
 
-from collections.abc import Mapping
-from typing import Annotated, Any, ClassVar, Literal, Self, cast
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any, ClassVar, Literal, cast
 
 from pydantic import Field, model_validator
 
+from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.quantities import Angle, Dimension, Given, PositiveLength, Pressure, Quantity
-from cranktrain.spec import Refused, Spec
+from cranktrain.spec import Spec
 
 _GAUGE = ("barg", "бари", "ati", "ати", "psig")
 """Spellings of units that count from ambient pressure."""
@@ -46,12 +47,10 @@ class CylinderSpec(Spec, frozen=True):
         default=None, description=N_("Diameter of the piston rod, which takes up room on the crank's side.")
     )
 
-    @model_validator(mode="after")
-    def _each_side_once(self) -> Self:
-        """Refuse two chambers on one side of a piston."""
+    def _problems(self) -> Iterator[Problem]:
+        """Find two chambers on one side of a piston."""
         if self.chambers is not None and len(set(self.chambers)) < len(self.chambers):
-            raise Refused(_("must name each side once"), path="chambers")
-        return self
+            yield Problem("chambers", None, _("must name each side once"))
 
 
 OVERRIDES = "NAME (a bank or cylinder)"
@@ -104,28 +103,18 @@ class CylindersSpec(CylinderSpec, frozen=True):
         """Crank angle of a cycle; None where the file does not say. [rad]"""
         return None if self.cycle is None else CYCLES[self.cycle]
 
-    @model_validator(mode="after")
-    def _firing_one_way(self) -> Self:
-        """Refuse firing that is said twice, and angles of an unknown cycle."""
-        if self.firing_angles is None:
-            return self
-        if self.firing_order is not None:
-            raise Refused(_("must not stand beside firing_angles, which say it"), path="firing_order")
-        if self.cycle is None:
-            raise Refused(_("is missing; firing_angles count over a cycle"), path="cycle")
-        return self
-
-    @model_validator(mode="after")
-    def _friction_one_way(self) -> Self:
-        """Refuse friction that is said twice, and a mean pressure in a gauge unit."""
-        if self.friction_pressure is None:
-            return self
-        if self.mechanical_efficiency is not None:
-            raise Refused(_("must not stand beside mechanical_efficiency, which says it"), path="friction_pressure")
-        if self.friction_pressure.text.endswith(_GAUGE):
+    def _problems(self) -> Iterator[Problem]:
+        """Find firing or friction that is said twice, angles of an unknown cycle, and a mean gauge pressure."""
+        yield from super()._problems()
+        if self.firing_angles is not None and self.firing_order is not None:
+            yield Problem("firing_order", None, _("must not stand beside firing_angles, which say it"))
+        if self.firing_angles is not None and self.cycle is None:
+            yield Problem("cycle", None, _("is missing; firing_angles count over a cycle"))
+        if self.friction_pressure is not None and self.mechanical_efficiency is not None:
+            yield Problem("friction_pressure", None, _("must not stand beside mechanical_efficiency, which says it"))
+        if self.friction_pressure is not None and self.friction_pressure.text.endswith(_GAUGE):
             allowed = _("must be in a unit that is not gauge, as bar or kPa: it is work over volume")
-            raise Refused(allowed, path="friction_pressure")
-        return self
+            yield Problem("friction_pressure", None, allowed)
 
     @model_validator(mode="before")
     @classmethod

@@ -1,7 +1,5 @@
 """Travel in a cylinder: how its piston, or both of its opposed pistons together, make its room smaller and larger."""
 
-from typing import ClassVar
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -25,8 +23,6 @@ class CylinderPistons:
     signs : Array, shape (cylinder, 2)
         +1 where room grows as the piston moves toward its shaft, −1 of one with side rods; (1, 0) of a single piston.
     """
-
-    needs: ClassVar[str] = ""
 
     names: tuple[str, ...]
     index: NDArray[np.intp]

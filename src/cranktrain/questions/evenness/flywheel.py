@@ -10,7 +10,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.questions.evenness.flywheel_inertia import METHODS, Flywheel, flywheels_by_method
-from cranktrain.questions.evenness.rim import RimDemand, rim, rim_speed
+from cranktrain.questions.evenness.rim import rim, rim_speed
 from cranktrain.questions.evenness.running_speed import RunningSpeed
 from cranktrain.questions.evenness.shaft_work import ShaftWork
 from cranktrain.questions.evenness.spec import DeclaredRim, GivenFlywheel, ShaftLoad, WantedCoefficient
@@ -148,12 +148,12 @@ def rim_size(
     Where there is work there is one of both flywheels, as the file is refused otherwise.
     docs/theory/evenness, eqs. (17.14) and (17.15).
     """
-    inertia = largest = np.full(wanted.mean_diameter.shape, np.nan)
+    inertia = largest = np.full(wanted.largest_speed.shape, np.nan)
     if size is not None:
         inertia, largest = size.flywheel_inertia[:, 0], size.exact.largest_speed
     elif flywheel is not None and running is not None:
         inertia, largest = flywheel.inertia, running.largest_crank_speed.value
-    found = rim(RimDemand(inertia, wanted.other_share, wanted.mean_diameter, wanted.width_ratio, wanted.density))
+    found = rim(inertia, wanted.demand)
     speed = rim_speed(found.outer_diameter, largest)
     return RimSize(
         rim_height=found.height,

@@ -33,11 +33,6 @@ class Flywheel(NamedTuple):
     upper: Extreme
     lower: Extreme
 
-    @property
-    def flywheel_moment(self) -> Array:
-        """GD² = 4 J. [kg·m²]"""
-        return 4 * self.inertia
-
 
 class FlywheelByMethod(NamedTuple):
     """Flywheels by each method; arrays of shape (..., 3): exact, Mertsalov, textbook.
@@ -165,7 +160,7 @@ def flywheels_by_method(
         textbook_inertia(excess, speed, fluctuation),
     )
     sizes = np.stack(np.broadcast_arrays(exact.inertia, *approximate))
-    found = steady_speed(excess, plus(inertia, sizes), speed, mean).speed.fluctuation(mean)
+    found = steady_speed(excess, plus(inertia, sizes), speed, mean).fluctuation(mean)
     by_method = np.moveaxis(sizes, 0, -1)
     return FlywheelByMethod(exact, by_method, by_method / by_method[..., :1] - 1, np.moveaxis(found, 0, -1))
 

@@ -1,6 +1,4 @@
-"""Load or motor for a wanted mean speed, where the torques depend on the speed."""
-
-from collections.abc import Callable
+"""Load for a wanted mean speed, where it rises with the speed squared."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,15 +6,7 @@ from numpy.typing import NDArray
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
 from cranktrain.numerics.harmonics import TURN
-from cranktrain.questions.evenness.speed_law import (
-    TorqueLaw,
-    energy_under_law,
-    given_torque,
-    motor,
-    quadratic_load,
-    speed_under_law,
-    together,
-)
+from cranktrain.questions.evenness.speed_law import TorqueLaw, energy_under_law, speed_under_law
 from cranktrain.questions.evenness.speed_over_cycle import Mean, grid_mean
 
 _NO_MEAN, _NO_WORK = 1e-9, 1e-14
@@ -75,59 +65,12 @@ def quadratic_coefficient(
     near = np.mean(driving, axis=-1, keepdims=True) / wanted**2
     near = np.where(has_mean(driving, inertia, wanted[..., 0])[..., np.newaxis] & (near > 0), near, np.nan)
 
-    def law(coefficient: Array) -> TorqueLaw:
-        return together(given_torque(driving), quadratic_load(coefficient))
-
-    return _at_mean(law, near / _SPREAD, near * _SPREAD, inertia, wanted, cycle, mean)
-
-
-def no_load_speed(
-    load: Array, stiffness: Array, inertia: Array, mean_speed: Array, cycle: float = TURN, mean: Mean = "time"
-) -> Array:
-    """No-load speed ω_s of a linear motor M = c (ω_s − ω) that drives a load curve at a mean speed.
-
-    Parameters
-    ----------
-    load, inertia : Array, shape (..., n)
-        Load torque, positive where it resists, and J(φ), on the grid of a cycle. [N·m, kg·m²]
-    stiffness : Array, shape (...)
-        c. [N·m·s]
-    mean_speed : Array, shape (...)
-        [rad/s]
-    cycle : float
-        [rad]
-    mean : Mean
-        Which mean is given.
-
-    Returns
-    -------
-    Array, shape (...)
-        [rad/s]; NaN where there is none.
-
-    Notes
-    -----
-    The mean of ω over the angle is ω_s − M̄/c exactly. docs/theory/evenness, eq. (17.11).
-    """
-    wanted = np.asarray(mean_speed, dtype=float)[..., np.newaxis]
-    spring = np.asarray(stiffness, dtype=float)[..., np.newaxis]
-    slip = np.mean(load, axis=-1, keepdims=True) / spring
-
-    def law(speed: Array) -> TorqueLaw:
-        return together(given_torque(-load), motor(speed, spring))
-
-    return _at_mean(law, wanted / 2 + slip, 2 * wanted + slip, inertia, wanted, cycle, mean)
-
-
-def _at_mean(
-    law: Callable[[Array], TorqueLaw], low: Array, high: Array, inertia: Array, wanted: Array, cycle: float, mean: Mean
-) -> Array:
-    """Parameter of a law that gives the mean speed wanted, between two values."""
-
-    def missing(parameter: Array) -> Array:
+    def missing(coefficient: Array) -> Array:
+        law = TorqueLaw(driving, quadratic=-coefficient)
         if mean == "extremes":
-            found = speed_under_law(law(parameter), inertia, cycle).speed.means.extremes
+            found = speed_under_law(law, inertia, cycle).speed.means.extremes
         else:
-            found = grid_mean(2 * energy_under_law(law(parameter), inertia, cycle) / inertia, mean)
+            found = grid_mean(2 * energy_under_law(law, inertia, cycle) / inertia, mean)
         return found[..., np.newaxis] - wanted
 
-    return bracketed_roots(missing, *np.broadcast_arrays(low, high))[..., 0]
+    return bracketed_roots(missing, *np.broadcast_arrays(near / _SPREAD, near * _SPREAD))[..., 0]

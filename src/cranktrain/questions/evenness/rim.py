@@ -12,22 +12,19 @@ class RimDemand(NamedTuple):
 
     Attributes
     ----------
-    inertia : Array
-        Of the whole flywheel. [kg·m²]
-    other_share : Array
-        Allowance: the share of it that arms, disc and hub bring. [1]
     mean_diameter : Array
         Of the middle of the section. [m]
     width_ratio : Array
         Width along the shaft to height of the section. [1]
+    other_share : Array
+        Allowance: the share of the flywheel's inertia that arms, disc and hub bring. [1]
     density : Array
         [kg/m³]
     """
 
-    inertia: Array
-    other_share: Array
     mean_diameter: Array
     width_ratio: Array
+    other_share: Array
     density: Array
 
 
@@ -41,11 +38,13 @@ class Rim(NamedTuple):
     textbook_mass: Array
 
 
-def rim(demand: RimDemand) -> Rim:
+def rim(inertia: Array, demand: RimDemand) -> Rim:
     """Section and mass of a rim.
 
     Parameters
     ----------
+    inertia : Array
+        Of the whole flywheel. [kg·m²]
     demand : RimDemand, fields that broadcast
 
     Returns
@@ -60,12 +59,12 @@ def rim(demand: RimDemand) -> Rim:
 
     Examples
     --------
-    >>> found = rim(RimDemand(100.0, 0.1, 1.2, 1.5, 7200.0))
+    >>> found = rim(100.0, RimDemand(1.2, 1.5, 0.1, 7200.0))
     >>> round(float(0.25 * found.mass * (1.2**2 + found.height**2)), 9)
     90.0
     """
     square = demand.mean_diameter * demand.mean_diameter
-    wanted = demand.inertia * (1 - demand.other_share)
+    wanted = inertia * (1 - demand.other_share)
     term = 4 * wanted / (np.pi * demand.density * demand.mean_diameter * demand.width_ratio)
     height = np.sqrt(2 * term / (square + np.sqrt(square * square + 4 * term)))
     fits = height < demand.mean_diameter

@@ -1,13 +1,14 @@
 """Evenness of running: its table of the machine file, and the parts that it declares."""
 
-from collections.abc import Sequence
-from typing import Annotated, ClassVar, Literal, Self
+from collections.abc import Iterator, Sequence
+from typing import Annotated, ClassVar, Literal
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Field
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import Problem
 from cranktrain.language import N_, _
+from cranktrain.layout.cycle_table import given_curve
 from cranktrain.motion import Array
 from cranktrain.numerics.polyline import Polyline
 from cranktrain.quantities import (
@@ -22,10 +23,11 @@ from cranktrain.quantities import (
     PositiveVelocity,
     Quantity,
 )
-from cranktrain.questions.evenness.load_table import LoadCurveSpec, load_polyline
+from cranktrain.questions.evenness.load_table import LoadCurveSpec
+from cranktrain.questions.evenness.rim import RimDemand
 from cranktrain.questions.evenness.speed_over_cycle import Mean
 from cranktrain.record import record
-from cranktrain.spec import Refused, Spec
+from cranktrain.spec import Spec
 
 NonNegativeMoment = Annotated[Given, Quantity(Dimension.FLYWHEEL_MOMENT, at_least=0.0)]
 Coefficient = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, below=2.0)]
@@ -39,13 +41,11 @@ class MotorSpec(Spec, frozen=True):
     speed: PositiveSpeed = Field(description=N_("Speed at which the motor gives that torque, on the crankshaft."))
     no_load_speed: PositiveSpeed = Field(description=N_("Speed at which the motor gives no torque, on the crankshaft."))
 
-    @model_validator(mode="after")
-    def _slower_under_load(self) -> Self:
-        """Refuse a motor that is no slower under load."""
+    def _problems(self) -> Iterator[Problem]:
+        """Find a motor that is no slower under load."""
         if self.no_load_speed.si <= self.speed.si:
             allowed = _("must be more than speed = {speed}: a motor slows down under load")
-            raise Refused(allowed.format(speed=self.speed.text), path="no_load_speed")
-        return self
+            yield Problem("no_load_speed", None, allowed.format(speed=self.speed.text))
 
 
 class RimSpec(Spec, frozen=True):
@@ -104,28 +104,23 @@ class EvennessSpec(Spec, frozen=True):
     )
     rim: RimSpec | None = Field(default=None, description=N_("Rim of the flywheel, to be given its section."))
 
-    @model_validator(mode="after")
-    def _said_once(self) -> Self:
-        """Refuse a flywheel given twice, a motor beside another load, and a rim without a flywheel."""
-        found: list[Problem] = []
+    def _problems(self) -> Iterator[Problem]:
+        """Find a flywheel given twice, a motor beside another load, and a rim without a flywheel."""
         if self.flywheel is not None and self.flywheel_moment is not None:
             allowed = _("must not stand beside flywheel; GD² = 4 J says the same")
-            found.append(Problem("flywheel_moment", None, allowed))
+            yield Problem("flywheel_moment", None, allowed)
         if self.motor is not None and "load" in self.model_fields_set:
             allowed = _("must not stand beside [evenness.motor], which balances the machine")
-            found.append(Problem("load", None, allowed))
+            yield Problem("load", None, allowed)
         if self.load_curve is not None and self.load_curve.scale == "balanced":
             allowed = _('leaves nothing to balance, so it must not stand beside {other}; write "given"')
             rivals = {"motor": self.motor is not None, "load": self.load == "quadratic"}
-            found += [
+            yield from (
                 Problem("load_curve.scale", None, allowed.format(other=name)) for name, is_so in rivals.items() if is_so
-            ]
+            )
         if self.rim is not None and self.inertia is None and self.coefficient is None:
             allowed = _("needs a flywheel: give flywheel or flywheel_moment, or coefficient for the one that it takes")
-            found.append(Problem("rim", None, allowed))
-        if found:
-            raise InputError(found)
-        return self
+            yield Problem("rim", None, allowed)
 
     @property
     def inertia(self) -> float | None:
@@ -161,8 +156,6 @@ class LoadCurve:
     polylines: of every design, or one that all have.
     """
 
-    needs: ClassVar[str] = ""
-
     polylines: tuple[Polyline, ...]
     is_scaled: bool
 
@@ -187,44 +180,33 @@ class WantedCoefficient:
 
 @record
 class DeclaredRim:
-    """Rim wanted, arrays of shape (design,): what its field says in `RimSpec`, in SI."""
+    """Rim wanted, arrays of shape (design,): what its fields say in `RimSpec`, in SI."""
 
     needs: ClassVar[str] = N_("[evenness.rim] mean_diameter")
 
-    mean_diameter: Array
-    width_ratio: Array
-    other_share: Array
-    density: Array
+    demand: RimDemand
     largest_speed: Array
 
 
-def evenness_parts(specs: Sequence[EvennessSpec]) -> list[object]:
+def evenness_parts(specs: Sequence[EvennessSpec]) -> Iterator[object]:
     """Give the parts that the tables of several designs declare, which differ in numbers alone."""
     first = specs[0]
     motors = [spec.motor for spec in specs if spec.motor is not None]
-    parts: list[object] = [ShaftLoad(first.load == "quadratic", _motor(motors), first.mean)]
+    yield ShaftLoad(first.load == "quadratic", _motor(motors), first.mean)
     curves = [spec.load_curve for spec in specs if spec.load_curve is not None]
     if curves:
         different = curves if len(set(curves)) > 1 else curves[:1]
-        parts.append(LoadCurve(tuple(map(load_polyline, different)), curves[0].scale == "balanced"))
+        yield LoadCurve(tuple(map(given_curve, different)), curves[0].scale == "balanced")
     sizes = [spec.inertia for spec in specs if spec.inertia is not None]
     if sizes:
-        parts.append(GivenFlywheel(np.array(sizes)))
+        yield GivenFlywheel(np.array(sizes))
     wanted = [spec.coefficient.si for spec in specs if spec.coefficient is not None]
     if wanted:
-        parts.append(WantedCoefficient(np.array(wanted)))
+        yield WantedCoefficient(np.array(wanted))
     rims = [spec.rim for spec in specs if spec.rim is not None]
     if rims:
-        parts.append(
-            DeclaredRim(
-                mean_diameter=np.array([rim.mean_diameter.si for rim in rims]),
-                width_ratio=np.array([rim.width_ratio.si for rim in rims]),
-                other_share=np.array([rim.other_share.si for rim in rims]),
-                density=np.array([rim.density.si for rim in rims]),
-                largest_speed=np.array([rim.largest_speed.si for rim in rims]),
-            )
-        )
-    return parts
+        demand = RimDemand(*(np.array([getattr(rim, name).si for rim in rims]) for name in RimDemand._fields))
+        yield DeclaredRim(demand, np.array([rim.largest_speed.si for rim in rims]))
 
 
 def _motor(specs: Sequence[MotorSpec]) -> LinearMotor | None:

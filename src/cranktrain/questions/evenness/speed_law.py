@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.motion import Array
+from cranktrain.motion import ZERO, Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.periodic import Interpolation, fourier_curve, fourier_integral
 from cranktrain.questions.evenness.speed_over_cycle import SpeedOverCycle, speed_from_energy
@@ -26,9 +26,9 @@ class TorqueLaw(NamedTuple):
         [N·m, N·m·s, N·m·s²]
     """
 
-    free: Array
-    linear: Array
-    quadratic: Array
+    free: Array = ZERO
+    linear: Array = ZERO
+    quadratic: Array = ZERO
 
 
 class SpeedUnderLaw(NamedTuple):
@@ -38,8 +38,6 @@ class SpeedUnderLaw(NamedTuple):
     ----------
     speed : SpeedOverCycle
         NaN where there is none.
-    energy : Array, shape (..., n)
-        Kinetic energy. [J]
     torque : Array, shape (..., n)
         Of the law, all of it. [N·m]
     multiplier : Array, shape (...)
@@ -47,32 +45,13 @@ class SpeedUnderLaw(NamedTuple):
     """
 
     speed: SpeedOverCycle
-    energy: Array
     torque: Array
     multiplier: Array
 
 
 def motor(no_load_speed: Array, stiffness: Array) -> TorqueLaw:
     """Linear motor, M = c (ω_s − ω): [rad/s], [N·m·s]."""
-    return TorqueLaw(stiffness * no_load_speed, -stiffness, np.zeros(()))
-
-
-def quadratic_load(coefficient: Array) -> TorqueLaw:
-    """Load k ω²: [N·m·s²]."""
-    return TorqueLaw(np.zeros(()), np.zeros(()), -coefficient)
-
-
-def given_torque(torque: Array) -> TorqueLaw:
-    """Torque that does not depend on the speed, positive where it drives: [N·m]."""
-    return TorqueLaw(torque, np.zeros(()), np.zeros(()))
-
-
-def together(*laws: TorqueLaw) -> TorqueLaw:
-    """All laws at once."""
-    total = laws[0]
-    for law in laws[1:]:
-        total = TorqueLaw(*(one + other for one, other in zip(total, law, strict=True)))
-    return total
+    return TorqueLaw(stiffness * no_load_speed, -stiffness)
 
 
 def speed_under_law(
@@ -108,7 +87,7 @@ def speed_under_law(
         speed = found.speed
         slope = (linear + 2 * quadratic * speed) / (carried * speed)
         torque = free + (linear + quadratic * speed) * speed
-        return SpeedUnderLaw(found, energy, torque, np.exp(cycle * np.mean(slope, axis=-1)))
+        return SpeedUnderLaw(found, torque, np.exp(cycle * np.mean(slope, axis=-1)))
 
 
 def energy_under_law(law: TorqueLaw, inertia: Array, cycle: float = TURN) -> Array:

@@ -40,8 +40,6 @@ class SpeedOverCycle:
     smallest, largest : Extreme, shapes (..., 1)
         Refined. [rad, rad/s]
     means : MeanSpeeds
-    period : Array, shape (...)
-        Time of a cycle. [s]
     """
 
     angle: Array
@@ -49,7 +47,6 @@ class SpeedOverCycle:
     smallest: Extreme
     largest: Extreme
     means: MeanSpeeds
-    period: Array
 
     def fluctuation(self, mean: Mean = "time") -> Array:
         """Coefficient δ = (largest − smallest)/mean, shape (...): twice the ± value. [1]"""
@@ -65,7 +62,6 @@ def chosen_speed(which: NDArray[np.bool_], one: SpeedOverCycle, other: SpeedOver
         smallest=chosen(curve, one.smallest, other.smallest),
         largest=chosen(curve, one.largest, other.largest),
         means=MeanSpeeds(*(np.where(which, *parts) for parts in zip(one.means, other.means, strict=True))),
-        period=np.where(which, one.period, other.period),
     )
 
 
@@ -102,19 +98,13 @@ def speed_from_energy(energy: PeriodicCurve, inertia: PeriodicCurve) -> SpeedOve
     with np.errstate(invalid="ignore", divide="ignore"):
         speed = np.sqrt(samples)
         smallest, largest = (Extreme(one.angle, np.sqrt(one.value)) for one in found)
-        slowness = np.mean(1 / speed, axis=-1)
-        means = MeanSpeeds(1 / slowness, np.mean(speed, axis=-1), (smallest.value + largest.value)[..., 0] / 2)
-    return SpeedOverCycle(angle, speed, smallest, largest, means, energy.cycle * slowness)
+        means = MeanSpeeds(
+            1 / np.mean(1 / speed, axis=-1), np.mean(speed, axis=-1), (smallest.value + largest.value)[..., 0] / 2
+        )
+    return SpeedOverCycle(angle, speed, smallest, largest, means)
 
 
-class SteadySpeed(NamedTuple):
-    """Speed of steady running, and the kinetic energy at φ = 0, E₀, shape (...). [J]"""
-
-    speed: SpeedOverCycle
-    initial_energy: Array
-
-
-def steady_speed(excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array, mean: Mean = "time") -> SteadySpeed:
+def steady_speed(excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array, mean: Mean = "time") -> SpeedOverCycle:
     """Speed over a cycle whose torques do not depend on the speed, at a given mean.
 
     Parameters
@@ -130,7 +120,7 @@ def steady_speed(excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array, 
 
     Returns
     -------
-    SteadySpeed
+    SpeedOverCycle
         NaN where no speed has that mean: the inertia is too small to carry the shaft through the cycle.
 
     Notes
@@ -157,7 +147,7 @@ def steady_speed(excess: ExcessWork, inertia: PeriodicCurve, mean_speed: Array, 
     start = wanted * scale / 2 - np.mean(stored, axis=-1, keepdims=True)
     ends = np.maximum(slow - aside, stops + _ASIDE * aside), fast + aside
     energy = near_roots(missing, *np.broadcast_arrays(start, *ends))[..., 0]
-    return SteadySpeed(speed_from_energy(plus(excess.work, energy), inertia), energy)
+    return speed_from_energy(plus(excess.work, energy), inertia)
 
 
 def grid_mean(square: Array, mean: Literal["time", "angle"]) -> Array:

@@ -13,14 +13,7 @@ from cranktrain.questions.evenness.applied_torque import AppliedTorque
 from cranktrain.questions.evenness.mean_speed import has_mean, quadratic_coefficient
 from cranktrain.questions.evenness.shaft_work import ShaftWork
 from cranktrain.questions.evenness.spec import ShaftLoad
-from cranktrain.questions.evenness.speed_law import (
-    TorqueLaw,
-    given_torque,
-    motor,
-    quadratic_load,
-    speed_under_law,
-    together,
-)
+from cranktrain.questions.evenness.speed_law import TorqueLaw, motor, speed_under_law
 from cranktrain.questions.evenness.speed_over_cycle import SpeedOverCycle, chosen_speed, steady_speed
 
 
@@ -50,15 +43,16 @@ def steady_running(
     torque = torque - np.where(has_load[:, np.newaxis], 0.0, left)
     is_free = load.is_quadratic & ~has_load
     if load.motor is None and (not load.is_quadratic or np.all(is_free)):
-        steady = steady_speed(work.excess, inertia, wanted, load.mean).speed
+        steady = steady_speed(work.excess, inertia, wanted, load.mean)
         return SteadyRunning(steady, -left, work.excess.work, np.ones(1), is_free)
     law = _law(load, torque, inertia, wanted)
-    under = speed_under_law(together(given_torque(torque), law), inertia.samples, cycle, applied.by.curve)
+    whole_law = law._replace(free=torque + law.free)
+    under = speed_under_law(whole_law, inertia.samples, cycle, applied.by.curve)
     speed, multiplier = under.speed, under.multiplier
     balancing = under.torque - torque
     if np.any(is_free):
         # Of several designs some may have no mean: their energy is free, as under a constant load.
-        speed = chosen_speed(is_free, steady_speed(work.excess, inertia, wanted, load.mean).speed, speed)
+        speed = chosen_speed(is_free, steady_speed(work.excess, inertia, wanted, load.mean), speed)
         balancing, multiplier = np.where(is_free[:, np.newaxis], -left, balancing), np.where(is_free, 1.0, multiplier)
     whole = combined(work.excess.work, np.ones(1), applied.by.integral(balancing, cycle))
     return SteadyRunning(speed, balancing, whole, multiplier, is_free)
@@ -69,4 +63,4 @@ def _law(load: ShaftLoad, torque: Array, inertia: PeriodicCurve, wanted: Array) 
     if load.motor is not None:
         return motor(load.motor.no_load_speed[:, np.newaxis], load.motor.stiffness[:, np.newaxis])
     found = quadratic_coefficient(torque, inertia.samples, wanted, inertia.cycle, load.mean)
-    return quadratic_load(found[:, np.newaxis])
+    return TorqueLaw(quadratic=-found[:, np.newaxis])

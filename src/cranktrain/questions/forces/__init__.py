@@ -6,7 +6,6 @@ from cranktrain.errors import Problem
 from cranktrain.language import N_
 from cranktrain.layout.bodies import BodySpec, GravitySpec, GuideSpec
 from cranktrain.layout.design import Design, Designs
-from cranktrain.layout.guide_tables import guide_problems
 from cranktrain.layout.masses import mass_problems, masses_of
 from cranktrain.layout.question import Dimension, Parts, Question, Stage, Use
 from cranktrain.layout.uses import table
@@ -32,13 +31,11 @@ from cranktrain.questions.motion.rods import on_rods
 
 
 def _problems(design: Design) -> Iterator[Problem]:
-    yield from mass_problems(design.places, design.weighed)
-    yield from guide_problems(design.places, design.weighed.guides)
+    return mass_problems(design.places, design.weighed)
 
 
 def _parts(designs: Designs, known: Parts) -> Iterator[object | None]:
     yield carriers.carriers_of(designs.places[0])
-    yield crank_pins.crank_pins_of(designs.mechanisms)
     # There are forces where gas presses, whether anything has a mass or not.
     if designs.first.weighed.bodies or all(part in known for part in gas.PRESSING):
         yield masses_of(designs.places, [design.weighed for design in designs.each])
@@ -64,7 +61,7 @@ QUESTION = Question(
         Stage(piston_forces.piston_force_set, applies=on_rods),
         Stage(largest_forces.largest_forces),
         Stage(rod_methods.rod_methods, applies=piston_forces.have_direct_rods),
-        Stage(crank_pins.crank_pin_loads),
+        Stage(crank_pins.crank_pin_loads, applies=crank_pins.have_crank_pins),
         Stage(mechanism_torques.mechanism_torques),
         Stage(joint_forces.joint_forces),
         Stage(guides.guide_edges, applies=guides.have_length),

@@ -1,7 +1,6 @@
 """Which mechanisms of a machine hang on which, and which of them drive its pistons."""
 
 from collections.abc import Sequence
-from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,8 +24,6 @@ class Carriers:
         Which piston it drives; −1 for none.
     """
 
-    needs: ClassVar[str] = ""
-
     master: NDArray[np.intp]
     piston: NDArray[np.intp]
 
@@ -39,26 +36,18 @@ class Carriers:
 
 def carriers_of(places: Sequence[PlacedMechanism]) -> Carriers:
     """Find every slave's master: the slider-crank of the bank that it names, on the same throw."""
-    master: list[int] = []
-    pistons = 0
-    piston: list[int] = []
-    for place in places:
-        bank = getattr(place.spec, "master", None)
-        master.append(
-            next(
-                (
-                    i
-                    for i, other in enumerate(places)
-                    if other.bank == bank
-                    and (other.shaft, other.throw) == (place.shaft, place.throw)
-                    and other.kind.name == MASTER
-                ),
-                -1,
-            )
-            if bank is not None
-            else -1
+    master = [
+        next(
+            (
+                i
+                for i, other in enumerate(places)
+                if other.bank == getattr(place.spec, "master", None)
+                and (other.shaft, other.throw) == (place.shaft, place.throw)
+                and other.kind.name == MASTER
+            ),
+            -1,
         )
-        is_piston = place.kind.output == "slider"
-        piston.append(pistons if is_piston else -1)
-        pistons += is_piston
-    return Carriers(np.array(master, dtype=np.intp), np.array(piston, dtype=np.intp))
+        for place in places
+    ]
+    is_piston = np.array([place.kind.output == "slider" for place in places])
+    return Carriers(np.array(master, dtype=np.intp), np.where(is_piston, np.cumsum(is_piston) - 1, -1))

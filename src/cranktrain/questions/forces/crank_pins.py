@@ -1,63 +1,35 @@
 """Loads of the crank pins: what every rod does to its pin, with its rotating mass and without, and whose it is."""
 
-from collections.abc import Iterator
-from typing import ClassVar, NamedTuple
-
 import numpy as np
 
 from cranktrain.catalogue import extreme, quantity
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.mechanisms import Batch, Mechanisms
+from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.linkage import Crank, crank
 from cranktrain.linkage.forces import crank_link
 from cranktrain.motion import ONE, Array
 from cranktrain.numerics import Extreme
+from cranktrain.numerics.gathering import put
 from cranktrain.questions.forces.joint_forces import JointForces, joint_label
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.pin_load import PinLoad, pin_load, with_rotating_mass
 from cranktrain.questions.forces.rod_masses import weighed_ends
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.wording import Names, number
 
 _MECHANISM = ("mechanism",)
 _CURVE = ("mechanism", "crank_angle")
-_THEORY = "docs/theory/forces"
 _ROD = "rod"
 _ALIKE = 1e-9
 """Loads that differ by less, relative, are the same; the first is named."""
 
 
-class CrankPin(NamedTuple):
-    """A batch of mechanisms with crank pins: its place among the batches, the joint's among the reactions."""
-
-    batch: int
-    joint: int
-    has_rod: bool
-
-
-@record
-class CrankPins:
-    """Which mechanisms have something of their own on a crank pin."""
-
-    needs: ClassVar[str] = ""
-
-    pins: tuple[CrankPin, ...]
-
-
-def crank_pins_of(mechanisms: Mechanisms) -> CrankPins | None:
-    """Find the joints at crank pins; a slave's pin is its master's. None where there is none."""
-    pins = tuple(_pins(mechanisms))
-    return CrankPins(pins) if pins else None
-
-
-def _pins(mechanisms: Mechanisms) -> Iterator[CrankPin]:
-    for place, batch in enumerate(mechanisms.batches):
-        dynamics = batch.kind.dynamics
-        joint = dynamics.joint("crank_pin")
-        if joint is not None:
-            yield CrankPin(place, joint, dynamics.reactions[joint].on == _ROD)
+def have_crank_pins(mechanisms: Mechanisms) -> bool:
+    """Whether any mechanism has something of its own on a crank pin; a slave's pin is its master's."""
+    return any(batch.kind.dynamics.joint("crank_pin") is not None for batch in mechanisms.batches)
 
 
 @record
@@ -116,7 +88,7 @@ class CrankPinLoads:
 
 
 def crank_pin_loads(
-    pins: CrankPins, loaded: LoadedMachine, solved: SolvedCycle, crank_angle: CrankAngle, joints: JointForces
+    loaded: LoadedMachine, solved: SolvedCycle, crank_angle: CrankAngle, joints: JointForces
 ) -> CrankPinLoads:
     """Loads of all crank pins from the joints' reactions, exact for rigid bodies.
 
@@ -129,20 +101,21 @@ def crank_pin_loads(
     shape = (len(phi), len(loaded.mechanisms.names), phi.shape[-1])
     whole, without = (PinLoad(*np.full((2, *shape), np.nan)) for _i in range(2))
     largest = Extreme(*np.full((2, *shape[:-1]), np.nan))
-    for pin in pins.pins:
-        batch, one = loaded.mechanisms.batches[pin.batch], solved.batches[pin.batch]
+    for batch, one, made in zip(loaded.mechanisms.batches, solved.batches, loaded.masses.batches, strict=True):
+        joint = batch.kind.dynamics.joint("crank_pin")
+        if joint is None:
+            continue
         radius: Array = np.hypot(one.motion.pin.x.value, one.motion.pin.y.value)[..., :1]
-        load = pin_load(one.forces.joints[pin.joint], crank_link(one.motion.pin, Crank(radius)))
-        _fill(whole, batch, load)
-        if pin.has_rod:
-            rod = loaded.masses.batches[pin.batch].bodies.rod
+        load = pin_load(one.forces.joints[joint], crank_link(one.motion.pin, Crank(radius)))
+        put(whole, batch.index, load)
+        reaction = batch.kind.dynamics.reactions[joint]
+        if reaction.on == _ROD:
+            rod = batch.kind.dynamics.by_link(made.bodies)["rod"]
             rotating = weighed_ends(rod, batch.members.geometry.rod_length).first
-            _fill(without, batch, with_rotating_mass(load, -rotating, radius, loaded.speed.drive(phi)))
-        reaction = batch.kind.dynamics.reactions[pin.joint]
+            put(without, batch.index, with_rotating_mass(load, -rotating, radius, loaded.speed.drive(phi)))
         names = (joint_label(loaded.mechanisms.names[i], reaction) for i in map(int, batch.index))
         rows = [joints.labels["joint"].index(name) for name in names]
-        for part, values in zip(largest, joints.largest_joint_force[:2], strict=True):
-            part[:, batch.index] = values[:, rows]
+        put(largest, batch.index, [part[:, rows] for part in joints.largest_joint_force[:2]])
     shares = _shares(whole, loaded, solved, phi)
     return CrankPinLoads(
         crankpin_load_radial=whole.radial,
@@ -155,21 +128,16 @@ def crank_pin_loads(
     )
 
 
-def _fill(loads: PinLoad, batch: Batch, load: PinLoad) -> None:
-    for part, values in zip(loads, load, strict=True):
-        part[:, batch.index] = values
-
-
 def _shares(whole: PinLoad, loaded: LoadedMachine, solved: SolvedCycle, phi: Array) -> PinLoad:
     """What of the pins' loads is each mechanism's own; a master has what its slaves leave, its guide's friction too."""
     shares = PinLoad(*(part.copy() for part in whole))
     for batch, one in zip(loaded.mechanisms.batches, solved.batches, strict=True):
-        joint = batch.kind.dynamics.share_of_masters("crank_pin")
+        joint = batch.kind.dynamics.joint("crank_pin", is_own=False)
         if joint is None:
             continue
         direction = crank(phi - loaded.mechanisms.nominal_top[:, batch.index], Crank(ONE))
         load = pin_load(one.forces.joints[joint], crank_link(direction, Crank(ONE)))
-        _fill(shares, batch, load)
+        put(shares, batch.index, load)
         for member, master in enumerate(loaded.carriers.master[batch.index].tolist()):
             for part, values in zip(shares, load, strict=True):
                 part[:, master] -= values[:, member]

@@ -1,19 +1,16 @@
 """What both edges of the guides press on what slides in them, from the reactions."""
 
-import numpy as np
-
 from cranktrain.layout.mechanisms import Batch
 from cranktrain.linkage.forces import EdgeForces, edge_forces
 from cranktrain.questions.forces.loaded_machine import SolvedBatch
 
 
 def edges_of(batch: Batch, one: SolvedBatch, place: int) -> EdgeForces:
-    """What both edges press of the guides in which one part of a kind slides, shape (design, member, n)."""
+    """What both edges press of the guides in which one part of a kind slides, broadcastable to (design, member, n)."""
     dynamics = batch.kind.dynamics
-    links = dict(zip(dynamics.moving, dynamics.links(one.motion, batch.members.geometry), strict=True))
+    links = dynamics.by_link(dynamics.links(one.motion, batch.members.geometry))
     contact = dynamics.contacts[place]
-    joint = next(i for i, reaction in enumerate(dynamics.reactions) if reaction.name == contact.joint)
-    link, wrench, friction = links[dynamics.sliding[place]], one.forces.joints[joint], one.conditions.friction[place]
+    link, wrench = links[dynamics.sliding[place]], dynamics.by_joint(one.forces.joints)[contact.joint]
+    friction = one.conditions.friction[place]
     normal = contact.way * (link.cos * wrench.y - link.sin * wrench.x)
-    found = edge_forces(normal, wrench.moment, friction.per_length, friction.middle)
-    return EdgeForces(*(np.broadcast_to(edge, one.forces.driving_torque.shape) for edge in found))
+    return edge_forces(normal, wrench.moment, friction.per_length, friction.middle)

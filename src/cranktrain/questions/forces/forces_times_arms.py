@@ -11,7 +11,7 @@ from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatc
 
 def largest_in_joints(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Array:
     """Largest force in any joint of each mechanism, shape (design, mechanism). [N]"""
-    return _by_mechanism(loaded, (_largest_force(one) for one in solved))
+    return loaded.in_order(_largest_force(one) for one in solved)
 
 
 def forces_times_arms(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Array:
@@ -26,7 +26,7 @@ def forces_times_arms(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> A
         turn = _largest(np.abs(link.angle.first) for link in links)
         moment = _largest(np.abs(joint.moment) for joint in one.forces.joints)
         found.append(_largest_force(one) * way + moment * turn)
-    return _by_mechanism(loaded, found)
+    return loaded.in_order(found)
 
 
 def _largest_force(one: SolvedBatch) -> Array:
@@ -37,15 +37,3 @@ def _largest_force(one: SolvedBatch) -> Array:
 def _largest(curves: Iterable[Array]) -> Array:
     """Largest value of several curves of shape (..., n), each of which may stand for all."""
     return reduce(np.maximum, (np.max(curve, axis=-1) for curve in map(np.atleast_1d, curves)))
-
-
-def _by_mechanism(loaded: LoadedMachine, batches: Iterable[Array]) -> Array:
-    """Put what the mechanisms of each kind have into the machine's order."""
-    values = list(batches)
-    order = np.argsort(np.concatenate([batch.index for batch in loaded.mechanisms.batches]))
-    n_designs = max(len(value) for value in values)
-    shaped = (
-        np.broadcast_to(value, (n_designs, batch.index.size))
-        for value, batch in zip(values, loaded.mechanisms.batches, strict=True)
-    )
-    return np.concatenate(list(shaped), axis=1)[:, order]

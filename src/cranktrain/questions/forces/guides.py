@@ -1,12 +1,11 @@
 """Edges of guides: what each of them presses, of what slides in a guide whose length is given."""
 
-from collections.abc import Mapping, Sequence
-from dataclasses import field
-from typing import NamedTuple
+from collections.abc import Sequence
 
 import numpy as np
 
 from cranktrain.catalogue import extreme, quantity
+from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.guide_tables import bearing_moments
@@ -19,16 +18,17 @@ from cranktrain.numerics import Peak
 from cranktrain.questions.forces.edges import edges_of
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
+from cranktrain.questions.forces.members import Member, mechanisms_of, parts_of
 from cranktrain.questions.forces.peaks import largest_of_each, one_sided
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_FORCES as _THEORY
 
 _GUIDE = ("guide", "crank_angle")
-_THEORY = "docs/theory/forces"
 
 
 @record
-class GuideEdges:
+class GuideEdges(StageResult):
     """Normal forces of both edges of each guide that has a length, to the left as its slider's position counts.
 
     They act on what the joint's reaction acts on: a slider in a fixed guide, or the guide that turns with its slider.
@@ -59,18 +59,6 @@ class GuideEdges:
         N_("Crank angle of the largest normal force of an edge of the guide"),
         _THEORY,
     )
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"guide": ()})
-    flags: tuple[str, ...] = ()
-
-
-class _Guide(NamedTuple):
-    """One mechanism's guide: its name; the mechanism; its batch, member and place among what slides in the kind."""
-
-    name: str
-    mechanism: int
-    batch: int
-    member: int
-    place: int
 
 
 def have_length(mechanisms: Mechanisms, masses: Masses | None) -> bool | str:
@@ -94,7 +82,7 @@ def guide_edges(
         loaded,
         events,
         crank_angle,
-        np.array([guide.mechanism for guide in guides], dtype=np.intp),
+        mechanisms_of(guides),
         _larger(found),
         lambda batches: _larger(_pressing(loaded, guides, batches)),
     )
@@ -109,11 +97,11 @@ def guide_edges(
     )
 
 
-def _with_length(loaded: LoadedMachine) -> list[_Guide]:
+def _with_length(loaded: LoadedMachine) -> list[Member]:
     """Guides with a length, mechanism by mechanism."""
     batches = enumerate(zip(loaded.mechanisms.batches, loaded.masses.batches, strict=True))
     found = [
-        _Guide(f"{loaded.mechanisms.names[mechanism]}.{part_name(name)}", mechanism, number, member, place)
+        Member(f"{loaded.mechanisms.names[mechanism]}.{part_name(name)}", mechanism, number, member, place)
         for number, (batch, made) in batches
         for place, (name, edges) in enumerate(zip(batch.kind.dynamics.sliding, made.edges, strict=True))
         if np.any(edges.per_length)
@@ -123,18 +111,10 @@ def _with_length(loaded: LoadedMachine) -> list[_Guide]:
     return sorted(found, key=lambda guide: guide.mechanism)
 
 
-def _pressing(loaded: LoadedMachine, guides: Sequence[_Guide], solved: Sequence[SolvedBatch]) -> EdgeForces:
+def _pressing(loaded: LoadedMachine, guides: Sequence[Member], solved: Sequence[SolvedBatch]) -> EdgeForces:
     """What both edges of every guide press, shape (design, guide, n)."""
-    made = {
-        (guide.batch, guide.place): edges_of(loaded.mechanisms.batches[guide.batch], solved[guide.batch], guide.place)
-        for guide in guides
-    }
-    return EdgeForces(
-        *(
-            np.stack([made[guide.batch, guide.place][edge][:, guide.member] for guide in guides], axis=1)
-            for edge in range(2)
-        )
-    )
+    batches = loaded.mechanisms.batches
+    return EdgeForces(*parts_of(guides, solved, lambda batch, place: edges_of(batches[batch], solved[batch], place)))
 
 
 def _larger(edges: EdgeForces) -> Array:

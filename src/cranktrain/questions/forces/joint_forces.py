@@ -1,12 +1,11 @@
 """Reactions in every joint, as results, with their largest values; what to mind about masses and friction."""
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import field
-from typing import NamedTuple
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from cranktrain.catalogue import extreme, quantity
+from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.masses import Masses
@@ -16,19 +15,20 @@ from cranktrain.motion import Array
 from cranktrain.numerics import Peak
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
+from cranktrain.questions.forces.members import Member, mechanisms_of, parts_of
 from cranktrain.questions.forces.peaks import largest_of_each, one_sided
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.wording import ranged
 
 _JOINT = ("joint", "crank_angle")
-_THEORY = "docs/theory/forces"
 _NO_ARM = 1e-9
 """Moment over force of which a guide is said to bear none. [m]"""
 
 
 @record
-class JointForces:
+class JointForces(StageResult):
     """Reaction in every joint, in the axes of its mechanism."""
 
     joint_force_x: Array = quantity("F_x", "N", _JOINT, N_("Force in the joint along its mechanism's x"), _THEORY)
@@ -44,8 +44,6 @@ class JointForces:
         N_("Crank angle of the largest force in the joint"),
         _THEORY,
     )
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"joint": ()})
-    flags: tuple[str, ...] = ()
 
 
 def joint_forces(
@@ -53,35 +51,29 @@ def joint_forces(
 ) -> JointForces:
     """Reactions of all joints; a master's hold what its slaves do to it."""
     joints = _joints(loaded)
-    x, y, moment = (_gathered(joints, solved.batches, part) for part in range(3))
+    x, y, moment = _reactions(joints, solved.batches)
     largest = largest_of_each(
         loaded,
         events,
         crank_angle,
-        np.array([joint.mechanism for joint in joints], dtype=np.intp),
+        mechanisms_of(joints),
         np.hypot(x, y),
-        lambda found: np.hypot(_gathered(joints, found, 0), _gathered(joints, found, 1)),
+        lambda found: np.hypot(*_reactions(joints, found)[:2]),
     )
     names = tuple(joint.name for joint in joints)
-    friction = _friction_flags(loaded, solved) if loaded.masses.has_friction else ()
     return JointForces(
         joint_force_x=x,
         joint_force_y=y,
         joint_moment=moment,
         largest_joint_force=largest,
         labels={"joint": names},
-        flags=(*_flags(loaded.masses), *friction, *one_sided([(_("largest force in"), largest)], names)),
+        flags=(
+            *_flags(loaded.masses),
+            *_moments_without_length(loaded, solved),
+            *_wedged(loaded, solved),
+            *one_sided([(_("largest force in"), largest)], names),
+        ),
     )
-
-
-class _Joint(NamedTuple):
-    """One joint of one mechanism: its name; the mechanism; its batch, member and place among the kind's reactions."""
-
-    name: str
-    mechanism: int
-    batch: int
-    member: int
-    place: int
 
 
 def joint_label(mechanism: str, reaction: Reaction) -> str:
@@ -89,10 +81,10 @@ def joint_label(mechanism: str, reaction: Reaction) -> str:
     return f"{mechanism}.{reaction.name}"
 
 
-def _joints(loaded: LoadedMachine) -> list[_Joint]:
+def _joints(loaded: LoadedMachine) -> list[Member]:
     """All joints, mechanism by mechanism; a slave's share of its master's is left out, as that has it already."""
     found = [
-        _Joint(joint_label(loaded.mechanisms.names[mechanism], reaction), mechanism, place, member, number)
+        Member(joint_label(loaded.mechanisms.names[mechanism], reaction), mechanism, place, member, number)
         for place, batch in enumerate(loaded.mechanisms.batches)
         for number, reaction in enumerate(batch.kind.dynamics.reactions)
         if reaction.on in batch.kind.dynamics.moving
@@ -101,12 +93,9 @@ def _joints(loaded: LoadedMachine) -> list[_Joint]:
     return sorted(found, key=lambda joint: joint.mechanism)
 
 
-def _gathered(joints: Sequence[_Joint], solved: Sequence[SolvedBatch], part: int) -> Array:
-    """One part of the wrench in every joint, shape (design, joint, n)."""
-    gathered = np.empty((len(solved[0].forces.driving_torque), len(joints), solved[0].forces.driving_torque.shape[-1]))
-    for row, joint in enumerate(joints):
-        gathered[:, row] = solved[joint.batch].forces.joints[joint.place][part][:, joint.member]
-    return gathered
+def _reactions(joints: Sequence[Member], solved: Sequence[SolvedBatch]) -> Array:
+    """Force along x, along y and moment in every joint, shape (3, design, joint, n)."""
+    return parts_of(joints, solved, lambda batch, place: solved[batch].forces.joints[place])
 
 
 def _flags(masses: Masses) -> Iterator[str]:
@@ -124,18 +113,12 @@ def _flags(masses: Masses) -> Iterator[str]:
         ).format(parts=", ".join(masses.assumed))
 
 
-def _friction_flags(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
-    """Flag on what friction is counted, and whether it lets the machine turn."""
-    yield from _moments_without_length(loaded, solved)
-    yield from _wedged(loaded, solved)
-
-
 def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
     """Flag what rubs in a guide that carries a moment, where no length says on which edges."""
     parts: list[str] = []
     for batch, one, made in zip(loaded.mechanisms.batches, solved.batches, loaded.masses.batches, strict=True):
         dynamics = batch.kind.dynamics
-        joints = dict(zip((reaction.name for reaction in dynamics.reactions), one.forces.joints, strict=True))
+        joints = dynamics.by_joint(one.forces.joints)
         for place, (name, contact) in enumerate(zip(dynamics.sliding, dynamics.contacts, strict=True)):
             wrench, rubs = joints[contact.joint], (made.friction[place] > 0) & (made.edges[place].per_length == 0)
             turned = np.abs(wrench.moment) > _NO_ARM * np.max(np.hypot(wrench.x, wrench.y), axis=-1, keepdims=True)

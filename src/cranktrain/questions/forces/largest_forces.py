@@ -7,21 +7,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import extreme, quantity
+from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
+from cranktrain.numerics.gathering import put
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
-from cranktrain.questions.forces.peaks import largest_of_each, one_sided
+from cranktrain.questions.forces.peaks import largest_of_each, one_sided, relative
 from cranktrain.questions.forces.piston_forces import FORCE_METHODS, PistonForceSet
 from cranktrain.questions.forces.rods_in_pistons import rods_in_pistons
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.wording import Names, number, ranged
 
 _FACT = ("piston",)
 _ERROR = ("force_method", "piston")
-_THEORY = "docs/theory/forces"
 _EXACT, _FORMULA = FORCE_METHODS.index("exact"), FORCE_METHODS.index("textbook")
 _SAID = ("P", "N", "S", "S")
 _NAMED = 3
@@ -31,7 +33,7 @@ _ALIKE = 1e-9
 
 
 @record
-class LargestForces:
+class LargestForces(StageResult):
     """Largest forces of every piston with a rod, by the reactions; errors of the formula, in parts of exact peaks."""
 
     largest_piston_force: Extreme = extreme(
@@ -72,8 +74,7 @@ class LargestForces:
         N_("Largest error of the method's tangential force, at whole degrees, in parts of the exact peak"),
         _THEORY,
     )
-    flags: tuple[str, ...] = ()
-    is_master: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, dtype=np.bool_))
+    is_master: NDArray[np.bool_] = field(kw_only=True)
 
     def answer(self, names: Names, design: int) -> str | None:
         """Say the largest forces on pistons, walls and rods, and what the formula misses where slaves hang on a rod."""
@@ -124,8 +125,7 @@ def largest_forces(
     def sizes(found: tuple[SolvedBatch, ...]) -> Array:
         curves = np.full((*samples.shape[:3], found[0].forces.driving_torque.shape[-1]), np.nan)
         for one in rods_in_pistons(loaded, found):
-            for curve, values in zip(curves, one.forces[1:], strict=True):
-                curve[:, one.piston] = values
+            put(curves, one.piston, one.forces[1:])
         return np.moveaxis(np.abs(curves[which, :, asked]), 0, 1)
 
     driven = loaded.carriers.driven[asked]
@@ -163,8 +163,7 @@ def _asked(samples: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
 def _errors(curves: Array) -> Array:
     """Largest error of every method, in parts of the exact peak, shape (design, force_method, piston)."""
     exact = curves[:, _EXACT, np.newaxis]
-    peak = np.max(np.abs(exact), axis=-1)
-    return np.max(np.abs(curves - exact), axis=-1) / np.where(peak > 0, peak, np.nan)
+    return relative(curves - exact, exact)
 
 
 def _largest_of(names: Sequence[str], size: Array) -> str:

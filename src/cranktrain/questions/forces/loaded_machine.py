@@ -1,6 +1,6 @@
 """A machine with all that acts on it: forces in every joint at any crank angle."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -16,6 +16,7 @@ from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import Array, Coefficient, single
 from cranktrain.numerics import in_slots
+from cranktrain.numerics.gathering import put
 from cranktrain.questions.forces.carriers import MASTER, Carriers
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.record import record
@@ -29,9 +30,9 @@ class SolvedBatch(NamedTuple):
     """
 
     motion: AnyMotion
-    loads: Any
+    loads: tuple[Wrench, ...]
     conditions: Conditions
-    forces: Forces[tuple[Wrench, ...]]
+    forces: Forces
 
 
 @record
@@ -52,6 +53,15 @@ class LoadedMachine:
     masses: Masses
     gas: GasInChambers | None
     speed: Speed
+
+    def in_order(self, by_batch: Iterable[NDArray[Any]]) -> NDArray[Any]:
+        """Values of every batch, broadcastable to (design, member, ...), in the machine's order of mechanisms."""
+        values = list(by_batch)
+        shape = (max(map(len, values)), len(self.mechanisms.names), *values[0].shape[2:])
+        found = np.empty(shape, values[0].dtype)
+        for batch, own in zip(self.mechanisms.batches, values, strict=True):
+            found[:, batch.index] = own
+        return found
 
     def motions(self, angle: Array) -> tuple[AnyMotion, ...]:
         """Motion of every mechanism at crank angles φ [rad], in the order of `mechanisms.batches`."""
@@ -101,7 +111,8 @@ class LoadedMachine:
             loads = borne = dynamics.load(motion, size, self._pressing(batch.index, toward))
             handed = _of_slaves(batch.index, on_rods) if batch.kind.name == MASTER else None
             if handed is not None:
-                borne = loads._replace(rod=added(loads.rod, handed))
+                on_crank, on_rod, on_piston = loads
+                borne = (on_crank, added(on_rod, handed), on_piston)
             friction = tuple(
                 _friction(batch.kind.part(motion, name), coefficient, edges, friction_sense)
                 for name, coefficient, edges in zip(dynamics.sliding, made.friction, made.edges, strict=True)
@@ -175,8 +186,7 @@ class LoadedMachine:
         for batch, motion in zip(self.mechanisms.batches, motions, strict=True):
             piston = self.carriers.piston[batch.index]
             if piston[0] >= 0:
-                for part, values in zip(slider, motion.slider, strict=True):
-                    part[:, piston] = values
+                put(slider, piston, motion.slider)
         by_chamber = _own(angle, driven[self.gas.chambers.leading])
         return self.gas.force(self.gas.pressure(by_chamber, self.gas.volume_by(Coefficient(*slider))))
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check
+from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.linkage.forces import torque_by_work
 from cranktrain.motion import Array
@@ -13,14 +13,14 @@ from cranktrain.questions.forces.forces_times_arms import forces_times_arms
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_FORCES as _THEORY
 
 _MECHANISM = ("mechanism", "crank_angle")
-_THEORY = "docs/theory/forces"
 _TORQUES_LIMIT = 1e-12
 
 
 @record
-class MechanismTorques:
+class MechanismTorques(StageResult):
     """What every mechanism does to the shaft, and all together."""
 
     mechanism_torque: Array = quantity(
@@ -35,7 +35,6 @@ class MechanismTorques:
     reduced_inertia_slope: Array = quantity(
         "J′", "kg*m^2/rad", ("crank_angle",), N_("Derivative of the reduced inertia by the crank angle"), _THEORY
     )
-    checks: tuple[Check, ...] = ()
 
 
 def mechanism_torques(loaded: LoadedMachine, solved: SolvedCycle) -> MechanismTorques:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.language import _
-from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.motion import Array
 from cranktrain.numerics import Curve, Peak, in_slots, largest_between
 from cranktrain.questions.forces.events import ForceEvents
@@ -86,7 +86,7 @@ def largest_of_machine(curve: Curve, samples: Array, events: ForceEvents, crank_
 def counted(peak: Peak, crank_angle: CrankAngle) -> Peak:
     """Peaks of shape (design, curve), with angles from the grid's zero in [0, cycle) [rad]; nothing stands nowhere."""
     gross = np.fmax.reduce(np.abs(peak.value), axis=-1, keepdims=True, initial=0.0)
-    return without_rounding(peak._replace(angle=crank_angle.counted_shown(peak.angle)), gross)
+    return without_rounding(peak._replace(angle=within(peak.angle, crank_angle.cycle)), gross)
 
 
 def without_rounding(peak: Peak, gross: Array) -> Peak:
@@ -94,6 +94,12 @@ def without_rounding(peak: Peak, gross: Array) -> Peak:
     is_clear = ~(np.abs(peak.value) <= _ROUNDING * gross)
     value, side = (np.where(is_clear, part, 0.0) for part in (peak.value, peak.side))
     return Peak(np.where(is_clear, peak.angle, np.nan), value, side)
+
+
+def relative(difference: Array, whole: Array) -> Array:
+    """Largest difference in parts of the largest value, shapes (..., n); NaN where there is nothing."""
+    peak = np.max(np.abs(whole), axis=-1)
+    return np.max(np.abs(difference), axis=-1) / np.where(peak > 0, peak, np.nan)
 
 
 def one_sided(peaks: Sequence[tuple[str, Peak]], labels: Sequence[str] = ("",)) -> Iterator[str]:

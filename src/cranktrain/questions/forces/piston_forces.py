@@ -1,17 +1,16 @@
 """Forces of pistons as engine dynamics takes them apart, P, N, S, K, T: by reactions, and by the textbook's formula."""
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import field
+from collections.abc import Iterator, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check
+from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Batch, Pistons
 from cranktrain.motion import Array
+from cranktrain.numerics.gathering import put
 from cranktrain.questions.forces.crank_pins import CrankPinLoads
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.piston_formulas import (
@@ -23,9 +22,9 @@ from cranktrain.questions.forces.piston_formulas import (
 from cranktrain.questions.forces.rods_in_pistons import ForcesOfRods, RodsInPistons, end_residual, rods_in_pistons
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_FORCES as _THEORY
 
 _CURVE = ("force_method", "piston", "crank_angle")
-_THEORY = "docs/theory/forces"
 _LIMIT = 1e-12
 FORCE_METHODS = ("exact", "textbook", "two_harmonics")
 """By the reactions; by P·f(β); by that with two harmonics of the inertia."""
@@ -44,7 +43,7 @@ def direct_batches(loaded: LoadedMachine) -> Iterator[tuple[int, Batch]]:
 
 
 @record
-class PistonForceSet:
+class PistonForceSet(StageResult):
     """P, N, S, K and T of pistons with rods, by the reactions in the joints and by the textbook's formula.
 
     In both the rod's shares at its ends go with what is there, one with the piston and one with the crank; what the rod
@@ -75,8 +74,6 @@ class PistonForceSet:
     tangential_force: Array = quantity(
         "T", "N", _CURVE, N_("Force at the crank pin in the sense of rotation, without that mass"), _THEORY
     )
-    checks: tuple[Check, ...] = ()
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"force_method": FORCE_METHODS})
 
 
 def piston_force_set(
@@ -98,7 +95,7 @@ def piston_force_set(
     found = [(one, one.forces) for one in rods_in_pistons(loaded, solved.batches)]
     residuals: list[Array] = []
     for one, exact in found:
-        _fill(curves[:, :, 0], one.piston, (*exact[:-1], *_at_pin(one, exact, crank_pins)))
+        put(curves[:, :, 0], one.piston, (*exact[:-1], *_at_pin(one, exact, crank_pins)))
         if one.batch.kind.name == DIRECT:
             two_harmonics = two_harmonic_inertia_force(
                 phi + one.batch.members.phase, one.batch.members.geometry, one.reciprocating, one.drive
@@ -106,14 +103,13 @@ def piston_force_set(
             for method, inertia in enumerate((exact.inertia, two_harmonics), start=1):
                 taken = piston_forces(one.pressed + inertia, one.motion, one.batch.members.geometry)
                 piston, side, rod, *pin = taken
-                _fill(curves[:, :, method], one.piston, (inertia, piston, side, rod, rod, *pin))
+                put(curves[:, :, method], one.piston, (inertia, piston, side, rod, rod, *pin))
                 residuals.append(_formula_residual(taken, one))
-    return PistonForceSet(*curves, checks=tuple(_checks(residuals, end_residual(loaded, found))))
-
-
-def _fill(curves: Array, piston: NDArray[np.intp], values: Sequence[Array]) -> None:
-    for curve, value in zip(curves, values, strict=True):
-        curve[:, piston] = value
+    return PistonForceSet(
+        *curves,
+        labels={"force_method": FORCE_METHODS},
+        checks=tuple(_checks(residuals, end_residual(loaded, found))),
+    )
 
 
 def _at_pin(one: RodsInPistons, forces: ForcesOfRods, crank_pins: CrankPinLoads) -> tuple[Array, Array, Array]:

@@ -1,11 +1,9 @@
 """Rods replaced by masses, as textbooks do: by how much side force and torque are off, by method."""
 
-from collections.abc import Mapping
-from dataclasses import field
-
 import numpy as np
 
 from cranktrain.catalogue import quantity
+from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
@@ -14,14 +12,15 @@ from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.periodic import cycle_grid
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
+from cranktrain.questions.forces.peaks import relative
 from cranktrain.questions.forces.piston_forces import direct_batches
 from cranktrain.questions.forces.rod_masses import ROD_METHODS
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.wording import Names, number, ranged
 
 _FACT = ("rod_method", "piston")
-_THEORY = "docs/theory/forces"
 
 
 _TOLD = 1e-9
@@ -29,7 +28,7 @@ _TOLD = 1e-9
 
 
 @record
-class RodMethods:
+class RodMethods(StageResult):
     """Errors of rods replaced by masses, in parts of the exact peak; 0 where a method is exact.
 
     NaN for pistons that hang on no crank pin, and where the replacement cannot have the rod's centroid.
@@ -49,7 +48,6 @@ class RodMethods:
         N_("Largest error of the piston's driving torque, at whole degrees, with the rod so replaced"),
         _THEORY,
     )
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"rod_method": tuple(ROD_METHODS)})
 
     def answer(self, names: Names, design: int) -> str | None:
         """Say what two masses lose, and of which rods they cannot have the centroid."""
@@ -94,7 +92,7 @@ def rod_methods(pistons: Pistons, loaded: LoadedMachine, solved: SolvedCycle, cr
     for place, batch in direct_batches(loaded):
         size = batch.members.geometry
         rod = batch.kind.motion(angle + batch.members.phase, size).rod
-        body = loaded.masses.batches[place].bodies.rod
+        body = batch.kind.dynamics.by_link(loaded.masses.batches[place].bodies)["rod"]
         forces = solved.batches[place].forces
         guide_place = batch.kind.dynamics.joint("guide")
         assert guide_place is not None  # of each piston that is driven directly
@@ -102,12 +100,6 @@ def rod_methods(pistons: Pistons, loaded: LoadedMachine, solved: SolvedCycle, cr
         found = {name: method(rod, body, size.rod_length, drive, WEIGHTLESS) for name, method in ROD_METHODS.items()}
         for row, wrench in enumerate(found.values()):
             off = Wrench(*(np.subtract(one, true) for one, true in zip(wrench, found["exact"], strict=True)))
-            side[:, row, piston] = _relative(off.moment / (size.rod_length * rod.cos), forces.joints[guide_place].y)
-            torque[:, row, piston] = _relative(work(rod, off), forces.driving_torque)
-    return RodMethods(side, torque)
-
-
-def _relative(difference: Array, whole: Array) -> Array:
-    """Largest difference in parts of the largest value, shape (design, member); NaN where there is nothing."""
-    peak = np.max(np.abs(whole), axis=-1)
-    return np.max(np.abs(difference), axis=-1) / np.where(peak > 0, peak, np.nan)
+            side[:, row, piston] = relative(off.moment / (size.rod_length * rod.cos), forces.joints[guide_place].y)
+            torque[:, row, piston] = relative(work(rod, off), forces.driving_torque)
+    return RodMethods(side, torque, labels={"rod_method": tuple(ROD_METHODS)})

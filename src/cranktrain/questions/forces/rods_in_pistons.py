@@ -70,16 +70,17 @@ def rods_in_pistons(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Ite
     """Find the rods of pistons in what `LoadedMachine.solved` gave."""
     for batch, one, made in zip(loaded.mechanisms.batches, solved, loaded.masses.batches, strict=True):
         if batch.kind.has_rod and batch.kind.output == "slider":
-            shares = weighed_ends(made.bodies.rod, batch.members.geometry.rod_length)
+            bodies = batch.kind.dynamics.by_link(made.bodies)
+            shares = weighed_ends(bodies["rod"], batch.members.geometry.rod_length)
             yield RodsInPistons(
                 batch,
                 loaded.carriers.piston[batch.index],
                 one.motion,
                 one.forces.joints,
-                made.bodies.rod,
+                bodies["rod"],
                 shares,
-                made.bodies.slider.mass + shares.second,
-                -one.loads.slider.x,
+                bodies["slider"].mass + shares.second,
+                -batch.kind.dynamics.by_link(one.loads)["slider"].x,
                 one.conditions.drive,
                 made.gravity,
             )

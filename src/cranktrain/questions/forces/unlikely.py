@@ -1,15 +1,13 @@
 """Masses and friction beyond what was ever built: computed with all the same, and flagged."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.checks import Limit, flagged
+from cranktrain.checks import Limit, StageResult, flagged
 from cranktrain.language import N_
-from cranktrain.layout.masses import Masses
 from cranktrain.layout.part_tables import SLIDER
-from cranktrain.linkage.forces import Body
 from cranktrain.motion import Array
 from cranktrain.questions.cylinders.volumes import Chambers
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
@@ -39,10 +37,8 @@ _FRICTION = Limit(
 
 
 @record
-class UnlikelyLoads:
+class UnlikelyLoads(StageResult):
     """Masses and coefficients of friction that hardly any machine has."""
-
-    flags: tuple[str, ...]
 
 
 def unlikely_loads(
@@ -51,10 +47,11 @@ def unlikely_loads(
     """Flag what is beyond the limits, as far as it is known; of all designs the worst is named."""
     found: list[str] = []
     if loaded is not None:
-        found += flagged(_FRICTION, np.array(list(_coefficients(loaded.masses))))
+        rubbing = [np.ravel(part) for batch in loaded.masses.batches for part in batch.friction]
+        found += flagged(_FRICTION, np.concatenate([np.empty(0), *rubbing]))
         if chambers is not None and travel is not None:
             found += _of_pistons(loaded, chambers, travel.stroke, None if gas is None else gas.indicated_work > 0)
-    return UnlikelyLoads(tuple(found))
+    return UnlikelyLoads(flags=tuple(found))
 
 
 def _of_pistons(
@@ -77,12 +74,7 @@ def _piston_masses(loaded: LoadedMachine, shape: tuple[int, ...]) -> Array:
     found = np.zeros(shape)
     for batch, made in zip(loaded.mechanisms.batches, loaded.masses.batches, strict=True):
         piston = loaded.carriers.piston[batch.index]
-        slider: Body | None = getattr(made.bodies, SLIDER, None)
+        slider = batch.kind.dynamics.by_link(made.bodies).get(SLIDER)
         if slider is not None and piston[0] >= 0:
             found[:, piston] = slider.mass[..., 0]
     return found
-
-
-def _coefficients(masses: Masses) -> Iterable[float]:
-    """Coefficients of friction of all that slides."""
-    return (float(one) for batch in masses.batches for part in batch.friction for one in np.ravel(part))

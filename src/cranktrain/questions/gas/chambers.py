@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.checks import StageResult
 from cranktrain.errors import InputError, Problem
 from cranktrain.fluids import AnyFluid, ChamberState, Rooms, VolumeLimits, chamber_state
 from cranktrain.language import _
@@ -45,7 +46,7 @@ class Filling(NamedTuple):
 
 
 @record
-class GasInChambers:
+class GasInChambers(StageResult):
     """The gas in every chamber, to be asked at any crank angle.
 
     Attributes
@@ -63,8 +64,6 @@ class GasInChambers:
     origin : array of int, shape (design, chamber)
         The first of its design's chambers that is like it but for the phase.
     fillings : tuple of Filling
-    flags : tuple of str
-        What may be meant otherwise than it was given, and what was found in a file and changed.
     """
 
     pistons: Pistons
@@ -76,7 +75,6 @@ class GasInChambers:
     cycle: float
     origin: NDArray[np.intp]
     fillings: tuple[Filling, ...] = ()
-    flags: tuple[str, ...] = ()
 
     def volume(self, angle: Array) -> Coefficient:
         """Volume of every chamber at φ [rad], and its derivatives, shape (design, chamber, n). [m³, m³/rad, m³/rad²]"""
@@ -122,10 +120,10 @@ class GasInChambers:
         turns = 2 * np.pi * np.rint((self.firing[..., 0] - least) / (2 * np.pi))
         return least + turns, np.where(is_head, travel.outer[:, of], travel.inner[:, of])
 
-    def alike(self, design: int) -> list[NDArray[np.intp]]:
-        """Chambers of one design that are alike but for their phase, together."""
-        own = self.origin[design]
-        return [np.flatnonzero(own == first) for first in np.unique(own)]
+    @cached_property
+    def alike(self) -> list[tuple[int, NDArray[np.intp]]]:
+        """Designs, and chambers of each that are alike but for their phase, together."""
+        return [(i, np.flatnonzero(own == first)) for i, own in enumerate(self.origin) for first in np.unique(own)]
 
     @cached_property
     def distinct(self) -> NDArray[np.intp]:

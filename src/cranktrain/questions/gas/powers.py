@@ -15,9 +15,8 @@ from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.questions.cylinders.volumes import Chambers, SweptVolumes
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_GAS as _THEORY
 from cranktrain.wording import Names, number, shared
-
-_THEORY = "docs/theory/gas"
 
 
 @record
@@ -70,14 +69,9 @@ class Losses:
 
 def losses_of(cylinders: Sequence[CylindersSpec]) -> Losses | None:
     """Take what the file says of friction; None where it says nothing."""
-    efficiency = [spec.mechanical_efficiency for spec in cylinders]
-    pressure = [spec.friction_pressure for spec in cylinders]
-    if all(given is None for given in (*efficiency, *pressure)):
-        return None
-    return Losses(
-        np.array([np.nan if given is None else given.si for given in efficiency]),
-        np.array([np.nan if given is None else given.si for given in pressure]),
-    )
+    declared = [(spec.mechanical_efficiency, spec.friction_pressure) for spec in cylinders]
+    found = np.array([[np.nan if given is None else given.si for given in design] for design in declared])
+    return None if np.all(np.isnan(found)) else Losses(*found.T)
 
 
 @record

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import Limit, flagged
+from cranktrain.checks import Limit, StageResult, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array, Coefficient
@@ -18,11 +18,11 @@ from cranktrain.questions.gas.events import GasEvents
 from cranktrain.questions.motion.dead_centres import ANGLE_ROUNDING
 from cranktrain.questions.motion.pistons import PistonMotion
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_GAS as _THEORY
 from cranktrain.wording import Names, shared
 
 _CHAMBER = ("chamber",)
 _CURVE = ("chamber", "crank_angle")
-_THEORY = "docs/theory/gas"
 
 
 # Heywood, Internal Combustion Engine Fundamentals, ch. 2.2: 8 to 12 with spark ignition, 12 to 24 in diesels.
@@ -40,7 +40,7 @@ _PEAK_PRESSURE = Limit(
 
 
 @record
-class GasPressures:
+class GasPressures(StageResult):
     """Pressure of the gas, and what it does."""
 
     gas_pressure: Array = quantity("p", "Pa", _CURVE, N_("Absolute pressure in the chamber"), _THEORY)
@@ -57,7 +57,6 @@ class GasPressures:
     peak_pressure_after: Array = quantity(
         "α(p_max)", "deg", _CHAMBER, N_("Largest pressure after the least volume"), _THEORY
     )
-    flags: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str:
         """Say mean and largest pressures."""

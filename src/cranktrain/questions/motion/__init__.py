@@ -2,9 +2,8 @@
 
 from collections.abc import Iterator
 
-from cranktrain.errors import Problem
 from cranktrain.language import N_
-from cranktrain.layout.design import Design, Designs
+from cranktrain.layout.design import Designs
 from cranktrain.layout.question import Dimension, Parts, Question, Stage
 from cranktrain.questions.motion import (
     axial_positions,
@@ -20,10 +19,6 @@ from cranktrain.questions.motion import (
 )
 
 
-def _problems(design: Design) -> tuple[Problem, ...]:
-    return points.point_problems(design.places)
-
-
 def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
     yield points.link_points_of(designs.places)
     yield followed.followed_of(followed.FollowedLinks, designs.places[0])
@@ -34,7 +29,7 @@ def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
 
 QUESTION = Question(
     "motion",
-    problems=_problems,
+    problems=points.point_problems,
     parts=_parts,
     stages=(
         Stage(dead_centres.piston_turn),

@@ -14,6 +14,7 @@ from cranktrain.layout.mechanisms import Mechanisms, Pistons
 from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.motion import Array, Coefficient, Link
 from cranktrain.numerics import Extreme, Extremes, around_zero, extremes, turn_grid
+from cranktrain.numerics.nested import mapped
 from cranktrain.record import record
 from cranktrain.wording import Names, by_sort, shared
 
@@ -24,17 +25,10 @@ ANGLE_ROUNDING = 1e-12
 
 
 class SliderAndRod(NamedTuple):
-    """Slider position along its own axis and rod angle with their derivatives, flat, shape (design, piston, n).
+    """Slider position along its own axis, and rod angle, shape (design, piston, n); NaN for a rod that there is not."""
 
-    NaN for the rod of a mechanism that has none.
-    """
-
-    position: Array
-    position_first: Array
-    position_second: Array
-    rod: Array
-    rod_first: Array
-    rod_second: Array
+    slider: Coefficient
+    rod: Coefficient
 
 
 def slider_and_rod(pistons: Mechanisms, angle: Array) -> SliderAndRod:
@@ -51,13 +45,7 @@ def slider_and_rod(pistons: Mechanisms, angle: Array) -> SliderAndRod:
     -------
     SliderAndRod, shape (design, piston, n). [m, m/rad, m/rad²; rad, rad/rad, rad/rad²]
     """
-
-    def picked(motion: AnyMotion) -> SliderAndRod:
-        slider: Coefficient = motion.slider
-        rod = rod_angle(motion, slider)
-        return SliderAndRod(slider.value, slider.first, slider.second, rod.value, rod.first, rod.second)
-
-    return pistons.evaluated(picked, angle)
+    return pistons.evaluated(lambda motion: SliderAndRod(motion.slider, rod_angle(motion, motion.slider)), angle)
 
 
 def rod_angle(motion: AnyMotion, output: Coefficient) -> Coefficient:
@@ -106,7 +94,7 @@ def piston_turn(pistons: Pistons) -> PistonTurn:
     def slope(angle: Array) -> Array:
         return np.stack([part[..., order, :] for order, part in enumerate(slider(angle)[1:])])
 
-    return PistonTurn(different, samples, extremes(coordinate, slope, samples=np.stack(samples[:3])))
+    return PistonTurn(different, samples, extremes(coordinate, slope, samples=np.stack(samples.slider)))
 
 
 @record
@@ -119,7 +107,7 @@ class PistonGrid:
 def piston_grid(pistons: Pistons, crank_angle: CrankAngle) -> PistonGrid:
     """Evaluate every piston on the grid."""
     turn = slider_and_rod(pistons, crank_angle.first_turn)
-    return PistonGrid(SliderAndRod(*map(crank_angle.over_cycle, turn)))
+    return PistonGrid(mapped(lambda _name, values: crank_angle.over_cycle(values), turn))
 
 
 # The position has 16 digits, and its part that moves so many fewer. Rods that stand for none are given 10⁴ cranks.

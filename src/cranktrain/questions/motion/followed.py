@@ -1,6 +1,6 @@
 """What has a name in a mechanism and no result of its own: links beside rod and rocker, and what slides along them."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, ClassVar, TypeVar
 
 import numpy as np
@@ -11,8 +11,9 @@ from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.places import PlacedMechanism
-from cranktrain.motion import Coefficient, Link
+from cranktrain.motion import Coefficient
 from cranktrain.numerics import unwrapped
+from cranktrain.numerics.nested import Nested, mapped, side_by_side
 from cranktrain.record import record
 
 _LINK = ("link", "crank_angle")
@@ -33,8 +34,6 @@ class Followed:
     parts : tuple of str
         The part's own name.
     """
-
-    needs: ClassVar[str] = ""
 
     names: tuple[str, ...]
     mechanism: NDArray[np.intp]
@@ -63,6 +62,7 @@ class FollowedSliders(Followed):
 
 
 FollowedLike = TypeVar("FollowedLike", bound=Followed)
+Moving = TypeVar("Moving", bound=tuple[object, ...])
 
 
 def followed_of(result: type[FollowedLike], places: Sequence[PlacedMechanism]) -> FollowedLike | None:
@@ -98,7 +98,7 @@ class LinkMotion:
 
 def link_motion(links: FollowedLinks, mechanisms: Mechanisms, crank_angle: CrankAngle) -> LinkMotion:
     """Angles of all links, without jumps, and their derivatives."""
-    angle = _followed(links, mechanisms, crank_angle)
+    angle = followed_parts(links, mechanisms, crank_angle, lambda link, _place: link.angle)
     return LinkMotion(angle._replace(value=unwrapped(angle.value)))
 
 
@@ -119,25 +119,25 @@ class SliderMotion:
 
 def slider_motions(sliders: FollowedSliders, mechanisms: Mechanisms, crank_angle: CrankAngle) -> SliderMotion:
     """Positions of all sliders and blocks, and their derivatives."""
-    return SliderMotion(_followed(sliders, mechanisms, crank_angle))
+    return SliderMotion(followed_parts(sliders, mechanisms, crank_angle, lambda slider, _place: slider))
 
 
-def _followed(followed: Followed, mechanisms: Mechanisms, crank_angle: CrankAngle) -> Coefficient:
-    """Value and derivatives of every part, shape (design, part, n)."""
-    curves = np.empty((3, len(crank_angle.zero), len(followed.names), crank_angle.shown.size))
+def followed_parts(
+    followed: Followed, mechanisms: Mechanisms, crank_angle: CrankAngle, pick: Callable[[Any, int], Moving]
+) -> Moving:
+    """Motion of every part, shape (design, part, n): what `pick` takes of each, by its place, shape (design, 1, n)."""
+    picked: list[tuple[NDArray[np.intp], Moving]] = []
     for batch in mechanisms.batches:
-        chosen = np.flatnonzero(np.isin(followed.mechanism, batch.index))
-        if not chosen.size:
-            continue
-        motion = batch.kind.motion(crank_angle.angle + batch.members.phase, batch.members.geometry)
-        members = np.searchsorted(batch.index, followed.mechanism[chosen])
-        for place, member in zip(chosen.tolist(), members.tolist(), strict=True):
-            moving = _coefficient(batch.kind.part(motion, followed.parts[place]))
-            for curve, values in zip(curves, moving, strict=True):
-                curve[:, place] = values[:, member]
-    return Coefficient(*curves)
+        own = np.flatnonzero(np.isin(followed.mechanism, batch.index))
+        if own.size:
+            motion = batch.kind.motion(crank_angle.angle + batch.members.phase, batch.members.geometry)
+            for place in own.tolist():
+                member = np.flatnonzero(batch.index == followed.mechanism[place])
+                part = _members(batch.kind.part(motion, followed.parts[place]), member)
+                picked.append((np.array([place]), pick(part, place)))
+    return side_by_side(picked, (len(crank_angle.zero), len(followed.names), crank_angle.shown.size))
 
 
-def _coefficient(part: Any) -> Coefficient:
-    """Take a link by its angle, a slider as it is."""
-    return part.angle if isinstance(part, Link) else part
+def _members(motion: Nested, index: NDArray[np.intp]) -> Nested:
+    """Take some members of a part: nested NamedTuples of arrays, shape (design, member, n)."""
+    return mapped(lambda _name, values: values[:, index], motion)

@@ -41,18 +41,15 @@ class PistonMotion:
 
 def piston_motion(grid: PistonGrid, turn: PistonTurn, dead_centres: DeadCentres) -> PistonMotion:
     """Displacement from the true top toward the shaft and its derivatives."""
-    motion = grid.value
-    travel = dead_centres.top_position[..., np.newaxis] - motion.position
-    displacement = Coefficient(travel, -motion.position_first, -motion.position_second)
-    return PistonMotion(displacement, (_derivatives_check(turn),))
+    slider = grid.value.slider
+    travel = dead_centres.top_position[..., np.newaxis] - slider.value
+    return PistonMotion(Coefficient(travel, -slider.first, -slider.second), (_derivatives_check(turn),))
 
 
 def _derivatives_check(turn: PistonTurn) -> Check:
     """Compare x′ and x″ with the derivatives of the Fourier series of x and x′, which know no mechanism formula."""
     pistons = turn.distinct
-    residual = derivatives_residual(
-        lambda alpha: slider_motion(pistons.mechanisms, alpha), Coefficient(*turn.samples[:3])
-    )
+    residual = derivatives_residual(lambda alpha: slider_motion(pistons.mechanisms, alpha), turn.samples.slider)
     return Check(
         "piston_derivatives",
         _("x′ and x″ against the derivatives of the Fourier series of x and x′, relative to their peaks"),

@@ -4,17 +4,17 @@ from collections.abc import Sequence
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
-from cranktrain.catalogue import quantity
+from cranktrain.catalogue import coefficients
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.design import Design
 from cranktrain.layout.mechanisms import Mechanisms
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage import LinkPoint, point
-from cranktrain.motion import Array, Link
-from cranktrain.numerics.nested import Nested, mapped
+from cranktrain.motion import Array, Coefficient, Link, Point
+from cranktrain.questions.motion.followed import Followed, followed_parts
 from cranktrain.record import record
 
 _CURVE = ("point", "crank_angle")
@@ -22,35 +22,22 @@ _THEORY = "docs/theory/groups"
 
 
 @record
-class LinkPoints:
-    """Points that are followed.
+class LinkPoints(Followed):
+    """Points that are followed; of one on a link that is not a joint, `parts` has the link.
 
     Attributes
     ----------
-    names : tuple of str
-        `1.balance`: the mechanism and the point's own name.
-    mechanism : array of int, shape (point,)
-        Which of all mechanisms carries it.
-    carriers : tuple of str
-        Which link of it, or which joint.
     geometry : LinkPoint of arrays, shape (design, point, 1)
         On the link; nothing for a joint.
     """
 
     needs: ClassVar[str] = N_("[mechanism.points.NAME] link, along, across")
+    dimension: ClassVar[str] = "point"
 
-    names: tuple[str, ...]
-    mechanism: NDArray[np.intp]
-    carriers: tuple[str, ...]
     geometry: LinkPoint
 
-    @property
-    def labels(self) -> dict[str, tuple[str, ...]]:
-        """Names of the points."""
-        return {"point": self.names}
 
-
-def point_problems(places: Sequence[PlacedMechanism]) -> tuple[Problem, ...]:
+def point_problems(design: Design) -> tuple[Problem, ...]:
     """Find points on links that the mechanism does not have."""
     return tuple(
         Problem(
@@ -58,7 +45,7 @@ def point_problems(places: Sequence[PlacedMechanism]) -> tuple[Problem, ...]:
             spec.link,
             _("must be a link of this mechanism: {links}").format(links=", ".join(place.kind.links)),
         )
-        for place in {place.path: place for place in places}.values()
+        for place in {place.path: place for place in design.places}.values()
         for name, spec in place.spec.points.items()
         if spec.link not in place.kind.links
     )
@@ -91,7 +78,7 @@ def link_points_of(designs: Sequence[Sequence[PlacedMechanism]]) -> LinkPoints |
     return LinkPoints(
         names=tuple(f"{place.name}.{name}" for _i, place, name, _j in first),
         mechanism=np.array([i for i, _p, _n, _j in first], dtype=np.intp),
-        carriers=tuple(name if is_joint else place.spec.points[name].link for _i, place, name, is_joint in first),
+        parts=tuple(name if is_joint else place.spec.points[name].link for _i, place, name, is_joint in first),
         geometry=LinkPoint(np.hypot(along, across), sense * np.arctan2(across, along)),
     )
 
@@ -100,40 +87,31 @@ def link_points_of(designs: Sequence[Sequence[PlacedMechanism]]) -> LinkPoints |
 class PointMotion:
     """Paths of points on links, in the axes of their mechanism."""
 
-    point_x: Array = quantity("x_P", "m", _CURVE, N_("Point's x in its mechanism's axes"), _THEORY)
-    point_y: Array = quantity("y_P", "m", _CURVE, N_("Point's y in its mechanism's axes"), _THEORY)
-    point_x_velocity_coefficient: Array = quantity(
-        "x_P′", "m/rad", _CURVE, N_("Derivative of x by the crank angle"), _THEORY
+    point_x: Coefficient = coefficients(
+        "x_P",
+        "m",
+        _CURVE,
+        N_("Point's x in its mechanism's axes"),
+        N_("Derivative of x by the crank angle"),
+        N_("Second derivative of x by the crank angle"),
+        _THEORY,
     )
-    point_y_velocity_coefficient: Array = quantity(
-        "y_P′", "m/rad", _CURVE, N_("Derivative of y by the crank angle"), _THEORY
-    )
-    point_x_acceleration_coefficient: Array = quantity(
-        "x_P″", "m/rad^2", _CURVE, N_("Second derivative of x by the crank angle"), _THEORY
-    )
-    point_y_acceleration_coefficient: Array = quantity(
-        "y_P″", "m/rad^2", _CURVE, N_("Second derivative of y by the crank angle"), _THEORY
+    point_y: Coefficient = coefficients(
+        "y_P",
+        "m",
+        _CURVE,
+        N_("Point's y in its mechanism's axes"),
+        N_("Derivative of y by the crank angle"),
+        N_("Second derivative of y by the crank angle"),
+        _THEORY,
     )
 
 
 def point_motion(points: LinkPoints, mechanisms: Mechanisms, crank_angle: CrankAngle) -> PointMotion:
     """Paths of all points, with derivatives by the crank angle."""
-    shape = (len(crank_angle.zero), len(points.names), crank_angle.shown.size)
-    curves = np.empty((6, *shape))
-    for batch in mechanisms.batches:
-        on_batch = np.isin(points.mechanism, batch.index)
-        motion = batch.kind.motion(crank_angle.angle + batch.members.phase, batch.members.geometry)
-        for carrier in (*batch.kind.links, *batch.kind.joints):
-            chosen = np.flatnonzero(on_batch & (np.array(points.carriers) == carrier))
-            carried = _members(batch.kind.part(motion, carrier), np.searchsorted(batch.index, points.mechanism[chosen]))
-            geometry = LinkPoint(points.geometry.radius[:, chosen], points.geometry.angle[:, chosen])
-            moving = point(carried, geometry) if isinstance(carried, Link) else carried
-            for curve, values in zip(curves, (*moving.x, *moving.y), strict=True):
-                curve[:, chosen] = values
-    x, x_first, x_second, y, y_first, y_second = curves
-    return PointMotion(x, y, x_first, y_first, x_second, y_second)
 
+    def moving(part: Link | Point, place: int) -> Point:
+        geometry = LinkPoint(points.geometry.radius[:, [place]], points.geometry.angle[:, [place]])
+        return point(part, geometry) if isinstance(part, Link) else part
 
-def _members(motion: Nested, index: NDArray[np.intp]) -> Nested:
-    """Take some members of a link: nested NamedTuples of arrays, shape (design, member, n)."""
-    return mapped(lambda _name, values: values[:, index], motion)
+    return PointMotion(*followed_parts(points, mechanisms, crank_angle, moving))

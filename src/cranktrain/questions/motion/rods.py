@@ -62,10 +62,9 @@ def on_rods(pistons: Pistons) -> bool:
 
 def rod_motion(grid: PistonGrid, crank_angle: CrankAngle, turn: PistonTurn) -> RodMotion:
     """Rod angles, their derivatives and extremes."""
-    motion = grid.value
     different = turn.distinct
     opposite, usual = turning_points(
-        lambda alpha: Coefficient(*(-part for part in _rod(different.mechanisms, alpha))), -turn.samples.rod
+        lambda alpha: Coefficient(*(-part for part in _rod(different.mechanisms, alpha))), -turn.samples.rod.value
     )
     usual, opposite = (
         Extreme(crank_angle.counted(different.angle(one.angle))[..., 0], different.spread(one.value)[..., 0])
@@ -74,7 +73,7 @@ def rod_motion(grid: PistonGrid, crank_angle: CrankAngle, turn: PistonTurn) -> R
     # Without an offset both are alike but for rounding, which must not choose.
     is_usual = usual.value >= -opposite.value * (1 - 1e-12)
     return RodMotion(
-        Coefficient(motion.rod, motion.rod_first, motion.rod_second),
+        grid.value.rod,
         largest_pressure_angle=chosen(is_usual, usual, opposite),
         opposite_pressure_angle=chosen(is_usual, opposite, usual),
     )

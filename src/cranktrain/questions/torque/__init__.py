@@ -8,7 +8,6 @@ QUESTION = Question(
     "torque",
     stages=(
         Stage(sources.torque_sources),
-        Stage(torques.torque_peaks),
         Stage(torques.shaft_torques),
         Stage(torques.gear_torques, applies=torques.are_geared),
         Stage(work_check.work_balance),

@@ -4,7 +4,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
-from cranktrain.numerics.gathering import gathered
 from cranktrain.numerics.harmonics import TURN, curve, delayed, harmonics
 
 _WHOLE = 1e-9
@@ -72,34 +71,13 @@ def fired(torque: Array, firing_angle: Array, cycle: float = TURN) -> Array:
     return np.take_along_axis(spread, np.broadcast_to(place, spread.shape), axis=-1)
 
 
-def throw_torque(torque: Array, throw: NDArray[np.intp], n_throws: int) -> Array:
-    """Torque of each throw, from those of the cylinders that work on it.
-
-    Parameters
-    ----------
-    torque : Array, shape (..., cylinder, n)
-        [N·m]
-    throw : integer array, shape (cylinder,)
-        Index of each cylinder's throw.
-    n_throws : int
-
-    Returns
-    -------
-    Array, shape (..., throw, n)
-        [N·m]
-    """
-    return gathered(torque, throw, n_throws)
-
-
-def journal_torque(throw_torque: Array, free_end_torque: Array | None = None) -> Array:
+def journal_torque(throw_torque: Array) -> Array:
     """Torque that each main journal passes on, gathered from the free end toward the flywheel.
 
     Parameters
     ----------
     throw_torque : Array, shape (..., throw, n)
         Torque of each throw's pistons, throw 1 at the free end. [N·m]
-    free_end_torque : Array, shape (..., n), optional
-        What is taken off or brought in at the free end, positive in the sense of rotation. [N·m]
 
     Returns
     -------
@@ -110,7 +88,4 @@ def journal_torque(throw_torque: Array, free_end_torque: Array | None = None) ->
     -----
     The shaft is rigid and turns evenly: its own inertia takes no part. docs/theory/harmonics-and-orders, eq. (15.13).
     """
-    before = np.zeros_like(throw_torque[..., :1, :])
-    if free_end_torque is not None:
-        before = before + free_end_torque[..., np.newaxis, :]
-    return before + np.concatenate([np.zeros_like(before), np.cumsum(throw_torque, axis=-2)], axis=-2)
+    return np.concatenate([np.zeros_like(throw_torque[..., :1, :]), np.cumsum(throw_torque, axis=-2)], axis=-2)

@@ -1,12 +1,12 @@
 """Orders of the machine's torque, and the stars of the cylinders' phases by which they add up."""
 
-from collections.abc import Mapping
 from dataclasses import field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
+from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle, order_labels, orders
 from cranktrain.motion import Array
@@ -16,10 +16,10 @@ from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.questions.torque.stars import phase_stars
 from cranktrain.questions.torque.torques import ShaftTorques
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_HARMONICS as _THEORY
 from cranktrain.wording import Names, number
 
 _ORDER = ("order",)
-_THEORY = "docs/theory/harmonics-and-orders"
 _TOLD = 3
 """How many of the largest orders the answer names."""
 _NOTHING = 1e-12
@@ -29,7 +29,7 @@ _ROUNDING, _GONE = 1e-6, 1e-9
 
 
 @record
-class TorqueOrders:
+class TorqueOrders(StageResult):
     """Harmonics of the machine's torque: amplitude · cos(kφ − ψ), φ as shown; gross as of `ShaftTorques`."""
 
     torque_order_amplitude: Array = quantity(
@@ -43,7 +43,6 @@ class TorqueOrders:
         _THEORY,
     )
     gross: Array = field(kw_only=True)
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"order": ()})
 
     def answer(self, names: Names, design: int) -> str | None:
         """Name the largest orders."""
@@ -67,18 +66,17 @@ def torque_orders(sources: TorqueSources, torques: ShaftTorques, crank_angle: Cr
     largest = np.max(np.abs(torques.machine_torque), axis=-1, keepdims=True)
     is_rounding = found.amplitude <= _NOTHING * np.maximum(largest, torques.gross[:, np.newaxis])
     amplitude, phase = np.where(is_rounding, 0.0, found.amplitude), np.where(is_rounding, np.nan, found.phase)
-    return TorqueOrders(amplitude, phase, order_labels(crank_angle.cycle), gross=torques.gross)
+    return TorqueOrders(amplitude, phase, gross=torques.gross, labels=order_labels(crank_angle.cycle))
 
 
 @record
-class PhaseStarSums:
+class PhaseStarSums(StageResult):
     """How far the cylinders' torques of one order add up by their firing: as many as cylinders where all do."""
 
     phase_star_sum: Array = quantity(
         "S_k", "1", _ORDER, N_("Sum of the cylinders' phase vectors of the order, by nominal firing"), _THEORY
     )
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"order": ()})
-    is_major: NDArray[np.bool_] = field(default_factory=lambda: np.zeros((1, 0), dtype=np.bool_))
+    is_major: NDArray[np.bool_] = field(kw_only=True)
 
     def answer(self, names: Names, design: int) -> str | None:
         """Name the major orders, of a machine with several cylinders."""
@@ -91,4 +89,4 @@ class PhaseStarSums:
 def phase_star_sums(firing: Firing, cycle: Cycle) -> PhaseStarSums:
     """Stars of the phase vectors of all cylinders; docs/theory/harmonics-and-orders, eq. (15.14)."""
     stars = phase_stars(orders(cycle.length), firing.firing_angle)
-    return PhaseStarSums(stars.length, order_labels(cycle.length), stars.is_major)
+    return PhaseStarSums(stars.length, is_major=stars.is_major, labels=order_labels(cycle.length))

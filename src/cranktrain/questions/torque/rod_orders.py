@@ -1,11 +1,9 @@
 """Harmonics that a rod of finite length gives the piston's acceleration and the torque of its inertia, exact."""
 
-from collections.abc import Mapping
-from dataclasses import field
-
 import numpy as np
 
 from cranktrain.catalogue import quantity
+from cranktrain.checks import StageResult
 from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle, order_labels
 from cranktrain.layout.mechanisms import Pistons
@@ -13,13 +11,13 @@ from cranktrain.motion import Array
 from cranktrain.questions.forces.piston_forces import DIRECT
 from cranktrain.questions.torque.rod_harmonics import acceleration_harmonics, torque_harmonics
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_HARMONICS as _THEORY
 
 _FACT = ("order", "piston")
-_THEORY = "docs/theory/harmonics-and-orders"
 
 
 @record
-class RodOrders:
+class RodOrders(StageResult):
     """Harmonics of pistons by the angle of their own cranks from the top; NaN but for central slider-cranks."""
 
     acceleration_harmonic: Array = quantity(
@@ -28,7 +26,6 @@ class RodOrders:
     inertia_torque_harmonic: Array = quantity(
         "D_k", "1", _FACT, N_("Harmonic of its inertia's torque, T = m R² ω² Σ D_k sin kα"), _THEORY
     )
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"order": ()})
 
 
 def rod_orders(pistons: Pistons, crank_angle: CrankAngle) -> RodOrders:
@@ -36,16 +33,13 @@ def rod_orders(pistons: Pistons, crank_angle: CrankAngle) -> RodOrders:
     labels = order_labels(crank_angle.cycle)
     turns = round(crank_angle.cycle / (2 * np.pi))
     highest = len(labels["order"]) // turns
-    found = np.full((2, len(crank_angle.zero), len(labels["order"]), len(pistons.names)), np.nan)
+    ratio = np.full((len(crank_angle.zero), len(pistons.names)), np.nan)
     for batch in pistons.batches:
-        if batch.kind.name != DIRECT:
-            continue
-        size = batch.members.geometry
-        ratio = np.where(size.offset == 0.0, size.crank_radius / size.rod_length, np.nan)[..., 0]
-        for curve, harmonics in zip(found, (acceleration_harmonics, torque_harmonics), strict=True):
-            by_order = harmonics(ratio, highest)[..., 1:]
-            # Orders between whole ones are those of a cycle of two turns: no piston's inertia knows them.
-            every = np.where(np.isnan(by_order[..., :1]), np.nan, np.zeros((*ratio.shape, len(labels["order"]))))
-            every[..., turns - 1 :: turns] = by_order
-            curve[:, :, batch.index] = np.moveaxis(every, -1, 1)
-    return RodOrders(found[0], found[1], labels)
+        if batch.kind.name == DIRECT:
+            size = batch.members.geometry
+            ratio[:, batch.index] = np.where(size.offset == 0.0, size.crank_radius / size.rod_length, np.nan)[..., 0]
+    by_order = np.stack([of(ratio, highest)[..., 1:] for of in (acceleration_harmonics, torque_harmonics)])
+    # Orders between whole ones are those of a cycle of two turns: no piston's inertia knows them.
+    every = np.where(np.isnan(by_order[..., :1]), np.nan, np.zeros(len(labels["order"])))
+    every[..., turns - 1 :: turns] = by_order
+    return RodOrders(*np.moveaxis(every, -1, 2), labels=labels)

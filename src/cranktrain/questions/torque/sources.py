@@ -15,6 +15,7 @@ from cranktrain.layout.shafts import Shafts
 from cranktrain.linkage.forces import Drive, Reduced, ReducedInertia, torque_by_work
 from cranktrain.motion import ZERO, Array
 from cranktrain.numerics import Panels, integral_to, panels
+from cranktrain.numerics.gathering import gathered
 from cranktrain.numerics.harmonics import ComplexArray, harmonics, phasor
 from cranktrain.numerics.periodic import fourier_integral
 from cranktrain.questions.forces.events import ForceEvents
@@ -25,7 +26,6 @@ from cranktrain.questions.gas.chambers import AMBIENT, GasInChambers
 from cranktrain.questions.gas.events import GasEvents
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.questions.motion.pistons import PistonMotion
-from cranktrain.questions.torque.fired import throw_torque
 from cranktrain.record import record
 
 _WIDEST = np.pi / 9
@@ -39,6 +39,7 @@ class Source(NamedTuple):
 
     Attributes
     ----------
+    design : int
     panels : Panels
     values : Array, shape (part, point)
         At the panels' points; the parts act on different shafts. [N·m]
@@ -48,6 +49,7 @@ class Source(NamedTuple):
         On which shaft each part acts.
     """
 
+    design: int
     panels: Panels
     values: Array
     starts: Array
@@ -60,8 +62,8 @@ class TorqueSources:
 
     Attributes
     ----------
-    sources : tuple of tuples of Source
-        Of each design.
+    sources : tuple of Source
+        Of all designs.
     rest : Array, shape (design, shaft, n)
         What they leave of the torque on the grid; nothing where something rubs. [N·m]
     inertia : Array, shape (design, n)
@@ -73,7 +75,7 @@ class TorqueSources:
         Work that inertia takes over a cycle: none, but for one moment of acceleration ∮Jε dφ. [J]
     """
 
-    sources: tuple[tuple[Source, ...], ...]
+    sources: tuple[Source, ...]
     rest: Array
     inertia: Array
     kept: Array
@@ -84,10 +86,9 @@ class TorqueSources:
         # At a speed that varies equal steps see work in the inertia that it does not do.
         wrong = np.mean(self.inertia, axis=-1) - np.where(np.any(self.inertia, axis=-1), self.spent / cycle, 0.0)
         found = np.mean(self.rest, axis=-1) + wrong[:, np.newaxis] / self.rest.shape[1]
-        for design, sources in enumerate(self.sources):
-            for one in sources:
-                own = np.broadcast_to(np.sum(one.values * one.panels.weight, axis=-1) / cycle, one.shafts.shape)
-                np.add.at(found[design], one.shafts, own)
+        for one in self.sources:
+            own = np.broadcast_to(np.sum(one.values * one.panels.weight, axis=-1) / cycle, one.shafts.shape)
+            np.add.at(found[one.design], one.shafts, own)
         return found
 
     def orders(self, order: Array, cycle: float) -> ComplexArray:
@@ -104,15 +105,14 @@ class TorqueSources:
         found = np.zeros((len(smooth), order.size), dtype=np.complex128)
         found[:, : smooth.shape[-1]] = smooth
         share = np.where(order > 0, 2.0, 1.0) / cycle
-        for design, sources in enumerate(self.sources):
-            for one in sources:
-                # Orders are multiples of the first.
-                waves = np.empty((order.size, one.panels.angle.size), dtype=np.complex128)
-                waves[0], waves[1:] = 1.0, phasor(-order[1] * one.panels.angle)
-                waves = np.multiply.accumulate(waves, axis=0)
-                # A sum and no matrix product, for which threads would be woken.
-                own = share * np.sum(waves * (np.sum(one.values, axis=0) * one.panels.weight), axis=-1)
-                found[design] += own * np.sum(phasor(-order * one.starts[:, np.newaxis]), axis=0)
+        for one in self.sources:
+            # Orders are multiples of the first.
+            waves = np.empty((order.size, one.panels.angle.size), dtype=np.complex128)
+            waves[0], waves[1:] = 1.0, phasor(-order[1] * one.panels.angle)
+            waves = np.multiply.accumulate(waves, axis=0)
+            # A sum and no matrix product, for which threads would be woken.
+            own = share * np.sum(waves * (np.sum(one.values, axis=0) * one.panels.weight), axis=-1)
+            found[one.design] += own * np.sum(phasor(-order * one.starts[:, np.newaxis]), axis=0)
         return found
 
     def applied_work(self, shown: Array, cycle: float) -> Array:
@@ -131,18 +131,17 @@ class TorqueSources:
         """
         found = fourier_integral(np.sum(self.rest, axis=1) + self.inertia, cycle).samples + self.kept
         step = float(shown[1] - shown[0])
-        for design, sources in enumerate(self.sources):
-            for one in sources:
-                values = np.sum(one.values, axis=0)
-                values = values - np.sum(values * one.panels.weight) / cycle
-                # Starts that are whole steps apart see the same points in turn.
-                steps = one.starts / step
-                beside: Array = np.round(np.mod(steps + 0.5, 1.0) - 0.5, 9)
-                for aside in np.unique(beside).tolist():
-                    whole = integral_to(one.panels, values, shown - aside * step)
-                    for late in np.rint(steps[beside == aside] - aside).astype(np.intp).tolist():
-                        laid = np.roll(whole, late)
-                        found[design] += laid - laid[0]
+        for one in self.sources:
+            values = np.sum(one.values, axis=0)
+            values = values - np.sum(values * one.panels.weight) / cycle
+            # Starts that are whole steps apart see the same points in turn.
+            steps = one.starts / step
+            beside: Array = np.round(np.mod(steps + 0.5, 1.0) - 0.5, 9)
+            for aside in np.unique(beside).tolist():
+                whole = integral_to(one.panels, values, shown - aside * step)
+                for late in np.rint(steps[beside == aside] - aside).astype(np.intp).tolist():
+                    laid = np.roll(whole, late)
+                    found[one.design] += laid - laid[0]
         return found
 
 
@@ -158,26 +157,25 @@ def torque_sources(
     torques: MechanismTorques,
 ) -> TorqueSources:
     """Take the torque apart; docs/theory/harmonics-and-orders, eq. (15.17)."""
-    by_shaft = throw_torque(-driving_torques(loaded, solved.batches), shafts.shaft, len(shafts.names))
+    by_shaft = gathered(-driving_torques(loaded, solved.batches), shafts.shaft, len(shafts.names))
     drive = Drive(*(part[:, 0] for part in loaded.speed.drive(crank_angle.angle)))
     nothing = np.zeros_like(by_shaft[:, 0])
     spent = np.zeros(len(by_shaft))
     if loaded.speed.curve is not None and loaded.speed.curve.moment is not None:
         each = torques.reduced_inertia * loaded.speed.curve.moment[:, 0]
         spent = np.mean(each, axis=-1) * crank_angle.cycle
-    designs = range(len(by_shaft))
     if loaded.masses.has_friction:
         energy = torques.reduced_inertia * drive.speed**2 / 2
-        whole = tuple((source,) for source in _of_machines(loaded, shafts, crank_angle, events))
+        whole = tuple(_of_machines(loaded, shafts, crank_angle, events))
         return TorqueSources(whole, np.zeros_like(by_shaft), nothing, energy - energy[..., :1], spent)
     equation = Reduced(ReducedInertia(torques.reduced_inertia, torques.reduced_inertia_slope), ZERO)
     inertia = torque_by_work(equation, drive)
     if loaded.gas is None or gas_events is None or gas is None or motion is None:
-        return TorqueSources(((),) * len(designs), by_shaft, inertia, nothing, spent)
+        return TorqueSources((), by_shaft, inertia, nothing, spent)
     own = shafts.shaft[loaded.carriers.driven]
-    rest = by_shaft - throw_torque(gas.gas_force * motion.piston_displacement.first, own, len(shafts.names))
-    sources = tuple(tuple(_of_chambers(loaded.gas, gas_events, crank_angle, own, design)) for design in designs)
-    return TorqueSources(sources, rest, inertia, nothing, spent)
+    rest = by_shaft - gathered(gas.gas_force * motion.piston_displacement.first, own, len(shafts.names))
+    sources = _of_chambers(loaded.gas, gas_events, crank_angle, own)
+    return TorqueSources(tuple(sources), rest, inertia, nothing, spent)
 
 
 def _of_machines(
@@ -192,18 +190,17 @@ def _of_machines(
     longest = max(cut.angle.size for cut in cuts)
     asked = np.stack([np.pad(cut.angle, (0, longest - cut.angle.size), mode="edge") for cut in cuts])
     solved = loaded.solved(asked[:, np.newaxis] + crank_angle.zero)
-    torque = throw_torque(-driving_torques(loaded, solved), shafts.shaft, len(shafts.names))
+    torque = gathered(-driving_torques(loaded, solved), shafts.shaft, len(shafts.names))
     each = np.arange(len(shafts.names))[np.newaxis]
-    for cut, own in zip(cuts, torque, strict=True):
-        yield Source(cut, own[:, : cut.angle.size], np.zeros(1), each)
+    for design, (cut, own) in enumerate(zip(cuts, torque, strict=True)):
+        yield Source(design, cut, own[:, : cut.angle.size], np.zeros(1), each)
 
 
 def _of_chambers(
-    gas: GasInChambers, events: GasEvents, crank_angle: CrankAngle, shafts: NDArray[np.intp], design: int
+    gas: GasInChambers, events: GasEvents, crank_angle: CrankAngle, shafts: NDArray[np.intp]
 ) -> Iterator[Source]:
-    """Torque of the gas in each chamber of one design on its pistons' shafts, by virtual work."""
-    zero = float(crank_angle.zero[design, 0, 0])
-    for places in gas.alike(design):
+    """Torque of the gas in each chamber on its pistons' shafts, by virtual work."""
+    for design, places in gas.alike:
         first = int(places[0])
         start = float(gas.firing[design, first, 0])
         # Near its least value V = V_c + ½V″φ², which is 0 at an imaginary φ.
@@ -224,4 +221,5 @@ def _of_chambers(
                 for piston in by_chamber[0].tolist()
             ]
         torque = np.stack([(pressure - AMBIENT) * slope for slope in slopes])
-        yield Source(cut, torque, gas.firing[design, places, 0] - zero, shafts[np.stack(by_chamber)])
+        starts = gas.firing[design, places, 0] - crank_angle.zero[design, 0, 0]
+        yield Source(design, cut, torque, starts, shafts[np.stack(by_chamber)])

@@ -74,55 +74,6 @@ def phase_stars(order: Array, firing_angle: Array, weight: Array | None = None) 
     return PhaseStars(order, vectors, total, np.abs(total) >= (1 - _ALIGNED) * most)
 
 
-def linear_mode(position: Array) -> Array:
-    """Weights of a mode that falls in a straight line along the shaft, from +1 at the first to −1 at the last position.
-
-    Parameters
-    ----------
-    position : Array, shape (..., cylinder)
-        Along the shaft. [m]
-
-    Returns
-    -------
-    Array, shape (..., cylinder)
-        A first guess at a shaft's twisting; a single position gives 1.
-    """
-    first, last = np.min(position, axis=-1, keepdims=True), np.max(position, axis=-1, keepdims=True)
-    length = np.where(last > first, last - first, 1.0)
-    return 1 - 2 * (position - first) / length
-
-
-def even_firing_sum(order: Array, n_cylinders: int, interval: float) -> Array:
-    """Length of the star of cylinders that fire at equal intervals, in closed form.
-
-    Parameters
-    ----------
-    order : Array, shape (n,)
-    n_cylinders : int
-    interval : float
-        Between one firing and the next. [rad]
-
-    Returns
-    -------
-    Array, shape (n,)
-        |sin(zkΔ/2)/sin(kΔ/2)|, z where kΔ is a whole number of turns. Over a full cycle it is z at the major orders and
-        0 at all others; firings over a part of the cycle (one bank) leave others too.
-
-    Notes
-    -----
-    docs/theory/harmonics-and-orders, eq. (15.15).
-
-    Examples
-    --------
-    >>> even_firing_sum(np.array([1.0, 1.5, 3.0]), 6, 2 * np.pi / 3).round(12)
-    array([0., 0., 6.])
-    """
-    half = order * interval / 2
-    whole = np.abs(half / np.pi - np.rint(half / np.pi)) < _ALIGNED
-    with np.errstate(divide="ignore", invalid="ignore"):
-        return np.where(whole, float(n_cylinders), np.abs(np.sin(n_cylinders * half) / np.sin(half)))
-
-
 def shaft_harmonics(cylinder: Harmonics, firing_angle: Array) -> Harmonics:
     """Harmonics of the whole shaft's torque from one cylinder's, all cylinders being alike.
 

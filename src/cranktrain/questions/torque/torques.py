@@ -1,30 +1,32 @@
 """Torque of a whole machine: on each shaft, through the gear between shafts, and gathered along each shaft."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator
 from dataclasses import field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import extreme, quantity
+from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak
+from cranktrain.numerics.gathering import gathered
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.forces_times_arms import forces_times_arms
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import driving_torques
 from cranktrain.questions.forces.peaks import largest_of_machine, one_sided, without_rounding
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
-from cranktrain.questions.torque import fired as along_shaft
+from cranktrain.questions.torque.fired import journal_torque
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.wording import Names, number
 
 _SHAFT = ("shaft",)
-_THEORY = "docs/theory/forces"
 _ROUNDING = 1e-12
 """Torques smaller than this part of the peak may be of either sign."""
 _NOTHING = 1e-9
@@ -32,46 +34,11 @@ _NOTHING = 1e-9
 
 
 @record
-class TorquePeaks:
-    """Extremes of torques, refined together; nothing that people read as it is.
-
-    Attributes
-    ----------
-    largest, smallest : Peak, shapes (design,)
-        Of all mechanisms together. [N·m]
-    in_journals : Peak, shapes (design, journal)
-        Of the torque's size in every journal. [N·m]
-    """
-
-    largest: Peak
-    smallest: Peak
-    in_journals: Peak
-
-
-def torque_peaks(
-    loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, events: ForceEvents, crank_angle: CrankAngle
-) -> TorquePeaks:
-    """Find the extremes of the torques along the shafts, all on one evaluation of the mechanisms."""
-
-    def curves(driving: Array) -> Array:
-        whole = np.sum(driving, axis=1, keepdims=True)
-        return np.concatenate([-whole, whole, np.abs(_passed(driving, shafts))], axis=1)
-
-    found = largest_of_machine(
-        lambda angle: curves(driving_torques(loaded, loaded.solved(angle))),
-        curves(driving_torques(loaded, solved.batches)),
-        events,
-        crank_angle,
-    )
-    largest, smallest, in_journals = (Peak(*(part[:, rows] for part in found)) for rows in (0, 1, slice(2, None)))
-    return TorquePeaks(largest, smallest._replace(value=-smallest.value), in_journals)
-
-
-@record
-class ShaftTorques:
+class ShaftTorques(StageResult):
     """Torque of the machine on its shafts, by the reactions: positive in each shaft's own running sense.
 
-    gross, shape (design,), is what all forces would do by their arms. [N·m]
+    gross, shape (design,), is what all forces would do by their arms; in_journals, shape (design, journal), the largest
+    size of the torque in every journal, refined together with the machine's extremes. [N·m]
     """
 
     shaft_torque: Array = quantity(
@@ -88,8 +55,7 @@ class ShaftTorques:
         "T_min", "N*m", (), N_("Smallest torque of the machine"), N_("Crank angle of the smallest torque"), _THEORY
     )
     gross: Array = field(kw_only=True)
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"shaft": ()})
-    flags: tuple[str, ...] = ()
+    in_journals: Peak = field(kw_only=True)
 
     def answer(self, names: Names, design: int) -> str:
         """Say mean, largest and smallest torque; none where it is nothing beside what the forces could do."""
@@ -112,7 +78,7 @@ def shaft_torques(
     shafts: Shafts,
     crank_angle: CrankAngle,
     sources: TorqueSources,
-    peaks: TorquePeaks,
+    events: ForceEvents,
 ) -> ShaftTorques:
     """Torque on every shaft over the cycle, its mean by quadrature, and extremes refined on the mechanisms.
 
@@ -122,13 +88,16 @@ def shaft_torques(
     simply add up to what the main shaft feels. docs/theory/forces, eq. (13.38).
     """
     by_mechanism = -driving_torques(loaded, solved.batches)
-    by_shaft = along_shaft.throw_torque(by_mechanism, shafts.shaft, len(shafts.names))
+    by_shaft = gathered(by_mechanism, shafts.shaft, len(shafts.names))
     whole = np.sum(by_shaft, axis=1)
     mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
     gross = np.sum(forces_times_arms(loaded, solved.batches), axis=-1)
-    most, least = (without_rounding(peak, gross) for peak in (peaks.largest, peaks.smallest))
+    largest, opposite, in_journals = _peaks(loaded, solved, shafts, events, crank_angle)
+    most = without_rounding(largest, gross)
+    least = without_rounding(opposite._replace(value=-opposite.value), gross)
     return ShaftTorques(
         gross=gross,
+        in_journals=in_journals,
         shaft_torque=by_shaft,
         machine_torque=whole,
         mean_torque=np.where(np.abs(mean) <= _ROUNDING * np.maximum(np.max(np.abs(whole), axis=-1), gross), 0.0, mean),
@@ -139,8 +108,26 @@ def shaft_torques(
     )
 
 
+def _peaks(
+    loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, events: ForceEvents, crank_angle: CrankAngle
+) -> Iterator[Peak]:
+    """Largest torque of all mechanisms, largest against it, shapes (design,), and size in the journals, all at once."""
+
+    def curves(driving: Array) -> Array:
+        whole = np.sum(driving, axis=1, keepdims=True)
+        return np.concatenate([-whole, whole, np.abs(_passed(driving, shafts))], axis=1)
+
+    found = largest_of_machine(
+        lambda angle: curves(driving_torques(loaded, loaded.solved(angle))),
+        curves(driving_torques(loaded, solved.batches)),
+        events,
+        crank_angle,
+    )
+    return (Peak(*(part[:, rows] for part in found)) for rows in (0, 1, slice(2, None)))
+
+
 @record
-class JournalTorques:
+class JournalTorques(StageResult):
     """Torque that each main journal passes on toward the flywheel, gathered from the free end."""
 
     journal_torque: Array = quantity(
@@ -154,16 +141,17 @@ class JournalTorques:
         N_("Crank angle of the largest torque in the journal"),
         _THEORY,
     )
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"journal": ()})
 
 
-def journal_torques(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, peaks: TorquePeaks) -> JournalTorques:
+def journal_torques(
+    loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, torques: ShaftTorques
+) -> JournalTorques:
     """Torque along every shaft: journal 1 stands before throw 1 and passes nothing, the last one passes all.
 
     What a gear takes or brings is reckoned at the flywheel's end. docs/theory/harmonics-and-orders, eq. (15.13).
     """
     passed = _passed(driving_torques(loaded, solved.batches), shafts)
-    return JournalTorques(passed, peaks.in_journals, {"journal": shafts.journals})
+    return JournalTorques(passed, torques.in_journals, labels={"journal": shafts.journals})
 
 
 def _passed(driving: Array, shafts: Shafts) -> Array:
@@ -171,8 +159,8 @@ def _passed(driving: Array, shafts: Shafts) -> Array:
     rows: list[Array] = []
     for shaft, n_throws in enumerate(shafts.n_throws):
         own = shafts.shaft == shaft
-        by_throw = along_shaft.throw_torque(-driving[:, own], shafts.throw[own], n_throws)
-        rows.append(along_shaft.journal_torque(by_throw))
+        by_throw = gathered(-driving[:, own], shafts.throw[own], n_throws)
+        rows.append(journal_torque(by_throw))
     return np.concatenate(rows, axis=1)
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check
+from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
@@ -13,21 +13,20 @@ from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_FORCES as _THEORY
 
-_THEORY = "docs/theory/forces"
 _EXACT_LIMIT = 1e-12
 _SHARE = 0.1
 """Of forces times arms, for 1 rad: work that is less is judged by these; an engine's gas does more."""
 
 
 @record
-class WorkBalance:
+class WorkBalance(StageResult):
     """Work of the gas over a cycle, without any step of the grid, and whether the torque does it."""
 
     gas_work: Array = quantity(
         "W", "J", (), N_("Work of the gas in all chambers over a cycle, in closed form or by exact quadrature"), _THEORY
     )
-    checks: tuple[Check, ...] = ()
 
 
 def work_balance(
@@ -55,4 +54,4 @@ def work_balance(
     on_the_way = np.sum(forces_times_arms(loaded, solved.batches), axis=1)
     residual = np.abs(done - total) / np.maximum(np.sum(np.abs(works), axis=-1), _SHARE * on_the_way)
     sentence = _("Work of the torque by the reactions, by quadrature, against that of the gas")
-    return WorkBalance(total, (Check("work", sentence, residual, _EXACT_LIMIT),))
+    return WorkBalance(total, checks=(Check("work", sentence, residual, _EXACT_LIMIT),))

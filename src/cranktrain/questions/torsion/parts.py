@@ -1,6 +1,7 @@
 """The declared train of several designs as SI arrays, in the order of Holzer's table; and what does not fit it."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
+from math import prod
 from typing import ClassVar
 
 import numpy as np
@@ -59,7 +60,7 @@ def declared_train(specs: Sequence[TorsionSpec], n_throws: int) -> DeclaredTrain
         throws=np.array([at[throw] for throw in range(1, n_throws + 1)], dtype=np.intp),
         following=np.array([at[following[node]] for node in order[:-1]], dtype=np.intp),
         free_end=at[specs[0].free_end or 1],
-        inertia=np.array([_in_order(_inertias(spec, n_throws), order) for spec in specs]),
+        inertia=np.array([[of[node] for node in order] for of in (_inertias(spec, n_throws) for spec in specs)]),
         stiffness=np.array(
             [
                 [of[frozenset((node, following[node]))] for node in order[:-1]]
@@ -68,10 +69,6 @@ def declared_train(specs: Sequence[TorsionSpec], n_throws: int) -> DeclaredTrain
         ),
         ratio=np.array([[_ratio(spec, node) for node in order] for spec in specs]),
     )
-
-
-def _in_order(values: Mapping[Node, float], order: Sequence[Node]) -> list[float]:
-    return [values[node] for node in order]
 
 
 def _order(spec: TorsionSpec, n_throws: int) -> tuple[list[Node], dict[Node, Node]]:
@@ -83,7 +80,9 @@ def _order(spec: TorsionSpec, n_throws: int) -> tuple[list[Node], dict[Node, Nod
     for one, other in map(tuple, _shafts(spec, n_throws)):
         neighbours.setdefault(one, []).append(other)
         neighbours.setdefault(other, []).append(one)
-    outer = [name for name, disc in spec.disc.items() if disc.stiffness and (_throw(spec, name) > 1 or n_throws == 1)]
+    outer = [
+        name for name, disc in spec.disc.items() if disc.stiffness and (n_throws == 1 or 1 not in _inward(spec, name))
+    ]
     last: Node = outer[-1] if outer else n_throws
     backward: list[Node] = []
     following: dict[Node, Node] = {}
@@ -120,27 +119,22 @@ def _inertias(spec: TorsionSpec, n_throws: int) -> dict[Node, float]:
     return found
 
 
+def _inward(spec: TorsionSpec, name: Node) -> Iterator[Node]:
+    """A throw or a disc, what it is beside, and so on to the throw."""
+    while isinstance(name, str):
+        yield name
+        name = spec.disc[name].beside
+    yield name
+
+
 def _node(spec: TorsionSpec, name: Node) -> Node:
     """What moves a throw or a disc: itself, or what it sits on rigidly."""
-    while isinstance(name, str) and spec.disc[name].stiffness is None:
-        name = spec.disc[name].beside
-    return name
-
-
-def _throw(spec: TorsionSpec, name: Node) -> int:
-    """The throw to which a disc leads at last."""
-    while isinstance(name, str):
-        name = spec.disc[name].beside
-    return name
+    return next(node for node in _inward(spec, name) if isinstance(node, int) or spec.disc[node].stiffness is not None)
 
 
 def _ratio(spec: TorsionSpec, name: Node) -> float:
     """Turns of a throw or a disc for one of the crank."""
-    ratio = 1.0
-    while isinstance(name, str):
-        ratio *= spec.disc[name].ratio.si
-        name = spec.disc[name].beside
-    return ratio
+    return prod((spec.disc[node].ratio.si for node in _inward(spec, name) if isinstance(node, str)), start=1.0)
 
 
 def torsion_problems(spec: TorsionSpec, design: Design) -> Iterator[Problem]:

@@ -2,11 +2,11 @@
 
 import re
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Self
+from typing import Annotated
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.specs import OneOrMany
 from cranktrain.paths import path_text
@@ -64,17 +64,14 @@ class TorsionSpec(Spec, frozen=True):
         description=N_("The disc at the free end whose amplitude is 1 in every mode; throw 1 unless given."),
     )
 
-    @model_validator(mode="after")
-    def _hang_together(self) -> Self:
-        """Refuse names that cannot be written, discs beside nothing, and a free end that does not move by itself."""
-        found = [*self._names(), *self._neighbours()]
+    def _problems(self) -> Iterator[Problem]:
+        """Find names that cannot be written, discs beside nothing, and a free end that does not move by itself."""
+        yield from self._names()
+        yield from self._neighbours()
         if self.free_end is not None and (self.free_end not in self.disc or self.disc[self.free_end].stiffness is None):
             elastic = [name for name, disc in self.disc.items() if disc.stiffness is not None]
             allowed = _("must be the name of a disc with a stiffness: {discs}").format(discs=", ".join(elastic) or "–")
-            found.append(Problem("free_end", self.free_end, allowed))
-        if found:
-            raise InputError(found)
-        return self
+            yield Problem("free_end", self.free_end, allowed)
 
     def _names(self) -> Iterator[Problem]:
         allowed = _("must have a name of letters, digits and _, a letter first")

@@ -3,19 +3,18 @@
 from collections.abc import Sequence
 from textwrap import wrap
 
-from cranktrain.analysis import Result
+from cranktrain.analysis import Result, sentences
 from cranktrain.io.description import layout_words
 from cranktrain.language import _
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.one_line import short
-from cranktrain.viz.paper.page import MARGIN, Page, muted, paper
+from cranktrain.viz.paper.page import MARGIN, Box, Page, muted, paper
 from cranktrain.viz.paper.style import TITLE
 from cranktrain.viz.paper.words import (
     provenance_words,
     running_words,
     speed_words,
-    unused_words,
     zero_words,
 )
 
@@ -26,11 +25,12 @@ _LETTERS = 60
 """Letters in a line, for each 100 mm."""
 
 
-def result_page(result: Result, design: int, size: str, title: str = "") -> tuple[Page, float]:
-    """Begin a sheet of a result; give where its head ends. [mm]"""
+def result_page(result: Result, design: int, size: str, title: str = "") -> tuple[Page, Box]:
+    """Begin a sheet of a result; give the room below its head."""
     page = Page(*paper(size))
     at_speed = speed_words(result.get(SpeedCurve), design)
-    return page, title_block(page, result.machines[design], title, at_speed, unused_words(result))
+    top = title_block(page, result.machines[design], title, at_speed, sentences(result.unused))
+    return page, Box(MARGIN, MARGIN, page.width - 2 * MARGIN, top - 4.0 - MARGIN)
 
 
 def title_block(page: Page, machine: Machine, title: str = "", at_speed: str = "", unused: Sequence[str] = ()) -> float:

@@ -147,11 +147,9 @@ def _cost(away: Array, wish: Wish, under: Array, inside: Array) -> Array:
 
 def _n_under(boxes: Array, taken: Sequence[Array]) -> Array:
     """How many labels a label would lie over."""
-    left, right, low, high = boxes
-    over = np.zeros(left.size)
-    for box in taken:
-        over += (left < box[1]) & (box[0] < right) & (low < box[3]) & (box[2] < high)
-    return over
+    left, right, low, high = boxes[..., np.newaxis]
+    of_left, of_right, of_low, of_high = np.reshape(taken, (-1, 4)).T
+    return np.count_nonzero((left < of_right) & (of_left < right) & (low < of_high) & (of_low < high), axis=1)
 
 
 def _n_inside(boxes: Array, dots: Array) -> Array:
@@ -175,12 +173,8 @@ def dots(line: Array) -> Array:
 
 def together(points: Array, reach: float) -> list[list[int]]:
     """Group points, shape (2, n), that lie nearer than `reach` to the first of their group."""
-    groups: list[list[int]] = []
-    for i in range(points.shape[1]):
-        near = (of for of in groups if np.hypot(*(points[:, i] - points[:, of[0]])) < reach)
-        found = next(near, None)
-        if found is None:
-            groups.append([i])
-        else:
-            found.append(i)
-    return groups
+    groups: dict[int, list[int]] = {}
+    for i, point in enumerate(points.T):
+        near = (first for first in groups if np.hypot(*(point - points[:, first])) < reach)
+        groups.setdefault(next(near, i), []).append(i)
+    return list(groups.values())

@@ -12,7 +12,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.one_line import visible
-from cranktrain.viz.paper.sketch import Label, Line, Sketch
+from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch
 from cranktrain.viz.paper.style import FILLS, HEADING, INK, MUTED, RULE, SETTINGS, SYMBOL, TEXT, pen_of
 
 # The plotting library is loaded only where a sheet is drawn, and its own types are partial.
@@ -82,10 +82,14 @@ class Page:
         self.paper.set(xlim=(0.0, width), ylim=(0.0, height))
         self.paper.set_axis_off()
 
-    def axes(self, left: float, bottom: float, width: float, height: float) -> Axes:
-        """Give axes for curves at a place on the sheet. [mm]"""
-        box = (left / self.width, bottom / self.height, width / self.width, height / self.height)
-        return self.figure.add_axes(box)
+    def axes(self, room: Box) -> Axes:
+        """Give axes for curves in a room on the sheet."""
+        left, bottom, width, height = room
+        return self.figure.add_axes((left / self.width, bottom / self.height, width / self.width, height / self.height))
+
+    def place_of(self, axes: Axes, points: Array) -> Array:
+        """Where points of axes lie on the sheet, shape (2, n). [mm]"""
+        return axes.transData.transform(points.T).T / self.figure.dpi * _INCH
 
     def text(self, x: float, y: float, words: str, **manner: Any) -> Text:
         """Write words at a place; left and on the line unless said otherwise."""
@@ -137,38 +141,12 @@ class Page:
 
         Gives what draws its lines and circles, in their order, so that `move` can draw the next one with it.
         """
-        from matplotlib.lines import Line2D
-        from matplotlib.patches import Circle, Polygon
+        from matplotlib import patches
 
-        place = np.array(origin)
-        artists: list[Artist] = []
-        for order, line in enumerate(sketch.lines):
-            points = _on_paper(line, sketch, place)
-            pen = pen_of(line)
-            layer = line.order + 1e-4 * order
-            style: Any = (0, pen.dashes) if pen.dashes else "-"
-            if line.is_closed:
-                fill = pen.colour if line.fill == "ink" else FILLS[line.fill]
-                artist = Polygon(
-                    points, facecolor=fill, edgecolor=pen.colour, linewidth=pen.width, linestyle=style, zorder=layer
-                )
-            else:
-                artist = Line2D(points[:, 0], points[:, 1], color=pen.colour, lw=pen.width, ls=style, zorder=layer)
-            artists.append(artist)
-        for order, circle in enumerate(sketch.circles):
-            pen = pen_of(circle)
-            centre = place + circle.centre / sketch.scale
-            artists.append(
-                Circle(
-                    (float(centre[0]), float(centre[1])),
-                    circle.radius / sketch.scale,
-                    facecolor=FILLS[circle.fill],
-                    edgecolor=pen.colour,
-                    linewidth=pen.width,
-                    zorder=circle.order + 0.5 + 1e-4 * order,
-                )
-            )
-        edge = None if within is None else Circle(origin, within, transform=self.paper.transData)
+        artists = [_artist_of(line, line.order + 1e-4 * number) for number, line in enumerate(sketch.lines)]
+        artists += [_artist_of(one, one.order + 0.5 + 1e-4 * number) for number, one in enumerate(sketch.circles)]
+        self.move(artists, sketch, origin)
+        edge = None if within is None else patches.Circle(origin, within, transform=self.paper.transData)
         for artist in artists:
             self.paper.add_artist(artist)
             if edge is not None:
@@ -176,7 +154,7 @@ class Page:
         for label in sketch.labels:
             at = label.position / sketch.scale
             if within is None or np.hypot(*at) < within - _LABEL:
-                self._label(label, place + at)
+                self._label(label, np.array(origin) + at)
         return artists
 
     def _label(self, label: Label, at: Array) -> None:
@@ -198,7 +176,7 @@ class Page:
         place = np.array(origin)
         lines, circles = artists[: len(sketch.lines)], artists[len(sketch.lines) :]
         for artist, line in zip(lines, sketch.lines, strict=True):
-            points = _on_paper(line, sketch, place)
+            points = (place[:, np.newaxis] + line.points / sketch.scale).T
             if line.is_closed:
                 artist.set_xy(points)
             else:
@@ -208,9 +186,17 @@ class Page:
             artist.set_radius(circle.radius / sketch.scale)
 
 
-def _on_paper(line: Line, sketch: Sketch, place: Array) -> Array:
-    """Points of a line on the sheet, shape (n, 2). [mm]"""
-    return (place[:, np.newaxis] + line.points / sketch.scale).T
+def _artist_of(part: Line | Circle, layer: float) -> Artist:
+    """What draws a line or a circle, still without its place."""
+    from matplotlib import lines, patches
+
+    pen = pen_of(part)
+    style: Any = (0, pen.dashes) if pen.dashes and isinstance(part, Line) else "-"
+    manner: dict[str, Any] = {"linewidth": pen.width, "linestyle": style, "zorder": layer}
+    if isinstance(part, Line) and not part.is_closed:
+        return lines.Line2D([], [], color=pen.colour, **manner)
+    manner |= {"facecolor": pen.colour if part.fill == "ink" else FILLS[part.fill], "edgecolor": pen.colour}
+    return patches.Circle((0.0, 0.0), **manner) if isinstance(part, Circle) else patches.Polygon([(0.0, 0.0)], **manner)
 
 
 def paper(size: str) -> tuple[float, float]:

@@ -95,7 +95,7 @@ def draw_panels(page: Page, panels: Sequence[Panel], box: Box, look: Look) -> No
     low = box.bottom + box.height - look.head + look.gap
     for panel in panels:
         low -= each + look.gap
-        axes = page.axes(box.left, low, box.width, each)
+        axes = axes_in(page, Box(box.left, low, box.width, each), look.beside)
         _draw_panel(axes, panel, look)
         axes.tick_params(labelbottom=panel is panels[-1])
         _write_head(page, panel, (box.left, box.left + box.width, low + each + look.lift), look)
@@ -111,16 +111,18 @@ def draw_curves(axes: Axes, panel: Panel) -> None:
             axes.plot(_RINGS, rings, "o", ms=3.2, mfc="white", mec=COLOURS[curve.letter], mew=0.8, zorder=3.5)
 
 
-def prepare(axes: Axes, beside: float = FORCES.beside) -> None:
-    """Give axes our grid, few round ticks and our frame."""
+def axes_in(page: Page, room: Box, beside: float = FORCES.beside) -> Axes:
+    """Give axes in a room, with our grid, few round ticks and our frame; `beside` is of the height of their curves."""
     from matplotlib.ticker import MaxNLocator
 
+    axes = page.axes(room)
     axes.grid(color=GRID, linewidth=0.5)
     axes.set_axisbelow(True)
     axes.margins(y=beside)
     axes.tick_params(labelsize=TEXT, pad=2.0)
     axes.yaxis.set_major_locator(MaxNLocator(nbins=4, steps=[1, 2, 5, 10], min_n_ticks=3))
     axes.spines[["top", "right"]].set_visible(False)
+    return axes
 
 
 def _draw_panel(axes: Axes, panel: Panel, look: Look) -> None:
@@ -129,7 +131,6 @@ def _draw_panel(axes: Axes, panel: Panel, look: Look) -> None:
     if look.has_zero or np.any((np.nanmin(values, axis=1) <= 0.0) & (np.nanmax(values, axis=1) >= 0.0)):
         axes.axhline(0.0, color=MUTED, linewidth=look.zero, zorder=1)
     draw_curves(axes, panel)
-    prepare(axes, look.beside)
     axes.set(xlim=(0.0, end), xticks=np.arange(0.0, end + 1.0, 30.0 if end <= _TURN else 60.0))
     if np.any(np.isnan(values)):
         _leave_open(axes, panel.across, values)

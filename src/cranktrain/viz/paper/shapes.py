@@ -26,13 +26,18 @@ class Along(NamedTuple):
         """Direction across the line, anticlockwise from it."""
         return np.array([-self.along[1], self.along[0]])
 
-    def at(self, along: float, across: float) -> Array:
+    def at(self, along: float, across: float = 0.0) -> Array:
         """Give the point. [mm]"""
         return self.foot + along * self.along + across * self.across
 
     def path(self, *places: tuple[float, float]) -> Array:
         """Give points along and across the line one after the other, shape (2, n). [mm]"""
         return np.stack([self.at(*place) for place in places], axis=1)
+
+    def block(self, span: tuple[float, float], half: float) -> Array:
+        """Give the corners of a rectangle along the line, as far to each side, shape (2, 4). [mm]"""
+        start, end = span
+        return self.path((start, -half), (end, -half), (end, half), (start, half))
 
     def place(self, points: Array) -> Array:
         """Say how far along the line points are, shape (2,) or (2, n). [mm]"""
@@ -41,8 +46,13 @@ class Along(NamedTuple):
 
 def guide_line(direction: Array | float, pin: Array, shaft: Array | float = 0.0) -> Along:
     """Line on which a guide of a direction [rad] leads a pin; its foot is nearest the shaft."""
-    along = np.array([np.cos(direction), np.sin(direction)]).reshape(2)
+    along = unit(direction).reshape(2)
     return Along(pin - np.dot(pin - shaft, along) * along, along)
+
+
+def unit(direction: Array | float) -> Array:
+    """Vector of length 1 in a direction from X [rad], shape (2, ...)."""
+    return np.array([np.cos(direction), np.sin(direction)])
 
 
 def angle_of(vector: Array) -> float:
@@ -84,28 +94,32 @@ def walls(
     frame: Along,
     bore: float,
     span: tuple[float, float],
+    scale: float,
     *,
     has_head: bool,
     ports: Sequence[tuple[float, float]] = (),
-) -> Iterator[tuple[Line, Array]]:
-    """Cylinder walls between two places along the axis, and the head across the far one; each with its outside.
+) -> Iterator[Line]:
+    """Cylinder walls between two places along the axis, and the head across the far one, hatched on their outside.
 
     `ports` are gaps in the walls: from where to where along the axis, in order.
     """
     places = [span[0], *(place for port in ports for place in port), span[1]]
-    for side in (-1.0, 1.0):
-        for start, end in zip(places[::2], places[1::2], strict=True):
-            wall = frame.path((start, side * bore / 2), (end, side * bore / 2))
-            yield Line(wall, "GUIDES", "outline", 2), side * frame.across
+    found = [
+        (frame.path((start, side * bore / 2), (end, side * bore / 2)), side * frame.across)
+        for side in (-1.0, 1.0)
+        for start, end in zip(places[::2], places[1::2], strict=True)
+    ]
     if has_head:
-        yield Line(frame.path((span[1], -bore / 2), (span[1], bore / 2)), "GUIDES", "outline", 2), frame.along
+        found.append((frame.path((span[1], -bore / 2), (span[1], bore / 2)), frame.along))
+    for wall, outside in found:
+        yield Line(wall, "GUIDES", "outline", 2)
+        yield hatch(wall[:, 0], wall[:, 1], outside, scale)
 
 
-def piston(frame: Along, pin: float, bore: float, above: float, below: float, fill: Fill) -> Iterator[Line | Circle]:
+def piston(frame: Along, pin: float, bore: float, above: float, below: float, fill: Fill) -> Iterator[Line]:
     """Piston with rings: `pin` its place along the axis, crown `above` it, skirt `below`."""
     half = 0.5 * bore * 0.97
-    corners = ((pin - below, -half), (pin + above, -half), (pin + above, half), (pin - below, half))
-    yield Line(frame.path(*corners), "LINKS", "outline", 4, True, fill)
+    yield Line(frame.block((pin - below, pin + above), half), "LINKS", "outline", 4, True, fill)
     for ring in (pin + above * (1 - share) for share in (0.16, 0.30, 0.44)):
         yield Line(frame.path((ring, -half), (ring, half)), "LINKS", "thin", 4)
 
@@ -122,14 +136,12 @@ def pivot(centre: Array, size: float, scale: float) -> Iterator[Line | Circle]:
 def arc(centre: Array, radius: float, start: float, end: float) -> Array:
     """Points of an arc between two directions from X, shape (2, n). [rad]"""
     angle = np.linspace(start, end, max(8, int(abs(end - start) / 0.05)))
-    return centre[:, np.newaxis] + radius * np.stack([np.cos(angle), np.sin(angle)])
+    return centre[:, np.newaxis] + radius * unit(angle)
 
 
 def arrowhead(tip: Array, direction: float, size: float) -> Line:
     """Slim filled arrowhead that ends at `tip`; direction from X. [rad]"""
-    points = [tip] + [
-        tip - size * np.array([np.cos(direction + side * 0.26), np.sin(direction + side * 0.26)]) for side in (1, -1)
-    ]
+    points = [tip, *(tip - size * unit(direction + side * 0.26) for side in (1, -1))]
     return Line(np.stack(points, axis=1), "DIMENSIONS", "arrow", 5, is_closed=True, fill="ink")
 
 

@@ -5,7 +5,7 @@ What has a size on paper (ticks of a hatch, gaps beside a label) is given in pap
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -63,13 +63,9 @@ class Sketch:
 
     def add(self, parts: "Iterable[Line | Circle | Label]") -> None:
         """Take parts in."""
+        lists: dict[type, list[Any]] = {Line: self.lines, Circle: self.circles, Label: self.labels}
         for part in parts:
-            if isinstance(part, Line):
-                self.lines.append(part)
-            elif isinstance(part, Circle):
-                self.circles.append(part)
-            else:
-                self.labels.append(part)
+            lists[type(part)].append(part)
 
     def outline(self) -> Iterator[Array]:
         """Give the points between which everything drawn lies, shape (2, n)."""
@@ -80,6 +76,11 @@ class Sketch:
 
     def bounds(self) -> tuple[float, float, float, float]:
         """Least and largest X, least and largest Y. [mm]"""
-        points = np.concatenate(list(self.outline()), axis=1)
-        low, high = np.nanmin(points, axis=1), np.nanmax(points, axis=1)
-        return float(low[0]), float(high[0]), float(low[1]), float(high[1])
+        return bounds_of(self.outline())
+
+
+def bounds_of(outlines: Iterable[Array]) -> tuple[float, float, float, float]:
+    """Least and largest X, least and largest Y of points, each array of shape (2, n). [mm]"""
+    points = np.concatenate(list(outlines), axis=1)
+    low, high = np.nanmin(points, axis=1), np.nanmax(points, axis=1)
+    return float(low[0]), float(high[0]), float(low[1]), float(high[1])

@@ -1,9 +1,8 @@
 """What a sheet says of its machine: speed, conventions, where the numbers are from."""
 
 from collections.abc import Iterator, Mapping
-from typing import cast
+from typing import Any, cast
 
-from cranktrain.analysis import Result, sentences
 from cranktrain.io.description import counted_by_status
 from cranktrain.language import _
 from cranktrain.layout.speed_curve import SpeedCurve
@@ -20,22 +19,14 @@ def running_words(machine: Machine) -> str:
         ("clockwise", "astern"): _("astern, anticlockwise"),
         ("anticlockwise", "astern"): _("astern, clockwise"),
     }
-    sense = senses[machine.rotation, machine.running]
-    speed = machine.main_shaft.speed
-    moment = machine.main_shaft.acceleration
-    said = [] if speed is None else [f"n = {speed.text}"]
-    said += [] if moment is None else [f"ε = {moment.text}"]
-    return ", ".join([*said, sense])
+    given = {"n": machine.main_shaft.speed, "ε": machine.main_shaft.acceleration}
+    said = [f"{symbol} = {number.text}" for symbol, number in given.items() if number is not None]
+    return ", ".join([*said, senses[machine.rotation, machine.running]])
 
 
 def speed_words(curve: SpeedCurve | None, design: int = 0) -> str:
     """Say at which speed over the cycle a picture is, as the terminal does; nothing of a constant one."""
     return "" if curve is None else curve.answer({}, design)
-
-
-def unused_words(result: Result) -> list[str]:
-    """Say which tables of the file are not used, as the terminal does."""
-    return sentences(result.unused)
 
 
 def zero_words(machine: Machine) -> str:
@@ -59,27 +50,32 @@ def zero_words(machine: Machine) -> str:
 
 def provenance_words(machine: Machine) -> str:
     """Count the numbers that a machine's file gives by where they are from."""
-    return _("Inputs: {counts}").format(counts=counted_by_status(_given(machine, "")))
+    return _("Inputs: {counts}").format(counts=counted_by_status(_given(machine)))
 
 
-def _given(part: object, path: str) -> Iterator[Given]:
-    """Give the numbers that a file declares; what it leaves unsaid is none of them.
+def _given(part: object, name: object = "") -> Iterator[Given]:
+    """Give the numbers that a file declares; what it leaves unsaid is none of them."""
+    if isinstance(part, Given):
+        yield part
+    for inner, item in _inside(part, name).items():
+        yield from _given(item, inner)
+
+
+def _inside(part: object, name: object) -> Mapping[Any, object]:
+    """What a part of a machine is made of, by name.
 
     Of a bank's mechanisms, one for each angle, a field that is alike in all of them stands in the file once.
     """
-    if isinstance(part, Given):
-        yield part
-    elif path.endswith(".mechanism") and isinstance(part, tuple):
-        mechanisms = cast("tuple[Spec, ...]", part)
-        for name in mechanisms[0].model_fields_set:
-            values = tuple(getattr(one, name) for one in mechanisms)
-            yield from _given(values[0] if len(set(map(repr, values))) == 1 else values, f"{path}.{name}")
-    elif isinstance(part, tuple):
-        for i, item in enumerate(cast("tuple[object, ...]", part)):
-            yield from _given(item, f"{path}[{i}]")
-    elif isinstance(part, Mapping):
-        for name, item in cast("Mapping[str, object]", part).items():
-            yield from _given(item, f"{path}.{name}")
-    elif isinstance(part, Spec):
-        for name in part.model_fields_set:
-            yield from _given(getattr(part, name), f"{path}.{name}")
+    match part:
+        case tuple() if name == "mechanism":
+            each = cast("tuple[Spec, ...]", part)
+            fields = {field: tuple(getattr(one, field) for one in each) for field in each[0].model_fields_set}
+            return {field: one[0] if len(set(map(repr, one))) == 1 else one for field, one in fields.items()}
+        case Spec():
+            return {field: getattr(part, field) for field in part.model_fields_set}
+        case tuple():
+            return dict(enumerate(cast("tuple[object, ...]", part)))
+        case Mapping():
+            return cast("Mapping[str, object]", part)
+        case _:
+            return {}

@@ -18,6 +18,7 @@ from cranktrain.motion import Array
 from cranktrain.one_line import visible
 from cranktrain.plans.polygons import Polygon, acceleration_polygons, velocity_polygons
 from cranktrain.plans.positions import PositionPlan, position_plan, rescaled, track
+from cranktrain.plans.vectors import pair
 from cranktrain.viz.paper.sketch import LAYERS, Circle, Line, Sketch
 from cranktrain.viz.paper.words import speed_words
 from cranktrain.viz.plans.sketches import polygon_sketch, positions_sketch
@@ -117,16 +118,13 @@ def _draw_all(
     _draw(space, sketch, np.zeros(2))
     _dimensions(space, plan)
     _low_x, left, _low_y, top = sketch.bounds()
-    velocities, accelerations = (
-        polygons_of(machine, angles, mechanism=mechanism, room=_PLAN_ROOM, speed=curve or "constant")
-        for polygons_of in (velocity_polygons, acceleration_polygons)
-    )
     if curve is not None:
         _write(space, speed_words(curve), np.array([left, top]) + scale * np.array([30.0, 14.0]), _TEXT * scale)
-    first = -(-len(velocities) // _ROWS)
-    for start, polygons in ((0, velocities), (first, accelerations)):
+    for number, polygons_of in enumerate((velocity_polygons, acceleration_polygons)):
+        polygons = polygons_of(machine, angles, mechanism=mechanism, room=_PLAN_ROOM, speed=curve or "constant")
         for i, polygon in enumerate(polygons):
-            step = [30.0 + (start + i // _ROWS) * (_PLAN_ROOM[0] + _GAP), -(i % _ROWS) * (_PLAN_ROOM[1] + _GAP)]
+            column = number * -(-len(polygons) // _ROWS) + i // _ROWS
+            step = [30.0 + column * (_PLAN_ROOM[0] + _GAP), -(i % _ROWS) * (_PLAN_ROOM[1] + _GAP)]
             _polygon(space, polygon, np.array([left, top]) + scale * np.array(step), scale)
 
 
@@ -148,7 +146,7 @@ def _dimensions(space: Modelspace, plan: PositionPlan) -> None:
             start, end = pins[link.pins[0]], pins[name]
             if np.hypot(*(end - start)) > _TEXT * scale:
                 space.add_aligned_dim(
-                    _point(start), _point(end), 8.0 * scale, override=manner, dxfattribs={"layer": "DIMENSIONS"}
+                    pair(start), pair(end), 8.0 * scale, override=manner, dxfattribs={"layer": "DIMENSIONS"}
                 ).render()
 
 
@@ -166,9 +164,9 @@ def _draw(space: Modelspace, sketch: Sketch, origin: Array, factor: float = 1.0)
     for line in sketch.lines:
         manner = _manner(line)
         for part in _parts(origin[:, np.newaxis] + factor * line.points):
-            space.add_lwpolyline([_point(point) for point in part.T], close=line.is_closed, dxfattribs=manner)
+            space.add_lwpolyline([pair(point) for point in part.T], close=line.is_closed, dxfattribs=manner)
     for circle in sketch.circles:
-        space.add_circle(_point(origin + factor * circle.centre), factor * circle.radius, dxfattribs=_manner(circle))
+        space.add_circle(pair(origin + factor * circle.centre), factor * circle.radius, dxfattribs=_manner(circle))
     for label in sketch.labels:
         height = _TEXT * sketch.scale * factor
         corner = origin + factor * label.position - height * np.array([0.3 * len(label.text), 0.5])
@@ -192,8 +190,4 @@ def _parts(points: Array) -> Iterator[Array]:
 def _write(space: Modelspace, words: str, place: Array, height: float) -> None:
     # In DXF a caret begins a control code, and so do two signs of percent.
     plain = visible(words.replace("^2", "²").replace("^", " ").replace("%%", "% %"))
-    space.add_text(plain, height=height, dxfattribs={"layer": "TEXT"}).set_placement(_point(place))
-
-
-def _point(place: Array) -> tuple[float, float]:
-    return float(place[0]), float(place[1])
+    space.add_text(plain, height=height, dxfattribs={"layer": "TEXT"}).set_placement(pair(place))

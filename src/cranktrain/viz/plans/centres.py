@@ -4,7 +4,6 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
@@ -15,10 +14,18 @@ from cranktrain.textbook.crank_rocker import pin_velocity_ratio
 from cranktrain.viz.figures import figure
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels
-from cranktrain.viz.paper.page import Box, Figure, drawing_settings, formula, mathematics
+from cranktrain.viz.paper.page import Figure, drawing_settings, formula, mathematics
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
 from cranktrain.viz.paper.tables import write_table
-from cranktrain.viz.plans.sheet import cells_of, centre, few_angles, plan_page, scale_of, write_scales
+from cranktrain.viz.plans.sheet import (
+    cells_of,
+    centre_at_angle,
+    few_angles,
+    plan_page,
+    refuse_more,
+    scale_of,
+    write_scales,
+)
 from cranktrain.viz.plans.sketches import line_drawing, pin_wishes
 
 _FEW = 5
@@ -59,17 +66,16 @@ def plan_centres(
     chosen = few_angles(angles, _("instant centres"))
     found = [instant_centres(machine, float(angle), mechanism=mechanism, is_lettered=True) for angle in chosen]
     n_bodies = len(found[0].bodies)
-    if len(found) > 1 and n_bodies > _MOST:
+    if n_bodies > _MOST:
         allowed = _("must be one for the instant centres of {n} bodies: their tables fill a sheet").format(n=n_bodies)
-        raise InputError([Problem("", _("{n} crank angles").format(n=len(found)), allowed)])
+        refuse_more(1, len(found), allowed)
     page, box = plan_page(machine, angles, size, _("Instant centres"), found[0].mechanism)
-    cells = list(cells_of(box, len(found)))
+    cells = cells_of(box, len(found))
     wide = _WIDE * cells[0].width
     room = (wide - 24.0, cells[0].height - 22.0)
     scale = fitting([_outline(one) for one in found], room)
     for one, cell in zip(found, cells, strict=True):
-        page.heading(cell.left, cell.bottom + cell.height - 4.0, f"φ = {one.angle:g}°")
-        centre(page, _sketch(one, scale), Box(cell.left, cell.bottom, wide, cell.height - 5.0))
+        centre_at_angle(page, one.angle, _sketch(one, scale), cell._replace(width=wide))
         start, width = cell.left + wide + 6.0, (1.0 - _WIDE) * cell.width - 6.0
         top = cell.bottom + cell.height
         ends = (
@@ -94,10 +100,11 @@ def _is_near(found: InstantCentres, place: Array) -> bool:
     return bool(np.all((place > low - reach) & (place < high + reach)))
 
 
-def _drawn(found: InstantCentres) -> list[Centre]:
-    """Centres that are drawn: near, not in a pin that has its name already, and of many bodies only the frame's."""
-    wanted = [one for one in _shown_centres(found) if len(found.bodies) <= _FEW or one.first == 1]
-    return [one for one in wanted if not one.is_joint and _is_near(found, one.place)]
+def _drawn(found: InstantCentres, *, is_near: bool = True) -> list[Centre]:
+    """Centres to be drawn, near or too far: in no pin, which has its name, and of many bodies only the frame's."""
+    own = [one for one in _shown_centres(found) if not one.is_joint and np.all(np.isfinite(one.place))]
+    wanted = [one for one in own if len(found.bodies) <= _FEW or one.first == 1]
+    return [one for one in wanted if _is_near(found, one.place) is is_near]
 
 
 def _outline(found: InstantCentres) -> Array:
@@ -124,9 +131,7 @@ def _sketch(found: InstantCentres, scale: float) -> Sketch:
 
 def _lines_through(found: InstantCentres, wanted: Centre) -> Iterator[Array]:
     """Where the lines begin that meet in a centre: each goes on through the joints of both bodies with a third. [m]"""
-    for third in range(1, len(found.bodies) + 1):
-        if third in (wanted.first, wanted.second):
-            continue
+    for third in sorted({*range(1, len(found.bodies) + 1)} - {wanted.first, wanted.second}):
         joints = [found.centre(number, third) for number in (wanted.first, wanted.second)]
         places = [one.place for one in joints if np.all(np.isfinite(one.place))]
         if all(one.is_joint for one in joints) and places:
@@ -135,11 +140,13 @@ def _lines_through(found: InstantCentres, wanted: Centre) -> Iterator[Array]:
 
 def _body_words(body: Body) -> str:
     """Name a body."""
-    if body.sort == "frame":
-        return _("frame")
-    if body.sort == "link":
-        return body.name.replace("_", " ")
-    return (_("slider {name}") if body.sort == "slider" else _("block {name}")).format(name=body.name)
+    words = {
+        "frame": _("frame"),
+        "link": body.name.replace("_", " "),
+        "slider": _("slider {name}").format(name=body.name),
+        "block": _("block {name}").format(name=body.name),
+    }
+    return words[body.sort]
 
 
 def _bodies_table(found: InstantCentres) -> Iterator[tuple[str, ...]]:
@@ -154,21 +161,17 @@ def _centres_table(found: InstantCentres) -> Iterator[tuple[str, ...]]:
     yield (_("centre"), _("in"), "X, mm", "Y, mm")
     positions = found.drawing.positions
     for one in _shown_centres(found):
-        x, y = 1e3 * one.place
         pins = [name for name, pin in positions.items() if one.is_joint and np.all(pin[:, 0] == one.place)]
         joint = mathematics(spoken_name(pins[0])) if pins else ""
-        if np.isfinite(x):
-            yield (mathematics(one.name), joint, figure(x), figure(y))
-        elif np.isfinite(one.direction):
-            yield (mathematics(one.name), joint, "∞", f"∠ {np.degrees(one.direction) % 180.0:.2f}°")
-        else:
-            yield (mathematics(one.name), joint, "–", "–")
+        where = tuple(map(figure, 1e3 * one.place)) if np.all(np.isfinite(one.place)) else ("–", "–")
+        if np.isfinite(one.direction):
+            where = ("∞", f"∠ {np.degrees(one.direction) % 180.0:.2f}°")
+        yield (mathematics(one.name), joint, *where)
 
 
 def _notes(found: InstantCentres) -> Iterator[str]:
     """What the numbers do not say by themselves."""
-    shown = _shown_centres(found)
-    if any(np.isfinite(one.direction) for one in shown):
+    if any(np.isfinite(one.direction) for one in _shown_centres(found)):
         yield _("∞ ∠: infinitely far, in that direction from X or the other way")
     for number, body in enumerate(found.bodies[1:], start=2):
         absolute = found.centre(1, number)
@@ -177,16 +180,8 @@ def _notes(found: InstantCentres) -> Iterator[str]:
             yield _("moves along, and all its points are equally fast.")
     if len(found.bodies) > _FEW:
         yield _("Drawn are the centres with the frame.")
-    far = [
-        one.name
-        for one in shown
-        if not one.is_joint
-        and np.all(np.isfinite(one.place))
-        and not _is_near(found, one.place)
-        and (len(found.bodies) <= _FEW or one.first == 1)
-    ]
-    if far:
-        names = ", ".join(mathematics(name) for name in far)
+    names = ", ".join(mathematics(one.name) for one in _drawn(found, is_near=False))
+    if names:
         yield _("too far away to be drawn: {centres}").format(centres=names)
     yield from _by_directions(found)
 

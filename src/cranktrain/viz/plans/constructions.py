@@ -1,6 +1,6 @@
 """Sheets of the sources' constructions: arc, orthogonal projection, Brix's ray forward and backward."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -13,9 +13,8 @@ from cranktrain.viz.figures import figure, rounded
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.page import Box, Figure, drawing_settings
-from cranktrain.viz.paper.sketch import Circle, Habit, Line, Sketch
-from cranktrain.viz.paper.tables import write_table
-from cranktrain.viz.plans.sheet import centre, plan_page, scale_of, write_scales
+from cranktrain.viz.paper.sketch import Circle, Line, Sketch
+from cranktrain.viz.plans.sheet import centre, plan_page, scale_of, write_beside, write_scales
 from cranktrain.viz.plans.sketches import alike
 
 _PARTS = 10
@@ -81,54 +80,57 @@ def _sheet(
     page, box = plan_page(machine, angles, size, title, found.mechanism)
     wide = 0.62 * box.width
     left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
-    rough = _SKETCHES[method](found, 1e-9)
-    bounds = np.array(rough.bounds()).reshape(2, 2)
+    bounds = np.array(_sketch(found, 1e-9).bounds()).reshape(2, 2)
     scale = fitting([1e-3 * bounds], (left.width - 26.0, left.height - 26.0))
-    sketch = _SKETCHES[method](found, 1e3 * scale)
+    sketch = _sketch(found, 1e3 * scale)
     sketch.add(placed_labels(list(_wishes(found, 1e3 * scale)), [line.points for line in sketch.lines], 1e3 * scale))
     centre(page, sketch, left)
     write_scales(page, box, [scale_of("l", scale, "m")], 1e3 * scale)
-    start = box.left + wide + 6.0
-    rows = list((_backward_table if method == "brix_backward" else _forward_table)(found, scale))
-    end = write_table(page, rows, (start, box.bottom + box.height, box.left + box.width - start), _COLUMNS)
-    page.notes(start, end - 1.0, _notes(found))
+    rows = (_backward_table if method == "brix_backward" else _forward_table)(found, scale)
+    write_beside(page, box, box.left + wide + 6.0, rows, _notes(found), shares=_COLUMNS, gap=1.0)
     return page.figure
 
 
-def _circle_and_line(found: Construction, scale: float, right: float) -> Sketch:
-    """Crank circle and line of stroke as far as a place on it [m]; the sketch is in mm of metal."""
-    sketch = Sketch(scale)
+def _sketch(found: Construction, scale: float) -> Sketch:
+    """Crank circle, line of stroke, what is constructed, dots at both its ends, bars at readings; in mm of metal."""
+    is_arc = found.method == "arc"
+    foot = found.piston if is_arc else found.foot
+    right = float(np.max(found.piston[0]) if is_arc else found.geometry.crank_radius)
     radius, height = 1e3 * float(found.geometry.crank_radius), 1e3 * float(found.geometry.offset)
-    sketch.add([Circle(np.zeros(2), radius, "PATHS", "rod", 2)])
     ends = np.array([[-radius - 4.0 * scale, 1e3 * right + 4.0 * scale], [height, height]])
-    sketch.add([Line(ends, "GUIDES", "axis", 1)])
-    if height:
-        sketch.add([Line(ends * np.array([[1.0], [0.0]]), "GUIDES", "axis", 1)])
-    sketch.add([Circle(np.zeros(2), 0.7 * scale, "LINKS", "outline", 6, "paper")])
+    axes = [ends, ends * np.array([[1.0], [0.0]])] if height else [ends]
+    sketch = Sketch(scale)
+    sketch.add(Line(axis, "GUIDES", "axis", 1) for axis in axes)
+    shaft = np.zeros(2)
+    sketch.add([Circle(shaft, radius, "PATHS", "rod", 2), Circle(shaft, 0.7 * scale, "LINKS", "outline", 6, "paper")])
+    sketch.add(_arcs(found) if is_arc else _projections(found, scale))
+    points = 1e3 * np.concatenate([found.on_circle, foot], axis=1)
+    sketch.add(Circle(point, 0.6 * scale, "LINKS", "thin", 6, "paper") for point in points.T)
+    if found.method != "brix_backward":
+        sketch.add(_bars(found.foot if is_arc else found.exact_foot, scale))
     return sketch
 
 
-def _dots(points: Array, scale: float, habit: Habit = "thin") -> Iterator[Circle]:
-    for point in 1e3 * points.T:
-        yield Circle(point, 0.6 * scale, "LINKS", habit, 6, "paper")
-
-
-def _arcs(found: Construction, scale: float) -> Sketch:
+def _arcs(found: Construction) -> Iterator[Line]:
     """Arcs about the piston's pin from the crank pin to the line of stroke; one position as a line drawing."""
-    drawn = found.drawn
-    sketch = _circle_and_line(found, scale, float(np.max(drawn.piston[0])))
-    length = float(found.geometry.rod_length)
-    for pin, piston in zip(drawn.on_circle.T, drawn.piston.T, strict=True):
+    for pin, piston in zip(found.on_circle.T, found.piston.T, strict=True):
         start = shapes.angle_of(pin - piston) % (2 * np.pi)
-        points = shapes.arc(1e3 * piston, 1e3 * length, start, np.pi)
-        sketch.add([Line(points, "LINKS", "construction", 3)])
-    first = min(1, drawn.piston.shape[1] - 1)
-    linkage = np.stack([np.zeros(2), drawn.on_circle[:, first], drawn.piston[:, first]], axis=1)
-    sketch.add([Line(1e3 * linkage, "LINKS", "outline", 4)])
-    for points in (drawn.on_circle, drawn.piston):
-        sketch.add(_dots(points, scale))
-    sketch.add(_bars(drawn.foot, scale))
-    return sketch
+        points = shapes.arc(1e3 * piston, 1e3 * float(found.geometry.rod_length), start, np.pi)
+        yield Line(points, "LINKS", "construction", 3)
+    first = min(1, found.piston.shape[1] - 1)
+    linkage = np.stack([np.zeros(2), found.on_circle[:, first], found.piston[:, first]], axis=1)
+    yield Line(1e3 * linkage, "LINKS", "outline", 4)
+
+
+def _projections(found: Construction, scale: float) -> Iterator[Line | Circle]:
+    """Perpendiculars from the crank circle to the line of stroke; from Brix's pole the rays, too."""
+    if found.method != "projection":
+        pole = 1e3 * np.array([found.pole, 0.0])
+        for point in 1e3 * found.on_circle.T:
+            yield Line(np.stack([pole, point], axis=1), "LINKS", "rod", 3)
+        yield Circle(pole, 0.7 * scale, "LINKS", "outline", 6, "ink")
+    for point, foot in zip(found.on_circle.T, found.foot.T, strict=True):
+        yield Line(1e3 * np.stack([point, foot], axis=1), "LINKS", "construction", 3)
 
 
 def _bars(points: Array, scale: float) -> Iterator[Line]:
@@ -138,43 +140,16 @@ def _bars(points: Array, scale: float) -> Iterator[Line]:
         yield Line(ends, "PLAN_V", "outline", 5)
 
 
-def _projected(found: Construction, scale: float) -> Sketch:
-    """Perpendiculars from the crank circle to the line of stroke; from Brix's pole the rays, too."""
-    drawn = found.drawn
-    sketch = _circle_and_line(found, scale, float(found.geometry.crank_radius))
-    if found.method != "projection":
-        pole = 1e3 * np.array([found.pole, 0.0])
-        for point in 1e3 * drawn.on_circle.T:
-            sketch.add([Line(np.stack([pole, point], axis=1), "LINKS", "rod", 3)])
-        sketch.add([Circle(pole, 0.7 * scale, "LINKS", "outline", 6, "ink")])
-    for point, foot in zip(drawn.on_circle.T, drawn.foot.T, strict=True):
-        sketch.add([Line(1e3 * np.stack([point, foot], axis=1), "LINKS", "construction", 3)])
-    for points in (drawn.on_circle, drawn.foot):
-        sketch.add(_dots(points, scale))
-    if found.method != "brix_backward":
-        sketch.add(_bars(drawn.exact, scale))
-    return sketch
-
-
-_SKETCHES: Mapping[str, Callable[[Construction, float], Sketch]] = {
-    "arc": _arcs,
-    "projection": _projected,
-    "brix": _projected,
-    "brix_backward": _projected,
-}
-
-
 def _wishes(found: Construction, scale: float) -> Iterator[Wish]:
     """Shaft, pole, and numbers of the positions."""
-    drawn = found.drawn
     yield Wish(np.zeros(2), "O", -np.pi / 4)
     if found.method.startswith("brix"):
         yield Wish(1e3 * np.array([found.pole, 0.0]), "P", -3 * np.pi / 4)
-    yield from _numbers(1e3 * drawn.on_circle, scale, None)
-    is_apart = np.hypot(*(drawn.foot - drawn.on_circle)) > 1e-3 * scale
-    yield from _numbers(1e3 * np.where(is_apart, drawn.foot, np.nan), scale, -np.pi / 2)
+    yield from _numbers(1e3 * found.on_circle, scale, None)
+    is_apart = np.hypot(*(found.foot - found.on_circle)) > 1e-3 * scale
+    yield from _numbers(1e3 * np.where(is_apart, found.foot, np.nan), scale, -np.pi / 2)
     if found.method == "arc":
-        yield from _numbers(1e3 * drawn.piston, scale, np.pi / 2)
+        yield from _numbers(1e3 * found.piston, scale, np.pi / 2)
 
 
 def _numbers(points: Array, scale: float, towards: float | None) -> Iterator[Wish]:
@@ -206,22 +181,22 @@ def _backward_table(found: Construction, scale: float) -> Iterator[tuple[str, ..
 
 def _notes(found: Construction) -> Iterator[str]:
     """What is drawn, the source's range, and how the construction is read."""
-    ratio = f"λ = {found.ratio:.4g}"
-    if found.method == "arc":
-        yield _("Arcs about the piston's pin lead the crank pin to bars on the line")
-        yield _("of stroke: exact, with an offset too.")
-    elif found.method == "brix_backward":
-        yield _("On the way to the shaft; on the way back 360° − φ.")
-    else:
-        yield _("Bars across the line of stroke: where the exact readings are.")
+    arcs = _("Arcs about the piston's pin lead the crank pin to bars on the line")
+    how = {
+        "arc": (arcs, _("of stroke: exact, with an offset too.")),
+        "brix_backward": (_("On the way to the shaft; on the way back 360° − φ."),),
+    }
+    yield from how.get(found.method, (_("Bars across the line of stroke: where the exact readings are."),))
     if found.method.startswith("brix"):
         distance = f"OP = λR/2 = {figure(-1e3 * found.pole)} mm"
         yield _("{distance}, away from the cylinder").format(distance=distance)
-    if found.condition:
-        verdict = _("outside, {ratio}") if found.is_outside else _("inside, {ratio}")
-        yield _("Range of the source: {condition}.").format(condition=found.condition)
+    limits = found.limits
+    if limits is not None:
+        is_outside = limits.outside(found.geometry.crank_radius / found.geometry.rod_length, found.geometry.offset)
+        verdict = _("outside, {ratio}") if is_outside else _("inside, {ratio}")
+        yield _("Range of the source: {condition}.").format(condition=_(limits.condition))
         yield _("This mechanism: {verdict} [{source}].").format(
-            verdict=verdict.format(ratio=ratio), source=found.source
+            verdict=verdict.format(ratio=f"λ = {found.ratio:.4g}"), source=limits.source
         )
     yield _("φ from where the crank points along the cylinder, S from the top;")
     yield _("drawn in the mechanism's own axes, the shaft at the left.")

@@ -9,10 +9,12 @@ from cranktrain.motion import Array
 from cranktrain.plans.force_polygons import ForcePolygon, rescaled
 from cranktrain.plans.force_sides import INITIAL
 from cranktrain.plans.positions import fitting, rounded_scale
+from cranktrain.plans.vectors import pair
+from cranktrain.viz.figures import figure
 from cranktrain.viz.paper.labels import label_outline
-from cranktrain.viz.paper.page import Box, Page
+from cranktrain.viz.paper.page import Box, Page, mathematics
 from cranktrain.viz.paper.sketch import Sketch
-from cranktrain.viz.plans.force_rows import group_words, moment_words
+from cranktrain.viz.plans.force_rows import group_words, packed
 from cranktrain.viz.plans.force_sketches import force_polygon_sketch
 
 _HEAD, _MOMENT, _GAP = 6.0, 5.0, 6.0
@@ -86,13 +88,12 @@ def fitting_polygons(
 
 def _rows(pictures: Sequence[DrawnPolygon], room: tuple[float, float]) -> list[list[DrawnPolygon]]:
     """Put pictures side by side in as many rows as they need; none where the room does not suffice."""
-    rows: list[list[DrawnPolygon]] = [[]]
-    for picture in pictures:
-        if rows[-1] and sum(one.size[0] for one in (*rows[-1], picture)) > room[0]:
-            rows.append([])
-        rows[-1].append(picture)
-    widths = [sum(one.size[0] for one in row) for row in rows]
-    return rows if max(widths) <= room[0] and sum(map(_height, rows)) <= room[1] else []
+    rows = packed(pictures, lambda row: _width(row) <= room[0])
+    return rows if max(map(_width, rows)) <= room[0] and sum(map(_height, rows)) <= room[1] else []
+
+
+def _width(row: Sequence[DrawnPolygon]) -> float:
+    return sum(float(one.size[0]) for one in row)
 
 
 def _height(row: Sequence[DrawnPolygon]) -> float:
@@ -117,7 +118,7 @@ def _draw(page: Page, picture: DrawnPolygon, box: Box) -> None:
     top = box.bottom + box.height
     page.heading(box.left + 4.0, top - 4.0, group_words(picture.polygon))
     if picture.polygon.sort == INITIAL:
-        page.text(box.left + 4.0, top - 9.0, moment_words(picture.polygon))
+        moment = f"{mathematics('M_b')} = {figure(picture.polygon.moment)} N·m"  # in the sense of rotation
+        page.text(box.left + 4.0, top - 9.0, moment)
     middle = np.array([box.left + box.width / 2, box.bottom + (box.height - picture.above) / 2])
-    x, y = middle - (picture.low + picture.high) / 2
-    page.draw(picture.sketch, (float(x), float(y)))
+    page.draw(picture.sketch, pair(middle - (picture.low + picture.high) / 2))

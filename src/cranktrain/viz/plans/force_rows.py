@@ -1,7 +1,7 @@
 """Table of the forces on groups: number in the polygon, symbol, joint, length on paper, size."""
 
-from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple, TypeVar
 
 from cranktrain.language import _
 from cranktrain.plans.force_polygons import ForcePolygon
@@ -10,6 +10,8 @@ from cranktrain.plans.vectors import spoken_name
 from cranktrain.viz.figures import figure
 from cranktrain.viz.paper.page import Page, in_words, is_formula, mathematics
 from cranktrain.viz.paper.style import SYMBOL
+
+Item = TypeVar("Item")
 
 TABLE = 66.0
 """Width of a table of forces. [mm]"""
@@ -39,31 +41,31 @@ def tables(polygons: Sequence[ForcePolygon], height: float, letters: Mapping[str
     """Divide the rows of all forces among tables that are as high as the room. [mm]"""
     room = int((height - _HEAD) / _LINE) - 1
     has_names = len({polygon.mechanism for polygon in polygons}) > 1
-    rows = [row for polygon in polygons for row in _rows(polygon, letters, has_names=has_names)]
-    divided: list[list[Row]] = [[]]
-    for row, following in zip(rows, [*rows[1:], None], strict=True):
-        is_last = len(divided[-1]) == room - 1
-        if len(divided[-1]) == room or (is_last and row.is_heading and following is not None):
-            divided.append([])
-        divided[-1].append(row)
-    return divided
+    rows = (row for polygon in polygons for row in _rows(polygon, letters, has_names=has_names))
+    return packed(rows, lambda table: len(table) <= room - table[-1].is_heading)
+
+
+def packed(items: Iterable[Item], fits: Callable[[Sequence[Item]], bool]) -> list[list[Item]]:
+    """Put items into rows, in order, as many into each as fit; one at least."""
+    rows: list[list[Item]] = [[]]
+    for item in items:
+        if rows[-1] and not fits([*rows[-1], item]):
+            rows.append([])
+        rows[-1].append(item)
+    return rows
 
 
 def write_forces(page: Page, rows: Sequence[Row], place: tuple[float, float, float]) -> None:
     """Write a table at a place on the sheet: left, top, width. [mm]"""
     left, top, width = place
-    y = top - 4.0
-    heads = ("", _("force"), _("joint"), "mm", "N")
-    for words, share, where in zip(heads, _ENDS, _SIDES, strict=True):
-        page.text(left + share * width, y, words, ha=where, fontweight="bold")
-    page.rule(y - 1.4, left, left + width)
-    y -= _HEAD
-    for row in rows:
+    heads = Row(("", _("force"), _("joint"), "mm", "N"), is_heading=True)
+    lines = [0.0, *(_HEAD + _LINE * number for number in range(len(rows)))]
+    for row, line in zip((heads, *rows), lines, strict=True):
         for words, share, where in zip(row.columns, _ENDS, _SIDES, strict=False):
             size = SYMBOL if is_formula(words) else 8.0
             weight = "bold" if row.is_heading else "normal"
-            page.text(left + share * width, y, words, ha=where, fontsize=size, fontweight=weight)
-        y -= _LINE
+            page.text(left + share * width, top - 4.0 - line, words, ha=where, fontsize=size, fontweight=weight)
+    page.rule(top - 5.4, left, left + width)
 
 
 def group_words(polygon: ForcePolygon) -> str:
@@ -71,11 +73,6 @@ def group_words(polygon: ForcePolygon) -> str:
     sorts = {INITIAL: _("initial link"), "triad": _("triad")}
     numbers = ", ".join(map(str, polygon.numbers))
     return f"{numbers}: {sorts.get(polygon.sort) or _('group {sort}').format(sort=polygon.sort)}"
-
-
-def moment_words(polygon: ForcePolygon) -> str:
-    """Say the balancing moment of a crank, in the sense of rotation."""
-    return f"{mathematics('M_b')} = {figure(polygon.moment)} N·m"
 
 
 def _rows(polygon: ForcePolygon, letters: Mapping[str, str], *, has_names: bool) -> Iterator[Row]:
@@ -88,19 +85,13 @@ def _rows(polygon: ForcePolygon, letters: Mapping[str, str], *, has_names: bool)
         yield _row(polygon, span.force, "", letters)
 
 
-def _headings(polygon: ForcePolygon, *, has_names: bool) -> Iterator[str]:
+def _headings(polygon: ForcePolygon, *, has_names: bool) -> list[str]:
     """Numbers and names of a group's links, on as many lines as they need; of several mechanisms theirs too."""
-    line = ""
     named = [f"{number} {link.replace('_', ' ')}" for number, link in zip(polygon.numbers, polygon.links, strict=True)]
     if has_names:
         named[0] = f"{polygon.mechanism}: {named[0]}"
-    for words in named:
-        if line and len(line) + len(words) + 2 > _HEADING:
-            yield f"{line},"
-            line = words
-        else:
-            line = f"{line}, {words}" if line else words
-    yield line
+    *lines, last = packed(named, lambda words: len(", ".join(words)) <= _HEADING)
+    return [*(f"{', '.join(line)}," for line in lines), ", ".join(last)]
 
 
 def _row(polygon: ForcePolygon, force: PolygonForce, number: str, letters: Mapping[str, str]) -> Row:

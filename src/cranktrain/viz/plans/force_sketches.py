@@ -10,10 +10,8 @@ from cranktrain.plans.force_polygons import ForcePolygon
 from cranktrain.plans.force_sides import PolygonForce
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels
-from cranktrain.viz.paper.sketch import Circle, Habit, Line, Sketch
-
-_HEADED = 2.5
-"""A force shorter than this has no arrowhead. [mm]"""
+from cranktrain.viz.paper.sketch import Circle, Habit, Sketch
+from cranktrain.viz.plans.sketches import arrow
 
 _SYMBOL, _SEEN = 4.0, 0.6
 """A force shorter than this has its number in the table instead of its symbol beside it; and nothing. [mm]"""
@@ -46,11 +44,6 @@ class _Drawn(NamedTuple):
         """Length on paper. [mm]"""
         return float(np.hypot(*(self.end - self.start)))
 
-    @property
-    def direction(self) -> float:
-        """Direction from X. [rad]"""
-        return shapes.angle_of(self.end - self.start)
-
 
 def force_polygon_sketch(polygon: ForcePolygon) -> Sketch:
     """Polygon in drawing millimetres from a ring: inertia dashed, parts of a reaction thin, chords dash-dotted."""
@@ -59,9 +52,7 @@ def force_polygon_sketch(polygon: ForcePolygon) -> Sketch:
     lines: list[Array] = []
     for one in drawn:
         lines.append(_beside(np.stack([one.start, one.end], axis=1), lines))
-        sketch.add([Line(lines[-1], "LINKS", one.habit, 3)])
-        if one.length > _HEADED:
-            sketch.add([shapes.arrowhead(lines[-1][:, 1], one.direction, 2.0)])
+        sketch.add(arrow(lines[-1][:, 0], lines[-1][:, 1], "LINKS", one.habit))
     sketch.add([Circle(polygon.corners[:, 0], 0.7, "LINKS", "outline", 6, "paper")])
     wishes = list(_wishes(drawn, lines, np.mean(polygon.corners, axis=1)))
     if wishes:
@@ -77,7 +68,7 @@ def _wishes(drawn: Sequence[_Drawn], lines: Sequence[Array], middle: Array) -> I
         points = [line @ np.array([1.0 - place, place]) for place in places]
         rooms = [min((_distance(point, other) for other in others), default=_CLEAR) for point in points]
         point = points[int(np.argmax(np.round(np.minimum(rooms, _CLEAR))))]
-        towards = _outward(point - middle, one.direction)
+        towards = _outward(point - middle, shapes.angle_of(one.end - one.start))
         if one.length > _SYMBOL:
             yield Wish(point, one.force.symbol, towards)
         elif one.length > _SEEN and one.number:

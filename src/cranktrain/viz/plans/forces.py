@@ -10,12 +10,12 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.plans.force_polygons import force_polygons
 from cranktrain.plans.lettering import pin_letters
-from cranktrain.plans.positions import PositionPlan, position_plan, rescaled
+from cranktrain.plans.positions import single_plans
 from cranktrain.plans.together import placed_together, places_called
 from cranktrain.viz.paper.page import Figure, drawing_settings
 from cranktrain.viz.plans.force_rooms import draw_rows, fitting_polygons
 from cranktrain.viz.plans.force_rows import TABLE, tables, write_forces
-from cranktrain.viz.plans.sheet import cells_of, centre, few_angles, plan_page, scale_of, write_scales
+from cranktrain.viz.plans.sheet import cells_of, centre_at_angle, few_angles, plan_page, scale_of, write_scales
 from cranktrain.viz.plans.sketches import positions_sketch
 
 _LEFT = 0.24
@@ -58,16 +58,15 @@ def plan_forces(
     groups = [[polygon for polygon in polygons if polygon.angle == angle] for angle in chosen]
     letters = pin_letters(placed_together(machine, places_called(machine, mechanism), np.zeros(1)))
     page, box = plan_page(machine, angles, size, _("Polygons of forces"), mechanism, curve=curve)
-    cells = list(cells_of(box._replace(bottom=box.bottom + _FOOT, height=box.height - _FOOT), len(chosen)))
+    cells = cells_of(box._replace(bottom=box.bottom + _FOOT, height=box.height - _FOOT), len(chosen))
     left, height = _LEFT * box.width, cells[0].height
     middle = box.width - left - TABLE * max(len(tables(group, height, letters)) for group in groups)
     drawn = fitting_polygons(groups, (middle, height))
     if drawn is None:
         raise InputError([Problem("", polygons[0].mechanism, too_many_words(len(chosen), size))])
-    plans = _positions(machine, chosen, mechanism, (left - 14.0, height - 20.0))
+    plans = single_plans(machine, chosen, mechanism=mechanism, room=(left - 14.0, height - 20.0))
     for plan, pictures, cell in zip(plans, drawn, cells, strict=True):
-        page.heading(cell.left, cell.bottom + height - 4.0, f"φ = {plan.angles[0]:g}°")
-        centre(page, positions_sketch(plan), cell._replace(width=left, height=height - 5.0))
+        centre_at_angle(page, plan.angles[0], positions_sketch(plan), cell._replace(width=left))
         draw_rows(page, pictures, cell._replace(left=cell.left + left, width=middle))
         group = [picture.polygon for row in pictures for picture in row]
         for number, rows in enumerate(tables(group, height, letters)):
@@ -75,34 +74,21 @@ def plan_forces(
             write_forces(page, rows, (start, cell.bottom + height, TABLE - 3.0))
     scale = drawn[0][0][0].polygon.scale
     write_scales(page, box, [scale_of("l", plans[0].scale, "m"), scale_of("F", scale, "N")], None)
-    page.notes(box.left + left, box.bottom + 12.6, _notes())
-    return page.figure
-
-
-def _positions(
-    machine: Machine, angles: Sequence[float], mechanism: str | None, room: tuple[float, float]
-) -> list[PositionPlan]:
-    """Mechanism at each angle, all to one scale."""
-    plans = [position_plan(machine, [angle], mechanism=mechanism, room=room, is_lettered=True) for angle in angles]
-    scale = max(plan.scale for plan in plans)
-    return [rescaled(plan, scale) for plan in plans]
-
-
-def _notes() -> tuple[str, ...]:
-    """Say how the polygons are to be read."""
-    return (
+    notes = (
         _("Groups as they are solved, each closed head to tail from the ring. F₃₄: force of 3 on 4; dashed: inertia."),
         _("Thin: parts of a reaction; Fᵗ lies across the link, by moments about the pin named, Fⁿ along it."),
         _("Dash-dotted: reaction in an inner joint; it closes one link's part, its opposite the other's."),
     )
+    page.notes(box.left + left, box.bottom + 12.6, notes)
+    return page.figure
 
 
 def too_many_words(n_angles: int, size: str) -> str:
     """Say what to do about more forces than a sheet has room for."""
-    if n_angles > 1 and size == "A4":
-        return _("has too many forces for this paper: ask for one crank angle, or for A3")
-    if n_angles > 1:
-        return _("has too many forces for this paper: ask for one crank angle")
-    if size == "A4":
-        return _("has too many forces for A4: ask for A3, --size A3")
-    return _("has too many forces for a sheet")
+    words = {
+        (True, True): _("has too many forces for this paper: ask for one crank angle, or for A3"),
+        (True, False): _("has too many forces for this paper: ask for one crank angle"),
+        (False, True): _("has too many forces for A4: ask for A3, --size A3"),
+        (False, False): _("has too many forces for a sheet"),
+    }
+    return words[n_angles > 1, size == "A4"]

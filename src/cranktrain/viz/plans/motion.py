@@ -1,6 +1,6 @@
 """Sheets of plans: positions, polygons of velocities and accelerations, Klein's construction, each with its numbers."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -18,10 +18,11 @@ from cranktrain.plans.polygons import Polygon, acceleration_polygons, velocity_p
 from cranktrain.plans.positions import (
     PositionPlan,
     closed_angles,
+    fitting,
     plan_angles,
     position_plan,
     rescaled,
-    rounded_scale,
+    single_plans,
     track,
 )
 from cranktrain.plans.together import places_called
@@ -29,20 +30,30 @@ from cranktrain.plans.turning import turning
 from cranktrain.plans.vectors import Vector
 from cranktrain.quantities import shown
 from cranktrain.viz.figures import figure
-from cranktrain.viz.paper.page import INDICES, Box, Figure, Page, drawing_settings, mathematics, muted
-from cranktrain.viz.paper.tables import LEAST_ROW, ROW, write_table
+from cranktrain.viz.paper.page import INDICES, Box, Figure, Page, drawing_settings, mathematics
+from cranktrain.viz.paper.tables import LEAST_ROW, ROW
 from cranktrain.viz.plans.sheet import (
     VECTOR_COLUMNS,
     WITH_TABLE,
     cells_of,
     centre,
+    centre_at_angle,
     few_angles,
     plan_page,
     scale_of,
     unit_words,
+    write_beside,
     write_scales,
 )
 from cranktrain.viz.plans.sketches import klein_sketch, polygon_sketch, positions_sketch
+
+_OUTPUT: Mapping[tuple[bool, bool], Mapping[str, float]] = {
+    (True, True): {"x, mm": 1e3, "v, m/s": 1.0, "a, m/s²": 1.0},
+    (True, False): {"x, mm": 1e3, "x′, mm/rad": 1e3, "x″, mm/rad²": 1e3},
+    (False, True): {"θ, °": shown(1.0, "deg"), "ω₃, rad/s": 1.0, "ε₃, rad/s²": 1.0},
+    (False, False): {"θ, °": shown(1.0, "deg"), "θ′": 1.0, "θ″": 1.0},
+}
+"""Columns of the motion of an output, with factors from SI: whether it is a slider, and whether a speed is known."""
 
 
 @drawing_settings()
@@ -73,8 +84,7 @@ def plan_positions(
     """
     curve = speed_over_cycle(machine, speed)
     is_single = len(plan_angles(angles)) == 1  # pins of several positions have numbers instead of letters
-    title = _("Plan of positions")
-    page, box = plan_page(machine, angles, size, title, mechanism, has_key=is_single, curve=curve)
+    page, box = plan_page(machine, angles, size, _("Plan of positions"), mechanism, has_key=is_single, curve=curve)
     places = places_called(machine, mechanism)
     wide = (0.62 if len(places) == 1 else 0.42) * box.width
     left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
@@ -83,16 +93,13 @@ def plan_positions(
     plan = rescaled(position_plan(machine, angles, mechanism=mechanism, room=room, is_lettered=True), scale)
     centre(page, positions_sketch(plan, lettered(track(machine, scale, mechanism=mechanism))), left)
     write_scales(page, box, [scale_of("l", scale, "m")], 1e3 * scale)
-    rows = list(_positions_table(machine, plan, curve))
-    start = box.left + wide + 8.0
-    end = write_table(page, rows, (start, box.bottom + box.height, box.left + box.width - start))
-    if places[0].kind.output == "slider":
-        counted = (
-            _("from the shaft along the line of stroke, positive away from it")
-            if plan.drawing.guides
-            else _("in the cylinder, positive toward its head")
-        )
-        page.text(start, end - 2.0, counted, **muted())
+    counted = (
+        _("from the shaft along the line of stroke, positive away from it")
+        if plan.drawing.guides
+        else _("in the cylinder, positive toward its head")
+    )
+    notes = [counted] if places[0].kind.output == "slider" else []
+    write_beside(page, box, box.left + wide + 8.0, _positions_table(machine, plan, curve), notes)
     return page.figure
 
 
@@ -134,20 +141,18 @@ def _polygon_sheet(
     curve = speed_over_cycle(machine, speed)
     page, box = plan_page(machine, angles, size, title, mechanism, curve=curve)
     n = len(closed_angles(machine, places_called(machine, mechanism), angles))
-    cells = list(cells_of(box, n))
+    cells = cells_of(box, n)
     has_table = n <= WITH_TABLE
     cell = cells[0]
     width = 0.38 * cell.width if has_table else cell.width
     room = (width - 22.0, cell.height - (18.0 if has_table else 16.0))
     polygons = polygons_of(machine, angles, mechanism=mechanism, room=room, is_lettered=True, speed=curve or "constant")
-    symbol = "v" if polygons[0].quantity == "velocity" else "a"
-    scales = [scale_of(symbol, polygons[0].scale, unit_words(polygons[0].unit))]
+    scales = [scale_of(polygons[0].quantity[0], polygons[0].scale, unit_words(polygons[0].unit))]
     if has_table:
         scales.append(_beside(page, machine, polygons, cells, mechanism))
     else:
         for polygon, place in zip(polygons, cells, strict=True):
-            page.heading(place.left, place.bottom + place.height - 4.0, f"φ = {polygon.angle:g}°")
-            centre(page, polygon_sketch(polygon, with_symbols=False), place._replace(height=place.height - 6.0))
+            centre_at_angle(page, polygon.angle, polygon_sketch(polygon, with_symbols=False), place, 6.0)
     write_scales(page, box, scales, None)
     return page.figure
 
@@ -158,25 +163,17 @@ def _beside(
     """Draw mechanism, polygon and table side by side for each angle; say the mechanism's scale."""
     first = 0.30 * cells[0].width
     room = (first - 14.0, cells[0].height - 20.0)
-    plans = [
-        position_plan(machine, [polygon.angle], mechanism=mechanism, room=room, is_lettered=True)
-        for polygon in polygons
-    ]
-    scale = max(plan.scale for plan in plans)
+    plans = single_plans(machine, [polygon.angle for polygon in polygons], mechanism=mechanism, room=room)
     for plan, polygon, cell in zip(plans, polygons, cells, strict=True):
-        page.heading(cell.left, cell.bottom + cell.height - 4.0, f"φ = {polygon.angle:g}°")
-        left = Box(cell.left, cell.bottom, first, cell.height - 5.0)
-        centre(page, positions_sketch(rescaled(plan, scale)), left)
+        centre_at_angle(page, polygon.angle, positions_sketch(plan), cell._replace(width=first))
         middle = Box(cell.left + first, cell.bottom, 0.38 * cell.width, cell.height - 2.0)
         centre(page, polygon_sketch(polygon), middle)
-        start = middle.left + middle.width + 4.0
         rows, line = _fitting_rows(polygon, cell.height)
-        end = (start, cell.bottom + cell.height, cell.left + cell.width - start)
-        foot = write_table(page, rows, end, VECTOR_COLUMNS, line)
         left_out = len(polygon.vectors) + 1 - len(rows)
-        if left_out:
-            page.text(start, foot, _("without {n} vectors between pins").format(n=left_out), **muted())
-    return scale_of("l", scale, "m")
+        notes = [_("without {n} vectors between pins").format(n=left_out)] if left_out else []
+        start = middle.left + middle.width + 4.0
+        write_beside(page, cell, start, rows, notes, shares=VECTOR_COLUMNS, line=line, gap=0.0)
+    return scale_of("l", plans[0].scale, "m")
 
 
 @drawing_settings()
@@ -187,28 +184,18 @@ def plan_klein(
     chosen = few_angles(angles, _("Klein's construction"))
     constructions = [klein(machine, float(angle), mechanism=mechanism) for angle in chosen]
     page, box = plan_page(machine, angles, size, _("Klein's construction"), constructions[0].mechanism)
-    cells = list(cells_of(box, len(constructions)))
+    cells = cells_of(box, len(constructions))
     wide = 0.62 * cells[0].width
     room = (wide - 16.0, cells[0].height - 14.0)
-    rough = [klein_sketch(construction, 1.0).bounds() for construction in constructions]
-    spans = [max((b[1] - b[0]) / room[0], (b[3] - b[2]) / room[1]) for b in rough]
-    scale = 1e3 * rounded_scale(1e-3 * max(spans))
+    rough = [np.array(klein_sketch(construction, 1.0).bounds()).reshape(2, 2) for construction in constructions]
+    scale = 1e3 * fitting([1e-3 * bounds for bounds in rough], room)
     for construction, cell in zip(constructions, cells, strict=True):
-        page.heading(cell.left, cell.bottom + cell.height - 4.0, f"φ = {construction.angle:g}°")
-        centre(page, klein_sketch(construction, scale), cell._replace(width=wide))
-        rows = list(_klein_table(machine, construction))
-        start = cell.left + wide + 6.0
-        end = write_table(page, rows, (start, cell.bottom + cell.height, cell.left + cell.width - start))
-        page.notes(start, end - 2.0, _klein_notes(construction))
-    speed = machine.main_shaft.speed
-    omega = 1.0 if speed is None else speed.si
-    units = ("m/rad", "m/rad²") if speed is None else ("m/s", "m/s²")
+        centre_at_angle(page, construction.angle, klein_sketch(construction, scale), cell._replace(width=wide), 0.0)
+        rows = _klein_table(machine, construction)
+        write_beside(page, cell, cell.left + wide + 6.0, rows, _klein_notes(construction))
     metre = 1e-3 * scale
-    scales = [
-        scale_of("l", metre, "m"),
-        scale_of("v", omega * metre, units[0]),
-        scale_of("a", omega**2 * metre, units[1]),
-    ]
+    rates = zip("va", _klein_rates(machine), strict=True)
+    scales = [scale_of("l", metre, "m"), *(scale_of(letter, rate * metre, unit) for letter, (rate, unit) in rates)]
     write_scales(page, box, scales, scale)
     return page.figure
 
@@ -241,13 +228,8 @@ def _output_columns(
     drive = turning(machine, curve, angle + machine.zero)
     moving = output_motion(machine, place, angle)
     motion = (moving.value, *rates(moving, drive))
-    if place.kind.output == "slider":
-        names = ("x, mm", "v, m/s", "a, m/s²") if has_speed else ("x, mm", "x′, mm/rad", "x″, mm/rad²")
-        factors = (1e3, 1.0, 1.0) if has_speed else (1e3, 1e3, 1e3)
-    else:
-        names = ("θ, °", "ω₃, rad/s", "ε₃, rad/s²") if has_speed else ("θ, °", "θ′", "θ″")
-        factors = (shown(1.0, "deg"), 1.0, 1.0)
-    yield from ((name, factor * part) for name, factor, part in zip(names, factors, motion, strict=True))
+    columns = _OUTPUT[place.kind.output == "slider", has_speed]
+    yield from ((head, factor * part) for (head, factor), part in zip(columns.items(), motion, strict=True))
 
 
 def _fitting_rows(polygon: Polygon, height: float) -> tuple[list[tuple[str, ...]], float]:
@@ -270,25 +252,29 @@ def _vectors_table(polygon: Polygon, vectors: Sequence[Vector]) -> Iterator[tupl
         yield (mathematics(vector.symbol), ends, f"{polygon.length(vector):.2f}", figure(vector.size))
 
 
+def _klein_rates(machine: Machine) -> tuple[tuple[float, str], tuple[float, str]]:
+    """What a metre of Klein's construction is of velocity, and of acceleration, each with its unit."""
+    speed = machine.main_shaft.speed
+    return ((1.0, "m/rad"), (1.0, "m/rad²")) if speed is None else ((speed.si, "m/s"), (speed.si**2, "m/s²"))
+
+
 def _klein_table(machine: Machine, construction: Klein) -> Iterator[tuple[str, ...]]:
     """What Klein's construction gives: lengths, and the velocities and accelerations that they are."""
-    speed = machine.main_shaft.speed
-    omega = 1.0 if speed is None else speed.si
-    units = ("m/rad", "m/rad²") if speed is None else ("m/s", "m/s²")
-    origin = np.zeros(2)
+    velocity, acceleration = _klein_rates(machine)
     yield (_("line"), _("length, mm"), _("is"), _("size"), _("unit"))
     lines = (
-        ("OA", origin, construction.A, "v_A", 1),
-        ("AC", construction.A, construction.C, "v_BA", 1),
-        ("OC", origin, construction.C, "v_B", 1),
-        ("OA", origin, construction.A, "a_A", 2),
-        ("AD", construction.A, construction.D, "a_BA^n", 2),
-        ("DN", construction.D, construction.N, "a_BA^t", 2),
-        ("ON", origin, construction.N, "a_B", 2),
+        ("OA", "v_A", velocity),
+        ("AC", "v_BA", velocity),
+        ("OC", "v_B", velocity),
+        ("OA", "a_A", acceleration),
+        ("AD", "a_BA^n", acceleration),
+        ("DN", "a_BA^t", acceleration),
+        ("ON", "a_B", acceleration),
     )
-    for name, start, end, symbol, power in lines:
+    for ends, symbol, (rate, unit) in lines:
+        start, end = (construction.points[letter] for letter in ends)
         length = float(np.hypot(*(end - start)))
-        yield (name, f"{1e3 * length:.3f}", mathematics(symbol), figure(omega**power * length), units[power - 1])
+        yield (ends, f"{1e3 * length:.3f}", mathematics(symbol), figure(rate * length), unit)
 
 
 def _klein_notes(construction: Klein) -> Iterator[str]:

@@ -12,12 +12,11 @@ from cranktrain.plans.pin_loads import PinLoads, pin_loads
 from cranktrain.plans.positions import fitting, plan_angles
 from cranktrain.viz.figures import rounded
 from cranktrain.viz.paper.labels import RoundMark, Wish, placed_labels
-from cranktrain.viz.paper.page import Box, Figure, drawing_settings, mathematics, muted, rounded_down
+from cranktrain.viz.paper.page import Box, Figure, drawing_settings, mathematics, rounded_down
 from cranktrain.viz.paper.shapes import angle_of
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
 from cranktrain.viz.paper.style import INK
-from cranktrain.viz.paper.tables import write_table
-from cranktrain.viz.plans.sheet import centre, plan_page, scale_of, write_scales
+from cranktrain.viz.plans.sheet import centre, plan_page, scale_of, write_beside, write_scales
 
 _MARKS = 30
 """Between marks of the crank angle. [deg]"""
@@ -77,23 +76,22 @@ def plan_polar(
     width = (box.width - _TABLE) / 2
     pairs = ((loads.on_pin, loads.on_pin_without), (loads.in_rod, loads.in_rod_without))
     heads = (_("On the pin, in the crank's axes"), _("On the rod's bearing, in the rod's axes"))
-    upward = (_("up: away from the shaft"), _("up: toward the piston"))
-    across = (_("right: in the sense of rotation"), _("right: 90° from it in the sense of rotation"))
+    axes = (
+        (_("up: away from the shaft"), _("right: in the sense of rotation")),
+        (_("up: toward the piston"), _("right: 90° from it in the sense of rotation")),
+    )
     for number, pair in enumerate(pairs):
         cell = Box(box.left + number * width, box.bottom + 8.0, width - 4.0, box.height - 8.0)
         top = cell.bottom + cell.height
         page.heading(cell.left, top - 4.0, heads[number])
-        page.text(cell.left, top - 8.5, upward[number], **muted())
-        page.text(cell.left, top - 12.7, across[number], **muted())
+        page.notes(cell.left, top - 8.5, axes[number])
         outline = np.concatenate([*pair, np.zeros((2, 1))], axis=1)
         scale = fitting([outline], (width - 26.0, box.height - 42.0), _STEPS)
         rings = _("rings each {step:g} kN").format(step=ring_step(pair[0]) / 1e3)
         page.text(cell.left, top - 17.2, f"{scale_of('F', scale / 1e3, _('kN'))}, {rings}")
         centre(page, polar_sketch(loads, pair, scale), cell._replace(height=cell.height - 19.0))
     start = box.left + 2 * width + 4.0
-    rows = list(_table(loads, chosen))
-    end = write_table(page, rows, (start, box.bottom + box.height, _TABLE - 4.0), _COLUMNS)
-    page.notes(start, end - 2.0, _notes(loads))
+    write_beside(page, box, start, _table(loads, chosen), _notes(loads), shares=_COLUMNS)
     page.sample(box.left, box.left + 8.0, box.bottom + 0.5, color=INK, lw=1.0)
     page.text(box.left + 10.0, box.bottom - 0.4, _("with the rod's rotating mass"))
     if np.any(np.isfinite(loads.on_pin_without)):
@@ -109,8 +107,8 @@ def polar_sketch(loads: PinLoads, pair: tuple[Array, Array], scale: float) -> Sk
     every = np.concatenate([full, without, np.zeros((2, 1))], axis=1)
     low, high = np.nanmin(every, axis=1) - _BEYOND, np.nanmax(every, axis=1) + _BEYOND
     sketch = Sketch(1.0)
-    sketch.add([Line(np.array([[low[0], high[0]], [0.0, 0.0]]), "LINKS", "thin", 1)])
-    sketch.add([Line(np.array([[0.0, 0.0], [low[1], high[1]]]), "LINKS", "thin", 1)])
+    axes = [np.array([[low[0], high[0]], [0.0, 0.0]]), np.array([[0.0, 0.0], [low[1], high[1]]])]
+    sketch.add(Line(axis, "LINKS", "thin", 1) for axis in axes)
     sketch.add([Line(without, "LINKS", "part", 3), Line(full, "LINKS", "vector", 4)])
     step = ring_step(pair[0]) / scale
     radii = step * np.arange(1, int(max(np.max(np.abs(low)), np.max(high)) / step) + 1)
@@ -120,7 +118,6 @@ def polar_sketch(loads: PinLoads, pair: tuple[Array, Array], scale: float) -> Sk
     sketch.add(Circle(full[:, i], 0.6, "LINKS", "outline", 6, "paper") for i in marked)
     largest = full[:, int(np.argmin(np.abs(loads.angle - loads.largest_at)))]
     sketch.add([Circle(largest, 1.8, "LINKS", "outline", 7)])
-    lines = [full, np.array([[low[0], high[0]], [0.0, 0.0]]), np.array([[0.0, 0.0], [low[1], high[1]]])]
     longer = -1.0 if -low[1] >= high[1] else 1.0
     wishes = [
         Wish(np.array([0.0, longer * radius]), f"{radius * scale / 1e3:g}", -0.2, "number")
@@ -131,7 +128,7 @@ def polar_sketch(loads: PinLoads, pair: tuple[Array, Array], scale: float) -> Sk
     named = marked[loads.angle[marked] % (_MARKS * round(loads.cycle / 360.0)) == 0]
     wishes += [Wish(full[:, i], f"{loads.angle[i]:g}°", angle_of(full[:, i] - middle), "number") for i in named]
     marks = [RoundMark(circle.centre, circle.radius) for circle in sketch.circles]
-    sketch.add(placed_labels(wishes, lines, 1.0, marks))
+    sketch.add(placed_labels(wishes, [full, *axes], 1.0, marks))
     return sketch
 
 

@@ -1,6 +1,6 @@
 """What sheets of plans have in common: their head, rooms for pictures, tables, scale factors at the foot."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from cranktrain.plans.vectors import spoken_name
 from cranktrain.viz.paper.head import title_block
 from cranktrain.viz.paper.page import MARGIN, Box, Page, formula, muted, paper, scale_words
 from cranktrain.viz.paper.sketch import Sketch
+from cranktrain.viz.paper.tables import ROW, write_table
 from cranktrain.viz.paper.words import speed_words
 
 MOST = 24
@@ -39,14 +40,10 @@ def plan_page(
     curve: SpeedCurve | None = None,
 ) -> tuple[Page, Box]:
     """Begin a sheet, at the speed of a curve or a constant one, with a key where pins have letters; give the rest."""
-    n = len(plan_angles(angles))
-    if n > MOST:
-        allowed = _("must be at most {most} to a sheet").format(most=MOST)
-        raise InputError([Problem("", _("{n} crank angles").format(n=n), allowed)])
+    refuse_more(MOST, len(plan_angles(angles)), _("must be at most {most} to a sheet").format(most=MOST))
     page = Page(*paper(size))
     places = places_called(machine, mechanism)
-    of_one, of_both = _("{title}, mechanism {name}"), _("{title}, cylinder {name}")
-    words = of_one if len(places) == 1 else of_both
+    words = _("{title}, mechanism {name}") if len(places) == 1 else _("{title}, cylinder {name}")
     whose = words.format(title=title, name=together_name(places)) if len(machine.places) > 1 else title
     top = title_block(page, machine, whose, speed_words(curve))
     letters = pin_letters(placed_together(machine, places, np.zeros(1)))
@@ -60,13 +57,17 @@ def plan_page(
 def few_angles(angles: int | Sequence[float], what: str) -> Array:
     """Give the crank angles of what has room for only a few on a sheet. [deg]"""
     chosen = plan_angles(angles)
-    if len(chosen) > WITH_TABLE:
-        allowed = _("must be at most {n} for {what}").format(n=WITH_TABLE, what=what)
-        raise InputError([Problem("", _("{n} crank angles").format(n=len(chosen)), allowed)])
+    refuse_more(WITH_TABLE, len(chosen), _("must be at most {n} for {what}").format(n=WITH_TABLE, what=what))
     return chosen
 
 
-def cells_of(box: Box, n: int) -> Iterator[Box]:
+def refuse_more(most: int, n: int, allowed: str) -> None:
+    """Refuse more crank angles than there is room for, and say what is allowed."""
+    if n > most:
+        raise InputError([Problem("", _("{n} crank angles").format(n=n), allowed)])
+
+
+def cells_of(box: Box, n: int) -> list[Box]:
     """Divide a room among n pictures: one above the other if few, else in a grid, row by row."""
     columns = (
         1
@@ -75,9 +76,9 @@ def cells_of(box: Box, n: int) -> Iterator[Box]:
     )
     rows = -(-n // columns)
     width, height = box.width / columns, (box.height - 6.0) / rows
-    for i in range(n):
-        bottom = box.bottom + 6.0 + (rows - 1 - i // columns) * height
-        yield Box(box.left + i % columns * width, bottom, width, height)
+    lefts = box.left + np.arange(columns) * width
+    bottoms = box.bottom + 6.0 + np.arange(rows)[::-1] * height
+    return [Box(float(left), float(bottom), width, height) for bottom in bottoms for left in lefts][:n]
 
 
 def centre(page: Page, sketch: Sketch, box: Box) -> None:
@@ -87,6 +88,28 @@ def centre(page: Page, sketch: Sketch, box: Box) -> None:
         sketch,
         (box.left + box.width / 2 - (low_x + high_x) / 2, box.bottom + box.height / 2 - (low_y + high_y) / 2),
     )
+
+
+def centre_at_angle(page: Page, angle: float, sketch: Sketch, box: Box, head: float = 5.0) -> None:
+    """Draw a sketch in the middle of a room, below a heading with the crank angle [deg] so high. [mm]"""
+    page.heading(box.left, box.bottom + box.height - 4.0, f"φ = {angle:g}°")
+    centre(page, sketch, box._replace(height=box.height - head))
+
+
+def write_beside(
+    page: Page,
+    box: Box,
+    left: float,
+    rows: Iterable[tuple[str, ...]],
+    notes: Iterable[str] = (),
+    *,
+    shares: tuple[float, ...] = (),
+    line: float = ROW,
+    gap: float = 2.0,
+) -> None:
+    """Write a table in what a room has from `left` on, as `write_table` does, and notes a gap below it. [mm]"""
+    place = (left, box.bottom + box.height, box.left + box.width - left)
+    page.notes(left, write_table(page, list(rows), place, shares, line) - gap, notes)
 
 
 def scale_of(letter: str, scale: float, unit: str) -> str:

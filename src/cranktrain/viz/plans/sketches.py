@@ -23,13 +23,8 @@ _CORNER = 3.0
 _LETTERS_FROM = 0.35
 """A vector shorter than this part of the longest has no room for its symbol."""
 
-_HABITS: dict[Part, Habit] = {
-    "absolute": "vector",
-    "relative": "thin",
-    "normal": "part",
-    "tangential": "part",
-    "coriolis": "part",
-}
+_HEADED = 2.5
+"""A vector shorter than this has no arrowhead. [mm]"""
 
 _MANY_PINS, _NUMBER = 5, 1.5
 """Where more pins move, only the positions of crank and sliders have numbers, if each has so much room. [mm]"""
@@ -86,8 +81,7 @@ def line_drawing(plan: PositionPlan, track: Drawing | None = None) -> tuple[Sket
             for name in link.pins[1:]:
                 ends = np.stack([pins[link.pins[0]][:, i], pins[name][:, i]], axis=1)
                 sketch.add([Line(ends, "LINKS", habit, 4 if i == 0 else 3)])
-        for name in pins:
-            sketch.add([Circle(pins[name][:, i], 0.6 * scale, "LINKS", habit, 5, "paper")])
+        sketch.add(Circle(pin[:, i], 0.6 * scale, "LINKS", habit, 5, "paper") for pin in pins.values())
     return sketch, pins
 
 
@@ -118,12 +112,10 @@ def _numbers(name: str, pins: dict[str, Array], drawing: Drawing, scale: float) 
 
 def alike(points: Array, scale: float) -> list[list[int]]:
     """Put points together that fall on one place on paper, by their numbers; without those that are nowhere."""
-    together: dict[tuple[int, int], list[int]] = {}
-    for i, point in enumerate(points.T):
-        if not np.all(np.isfinite(point)):
-            continue
-        key = (round(float(point[0]) / (0.5 * scale)), round(float(point[1]) / (0.5 * scale)))
-        together.setdefault(key, []).append(i)
+    together: dict[tuple[float, float], list[int]] = {}
+    for i in np.flatnonzero(np.all(np.isfinite(points), axis=0)).tolist():
+        x, y = np.round(points[:, i] / (0.5 * scale))
+        together.setdefault((x, y), []).append(i)
     return list(together.values())
 
 
@@ -149,49 +141,53 @@ def _blocks(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[
     for block in drawing.blocks:
         slotted = next((link.pins for link in drawing.links if {*block.link} <= {*link.pins}), (block.pin, *block.link))
         ends = pins[slotted[-1]][:, 0] - pins[slotted[0]][:, 0]
-        if np.hypot(*ends) < 0.1 * scale:
-            continue
-        along = ends / np.hypot(*ends)
-        line = shapes.Along(pins[block.pin][:, 0], along)
-        corners = [(-2.0, -1.2), (2.0, -1.2), (2.0, 1.2), (-2.0, 1.2)]
-        points = line.path(*((scale * u, scale * v) for u, v in corners))
-        yield Line(points, "LINKS", "outline", 2, is_closed=True, fill="light")
+        if np.hypot(*ends) >= 0.1 * scale:
+            along = ends / np.hypot(*ends)
+            line = shapes.Along(pins[block.pin][:, 0], along)
+            corners = [(-2.0, -1.2), (2.0, -1.2), (2.0, 1.2), (-2.0, 1.2)]
+            points = line.path(*((scale * u, scale * v) for u, v in corners))
+            yield Line(points, "LINKS", "outline", 2, is_closed=True, fill="light")
 
 
 def polygon_sketch(polygon: Polygon, *, with_symbols: bool = True) -> Sketch:
     """Polygon in drawing millimetres: vectors from the pole full, about another pin thin, parts dashed."""
     layer: Layer = "PLAN_V" if polygon.quantity == "velocity" else "PLAN_A"
+    habits: dict[Part, Habit] = {
+        "absolute": "vector",
+        "relative": "part" if polygon.quantity == "velocity" else "thin",
+    }
     sketch = Sketch(1.0)
-    habits = dict(_HABITS)
-    if polygon.quantity == "velocity":
-        habits["relative"] = "part"
     points = {name: np.array(point) for name, point in polygon.points.items()}
     longest = max(polygon.length(vector) for vector in polygon.vectors)
     for vector in polygon.vectors:
-        ends = np.stack([points[vector.start], points[vector.end]], axis=1)
-        sketch.add([Line(ends, layer, habits[vector.part], 3)])
-        if polygon.length(vector) > 2.5:
-            head = shapes.arrowhead(ends[:, 1], shapes.angle_of(ends[:, 1] - ends[:, 0]), 2.0)
-            sketch.add([head._replace(layer=layer)])
+        sketch.add(arrow(points[vector.start], points[vector.end], layer, habits.get(vector.part, "part")))
     sketch.add([Circle(points[POLE], 0.7, layer, "outline", 6, "paper")])
     middle = np.mean(np.stack(list(points.values())), axis=0)
     short = [vector for vector in polygon.vectors if polygon.length(vector) < _CORNER]
-    corners = {vector.end for vector in short if vector.part == "normal"}
-    corners |= {vector.start for vector in short if vector.part == "tangential"}
+    corners = {
+        *(vector.end for vector in short if vector.part == "normal"),
+        *(vector.start for vector in short if vector.part == "tangential"),
+    }
     named = {name: point for name, point in points.items() if name not in corners}
     wishes = [Wish(point, name, shapes.angle_of(point - middle)) for name, point in _separate(named)]
-    if with_symbols:
-        is_crowded = len(polygon.vectors) > _MANY
-        for vector in polygon.vectors:
-            if is_crowded and vector.part != "absolute":
-                continue
-            if polygon.length(vector) > max(_LETTERS_FROM * longest, 10.0) or (
-                vector.part != "relative" and polygon.length(vector) > 12.0
-            ):
-                half = 0.5 * (points[vector.start] + points[vector.end])
-                wishes.append(Wish(half, vector.symbol, shapes.angle_of(half - middle)))
+    is_crowded = len(polygon.vectors) > _MANY
+    for vector in polygon.vectors:
+        enough = max(_LETTERS_FROM * longest, 10.0)
+        if vector.part != "relative":
+            enough = min(enough, 12.0)
+        is_named = with_symbols and (vector.part == "absolute" or not is_crowded)
+        if is_named and polygon.length(vector) > enough:
+            half = 0.5 * (points[vector.start] + points[vector.end])
+            wishes.append(Wish(half, vector.symbol, shapes.angle_of(half - middle)))
     sketch.add(placed_labels(wishes, list(sketch.outline()), 1.0))
     return sketch
+
+
+def arrow(start: Array, end: Array, layer: Layer, habit: Habit) -> Iterator[Line]:
+    """A vector on paper, with a head where it is long enough."""
+    yield Line(np.stack([start, end], axis=1), layer, habit, 3)
+    if np.hypot(*(end - start)) > _HEADED:
+        yield shapes.arrowhead(end, shapes.angle_of(end - start), 2.0)._replace(layer=layer)
 
 
 def _separate(points: dict[str, Array]) -> Iterator[tuple[str, Array]]:
@@ -205,30 +201,28 @@ def _separate(points: dict[str, Array]) -> Iterator[tuple[str, Array]]:
 def klein_sketch(construction: Klein, scale: float) -> Sketch:
     """Klein's construction in mm of metal: rod and crank full, what is constructed thin, its polygons dashed."""
     sketch = Sketch(scale)
-    points = {name: 1e3 * np.asarray(getattr(construction, name)) for name in "ABCDKLN"} | {"O": np.zeros(2)}
+    points = {name: 1e3 * point for name, point in construction.points.items()}
 
     def line(names: str, habit: Habit, layer: Layer = "LINKS") -> Line:
         return Line(np.stack([points[name] for name in names], axis=1), layer, habit, 3)
 
-    sketch.add([line("OAB", "outline"), line("OC", "vector", "PLAN_V"), line("AC", "part", "PLAN_V")])
-    sketch.add([line("KL", "thin", "PLAN_A"), line("ADN", "part", "PLAN_A"), line("ON", "vector", "PLAN_A")])
-    arm = float(np.hypot(*(points["C"] - points["A"])))
-    rod = points["B"] - points["A"]
-    axis = np.stack(
-        [
-            points["B"] - reach * construction.stroke
-            for reach in (1.15 * float(points["B"] @ construction.stroke), -8.0 * scale)
-        ],
-        axis=1,
-    )
-    sketch.add([Line(axis, "GUIDES", "axis", 1)])
-    sketch.add([Circle(points["A"] + rod / 2, float(np.hypot(*rod)) / 2, "PLAN_A", "thin", 2)])
-    sketch.add([Circle(points["A"], arm, "PLAN_A", "thin", 2)])
-    sketch.add(shapes.pivot(points["O"], 2.0 * scale, scale))
-    for name in "OAB":
-        sketch.add([Circle(points[name], 0.7 * scale, "LINKS", "outline", 6, "paper")])
     middle = points["A"]
-    shown_points = {name: point for name, point in points.items() if np.all(np.isfinite(point))}
-    wishes = [Wish(point, name, shapes.angle_of(point - middle)) for name, point in shown_points.items()]
+    arm = float(np.hypot(*(points["C"] - middle)))
+    rod = points["B"] - middle
+    reaches = (1.15 * float(points["B"] @ construction.stroke), -8.0 * scale)
+    axis = np.stack([points["B"] - reach * construction.stroke for reach in reaches], axis=1)
+    sketch.add(
+        [
+            *(line("OAB", "outline"), line("OC", "vector", "PLAN_V"), line("AC", "part", "PLAN_V")),
+            *(line("KL", "thin", "PLAN_A"), line("ADN", "part", "PLAN_A"), line("ON", "vector", "PLAN_A")),
+            Line(axis, "GUIDES", "axis", 1),
+            Circle(middle + rod / 2, float(np.hypot(*rod)) / 2, "PLAN_A", "thin", 2),
+            Circle(middle, arm, "PLAN_A", "thin", 2),
+            *shapes.pivot(points["O"], 2.0 * scale, scale),
+            *(Circle(points[name], 0.7 * scale, "LINKS", "outline", 6, "paper") for name in "OAB"),
+        ]
+    )
+    drawn = {name: point for name, point in points.items() if np.all(np.isfinite(point))}
+    wishes = [Wish(point, name, shapes.angle_of(point - middle)) for name, point in drawn.items()]
     sketch.add(placed_labels(wishes, [line.points for line in sketch.lines], scale))
     return sketch

@@ -12,19 +12,27 @@ from cranktrain.motion import Array
 from cranktrain.plans.lettering import pin_letters
 from cranktrain.plans.placement import place_called, placed
 from cranktrain.plans.polygons import Polygon, velocity_polygons
-from cranktrain.plans.positions import position_plan, rounded_scale
-from cranktrain.plans.positions import rescaled as rescaled_plan
-from cranktrain.plans.vectors import POLE, spoken_name
+from cranktrain.plans.positions import rounded_scale, single_plans
+from cranktrain.plans.vectors import POLE, pair, spoken_name
 from cranktrain.plans.zhukovsky import Lever, LeverForce, zhukovsky_lever
 from cranktrain.viz.figures import figure
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings, mathematics, muted
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
-from cranktrain.viz.paper.tables import LEAST_ROW, ROW, write_table
+from cranktrain.viz.paper.tables import LEAST_ROW, ROW
 from cranktrain.viz.plans.forces import too_many_words
-from cranktrain.viz.plans.sheet import cells_of, centre, few_angles, plan_page, scale_of, write_scales
-from cranktrain.viz.plans.sketches import positions_sketch
+from cranktrain.viz.plans.sheet import (
+    cells_of,
+    centre,
+    centre_at_angle,
+    few_angles,
+    plan_page,
+    scale_of,
+    write_beside,
+    write_scales,
+)
+from cranktrain.viz.plans.sketches import arrow, positions_sketch
 
 _LONGEST = 0.30
 """The longest force, in parts of the room: the rest is the plan's."""
@@ -42,8 +50,6 @@ _HEAD = 6.0
 """Height of a table's head. [mm]"""
 
 _COLUMNS = (0.26, 0.62, 1.0)
-_HEADED = 2.5
-"""A force shorter than this has no arrowhead. [mm]"""
 
 
 @drawing_settings()
@@ -63,35 +69,28 @@ def plan_zhukovsky(
     mechanism = levers[0].mechanism
     letters = pin_letters(placed(machine, place_called(machine, mechanism), np.zeros(1)))
     page, box = plan_page(machine, angles, size, _("Zhukovsky's lever"), mechanism, curve=curve)
-    cells = list(cells_of(box, len(chosen)))
+    cells = cells_of(box, len(chosen))
     left, middle = 0.26 * box.width, 0.46 * box.width
     height = cells[0].height
     room = ((1 - 2 * _LONGEST) * middle + 6.0, max((1 - 2 * _LONGEST) * height, 0.4 * height) - 4.0)
     polygons = velocity_polygons(machine, chosen, mechanism=mechanism, room=room, is_lettered=True, speed=turning)
     longest = max(_longest(lever, polygon) for lever, polygon in zip(levers, polygons, strict=True))
     newton = rounded_scale(longest / (_LONGEST * min(middle, height)))
-    own = Box(box.left, box.bottom, left, height - 5.0 - _NOTES)
-    plans = [
-        position_plan(machine, [angle], mechanism=mechanism, room=(left - 14.0, own.height - 15.0), is_lettered=True)
-        for angle in chosen
-    ]
-    metal = max(plan.scale for plan in plans)
+    plans = single_plans(machine, chosen, mechanism=mechanism, room=(left - 14.0, height - 20.0 - _NOTES))
     for plan, lever, polygon, cell in zip(plans, levers, polygons, cells, strict=True):
-        page.heading(cell.left, cell.bottom + cell.height - 4.0, f"φ = {lever.angle:g}°")
-        sketch = positions_sketch(rescaled_plan(plan, metal))
-        centre(page, sketch, own._replace(bottom=cell.bottom + _NOTES))
+        own = cell._replace(bottom=cell.bottom + _NOTES, width=left, height=height - _NOTES)
+        centre_at_angle(page, lever.angle, positions_sketch(plan), own)
         page.notes(cell.left, cell.bottom + _NOTES - 4.0, _notes(lever))
         centre(page, lever_sketch(lever, polygon, newton), Box(cell.left + left, cell.bottom, middle, height - 4.0))
-        start = cell.left + left + middle + 6.0
         rows = list(_table(lever, letters))
         notes = list(_short_words(lever, newton))
         line = min(ROW, (height - _HEAD - LINE * len(notes)) / len(rows))
         if line < LEAST_ROW:
             raise InputError([Problem("", lever.mechanism, too_many_words(len(chosen), size))])
-        end = write_table(page, rows, (start, cell.bottom + height, cell.left + cell.width - start), _COLUMNS, line)
-        page.notes(start, end, notes)
+        start = cell.left + left + middle + 6.0
+        write_beside(page, cell, start, rows, notes, shares=_COLUMNS, line=line, gap=0.0)
     velocity = scale_of("v", polygons[0].scale, polygons[0].unit)
-    write_scales(page, box, [scale_of("l", metal, "m"), velocity, scale_of("F", newton, "N")], None)
+    write_scales(page, box, [scale_of("l", plans[0].scale, "m"), velocity, scale_of("F", newton, "N")], None)
     words = _("Velocities turned by 90° clockwise: a force's anticlockwise moment about p is its power")
     page.text(box.left + left, box.bottom + 4.4, words, **muted())
     return page.figure
@@ -99,8 +98,8 @@ def plan_zhukovsky(
 
 def _longest(lever: Lever, polygon: Polygon) -> float:
     """Size of the lever's largest force, with the balancing one. [N]"""
-    forces = [float(np.hypot(*force.value)) for force in lever.forces if force.point]
-    return max([*forces, float(np.hypot(*_balancing_force(lever, polygon)[1]))])
+    forces = [*(force for force in lever.forces if force.point), _balancing(lever, polygon)]
+    return max(float(np.hypot(*force.value)) for force in forces)
 
 
 def lever_sketch(lever: Lever, polygon: Polygon, newton: float) -> Sketch:
@@ -114,19 +113,16 @@ def lever_sketch(lever: Lever, polygon: Polygon, newton: float) -> Sketch:
     middle = np.mean(np.stack(list(points.values())), axis=0)
     named = {name: point for i, (name, point) in enumerate(points.items()) if not _is_at_earlier(i, points)}
     wishes = [Wish(point, name, shapes.angle_of(point - middle)) for name, point in named.items()]
-    for force in lever.forces:
-        if not force.point:
-            continue
+    long = (force for force in lever.forces if force.point and not _is_short(force, newton))
+    for force in (*long, _balancing(lever, polygon)):
         at = _quarter_turned(np.array(force.velocity)) / polygon.scale
-        if _is_short(force, newton):
-            continue
-        drawn = _arrow(sketch, at, np.array(force.value) / newton, is_dashed=force.symbol.startswith("Φ"))
-        wishes.append(Wish(drawn, force.symbol, shapes.angle_of(drawn - at)))
+        end = at + np.array(force.value) / newton
+        sketch.add(arrow(at, end, "LINKS", "part" if force.symbol.startswith("Φ") else "vector"))
+        wishes.append(Wish(end, force.symbol, shapes.angle_of(end - at)))
         if force.point.startswith("s_") and not any(np.hypot(*(at - point)) < 0.7 for point in named.values()):
             sketch.add([Circle(at, 0.5, "PLAN_V", "outline", 5, "paper")])
             named[force.point] = at
             wishes.append(Wish(at, force.point, shapes.angle_of(at - middle)))
-    wishes.append(_balancing(sketch, lever, polygon, newton))
     sketch.add([Circle(points[POLE], 0.8, "PLAN_V", "outline", 6, "paper")])
     sketch.add(placed_labels(wishes, list(sketch.outline()), 1.0))
     return sketch
@@ -134,7 +130,7 @@ def lever_sketch(lever: Lever, polygon: Polygon, newton: float) -> Sketch:
 
 def _is_short(force: LeverForce, newton: float) -> bool:
     """Whether a force is too short to be drawn, to newton N in a millimetre."""
-    return bool(force.point) and float(np.hypot(*force.value)) / newton < _NAMED
+    return float(np.hypot(*force.value)) / newton < _NAMED
 
 
 def _is_at_earlier(place: int, points: dict[str, Array]) -> bool:
@@ -143,28 +139,12 @@ def _is_at_earlier(place: int, points: dict[str, Array]) -> bool:
     return any(np.hypot(*(every[place] - other)) < 0.7 for other in every[:place])
 
 
-def _balancing(sketch: Sketch, lever: Lever, polygon: Polygon, newton: float) -> Wish:
-    """Draw the force at the crank pin, across the crank, that the driving torque is."""
-    velocity, force = _balancing_force(lever, polygon)
-    at = _quarter_turned(velocity) / polygon.scale
-    drawn = _arrow(sketch, at, force / newton, is_dashed=False)
-    return Wish(drawn, "F_b", shapes.angle_of(drawn - at))
-
-
-def _balancing_force(lever: Lever, polygon: Polygon) -> tuple[Array, Array]:
-    """Velocity of the crank pin [m/s], and the force across the crank there that the driving torque is [N]."""
+def _balancing(lever: Lever, polygon: Polygon) -> LeverForce:
+    """The force at the crank pin, across the crank, that the driving torque is."""
     crank = next(vector for vector in polygon.vectors if vector.part == "absolute")
     velocity = np.array(crank.value)
-    return velocity, lever.driving_torque * lever.speed / float(velocity @ velocity) * velocity
-
-
-def _arrow(sketch: Sketch, at: Array, force: Array, *, is_dashed: bool) -> Array:
-    """Draw a force from its point; give where it ends. [mm]"""
-    end = at + force
-    sketch.add([Line(np.stack([at, end], axis=1), "LINKS", "part" if is_dashed else "vector", 3)])
-    if np.hypot(*force) > _HEADED:
-        sketch.add([shapes.arrowhead(end, shapes.angle_of(force), 2.0)])
-    return end
+    force = lever.driving_torque * lever.speed / float(velocity @ velocity) * velocity
+    return LeverForce("F_b", crank.end, pair(force), crank.value, lever.driving_torque)
 
 
 def _quarter_turned(vector: Array) -> Array:

@@ -19,8 +19,7 @@ def ring_radius(scene: Scene) -> float:
     """Radius of the degree ring: round the crank, and round the big end of a star. [mm]"""
     if not scene.is_star:
         return 1.62 * scene.crank_radius
-    slave = next(one for one in scene.members if one.place.kind.name == "articulated_rod")
-    knuckle = np.hypot(*slave.turn_pins["C"])
+    knuckle = np.hypot(*scene.slaves[0].turn_pins["C"])
     return float(np.nanmax(knuckle)) + 1.6 * SMALL_EYE * scene.crank_radius
 
 
@@ -33,8 +32,7 @@ def degree_ring(
     figures = 30 if radius > _LEAST_RING * scale else 360
     yield Circle(origin, radius, "DIMENSIONS", "thin", 1)
     for degree in range(0, 360, 10):
-        direction = scene.crank_direction(float(degree))
-        along = np.array([np.cos(direction), np.sin(direction)])
+        along = shapes.unit(scene.crank_direction(float(degree), scene.leading))
         tick = (1.6 if degree % 30 == 0 else 0.8) * scale
         yield Line(np.stack([(radius - tick) * along, radius * along], axis=1), "DIMENSIONS", "thin", 1)
         place = (radius + (2.6 + 1.4 * abs(along[0])) * scale) * along
@@ -53,14 +51,12 @@ def _is_covered(scene: Scene, lines: Sequence[tuple[Array, float]], point: Array
             part = np.clip(np.dot(point - start, end - start) / np.dot(end - start, end - start), 0.0, 1.0)
             if np.hypot(*(start + part * (end - start) - point)) < half + margin:
                 return True
-    for member in scene.members:
-        pins = scene.pins(member, angle)
-        if member.output is not None:
-            line = member.stroke_line
-            across = float(np.dot(point - line.foot, line.across))
-            begin = min(wall_start(scene, member), float(line.place(pins[member.output])) - skirt(scene, member))
-            if line.place(point) > begin - margin and abs(across) < 0.5 * member.width + margin:
-                return True
+    for member in scene.sliders:
+        line = member.stroke_line
+        across = float(np.dot(point - line.foot, line.across))
+        begin = min(wall_start(scene, member), scene.reach(member, angle) - skirt(scene, member))
+        if line.place(point) > begin - margin and abs(across) < 0.5 * member.width + margin:
+            return True
     return False
 
 
@@ -79,41 +75,28 @@ def _free_direction(scene: Scene, shaft: str) -> tuple[float, float]:
     return float(next(angle for angle, free in zip(tried, room, strict=True) if free > best - 1e-9)), float(best)
 
 
-def rotation(scene: Scene, scale: float) -> Iterator[Line]:
-    """Arrow of the sense in which the machine runs."""
-    middle, room = _free_direction(scene, scene.leading.place.shaft)
+def rotations(scene: Scene, scale: float) -> Iterator[Line]:
+    """Arrows of the sense in which the shafts turn; one that is geared the other way turns against the main one."""
+    for member in {member.place.shaft: member for member in scene.cranks}.values():
+        radius, middle, half = _arc_of(scene, member, scale)
+        yield Line(shapes.arc(member.centre, radius, middle - half, middle + half), "DIMENSIONS", "outline", 5)
+        turns = scene.crank_direction(1.0, member) - scene.crank_direction(0.0, member)
+        sense = np.sign((turns + np.pi) % (2 * np.pi) - np.pi)
+        end = middle + sense * half
+        tip = member.centre + radius * shapes.unit(end)
+        yield shapes.arrowhead(tip, float(end + sense * (np.pi / 2 - 1.1 * scale / radius)), 2.6 * scale)
+
+
+def _arc_of(scene: Scene, member: Member, scale: float) -> tuple[float, float, float]:
+    """Radius, middle and half the width of an arrow round a shaft, clear of all that is drawn there. [mm, rad]"""
+    middle, room = _free_direction(scene, member.place.shaft)
+    if member.place.shaft != scene.leading.place.shaft:
+        radius = scene.crank_radius * (1.0 + 1.12 * BIG_EYE) + 2.5 * scale
+        return radius, middle, min(0.6, 9.0 * scale / radius)
+    if scene.is_star:
+        radius = max(wall_end(scene, slider) for slider in scene.sliders)
+        covered = float(np.arcsin(0.5 * max(slider.width for slider in scene.sliders) / radius))
+        return radius, middle, room - covered - 3.0 * scale / radius
     # Outside the ring's figures, which reach farther out at its sides than above and below.
     radius = ring_radius(scene) + (6.5 + 2.5 * abs(np.cos(middle))) * scale
-    half = min(0.42, 11.0 * scale / radius)
-    if scene.is_star:
-        radius = max(wall_end(member) for member in scene.sliders)
-        half = (
-            room - float(np.arcsin(0.5 * max(member.width for member in scene.sliders) / radius)) - 3.0 * scale / radius
-        )
-    turns = scene.crank_direction(1.0) - scene.crank_direction(0.0)
-    sense = np.sign((turns + np.pi) % (2 * np.pi) - np.pi)
-    yield from _arc_arrow(np.zeros(2), radius, (middle, half), sense, scale)
-
-
-def other_shafts(scene: Scene) -> list[Member]:
-    """One member on each shaft beside the main one."""
-    shafts = {member.place.shaft: member for member in scene.cranks}
-    return [member for shaft, member in shafts.items() if shaft != scene.leading.place.shaft]
-
-
-def rotation_of_other(scene: Scene, member: Member, scale: float) -> Iterator[Line]:
-    """Arrow of the sense in which another shaft turns; one that is geared the other way turns against the main one."""
-    middle, _room = _free_direction(scene, member.place.shaft)
-    radius = scene.crank_radius * (1.0 + 1.12 * BIG_EYE) + 2.5 * scale
-    turns = scene.crank_direction(1.0, member) - scene.crank_direction(0.0, member)
-    sense = np.sign((turns + np.pi) % (2 * np.pi) - np.pi)
-    yield from _arc_arrow(member.centre, radius, (middle, min(0.6, 9.0 * scale / radius)), sense, scale)
-
-
-def _arc_arrow(centre: Array, radius: float, span: tuple[float, float], sense: float, scale: float) -> Iterator[Line]:
-    """Arc with an arrowhead at its end, so far to each side of a direction. [mm, rad]"""
-    middle, half = span
-    yield Line(shapes.arc(centre, radius, middle - half, middle + half), "DIMENSIONS", "outline", 5)
-    end = middle + sense * half
-    tip = centre + radius * np.array([np.cos(end), np.sin(end)])
-    yield shapes.arrowhead(tip, float(end + sense * (np.pi / 2 - 1.1 * scale / radius)), 2.6 * scale)
+    return radius, middle, min(0.42, 11.0 * scale / radius)

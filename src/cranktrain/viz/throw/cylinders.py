@@ -2,8 +2,6 @@
 
 from collections.abc import Iterator
 
-import numpy as np
-
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.sketch import Line
 from cranktrain.viz.throw.scene import Member, Scene
@@ -26,27 +24,22 @@ def skirt(scene: Scene, member: Member) -> float:
     return (_BELOW_IN_STAR if scene.is_star else _BELOW) * member.width
 
 
-def wall_end(member: Member) -> float:
+def wall_end(scene: Scene, member: Member) -> float:
     """Where a cylinder ends, from the shaft. [mm]"""
-    if member.place.is_far:
-        return member.travel[1] + _BELOW * member.width
-    return member.travel[1] + member.above + _GAP * member.width
+    beyond = _BELOW * member.width if member.place.is_far else scene.above(member) + _GAP * member.width
+    return member.travel[1] + beyond
 
 
-def cylinder(scene: Scene, member: Member, scale: float, *, is_plain: bool) -> Iterator[Line]:
+def cylinder(scene: Scene, member: Member, scale: float) -> Iterator[Line]:
     """Centre line and walls; a crosshead runs between guides that are open at the end."""
     line = member.stroke_line
-    end = wall_end(member)
-    axis = np.stack([line.at(0.0, 0.0), line.at(end + 2.0 * scale, 0.0)], axis=1)
-    yield Line(axis, "GUIDES", "axis", 2)
-    walls = shapes.walls(line, member.width, (wall_start(scene, member), end), has_head=member.bore is not None)
-    for wall, outside in walls:
-        yield wall
-        if not is_plain:
-            yield shapes.hatch(wall.points[:, 0], wall.points[:, 1], outside, scale)
+    end = wall_end(scene, member)
+    yield Line(line.path((0.0, 0.0), (end + 2.0 * scale, 0.0)), "GUIDES", "axis", 2)
+    span = wall_start(scene, member), end
+    yield from shapes.walls(line, member.width, span, scale, has_head=member.bore is not None)
 
 
-def common_cylinder(scene: Scene, pair: tuple[Member, Member], scale: float, *, is_plain: bool) -> Iterator[Line]:
+def common_cylinder(scene: Scene, pair: tuple[Member, Member], scale: float) -> Iterator[Line]:
     """Centre line, and walls from where one piston's begin to where the other's do, with gaps for the ports."""
     one, other = pair
     line = one.stroke_line
@@ -64,10 +57,7 @@ def common_cylinder(scene: Scene, pair: tuple[Member, Member], scale: float, *, 
         height = scene.ports[one.place.cylinder].get(member.place.name.rpartition(".")[2])
         if height is not None:
             outermost = member.travel[1] if member.place.is_far else member.travel[0]
-            crown = outermost + member.toward_chamber * member.above
-            first, second = sorted(along(member, crown + part) for part in (0.0, member.toward_chamber * height))
-            gaps.append((first, second))
-    for wall, outside in shapes.walls(line, one.width, span, has_head=False, ports=sorted(gaps)):
-        yield wall
-        if not is_plain:
-            yield shapes.hatch(wall.points[:, 0], wall.points[:, 1], outside, scale)
+            crown = outermost + member.toward_chamber * scene.above(member)
+            ends = along(member, crown), along(member, crown + member.toward_chamber * height)
+            gaps.append((min(ends), max(ends)))
+    yield from shapes.walls(line, one.width, span, scale, has_head=False, ports=sorted(gaps))

@@ -6,7 +6,7 @@ import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.viz.paper.labels import dots
-from cranktrain.viz.paper.page import Page, fitting_scale, scale_words
+from cranktrain.viz.paper.page import Box, Page, fitting_scale, scale_words
 from cranktrain.viz.paper.sketch import Circle, Sketch
 from cranktrain.viz.throw.angle_marks import ring_radius
 from cranktrain.viz.throw.mechanism import mechanism_sketch
@@ -35,7 +35,7 @@ def draw_detail(
     moment: tuple[float, Sequence[Sequence[float]]],
     whole: Sketch,
     origin: tuple[float, float],
-    room: tuple[float, float, float, float],
+    room: Box,
 ) -> None:
     """Draw the shaft larger, where the room beside the whole mechanism is largest, and say to which scale.
 
@@ -49,36 +49,29 @@ def draw_detail(
         The mechanism as it is drawn, with the shaft at `origin`.
     origin : (x, y)
         [mm of paper]
-    room : (left, bottom, width, height)
-        In which to find a place. [mm of paper]
+    room : Box
+        In which to find a place.
     """
     angle, dead = moment
     size = ring_radius(scene)
     scale = fitting_scale(size, size, (_RADIUS - _FIGURES, _RADIUS - _FIGURES))
     place = _free_place(whole, origin, room)
     page.draw(mechanism_sketch(scene, angle, scale, dead), place, within=_RADIUS)
-    marks = Sketch(1.0)
-    marks.add([Circle(np.zeros(2), _RADIUS, "DIMENSIONS", "thin", 8)])
-    page.draw(marks, place)
-    around = Sketch(1.0)
     reach = max(_RADIUS * scale / whole.scale, 2.5)
-    around.add([Circle(np.zeros(2), reach, "DIMENSIONS", "thin", 8)])
-    page.draw(around, origin)
+    for radius, middle in ((_RADIUS, place), (reach, origin)):
+        page.draw(Sketch(1.0, circles=[Circle(np.zeros(2), radius, "DIMENSIONS", "thin", 8)]), middle)
     side = -1.0 if place[0] > origin[0] else 1.0
     page.text(origin[0] + side * (reach + 1.2), origin[1] + reach, _NAME, ha="right" if side < 0 else "left")
     page.text(place[0], place[1] + _RADIUS + 1.5, f"{_NAME} ({scale_words(scale)})", ha="center")
 
 
-def _free_place(
-    whole: Sketch, origin: tuple[float, float], room: tuple[float, float, float, float]
-) -> tuple[float, float]:
+def _free_place(whole: Sketch, origin: tuple[float, float], room: Box) -> tuple[float, float]:
     """Find the middle of a detail that is farthest from all that is drawn. [mm of paper]"""
-    left, bottom, width, height = room
     taken: Array = np.array(origin)[:, np.newaxis] + np.concatenate(
         [dots(line.points / whole.scale)[:, ::_EVERY] for line in whole.lines if line.habit != "hatch"], axis=1
     )
-    x = np.arange(left + _RADIUS + 1.0, left + width - _RADIUS, _STEP)
-    y = np.arange(bottom + _RADIUS + 1.0, bottom + height - _RADIUS - 5.0, _STEP)
+    x = np.arange(room.left + _RADIUS + 1.0, room.left + room.width - _RADIUS, _STEP)
+    y = np.arange(room.bottom + _RADIUS + 1.0, room.bottom + room.height - _RADIUS - 5.0, _STEP)
     tried = np.stack([part.ravel() for part in np.meshgrid(x, y)])
     away = np.min(np.hypot(*(tried[:, :, np.newaxis] - taken[:, np.newaxis, :])), axis=1)
     best = int(np.argmax(away))

@@ -2,13 +2,14 @@
 
 from collections.abc import Iterator, Sequence
 from io import BytesIO
+from operator import methodcaller
 from typing import Any
 
 import numpy as np
 
 from cranktrain.analysis import Result
-from cranktrain.viz.paper.page import Artist, Page, drawing_settings, fitting_scale
-from cranktrain.viz.paper.sketch import Sketch
+from cranktrain.viz.paper.page import Page, drawing_settings, fitting_scale
+from cranktrain.viz.paper.sketch import Sketch, bounds_of
 from cranktrain.viz.throw.mechanism import mechanism_sketch
 from cranktrain.viz.throw.scene import Scene, scene_of
 
@@ -45,7 +46,8 @@ def animation(result: Result, *, n_frames: int = 36, design: int = 0) -> bytes:
     machine = result.machines[design]
     scene = scene_of(machine)
     angles = [a for a in np.arange(n_frames) * (360.0 / n_frames) if scene.closing_angle(float(a)) == a]
-    bounds = _bounds(scene, angles[::3])
+    some = [mechanism_sketch(scene, angle, 1.0, is_plain=True) for angle in angles[::3]]
+    bounds = bounds_of(points for sketch in some for points in sketch.outline())
     scale = fitting_scale(bounds[1] - bounds[0], bounds[3] - bounds[2], (_SIDE - 8.0, _SIDE - 8.0))
     size = ((bounds[1] - bounds[0]) / scale + 8.0, (bounds[3] - bounds[2]) / scale + 8.0 + _HEAD)
     origin = (4.0 - bounds[0] / scale, 4.0 - bounds[2] / scale)
@@ -58,13 +60,6 @@ def animation(result: Result, *, n_frames: int = 36, design: int = 0) -> bytes:
         content, "GIF", save_all=True, append_images=reduced[1:], duration=pause, loop=0, disposal=1, optimize=False
     )
     return content.getvalue()
-
-
-def _bounds(scene: Scene, angles: Sequence[float]) -> tuple[float, float, float, float]:
-    """Room that the throw takes in some positions of a turn. [mm]"""
-    every = np.array([mechanism_sketch(scene, angle, 1.0, is_plain=True).bounds() for angle in angles])
-    low, high = np.min(every, axis=0), np.max(every, axis=0)
-    return float(low[0]), float(high[1]), float(low[2]), float(high[3])
 
 
 def _frames(
@@ -86,13 +81,9 @@ def _frames(
             canvas.restore_region(background)
             page.move(artists, _parted(mechanism_sketch(scene, float(angle), scale, is_plain=True))[1], origin)
             words.set_text(f"φ = {angle:g}°")
-            for artist in (*sorted(artists, key=_layer), words):
+            for artist in (*sorted(artists, key=methodcaller("get_zorder")), words):
                 page.paper.draw_artist(artist)
             yield np.asarray(canvas.buffer_rgba()).copy()
-
-
-def _layer(artist: Artist) -> float:
-    return float(artist.get_zorder())
 
 
 def _parted(sketch: Sketch) -> tuple[Sketch, Sketch]:

@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.motion import Array
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
-from cranktrain.viz.throw.angle_marks import degree_ring, other_shafts, rotation, rotation_of_other
+from cranktrain.viz.throw.angle_marks import degree_ring, rotations
 from cranktrain.viz.throw.cylinders import common_cylinder, cylinder, skirt
 from cranktrain.viz.throw.names import bank_angle, piston_names
 from cranktrain.viz.throw.scene import BIG_EYE, SMALL_EYE, Member, Scene
@@ -52,10 +52,9 @@ def mechanism_sketch(
     sketch = Sketch(scale)
     for member in scene.members[: _FEW if scene.is_star else None]:
         sketch.add(_path(scene, member))
-    for member in scene.singles:
-        sketch.add(cylinder(scene, member, scale, is_plain=is_plain))
-    for pair in scene.pairs:
-        sketch.add(common_cylinder(scene, pair, scale, is_plain=is_plain))
+    cylinders = [cylinder(scene, member, scale) for member in scene.singles]
+    cylinders += [common_cylinder(scene, pair, scale) for pair in scene.pairs]
+    sketch.add(line for lines in cylinders for line in lines if not (is_plain and line.habit == "hatch"))
     for member, angles in zip(scene.members, dead, strict=False):
         sketch.add(_dead_positions(scene, member, angles))
     for member in scene.cranks:
@@ -65,9 +64,7 @@ def mechanism_sketch(
     if not is_plain:
         if has_ring:
             sketch.add(degree_ring(scene, _lines_of_links(scene, angle, dead), angle, scale))
-            sketch.add(rotation(scene, scale))
-            for member in other_shafts(scene):
-                sketch.add(rotation_of_other(scene, member, scale))
+            sketch.add(rotations(scene, scale))
         sketch.add(piston_names(scene, angle, sketch))
         sketch.add(bank_angle(scene, scale))
     return sketch
@@ -85,15 +82,14 @@ def _dead_positions(scene: Scene, member: Member, angles: Sequence[float]) -> It
     for angle in angles:
         pins = scene.pins(member, angle)
         if len(scene.members) <= _FEW:
-            for chain in _chains(member, pins):
-                yield Line(chain, "LINKS", "thin", 3)
-            for point in np.concatenate([chain.T for chain in _chains(member, pins)]):
+            chains = _chains(member, pins)
+            yield from (Line(chain, "LINKS", "thin", 3) for chain in chains)
+            for point in np.concatenate(chains, axis=1).T:
                 yield Circle(point, 0.05 * scene.crank_radius, "LINKS", "thin", 3, "paper")
         if member.output is not None:
-            line = member.stroke_line
-            crown = float(line.place(pins[member.output])) + member.toward_chamber * member.above
+            crown = scene.reach(member, angle) + member.toward_chamber * scene.above(member)
             half = 0.5 * member.width
-            yield Line(line.path((crown, -half), (crown, half)), "LINKS", "thin", 3)
+            yield Line(member.stroke_line.path((crown, -half), (crown, half)), "LINKS", "thin", 3)
 
 
 def _chains(member: Member, pins: dict[str, Array]) -> list[Array]:
@@ -121,8 +117,8 @@ def _links(scene: Scene, member: Member, angle: float, scale: float) -> Iterator
     """Piston, rod and rocker of one member."""
     pins = scene.pins(member, angle)
     if member.output is not None:
-        yield from _slider(scene, member, pins)
-    if member.place.kind.name == "articulated_rod":
+        yield from _slider(scene, member, angle)
+    if member in scene.slaves:
         yield from _slave_rod(scene, pins)
         return
     if member.is_plain:
@@ -132,8 +128,7 @@ def _links(scene: Scene, member: Member, angle: float, scale: float) -> Iterator
     fill = "dark" if member.is_first else "paper"
     order = 5 if member.is_first else 6
     if scene.is_star:
-        slave = next(one for one in scene.members if one.place.kind.name == "articulated_rod")
-        reach = float(np.hypot(*(scene.pins(slave, angle)["C"] - pins["A"]))) + 1.25 * SMALL_EYE * radius
+        reach = float(np.hypot(*(scene.pins(scene.slaves[0], angle)["C"] - pins["A"]))) + 1.25 * SMALL_EYE * radius
         yield Circle(pins["A"], reach, "LINKS", "rod", order, fill)
     rod = shapes.bar(pins["A"], pins["B"], (0.44 * radius, 0.26 * radius), fill, order)
     yield rod._replace(habit="part", order=3, fill="none") if member.place.is_far else rod
@@ -194,19 +189,15 @@ def _other_sliders(scene: Scene, member: Member, pins: dict[str, Array], scale: 
             if block.link == (guide.pin,):
                 yield Line(np.stack([pin, pins[block.pin]], axis=1), "LINKS", "outline", 7)
         middle = float(line.along @ pin)
-        corners = [(-size, -0.55 * size), (size, -0.55 * size), (size, 0.55 * size), (-size, 0.55 * size)]
-        block = line.path(*((middle + ahead, across) for ahead, across in corners))
+        block = line.block((middle - size, middle + size), 0.55 * size)
         yield Line(block, "LINKS", "rod", 7, is_closed=True, fill="light")
 
 
-def _slider(scene: Scene, member: Member, pins: dict[str, Array]) -> Iterator[Line | Circle]:
+def _slider(scene: Scene, member: Member, angle: float) -> Iterator[Line]:
     """Piston; where no bore is known, a crosshead."""
-    assert member.output is not None  # the caller has looked
-    line, width = member.stroke_line, member.width
-    place = float(line.place(pins[member.output]))
     fill = "light" if member.is_first else "paper"
-    above, below = (member.toward_chamber * part for part in (member.above, skirt(scene, member)))
-    parts = tuple(shapes.piston(line, place, width, above, below, fill))
+    above, below = (member.toward_chamber * part for part in (scene.above(member), skirt(scene, member)))
+    parts = tuple(shapes.piston(member.stroke_line, scene.reach(member, angle), member.width, above, below, fill))
     yield from parts if member.bore is not None else parts[:1]
 
 
@@ -224,12 +215,7 @@ def _slave_rod(scene: Scene, pins: dict[str, Array]) -> Iterator[Line | Circle]:
 
 def _lines_of_links(scene: Scene, angle: float, dead: Sequence[Sequence[float]]) -> list[tuple[Array, float]]:
     """Lines from pin to pin with half the width of what is drawn there [mm]: links, and if few are drawn dead ones."""
-    lines = [
-        (line, 0.3 * scene.crank_radius)
-        for member in scene.members
-        for line in _chains(member, scene.pins(member, angle))
-    ]
+    drawn = [(member, angle, 0.3 * scene.crank_radius) for member in scene.members]
     if len(scene.members) <= _FEW:
-        for member, angles in zip(scene.members, dead, strict=False):
-            lines += [(line, 0.0) for one in angles for line in _chains(member, scene.pins(member, one))]
-    return lines
+        drawn += [(member, one, 0.0) for member, angles in zip(scene.members, dead, strict=False) for one in angles]
+    return [(line, half) for member, at, half in drawn for line in _chains(member, scene.pins(member, at))]

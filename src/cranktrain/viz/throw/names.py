@@ -23,15 +23,10 @@ def piston_names(scene: Scene, angle: float, sketch: Sketch) -> Iterator[Label |
     if len(scene.members) == 1 and scene.members[0].place.name == "1":
         return
     scale = sketch.scale
-    wishes: list[Wish] = []
-    named: list[Array] = []
-    for member in scene.singles:
-        line = member.stroke_line
-        wishes.append(
-            Wish(line.at(wall_end(member) + 2.0 * scale, 0.0), member.place.name, angle_of(line.along), "name")
-        )
-        is_piston = member.place.kind.has_chambers or member.output is None
-        named.append(wishes[-1].point if is_piston else scene.pins(member, angle)[str(member.output)])
+    places = [
+        (member, member.stroke_line.at(wall_end(scene, member) + 2.0 * scale), member.stroke_line.along)
+        for member in scene.singles
+    ]
     # Names of pistons in one cylinder stand beside its hatched walls, others beyond their end.
     obstacles = [line.points for line in sketch.lines if scene.pairs or line.habit != "hatch"]
     for pair in scene.pairs:
@@ -41,33 +36,32 @@ def piston_names(scene: Scene, angle: float, sketch: Sketch) -> Iterator[Label |
         # Where the shafts lie in one line, names stand to the right of it.
         outer = across * np.sign(lies_out if abs(lies_out) > 1e-6 * scale else across @ np.array([1.0, -1e-3]))
         beside = 0.5 * pair[0].width * outer
-        for member in pair:
-            wishes.append(
-                Wish(_middle(member) + beside + 1.5 * scale * outer, member.place.name, angle_of(outer), "name")
-            )
-            named.append(wishes[-1].point)
+        places += [(member, _middle(member) + beside + 1.5 * scale * outer, outer) for member in pair]
         ends = np.stack([_end_of_travel(member) for member in pair], axis=1)
         obstacles += [ends + side * beside[:, np.newaxis] for side in (-1.0, 0.0, 1.0)]
-    if not wishes:
+    if not places:
         return
     obstacles += [label_outline(label, scale) for label in sketch.labels]
     obstacles += [shapes.arc(circle.centre, circle.radius, 0.0, 2 * np.pi) for circle in sketch.circles]
-    for point, label in zip(named, placed_labels(wishes, obstacles, scale), strict=True):
+    wishes = [Wish(point, member.place.name, angle_of(outward), "name") for member, point, outward in places]
+    for (member, point, _outward), label in zip(places, placed_labels(wishes, obstacles, scale), strict=True):
         yield label
+        is_valve = member.output is not None and not member.place.kind.has_chambers
+        named = member.stroke_line.at(scene.reach(member, angle)) if is_valve else point
         box = label_outline(label, scale)
-        nearest = np.clip(point, np.min(box, axis=1), np.max(box, axis=1))
-        if np.hypot(*(nearest - point)) > _LEADER * scale:
-            yield Line(np.stack([point, label.position], axis=1), "DIMENSIONS", "thin", 8)
+        nearest = np.clip(named, np.min(box, axis=1), np.max(box, axis=1))
+        if np.hypot(*(nearest - named)) > _LEADER * scale:
+            yield Line(np.stack([named, label.position], axis=1), "DIMENSIONS", "thin", 8)
 
 
 def _end_of_travel(member: Member) -> Array:
     """Where a piston's pin is farthest from the other piston."""
-    return member.stroke_line.at(member.travel[member.place.is_far], 0.0)
+    return member.stroke_line.at(member.travel[member.place.is_far])
 
 
 def _middle(member: Member) -> Array:
     """Middle of a piston pin's travel."""
-    return member.stroke_line.at(0.5 * sum(member.travel), 0.0)
+    return member.stroke_line.at(0.5 * sum(member.travel))
 
 
 def bank_angle(scene: Scene, scale: float) -> Iterator[Line | Label]:
@@ -77,12 +71,11 @@ def bank_angle(scene: Scene, scale: float) -> Iterator[Line | Label]:
     first, second = scene.singles
     directions = [angle_of(member.stroke_line.along) for member in (first, second)]
     between = (directions[1] - directions[0] + np.pi) % (2 * np.pi) - np.pi
-    radius = 0.86 * min(wall_end(first), wall_end(second))
+    radius = 0.86 * min(wall_end(scene, first), wall_end(scene, second))
     covered = np.arcsin(min((0.5 * max(first.width, second.width) + 3.0 * scale) / radius, 1.0))
     if abs(between) / 2 - covered < 0.05:
         return
     start, end = directions[0] + np.sign(between) * covered, directions[1] - np.sign(between) * covered
     yield Line(shapes.arc(np.zeros(2), radius, start, end), "DIMENSIONS", "thin", 2)
     middle = (start + end) / 2
-    place = (radius + 3.0 * scale) * np.array([np.cos(middle), np.sin(middle)])
-    yield Label(place, f"γ = {np.rad2deg(abs(between)):.4g}°")
+    yield Label((radius + 3.0 * scale) * shapes.unit(middle), f"γ = {np.rad2deg(abs(between)):.4g}°")

@@ -1,8 +1,9 @@
 """What there is to draw of a machine: the mechanisms of its first throw in machine axes, with their cylinders. [mm]"""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
-from functools import cached_property
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import cache, cached_property
+from itertools import combinations
 
 import numpy as np
 
@@ -16,7 +17,8 @@ from cranktrain.motion import Array, Point
 from cranktrain.plans.placement import first_throw, placed, shaft_places
 from cranktrain.quantities import shown
 from cranktrain.questions.cylinders.declared import cylinders_of
-from cranktrain.viz.paper.shapes import Along, angle_of, guide_line
+from cranktrain.record import record
+from cranktrain.viz.paper.shapes import Along, angle_of, guide_line, unit
 
 _TURN = np.linspace(0.0, 2 * np.pi, 361)
 _OUTLINED = ("slider_crank", "crank_rocker", "articulated_rod")
@@ -35,7 +37,7 @@ _STAR = 3
 """So many slaves on one master make its big end a disc."""
 
 
-@dataclass(frozen=True)
+@record
 class Member:
     """One mechanism of the throw.
 
@@ -50,8 +52,6 @@ class Member:
         None where the file has none. [mm]
     centre : Array, shape (2,)
         Of its shaft, from the main one. [mm]
-    above : float
-        Height of its crown over the pin. [mm]
     cut : float
         By how much its rod is drawn too short, broken. [mm]
     """
@@ -61,7 +61,6 @@ class Member:
     turn: Drawing
     bore: float | None
     centre: Array
-    above: float = 0.0
     cut: float = 0.0
 
     @cached_property
@@ -94,14 +93,8 @@ class Member:
     @cached_property
     def travel(self) -> tuple[float, float]:
         """Nearest and farthest place of the output pin on its line. [mm]"""
-        assert self.output is not None  # asked of sliders only
-        places = self.stroke_line.place(self.turn_pins[self.output])
+        places = self.stroke_line.place(self.turn_pins[self.turn.guides[0].pin])
         return float(np.nanmin(places)), float(np.nanmax(places))
-
-    @property
-    def throw(self) -> tuple[str, int]:
-        """The shaft that it works on, and which throw of it."""
-        return self.place.shaft, self.place.throw
 
     @property
     def toward_chamber(self) -> float:
@@ -114,7 +107,7 @@ class Member:
         return self.bore if self.bore is not None else 0.6 * (self.travel[1] - self.travel[0])
 
 
-@dataclass(frozen=True)
+@record
 class Scene:
     """The throw that is drawn.
 
@@ -122,8 +115,6 @@ class Scene:
     ----------
     machine : Machine
     members : tuple of Member
-    crank_radius : float
-        Of the main shaft. [mm]
     ports : mapping of cylinder to mapping of "exhaust" and "scavenge" to float
         Heights of ports. [mm]
     assumed : tuple of str
@@ -132,9 +123,8 @@ class Scene:
 
     machine: Machine
     members: tuple[Member, ...]
-    crank_radius: float
-    ports: Mapping[str, Mapping[str, float]] = field(default_factory=dict[str, Mapping[str, float]])
-    assumed: tuple[str, ...] = ()
+    ports: Mapping[str, Mapping[str, float]]
+    assumed: tuple[str, ...]
 
     @cached_property
     def leading(self) -> Member:
@@ -143,9 +133,16 @@ class Scene:
         return min(on_main, key=lambda member: member.place.throw)
 
     @cached_property
+    def crank_radius(self) -> float:
+        """Of the leading throw. [mm]"""
+        crank = self.leading
+        return float(np.hypot(*(crank.turn_pins[crank.crank_pin][:, 0] - crank.centre)))
+
+    @cached_property
     def cranks(self) -> tuple[Member, ...]:
         """One member for each throw that is drawn, the leading one first."""
-        throws = {member.throw: member for member in reversed((self.leading, *self.members))}
+        ordered = reversed((self.leading, *self.members))
+        throws = {(member.place.shaft, member.place.throw): member for member in ordered}
         return tuple(sorted(throws.values(), key=lambda member: member is not self.leading))
 
     @cached_property
@@ -162,21 +159,22 @@ class Scene:
     @property
     def singles(self) -> tuple[Member, ...]:
         """Sliders that have their cylinder for themselves."""
-        paired = {member.place.name for pair in self.pairs for member in pair}
-        return tuple(member for member in self.sliders if member.place.name not in paired)
-
-    def pins(self, member: Member, angle: float) -> dict[str, Array]:
-        """Give a member's pins at a shown crank angle [deg]: name to (X, Y). [mm]"""
-        key = (member.place.name, angle)
-        if key not in self._pins_at:
-            turned = self.turned(member, np.array([angle]))
-            self._pins_at[key] = {name: pin[:, 0] for name, pin in turned.items()}
-        return self._pins_at[key]
+        return tuple(member for member in self.sliders if not any(member in pair for pair in self.pairs))
 
     @cached_property
-    def _pins_at(self) -> dict[tuple[str, float], dict[str, Array]]:
-        """Pins that were asked for, by member and angle: a frame of a moving picture asks for them many times."""
-        return {}
+    def pins(self) -> Callable[[Member, float], dict[str, Array]]:
+        """Gives a member's pins at a shown crank angle [deg]: name to (X, Y) [mm]; each is asked for many times."""
+
+        @cache
+        def pins_at(member: Member, angle: float) -> dict[str, Array]:
+            turned = self.turned(member, np.array([angle]))
+            return {name: pin[:, 0] for name, pin in turned.items()}
+
+        return pins_at
+
+    def reach(self, member: Member, angle: float) -> float:
+        """Where a slider's output pin is on its line, at a shown crank angle [deg]. [mm]"""
+        return float(member.stroke_line.place(self.pins(member, angle)[member.turn.guides[0].pin]))
 
     def turned(self, member: Member, angles: Array) -> dict[str, Array]:
         """Give a member's pins at shown crank angles, shape (n,) [deg]: name to (2, n). [mm]"""
@@ -193,31 +191,43 @@ class Scene:
             raise InputError([Problem("", None, _("the links can close at no crank angle: there is nothing to draw"))])
         return float(tried[closed[0]])
 
-    def crank_direction(self, angle: float, member: Member | None = None) -> float:
-        """Direction of a member's throw, unless given the leading one's, from X at a shown crank angle [deg]. [rad]"""
-        whose = member or self.leading
-        pin = self.pins(whose, angle)[whose.crank_pin] - whose.centre
-        return angle_of(pin)
+    def crank_direction(self, angle: float, member: Member) -> float:
+        """Direction of a member's throw from X at a shown crank angle [deg]. [rad]"""
+        return angle_of(self.pins(member, angle)[member.crank_pin] - member.centre)
+
+    def above(self, member: Member) -> float:
+        """Height of a slider's crown over its pin: schematic, but two in one cylinder do not meet. [mm]"""
+        usual = _ABOVE * member.width
+        for one, other in self.pairs:
+            if member in (one, other):
+                pins = [pair.turn_pins[pair.turn.guides[0].pin] for pair in (one, other)]
+                apart = float(np.nanmin((pins[1] - pins[0]).T @ one.stroke_line.along))
+                return min(usual, 0.5 * apart - 0.5 * _CLEARANCE * member.width)
+        return usual
 
     @property
     def sliders(self) -> tuple[Member, ...]:
         """Members that drive a piston or crosshead."""
         return tuple(member for member in self.members if member.output is not None)
 
+    @cached_property
+    def slaves(self) -> tuple[Member, ...]:
+        """Members whose rods hang on another's."""
+        return tuple(member for member in self.members if member.place.kind.name == "articulated_rod")
+
     @property
     def is_star(self) -> bool:
         """Whether so many slaves hang on the master that its big end is a disc."""
-        return sum(member.place.kind.name == "articulated_rod" for member in self.members) >= _STAR
+        return len(self.slaves) >= _STAR
 
     @cached_property
     def clearance(self) -> float:
         """How far from the shaft the cylinders of neighbours would meet. [mm]"""
         found = [0.0]
-        for i, one in enumerate(self.sliders):
-            for other in (slider for slider in self.sliders[i + 1 :] if slider.place.shaft == one.place.shaft):
-                between = float(np.arccos(np.clip(np.dot(one.stroke_line.along, other.stroke_line.along), -1.0, 1.0)))
-                if 1e-3 < between < np.pi - 1e-3:
-                    found.append(0.5 * max(one.width, other.width) / np.tan(between / 2))
+        for one, other in combinations(self.sliders, 2):
+            between = float(np.arccos(np.clip(np.dot(one.stroke_line.along, other.stroke_line.along), -1.0, 1.0)))
+            if one.place.shaft == other.place.shaft and 1e-3 < between < np.pi - 1e-3:
+                found.append(0.5 * max(one.width, other.width) / np.tan(between / 2))
         return max(found)
 
 
@@ -226,14 +236,14 @@ def scene_of(machine: Machine) -> Scene:
     places = first_throw(machine)
     pistons = [place for place in places if place.kind.output == "slider"]
     cylinders = cylinders_of(machine.cylinder, pistons)
-    bores = {pistons[i].name: one.spec.bore for one in cylinders for i in one.pistons}
+    bored = ((pistons[i].name, one.spec.bore) for one in cylinders for i in one.pistons)
+    bores = {name: shown(bore.si, "mm") for name, bore in bored if bore is not None}
     shafts = shaft_places(machine)
     members: list[Member] = []
     for number, place in enumerate(places):
         centre = shown(shafts.centres.get(place.shaft, np.zeros(2)), "mm")
         turn = _standing(placed(machine, place, _TURN).scaled(shown(1.0, "mm")), centre, 0.0)
-        bore = bores.get(place.name)
-        members.append(Member(place, number == 0, turn, None if bore is None else shown(bore.si, "mm"), centre))
+        members.append(Member(place, number == 0, turn, bores.get(place.name), centre))
     ports = {
         cylinder.name: {
             end: shown(height.si, "mm")
@@ -242,11 +252,7 @@ def scene_of(machine: Machine) -> Scene:
         }
         for cylinder in cylinders
     }
-    whole = _broken(tuple(members))
-    crank = Scene(machine, whole, 0.0).leading
-    radius = float(np.hypot(*(crank.turn_pins[crank.crank_pin][:, 0] - crank.centre)))
-    scene = Scene(machine, whole, radius, ports, shafts.assumed)
-    return replace(scene, members=tuple(replace(member, above=_above(scene, member)) for member in whole))
+    return Scene(machine, _broken(tuple(members)), ports, shafts.assumed)
 
 
 def _standing(drawing: Drawing, centre: Array, cut: float) -> Drawing:
@@ -258,8 +264,7 @@ def _standing(drawing: Drawing, centre: Array, cut: float) -> Drawing:
     pins = {name: moved(pin, centre) for name, pin in drawing.pins.items()}
     if cut:
         guide = drawing.guides[0]
-        along = np.array([np.cos(guide.direction), np.sin(guide.direction)]).reshape(2)
-        pins[guide.pin] = moved(pins[guide.pin], -cut * along)
+        pins[guide.pin] = moved(pins[guide.pin], -cut * unit(guide.direction).reshape(2))
     return replace(drawing, pins=pins)
 
 
@@ -271,21 +276,7 @@ def _broken(members: tuple[Member, ...]) -> tuple[Member, ...]:
     least = min(reaches.values())
     found: list[Member] = []
     for member in members:
-        reach = reaches.get(member.place.name, 0.0)
-        is_long = reach > _BREAK * least and len(member.turn.pins) == _PINS_OF_A_ROD
+        is_long = reaches.get(member.place.name, 0.0) > _BREAK * least and len(member.turn.pins) == _PINS_OF_A_ROD
         cut = member.travel[0] - _BROKEN * least if is_long else 0.0
         found.append(replace(member, cut=cut, turn=_standing(member.turn, np.zeros(2), cut)))
     return tuple(found)
-
-
-def _above(scene: Scene, member: Member) -> float:
-    """Height of a crown over its pin: schematic, but two in one cylinder do not meet. [mm]"""
-    if member.output is None:
-        return 0.0
-    usual = _ABOVE * member.width
-    for one, other in scene.pairs:
-        if member.place.name in (one.place.name, other.place.name):
-            pins = [pair.turn_pins[str(pair.output)] for pair in (one, other)]
-            apart = float(np.nanmin((pins[1] - pins[0]).T @ one.stroke_line.along))
-            return min(usual, 0.5 * apart - 0.5 * _CLEARANCE * member.width)
-    return usual

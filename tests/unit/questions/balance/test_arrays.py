@@ -5,6 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import minimize
+from tests.layouts_by_order import Cylinders, inertia_roll, reciprocating_vectors, roll_free_place
+from tests.vectors_by_order import largest_length, turned_vectors
 
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
@@ -14,30 +16,20 @@ from cranktrain.numerics.plane_vectors import (
     added,
     curve_vectors,
     hodograph,
-    largest_length,
     machine_axes,
     reversed_vectors,
     running_axes,
-    turned_vectors,
     vector_curve,
 )
-from cranktrain.questions.balance.change import balance_change, gross_shaking, remainders, with_weights
 from cranktrain.questions.balance.counterweights import (
-    counterweights,
     middle_of,
     share_of,
     two_plane_counterweights,
     two_plane_vectors,
 )
 from cranktrain.questions.balance.rotating_weights import joined, on_crank, weight_orders, weight_roll, weight_vectors
-from cranktrain.questions.balance.shafts import couple_of, lanchester_shafts, roll_free_place, two_plane_shafts
-from cranktrain.questions.balance.unit_shaking import (
-    Cylinders,
-    inertia_roll,
-    reciprocating_vectors,
-    shaking,
-    throw_vectors,
-)
+from cranktrain.questions.balance.shafts import couple_of, lanchester_shafts, two_plane_shafts
+from cranktrain.questions.balance.unit_shaking import gross, shaking, with_weights
 from cranktrain.questions.torque.rod_harmonics import acceleration_harmonics
 
 FEW = settings(max_examples=40, deadline=None, derandomize=True)
@@ -45,6 +37,7 @@ FEW = settings(max_examples=40, deadline=None, derandomize=True)
 R, RATIO, MASS = 0.05, 0.25, 2.0
 UNIT = MASS * R
 PHI = np.arange(720) * (2 * np.pi / 720)
+AT_CRANK = np.zeros(2, dtype=complex)
 PART = st.complex_numbers(max_magnitude=5)
 
 
@@ -62,9 +55,15 @@ def machine(throw_deg, axis_deg, position, highest=8):
 
 
 def left_over(vectors, position, before, after):
-    """What remains, as (what, order)."""
-    gross = gross_shaking(vectors, position)
-    return [(one.what, one.order) for one in remainders(balance_change(before, after), gross)]
+    """What remains, as (what, order), the largest first; none of it is larger than all parts together."""
+    arms = (np.ones_like(position), position)
+    left = []
+    for what, was, now, arm in zip(("force", "couple"), before, after, arms, strict=True):
+        scale = gross(vectors, arm)
+        assert np.all(hodograph(was).major <= (1 + 1e-12) * scale)
+        size = hodograph(now).major
+        left += [(what, float(was.order[i])) for i in np.argsort(-size, kind="stable") if size[i] > 1e-9 * scale]
+    return left
 
 
 FOUR = machine([0, 180, 180, 0], 0, [-0.15, -0.05, 0.05, 0.15])
@@ -77,7 +76,7 @@ def test_one_cylinder_with_a_share_of_its_mass(share, throw, axis):
     # semi-axes 1 − κ and κ of m R ω², whatever rotates
     cylinders, vectors, z, _ = machine([throw], [axis], [0.0])
     rotating = 0.03 * np.exp(1j * cylinders.throw_angle)
-    weights = counterweights(share_of(rotating, vectors, share), z)
+    weights = on_crank(-share_of(rotating, vectors.forward[..., 1], share), z)
     before = shaking(
         added(vectors, weight_vectors(on_crank(rotating, z), vectors.order)),
         z,
@@ -99,7 +98,7 @@ def test_v_twin_with_a_common_pin(bank):
     assert np.abs(before.force.backward[1:3]) == pytest.approx(
         [UNIT * abs(np.cos(g)), UNIT * second * abs(np.cos(1.5 * g))], abs=1e-15
     )
-    weights = counterweights(share_of(np.zeros(1), before.force, 0.5), np.zeros(1))
+    weights = on_crank(-share_of(np.zeros(1), before.force.forward[1:2], 0.5), np.zeros(1))
     after = with_weights(before, weights)
     expected = [("force", 2.0), ("force", 4.0), ("force", 6.0)]
     if bank != 90:
@@ -110,7 +109,7 @@ def test_v_twin_with_a_common_pin(bank):
 def test_lanchester_leaves_the_fourth_order():
     _, vectors, z, before = FOUR
     second = acceleration_harmonics(RATIO, 2)[2]
-    weights = lanchester_shafts(before.force, 2, 0.0)
+    weights = lanchester_shafts(before.force, 2, 0.0, AT_CRANK)
     np.testing.assert_allclose(weights.moment, second * UNIT / 2, rtol=1e-14)
     np.testing.assert_array_equal(weights.ratio, [2, -2])
     after = with_weights(before, weights)
@@ -125,9 +124,9 @@ def test_heights_of_lanchesters_shafts():
     unit = MASS * R**2
     second = acceleration_harmonics(RATIO, 2)[2]
     assert roll.amplitude[2] / unit == pytest.approx(2.0005205622, abs=1e-9)
-    weights = lanchester_shafts(before.force, 2, 0.0)
+    weights = lanchester_shafts(before.force, 2, 0.0, AT_CRANK)
     for height, expected in ((R / second, 0.0005205622), (-R / second, 4.0005205622)):
-        placed = weights._replace(x=np.array([height, 0.0]))
+        placed = weights._replace(place=np.array([height, 0.0]))
         total = roll.sine[2] + weight_roll(placed, roll.order).sine[2]
         assert total / unit == pytest.approx(expected, abs=1e-9)
 
@@ -135,12 +134,12 @@ def test_heights_of_lanchesters_shafts():
 def test_place_of_the_forward_shaft_that_takes_the_roll_away():
     cylinders, _, _, before = FOUR
     roll = inertia_roll(cylinders, 4)
-    weights = lanchester_shafts(before.force, 2, 0.0)
+    weights = lanchester_shafts(before.force, 2, 0.0, AT_CRANK)
     backward = np.array(-0.02 + 0.08j)
     place = roll_free_place(weights, roll, 2, backward)
     height = R / acceleration_harmonics(RATIO, 2)[2] * 1.0002602811
     assert place == pytest.approx(height + backward.real - 0.08j, rel=1e-9)
-    placed = weights._replace(x=np.real([place, backward]), y=np.imag([place, backward]))
+    placed = weights._replace(place=np.array([place, backward]))
     more = weight_roll(placed, roll.order)
     np.testing.assert_allclose(roll.sine[2] + more.sine[2], 0, atol=1e-16)
     np.testing.assert_allclose(roll.cosine[2] + more.cosine[2], 0, atol=1e-16)
@@ -149,10 +148,13 @@ def test_place_of_the_forward_shaft_that_takes_the_roll_away():
 def test_roll_of_weights_is_the_moment_of_their_forces():
     rng = np.random.default_rng(0)
     weights = on_crank(rng.normal(size=4) + 1j * rng.normal(size=4), np.zeros(4))
-    weights = weights._replace(ratio=np.array([1.0, -1.0, 2.0, -2.0]), x=rng.normal(size=4), y=rng.normal(size=4))
+    weights = weights._replace(
+        ratio=np.array([1.0, -1.0, 2.0, -2.0]), place=rng.normal(size=4) + 1j * rng.normal(size=4)
+    )
     orders = np.arange(4.0)
     force = vector_curve(weight_vectors(weights, orders), PHI)
-    moment = np.sum(weights.x[:, np.newaxis] * force.imag - weights.y[:, np.newaxis] * force.real, axis=0)
+    x, y = weights.place.real[:, np.newaxis], weights.place.imag[:, np.newaxis]
+    moment = np.sum(x * force.imag - y * force.real, axis=0)
     roll = weight_roll(weights, orders)
     turned = orders * PHI[:, np.newaxis]
     found = np.sum(roll.cosine * np.cos(turned) + roll.sine * np.sin(turned), axis=-1)
@@ -170,10 +172,10 @@ def test_v6_of_ninety_degrees():
     force, higher = [("force", 6.0)], [("couple", 2.0), ("couple", 4.0), ("couple", 8.0)]
     assert left_over(vectors, z, before, before) == [*force, ("couple", 1.0), *higher]
     planes = np.array([-0.13, 0.11])
-    weights = two_plane_counterweights(share_of(0.0, before.force, 0.5), share_of(0.0, before.couple, 0.5), planes)
+    weights = two_plane_counterweights(*(share_of(0.0, part.forward[1], 0.5) for part in before), planes)
     after = with_weights(before, weights)
     assert left_over(vectors, z, before, after) == [*force, *higher]
-    shafts = two_plane_shafts(after, 2, planes)
+    shafts = two_plane_shafts(after, 2, planes, AT_CRANK)
     assert left_over(vectors, z, before, with_weights(after, shafts)) == [*force, *higher[1:]]
     both = with_weights(before, joined(weights, shafts))
     assert left_over(vectors, z, before, both) == [*force, *higher[1:]]
@@ -188,8 +190,8 @@ def test_counterweights_throw_by_throw_do_the_same_on_a_v8_cross():
     throw, axis = [0, 0, 90, 90, 270, 270, 180, 180], [-45, 45] * 4
     position = np.repeat([-0.15, -0.05, 0.05, 0.15], 2)
     _, vectors, z, before = machine(throw, axis, position)
-    throws = throw_vectors(vectors, np.repeat(np.arange(4), 2), 4)
-    weights = counterweights(share_of(np.zeros(4), throws, 0.5), position[::2])
+    throws = PlaneVectors(vectors.order, *(part[::2] + part[1::2] for part in vectors[1:]))
+    weights = on_crank(-share_of(np.zeros(4), throws.forward[..., 1], 0.5), position[::2])
     after = with_weights(before, weights)
     assert ("couple", 1.0) in left_over(vectors, z, before, before)
     assert ("couple", 1.0) not in left_over(vectors, z, before, after)
@@ -201,11 +203,11 @@ def test_couple_alone_and_mid_plane():
     z, mid = np.array([0.1, 0.4]), 0.2
     before = shaking(vectors, z, mid)
     planes = rng.normal(size=2)
-    shafts = two_plane_shafts(before, 1, planes, mid_plane=mid)
+    shafts = two_plane_shafts(before, 1, planes, AT_CRANK, mid_plane=mid)
     after = with_weights(before, shafts, mid)
     for vectors_left in (after.force, after.couple):
         assert hodograph(vectors_left).major[1] < 1e-16
-    couple_only = with_weights(before, two_plane_shafts(couple_of(before), 1, planes, mid_plane=mid), mid)
+    couple_only = with_weights(before, two_plane_shafts(couple_of(before), 1, planes, AT_CRANK, mid_plane=mid), mid)
     assert hodograph(couple_only.couple).major[1] < 1e-16
     np.testing.assert_allclose(couple_only.force.forward[1], before.force.forward[1], atol=1e-16)
 
@@ -239,7 +241,7 @@ def test_least_largest_force_against_a_search(throws, axes):
         return np.abs(points + vector[0] + 1j * vector[1]).max()
 
     best = minimize(largest, [0.0, 0.0], method="Nelder-Mead", options={"xatol": 1e-9, "fatol": 1e-12, "maxiter": 2000})
-    after = with_weights(before, counterweights(np.atleast_1d(middle_of(before.force)), np.zeros(1)))
+    after = with_weights(before, on_crank(-np.atleast_1d(middle_of(before.force)), np.zeros(1)))
     reached = largest_length(after.force).value[0]
     # the search sees points 0.5° apart: what it finds is at most so much smaller
     assert best.fun * (1 - 1e-5) <= reached <= best.fun * (1 + 2e-5)

@@ -1,7 +1,7 @@
 """Diagrams of evenness on paper: Wittenbauer's energy over inertia, Mertsalov's energy over the crank angle."""
 
-from collections.abc import Sequence
-from typing import Any, NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -14,9 +14,9 @@ from cranktrain.textbook.flywheel_diagrams import Tangent
 from cranktrain.viz.panel import Curve, OneDesign, Panel
 from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.labels import Wish, placed_labels, together
-from cranktrain.viz.paper.page import MARGIN, Axes, Box, Figure, Page, drawing_settings, formula, set_words
-from cranktrain.viz.paper.panels import draw_curves, line_of
-from cranktrain.viz.paper.style import COLOURS, GRID, INK, SYMBOL, TEXT
+from cranktrain.viz.paper.page import Axes, Box, Figure, Page, drawing_settings, formula, set_words
+from cranktrain.viz.paper.panels import axes_in, draw_curves, line_of
+from cranktrain.viz.paper.style import COLOURS, INK, SYMBOL
 from cranktrain.viz.sheets.evenness.numbers import LOWER, TABLE, UPPER, write_numbers
 from cranktrain.viz.sheets.evenness.panels import mertsalov_panels, wittenbauer_panel
 
@@ -24,20 +24,6 @@ _ONE_POINT = 1.5
 """Marks of the crank angle nearer to each other are one, with one label. [mm]"""
 _NAMED = 2
 """Of more angles at one mark not each is named."""
-
-
-class _Frame(NamedTuple):
-    """A diagram's room on paper [mm] and the range of its two axes."""
-
-    box: Box
-    x: tuple[float, float]
-    y: tuple[float, float]
-
-    def on_paper(self, x: Array, y: Array) -> Array:
-        """Where points of the diagram lie on the sheet, shape (2, n). [mm]"""
-        across = (np.asarray(x) - self.x[0]) / (self.x[1] - self.x[0])
-        up = (np.asarray(y) - self.y[0]) / (self.y[1] - self.y[0])
-        return np.stack([self.box.left + across * self.box.width, self.box.bottom + up * self.box.height])
 
 
 @drawing_settings()
@@ -58,7 +44,8 @@ def plan_wittenbauer(result: Result, *, size: str = "A4", design: int = 0) -> Fi
     """
     found = wittenbauer_diagram(result)
     upper, lower = (Tangent(*(part[design] for part in one)) for one in (found.upper, found.lower))
-    origin = float(found.origin_inertia[design]), float(found.origin_work[design])
+    tangents = {UPPER: upper, LOWER: lower}
+    origin = np.array([found.origin_inertia[design], found.origin_work[design]])
     panel = wittenbauer_panel(result, design)
     inertia, work = panel.across, panel.curves[0].values
     title = _("Wittenbauer's diagram: excess work over inertia of the moving parts")
@@ -67,19 +54,18 @@ def plan_wittenbauer(result: Result, *, size: str = "A4", design: int = 0) -> Fi
     rise, run = float(upper.slope) * float(np.ptp(inertia)), float(np.ptp(work)) / float(upper.slope)
     heights = np.append(work, np.mean(work[:-1]) + rise * np.array([-0.2, 0.2]))
     widths = np.append(inertia, np.mean(inertia[:-1]) + run * np.array([-0.05, 0.05]))
-    close = _Frame(box, _wide(widths, 0.25), _wide(heights, 0.12))
     across = _("Inertia of the moving parts {symbol}, kg·m²").format(symbol=formula("J_v"))
-    axes = _axes(page, close, across, _("Excess work {symbol}, J").format(symbol=formula("A")))
+    axes = _axes(page, box, across, _("Excess work {symbol}, J").format(symbol=formula("A")))
+    axes.set(xlim=_wide(widths, 0.25), ylim=_wide(heights, 0.12))
     draw_curves(axes, panel)
-    for tangent, dashes in ((upper, UPPER), (lower, LOWER)):
-        _draw_tangent(axes, tangent, close.x, dashes)
+    for dashes, tangent in tangents.items():
+        _draw_tangent(axes, tangent, axes.get_xlim(), dashes)
         _ring(axes, tangent.inertia, tangent.work)
-    _number_angles(page, axes, close, panel, shown(result.grid.cycle, "deg"), (upper, lower))
+    _number_angles(page, axes, panel, shown(result.grid.cycle, "deg"), (upper, lower))
     right = box.left + box.width + 10.0
-    below = write_numbers(page, OneDesign(result, design), (right, box.bottom + box.height), (upper, lower))
+    below = write_numbers(page, OneDesign(result, design), right, box.bottom + box.height, (upper, lower))
     room = Box(right + 14.0, box.bottom, TABLE - 14.0, below - box.bottom - 10.0)
-    whole = _Frame(room, _wide(np.append(inertia, origin[0]), 0.08), _wide(np.append(work, origin[1]), 0.08))
-    _draw_whole(page, whole, panel, (upper, lower), origin)
+    _draw_whole(page, room, panel, tangents, origin)
     return page.figure
 
 
@@ -91,32 +77,31 @@ def plan_mertsalov(result: Result, *, size: str = "A4", design: int = 0) -> Figu
     page, box = _page(result, size, design, _("Mertsalov's diagram: the energy that the flywheel takes up"))
     half = (box.height - 14.0) / 2
     _over_cycle(page, upper, Box(box.left, box.bottom + half + 14.0, box.width, half), 0.08)
-    bottom, axes = _over_cycle(page, lower, Box(box.left, box.bottom, box.width, half), 0.12)
+    axes = _over_cycle(page, lower, Box(box.left, box.bottom, box.width, half), 0.12)
     page.text(box.left + box.width / 2, box.bottom - 8.5, _("Crank angle φ, °"), ha="center")
     ends = [float(extreme.value[design, 0]) for extreme in (found.smallest, found.largest)]
     for extreme, value in zip((found.smallest, found.largest), ends, strict=True):
         axes.axhline(value, color=INK, linewidth=0.6, dashes=LOWER)
-        _ring(axes, shown(float(extreme.angle[design, 0]), "deg") % bottom.x[1], value, clip_on=False)
-    _dimension(page, bottom, ends)
-    write_numbers(page, OneDesign(result, design), (box.left + box.width + 10.0, box.bottom + box.height), ())
+        _ring(axes, shown(float(extreme.angle[design, 0]), "deg") % lower.across[-1], value, clip_on=False)
+    _dimension(page, page.place_of(axes, np.stack([np.full(2, lower.across[-1]), ends])))
+    write_numbers(page, OneDesign(result, design), box.left + box.width + 10.0, box.bottom + box.height, ())
     return page.figure
 
 
 def _page(result: Result, size: str, design: int, title: str) -> tuple[Page, Box]:
     """Begin a sheet; give the room of the diagram."""
-    page, top = result_page(result, design, size, title)
-    left, bottom = MARGIN + 16.0, MARGIN + 10.0
-    return page, Box(left, bottom, page.width - MARGIN - TABLE - 10.0 - left, top - 9.0 - bottom)
+    page, box = result_page(result, design, size, title)
+    return page, Box(box.left + 16.0, box.bottom + 10.0, box.width - TABLE - 26.0, box.height - 15.0)
 
 
-def _over_cycle(page: Page, panel: Panel, box: Box, beside: float) -> tuple[_Frame, Axes]:
+def _over_cycle(page: Page, panel: Panel, box: Box, beside: float) -> Axes:
     """Draw a panel over the crank angle with its legend."""
     cycle = float(panel.across[-1])
-    frame = _Frame(box, (0.0, cycle), _wide(panel.values, beside))
-    axes = _axes(page, frame, "", f"{panel.title}, {panel.unit}", every=cycle / 12)
+    axes = _axes(page, box, "", f"{panel.title}, {panel.unit}", every=cycle / 12)
+    axes.set(xlim=(0.0, cycle), ylim=_wide(panel.values, beside))
     draw_curves(axes, panel)
     _legend(page, box, panel.curves)
-    return frame, axes
+    return axes
 
 
 def _ring(axes: Axes, x: float | Array, y: float | Array, **manner: Any) -> None:
@@ -124,17 +109,11 @@ def _ring(axes: Axes, x: float | Array, y: float | Array, **manner: Any) -> None
     axes.plot([x], [y], "o", ms=4.5, mfc="white", mec=INK, mew=0.9, zorder=6, **manner)
 
 
-def _axes(page: Page, frame: _Frame, across: str, up: str, every: float | None = None) -> Axes:
-    """Axes with a light grid and words along both."""
+def _axes(page: Page, box: Box, across: str, up: str, every: float | None = None) -> Axes:
+    """Axes with words along both."""
     from matplotlib.ticker import MaxNLocator, MultipleLocator
 
-    box = frame.box
-    axes = page.axes(*box)
-    axes.set(xlim=frame.x, ylim=frame.y)
-    axes.grid(color=GRID, linewidth=0.5)
-    axes.set_axisbelow(True)
-    axes.tick_params(labelsize=TEXT, pad=2.0)
-    axes.spines[["top", "right"]].set_visible(False)
+    axes = axes_in(page, box)
     axes.xaxis.set_major_locator(MaxNLocator(nbins=5) if every is None else MultipleLocator(every))
     axes.yaxis.set_major_locator(MaxNLocator(nbins=6))
     axes.ticklabel_format(useOffset=False)
@@ -149,23 +128,22 @@ def _draw_tangent(axes: Axes, tangent: Tangent, ends: Sequence[float], dashes: t
     axes.plot(at, tangent.slope * at + tangent.intercept, color=INK, linewidth=0.9, dashes=dashes, zorder=5)
 
 
-def _number_angles(
-    page: Page, axes: Axes, frame: _Frame, panel: Panel, cycle: float, tangents: tuple[Tangent, Tangent]
-) -> None:
+def _number_angles(page: Page, axes: Axes, panel: Panel, cycle: float, tangents: tuple[Tangent, Tangent]) -> None:
     """Mark crank angles along the curve, every twelfth of the cycle, clear of the curve and of each other."""
-    curve = frame.on_paper(panel.across, panel.curves[0].values)
+    drawn = np.stack([panel.across, panel.curves[0].values])
     angle = np.arange(panel.across.size - 1, dtype=np.float64) * (cycle / (panel.across.size - 1))
     at = np.flatnonzero(np.round(angle, 9) % (round(cycle) // 12) == 0)
-    axes.plot(panel.across[at], panel.curves[0].values[at], "o", ms=2.6, color=COLOURS["v"], zorder=6)
+    axes.plot(*drawn[:, at], "o", ms=2.6, color=COLOURS["v"], zorder=6)
+    curve = page.place_of(axes, drawn)
     points, middle = curve[:, at], np.mean(curve[:, :-1], axis=1)
     away = np.arctan2(*(points - middle[:, np.newaxis])[::-1])
     wishes = [
         Wish(points[:, of[0]], _joined(angle[at[of]]), float(away[of[0]]), "name")
         for of in together(points, _ONE_POINT)
     ]
-    ends = np.array(frame.x)
-    lines = [curve, *(frame.on_paper(ends, one.slope * ends + one.intercept) for one in tangents)]
-    for label in placed_labels(wishes, lines, 1.0):
+    ends = np.array(axes.get_xlim())
+    lines = [np.stack([ends, one.slope * ends + one.intercept]) for one in tangents]
+    for label in placed_labels(wishes, [curve, *(page.place_of(axes, line) for line in lines)], 1.0):
         _write(page, axes, label.position, label.text, ha="center")
 
 
@@ -178,17 +156,19 @@ def _joined(angles: Array) -> str:
 
 
 def _draw_whole(
-    page: Page, frame: _Frame, panel: Panel, tangents: tuple[Tangent, Tangent], origin: tuple[float, float]
+    page: Page, room: Box, panel: Panel, tangents: Mapping[tuple[float, ...], Tangent], origin: Array
 ) -> None:
     """Draw the diagram small and whole, with the origin where the tangents meet."""
-    axes = _axes(page, frame, f"{formula('J_v')}, kg·m²", f"{formula('A')}, J")
-    axes.plot(panel.across[:-1], panel.curves[0].values[:-1], color=COLOURS["v"], linewidth=1.2)
-    for tangent, dashes in zip(tangents, (UPPER, LOWER), strict=True):
+    drawn = np.stack([panel.across, panel.curves[0].values])
+    axes = _axes(page, room, f"{formula('J_v')}, kg·m²", f"{formula('A')}, J")
+    widths, heights = np.column_stack([drawn, origin])
+    axes.set(xlim=_wide(widths, 0.08), ylim=_wide(heights, 0.08))
+    axes.plot(*drawn[:, :-1], color=COLOURS["v"], linewidth=1.2)
+    for dashes, tangent in tangents.items():
         _draw_tangent(axes, tangent, (origin[0], float(np.max(panel.across))), dashes)
-    axes.plot([origin[0]], [origin[1]], "o", ms=4.0, color=INK, zorder=6)
-    at = frame.on_paper(np.array([origin[0]]), np.array([origin[1]]))[:, 0]
+    axes.plot(*origin, "o", ms=4.0, color=INK, zorder=6)
     words = _("origin {symbols}").format(symbols=f"{formula('-J_f')}, {formula('-E_0')}")
-    _write(page, axes, at + np.array([3.0, 0.0]), words, ha="left")
+    _write(page, axes, page.place_of(axes, origin) + np.array([3.0, 0.0]), words, ha="left")
 
 
 def _write(page: Page, axes: Axes, at: Array, words: str, *, ha: str) -> None:
@@ -197,9 +177,9 @@ def _write(page: Page, axes: Axes, at: Array, words: str, *, ha: str) -> None:
     axes.text(float(at[0]), float(at[1]), **set_words(words), **manner)
 
 
-def _dimension(page: Page, frame: _Frame, ends: Sequence[float]) -> None:
-    """Draw the range that the flywheel takes up as a dimension beside the right end, clear of the curve."""
-    (right, _same), (low, high) = frame.on_paper(np.full(2, frame.x[1]), np.array(ends)).tolist()
+def _dimension(page: Page, ends: Array) -> None:
+    """Draw the range that the flywheel takes up as a dimension beside the right end, clear of the curve. [mm]"""
+    (right, _same), (low, high) = ends.tolist()
     x = right + 4.0
     for y in (low, high):
         page.paper.plot((right, x + 1.5), (y, y), color=INK, lw=0.6)

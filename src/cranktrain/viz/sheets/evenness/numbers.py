@@ -19,10 +19,9 @@ UPPER, LOWER = (9.0, 3.0), (3.0, 2.0)
 """Dashes of the tangents at the largest and the smallest speed."""
 
 
-def write_numbers(page: Page, shown: OneDesign, place: tuple[float, float], tangents: Sequence[Tangent]) -> float:
+def write_numbers(page: Page, shown: OneDesign, left: float, top: float, tangents: Sequence[Tangent]) -> float:
     """Write speeds and flywheels beside a diagram, and what its tangents are; give where the tables end. [mm]"""
-    left, top = place
-    y = write_table(page, list(_speeds(shown, tangents)), (left, top, TABLE))
+    y = write_table(page, _speeds(shown, tangents), (left, top, TABLE))
     y = write_table(page, list(_flywheels(shown)), (left, y - 3.0, TABLE), (0.52, 0.77, 1.0))
     if tangents:
         for words, dashes in ((_("tangent at the largest speed"), UPPER), (_("tangent at the smallest"), LOWER)):
@@ -32,18 +31,23 @@ def write_numbers(page: Page, shown: OneDesign, place: tuple[float, float], tang
     return y
 
 
-def _speeds(shown: OneDesign, tangents: Sequence[Tangent]) -> Iterator[tuple[str, str]]:
+def _speeds(shown: OneDesign, tangents: Sequence[Tangent]) -> list[tuple[str, str]]:
     """What is wanted, the speeds, where they are, and energies."""
     size = shown.result[FlywheelSize]
-    exact = size.exact
-    yield _("Wanted"), ""
-    yield _("Coefficient of fluctuation δ"), f"{float(size.wanted[shown.design]):.5g}"
-    yield _("Largest speed, rpm"), figure(in_unit(float(exact.largest_speed[shown.design]), "rpm"))
-    yield _("Smallest speed, rpm"), figure(in_unit(float(exact.smallest_speed[shown.design]), "rpm"))
-    yield _("Largest excess work, J"), figure(float(shown("largest_excess_work")))
-    yield _("Energy at φ = 0, E₀, J"), figure(float(exact.initial_energy[shown.design]))
-    for name, tangent in zip((_("Largest speed at φ, °"), _("Smallest speed at φ, °")), tangents, strict=False):
-        yield name, f"{float(in_unit(tangent.angle, 'deg')) % shown.cycle[-1]:.2f}"
+    fastest, slowest, energy = (
+        float(part[shown.design])
+        for part in (size.exact.largest_speed, size.exact.smallest_speed, size.exact.initial_energy)
+    )
+    angles = (f"{float(in_unit(tangent.angle, 'deg')) % shown.cycle[-1]:.2f}" for tangent in tangents)
+    return [
+        (_("Wanted"), ""),
+        (_("Coefficient of fluctuation δ"), f"{float(size.wanted[shown.design]):.5g}"),
+        (_("Largest speed, rpm"), figure(in_unit(fastest, "rpm"))),
+        (_("Smallest speed, rpm"), figure(in_unit(slowest, "rpm"))),
+        (_("Largest excess work, J"), figure(float(shown("largest_excess_work")))),
+        (_("Energy at φ = 0, E₀, J"), figure(energy)),
+        *zip((_("Largest speed at φ, °"), _("Smallest speed at φ, °")), angles, strict=False),
+    ]
 
 
 def _flywheels(shown: OneDesign) -> Iterator[tuple[str, str, str, str]]:

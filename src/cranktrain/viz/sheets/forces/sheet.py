@@ -12,7 +12,7 @@ from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.page import LINE, MARGIN, Box, Figure, Page, drawing_settings, mathematics
-from cranktrain.viz.paper.panels import FORCES, draw_curves, draw_panels, prepare
+from cranktrain.viz.paper.panels import FORCES, axes_in, draw_curves, draw_panels
 from cranktrain.viz.paper.style import TEXT
 from cranktrain.viz.sheets.forces.panels import force_panels, formula_error, has_forces, is_off
 from cranktrain.viz.sheets.gas.panels import chambers_of, indicator_panel
@@ -52,14 +52,13 @@ def sheet_forces(result: Result, *, size: str = "A4", piston: str | None = None,
     """
     shown = OneDesign(result, design)
     name = _piston(result, piston)
-    page, top = result_page(result, design, size, _("Forces"))
-    width = page.width - 2 * MARGIN
-    box = Box(MARGIN + 12.0, MARGIN, _LEFT * width - 18.0, top - 4.0 - MARGIN)
-    draw_panels(page, list(force_panels(result, name, design)), box, FORCES)
-    left, right = MARGIN + _LEFT * width + 12.0, page.width - MARGIN
-    below = _draw_indicator(page, shown, name, (left, right, top - 4.0))
-    below = draw_orders(page, shown, (left, right, below))
-    below = draw_stars(page, shown, (left, right, below))
+    page, box = result_page(result, design, size, _("Forces"))
+    curves = box._replace(left=box.left + 12.0, width=_LEFT * box.width - 18.0)
+    draw_panels(page, list(force_panels(result, name, design)), curves, FORCES)
+    left, right = box.left + _LEFT * box.width + 12.0, box.left + box.width
+    below = _draw_indicator(page, shown, name, (left, right, box.bottom + box.height))
+    below = draw_orders(page, shown, left, right, below)
+    below = draw_stars(page, shown, left, right, below)
     _write_notes(page, shown, name, (left - 8.0, right, below))
     return page.figure
 
@@ -89,8 +88,7 @@ def _draw_indicator(page: Page, shown: OneDesign, piston: str | None, place: tup
     if piston is None or not (shown.has("gas_pressure") and shown.has("chamber_volume")):
         return top
     height = 0.27 * top
-    axes = page.axes(left, top - 5.0 - height, right - left, height)
-    prepare(axes)
+    axes = axes_in(page, Box(left, top - 5.0 - height, right - left, height))
     panel = indicator_panel(shown, piston)
     draw_curves(axes, panel)
     page.heading(left, top - 3.0, panel.title)

@@ -1,6 +1,6 @@
 """Where pistons, cylinders or a rocker are at the ends of their way: marks for a ruler over the curves."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -17,6 +17,14 @@ FEW = 2
 
 SHORT = 3
 """Letters of a name that has room beside the ruler, with a sample of its line."""
+
+
+_ENDS = {
+    "piston": ("top_dead_centre", "bottom_dead_centre"),
+    "cylinder": ("inner_volumetric_dead_centre", "outer_volumetric_dead_centre"),
+    "rocker": ("largest_rocker_angle_at", "smallest_rocker_angle_at"),
+}
+"""Results that are the ends of a way, the top first."""
 
 
 class Mark(NamedTuple):
@@ -93,16 +101,13 @@ def ruler_of(result: Result, design: int = 0) -> Ruler:
     pair = opposed_names(machine)
     if pair:
         cylinders = [place.cylinder for place in first_throw(machine) if place.cylinder in result.labels["cylinder"]]
-        ends = ("inner_volumetric_dead_centre", "outer_volumetric_dead_centre")
-        found = tuple(_marks(shown, "cylinder", dict.fromkeys(cylinders), ends))
+        found = tuple(_marks(shown, "cylinder", dict.fromkeys(cylinders)))
         return Ruler(_("Volumetric dead centres"), (_("inner"), _("outer")), found, pair, is_of_cylinders=True)
     if "piston" not in result.labels:
-        ends = ("largest_rocker_angle_at", "smallest_rocker_angle_at")
-        found = tuple(_marks(shown, "rocker", drawn_names(result, "rocker"), ends))
+        found = tuple(_marks(shown, "rocker", drawn_names(result, "rocker")))
         heading = _("Dead positions of the rocker") if found else _("The rocker turns with the crank")
         return Ruler(heading, (_("largest at"), _("smallest at")), found)
-    names = drawn_names(result, "piston")
-    found = tuple(_marks(shown, "piston", names, ("top_dead_centre", "bottom_dead_centre")))
+    found = tuple(_marks(shown, "piston", drawn_names(result, "piston")))
     names = tuple(dict.fromkeys(mark.name for mark in found))
     valves = [place.name for place in machine.places if not place.kind.has_chambers]
     heading = _("True dead centres") if found else _("No dead centres")
@@ -113,12 +118,10 @@ def ruler_of(result: Result, design: int = 0) -> Ruler:
     return Ruler(heading, (_("TDC"), _("BDC")), found, names, _textbook_words(shown), valves=valves)
 
 
-def _marks(
-    shown: OneDesign, dimension: str, names: Sequence[str] | dict[str, None], ends: tuple[str, str]
-) -> Iterator[Mark]:
+def _marks(shown: OneDesign, dimension: str, names: Iterable[str]) -> Iterator[Mark]:
     """Both ends of the way of each, where there are such."""
     for name in names:
-        for quantity, is_top in zip(ends, (True, False), strict=True):
+        for quantity, is_top in zip(_ENDS[dimension], (True, False), strict=True):
             angle = float(shown(quantity)[shown.member(dimension, name)])
             if np.isfinite(angle):
                 yield Mark(name, angle, is_top)

@@ -1,6 +1,6 @@
 """Curves of motion over one turn: of pistons with what the textbook says, of opposed pistons, of a rocker."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +18,7 @@ from cranktrain.plans.turning import turning
 from cranktrain.quantities import shown
 from cranktrain.viz.panel import Curve, OneDesign, Panel, Role
 
+_DEGREES = shown(1.0, "deg")
 _LETTERS = "svj"
 """Of travel, velocity and acceleration."""
 
@@ -28,10 +29,20 @@ _PAIR = 2
 _FEW = 2
 """Up to so many pistons, each has the textbook's curve beside its own."""
 
-_PISTON = ("piston_displacement", "piston_velocity_coefficient", "piston_acceleration_coefficient")
-_TEXTBOOK = ("displacement_by_method", "velocity_coefficient_by_method", "acceleration_coefficient_by_method")
-_ROCKER = ("rocker_angle", "rocker_velocity_coefficient", "rocker_acceleration_coefficient")
+_MOTIONS = {
+    "piston": ("piston_displacement", "piston_velocity_coefficient", "piston_acceleration_coefficient"),
+    "textbook": ("displacement_by_method", "velocity_coefficient_by_method", "acceleration_coefficient_by_method"),
+    "rocker": ("rocker_angle", "rocker_velocity_coefficient", "rocker_acceleration_coefficient"),
+}
 """Results that are a motion's value and its two derivatives."""
+
+_SCALES = {
+    ("piston", True): (("s", "mm", 1e3), ("v", "m/s", 1.0), ("j", "m/s²", 1.0)),
+    ("piston", False): (("s", "mm", 1e3), ("s'", "mm/rad", 1e3), ("s''", "mm/rad²", 1e3)),
+    ("rocker", True): ((r"\theta", "°", _DEGREES), (r"\omega_3", "rad/s", 1.0), (r"\varepsilon_3", "rad/s²", 1.0)),
+    ("rocker", False): ((r"\theta", "°", _DEGREES), (r"\theta'", "rad/rad", 1.0), (r"\theta''", "rad/rad²", 1.0)),
+}
+"""Symbol, unit and factor to it of a motion and its derivatives, with and without a speed."""
 
 
 class _Turn(NamedTuple):
@@ -55,31 +66,18 @@ class _Turn(NamedTuple):
         phi = np.deg2rad(self.angle) + result.grid.zero[design, 0, 0]
         return turning(result.machines[design], result.get(SpeedCurve), phi, design)
 
-    def moved(self, order: int, names: tuple[str, str, str], *at: int) -> Array:
-        """Give travel, velocity or acceleration of a member, by its motion's value and two derivatives."""
-        motion = Coefficient(*(self.curve(name, *at) for name in names))
-        return (motion.value, *rates(motion, self.drive))[order]
+    def motion(self, whose: str, *at: int) -> Array:
+        """Travel, velocity and acceleration of a member, by its motion's value and two derivatives, shape (3, n)."""
+        motion = Coefficient(*(self.curve(name, *at) for name in _MOTIONS[whose]))
+        return np.stack([motion.value, *rates(motion, self.drive)])
 
 
-class _Row(NamedTuple):
-    """A panel of a motion: order of the derivative, title, symbol, unit, and the factor to it."""
+class _Moved(NamedTuple):
+    """Curves of a piston or rocker: its name, their role, and travel, velocity and acceleration, shape (3, n)."""
 
-    order: int
-    title: str
-    symbol: str
-    unit: str
-    factor: float
-
-    def panel(self, turn: _Turn, curves: Iterable[Curve]) -> Panel:
-        """Its panel with some curves."""
-        return Panel(self.title, self.unit, turn.angle, tuple(curves), self.symbol)
-
-    def curves(self, turn: _Turn, dimension: str, names: Sequence[str]) -> Iterator[Curve]:
-        """Curves of some pistons or rockers."""
-        motion = {"piston": _PISTON, "rocker": _ROCKER}[dimension]
-        for name, role in zip(names, _roles(names), strict=True):
-            values = self.factor * turn.moved(self.order, motion, turn.shown.member(dimension, name))
-            yield Curve(values, role, _LETTERS[self.order], name=name)
+    name: str
+    role: Role
+    motion: Array
 
 
 def panels(result: Result, design: int = 0) -> tuple[Panel, ...]:
@@ -102,9 +100,7 @@ def panels(result: Result, design: int = 0) -> tuple[Panel, ...]:
     pair = opposed_names(result.machines[design])
     if pair:
         return tuple(_opposed_panels(turn, pair))
-    if "piston" in result.labels:
-        return tuple(_piston_panels(turn))
-    return tuple(_rocker_panels(turn))
+    return tuple(_panels_of(turn, "piston" if "piston" in result.labels else "rocker"))
 
 
 def drawn_names(result: Result, dimension: str) -> tuple[str, ...]:
@@ -124,10 +120,8 @@ def opposed_names(machine: Machine) -> tuple[str, ...]:
 def told_forms(shown: OneDesign) -> dict[str, int]:
     """Pistons beside which the textbook's curve stands, with its form: of many only the one that it misses most."""
     forms = _forms(shown)
-    worst = _worst(shown, forms)
-    if worst is None or len(drawn_names(shown.result, "piston")) <= _FEW:
-        return forms
-    return {worst: forms[worst]}
+    told = forms if len(drawn_names(shown.result, "piston")) <= _FEW else [_worst(shown, forms)]
+    return {name: form for name, form in forms.items() if name in told}
 
 
 def _forms(shown: OneDesign) -> dict[str, int]:
@@ -146,10 +140,11 @@ def _forms(shown: OneDesign) -> dict[str, int]:
 
 def _worst(shown: OneDesign, forms: dict[str, int]) -> str | None:
     """Find the piston with the largest error of acceleration."""
-    if not forms:
-        return None
-    errors = shown("acceleration_error")
-    return max(forms, key=lambda name: float(errors[forms[name], shown.member("piston", name)]))
+    return max(
+        forms,
+        key=lambda name: float(shown("acceleration_error")[forms[name], shown.member("piston", name)]),
+        default=None,
+    )
 
 
 def _roles(names: Sequence[str]) -> Iterator[Role]:
@@ -158,17 +153,26 @@ def _roles(names: Sequence[str]) -> Iterator[Role]:
         yield "first" if number == 0 else "second" if len(names) == _PAIR else "other"
 
 
-def _piston_rows(turn: _Turn) -> tuple[_Row, ...]:
-    """Travel, velocity and acceleration; without a speed by the crank angle."""
-    titles = _titles(turn.shown)
-    travel = _Row(0, titles[0], "s", "mm", 1e3)
-    if turn.shown.has("piston_velocity"):
-        return travel, _Row(1, titles[1], "v", "m/s", 1.0), _Row(2, titles[2], "j", "m/s²", 1.0)
-    return travel, _Row(1, titles[1], "s'", "mm/rad", 1e3), _Row(2, titles[2], "s''", "mm/rad²", 1e3)
+def _moved(turn: _Turn, dimension: str, names: Sequence[str]) -> list[_Moved]:
+    """Motion of some pistons or rockers."""
+    motions = (turn.motion(dimension, turn.shown.member(dimension, name)) for name in names)
+    return list(map(_Moved, names, _roles(names), motions))
 
 
-def _titles(shown: OneDesign) -> tuple[str, str, str]:
-    """Titles of travel, velocity and acceleration: of pistons, of valves, or of both."""
+def _motion_panels(turn: _Turn, dimension: str, drawn: Sequence[_Moved]) -> Iterator[Panel]:
+    """Travel, velocity and acceleration of pistons or rockers; without a speed by the crank angle."""
+    result, design = turn.shown
+    has_speed = result.machines[design].main_shaft.speed is not None or result.get(SpeedCurve) is not None
+    titles = _titles(turn.shown, dimension)
+    for order, (symbol, unit, factor) in enumerate(_SCALES[dimension, has_speed]):
+        curves = (Curve(factor * one.motion[order], one.role, _LETTERS[order], name=one.name) for one in drawn)
+        yield Panel(titles[order], unit, turn.angle, tuple(curves), symbol)
+
+
+def _titles(shown: OneDesign, dimension: str) -> tuple[str, str, str]:
+    """Titles of travel, velocity and acceleration: of rockers, of pistons, of valves, or of pistons and valves."""
+    if dimension == "rocker":
+        return _("Rocker angle"), _("Rocker angular velocity"), _("Rocker angular acceleration")
     result, design = shown
     names = drawn_names(result, "piston")
     are_pistons = {place.kind.has_chambers for place in result.machines[design].places if place.name in names}
@@ -186,7 +190,7 @@ def _titles(shown: OneDesign) -> tuple[str, str, str]:
 def _opposed_panels(turn: _Turn, names: Sequence[str]) -> Iterator[Panel]:
     """Travel of both pistons of a cylinder and of both together, its volume, both velocities and accelerations."""
     result, design = turn.shown
-    travel, *rates = (row.panel(turn, row.curves(turn, "piston", names)) for row in _piston_rows(turn))
+    travel, *rates = _motion_panels(turn, "piston", _moved(turn, "piston", names))
     yield travel
     cylinder = next(p.cylinder for p in result.machines[design].places if p.name == names[0])
     both = shown(1.0, "mm") * turn.curve("combined_displacement", turn.shown.member("cylinder", cylinder))
@@ -198,54 +202,36 @@ def _opposed_panels(turn: _Turn, names: Sequence[str]) -> Iterator[Panel]:
     yield from rates
 
 
-def _piston_panels(turn: _Turn) -> Iterator[Panel]:
-    """Travel, velocity, acceleration; and how far the textbook is off."""
+def _panels_of(turn: _Turn, dimension: str) -> Iterator[Panel]:
+    """Travel, velocity and acceleration, with what the textbook says; the torque factor of rockers under a load."""
+    names = drawn_names(turn.shown.result, dimension)
     told = told_forms(turn.shown)
-    for row in _piston_rows(turn):
-        exact = row.curves(turn, "piston", drawn_names(turn.shown.result, "piston"))
-        textbook = (
-            Curve(row.factor * _by_textbook(turn, row.order, name, form), "textbook", _LETTERS[row.order], name=name)
-            for name, form in told.items()
-        )
-        yield row.panel(turn, (*exact, *textbook))
+    textbook = [
+        _Moved(name, "textbook", turn.motion("textbook", form, turn.shown.member("piston", name)))
+        for name, form in told.items()
+    ]
+    yield from _motion_panels(turn, dimension, [*_moved(turn, dimension, names), *textbook])
     worst = _worst(turn.shown, told)
     if worst is not None:
         yield _error_panel(turn, worst, told[worst])
-
-
-def _by_textbook(turn: _Turn, order: int, piston: str, form: int) -> Array:
-    """Travel, velocity or acceleration of a piston by a textbook's form."""
-    return turn.moved(order, _TEXTBOOK, form, turn.shown.member("piston", piston))
+    if dimension == "rocker" and turn.shown.has("load_velocity_coefficient"):
+        yield _load_panel(turn, names)
 
 
 def _error_panel(turn: _Turn, piston: str, form: int) -> Panel:
     """Error of a textbook's form in % of the stroke and of the exact peaks."""
-    curves: list[Curve] = []
-    for order, letter in enumerate(_LETTERS):
-        right = turn.moved(order, _PISTON, turn.shown.member("piston", piston))
-        error = 100.0 * (_by_textbook(turn, order, piston, form) - right) / np.nanmax(np.abs(right))
-        curves.append(Curve(error, "error", letter, letter))
+    member = turn.shown.member("piston", piston)
+    exact = turn.motion("piston", member)
+    peaks = np.nanmax(np.abs(exact), axis=1, keepdims=True)
+    errors = 100.0 * (turn.motion("textbook", form, member) - exact) / peaks
+    curves = tuple(Curve(error, "error", letter, letter) for error, letter in zip(errors, _LETTERS, strict=True))
     title = _("Textbook error, piston {piston}").format(piston=piston)
-    return Panel(title, _("% of own maximum"), turn.angle, tuple(curves))
+    return Panel(title, _("% of own maximum"), turn.angle, curves)
 
 
-def _rocker_panels(turn: _Turn) -> Iterator[Panel]:
-    """Rocker angle and its derivatives; torque factor where a load hangs on it."""
-    result, design = turn.shown
-    names = drawn_names(result, "rocker")
-    has_speed = result.machines[design].main_shaft.speed is not None or result.get(SpeedCurve) is not None
-    titles = _("Rocker angle"), _("Rocker angular velocity"), _("Rocker angular acceleration")
-    symbols = (r"\theta", r"\omega_3", r"\varepsilon_3") if has_speed else (r"\theta", r"\theta'", r"\theta''")
-    units = ("°", "rad/s", "rad/s²") if has_speed else ("°", "rad/rad", "rad/rad²")
-    factors = (shown(1.0, "deg"), 1.0, 1.0)
-    for row in map(_Row, range(len(titles)), titles, symbols, units, factors):
-        yield row.panel(turn, row.curves(turn, "rocker", names))
-    if turn.shown.has("load_velocity_coefficient"):
-        title = _("Torque factor: load velocity for each rad/s of the crank")
-        curves = (
-            Curve(
-                1e3 * turn.curve("load_velocity_coefficient", turn.shown.member("rocker", name)), role, "T", name=name
-            )
-            for name, role in zip(names, _roles(names), strict=True)
-        )
-        yield Panel(title, "mm", turn.angle, tuple(curves), "x_Q'")
+def _load_panel(turn: _Turn, names: Sequence[str]) -> Panel:
+    """Torque factor of rockers on which a load hangs."""
+    values = (1e3 * turn.curve("load_velocity_coefficient", turn.shown.member("rocker", name)) for name in names)
+    curves = (Curve(one, role, "T", name=name) for one, role, name in zip(values, _roles(names), names, strict=True))
+    title = _("Torque factor: load velocity for each rad/s of the crank")
+    return Panel(title, "mm", turn.angle, tuple(curves), "x_Q'")

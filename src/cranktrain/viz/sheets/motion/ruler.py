@@ -8,43 +8,35 @@ from cranktrain.viz.paper.style import INK
 from cranktrain.viz.sheets.motion.dead_centres import FEW, SHORT, Mark, Ruler
 
 
-def draw_ruler(page: Page, ruler: Ruler, place: tuple[float, float, float]) -> float:
+def draw_ruler(page: Page, ruler: Ruler, left: float, right: float, top: float) -> float:
     """Draw the true dead centres over the curves; give where the ruler ends. [mm]"""
-    left, right, top = place
     page.heading(left, top - 3.0, ruler.heading)
     if not ruler.marks:
         return top - 5.0
     y = top - 9.0
-    if ruler.textbook or ruler.has_legend:
-        _legend(page, ruler, right, top - 3.0)
+    _legend(page, ruler, right, top - 3.0)
     if ruler.has_legend and ruler.is_few and ruler.textbook:
         y -= 5.0
-    rows: dict[str, list[tuple[Mark, str]]] = {}
+    has_samples = bool(ruler.pistons) and ruler.is_few and not ruler.is_of_cylinders
+    rows: dict[str, list[Mark]] = {}
     for mark in ruler.marks:
-        word = ruler.word(mark)
-        row, label = (
-            (mark.name, f"{word} {mark.angle:.2f}°") if ruler.is_few else (word, f"{mark.name}\n{mark.angle:.1f}")
-        )
-        rows.setdefault(row, []).append((mark, label))
-    for number, (row, labelled) in enumerate(rows.items()):
+        rows.setdefault(mark.name if ruler.is_few else ruler.word(mark), []).append(mark)
+    for number, (row, marks) in enumerate(rows.items()):
         page.rule(y, left, right)
         if ruler.pistons and len(row) <= SHORT + 2:
-            if ruler.is_of_cylinders or not ruler.is_few:
-                page.text(left - 2.0, y - 1.0, row, ha="right", fontweight="bold")
-            else:
-                page.text(left - 14.0, y - 1.0, row, fontweight="bold")
-        if ruler.pistons and ruler.is_few and not ruler.is_of_cylinders:
-            _sample(page, (left - 8.5, left - 2.0, y), "second" if number else "first")
-        for mark, label in labelled:
-            is_first = mark.name == ruler.names[0]
-            _mark(page, mark, label, (left, right, y), is_first=is_first, is_beside=ruler.is_few)
+            start = left - (14.0 if has_samples else 2.0)
+            page.text(start, y - 1.0, row, ha="left" if has_samples else "right", fontweight="bold")
+        if has_samples:
+            _sample(page, "second" if number else "first", left - 8.5, left - 2.0, y)
+        for mark in marks:
+            x = left + (right - left) * (mark.angle % 360.0) / 360.0
+            _mark(page, ruler, mark, (x, y), right)
         y -= 5.5 if ruler.is_few else 11.5
     return y
 
 
-def _sample(page: Page, place: tuple[float, float, float], role: Role) -> None:
+def _sample(page: Page, role: Role, start: float, end: float, y: float) -> None:
     """Draw a sample of a curve's line, of a second one with a ring."""
-    start, end, y = place
     page.sample(start, end, y, color=INK, lw=PENS[role].width)
     if role == "second":
         page.paper.plot([(start + end) / 2], [y], "o", ms=3.2, mfc="white", mec=INK, mew=0.8)
@@ -67,21 +59,18 @@ def _legend(page: Page, ruler: Ruler, right: float, y: float) -> None:
         right, y = page.width - MARGIN, y - 5.0
     for number in reversed(range(len(words))):
         start = page.start(page.text(right, y, words[number], ha="right"))
-        _sample(page, (start - 8.0, start - 1.5, y + 0.9), roles[number])
+        _sample(page, roles[number], start - 8.0, start - 1.5, y + 0.9)
         right = start - 11.0
 
 
-def _mark(
-    page: Page, mark: Mark, label: str, place: tuple[float, float, float], *, is_first: bool, is_beside: bool
-) -> None:
+def _mark(page: Page, ruler: Ruler, mark: Mark, place: tuple[float, float], right: float) -> None:
     """Draw one dead centre: a triangle, filled for the first piston, with its angle beside or below it."""
-    left, right, y = place
-    x = left + (right - left) * (mark.angle % 360.0) / 360.0
-    page.paper.plot(
-        [x], [y], "v" if mark.is_top else "^", ms=4.5, mfc=INK if is_first else "white", mec=INK, mew=0.7, zorder=6
-    )
-    if is_beside:
+    x, y = place
+    fill = INK if mark.name == ruler.names[0] else "white"
+    page.paper.plot([x], [y], "v" if mark.is_top else "^", ms=4.5, mfc=fill, mec=INK, mew=0.7, zorder=6)
+    if ruler.is_few:
         is_last = x > right - 26.0
-        page.text(x + (-2.0 if is_last else 2.0), y + 0.8, label, ha="right" if is_last else "left")
+        words = f"{ruler.word(mark)} {mark.angle:.2f}°"
+        page.text(x + (-2.0 if is_last else 2.0), y + 0.8, words, ha="right" if is_last else "left")
     else:
-        page.text(x, y - 1.6, label, ha="center", va="top", linespacing=1.05)
+        page.text(x, y - 1.6, f"{mark.name}\n{mark.angle:.1f}", ha="center", va="top", linespacing=1.05)

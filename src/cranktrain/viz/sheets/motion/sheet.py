@@ -2,16 +2,14 @@
 
 from collections.abc import Iterator, Sequence
 
-import numpy as np
-
 from cranktrain.analysis import Result
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.labels import label_outline
-from cranktrain.viz.paper.page import MARGIN, Box, Figure, Page, drawing_settings, fitting_scale, muted
+from cranktrain.viz.paper.page import Box, Figure, Page, drawing_settings, fitting_scale, muted
 from cranktrain.viz.paper.panels import MOTION, draw_panels
-from cranktrain.viz.paper.sketch import Sketch
+from cranktrain.viz.paper.sketch import Sketch, bounds_of
 from cranktrain.viz.sheets.motion.dead_centres import Mark, ruler_of
 from cranktrain.viz.sheets.motion.panels import panels
 from cranktrain.viz.sheets.motion.ruler import draw_ruler
@@ -48,51 +46,46 @@ def sheet(result: Result, *, size: str = "A4", at: float = _ANGLE, design: int =
     Figure
         In millimetres of paper: the throw is to the scale that the sheet says.
     """
-    page, top = result_page(result, design, size)
+    page, box = result_page(result, design, size)
     ruler = ruler_of(result, design)
-    middle = MARGIN + 0.48 * (page.width - 2 * MARGIN)
-    room = (MARGIN, MARGIN, middle - 4.0 - MARGIN, top - 4.0 - MARGIN)
-    _draw_mechanism(page, result.machines[design], ruler.marks, at, room)
-    left, right = middle + 12.0, page.width - MARGIN
-    below = draw_ruler(page, ruler, (left, right, top - 4.0))
-    draw_panels(page, panels(result, design), Box(left, MARGIN, right - left, below - MARGIN), MOTION)
+    middle = 0.48 * box.width
+    _draw_mechanism(page, result.machines[design], ruler.marks, at, box._replace(width=middle - 4.0))
+    left, right = box.left + middle + 12.0, box.left + box.width
+    below = draw_ruler(page, ruler, left, right, box.bottom + box.height)
+    draw_panels(page, panels(result, design), Box(left, box.bottom, right - left, below - box.bottom), MOTION)
     return page.figure
 
 
-def _draw_mechanism(
-    page: Page, machine: Machine, found: Sequence[Mark], at: float, box: tuple[float, float, float, float]
-) -> None:
+def _draw_mechanism(page: Page, machine: Machine, found: Sequence[Mark], at: float, box: Box) -> None:
     """Draw the throw as large as a round scale allows."""
-    left, bottom, width, height = box
     scene = scene_of(machine)
     at = scene.closing_angle(at)
     notes = list(_notes(scene, at))
     foot = 6.0 + _NOTE * len(notes)
-    room = (width, height - foot)
+    room = box._replace(bottom=box.bottom + foot, height=box.height - foot)
     names = [(member.place.name, member.place.cylinder) for member in scene.members]
     dead = [[mark.angle for mark in found if mark.name in own] for own in names]
     sketch = mechanism_sketch(scene, at, scene.crank_radius / _ROUGH, dead)
     for _pass in range(_PASSES):
         low_x, high_x, low_y, high_y = _extent(sketch)
-        scale = fitting_scale(high_x - low_x, high_y - low_y, (room[0] - 1.0, room[1] - 6.0))
+        scale = fitting_scale(high_x - low_x, high_y - low_y, (room.width - 1.0, room.height - 6.0))
         sketch = mechanism_sketch(scene, at, scale, dead, has_ring=not wants_detail(scene, scale))
     low_x, high_x, low_y, high_y = (value / sketch.scale for value in _extent(sketch))
-    origin = (left + room[0] / 2 - (low_x + high_x) / 2, bottom + foot + room[1] / 2 - (low_y + high_y) / 2)
+    origin = (
+        room.left + room.width / 2 - (low_x + high_x) / 2,
+        room.bottom + room.height / 2 - (low_y + high_y) / 2,
+    )
     page.draw(sketch, origin)
     if wants_detail(scene, sketch.scale):
-        draw_detail(page, scene, (at, dead), sketch, origin, (left, bottom + foot, *room))
-    page.scale_bar(left, bottom + foot - 5.0, sketch.scale)
+        draw_detail(page, scene, (at, dead), sketch, origin, room)
+    page.scale_bar(room.left, room.bottom - 5.0, sketch.scale)
     for number, note in enumerate(reversed(notes)):
-        page.text(left, bottom - 0.4 + _NOTE * number, note, **muted())
+        page.text(box.left, box.bottom - 0.4 + _NOTE * number, note, **muted())
 
 
 def _extent(sketch: Sketch) -> tuple[float, float, float, float]:
     """Least and largest X and Y of a sketch with its words. [mm of the sketch]"""
-    points = np.concatenate(
-        [*sketch.outline(), *(label_outline(label, sketch.scale) for label in sketch.labels)], axis=1
-    )
-    low, high = np.nanmin(points, axis=1), np.nanmax(points, axis=1)
-    return float(low[0]), float(high[0]), float(low[1]), float(high[1])
+    return bounds_of([*sketch.outline(), *(label_outline(label, sketch.scale) for label in sketch.labels)])
 
 
 def _notes(scene: Scene, angle: float) -> Iterator[str]:
@@ -120,20 +113,23 @@ def _drawn_words(scene: Scene, angle: float) -> str:
     places = [member.place for member in scene.cranks]
     shafts = [shaft for shaft in machine.shafts if shaft in {place.shaft for place in places}]
     throws = sorted({place.throw + 1 for place in places})
+    said = ", ".join(map(str, throws))
     if len(shafts) > 1 and len(throws) > 1:
-        each = ", ".join(f"{place.shaft} {place.throw + 1}" for place in places)
-        drawn = _("Throws {throws}, drawn at φ = {angle:g}°").format(throws=each, angle=angle)
+        said = ", ".join(f"{place.shaft} {place.throw + 1}" for place in places)
+        words = _("Throws {throws}, drawn at φ = {angle:g}°")
     elif len(throws) > 1:
         words = _("Throws {throws} of {n}, drawn at φ = {angle:g}°")
-        drawn = words.format(throws=", ".join(map(str, throws)), n=n, angle=angle)
     elif n > 1:
-        drawn = _("Throw {throw} of {n}, drawn at φ = {angle:g}°").format(throw=throws[0], n=n, angle=angle)
+        words = _("Throw {throw} of {n}, drawn at φ = {angle:g}°")
     else:
-        drawn = _("Drawn at φ = {angle:g}°").format(angle=angle)
-    if len(shafts) == len(machine.shafts):
-        if len(shafts) > 1:
-            drawn = _("{drawn}; shafts {shafts}").format(drawn=drawn, shafts=", ".join(shafts))
+        words = _("Drawn at φ = {angle:g}°")
+    drawn = words.format(throws=said, throw=throws[0], n=n, angle=angle)
+    if len(machine.shafts) == 1:
         return drawn
-    if len(shafts) == 1:
-        return _("{drawn}; of shaft {shaft}, no other is drawn").format(drawn=drawn, shaft=shafts[0])
-    return _("{drawn}; shafts {shafts}, no other is drawn").format(drawn=drawn, shafts=", ".join(shafts))
+    if len(shafts) == len(machine.shafts):
+        words = _("{drawn}; shafts {shafts}")
+    elif len(shafts) > 1:
+        words = _("{drawn}; shafts {shafts}, no other is drawn")
+    else:
+        words = _("{drawn}; of shaft {shaft}, no other is drawn")
+    return words.format(drawn=drawn, shaft=shafts[0], shafts=", ".join(shafts))

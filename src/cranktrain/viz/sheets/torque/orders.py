@@ -6,8 +6,8 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.labels import together
-from cranktrain.viz.paper.page import Page
-from cranktrain.viz.paper.panels import prepare
+from cranktrain.viz.paper.page import Box, Page
+from cranktrain.viz.paper.panels import axes_in
 from cranktrain.viz.paper.style import COLOURS, INK, MUTED
 from cranktrain.viz.sheets.torque.panels import STARS, largest_stars, order_bars
 
@@ -24,29 +24,27 @@ _CROWD = 12
 """With more directions only the first cylinder is named."""
 
 
-def draw_orders(page: Page, shown: OneDesign, place: tuple[float, float, float]) -> float:
+def draw_orders(page: Page, shown: OneDesign, left: float, right: float, top: float) -> float:
     """Draw the amplitudes of the torque's orders, the major ones filled; give where the picture ends. [mm]
 
     Parameters
     ----------
     page : Page
     shown : OneDesign
-    place : (left, right, top)
+    left, right, top : float
         [mm]
 
     Returns
     -------
     float
     """
-    left, right, top = place
     order, amplitude, is_major = order_bars(shown)
     last = float(order[-1])
     if not np.any(amplitude):
         page.heading(left, top - 3.0, _("The orders of the torque up to {most:g} cancel").format(most=last))
         return top - 7.0
     height = 0.16 * page.height
-    axes = page.axes(left, top - 5.0 - height, right - left, height)
-    prepare(axes)
+    axes = axes_in(page, Box(left, top - 5.0 - height, right - left, height))
     colours = np.where(is_major, COLOURS["T"], "white").tolist()
     width = 0.7 * float(order[1] - order[0])
     axes.bar(order, amplitude, width=width, color=colours, edgecolor=COLOURS["T"], linewidth=0.7)
@@ -56,9 +54,8 @@ def draw_orders(page: Page, shown: OneDesign, place: tuple[float, float, float])
     return top - 5.0 - height - 7.0
 
 
-def draw_stars(page: Page, shown: OneDesign, place: tuple[float, float, float]) -> float:
+def draw_stars(page: Page, shown: OneDesign, left: float, right: float, top: float) -> float:
     """Draw the phase stars of the largest orders; parameters as of `draw_orders`, gives where they end. [mm]"""
-    left, right, top = place
     stars = largest_stars(shown)
     if not stars:
         return top

@@ -5,7 +5,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.quantities import shown
 from cranktrain.viz.paper.page import Axes, Box, Page, formula, muted, set_words
-from cranktrain.viz.paper.panels import prepare
+from cranktrain.viz.paper.panels import axes_in
 from cranktrain.viz.paper.style import COLOURS, INK, MUTED, SYMBOL
 from cranktrain.viz.paper.tables import write_table
 from cranktrain.viz.sheets.torsion.panels import Campbell, Crossing
@@ -34,8 +34,7 @@ def draw_campbell(page: Page, of: Campbell, n_cylinders: int, box: Box) -> None:
     height = 0.54 * box.height
     page.heading(box.left, (box.bottom + box.height) - 3.0, _("Campbell's diagram: frequency in Hz over speed in rpm"))
     room = Box(box.left + 2.0, (box.bottom + box.height) - 9.5 - height, box.width - 12.0, height)
-    axes = page.axes(*room)
-    prepare(axes)
+    axes = axes_in(page, room)
     end, high = float(shown(of.largest_speed, "rpm")), _hertz(of.highest_frequency)
     axes.set(xlim=(0.0, end), ylim=(0.0, high))
     for order in of.order.tolist():
@@ -49,7 +48,7 @@ def draw_campbell(page: Page, of: Campbell, n_cylinders: int, box: Box) -> None:
     for one in of.crossings:
         place = [shown(one.speed, "rpm")], [_hertz(one.frequency)]
         axes.plot(*place, "o", ms=_mark(one, n_cylinders), color=INK, mew=0, zorder=6)
-    _write_speeds(page, of, (box.left, room.bottom - 9.0, box.width))
+    _write_speeds(page, of, box.left, room.bottom - 9.0, box.width)
 
 
 def _draw_levels(axes: Axes, of: Campbell, room: Box) -> None:
@@ -102,9 +101,8 @@ def _mark(one: Crossing, n_cylinders: int) -> float:
     return max(_LEAST_MARK, _LARGEST_MARK * float(np.sqrt(one.weight / n_cylinders)))
 
 
-def _write_speeds(page: Page, of: Campbell, place: tuple[float, float, float]) -> None:
+def _write_speeds(page: Page, of: Campbell, left: float, top: float, width: float) -> None:
     """Write the critical speeds in sight that have the largest marks, by their speed."""
-    left, top, width = place
     if not of.crossings:
         words = _("No order up to {order:g} has a natural frequency at the speeds of the diagram.")
         page.text(left, top, words.format(order=float(of.order[-1])))

@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.one_line import short
 from cranktrain.viz.paper.page import Axes, Box, Page
-from cranktrain.viz.paper.panels import prepare
+from cranktrain.viz.paper.panels import axes_in
 from cranktrain.viz.paper.style import COLOURS, INK, MUTED
 from cranktrain.viz.sheets.torsion.panels import ModeShape
 from cranktrain.wording import number
@@ -49,9 +49,8 @@ def draw_modes(page: Page, shapes: Sequence[ModeShape], discs: Sequence[str], bo
     page.heading(box.left, top - 3.0, _("Modes, and their nodes"))
     for place, shape in enumerate(few, start=1):
         bottom = top - _HEAD - place * height
-        axes = page.axes(box.left + _SCALE, bottom + 1.5, box.width - _SCALE, height - _WORDS)
-        prepare(axes)
-        _draw_mode(axes, shape)
+        room = Box(box.left + _SCALE, bottom + 1.5, box.width - _SCALE, height - _WORDS)
+        _draw_mode(axes_in(page, room), shape)
         words = _("mode {n}, {frequency}; amplitude 1 at {disc}").format(
             n=shape.mode, frequency=number(shape.frequency, "Hz"), disc=_called(short(shape.unit, _LONGEST))
         )

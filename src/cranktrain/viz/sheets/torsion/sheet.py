@@ -6,7 +6,7 @@ from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.viz.paper.head import result_page
-from cranktrain.viz.paper.page import MARGIN, Box, Figure, drawing_settings
+from cranktrain.viz.paper.page import Figure, drawing_settings
 from cranktrain.viz.sheets.torsion.campbell import draw_campbell
 from cranktrain.viz.sheets.torsion.modes import draw_modes
 from cranktrain.viz.sheets.torsion.panels import campbell, mode_shapes
@@ -40,9 +40,8 @@ def sheet_torsion(result: Result, *, size: str = "A4", design: int = 0) -> Figur
     shapes = mode_shapes(result, design)
     if not all(np.isfinite(shape.frequency) for shape in shapes):
         raise InputError([Problem("torsion", None, _("gives no natural frequencies, so there is no sheet of them"))])
-    page, top = result_page(result, design, size, _("Torsional vibration"))
-    width, height = page.width - 2 * MARGIN, top - 4.0 - MARGIN
-    draw_modes(page, shapes, result.labels["disc"], Box(MARGIN, MARGIN, _LEFT * width - 8.0, height))
-    room = Box(MARGIN + _LEFT * width + 10.0, MARGIN, (1 - _LEFT) * width - 10.0, height)
+    page, box = result_page(result, design, size, _("Torsional vibration"))
+    draw_modes(page, shapes, result.labels["disc"], box._replace(width=_LEFT * box.width - 8.0))
+    room = box._replace(left=box.left + _LEFT * box.width + 10.0, width=(1 - _LEFT) * box.width - 10.0)
     draw_campbell(page, campbell(result, design), max(len(result.labels.get("cylinder", ())), 1), room)
     return page.figure

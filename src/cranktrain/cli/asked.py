@@ -1,0 +1,59 @@
+"""What is asked of the commands that compute, as typed: which machine, at which speed, and where to write."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from cranktrain.errors import Position, Problem, problems_as
+from cranktrain.io.machine_file import MachineFile, computed, read_machine
+from cranktrain.record import record
+
+if TYPE_CHECKING:
+    from cranktrain.analysis import Result
+
+RUNNING_SPEED, SPEED_CURVE = "--running-speed", "--speed-curve"
+_TABLE = "shaft.main.speed_curve"
+
+
+@record
+class Asked:
+    """What `run` and `plot` have in common."""
+
+    file: str
+    settings: tuple[str, ...] = ()
+    is_partial: bool = False
+    is_at_running_speed: bool = False
+    speed_curve: str | None = None
+    output: str | None = None
+    force: bool = False
+
+    @property
+    def speed(self) -> str:
+        """At which everything is computed, as `run` of the analysis takes it."""
+        return "running" if self.is_at_running_speed else "constant"
+
+    def read(self) -> MachineFile:
+        """Read the machine; the file of a speed curve, relative to where one is, stands in its table for that."""
+        settings = self.settings
+        if self.speed_curve is not None:
+            name = json.dumps(str(Path(self.speed_curve).absolute()), ensure_ascii=False)
+            settings = (*settings, f"{_TABLE}.file={name}")
+        with problems_as(self._at_curve):
+            return read_machine(self.file, settings, partial=self.is_partial)
+
+    def result(self, file: MachineFile, **options: Any) -> "Result":
+        """Compute; `options` as `run` of the analysis takes them."""
+        return computed(file, speed=self.speed, partial=self.is_partial, **options)
+
+    def _at_curve(self, problem: Problem) -> Problem:
+        """Put what is wrong with the name of a speed curve to its option; what stands in a file stays there."""
+        of_setting = problem.position is not None and problem.position.line is None
+        if self.speed_curve is not None and of_setting and problem.path == f"{_TABLE}.file":
+            return replace(problem, path="", given=self.speed_curve, position=Position(SPEED_CURVE))
+        return problem
+
+
+def at_running_speed(problem: Problem) -> Problem:
+    """Put what is wrong with the running speed to the option that asks for it."""
+    return replace(problem, path=RUNNING_SPEED, given=None) if problem.path == "speed" else problem

@@ -1,0 +1,24 @@
+"""Many polynomials at once."""
+
+import numpy as np
+
+from cranktrain.motion import Array, Coefficient
+
+
+def polynomial(powers: Array, x: Array) -> Coefficient:
+    """Value and first two derivatives of polynomials, by their coefficients in rising powers along the first axis.
+
+    Examples
+    --------
+    1 + 2x + 3x² at 10:
+
+    >>> [float(part) for part in polynomial(np.array([1.0, 2.0, 3.0]), np.array(10.0))]
+    [321.0, 62.0, 6.0]
+    """
+    *others, value = powers
+    first = half_second = np.zeros_like(value)
+    for part in reversed(others):
+        half_second = half_second * x + first
+        first = first * x + value
+        value = value * x + part
+    return Coefficient(value, first, 2 * half_second)
