@@ -124,7 +124,7 @@ def whole_machine(torque, speed, **evenness: Any) -> dict[type, Any]:
     load, angle = known[ShaftLoad], known[CrankAngle]
     applied = applied_torque(torques, known[LoadedMachine], angle)
     rest = applied.applied_torque[:, np.newaxis]
-    sources = TorqueSources(((),), rest, *np.zeros((2, *rest[:, 0].shape)), np.zeros(1))
+    sources = TorqueSources((), rest, *np.zeros((2, *rest[:, 0].shape)), np.zeros(1))
     work = shaft_work(applied, sources, None, torques, angle)
     if WantedCoefficient in known:
         known[FlywheelSize] = flywheel_size(load, known[WantedCoefficient], work, known[Speed])
