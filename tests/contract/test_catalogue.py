@@ -25,7 +25,7 @@ from cranktrain.questions.forces.unlikely import UnlikelyLoads
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "src/cranktrain"
 ENTRIES = [entry for stage in STAGES for entry in entries(stage.gives)]
-UNITS = {"m", "rad", "deg", "s", "kg", "N", "Pa", "J", "W"}
+UNITS = {"m", "rad", "deg", "s", "kg", "N", "Pa", "J", "W", "K"}
 POINTS = {"p": {"link": "rod", "along": "10 mm", "across": "5 mm"}}
 
 EVERYTHING = {

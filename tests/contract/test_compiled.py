@@ -19,6 +19,7 @@ from tests.contract import force_kernels
 import cranktrain.fluids
 import cranktrain.linkage
 import cranktrain.mechanisms
+from cranktrain.fluids.compressor.pressure import Compressor
 from cranktrain.fluids.dual.pressure import IdealCycle
 from cranktrain.fluids.state import ChamberState, VolumeLimits
 from cranktrain.linkage import (
@@ -69,7 +70,6 @@ NO_KERNELS = {
     "chain.triad_branch",
     "chain.triad_motion",
     "compile.compiled",
-    "dual.ideal_kinks",
     "modes.triad_modes",
     "nearest.nearest_pose",
     "stephenson.stephenson_size",
@@ -205,10 +205,23 @@ def ideal_cycle(size):
     return IdealCycle(size(1.2), size(1.1), size(1.0), size(1.36), size(1.25), size(1.5), size(1.1))
 
 
+def compressor(size):
+    return Compressor(size(1.0), size(2.5), size(1.35), size(1.28), size(1.0), size(3.0), size(2.5))
+
+
+def limits(size):
+    return VolumeLimits(size(0.9), size(3.1))
+
+
 EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
     **force_kernels.EXAMPLES,
     "articulated_rod.articulated_rod": lambda angle, size, side: (angle, articulated_rod_geometry(size)),
     "articulated_rod.articulated_rod_gap": lambda angle, size, side: (angle, articulated_rod_geometry(size)),
+    "compressor.corners": lambda angle, size, side: (compressor(size), limits(size)),
+    "compressor.compressor_pressure": lambda angle, size, side: (chamber(angle, size, side), compressor(size)),
+    "compressor.compressor_work": lambda angle, size, side: (compressor(size), limits(size)),
+    "compressor.capacity": lambda angle, size, side: (compressor(size), limits(size)),
+    "compressor.suction_heating": lambda angle, size, side: (compressor(size), limits(size)),
     "dual.corner_pressures": lambda angle, size, side: (ideal_cycle(size), 3.1 + 0.1 * np.cos(angle)),
     "dual.ideal_mean_pressures": lambda angle, size, side: (ideal_cycle(size), 3.1 + 0.1 * np.cos(angle)),
     "dual.ideal_pressure": lambda angle, size, side: (chamber(angle, size, side), ideal_cycle(size)),

@@ -6,7 +6,8 @@ import pytest
 import cranktrain as ct
 from cranktrain.fluids import Rooms, VolumeLimits
 from cranktrain.fluids.compressor import Compressor, capacity, compressor_work, suction_heating
-from cranktrain.fluids.compressor.pressure import CompressorNumbers, corners
+from cranktrain.fluids.compressor.chamber import CompressorNumbers
+from cranktrain.fluids.compressor.pressure import corners
 from cranktrain.fluids.compressor.stages import Stage, interstage_pressures
 
 R, L, BORE, ROD = 0.08, 0.4, 0.25, 0.05

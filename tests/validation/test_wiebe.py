@@ -7,7 +7,7 @@ from tests.gas_engines import FOUR_STROKE, TWO_STROKE, Engine
 
 from cranktrain.fluids import chamber_state
 from cranktrain.fluids.wiebe import WiebeSpec
-from cranktrain.fluids.wiebe.pressure import Wiebe, burnt
+from cranktrain.fluids.wiebe.curve import Wiebe, burnt
 from cranktrain.spec import validated
 
 ENGINE = Engine(0.045, 0.15, 0.08, 10.0)

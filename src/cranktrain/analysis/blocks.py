@@ -1,6 +1,6 @@
 """Many designs in blocks, so that memory does not grow with them: sizes, and results put together again."""
 
-from collections.abc import Sequence, Set
+from collections.abc import Collection, Sequence
 from dataclasses import fields, is_dataclass
 from typing import Any, TypeVar, cast
 
@@ -26,7 +26,7 @@ def block_sizes(n_designs: int) -> list[int]:
     return sizes
 
 
-def is_told(outcome: object, names: Set[str] | None) -> bool:
+def is_told(outcome: object, names: Collection[str] | None) -> bool:
     """Whether a stage's result is kept of every block: with quantities, or with some of those that are asked for."""
     told = {entry.name for entry in entries(type(outcome))}
     return bool(told) if names is None else not told.isdisjoint(names)

@@ -78,8 +78,8 @@ def run(
     step = _step(step_degrees)
     designs = designs_of(machines, partial=partial)
     asked = (quantities,) if isinstance(quantities, str) else quantities
-    names = None if asked is None else frozenset(asked)
-    chosen = stages if names is None else _needed(stages, sorted(names))
+    names = None if asked is None else tuple(asked)
+    chosen = stages if names is None else _needed(stages, names)
     if len(machines) <= MOST_AT_ONCE or isinstance(speed, SpeedCurve):
         return _run(machines, designs, speed, step, stages, chosen, has_designs=not isinstance(machine, Machine))
     sizes = block_sizes(len(machines))

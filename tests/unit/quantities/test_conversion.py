@@ -31,6 +31,8 @@ DIMENSIONALITY = {
     Dimension.STIFFNESS: {M: 1, T: -2},
     Dimension.TORSIONAL_STIFFNESS: {M: 1, L: 2, T: -2},
     Dimension.DENSITY: {M: 1, L: -3},
+    Dimension.ENERGY: {M: 1, L: 2, T: -2},
+    Dimension.HEAT_TRANSFER: {M: 1, T: -3, "[temperature]": -1},
     Dimension.TEMPERATURE: {"[temperature]": 1},
 }
 OF_PINT = {
@@ -40,6 +42,9 @@ OF_PINT = {
     "lbf": "pound_force",
     "kgf·m": "kilogram_force * m",
     "lbf·ft": "pound_force * ft",
+    "ft·lbf": "ft * pound_force",
+    "W/m²/K": "W / m ** 2 / K",
+    "kW/m²/K": "kW / m ** 2 / K",
     "lbf·in": "pound_force * in",
     "kgf·m/rad": "kilogram_force * m / rad",
     "lbf·in/rad": "pound_force * in / rad",

@@ -1,14 +1,12 @@
 """Compressor with clearance: suction, compression, discharge, re-expansion; one stage or several that share a flow."""
 
+from cranktrain.fluids.compressor.chamber import in_chamber, turn_work, valve_kinks
 from cranktrain.fluids.compressor.pressure import (
     Compressor,
     capacity,
     compressor_pressure,
     compressor_work,
-    in_chamber,
     suction_heating,
-    turn_work,
-    valve_kinks,
 )
 from cranktrain.fluids.compressor.spec import CompressorSpec, compressor_numbers, stage_problems
 from cranktrain.fluids.compressor.stages import staged

@@ -1,11 +1,9 @@
 """The compressor with clearance: two lines and two polytropes, by the volume and the sense in which it goes."""
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from cranktrain.fluids.fluid import Kink, Rooms
 from cranktrain.fluids.polytrope import polytropic_work
 from cranktrain.fluids.state import ChamberState, VolumeLimits
 from cranktrain.motion import Array, chosen
@@ -33,22 +31,6 @@ class Compressor(NamedTuple):
     line_pressure: Array
     temperature: Array
     discharge_line: Array
-
-
-class CompressorNumbers(NamedTuple):
-    """What a machine file's table says: pressures of the lines, NaN to be found [Pa]; exponents, losses [1]; [K].
-
-    takes_from: the stage before, if any.
-    """
-
-    suction_pressure: Any
-    discharge_pressure: Any
-    compression_exponent: Any
-    expansion_exponent: Any
-    suction_loss: Any
-    discharge_loss: Any
-    suction_temperature: Any
-    takes_from: Any
 
 
 class Corners(NamedTuple):
@@ -100,12 +82,6 @@ def corners(compressor: Compressor, limits: VolumeLimits) -> Corners:
         chosen(delivers, limits.smallest * (peak / suction) ** (1 / exponent), limits.largest),
         chosen(delivers, limits.largest * (suction / peak) ** (1 / compression), limits.smallest),
     )
-
-
-def steady_exponents(compressor: Compressor, limits: VolumeLimits) -> NDArray[np.bool_]:
-    """Whether there is a cycle with both exponents, or none with any: above neither of r^n_c and r^n_e, or both."""
-    ratio, rise = limits.largest / limits.smallest, compressor.discharge_pressure / compressor.suction_pressure
-    return (ratio**compressor.compression_exponent > rise) == (ratio**compressor.expansion_exponent > rise)
 
 
 def compressor_pressure(state: ChamberState, compressor: Compressor) -> Array:
@@ -180,32 +156,3 @@ def suction_heating(compressor: Compressor, limits: VolumeLimits) -> Array:
     delivered = (found.discharge_opens - limits.smallest) / found.discharge_opens
     taken = (limits.largest - found.suction_opens) / limits.largest
     return chosen(found.discharge_opens > limits.smallest, delivered / chosen(taken > 0, taken, 1.0), np.nan)
-
-
-def in_chamber(numbers: CompressorNumbers, rooms: Rooms) -> Compressor:
-    """Pressures as they are in the chamber while a valve is open."""
-    del rooms
-    return Compressor(
-        suction_pressure=numbers.suction_pressure * (1 - numbers.suction_loss),
-        discharge_pressure=numbers.discharge_pressure * (1 + numbers.discharge_loss),
-        compression_exponent=numbers.compression_exponent,
-        expansion_exponent=numbers.expansion_exponent,
-        line_pressure=numbers.suction_pressure,
-        temperature=numbers.suction_temperature,
-        discharge_line=numbers.discharge_pressure,
-    )
-
-
-def valve_kinks(compressor: Compressor, limits: VolumeLimits) -> tuple[Kink, ...]:
-    """Where suction and discharge valves open; nowhere if nothing is delivered."""
-    found = corners(compressor, limits)
-    delivers = found.discharge_opens > limits.smallest
-    opens = (found.suction_opens, found.discharge_opens)
-    return tuple(
-        Kink(np.where(delivers, volume, np.nan), sense, 1.0) for volume, sense in zip(opens, (1.0, -1.0), strict=True)
-    )
-
-
-def turn_work(compressor: Compressor, rooms: Rooms) -> Array:
-    """Work over the cycle of the machine, shape (design, chamber). [J]"""
-    return compressor_work(compressor, rooms.limits)[..., 0] * round(rooms.cycle / (2 * np.pi))

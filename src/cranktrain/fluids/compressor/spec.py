@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from cranktrain.errors import Problem
-from cranktrain.fluids.compressor.pressure import CompressorNumbers
+from cranktrain.fluids.compressor.chamber import CompressorNumbers
 from cranktrain.fluids.fluid import FluidSpec
 from cranktrain.language import N_, _
 from cranktrain.quantities import Dimension, Given, Quantity, Temperature

@@ -6,7 +6,8 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.fluids.compressor.pressure import Compressor, CompressorNumbers, corners, in_chamber
+from cranktrain.fluids.compressor.chamber import CompressorNumbers, in_chamber
+from cranktrain.fluids.compressor.pressure import Compressor, corners
 from cranktrain.fluids.fluid import Rooms
 from cranktrain.language import _
 from cranktrain.motion import Array

@@ -1,7 +1,8 @@
 """Diesel cycle: heat at constant pressure."""
 
 from cranktrain.fluids.diesel.spec import DieselSpec
-from cranktrain.fluids.dual.pressure import ideal_kinks, ideal_pressure, ideal_work, suitable
+from cranktrain.fluids.dual.chamber import ideal_kinks, ideal_work, suitable
+from cranktrain.fluids.dual.pressure import ideal_pressure
 from cranktrain.fluids.dual.spec import cycle_flags, ideal_cycle
 from cranktrain.fluids.fluid import Fluid
 from cranktrain.language import N_

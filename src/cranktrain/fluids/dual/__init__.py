@@ -1,13 +1,7 @@
 """Dual cycle (Sabathé, Trinkler): heat first at constant volume, then at constant pressure."""
 
-from cranktrain.fluids.dual.pressure import (
-    IdealCycle,
-    ideal_kinks,
-    ideal_mean_pressures,
-    ideal_pressure,
-    ideal_work,
-    suitable,
-)
+from cranktrain.fluids.dual.chamber import ideal_kinks, ideal_work, suitable
+from cranktrain.fluids.dual.pressure import IdealCycle, ideal_mean_pressures, ideal_pressure
 from cranktrain.fluids.dual.spec import DualSpec, cycle_flags, ideal_cycle
 from cranktrain.fluids.fluid import Fluid
 from cranktrain.language import N_

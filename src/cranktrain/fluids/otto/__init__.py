@@ -1,6 +1,7 @@
 """Otto cycle: heat at constant volume."""
 
-from cranktrain.fluids.dual.pressure import ideal_pressure, ideal_work, suitable
+from cranktrain.fluids.dual.chamber import ideal_work, suitable
+from cranktrain.fluids.dual.pressure import ideal_pressure
 from cranktrain.fluids.dual.spec import cycle_flags, ideal_cycle
 from cranktrain.fluids.fluid import Fluid
 from cranktrain.fluids.otto.spec import OttoSpec

@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.errors import InputError, Problem
 from cranktrain.fluids.fluid import Rooms
 from cranktrain.fluids.state import ChamberState
-from cranktrain.fluids.wiebe.pressure import BurningCurve, Room, Wiebe, burning_curve, burning_edges, burning_pressure
+from cranktrain.fluids.wiebe.curve import BurningCurve, Room, Wiebe, burning_curve, burning_edges, burning_pressure
 from cranktrain.language import _
 from cranktrain.motion import Array, chosen
 from cranktrain.numerics import around_zero

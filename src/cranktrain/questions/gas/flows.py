@@ -4,7 +4,7 @@ import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.fluids.compressor import Compressor, capacity, suction_heating
-from cranktrain.fluids.compressor.pressure import steady_exponents
+from cranktrain.fluids.compressor.chamber import steady_exponents
 from cranktrain.language import N_, _
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
