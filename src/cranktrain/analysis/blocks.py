@@ -5,6 +5,7 @@ from dataclasses import fields, is_dataclass
 from typing import Any, TypeVar, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.catalogue import entries
 
@@ -54,7 +55,8 @@ def joined(outcomes: Sequence[Outcome], sizes: Sequence[int]) -> Outcome:
 def _joined(each: Sequence[Any], sizes: Sequence[int]) -> Any:
     first = each[0]
     if isinstance(first, np.ndarray):
-        return np.concatenate(each) if _follows([len(part) if part.ndim else 0 for part in each], sizes) else first
+        arrays = cast("Sequence[NDArray[Any]]", each)
+        return np.concatenate(arrays) if _follows([len(np.atleast_1d(part)) for part in arrays], sizes) else arrays[0]
     if is_dataclass(first) and not isinstance(first, type):
         parts = {one.name: _joined([getattr(part, one.name) for part in each], sizes) for one in fields(first)}
         return type(first)(**parts)

@@ -55,7 +55,8 @@ class Rooms(NamedTuple):
         found = np.empty((3, *angle.shape))
         for design, place in np.ndindex(*angle.shape[:2]):
             found[:, design, place] = self.volume_of(design, place, angle[design, place])
-        return Coefficient(*found)
+        value, first, second = found
+        return Coefficient(value, first, second)
 
     @property
     def compression_ratio(self) -> Array:
@@ -150,7 +151,9 @@ def of_designs(numbers: Sequence[_Numbers]) -> _Numbers:
     """Put the numbers of several designs side by side, each an array of shape (design, 1, 1)."""
     columns: list[NDArray[Any]] = []
     for values in zip(*numbers, strict=True):
-        column = np.empty((len(values), 1, 1), dtype=np.float64 if isinstance(values[0], float) else np.object_)
+        column = np.empty(
+            (len(values), 1, 1), dtype=np.float64 if isinstance(values[0], float | np.ndarray) else np.object_
+        )
         column[:, 0, 0] = values
         columns.append(column)
     return type(numbers[0])(*columns)

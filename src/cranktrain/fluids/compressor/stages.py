@@ -23,8 +23,8 @@ class Stage(NamedTuple):
 
     def between(self, suction: Array, discharge: Array) -> Compressor:
         """It, between two lines of other pressures, shape (design, 1). [Pa]"""
-        lines = (pressure[..., np.newaxis] for pressure in (suction, discharge))
-        return in_chamber(CompressorNumbers(*lines, *self.numbers[2:]), self.rooms)
+        lines = {"suction_pressure": suction[..., np.newaxis], "discharge_pressure": discharge[..., np.newaxis]}
+        return in_chamber(self.numbers._replace(**lines), self.rooms)
 
     def flow(self, suction: Array, discharge: Array) -> Array:
         """Σ pV/T that it takes in over a turn, shape (design, 1). [J/K]"""

@@ -7,6 +7,7 @@ from pydantic import Field
 from cranktrain.fluids.dual.pressure import IdealCycle
 from cranktrain.fluids.fluid import FluidSpec
 from cranktrain.language import N_, _
+from cranktrain.motion import single
 from cranktrain.quantities import Dimension, Given, Quantity, shown
 
 _LEAST_EXPONENT, _MOST_EXPONENT = 1.0, 5 / 3
@@ -55,7 +56,7 @@ def ideal_cycle(spec: IdealCycleSpec) -> IdealCycle:
     exhaust = spec.exhaust_pressure or inlet
     ratios: list[Given] = [getattr(spec, name, _ONE) for name in ("pressure_ratio", "cut_off_ratio")]
     exponents = (spec.compression_exponent, spec.expansion_exponent)
-    return IdealCycle(*(given.si for given in (spec.start_pressure, inlet, exhaust, *exponents, *ratios)))
+    return IdealCycle(*(single(given.si) for given in (spec.start_pressure, inlet, exhaust, *exponents, *ratios)))
 
 
 def cycle_flags(spec: IdealCycleSpec) -> tuple[str, ...]:

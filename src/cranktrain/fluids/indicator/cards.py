@@ -104,4 +104,4 @@ def _alike(diagrams: Diagrams) -> Iterator[tuple[Diagram, NDArray[np.bool_]]]:
     """Each diagram once, with the chambers that have it; as the rows stand, or one alone."""
     rows = diagrams.diagram[..., 0]
     for diagram in {id(one): one for one in rows.ravel()}.values():
-        yield diagram, np.vectorize(lambda one, diagram=diagram: one is diagram, otypes=[np.bool_])(rows)
+        yield diagram, np.reshape([one is diagram for one in rows.ravel()], rows.shape)

@@ -73,13 +73,12 @@ def burning_chambers(numbers: WiebeNumbers, rooms: Rooms) -> BurningChambers:
         transfer = numbers.transfer / rooms.speed
     shape = (*rooms.alike.shape, 1)
     wiebe = Wiebe(*(np.broadcast_to(part, shape) for part in numbers._replace(transfer=transfer)[: len(Wiebe._fields)]))
-    diameter = np.sqrt(4 * rooms.area / np.pi)
-    room = Room(
-        rooms.bottoms[..., :1],
-        rooms.bottoms[..., 1:],
-        rooms.volume,
-        lambda volume: (2 * rooms.area + 4 * volume.reshape(*shape[:2], -1) / diameter).reshape(volume.shape),
-    )
+    area = rooms.area[..., np.newaxis]
+
+    def walls(volume: Array) -> Array:
+        return 2 * area + 4 * volume / np.sqrt(4 * area / np.pi)
+
+    room = Room(rooms.bottoms[..., :1], rooms.bottoms[..., 1:], rooms.volume, walls)
     curve = burning_curve(wiebe, room)
     return BurningChambers(
         edges=curve.edges,

@@ -59,7 +59,7 @@ class Room(NamedTuple):
     volume : callable
         From such angles, shape (design, chamber, k), to the volume and its derivatives of that shape.
     wall : callable
-        From a volume to the area of the walls about it. [m³ → m²]
+        From volumes of shape (design, chamber, panel, node) to the area of the walls about them. [m³ → m²]
     """
 
     begins: Array
@@ -163,7 +163,7 @@ def _burning_rate(wiebe: Wiebe, angle: Array) -> Array:
 def burning_edges(wiebe: Wiebe) -> Array:
     """Angles from where it begins to burn to where that ends, between which all is smooth, shape (…, k). [rad]"""
     graded = _GRADING ** np.arange(_N_GRADED, 0, -1)
-    share = np.concatenate([[0.0], graded[:-1], np.linspace(graded[-1], 1.0, _N_BURNING + 1)])
+    share = np.concatenate([np.zeros(1), graded[:-1], np.linspace(graded[-1], 1.0, _N_BURNING + 1)])
     return wiebe.start + share * wiebe.duration
 
 

@@ -1,11 +1,12 @@
 """The table of the machine file for heat by Wiebe's law."""
 
+from collections.abc import Iterator
 from math import pi
-from typing import Annotated, Literal, Self
+from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import Problem
 from cranktrain.fluids.fluid import FluidSpec
 from cranktrain.fluids.wiebe.chamber import WiebeNumbers
 from cranktrain.language import N_, _
@@ -52,23 +53,15 @@ class WiebeSpec(FluidSpec, frozen=True):
     )
     wall_temperature: Temperature | None = Field(default=None, description=N_("Of the walls; for heat_transfer."))
 
-    @model_validator(mode="after")
-    def _walls_together(self) -> Self:
-        """Refuse a heat transfer without its temperatures, temperatures without it, and heat beyond the turn."""
-        given = [name for name in _WALLS if getattr(self, name) is not None]
-        wrong = [
-            Problem(name, None, _("is missing; heat_transfer needs it"))
-            for name in _WALLS
-            if self.heat_transfer is not None and name not in given
-        ]
-        if self.heat_transfer is None:
-            wrong += [Problem(name, None, _("is for heat_transfer, which is missing")) for name in given]
+    def _problems(self) -> Iterator[Problem]:
+        """Find a heat transfer without its temperatures, temperatures without it, and heat beyond the turn."""
+        missing, lost = _("is missing; heat_transfer needs it"), _("is for heat_transfer, which is missing")
+        for name in _WALLS:
+            if (getattr(self, name) is None) != (self.heat_transfer is None):
+                yield Problem(name, None, lost if self.heat_transfer is None else missing)
         if not -pi < self.heat_start.si < pi or self.heat_start.si + self.heat_duration.si > pi:
             allowed = _("must leave the heat between the bottom dead centres, -180 deg to 180 deg, with heat_duration")
-            wrong.append(Problem("heat_start", self.heat_start.text, allowed))
-        if wrong:
-            raise InputError(wrong)
-        return self
+            yield Problem("heat_start", self.heat_start.text, allowed)
 
 
 def wiebe_numbers(spec: WiebeSpec) -> WiebeNumbers:

@@ -126,14 +126,14 @@ class GasInChambers(StageResult):
         return [(i, np.flatnonzero(own == first)) for i, own in enumerate(self.origin) for first in np.unique(own)]
 
     @cached_property
-    def distinct(self) -> NDArray[np.intp]:
+    def distinct(self) -> list[int]:
         """Chambers that stand for all others which are like them, of any design."""
-        return np.unique(self.origin)
+        return np.unique(self.origin).tolist()
 
     @cached_property
     def among_distinct(self) -> NDArray[np.intp]:
         """Which of the distinct chambers stands for each, shape (design, chamber)."""
-        return np.searchsorted(self.distinct, self.origin)
+        return np.asarray(np.searchsorted(self.distinct, self.origin), dtype=np.intp)
 
     def at_own(self, angle: Array, places: Sequence[int], values: Callable[[Array], Array]) -> Array:
         """Values of some chambers, each at its own angles φ.

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
 from cranktrain.fluids.wiebe.chamber import BurningChambers
@@ -53,7 +54,7 @@ def heat_balance(gas: GasInChambers) -> HeatBalance:
     return HeatBalance(released_heat=heat, wall_loss=loss, working_turn_efficiency=work / heat)
 
 
-def _burning(gas: GasInChambers) -> Iterator[tuple[Array, BurningChambers]]:
+def _burning(gas: GasInChambers) -> Iterator[tuple[NDArray[np.intp], BurningChambers]]:
     """Chambers in which heat comes in."""
     for one in gas.fillings:
         if isinstance(one.ready, BurningChambers):

@@ -5,7 +5,7 @@ from typing import Annotated, Any, TypeAlias, cast
 
 from pydantic import BeforeValidator, Discriminator, Tag
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import Problem, refuse
 from cranktrain.fluids import KINDS, AnyGas
 from cranktrain.language import _
 from cranktrain.quantities import one_of
@@ -22,10 +22,8 @@ def _form(data: object) -> str:
 def _one_way(data: object) -> object:
     """Refuse a fluid's own keys without its kind, and named tables beside a kind."""
     if isinstance(data, Mapping):
-        wrong = tuple(_wrong(cast("Mapping[str, Any]", data)))
-        if wrong:
-            raise InputError(wrong)
-    return data
+        refuse(_wrong(cast("Mapping[str, Any]", data)))
+    return cast("object", data)
 
 
 def _wrong(table: Mapping[str, Any]) -> Iterator[Problem]:
