@@ -52,11 +52,10 @@ class Rooms(NamedTuple):
 
     def volume(self, angle: Array) -> Coefficient:
         """Volume of every chamber, each at its own angles since nominal firing, shape (design, chamber, k)."""
-        found = np.empty((3, *angle.shape))
+        found: Array = np.empty((3, *angle.shape))
         for design, place in np.ndindex(*angle.shape[:2]):
             found[:, design, place] = self.volume_of(design, place, angle[design, place])
-        value, first, second = found
-        return Coefficient(value, first, second)
+        return Coefficient(found[0], found[1], found[2])
 
     @property
     def compression_ratio(self) -> Array:

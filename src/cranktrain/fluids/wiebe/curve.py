@@ -162,8 +162,8 @@ def _burning_rate(wiebe: Wiebe, angle: Array) -> Array:
 
 def burning_edges(wiebe: Wiebe) -> Array:
     """Angles from where it begins to burn to where that ends, between which all is smooth, shape (…, k). [rad]"""
-    graded = _GRADING ** np.arange(_N_GRADED, 0, -1)
-    share = np.concatenate([np.zeros(1), graded[:-1], np.linspace(graded[-1], 1.0, _N_BURNING + 1)])
+    graded: Array = _GRADING ** np.arange(_N_GRADED, 0.0, -1.0)
+    share: Array = np.concatenate([np.zeros(1), graded[:-1], np.linspace(float(graded[-1]), 1.0, _N_BURNING + 1)])
     return wiebe.start + share * wiebe.duration
 
 
