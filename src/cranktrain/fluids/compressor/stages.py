@@ -56,7 +56,7 @@ def interstage_pressures(stages: Sequence[Stage], suction: Array, discharge: Arr
 
     Notes
     -----
-    λ_v V_h p/T is the same in all stages; docs/theory/gas, eq. (14.23). The more the first delivers against, the less
+    λ_v V_h p/T is the same in all stages; docs/theory/gas, eq. (14.21). The more the first delivers against, the less
     flows, and the more the last one takes in: one root.
     """
     *_earlier, last = stages

@@ -111,7 +111,7 @@ def burning_curve(wiebe: Wiebe, room: Room) -> BurningCurve:
     Notes
     -----
     (pV^γ)′ + K pV^γ = (γ − 1) V^(γ−1) (Q x_b′ + h A_w T_w/ω), K = (γ − 1) h A_w/(m R ω), mR = p₁V₁/T₁: linear, so that
-    an integrating factor solves it, panel by panel. docs/theory/gas, eqs. (14.21) and (14.22).
+    an integrating factor solves it, panel by panel. docs/theory/gas, eqs. (14.22) and (14.23).
     """
     edges = _edges(wiebe, room)
     node, weight = leggauss(_N_NODES)

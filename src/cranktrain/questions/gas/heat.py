@@ -46,7 +46,7 @@ def has_heat(gas: DeclaredGas) -> bool:
 
 
 def heat_balance(gas: GasInChambers) -> HeatBalance:
-    """Heat, loss and work of the working turn; docs/theory/gas, eq. (14.21)."""
+    """Heat, loss and work of the working turn; docs/theory/gas, eq. (14.22)."""
     heat, loss, work = np.full((3, *gas.firing.shape[:2]), np.nan)
     for places, burning in _burning(gas):
         for whole, own in ((heat, burning.heat), (loss, burning.loss), (work, burning.work)):
