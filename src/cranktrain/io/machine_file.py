@@ -212,7 +212,9 @@ def _with_settings(document: Document, settings: Sequence[str]) -> tuple[Documen
                 problems.append(Problem(path, value, _("is set twice; keep one of the two"), position=_SETTING))
             paths.append(parts)
         except InputError as error:
-            problems += [problem if _has_line(problem) else problem.at(_SETTING) for problem in error.problems]
+            problems += [
+                problem if _has_line(problem) else replace(problem, position=_SETTING) for problem in error.problems
+            ]
     refuse(problems)
     return document, tuple(paths)
 

@@ -1,6 +1,5 @@
 """A proposal: dimensions found from wants, what else was considered, and the machine file that runs them."""
 
-import json
 import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -9,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.language import _
+from cranktrain.paths import quoted
 from cranktrain.quantities import Dimension, Status, read, shown
 from cranktrain.wording import number
 
@@ -90,16 +90,6 @@ class Proposal:
         for table in self.tables:
             lines += ["", f"[{table.head}]", *(f"{key} = {value}" for key, value in table.keys.items())]
         return "\n".join(lines) + "\n"
-
-
-def quoted(text: str) -> str:
-    """Write a TOML string; JSON's escapes are TOML's."""
-    return json.dumps(text, ensure_ascii=False)
-
-
-def listed(values: Sequence[str]) -> str:
-    """Write a TOML list of values that are TOML text already."""
-    return f"[{', '.join(values)}]"
 
 
 def listed_in_lines(values: Sequence[str]) -> str:

@@ -13,18 +13,17 @@ from cranktrain.analysis import Result
 from cranktrain.analysis.dimensions import DIMENSIONS
 from cranktrain.catalogue import Entry
 from cranktrain.cli.screen.columns import Column, column_table, side_by_side
-from cranktrain.cli.screen.figures import ABSENT, figures
-from cranktrain.cli.screen.text import table
+from cranktrain.cli.screen.figures import figures
+from cranktrain.cli.screen.text import GAP, table
 from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.question import Dimension
 from cranktrain.record import record
-from cranktrain.wording import ranged
+from cranktrain.wording import ABSENT, ranged
 
 _MOST_COLUMNS = 3
 """Of a table with one row for each fact; facts that need more groups get one row for each group."""
 
-_GAP = 2
 _OF_MACHINE = Dimension("", "")
 
 
@@ -154,9 +153,9 @@ def _narrow(rows: Sequence[FactRow], members: Sequence[str], width: int) -> tupl
 
 def _natural_width(rows: Sequence[FactRow], groups: Sequence[Sequence[int]], members: Sequence[str]) -> int:
     """Columns of the screen that a table by fact takes."""
-    heads = sum(max(len(row.head[i]) for row in rows) + _GAP for i in range(3))
+    heads = sum(max(len(row.head[i]) for row in rows) + GAP for i in range(3))
     return heads + sum(
-        _GAP + max(len(ranged(members, group)), *(len(row.text(members[group[0]])) for row in rows)) for group in groups
+        GAP + max(len(ranged(members, group)), *(len(row.text(members[group[0]])) for row in rows)) for group in groups
     )
 
 

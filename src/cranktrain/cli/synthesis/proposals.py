@@ -60,10 +60,8 @@ def show_proposal(console: Console, proposal: Proposal) -> None:
     width = console.width - INDENT
     console.print(Text(one_line(proposal.title), style="bold"))
     section(console, _("Proposed"), _numbers(proposal.numbers, width))
-    if proposal.alternatives:
-        section(console, _("Also considered"), _alternatives(proposal, width))
-    if proposal.remarks:
-        section(console, _("Mind"), proposal.remarks)
+    section(console, _("Also considered"), _alternatives(proposal, width))
+    section(console, _("Mind"), proposal.remarks)
 
 
 def _numbers(numbers: Sequence[Number], width: int) -> Iterator[str | Text]:
