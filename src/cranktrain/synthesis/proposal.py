@@ -10,7 +10,6 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.paths import quoted
 from cranktrain.quantities import Dimension, Status, read, shown
-from cranktrain.wording import number
 
 _DIMENSIONS = {"mm": Dimension.LENGTH, "deg": Dimension.ANGLE, "rpm": Dimension.SPEED}
 _MOST_DIGITS = 17
@@ -27,10 +26,6 @@ class Number(NamedTuple):
     value: float
     unit: str
     sentence: str
-
-    def __str__(self) -> str:
-        """Write it as a line shows it: `r = 80.00 mm`."""
-        return f"{self.symbol} = {number(self.value, self.unit)}"
 
 
 class Alternative(NamedTuple):

@@ -15,7 +15,7 @@ from cranktrain.cli.screen.inputs import input_table, provenance
 from cranktrain.cli.screen.text import INDENT, paragraph, section, table
 from cranktrain.grouping import places_of_equal
 from cranktrain.io.description import layout_words
-from cranktrain.io.machine_file import MachineFile
+from cranktrain.io.machine_file import MachineFile, inputs_of
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.one_line import one_line, visible
@@ -46,7 +46,6 @@ def show_result(
     with_inputs : bool
         Whether to show every number of the file, and not only a word on where they are from.
     """
-    console.print(Text(title(file.machine), style="bold"))
     for sentence in sentences(result.unused):
         first, *more = paragraph(console, sentence)
         console.print(Text("\n").join([Text("! ") + first, *(Text("  ") + line for line in more)]), soft_wrap=True)
@@ -68,7 +67,7 @@ def show_result(
         section(console, _("By each method, with --quantities"), [", ".join(deep)])
     section(console, _("Checks"), _checks(console, result))
     section(console, _("Mind"), result.flags)
-    about = input_table(file, width) if with_inputs else provenance(file, width)
+    about = input_table(inputs_of(file), width) if with_inputs else provenance(file, width)
     section(console, _("What this rests on"), about)
     section(console, _("To learn more"), map(_missing, result.missing))
 

@@ -27,10 +27,11 @@ _LEAST_FOLDED = 9
 
 
 @contextmanager
-def page() -> Generator[Console]:
-    """Collect a page for the standard output, and show it without blanks at line ends."""
+def page(head: str) -> Generator[Console]:
+    """Collect a page for the standard output below its head, and show it without blanks at line ends."""
     console = _screen()
     with console.capture() as shown:
+        console.print(Text(head, style="bold"))
         yield console
     sys.stdout.writelines(f"{line.rstrip()}\n" for line in shown.get().splitlines())
 

@@ -15,7 +15,7 @@ from cranktrain.grouping import grouped
 from cranktrain.io.output import STANDARD_OUTPUT, write_whole
 from cranktrain.language import _
 from cranktrain.one_line import one_line
-from cranktrain.synthesis.proposal import Alternative, Number, Proposal
+from cranktrain.synthesis.proposal import Number, Proposal
 from cranktrain.wording import figure
 
 _OF_MEMBER = re.compile(r"(?P<name>.+)\((?P<member>\d+)\)$")
@@ -42,7 +42,7 @@ def give_proposal(problem: str, typed: Typed, output: str | None, *, force: bool
         write_whole(output, proposal.machine_file(), force=force)
     if output in STANDARD_OUTPUT:
         return
-    with page() as console:
+    with page(one_line(proposal.title)) as console:
         show_proposal(console, proposal)
         if with_source:
             show_source_example(console)
@@ -58,7 +58,6 @@ def give_proposal(problem: str, typed: Typed, output: str | None, *, force: bool
 def show_proposal(console: Console, proposal: Proposal) -> None:
     """Show numbers, alternatives and remarks."""
     width = console.width - INDENT
-    console.print(Text(one_line(proposal.title), style="bold"))
     section(console, _("Proposed"), _numbers(proposal.numbers, width))
     section(console, _("Also considered"), _alternatives(proposal, width))
     section(console, _("Mind"), proposal.remarks)
@@ -82,7 +81,8 @@ def _alternatives(proposal: Proposal, width: int) -> Iterator[str | Text]:
     """Tables of alternatives, one for each set of numbers; those that the proposal has too stand beside its own."""
     own = {one.name: one for one in proposal.numbers}
     families: dict[tuple[str, ...], list[tuple[str, Mapping[str, Number]]]] = {}
-    for label, numbers in map(_by_name, proposal.alternatives):
+    for label, listed in proposal.alternatives:
+        numbers = {one.name: one for one in listed}
         is_comparable = set(numbers) <= set(own)
         family = tuple(own) if is_comparable else tuple(numbers)
         start = [(_("as proposed"), own)] if is_comparable else []
@@ -96,10 +96,6 @@ def _alternatives(proposal: Proposal, width: int) -> Iterator[str | Text]:
         yield from worded_tables([columns[name] for name in kept], [label for label, _numbers in rows], width)
         yield ""
         yield _legend([shown[name] for name in kept])
-
-
-def _by_name(alternative: Alternative) -> tuple[str, Mapping[str, Number]]:
-    return alternative.label, {one.name: one for one in alternative.numbers}
 
 
 def _column(like: Number, numbers: Sequence[Number | None]) -> Column:

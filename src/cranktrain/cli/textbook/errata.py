@@ -30,27 +30,17 @@ SOURCE_EXAMPLE = {
 """What the source of the slider-crank's synthesis wants, as it would be typed."""
 
 
-def show_errata(console: Console) -> None:
-    """Show the errors of every source of which any are known."""
-    console.print(Text(_("Errors of the sources, each with what is right"), style="bold"))
-    show_source_example(console)
-
-
 def show_source_example(console: Console) -> None:
     """Show the wrong steps of the slider-crank's synthesis, and its table of velocities beside the right one."""
     width = console.width - INDENT
-    section(console, f"[{SOURCE}]", [REFERENCES[SOURCE].text, _("Its example: {wants}.").format(wants=_example())])
+    wants = _("stroke {stroke}, mean slider speed {speed}, permissible pressure angle {angle}").format(
+        stroke=SOURCE_EXAMPLE["stroke"], speed=SOURCE_EXAMPLE["mean_speed"], angle=SOURCE_EXAMPLE["pressure_angle"]
+    )
+    section(console, f"[{SOURCE}]", [REFERENCES[SOURCE].text, _("Its example: {wants}.").format(wants=wants)])
     for place, step in enumerate(wrong_steps(), start=1):
         words = _(step.step)
         section(console, f"{place}. {words[:1].upper()}{words[1:]}", _rows_of(step, width))
     section(console, _("Its table of slider velocities, m/s"), _velocities(width))
-
-
-def _example() -> str:
-    """Dimensions from which the source's example starts."""
-    return _("stroke {stroke}, mean slider speed {speed}, permissible pressure angle {angle}").format(
-        stroke=SOURCE_EXAMPLE["stroke"], speed=SOURCE_EXAMPLE["mean_speed"], angle=SOURCE_EXAMPLE["pressure_angle"]
-    )
 
 
 def _rows_of(step: WrongStep, width: int) -> Iterator[Text]:
