@@ -11,6 +11,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails, core_schema
 
 from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.paths import path_text, value_at
 from cranktrain.quantities import Given, Quantity, expected, nearest, one_of, unknown_key, unlisted, written
@@ -248,16 +249,13 @@ def _fitting_alternatives(
     details: Sequence[ErrorDetails], locations: Sequence[_Location]
 ) -> dict[tuple[str | int, ...], set[str | int]]:
     """Of every union, the alternatives that got farthest before something was wrong; a wrong type is no start."""
-    reached: dict[tuple[str | int, ...], dict[str | int, tuple[int, bool]]] = {}
-    for detail, where in zip(details, locations, strict=True):
-        reach = (len(detail["loc"]), not detail["type"].endswith("_type"))
-        for union, label in where.alternatives:
-            of_union = reached.setdefault(union, {})
-            of_union[label] = max(of_union.get(label, reach), reach)
-    return {
-        union: {label for label, reach in of_union.items() if reach == max(of_union.values())}
-        for union, of_union in reached.items()
-    }
+    tried = grouped(
+        (union, (label, (len(detail["loc"]), not detail["type"].endswith("_type"))))
+        for detail, where in zip(details, locations, strict=True)
+        for union, label in where.alternatives
+    )
+    farthest = {union: max(reach for _label, reach in each) for union, each in tried.items()}
+    return {union: {label for label, reach in each if reach == farthest[union]} for union, each in tried.items()}
 
 
 def _problems_of(detail: ErrorDetails, where: _Location) -> Iterator[Problem]:

@@ -62,12 +62,16 @@ def write_picture(request: Request) -> None:
     InputError
         With everything that is wrong with the options, else with the machine, else with what cannot be drawn.
     """
+    from cranktrain.plans.placement import place_called
+
     choice = understood(request)
     # What the plotting library says of its fonts and its folder is nothing that a user asked for.
     logging.getLogger("matplotlib").setLevel(logging.ERROR)
     file = request.read()
     with problems_as(partial(_placed, file, request)), problems_as(at_running_speed):
-        _check_mechanism(file, request.mechanism)
+        if request.mechanism is not None:
+            with problems_as(lambda problem: replace(problem, path="--mechanism")):
+                place_called(file.machine, request.mechanism)
         _draw(file, choice, request)
     print(_("written: {name}").format(name=one_line(request.output or "")))
 
@@ -160,15 +164,6 @@ def _angles(text: str | None, picture: Picture | None) -> Angles | None:
     if not is_count_meant and len(angles) > 1:
         raise InputError([Problem("--at", text, _("must be one crank angle; for several, ask for a --plan"))])
     return angles
-
-
-def _check_mechanism(file: MachineFile, name: str | None) -> None:
-    """Refuse a mechanism that the machine does not have."""
-    from cranktrain.plans.placement import place_called
-
-    if name is not None:
-        with problems_as(lambda problem: replace(problem, path="--mechanism")):
-            place_called(file.machine, name)
 
 
 def _draw(file: MachineFile, choice: Choice, request: Request) -> None:

@@ -12,6 +12,7 @@ from cranktrain.numerics import bracketed_roots, smallest, turn_grid
 from cranktrain.numerics.nested import mapped
 from cranktrain.synthesis.knuckle_equations import (
     HALF_THE_DIGITS,
+    NEWTON_STEPS,
     Free,
     dead_centres,
     distance_slope,
@@ -19,7 +20,6 @@ from cranktrain.synthesis.knuckle_equations import (
 )
 from cranktrain.synthesis.knuckle_wants import Goal, Wants, goals_of
 
-_NEWTON_STEPS = 12
 _SAMPLES = 480
 _WIDEST_OFFSET_ANGLE = 75 * np.pi / 180
 _LONGEST = 1.2
@@ -34,7 +34,7 @@ def _with_value(rod: ArticulatedRod, free: Free, value: Array) -> ArticulatedRod
 def _solved(rod: ArticulatedRod, goal: Goal, free: Free) -> ArticulatedRod:
     """Meet one goal by one dimension, by Newton's method with the slopes in closed form; NaN where it finds none."""
     with np.errstate(all="ignore"):
-        for _step in range(_NEWTON_STEPS):
+        for _step in range(NEWTON_STEPS):
             at = dead_centres(rod)
             slope = goal.of(distance_slope(at.top_angle, rod, free), distance_slope(at.bottom_angle, rod, free))
             step = (goal.of(at.top, at.bottom) - goal.target) / slope

@@ -15,7 +15,6 @@ from cranktrain.textbook.slider_crank_synthesis import (
     PIN_SPEED,
     ROD_LENGTH,
     WANTS,
-    WrongStep,
     velocity_table,
     wrong_steps,
 )
@@ -39,19 +38,14 @@ def show_source_example(console: Console) -> None:
     section(console, f"[{SOURCE}]", [REFERENCES[SOURCE].text, _("Its example: {wants}.").format(wants=wants)])
     for place, step in enumerate(wrong_steps(), start=1):
         words = _(step.step)
-        section(console, f"{place}. {words[:1].upper()}{words[1:]}", _rows_of(step, width))
+        rows = [
+            (_("printed"), step.printed),
+            (_("gives"), _figure(step.got, step.unit)),
+            (_("right"), _figure(step.right, step.unit)),
+            (_("because"), _(step.why)),
+        ]
+        section(console, f"{place}. {words[:1].upper()}{words[1:]}", table(("", ""), rows, fold=width))
     section(console, _("Its table of slider velocities, m/s"), _velocities(width))
-
-
-def _rows_of(step: WrongStep, width: int) -> Iterator[Text]:
-    """What a step says, gives, and would have to give."""
-    rows = [
-        (_("printed"), step.printed),
-        (_("gives"), _figure(step.got, step.unit)),
-        (_("right"), _figure(step.right, step.unit)),
-        (_("because"), _(step.why)),
-    ]
-    yield from table(("", ""), rows, fold=width)
 
 
 def _figure(value: float, unit: str) -> str:
