@@ -2,7 +2,7 @@
 
 import re
 import shlex
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 from rich.console import Console
 from rich.text import Text
@@ -80,16 +80,13 @@ def _numbers(numbers: Sequence[Number], width: int) -> Iterator[str | Text]:
 def _alternatives(proposal: Proposal, width: int) -> Iterator[str | Text]:
     """Tables of alternatives, one for each set of numbers; those that the proposal has too stand beside its own."""
     own = {one.name: one for one in proposal.numbers}
-    families: dict[tuple[str, ...], list[tuple[str, Mapping[str, Number]]]] = {}
-    for label, listed in proposal.alternatives:
-        numbers = {one.name: one for one in listed}
-        is_comparable = set(numbers) <= set(own)
-        family = tuple(own) if is_comparable else tuple(numbers)
-        start = [(_("as proposed"), own)] if is_comparable else []
-        families.setdefault(family, list(start)).append((label, numbers))
+    others = [(label, {one.name: one for one in numbers}) for label, numbers in proposal.alternatives]
+    families = grouped((tuple(own if set(other) <= set(own) else other), (label, other)) for label, other in others)
     for i, (names, rows) in enumerate(families.items()):
         if i:
             yield ""
+        if names == tuple(own):
+            rows.insert(0, (_("as proposed"), own))
         shown = {name: next(numbers[name] for _label, numbers in rows if name in numbers) for name in names}
         columns = {name: _column(one, [numbers.get(name) for _label, numbers in rows]) for name, one in shown.items()}
         kept = [name for name, column in columns.items() if len(set(filter(None, column.texts))) > 1] or list(columns)
