@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar, NamedTuple
 import numpy as np
 from pydantic import Field
 
-from cranktrain.errors import InputError, Position, Problem
+from cranktrain.errors import InputError, Position, Problem, refuse
 from cranktrain.gas.indicator.reading import unit_in
 from cranktrain.gas.indicator.table import Table, held_text, read_table
 from cranktrain.language import N_, _
@@ -115,8 +115,7 @@ def given_curve(spec: CycleFileSpec) -> Polyline:
         allowed, repair = map(_, words.without_unit)
         units = ", ".join(unit_names(words.dimension))
         problems.append(Problem(words.unit_key, None, allowed, repair.format(units=units)))
-    if problems:
-        raise InputError(problems)
+    refuse(problems)
     period = _period(angles) or _TURN
     kept = slice(None, -1) if _is_closed(angles, period) else slice(None)
     factor = 1.0 if unit is None else read(f"1 {unit}", words.dimension)

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from cranktrain.errors import Problem
+from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.questions.cylinders.spec import CylinderSpec, CylindersSpec
@@ -52,10 +53,7 @@ _COMMON_RATIO = "cylinder.compression_ratio"
 
 def cylinders_of(common: CylindersSpec, pistons: Sequence[PlacedMechanism]) -> tuple[Cylinder, ...]:
     """Give every cylinder its pistons and its dimensions; a valve has none."""
-    members: dict[str, list[int]] = {}
-    for i, place in enumerate(pistons):
-        if place.kind.has_chambers:
-            members.setdefault(place.cylinder, []).append(i)
+    members = grouped((place.cylinder, i) for i, place in enumerate(pistons) if place.kind.has_chambers)
     return tuple(_cylinder(common, pistons, tuple(index)) for index in members.values())
 
 

@@ -24,13 +24,6 @@ class PistonForces(NamedTuple):
     tangential: Array
 
 
-class RodForces(NamedTuple):
-    """Force along a rod, + in compression, at its piston pin and at its other pin. [N]"""
-
-    at_piston: Array
-    at_crank: Array
-
-
 class PistonIdentities(NamedTuple):
     """What must be zero: K² + T² − S² [N²]; TR − Px′ and TR − (Ns + Pe) [N·m]."""
 
@@ -113,7 +106,7 @@ def piston_identities(forces: PistonForces, motion: SliderCrankMotion, geometry:
 
 def rod_forces(
     rod: Link, slider: Coefficient, pins: tuple[Wrench, Wrench], masses: TwoMasses, drive: Drive
-) -> RodForces:
+) -> tuple[Array, Array]:
     """Force along a rod by the reactions in both its pins.
 
     Parameters
@@ -130,7 +123,8 @@ def rod_forces(
 
     Returns
     -------
-    RodForces, shape (..., n)
+    at_piston, at_crank : Array, shape (..., n)
+        + in compression. [N]
         Where nothing hangs on the rod and it has no weight, both are the same. docs/theory/forces, eq. (13.50).
     """
     first, second = pins
@@ -139,4 +133,4 @@ def rod_forces(
     first_x = first.x - masses.first * (origin.x.second * square + origin.x.first * drive.acceleration)
     first_y = first.y - masses.first * (origin.y.second * square + origin.y.first * drive.acceleration)
     second_x = second.x + masses.second * (slider.second * square + slider.first * drive.acceleration)
-    return RodForces(second_x * rod.cos + second.y * rod.sin, first_x * rod.cos + first_y * rod.sin)
+    return second_x * rod.cos + second.y * rod.sin, first_x * rod.cos + first_y * rod.sin
