@@ -24,14 +24,6 @@ class PistonForces(NamedTuple):
     tangential: Array
 
 
-class PistonIdentities(NamedTuple):
-    """What must be zero: K² + T² − S² [N²]; TR − Px′ and TR − (Ns + Pe) [N·m]."""
-
-    resolution: Array
-    work: Array
-    reversal: Array
-
-
 def inertia_force(slider: Coefficient, mass: Array, drive: Drive) -> Array:
     """Inertia of what goes with the piston, toward the shaft: P_j = −m_j x″ω² − m_j x′ε, x toward the shaft. [N]"""
     return mass * (slider.second * (drive.speed * drive.speed) + slider.first * drive.acceleration)
@@ -93,11 +85,16 @@ def piston_forces(force: Array, motion: SliderCrankMotion, geometry: SliderCrank
     )
 
 
-def piston_identities(forces: PistonForces, motion: SliderCrankMotion, geometry: SliderCrank) -> PistonIdentities:
-    """Residuals of what holds between the forces of a piston; docs/theory/forces, eqs. (13.32) and (13.33)."""
+def piston_identities(
+    forces: PistonForces, motion: SliderCrankMotion, geometry: SliderCrank
+) -> tuple[Array, Array, Array]:
+    """What must be zero of the forces of a piston: K² + T² − S² [N²]; TR − Px′ and TR − (Ns + Pe) [N·m].
+
+    docs/theory/forces, eqs. (13.32) and (13.33).
+    """
     torque = forces.tangential * geometry.crank_radius
     resolved = forces.radial * forces.radial + forces.tangential * forces.tangential
-    return PistonIdentities(
+    return (
         resolved - forces.rod * forces.rod,
         torque + forces.piston * motion.slider.first,
         torque - (forces.side * motion.slider.value + forces.piston * geometry.offset),

@@ -65,6 +65,12 @@ def _counted(angle: Array, middle: Array) -> Array:
     return np.where(np.isnan(middle), unwrapped(angle), about)
 
 
+def _without_jumps(rockers: Rockers, turn: RockerTurn, phi: Array) -> Coefficient:
+    """Angles of the rockers at φ, counted as their swings or turns ask for."""
+    motion = rocker_angle(rockers, phi)
+    return motion._replace(value=_counted(motion.value, turn.middle))
+
+
 _SWING = Limit(
     1e5, "deg", N_("A rocker swings {value}: what there is of its motion is in the last digits of its position.")
 )
@@ -110,12 +116,9 @@ class DeadPositions(StageResult):
 
 def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) -> DeadPositions:
     """Extremes of every rocker's angle: roots of θ′."""
-
-    def rocker(phi: Array) -> Coefficient:
-        motion = rocker_angle(rockers, phi)
-        return Coefficient(_counted(motion.value, turn.middle), motion.first, motion.second)
-
-    least, most = turning_points(rocker, _counted(turn.samples.value, turn.middle))
+    least, most = turning_points(
+        lambda phi: _without_jumps(rockers, turn, phi), _counted(turn.samples.value, turn.middle)
+    )
     travel = np.mod(most.angle - least.angle, 2 * np.pi)
     slower = np.maximum(travel, 2 * np.pi - travel)
 
@@ -149,10 +152,7 @@ class RockerMotion(StageResult):
 
 def rocker_motion(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) -> RockerMotion:
     """Angles of every rocker, without jumps, and their derivatives."""
-    motion = rocker_angle(rockers, crank_angle.angle)
-    return RockerMotion(
-        motion._replace(value=_counted(motion.value, turn.middle)), checks=(_derivatives_check(rockers),)
-    )
+    return RockerMotion(_without_jumps(rockers, turn, crank_angle.angle), checks=(_derivatives_check(rockers),))
 
 
 def _derivatives_check(rockers: Rockers) -> Check:
