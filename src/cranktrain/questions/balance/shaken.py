@@ -188,7 +188,7 @@ def _in_cycle(lots: Sequence[PlaneVectors], turns: int) -> PlaneVectors:
     whole = np.stack([one[1:] for one in lots], axis=2)[..., 1:]
     every = np.zeros((*whole.shape[:-1], HIGHEST_ORDER * turns), dtype=np.complex128)
     every[..., turns - 1 :: turns] = whole
-    return PlaneVectors(orders(turns * 2 * np.pi), *every)
+    return PlaneVectors(orders(turns * 2 * np.pi), every[0], every[1])
 
 
 def _summed(vectors: PlaneVectors, arm: Array) -> PlaneVectors:

@@ -81,7 +81,7 @@ class ModeVectorSums(StageResult):
         of_mode = self.mode_vector_sum[design, 0]
         if not np.all(np.isfinite(of_mode)):
             return None
-        ranked = np.argsort(-of_mode.round(_DECIMALS), kind="stable").tolist()
+        ranked: list[int] = np.argsort(-of_mode.round(_DECIMALS), kind="stable").tolist()
         alike = grouped((f"{float(of_mode[place]):.3g}", names["order"][place]) for place in ranked)
         said = [
             _("{sum} of order {orders}").format(
