@@ -11,7 +11,6 @@ from cranktrain.linkage import (
     Pin,
     Slide,
     Swivel,
-    SwivelEnds,
     TriadEnds,
     Yoke,
     crank,
@@ -114,7 +113,7 @@ def rod_and_rocker(angle, size, side):
 
 
 def guide(angle, size):
-    return swivel(SwivelEnds(crank_pin(angle, size), fixed(size(0.1), size(-0.4))), Swivel(size(0.05), 1.0)).guide
+    return swivel(Ends(crank_pin(angle, size), fixed(size(0.1), size(-0.4))), Swivel(size(0.05), 1.0)).guide
 
 
 def triad(angle, size):

@@ -35,7 +35,6 @@ from cranktrain.linkage import (
     Pose,
     Slide,
     Swivel,
-    SwivelEnds,
     Trammel,
     Triad,
     TriadDriver,
@@ -148,7 +147,7 @@ def rod(angle, size):
 
 
 def swivel_ends(angle, size):
-    return SwivelEnds(crank_pin(angle, size), fixed(size(0.1), size(-0.4)))
+    return Ends(crank_pin(angle, size), fixed(size(0.1), size(-0.4)))
 
 
 def floating_link(angle, size):

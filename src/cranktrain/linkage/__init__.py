@@ -12,7 +12,6 @@ from cranktrain.linkage.legs import OnLine, block_along, fixed_guide, rod_betwee
 from cranktrain.linkage.modes import triad_modes
 from cranktrain.linkage.pin import (
     CrankAndGround,
-    Ends,
     Line,
     Pin,
     PinMotion,
@@ -22,12 +21,11 @@ from cranktrain.linkage.pin import (
     pin_from_crank,
     pin_gap,
 )
-from cranktrain.linkage.point import LinkPoint, fixed, point, turned
+from cranktrain.linkage.point import Ends, LinkPoint, fixed, point, turned
 from cranktrain.linkage.slide import AHEAD, Slide, SlideMotion, slide, slide_gap
 from cranktrain.linkage.swivel import (
     CrankAndPivot,
     Swivel,
-    SwivelEnds,
     SwivelMotion,
     crank_swivel_gap,
     swivel,
@@ -56,7 +54,6 @@ __all__ = [
     "Slide",
     "SlideMotion",
     "Swivel",
-    "SwivelEnds",
     "SwivelMotion",
     "Trammel",
     "TrammelMotion",

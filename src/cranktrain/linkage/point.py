@@ -15,6 +15,13 @@ class LinkPoint(NamedTuple):
     angle: Array
 
 
+class Ends(NamedTuple):
+    """A group's outer pins: of its rod or slider, and of its rocker or guide, fixed or moving. [m, m/rad, m/rad²]"""
+
+    pin: Point
+    pivot: Point
+
+
 def point(link: Link, geometry: LinkPoint) -> Point:
     """Point that a link carries with it, and its derivatives by the crank angle.
 

@@ -8,11 +8,11 @@ from numpy.typing import NDArray
 
 from cranktrain.linkage.triad import Pose, Triad, TriadDriver, TriadEnds, TriadMotion, triad
 from cranktrain.motion import Array, Coefficient
+from cranktrain.numerics.harmonics import TURN
 
-_TURN = 2 * np.pi
-_FIRST_STEP = _TURN / 48
-_LARGEST_STEP = _TURN / 12
-_SMALLEST_STEP = _TURN / 2**16
+_FIRST_STEP = TURN / 48
+_LARGEST_STEP = TURN / 12
+_SMALLEST_STEP = TURN / 2**16
 _MOST_MISSED = 1e-3  # of the link's size, by the prediction of a step
 
 
@@ -57,8 +57,8 @@ def triad_walk(ends: Callable[[Array], TriadEnds], geometry: Triad, start: Pose)
         scale = _scale(geometry, side)
         at, step = np.zeros(side.shape), np.full(side.shape, _FIRST_STEP)
         nodes = [(at, pose)]
-        while np.any(at < _TURN):
-            after = np.minimum(at + step, _TURN)
+        while np.any(at < TURN):
+            after = np.minimum(at + step, TURN)
             expected = _predicted(pose, after - at)
             found = triad(TriadDriver(ends(after), Pose(*expected)), geometry)
             reached = _pose(found)
@@ -68,7 +68,7 @@ def triad_walk(ends: Callable[[Array], TriadEnds], geometry: Triad, start: Pose)
             is_taken = missed <= 1
             is_stuck = ~is_taken & (step <= _SMALLEST_STEP)
             pose = np.where(is_taken, reached, np.where(is_stuck, np.nan, pose))
-            at = np.where(is_taken, after, np.where(is_stuck, _TURN, at))
+            at = np.where(is_taken, after, np.where(is_stuck, TURN, at))
             step = np.minimum(step * np.clip(0.9 / np.cbrt(missed), 0.1, 2.0), _LARGEST_STEP)
             nodes.append((at, pose))
     return Walk(
@@ -95,7 +95,7 @@ def pose_at(walk: Walk, angle: Array) -> Pose:
     -----
     The polynomial of fifth degree with value and two derivatives of both nodes; docs/theory/groups-2, eq. (7.19).
     """
-    angle = np.mod(angle, _TURN)
+    angle = np.mod(angle, TURN)
     last = walk.angle.shape[-1] - 2
     before = np.minimum(sum(walk.angle[..., i : i + 1] <= angle for i in range(1, last + 2)), last)
     near = np.take_along_axis(walk.angle, before, axis=-1)
@@ -134,4 +134,4 @@ def _predicted(pose: Array, step: Array) -> Array:
 
 
 def _turn_apart(difference: Array) -> Array:
-    return difference - _TURN * np.round(difference / _TURN)
+    return difference - TURN * np.round(difference / TURN)

@@ -8,12 +8,12 @@ from cranktrain.linkage import (
     GUIDE,
     ROD,
     Crank,
+    Ends,
     Leg,
     LinkPoint,
     OnLine,
     Pose,
     Swivel,
-    SwivelEnds,
     Trammel,
     Triad,
     TriadDriver,
@@ -38,7 +38,7 @@ from cranktrain.linkage import (
 ANGLES = np.linspace(-1.0, 1.0, 7)
 STILL = 0.0 * ANGLES
 PIN = crank(ANGLES, Crank(0.1))
-ENDS = SwivelEnds(PIN, fixed(STILL, STILL - 0.3))
+ENDS = Ends(PIN, fixed(STILL, STILL - 0.3))
 GUIDED = Swivel(0.05, AHEAD)
 LEVER = swivel(ENDS, GUIDED).guide
 LEGS = Triad(

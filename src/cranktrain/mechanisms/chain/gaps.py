@@ -11,7 +11,6 @@ from cranktrain.linkage import (
     Pose,
     Slide,
     Swivel,
-    SwivelEnds,
     Triad,
     TriadDriver,
     TriadEnds,
@@ -149,7 +148,7 @@ def _gap_of(step: Step, own: StepSize, made: Made, radius: Array) -> Array:
             height = guide_offset(made, step.through, own.direction, own.offset)
             return slide_gap(turned(made[step.rod_from], own.direction), Slide(own.rod_length, height, own.way))
         case SwivelStep(), SwivelSize():
-            ends = SwivelEnds(made[step.pin], made[step.pivot])
+            ends = Ends(made[step.pin], made[step.pivot])
             return swivel_gap(ends, Swivel(own.offset, own.way)) - _crossed(ends, own.outside)
         case YokeStep(), YokeSize():
             return radius * np.abs(np.sin(own.slot_angle)) + 0.0 * made[step.pin].x.value
@@ -164,7 +163,7 @@ def _gap_of(step: Step, own: StepSize, made: Made, radius: Array) -> Array:
             raise TypeError(step)
 
 
-def _crossed(ends: SwivelEnds, outside: Array) -> Array:
+def _crossed(ends: Ends, outside: Array) -> Array:
     """How far the pivot is on the wrong side of a crank pin's circle, through which it has come. [m]"""
     nearest = _distance(ends.pivot) - _distance(ends.pin)
     return outside * (outside * np.abs(nearest) - nearest)
