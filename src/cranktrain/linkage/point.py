@@ -16,9 +16,9 @@ class LinkPoint(NamedTuple):
 
 
 class Ends(NamedTuple):
-    """A group's outer pins: of its rod or slider, and of its rocker or guide, fixed or moving. [m, m/rad, m/rad²]"""
+    """A group's outer pins: which drives its rod or slider, and pivot of its rocker or guide. [m, m/rad, m/rad²]"""
 
-    pin: Point
+    driver: Point
     pivot: Point
 
 

@@ -58,7 +58,7 @@ def swivel(ends: Ends, geometry: Swivel) -> SwivelMotion:
     >>> round(float(swivel(Ends(pin, fixed(0.0, -0.1)), Swivel(0.0, AHEAD)).guide.angle.first), 12)
     0.75
     """
-    d, d1, d2 = moving_between(ends.pivot, ends.pin)
+    d, d1, d2 = moving_between(ends.pivot, ends.driver)
     square = dot(d, d)
     distance = np.sqrt(square)
     reach = geometry.side * np.sqrt((distance - geometry.offset) * (distance + geometry.offset))
@@ -84,7 +84,7 @@ def swivel(ends: Ends, geometry: Swivel) -> SwivelMotion:
 
 def swivel_gap(ends: Ends, geometry: Swivel) -> Array:
     """By how much the pin is farther from the pivot than the guide's line; negative where it cannot close. [m]"""
-    d = between(ends.pivot, ends.pin)
+    d = between(ends.pivot, ends.driver)
     return np.sqrt(dot(d, d)) - np.abs(geometry.offset)
 
 

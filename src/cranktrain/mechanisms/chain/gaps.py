@@ -165,7 +165,7 @@ def _gap_of(step: Step, own: StepSize, made: Made, radius: Array) -> Array:
 
 def _crossed(ends: Ends, outside: Array) -> Array:
     """How far the pivot is on the wrong side of a crank pin's circle, through which it has come. [m]"""
-    nearest = _distance(ends.pivot) - _distance(ends.pin)
+    nearest = _distance(ends.pivot) - _distance(ends.driver)
     return outside * (outside * np.abs(nearest) - nearest)
 
 
