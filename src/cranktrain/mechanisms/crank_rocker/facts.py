@@ -10,10 +10,10 @@ from cranktrain.mechanisms.kind import Members
 from cranktrain.motion import Array
 from cranktrain.numerics import extremes
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
 from cranktrain.wording import Names, shared
 
 _LINKAGE = ("crank_rocker",)
-_THEORY = "docs/theory/crank-rocker"
 
 CLASSES = (
     N_("crank-rocker: the crank turns, the rocker swings"),
