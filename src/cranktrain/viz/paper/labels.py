@@ -6,7 +6,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.viz.paper.sketch import Label
+from cranktrain.viz.paper.sketch import Circle, Label
 
 _CHARACTER, _LINE, _SYMBOL_LINE = 1.75, 3.2, 4.2
 """Width of a character, height of a line of text and of symbols on paper. [mm]"""
@@ -42,15 +42,8 @@ class Wish(NamedTuple):
         return self.manner == "number"
 
 
-class RoundMark(NamedTuple):
-    """A round mark: centre and radius. [mm of the sketch]"""
-
-    centre: Array
-    radius: float
-
-
 def placed_labels(
-    wishes: Sequence[Wish], lines: Iterable[Array], scale: float, marks: Sequence[RoundMark] = ()
+    wishes: Sequence[Wish], lines: Iterable[Array], scale: float, marks: Sequence[Circle] = ()
 ) -> Iterator[Label]:
     """Place labels one by one, each at the free place that is best for it; a number without any is left out.
 
@@ -61,7 +54,7 @@ def placed_labels(
         Polylines to keep clear of. [mm of the sketch]
     scale : float
         Millimetres of the sketch in one of paper.
-    marks : sequence of RoundMark
+    marks : sequence of Circle
         Which a number may not lie over, as it may over lines.
 
     Yields
@@ -85,7 +78,7 @@ def placed_labels(
         best = int(np.argmin(cost))
         if wish.is_number and under[best]:
             continue
-        taken.append(boxes[:, best])
+        taken.append(boxes[..., best])
         is_symbol = wish.manner == "symbol"
         yield Label(
             places[:, best] * scale,
@@ -116,9 +109,9 @@ def _ways(size: tuple[float, float], reaches: Sequence[float]) -> Array:
 
 
 def _boxes(places: Array, size: tuple[float, float]) -> Array:
-    """Least and largest x, least and largest y of a label at each place, shape (4, n)."""
-    x, y = places
-    return np.stack([x - size[0] / 2, x + size[0] / 2, y - size[1] / 2, y + size[1] / 2])
+    """Lower left and upper right corner of a label at each place, shape (2, 2, n)."""
+    half = np.array(size)[:, np.newaxis] / 2
+    return np.stack([places - half, places + half])
 
 
 def _is_nearer_to_another(places: Array, point: Array, points: Array) -> Array:
@@ -127,11 +120,10 @@ def _is_nearer_to_another(places: Array, point: Array, points: Array) -> Array:
     return np.min(np.hypot(*others), axis=1) < np.hypot(*(places - point)) - 0.5
 
 
-def _is_over(boxes: Array, mark: RoundMark, scale: float) -> Array:
+def _is_over(boxes: Array, mark: Circle, scale: float) -> Array:
     """Whether a label would lie over a mark."""
-    left, right, low, high = boxes
-    x, y = mark.centre / scale
-    return np.hypot(np.clip(x, left, right) - x, np.clip(y, low, high) - y) < mark.radius / scale
+    centre = mark.centre[:, np.newaxis] / scale
+    return np.hypot(*(np.clip(centre, *boxes) - centre)) < mark.radius / scale
 
 
 def _cost(away: Array, wish: Wish, under: Array, inside: Array) -> Array:
@@ -147,16 +139,16 @@ def _cost(away: Array, wish: Wish, under: Array, inside: Array) -> Array:
 
 def _n_under(boxes: Array, taken: Sequence[Array]) -> Array:
     """How many labels a label would lie over."""
-    left, right, low, high = boxes[..., np.newaxis]
-    of_left, of_right, of_low, of_high = np.reshape(taken, (-1, 4)).T
-    return np.count_nonzero((left < of_right) & (of_left < right) & (low < of_high) & (of_low < high), axis=1)
+    low, high = boxes[..., np.newaxis]
+    of_low, of_high = np.reshape(taken, (-1, 2, 2)).transpose(1, 2, 0)[:, :, np.newaxis]
+    return np.count_nonzero(np.all((low < of_high) & (of_low < high), axis=0), axis=1)
 
 
 def _n_inside(boxes: Array, dots: Array) -> Array:
     """How many points of the lines a label would cover."""
-    left, right, low, high = boxes[..., np.newaxis]
-    x, y = dots
-    return np.count_nonzero((x > left) & (x < right) & (y > low) & (y < high), axis=1)
+    low, high = boxes[..., np.newaxis]
+    inside = (dots[:, np.newaxis] > low) & (dots[:, np.newaxis] < high)
+    return np.count_nonzero(inside[0] & inside[1], axis=1)
 
 
 def dots(line: Array) -> Array:

@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple, TypeVar
 
 from cranktrain.language import _
+from cranktrain.one_line import short
 from cranktrain.plans.force_polygons import ForcePolygon
 from cranktrain.plans.force_sides import INITIAL, PolygonForce
 from cranktrain.plans.vectors import spoken_name
@@ -106,13 +107,9 @@ def _said(force: PolygonForce, letters: Mapping[str, str]) -> str:
         return causes[force.cause]
     if force.about:
         pin = letters.get(force.about) or spoken_name(force.about).replace("_", " ")
-        return _shortened(_("about {pin}").format(pin=in_words(pin)))
+        return short(_("about {pin}").format(pin=in_words(pin)), _LETTERS)
     if force.symbol.endswith("^n"):
         return _("along the link")
     if force.symbol.startswith("f_"):
         return _("friction")
-    return _shortened(spoken_name(force.joint.partition("/")[0]).replace("_", " "))
-
-
-def _shortened(words: str) -> str:
-    return words if len(words) <= _LETTERS else f"{words[: _LETTERS - 1]}…"
+    return short(spoken_name(force.joint.partition("/")[0]).replace("_", " "), _LETTERS)

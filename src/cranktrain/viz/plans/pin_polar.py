@@ -11,7 +11,7 @@ from cranktrain.motion import Array
 from cranktrain.plans.pin_loads import PinLoads, pin_loads
 from cranktrain.plans.positions import fitting, plan_angles
 from cranktrain.viz.figures import rounded
-from cranktrain.viz.paper.labels import RoundMark, Wish, placed_labels
+from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.page import Box, Figure, drawing_settings, mathematics, rounded_down
 from cranktrain.viz.paper.shapes import angle_of
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
@@ -127,8 +127,7 @@ def polar_sketch(loads: PinLoads, pair: tuple[Array, Array], scale: float) -> Sk
     middle = np.nanmean(full, axis=1)
     named = marked[loads.angle[marked] % (_MARKS * round(loads.cycle / 360.0)) == 0]
     wishes += [Wish(full[:, i], f"{loads.angle[i]:g}°", angle_of(full[:, i] - middle), "number") for i in named]
-    marks = [RoundMark(circle.centre, circle.radius) for circle in sketch.circles]
-    sketch.add(placed_labels(wishes, [full, *axes], 1.0, marks))
+    sketch.add(placed_labels(wishes, [full, *axes], 1.0, sketch.circles))
     return sketch
 
 

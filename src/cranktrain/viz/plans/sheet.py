@@ -14,8 +14,9 @@ from cranktrain.plans.positions import plan_angles
 from cranktrain.plans.together import placed_together, places_called, together_name
 from cranktrain.plans.vectors import spoken_name
 from cranktrain.viz.paper.head import title_block
-from cranktrain.viz.paper.page import MARGIN, Box, Page, formula, muted, paper, scale_words
+from cranktrain.viz.paper.page import MARGIN, Box, Page, formula, paper, scale_words
 from cranktrain.viz.paper.sketch import Sketch
+from cranktrain.viz.paper.style import MUTED
 from cranktrain.viz.paper.tables import ROW, write_table
 from cranktrain.viz.paper.words import speed_words
 
@@ -124,7 +125,9 @@ def write_scales(page: Page, box: Box, scales: Sequence[str], metal: float | Non
     if metal is not None:
         start = page.scale_bar(box.left, box.bottom, metal) + 6.0 + 2.0 * len(scale_words(metal)) + 34.0
     page.text(start, box.bottom - 0.4, "     ".join(scales), fontsize=9.0)
-    page.text(box.left + box.width, box.bottom - 0.4, _("1 mm is 1 mm on the sheet as printed"), ha="right", **muted())
+    page.text(
+        box.left + box.width, box.bottom - 0.4, _("1 mm is 1 mm on the sheet as printed"), ha="right", color=MUTED
+    )
 
 
 def unit_words(unit: str) -> str:

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from cranktrain.grouping import grouped
 from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.motion import Array
 from cranktrain.plans.klein import Klein
@@ -112,11 +113,8 @@ def _numbers(name: str, pins: dict[str, Array], drawing: Drawing, scale: float) 
 
 def alike(points: Array, scale: float) -> list[list[int]]:
     """Put points together that fall on one place on paper, by their numbers; without those that are nowhere."""
-    together: dict[tuple[float, float], list[int]] = {}
-    for i in np.flatnonzero(np.all(np.isfinite(points), axis=0)).tolist():
-        x, y = np.round(points[:, i] / (0.5 * scale))
-        together.setdefault((x, y), []).append(i)
-    return list(together.values())
+    drawn = np.flatnonzero(np.all(np.isfinite(points), axis=0)).tolist()
+    return list(grouped((tuple(np.round(points[:, i] / (0.5 * scale))), i) for i in drawn).values())
 
 
 def _frame(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[Line | Circle]:

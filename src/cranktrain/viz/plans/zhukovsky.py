@@ -18,8 +18,9 @@ from cranktrain.plans.zhukovsky import Lever, LeverForce, zhukovsky_lever
 from cranktrain.viz.figures import figure
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels
-from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings, mathematics, muted
+from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings, mathematics
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
+from cranktrain.viz.paper.style import MUTED
 from cranktrain.viz.paper.tables import LEAST_ROW, ROW
 from cranktrain.viz.plans.forces import too_many_words
 from cranktrain.viz.plans.sheet import (
@@ -92,7 +93,7 @@ def plan_zhukovsky(
     velocity = scale_of("v", polygons[0].scale, polygons[0].unit)
     write_scales(page, box, [scale_of("l", plans[0].scale, "m"), velocity, scale_of("F", newton, "N")], None)
     words = _("Velocities turned by 90° clockwise: a force's anticlockwise moment about p is its power")
-    page.text(box.left + left, box.bottom + 4.4, words, **muted())
+    page.text(box.left + left, box.bottom + 4.4, words, color=MUTED)
     return page.figure
 
 

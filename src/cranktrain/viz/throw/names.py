@@ -37,7 +37,8 @@ def piston_names(scene: Scene, angle: float, sketch: Sketch) -> Iterator[Label |
         outer = across * np.sign(lies_out if abs(lies_out) > 1e-6 * scale else across @ np.array([1.0, -1e-3]))
         beside = 0.5 * pair[0].width * outer
         places += [(member, _middle(member) + beside + 1.5 * scale * outer, outer) for member in pair]
-        ends = np.stack([_end_of_travel(member) for member in pair], axis=1)
+        # Where a piston's pin is farthest from the other piston.
+        ends = np.stack([member.stroke_line.at(member.travel[member.place.is_far]) for member in pair], axis=1)
         obstacles += [ends + side * beside[:, np.newaxis] for side in (-1.0, 0.0, 1.0)]
     if not places:
         return
@@ -52,11 +53,6 @@ def piston_names(scene: Scene, angle: float, sketch: Sketch) -> Iterator[Label |
         nearest = np.clip(named, np.min(box, axis=1), np.max(box, axis=1))
         if np.hypot(*(nearest - named)) > _LEADER * scale:
             yield Line(np.stack([named, label.position], axis=1), "DIMENSIONS", "thin", 8)
-
-
-def _end_of_travel(member: Member) -> Array:
-    """Where a piston's pin is farthest from the other piston."""
-    return member.stroke_line.at(member.travel[member.place.is_far])
 
 
 def _middle(member: Member) -> Array:

@@ -8,6 +8,7 @@ from itertools import combinations
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
+from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import MAIN
@@ -148,9 +149,7 @@ class Scene:
     @cached_property
     def pairs(self) -> tuple[tuple[Member, Member], ...]:
         """Pistons that share a cylinder, two by two; a piston with side rods second."""
-        cylinders: dict[str, list[Member]] = {}
-        for member in self.sliders:
-            cylinders.setdefault(member.place.cylinder, []).append(member)
+        cylinders = grouped((member.place.cylinder, member) for member in self.sliders)
         return tuple(
             (one, other) if other.place.is_far or not one.place.is_far else (other, one)
             for one, other in (found for found in cylinders.values() if len(found) == _PAIR)

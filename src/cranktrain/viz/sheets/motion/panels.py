@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.analysis import Result
+from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.speed import rates
 from cranktrain.layout.speed_curve import SpeedCurve
@@ -111,9 +112,7 @@ def drawn_names(result: Result, dimension: str) -> tuple[str, ...]:
 
 def opposed_names(machine: Machine) -> tuple[str, ...]:
     """Name the two pistons of the first drawn cylinder that has two; none where none has."""
-    cylinders: dict[str, list[str]] = {}
-    for place in first_throw(machine):
-        cylinders.setdefault(place.cylinder, []).append(place.name)
+    cylinders = grouped((place.cylinder, place.name) for place in first_throw(machine))
     return next((tuple(names) for names in cylinders.values() if len(names) == _PAIR), ())
 
 

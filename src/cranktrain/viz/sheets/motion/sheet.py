@@ -7,9 +7,10 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.labels import label_outline
-from cranktrain.viz.paper.page import Box, Figure, Page, drawing_settings, fitting_scale, muted
+from cranktrain.viz.paper.page import Box, Figure, Page, drawing_settings, fitting_scale
 from cranktrain.viz.paper.panels import MOTION, draw_panels
 from cranktrain.viz.paper.sketch import Sketch, bounds_of
+from cranktrain.viz.paper.style import MUTED
 from cranktrain.viz.sheets.motion.dead_centres import Mark, ruler_of
 from cranktrain.viz.sheets.motion.panels import panels
 from cranktrain.viz.sheets.motion.ruler import draw_ruler
@@ -80,7 +81,7 @@ def _draw_mechanism(page: Page, machine: Machine, found: Sequence[Mark], at: flo
         draw_detail(page, scene, (at, dead), sketch, origin, room)
     page.scale_bar(room.left, room.bottom - 5.0, sketch.scale)
     for number, note in enumerate(reversed(notes)):
-        page.text(box.left, box.bottom - 0.4 + _NOTE * number, note, **muted())
+        page.text(box.left, box.bottom - 0.4 + _NOTE * number, note, color=MUTED)
 
 
 def _extent(sketch: Sketch) -> tuple[float, float, float, float]:
