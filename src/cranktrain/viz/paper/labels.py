@@ -1,12 +1,12 @@
 """Where labels go: beside their points, clear of each other and, where there is room, of the lines."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.viz.paper.sketch import Circle, Label
+from cranktrain.viz.paper.sketch import Circle, Label, Manner, Sketch, bounds_of
 
 _CHARACTER, _LINE, _SYMBOL_LINE = 1.75, 3.2, 4.2
 """Width of a character, height of a line of text and of symbols on paper. [mm]"""
@@ -34,7 +34,7 @@ class Wish(NamedTuple):
     point: Array
     text: str
     towards: float
-    manner: Literal["symbol", "number", "name"] = "symbol"
+    manner: Manner = "symbol"
 
     @property
     def is_number(self) -> bool:
@@ -65,7 +65,7 @@ def placed_labels(
     points = np.stack([wish.point for wish in wishes], axis=1) / scale
     taken: list[Array] = []
     for wish in wishes:
-        size = _size(wish.text.translate({ord(mark): None for mark in "_^"}), is_symbol=wish.manner == "symbol")
+        size = _size(wish.text.translate({ord(mark): None for mark in "_^"}), wish.manner)
         point = wish.point[:, np.newaxis] / scale
         places = point + _ways(size, _REACHES[: _NEAR if wish.is_number else None])
         boxes = _boxes(places, size)
@@ -79,26 +79,24 @@ def placed_labels(
         if wish.is_number and under[best]:
             continue
         taken.append(boxes[..., best])
-        is_symbol = wish.manner == "symbol"
-        yield Label(
-            places[:, best] * scale,
-            wish.text,
-            is_bold=wish.manner == "name",
-            is_framed=not is_symbol,
-            is_symbol=is_symbol,
-        )
+        yield Label(places[:, best] * scale, wish.text, wish.manner)
 
 
-def _size(text: str, *, is_symbol: bool) -> tuple[float, float]:
+def _size(text: str, manner: Manner) -> tuple[float, float]:
     """Width and height of a label. [mm of paper]"""
-    return _CHARACTER * len(text) + 0.8, _SYMBOL_LINE if is_symbol else _LINE
+    return _CHARACTER * len(text) + 0.8, _SYMBOL_LINE if manner == "symbol" else _LINE
 
 
 def label_outline(label: Label, scale: float) -> Array:
     """Outline of a label's box, closed, shape (2, 5). [mm of the sketch]"""
-    width, height = _size(label.text, is_symbol=label.is_symbol)
+    width, height = _size(label.text, label.manner)
     corners = 0.5 * np.array([[-width, width, width, -width, -width], [-height, -height, height, height, -height]])
     return label.position[:, np.newaxis] + scale * corners
+
+
+def labelled_bounds(sketch: Sketch) -> tuple[Array, Array]:
+    """Lower left and upper right corner of a sketch with its words. [mm of the sketch]"""
+    return bounds_of([*sketch.outline(), *(label_outline(label, sketch.scale) for label in sketch.labels)])
 
 
 def _ways(size: tuple[float, float], reaches: Sequence[float]) -> Array:

@@ -57,6 +57,11 @@ class Box(NamedTuple):
     width: float
     height: float
 
+    @property
+    def middle(self) -> Array:
+        """Its middle, shape (2,)."""
+        return np.array([self.left + self.width / 2, self.bottom + self.height / 2])
+
 
 @contextmanager
 def drawing_settings() -> Generator[None]:
@@ -155,12 +160,14 @@ class Page:
         self.text(
             float(at[0]),
             float(at[1]),
-            mathematics(label.text) if label.is_symbol else label.text,
+            mathematics(label.text) if label.manner == "symbol" else label.text,
             ha="center",
             va="center_baseline",
-            fontsize=SYMBOL if label.is_symbol else TEXT,
-            fontweight="bold" if label.is_bold else "normal",
-            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6} if label.is_framed else None,
+            fontsize=SYMBOL if label.manner == "symbol" else TEXT,
+            fontweight="bold" if label.manner == "name" else "normal",
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6}
+            if label.manner in ("number", "name")
+            else None,
             zorder=20,
         )
 

@@ -13,7 +13,7 @@ from cranktrain.viz.figures import figure, rounded
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.page import Box, Figure, drawing_settings
-from cranktrain.viz.paper.sketch import Circle, Line, Sketch
+from cranktrain.viz.paper.sketch import Circle, Line, Sketch, bounds_of
 from cranktrain.viz.plans.sheet import centre, plan_page, scale_of, write_beside, write_scales
 from cranktrain.viz.plans.sketches import alike
 
@@ -80,7 +80,7 @@ def _sheet(
     page, box = plan_page(machine, angles, size, title, found.mechanism)
     wide = 0.62 * box.width
     left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
-    bounds = np.array(_sketch(found, 1e-9).bounds()).reshape(2, 2)
+    bounds = np.stack(bounds_of(_sketch(found, 1e-9).outline()), axis=1)
     scale = fitting([1e-3 * bounds], (left.width - 26.0, left.height - 26.0))
     sketch = _sketch(found, 1e3 * scale)
     sketch.add(placed_labels(list(_wishes(found, 1e3 * scale)), [line.points for line in sketch.lines], 1e3 * scale))
@@ -107,7 +107,7 @@ def _sketch(found: Construction, scale: float) -> Sketch:
     points = 1e3 * np.concatenate([found.on_circle, foot], axis=1)
     sketch.add(Circle(point, 0.6 * scale, "LINKS", "thin", 6, "paper") for point in points.T)
     if found.method != "brix_backward":
-        sketch.add(_bars(found.foot if is_arc else found.exact_foot, scale))
+        sketch.add(_bars(found, scale))
     return sketch
 
 
@@ -133,8 +133,10 @@ def _projections(found: Construction, scale: float) -> Iterator[Line | Circle]:
         yield Line(1e3 * np.stack([point, foot], axis=1), "LINKS", "construction", 3)
 
 
-def _bars(points: Array, scale: float) -> Iterator[Line]:
-    """Short bars across the line of stroke."""
+def _bars(found: Construction, scale: float) -> Iterator[Line]:
+    """Short bars across the line of stroke: at the readings of arcs, else where these should be."""
+    exact = found.geometry.crank_radius - found.exact_displacement
+    points = found.foot if found.method == "arc" else np.stack([exact, np.zeros_like(exact)])
     for point in 1e3 * points.T:
         ends = point[:, np.newaxis] + 1.6 * scale * np.array([[0.0, 0.0], [-1.0, 1.0]])
         yield Line(ends, "PLAN_V", "outline", 5)

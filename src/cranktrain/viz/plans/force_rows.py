@@ -9,8 +9,8 @@ from cranktrain.plans.force_polygons import ForcePolygon
 from cranktrain.plans.force_sides import INITIAL, PolygonForce
 from cranktrain.plans.vectors import spoken_name
 from cranktrain.viz.figures import figure
-from cranktrain.viz.paper.page import Page, in_words, is_formula, mathematics
-from cranktrain.viz.paper.style import SYMBOL
+from cranktrain.viz.paper.page import Page, in_words, mathematics
+from cranktrain.viz.paper.tables import write_row
 
 Item = TypeVar("Item")
 
@@ -60,12 +60,10 @@ def write_forces(page: Page, rows: Sequence[Row], place: tuple[float, float, flo
     """Write a table at a place on the sheet: left, top, width. [mm]"""
     left, top, width = place
     heads = Row(("", _("force"), _("joint"), "mm", "N"), is_heading=True)
+    places = [(left + share * width, side) for share, side in zip(_ENDS, _SIDES, strict=True)]
     lines = [0.0, *(_HEAD + _LINE * number for number in range(len(rows)))]
     for row, line in zip((heads, *rows), lines, strict=True):
-        for words, share, where in zip(row.columns, _ENDS, _SIDES, strict=False):
-            size = SYMBOL if is_formula(words) else 8.0
-            weight = "bold" if row.is_heading else "normal"
-            page.text(left + share * width, top - 4.0 - line, words, ha=where, fontsize=size, fontweight=weight)
+        write_row(page, row.columns, places, top - 4.0 - line, is_bold=row.is_heading)
     page.rule(top - 5.4, left, left + width)
 
 

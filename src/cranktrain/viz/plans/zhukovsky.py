@@ -17,7 +17,7 @@ from cranktrain.plans.vectors import POLE, pair, spoken_name
 from cranktrain.plans.zhukovsky import Lever, LeverForce, zhukovsky_lever
 from cranktrain.viz.figures import figure
 from cranktrain.viz.paper import shapes
-from cranktrain.viz.paper.labels import Wish, placed_labels
+from cranktrain.viz.paper.labels import Wish, placed_labels, together
 from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings, mathematics
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
 from cranktrain.viz.paper.style import MUTED
@@ -40,6 +40,9 @@ _LONGEST = 0.30
 
 _NAMED = 2.0
 """A force shorter than this stands in the table alone. [mm]"""
+
+_ONE_POINT = 0.7
+"""A point nearer to another one has no name of its own. [mm]"""
 
 _TO_A_LINE = 8
 """Symbols side by side below a table."""
@@ -111,8 +114,9 @@ def lever_sketch(lever: Lever, polygon: Polygon, newton: float) -> Sketch:
         ends = np.stack([points[vector.start], points[vector.end]], axis=1)
         sketch.add([Line(ends, "PLAN_V", "part" if vector.part == "relative" else "vector", 2)])
     sketch.add(Circle(point, 0.5, "PLAN_V", "outline", 5, "paper") for point in points.values())
-    middle = np.mean(np.stack(list(points.values())), axis=0)
-    named = {name: point for i, (name, point) in enumerate(points.items()) if not _is_at_earlier(i, points)}
+    names, places = list(points), np.stack(list(points.values()), axis=1)
+    named = {names[of[0]]: places[:, of[0]] for of in together(places, _ONE_POINT)}
+    middle = np.mean(places, axis=1)
     wishes = [Wish(point, name, shapes.angle_of(point - middle)) for name, point in named.items()]
     long = (force for force in lever.forces if force.point and not _is_short(force, newton))
     for force in (*long, _balancing(lever, polygon)):
@@ -120,7 +124,7 @@ def lever_sketch(lever: Lever, polygon: Polygon, newton: float) -> Sketch:
         end = at + np.array(force.value) / newton
         sketch.add(arrow(at, end, "LINKS", "part" if force.symbol.startswith("Φ") else "vector"))
         wishes.append(Wish(end, force.symbol, shapes.angle_of(end - at)))
-        if force.point.startswith("s_") and not any(np.hypot(*(at - point)) < 0.7 for point in named.values()):
+        if force.point.startswith("s_") and not any(np.hypot(*(at - point)) < _ONE_POINT for point in named.values()):
             sketch.add([Circle(at, 0.5, "PLAN_V", "outline", 5, "paper")])
             named[force.point] = at
             wishes.append(Wish(at, force.point, shapes.angle_of(at - middle)))
@@ -132,12 +136,6 @@ def lever_sketch(lever: Lever, polygon: Polygon, newton: float) -> Sketch:
 def _is_short(force: LeverForce, newton: float) -> bool:
     """Whether a force is too short to be drawn, to newton N in a millimetre."""
     return float(np.hypot(*force.value)) / newton < _NAMED
-
-
-def _is_at_earlier(place: int, points: dict[str, Array]) -> bool:
-    """Whether a point falls on one before it, whose name stands there."""
-    every = list(points.values())
-    return any(np.hypot(*(every[place] - other)) < 0.7 for other in every[:place])
 
 
 def _balancing(lever: Lever, polygon: Polygon) -> LeverForce:

@@ -41,7 +41,7 @@ def degree_ring(
             and (degree == 0 or not scene.is_star)
             and (degree == 0 or not _is_covered(scene, lines, place, angle, 2.6 * scale))
         ):
-            yield Label(place, f"{degree}", is_bold=degree == 0, is_framed=degree == 0)
+            yield Label(place, f"{degree}", "words" if degree else "name")
 
 
 def _is_covered(scene: Scene, lines: Sequence[tuple[Array, float]], point: Array, angle: float, margin: float) -> bool:

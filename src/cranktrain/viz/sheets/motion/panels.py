@@ -1,6 +1,6 @@
 """Curves of motion over one turn: of pistons with what the textbook says, of opposed pistons, of a rocker."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -71,14 +71,6 @@ class _Turn(NamedTuple):
         """Travel, velocity and acceleration of a member, by its motion's value and two derivatives, shape (3, n)."""
         motion = Coefficient(*(self.curve(name, *at) for name in _MOTIONS[whose]))
         return np.stack([motion.value, *rates(motion, self.drive)])
-
-
-class _Moved(NamedTuple):
-    """Curves of a piston or rocker: its name, their role, and travel, velocity and acceleration, shape (3, n)."""
-
-    name: str
-    role: Role
-    motion: Array
 
 
 def panels(result: Result, design: int = 0) -> tuple[Panel, ...]:
@@ -152,19 +144,22 @@ def _roles(names: Sequence[str]) -> Iterator[Role]:
         yield "first" if number == 0 else "second" if len(names) == _PAIR else "other"
 
 
-def _moved(turn: _Turn, dimension: str, names: Sequence[str]) -> list[_Moved]:
-    """Motion of some pistons or rockers."""
-    motions = (turn.motion(dimension, turn.shown.member(dimension, name)) for name in names)
-    return list(map(_Moved, names, _roles(names), motions))
-
-
-def _motion_panels(turn: _Turn, dimension: str, drawn: Sequence[_Moved]) -> Iterator[Panel]:
-    """Travel, velocity and acceleration of pistons or rockers; without a speed by the crank angle."""
+def _motion_panels(
+    turn: _Turn, dimension: str, names: Sequence[str], told: Mapping[str, int] | None = None
+) -> Iterator[Panel]:
+    """Travel, velocity and acceleration of pistons or rockers, with the textbook's; without a speed by crank angle."""
+    forms = told or {}
+    motions = [turn.motion(dimension, turn.shown.member(dimension, name)) for name in names]
+    motions += [turn.motion("textbook", form, turn.shown.member("piston", name)) for name, form in forms.items()]
+    roles: list[Role] = [*_roles(names), *("textbook" for _form in forms)]
     result, design = turn.shown
     has_speed = result.machines[design].main_shaft.speed is not None or result.get(SpeedCurve) is not None
     titles = _titles(turn.shown, dimension)
     for order, (symbol, unit, factor) in enumerate(_SCALES[dimension, has_speed]):
-        curves = (Curve(factor * one.motion[order], one.role, _LETTERS[order], name=one.name) for one in drawn)
+        curves = (
+            Curve(factor * motion[order], role, _LETTERS[order], name=name)
+            for name, role, motion in zip((*names, *forms), roles, motions, strict=True)
+        )
         yield Panel(titles[order], unit, turn.angle, tuple(curves), symbol)
 
 
@@ -189,7 +184,7 @@ def _titles(shown: OneDesign, dimension: str) -> tuple[str, str, str]:
 def _opposed_panels(turn: _Turn, names: Sequence[str]) -> Iterator[Panel]:
     """Travel of both pistons of a cylinder and of both together, its volume, both velocities and accelerations."""
     result, design = turn.shown
-    travel, *rates = _motion_panels(turn, "piston", _moved(turn, "piston", names))
+    travel, *rates = _motion_panels(turn, "piston", names)
     yield travel
     cylinder = next(p.cylinder for p in result.machines[design].places if p.name == names[0])
     both = shown(1.0, "mm") * turn.curve("combined_displacement", turn.shown.member("cylinder", cylinder))
@@ -205,11 +200,7 @@ def _panels_of(turn: _Turn, dimension: str) -> Iterator[Panel]:
     """Travel, velocity and acceleration, with what the textbook says; the torque factor of rockers under a load."""
     names = drawn_names(turn.shown.result, dimension)
     told = told_forms(turn.shown)
-    textbook = [
-        _Moved(name, "textbook", turn.motion("textbook", form, turn.shown.member("piston", name)))
-        for name, form in told.items()
-    ]
-    yield from _motion_panels(turn, dimension, [*_moved(turn, dimension, names), *textbook])
+    yield from _motion_panels(turn, dimension, names, told)
     worst = _worst(turn.shown, told)
     if worst is not None:
         yield _error_panel(turn, worst, told[worst])

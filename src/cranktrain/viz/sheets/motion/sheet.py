@@ -5,11 +5,11 @@ from collections.abc import Iterator, Sequence
 from cranktrain.analysis import Result
 from cranktrain.language import _
 from cranktrain.machine import Machine
+from cranktrain.plans.vectors import pair
 from cranktrain.viz.paper.head import result_page
-from cranktrain.viz.paper.labels import label_outline
+from cranktrain.viz.paper.labels import labelled_bounds
 from cranktrain.viz.paper.page import Box, Figure, Page, drawing_settings, fitting_scale
 from cranktrain.viz.paper.panels import MOTION, draw_panels
-from cranktrain.viz.paper.sketch import Sketch, bounds_of
 from cranktrain.viz.paper.style import MUTED
 from cranktrain.viz.sheets.motion.dead_centres import Mark, ruler_of
 from cranktrain.viz.sheets.motion.panels import panels
@@ -68,25 +68,17 @@ def _draw_mechanism(page: Page, machine: Machine, found: Sequence[Mark], at: flo
     dead = [[mark.angle for mark in found if mark.name in own] for own in names]
     sketch = mechanism_sketch(scene, at, scene.crank_radius / _ROUGH, dead)
     for _pass in range(_PASSES):
-        low_x, high_x, low_y, high_y = _extent(sketch)
-        scale = fitting_scale(high_x - low_x, high_y - low_y, (room.width - 1.0, room.height - 6.0))
+        low, high = labelled_bounds(sketch)
+        scale = fitting_scale(*(high - low).tolist(), (room.width - 1.0, room.height - 6.0))
         sketch = mechanism_sketch(scene, at, scale, dead, has_ring=not wants_detail(scene, scale))
-    low_x, high_x, low_y, high_y = (value / sketch.scale for value in _extent(sketch))
-    origin = (
-        room.left + room.width / 2 - (low_x + high_x) / 2,
-        room.bottom + room.height / 2 - (low_y + high_y) / 2,
-    )
+    low, high = (corner / sketch.scale for corner in labelled_bounds(sketch))
+    origin = pair(room.middle - (low + high) / 2)
     page.draw(sketch, origin)
     if wants_detail(scene, sketch.scale):
         draw_detail(page, scene, (at, dead), sketch, origin, room)
     page.scale_bar(room.left, room.bottom - 5.0, sketch.scale)
     for number, note in enumerate(reversed(notes)):
         page.text(box.left, box.bottom - 0.4 + _NOTE * number, note, color=MUTED)
-
-
-def _extent(sketch: Sketch) -> tuple[float, float, float, float]:
-    """Least and largest X and Y of a sketch with its words. [mm of the sketch]"""
-    return bounds_of([*sketch.outline(), *(label_outline(label, sketch.scale) for label in sketch.labels)])
 
 
 def _notes(scene: Scene, angle: float) -> Iterator[str]:
