@@ -174,16 +174,12 @@ class Page:
     def move(self, artists: Sequence[Artist], sketch: Sketch, origin: tuple[float, float]) -> None:
         """Move what `draw` gave to where the same parts are in another sketch."""
         place = np.array(origin)
-        lines, circles = artists[: len(sketch.lines)], artists[len(sketch.lines) :]
-        for artist, line in zip(lines, sketch.lines, strict=True):
-            points = (place[:, np.newaxis] + line.points / sketch.scale).T
-            if line.is_closed:
-                artist.set_xy(points)
+        for artist, part in zip(artists, (*sketch.lines, *sketch.circles), strict=True):
+            if isinstance(part, Circle):
+                artist.set(center=tuple(place + part.centre / sketch.scale), radius=part.radius / sketch.scale)
             else:
-                artist.set_data(points[:, 0], points[:, 1])
-        for artist, circle in zip(circles, sketch.circles, strict=True):
-            artist.set_center(tuple(place + circle.centre / sketch.scale))
-            artist.set_radius(circle.radius / sketch.scale)
+                points = place[:, np.newaxis] + part.points / sketch.scale
+                artist.set(**({"xy": points.T} if part.is_closed else {"data": points}))
 
 
 def _artist_of(part: Line | Circle, layer: float) -> Artist:

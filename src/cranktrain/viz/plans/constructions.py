@@ -9,6 +9,7 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.plans.constructions import Construction, Method, construction
 from cranktrain.plans.positions import fitting
+from cranktrain.plans.vectors import angle_of
 from cranktrain.viz.figures import figure, rounded
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels
@@ -114,7 +115,7 @@ def _sketch(found: Construction, scale: float) -> Sketch:
 def _arcs(found: Construction) -> Iterator[Line]:
     """Arcs about the piston's pin from the crank pin to the line of stroke; one position as a line drawing."""
     for pin, piston in zip(found.on_circle.T, found.piston.T, strict=True):
-        start = shapes.angle_of(pin - piston) % (2 * np.pi)
+        start = angle_of(pin - piston) % (2 * np.pi)
         points = shapes.arc(1e3 * piston, 1e3 * float(found.geometry.rod_length), start, np.pi)
         yield Line(points, "LINKS", "construction", 3)
     first = min(1, found.piston.shape[1] - 1)
@@ -158,7 +159,7 @@ def _numbers(points: Array, scale: float, towards: float | None) -> Iterator[Wis
     """Numbers beside points, one direction for all or away from the shaft; those that fall together share a place."""
     for together in alike(points, scale):
         point = points[:, together[0]]
-        outward = shapes.angle_of(point) if towards is None else towards
+        outward = angle_of(point) if towards is None else towards
         yield Wish(point, ",".join(map(str, together)), outward, "number")
 
 

@@ -11,6 +11,7 @@ from cranktrain.plans.vectors import spoken_name
 from cranktrain.viz.figures import figure
 from cranktrain.viz.paper.page import Page, in_words, mathematics
 from cranktrain.viz.paper.tables import write_row
+from cranktrain.viz.paper.words import first_that_holds
 
 Item = TypeVar("Item")
 
@@ -100,14 +101,13 @@ def _row(polygon: ForcePolygon, force: PolygonForce, number: str, letters: Mappi
 
 def _said(force: PolygonForce, letters: Mapping[str, str]) -> str:
     """Cause of a force, how a part of a reaction lies, or the joint of a reaction."""
-    causes = {"load": _("load"), "weight": _("weight"), "inertia": _("inertia")}
-    if force.cause in causes:
-        return causes[force.cause]
-    if force.about:
-        pin = letters.get(force.about) or spoken_name(force.about).replace("_", " ")
-        return short(_("about {pin}").format(pin=in_words(pin)), _LETTERS)
-    if force.symbol.endswith("^n"):
-        return _("along the link")
-    if force.symbol.startswith("f_"):
-        return _("friction")
-    return short(spoken_name(force.joint.partition("/")[0]).replace("_", " "), _LETTERS)
+    pin = letters.get(force.about) or spoken_name(force.about).replace("_", " ")
+    return first_that_holds(
+        (force.cause == "load", _("load")),
+        (force.cause == "weight", _("weight")),
+        (force.cause == "inertia", _("inertia")),
+        (bool(force.about), short(_("about {pin}").format(pin=in_words(pin)), _LETTERS)),
+        (force.symbol.endswith("^n"), _("along the link")),
+        (force.symbol.startswith("f_"), _("friction")),
+        (True, short(spoken_name(force.joint.partition("/")[0]).replace("_", " "), _LETTERS)),
+    )

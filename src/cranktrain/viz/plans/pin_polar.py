@@ -10,10 +10,10 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.plans.pin_loads import PinLoads, pin_loads
 from cranktrain.plans.positions import fitting, plan_angles
+from cranktrain.plans.vectors import angle_of
 from cranktrain.viz.figures import rounded
 from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.page import Box, Figure, drawing_settings, mathematics, rounded_down
-from cranktrain.viz.paper.shapes import angle_of
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
 from cranktrain.viz.paper.style import INK
 from cranktrain.viz.plans.sheet import centre, plan_page, scale_of, write_beside, write_scales

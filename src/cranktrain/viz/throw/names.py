@@ -5,9 +5,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.plans.vectors import angle_of
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, label_outline, placed_labels
-from cranktrain.viz.paper.shapes import angle_of
 from cranktrain.viz.paper.sketch import Label, Line, Sketch
 from cranktrain.viz.throw.cylinders import wall_end
 from cranktrain.viz.throw.scene import Member, Scene

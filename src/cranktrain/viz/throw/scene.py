@@ -16,10 +16,11 @@ from cranktrain.machine import Machine
 from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.motion import Array, Point
 from cranktrain.plans.placement import first_throw, placed, shaft_places
+from cranktrain.plans.vectors import angle_of
 from cranktrain.quantities import shown
 from cranktrain.questions.cylinders.declared import cylinders_of
 from cranktrain.record import record
-from cranktrain.viz.paper.shapes import Along, angle_of, guide_line, unit
+from cranktrain.viz.paper.shapes import Along, guide_line, unit
 
 _TURN = np.linspace(0.0, 2 * np.pi, 361)
 _OUTLINED = ("slider_crank", "crank_rocker", "articulated_rod")

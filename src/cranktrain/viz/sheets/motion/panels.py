@@ -169,16 +169,14 @@ def _titles(shown: OneDesign, dimension: str) -> tuple[str, str, str]:
         return _("Rocker angle"), _("Rocker angular velocity"), _("Rocker angular acceleration")
     result, design = shown
     names = drawn_names(result, "piston")
+    both = _("Travel of piston and valve"), _("Velocity of piston and valve"), _("Acceleration of piston and valve")
+    titles = {
+        (True,): (_("Piston travel"), _("Piston velocity"), _("Piston acceleration")),
+        (False,): (_("Valve travel"), _("Valve velocity"), _("Valve acceleration")),
+        (False, True): both,
+    }
     are_pistons = {place.kind.has_chambers for place in result.machines[design].places if place.name in names}
-    if are_pistons == {False}:
-        return _("Valve travel"), _("Valve velocity"), _("Valve acceleration")
-    if False in are_pistons:
-        return (
-            _("Travel of piston and valve"),
-            _("Velocity of piston and valve"),
-            _("Acceleration of piston and valve"),
-        )
-    return _("Piston travel"), _("Piston velocity"), _("Piston acceleration")
+    return titles[tuple(sorted(are_pistons))]
 
 
 def _opposed_panels(turn: _Turn, names: Sequence[str]) -> Iterator[Panel]:

@@ -19,7 +19,7 @@ def draw_ruler(page: Page, ruler: Ruler, left: float, right: float, top: float) 
     if ruler.has_legend and ruler.is_few and ruler.textbook:
         y -= 5.0
     has_samples = bool(ruler.pistons) and ruler.is_few and not ruler.is_of_cylinders
-    rows = grouped((mark.name if ruler.is_few else ruler.word(mark), mark) for mark in ruler.marks)
+    rows = grouped((mark.name if ruler.is_few else mark.word, mark) for mark in ruler.marks)
     for number, (row, marks) in enumerate(rows.items()):
         page.rule(y, left, right)
         if ruler.pistons and len(row) <= SHORT + 2:
@@ -69,7 +69,7 @@ def _mark(page: Page, ruler: Ruler, mark: Mark, place: tuple[float, float], righ
     page.paper.plot([x], [y], "v" if mark.is_top else "^", ms=4.5, mfc=fill, mec=INK, mew=0.7, zorder=6)
     if ruler.is_few:
         is_last = x > right - 26.0
-        words = f"{ruler.word(mark)} {mark.angle:.2f}°"
+        words = f"{mark.word} {mark.angle:.2f}°"
         page.text(x + (-2.0 if is_last else 2.0), y + 0.8, words, ha="right" if is_last else "left")
     else:
         page.text(x, y - 1.6, f"{mark.name}\n{mark.angle:.1f}", ha="center", va="top", linespacing=1.05)

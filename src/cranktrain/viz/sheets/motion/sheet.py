@@ -11,6 +11,7 @@ from cranktrain.viz.paper.labels import labelled_bounds
 from cranktrain.viz.paper.page import Box, Figure, Page, drawing_settings, fitting_scale
 from cranktrain.viz.paper.panels import MOTION, draw_panels
 from cranktrain.viz.paper.style import MUTED
+from cranktrain.viz.paper.words import first_that_holds
 from cranktrain.viz.sheets.motion.dead_centres import Mark, ruler_of
 from cranktrain.viz.sheets.motion.panels import panels
 from cranktrain.viz.sheets.motion.ruler import draw_ruler
@@ -106,23 +107,16 @@ def _drawn_words(scene: Scene, angle: float) -> str:
     places = [member.place for member in scene.cranks]
     shafts = [shaft for shaft in machine.shafts if shaft in {place.shaft for place in places}]
     throws = sorted({place.throw + 1 for place in places})
-    said = ", ".join(map(str, throws))
-    if len(shafts) > 1 and len(throws) > 1:
-        said = ", ".join(f"{place.shaft} {place.throw + 1}" for place in places)
-        words = _("Throws {throws}, drawn at φ = {angle:g}°")
-    elif len(throws) > 1:
-        words = _("Throws {throws} of {n}, drawn at φ = {angle:g}°")
-    elif n > 1:
-        words = _("Throw {throw} of {n}, drawn at φ = {angle:g}°")
-    else:
-        words = _("Drawn at φ = {angle:g}°")
-    drawn = words.format(throws=said, throw=throws[0], n=n, angle=angle)
-    if len(machine.shafts) == 1:
-        return drawn
-    if len(shafts) == len(machine.shafts):
-        words = _("{drawn}; shafts {shafts}")
-    elif len(shafts) > 1:
-        words = _("{drawn}; shafts {shafts}, no other is drawn")
-    else:
-        words = _("{drawn}; of shaft {shaft}, no other is drawn")
-    return words.format(drawn=drawn, shaft=shafts[0], shafts=", ".join(shafts))
+    of_shafts = [f"{place.shaft} {place.throw + 1}" for place in places]
+    drawn = first_that_holds(
+        (len(shafts) > 1 and len(throws) > 1, _("Throws {of_shafts}, drawn at φ = {angle:g}°")),
+        (len(throws) > 1, _("Throws {throws} of {n}, drawn at φ = {angle:g}°")),
+        (n > 1, _("Throw {throw} of {n}, drawn at φ = {angle:g}°")),
+        (True, _("Drawn at φ = {angle:g}°")),
+    ).format(of_shafts=", ".join(of_shafts), throws=", ".join(map(str, throws)), throw=throws[0], n=n, angle=angle)
+    return first_that_holds(
+        (len(machine.shafts) == 1, "{drawn}"),
+        (len(shafts) == len(machine.shafts), _("{drawn}; shafts {shafts}")),
+        (len(shafts) > 1, _("{drawn}; shafts {shafts}, no other is drawn")),
+        (True, _("{drawn}; of shaft {shaft}, no other is drawn")),
+    ).format(drawn=drawn, shaft=shafts[0], shafts=", ".join(shafts))
