@@ -28,18 +28,14 @@ _OVER_MARK = 60.0
 class Wish(NamedTuple):
     """A label to place: its point [mm of the sketch], the direction from it that it would rather lie in [rad].
 
-    A symbol or a name keeps off the lines; a number stands on white and may lie over them.
+    A symbol or a name keeps off the lines; a number stands on white, may lie over them, and is left out where there is
+    no room.
     """
 
     point: Array
     text: str
     towards: float
     manner: Manner = "symbol"
-
-    @property
-    def is_number(self) -> bool:
-        """Whether it stands on white, over lines, and is left out where there is no room."""
-        return self.manner == "number"
 
 
 def placed_labels(
@@ -67,7 +63,7 @@ def placed_labels(
     for wish in wishes:
         size = _size(wish.text.translate({ord(mark): None for mark in "_^"}), wish.manner)
         point = wish.point[:, np.newaxis] / scale
-        places = point + _ways(size, _REACHES[: _NEAR if wish.is_number else None])
+        places = point + _ways(size, _REACHES[: _NEAR if wish.manner == "number" else None])
         boxes = _boxes(places, size)
         under = _n_under(boxes, taken)
         cost = (
@@ -76,7 +72,7 @@ def placed_labels(
             + _NOT_ITS_OWN * _is_nearer_to_another(places, point, points)
         )
         best = int(np.argmin(cost))
-        if wish.is_number and under[best]:
+        if wish.manner == "number" and under[best]:
             continue
         taken.append(boxes[..., best])
         yield Label(places[:, best] * scale, wish.text, wish.manner)
@@ -129,9 +125,9 @@ def _cost(away: Array, wish: Wish, under: Array, inside: Array) -> Array:
     turn = np.arctan2(away[1], away[0]) - wish.towards
     return (
         1000.0 * under
-        + (0.15 if wish.is_number else 4.0) * inside
+        + (0.15 if wish.manner == "number" else 4.0) * inside
         + 1.5 * np.hypot(*away)
-        + (8.0 if wish.is_number else 2.0) * (1 - np.cos(turn))
+        + (8.0 if wish.manner == "number" else 2.0) * (1 - np.cos(turn))
     )
 
 

@@ -49,7 +49,7 @@ def animation(result: Result, *, n_frames: int = 36, design: int = 0) -> bytes:
     angles = [a for a in np.arange(n_frames) * (360.0 / n_frames) if scene.closing_angle(float(a)) == a]
     some = [mechanism_sketch(scene, angle, 1.0, is_plain=True) for angle in angles[::3]]
     low, high = bounds_of(points for sketch in some for points in sketch.outline())
-    scale = fitting_scale(*(high - low).tolist(), (_SIDE - 8.0, _SIDE - 8.0))
+    scale = fitting_scale(*pair(high - low), (_SIDE - 8.0, _SIDE - 8.0))
     size = pair((high - low) / scale + np.array([8.0, 8.0 + _HEAD]))
     origin = pair(4.0 - low / scale)
     frames = [Image.fromarray(pixels).convert("RGB") for pixels in _frames(scene, angles, scale, (size, origin))]

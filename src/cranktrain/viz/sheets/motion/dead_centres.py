@@ -99,14 +99,15 @@ def ruler_of(result: Result, design: int = 0) -> Ruler:
         found = tuple(_marks(shown, "rocker", dict.fromkeys(drawn_names(result, "rocker"), words)))
         heading = _("Dead positions of the rocker") if found else _("The rocker turns with the crank")
         return Ruler(heading, found)
-    valves = {place.name: (_("farthest"), _("nearest")) for place in machine.places if not place.kind.has_chambers}
-    words = dict.fromkeys(drawn_names(result, "piston"), (_("TDC"), _("BDC"))) | valves
-    found = tuple(_marks(shown, "piston", {name: words[name] for name in drawn_names(result, "piston")}))
+    valves = {place.name for place in machine.places if not place.kind.has_chambers}
+    of_valve, of_piston = (_("farthest"), _("nearest")), (_("TDC"), _("BDC"))
+    words = {name: of_valve if name in valves else of_piston for name in drawn_names(result, "piston")}
+    found = tuple(_marks(shown, "piston", words))
     names = tuple(dict.fromkeys(mark.name for mark in found))
     heading = first_that_holds(
         (not found, _("No dead centres")),
-        (valves.keys() >= set(names), _("Ends of valve travel")),
-        (not valves.keys().isdisjoint(names), _("Dead centres; ends of valve travel")),
+        (valves >= set(names), _("Ends of valve travel")),
+        (not valves.isdisjoint(names), _("Dead centres; ends of valve travel")),
         (True, _("True dead centres")),
     )
     return Ruler(heading, found, names, _textbook_words(shown))

@@ -170,7 +170,7 @@ def _titles(shown: OneDesign, dimension: str) -> tuple[str, str, str]:
     result, design = shown
     names = drawn_names(result, "piston")
     both = _("Travel of piston and valve"), _("Velocity of piston and valve"), _("Acceleration of piston and valve")
-    titles = {
+    titles: dict[tuple[bool, ...], tuple[str, str, str]] = {
         (True,): (_("Piston travel"), _("Piston velocity"), _("Piston acceleration")),
         (False,): (_("Valve travel"), _("Valve velocity"), _("Valve acceleration")),
         (False, True): both,

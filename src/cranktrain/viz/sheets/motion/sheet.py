@@ -70,7 +70,7 @@ def _draw_mechanism(page: Page, machine: Machine, found: Sequence[Mark], at: flo
     sketch = mechanism_sketch(scene, at, scene.crank_radius / _ROUGH, dead)
     for _pass in range(_PASSES):
         low, high = labelled_bounds(sketch)
-        scale = fitting_scale(*(high - low).tolist(), (room.width - 1.0, room.height - 6.0))
+        scale = fitting_scale(*pair(high - low), (room.width - 1.0, room.height - 6.0))
         sketch = mechanism_sketch(scene, at, scale, dead, has_ring=not wants_detail(scene, scale))
     low, high = (corner / sketch.scale for corner in labelled_bounds(sketch))
     origin = pair(room.middle - (low + high) / 2)
