@@ -58,7 +58,7 @@ def placed_labels(
     Label
     """
     obstacles = np.concatenate([dots(line / scale) for line in lines], axis=1)
-    points = np.stack([wish.point for wish in wishes], axis=1) / scale
+    points = np.reshape([wish.point for wish in wishes], (-1, 2)).T / scale
     taken: list[Array] = []
     for wish in wishes:
         size = _size(wish.text.translate({ord(mark): None for mark in "_^"}), wish.manner)

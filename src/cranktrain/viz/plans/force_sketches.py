@@ -55,8 +55,7 @@ def force_polygon_sketch(polygon: ForcePolygon) -> Sketch:
         sketch.add(arrow(lines[-1][:, 0], lines[-1][:, 1], "LINKS", one.habit))
     sketch.add([Circle(polygon.corners[:, 0], 0.7, "LINKS", "outline", 6, "paper")])
     wishes = list(_wishes(drawn, lines, np.mean(polygon.corners, axis=1)))
-    if wishes:
-        sketch.add(placed_labels(wishes, list(sketch.outline()), 1.0))
+    sketch.add(placed_labels(wishes, list(sketch.outline()), 1.0))
     return sketch
 
 

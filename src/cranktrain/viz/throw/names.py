@@ -40,8 +40,6 @@ def piston_names(scene: Scene, angle: float, sketch: Sketch) -> Iterator[Label |
         # Where a piston's pin is farthest from the other piston.
         ends = np.stack([member.stroke_line.at(member.travel[member.place.is_far]) for member in pair], axis=1)
         obstacles += [ends + side * beside[:, np.newaxis] for side in (-1.0, 0.0, 1.0)]
-    if not places:
-        return
     obstacles += [label_outline(label, scale) for label in sketch.labels]
     obstacles += [shapes.arc(circle.centre, circle.radius, 0.0, 2 * np.pi) for circle in sketch.circles]
     wishes = [Wish(point, member.place.name, angle_of(outward), "name") for member, point, outward in places]
