@@ -13,7 +13,7 @@ import pytest
 
 import cranktrain as ct
 from cranktrain.analysis.parts import parts_of
-from cranktrain.analysis.stages import STAGES, run_stages
+from cranktrain.analysis.stages import STAGES, lacking, run_stages
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.speed import Speed
 from cranktrain.numerics.periodic import cycle_grid, fourier_curve, plus
@@ -117,14 +117,14 @@ def whole_machine(torque, speed, **evenness: Any) -> dict[type, Any]:
         evenness=evenness,
     )
     parts = parts_of([machine], step=np.radians(0.5))
-    known: dict[type, Any] = {**parts, **run_stages(STAGES, parts)[0]}
+    known: dict[type, Any] = {**parts, **run_stages(STAGES, parts, lacking(STAGES, parts))}
     torques = known[MechanismTorques]
     square = known[Speed].value[0] ** 2
     torques = replace(torques, driving_torque=torques.reduced_inertia_slope * square / 2 - torque)
     load, angle = known[ShaftLoad], known[CrankAngle]
     applied = applied_torque(torques, known[LoadedMachine], angle)
     rest = applied.applied_torque[:, np.newaxis]
-    sources = TorqueSources(((),), rest, *np.zeros((2, *rest[:, 0].shape)), np.zeros(1))
+    sources = TorqueSources((), rest, *np.zeros((2, *rest[:, 0].shape)), np.zeros(1))
     work = shaft_work(applied, sources, None, torques, angle)
     if WantedCoefficient in known:
         known[FlywheelSize] = flywheel_size(load, known[WantedCoefficient], work, known[Speed])

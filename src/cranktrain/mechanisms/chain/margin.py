@@ -14,7 +14,7 @@ from cranktrain.mechanisms.chain.triads import link_size, triad_at, triad_legs
 from cranktrain.mechanisms.chain.walks import start_at
 from cranktrain.mechanisms.closing import Openings, Way, changed
 from cranktrain.mechanisms.geometry import Geometry, rows
-from cranktrain.motion import Array
+from cranktrain.motion import Array, chosen
 from cranktrain.numerics import turn_grid
 from cranktrain.numerics.nested import leaves
 
@@ -123,18 +123,18 @@ def _nearly_open(chains: _Chains[Geometry], poses: Array) -> tuple[_State, _Stat
     scale = _scale(chains)
     for _ in range(_MOST_STEPS):
         reached = last.change - before.change
-        expected = last.poses + np.where(reached > 0, step / reached, 0.0) * (last.poses - before.poses)
+        expected = last.poses + chosen(reached > 0, step / reached, 0.0) * (last.poses - before.poses)
         tried = _at(chains, _GRID, last.change + step, expected)
         misses = np.max(np.abs(tried.poses - expected) / scale, axis=(0, 1))
-        misses = np.where(np.all(tried.gaps > 0, axis=0), misses / _MOST_MISSED, np.inf)
+        misses = chosen(np.all(tried.gaps > 0, axis=0), misses / _MOST_MISSED, np.inf)
         is_nothing = ~_leaves_something(chains.way.sign, tried.change)
-        missed = np.max(np.where(is_nothing, 0.0, misses), axis=(1, 2), keepdims=True)
+        missed = np.max(chosen(is_nothing, 0.0, misses), axis=(1, 2), keepdims=True)
         is_taken = (missed <= 1) & ~is_done
-        before = _State(*(np.where(is_taken, *pair) for pair in zip(last, before, strict=True)))
-        last = _State(*(np.where(is_taken, *pair) for pair in zip(tried, last, strict=True)))
+        before = _State(*(chosen(is_taken, *pair) for pair in zip(last, before, strict=True)))
+        last = _State(*(chosen(is_taken, *pair) for pair in zip(tried, last, strict=True)))
         left = np.min(_left(chains, before, last), axis=(0, 2, 3), keepdims=True)[0]
         # What a prediction along the secant misses goes as the square of the step.
-        step = np.minimum(step * np.clip(0.8 / np.sqrt(missed), 0.2, 2.0), np.where(is_taken, _SHARE * left, np.inf))
+        step = np.minimum(step * np.clip(0.8 / np.sqrt(missed), 0.2, 2.0), chosen(is_taken, _SHARE * left, np.inf))
         is_done |= np.isfinite(left) & (left <= _NEAR * (last.change + left))
         is_done |= (last.change > _MOST_CHANGE) | (step < _SMALLEST_STEP)
         if np.all(is_done):
@@ -157,8 +157,8 @@ def _leaves_something(sign: Array, change: Array) -> NDArray[np.bool_]:
 def _left(chains: _Chains[Geometry], before: _State, last: _State) -> Array:
     """How much more change opens each group at each angle, by the gap's last fall; infinite where it does not fall."""
     fall = before.gaps - last.gaps
-    left = np.where(fall > 0, last.gaps * (last.change - before.change) / fall, np.inf)
-    return np.where(_leaves_something(chains.way.sign, last.change + left), left, np.inf)
+    left = chosen(fall > 0, last.gaps * (last.change - before.change) / fall, np.inf)
+    return chosen(_leaves_something(chains.way.sign, last.change + left), left, np.inf)
 
 
 def _is_rival(chains: _Chains[Geometry], before: _State, last: _State) -> NDArray[np.bool_]:
@@ -182,7 +182,7 @@ def _refined(
     known is a smaller change and the gap there. The least gap is that of a parabola through three points.
     """
     rival = np.arange(len(group))
-    half = np.full(change.shape, _GRID[1])
+    half: Array = np.full(change.shape, _GRID[1])
     root, is_settled = np.full(change.shape, np.nan), np.zeros(change.shape, dtype=bool)
     for _ in range(_MOST_REFINEMENTS):
         beside = angle + half * np.array([-1.0, 0.0, 1.0])
@@ -190,19 +190,19 @@ def _refined(
         gap = state.gaps[group, rival]
         bend: Array = gap[:, :1] - 2.0 * gap[:, 1:2] + gap[:, 2:]
         fall: Array = 0.5 * (gap[:, :1] - gap[:, 2:])
-        shift: Array = np.where(bend > 0, np.clip(fall / bend, -1.0, 1.0), np.sign(fall))
+        shift: Array = chosen(bend > 0, np.clip(fall / bend, -1.0, 1.0), np.sign(fall))
         least = _between(gap, shift)
-        closes = np.all(gap > 0, axis=-1, keepdims=True)
+        closes: NDArray[np.bool_] = np.all(gap > 0, axis=-1, keepdims=True)
         is_new = closes & ~is_settled
-        root = np.where(is_new, change + least * (change - known[0]) / (known[1] - least), root)
-        angle = np.where(is_new, angle + shift * half, angle)
-        poses = np.where(is_new, _between(state.poses, shift), poses)
-        nearer = np.where(closes, change + _CLOSER * (root - change), 0.5 * (known[0] + change))
-        known = (np.where(is_new, change, known[0]), np.where(is_new, least, known[1]))
+        root = chosen(is_new, change + least * (change - known[0]) / (known[1] - least), root)
+        angle = chosen(is_new, angle + shift * half, angle)
+        poses = chosen(is_new, _between(state.poses, shift), poses)
+        nearer = chosen(closes, change + _CLOSER * (root - change), 0.5 * (known[0] + change))
+        known = (chosen(is_new, change, known[0]), chosen(is_new, least, known[1]))
         is_inside = closes & (np.abs(shift) < 1)
         is_settled |= is_inside & (np.abs(root - known[0]) <= _SETTLED * root)
         change = nearer
-        half = np.where(is_inside, _FINER, np.where(closes, 1.0, 0.5)) * half
+        half = chosen(is_inside, _FINER, chosen(closes, 1.0, 0.5)) * half
         if np.all(is_settled):
             break
     return root, np.mod(angle, 2 * np.pi)
