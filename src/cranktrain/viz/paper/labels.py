@@ -140,9 +140,9 @@ def _n_under(boxes: Array, taken: Sequence[Array]) -> Array:
 
 def _n_inside(boxes: Array, dots: Array) -> Array:
     """How many points of the lines a label would cover."""
-    low, high = boxes[..., np.newaxis]
-    inside = (dots[:, np.newaxis] > low) & (dots[:, np.newaxis] < high)
-    return np.count_nonzero(inside[0] & inside[1], axis=1)
+    (left, low), (right, high) = boxes[..., np.newaxis]
+    x, y = dots
+    return np.count_nonzero((x > left) & (x < right) & (y > low) & (y < high), axis=1)
 
 
 def dots(line: Array) -> Array:
