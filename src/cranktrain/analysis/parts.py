@@ -7,7 +7,6 @@ from typing import cast
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.errors import Problem, refuse
 from cranktrain.language import _
-from cranktrain.layout.design import Design
 from cranktrain.layout.parts import laid_out, layout_parts
 from cranktrain.layout.question import Parts
 from cranktrain.machine import Machine, machine_problems
@@ -36,18 +35,13 @@ def parts_of(machines: Sequence[Machine], *, step: float, partial: bool = False)
     ------
     InputError
     """
-    designs = laid_out(_designs(machines, partial=partial), cycle=machines[0].cycle, step=step)
+    wrong = (problem for machine in machines for problem in machine_problems(machine, partial=partial))
+    refuse(dict.fromkeys((*_differences(machines), *wrong)))
+    designs = laid_out([machine.design for machine in machines], cycle=machines[0].cycle, step=step)
     parts: Parts = {type(part): part for part in layout_parts(designs) if part is not None}
     for question in QUESTIONS:
         parts |= {type(part): part for part in question.parts(designs, parts) if part is not None}
     return parts
-
-
-def _designs(machines: Sequence[Machine], *, partial: bool) -> list[Design]:
-    """Arrange every design; everything that is wrong with any of them is told at once."""
-    wrong = (problem for machine in machines for problem in machine_problems(machine, partial=partial))
-    refuse(dict.fromkeys((*_differences(machines), *wrong)))
-    return [machine.design for machine in machines]
 
 
 def _differences(machines: Sequence[Machine]) -> Iterator[Problem]:

@@ -158,7 +158,6 @@ def _needed(stages: Sequence[Stage], names: Sequence[str]) -> tuple[Stage, ...]:
 
 def _labels(parts: Parts, machines: Sequence[Machine], outcomes: Mapping[type, object]) -> dict[str, tuple[str, ...]]:
     """Names along each dimension, as parts and results have them."""
-    labels: dict[str, tuple[str, ...]] = {"design": tuple(str(i + 1) for i in range(len(machines)))}
-    for one in (*parts.values(), *outcomes.values()):
-        labels |= getattr(one, "labels", {})
-    return labels
+    held = (getattr(one, "labels", {}) for one in (*parts.values(), *outcomes.values()))
+    designs = tuple(str(i + 1) for i in range(len(machines)))
+    return {"design": designs} | {name: words for labels in held for name, words in labels.items()}

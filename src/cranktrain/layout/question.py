@@ -40,6 +40,8 @@ def needs_of(function: Callable[..., Any]) -> Needs:
 class Stage:
     """One step of the computation: a function whose parameter types are its needs and whose return type is its result.
 
+    A class whose fields are just what the step needs is such a function.
+
     Attributes
     ----------
     function : callable
@@ -54,7 +56,7 @@ class Stage:
     @cached_property
     def gives(self) -> type:
         """Type of the result."""
-        return get_type_hints(self.function)["return"]
+        return self.function if isinstance(self.function, type) else get_type_hints(self.function)["return"]
 
     @property
     def needs(self) -> Mapping[str, type]:

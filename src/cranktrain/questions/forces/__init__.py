@@ -55,7 +55,7 @@ QUESTION = Question(
     problems=_problems,
     parts=_parts,
     stages=(
-        Stage(loaded_machine.loaded_machine),
+        Stage(loaded_machine.LoadedMachine),
         Stage(solved_cycle.solved_cycle),
         Stage(events.force_events),
         Stage(piston_forces.piston_force_set, applies=on_rods),

@@ -23,8 +23,7 @@ def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
     yield points.link_points_of(designs.places)
     yield followed.followed_of(followed.FollowedLinks, designs.places[0])
     yield followed.followed_of(followed.FollowedSliders, designs.places[0])
-    if designs.rockers is not None:
-        yield rocker_load.load_radius_of([design.driving("rocker") for design in designs.each])
+    yield rocker_load.load_radius_of([design.driving("rocker") for design in designs.each])
 
 
 QUESTION = Question(

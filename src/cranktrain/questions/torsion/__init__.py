@@ -12,8 +12,6 @@ from cranktrain.questions.torsion.modes import TorsionalModes, of_one_crankshaft
 from cranktrain.questions.torsion.parts import declared_train, torsion_problems
 from cranktrain.questions.torsion.spec import TorsionSpec
 
-_TABLE = "torsion"
-
 
 def _problems(design: Design) -> Iterator[Problem]:
     spec = design.table(TorsionSpec)
@@ -29,7 +27,7 @@ def _parts(designs: Designs, _known: Parts) -> Iterator[object]:
 
 QUESTION = Question(
     "torsion",
-    tables={_TABLE: TorsionSpec},
+    tables={"torsion": TorsionSpec},
     problems=_problems,
     parts=_parts,
     stages=(
@@ -40,5 +38,5 @@ QUESTION = Question(
     ),
     dimensions=(Dimension("disc", N_("disc")), Dimension("mode", N_("mode"), is_number=True)),
     headline=("natural_frequency",),
-    uses=(Use(table(_TABLE), (TorsionalModes,)),),
+    uses=(Use(table("torsion"), (TorsionalModes,)),),
 )

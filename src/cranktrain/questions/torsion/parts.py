@@ -1,6 +1,7 @@
 """The declared train of several designs as SI arrays, in the order of Holzer's table; and what does not fit it."""
 
 from collections.abc import Iterator, Sequence
+from itertools import permutations
 from math import prod
 from typing import ClassVar
 
@@ -8,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.errors import Problem
+from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design
 from cranktrain.motion import Array
@@ -76,10 +78,7 @@ def _order(spec: TorsionSpec, n_throws: int) -> tuple[list[Node], dict[Node, Nod
 
     The last is the disc that the file has last on the flywheel's side.
     """
-    neighbours: dict[Node, list[Node]] = {}
-    for one, other in map(tuple, _shafts(spec, n_throws)):
-        neighbours.setdefault(one, []).append(other)
-        neighbours.setdefault(other, []).append(one)
+    neighbours = grouped(ends for shaft in _shafts(spec, n_throws) for ends in permutations(shaft, 2))
     outer = [
         name for name, disc in spec.disc.items() if disc.stiffness and (n_throws == 1 or 1 not in _inward(spec, name))
     ]
