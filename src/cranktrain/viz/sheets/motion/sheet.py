@@ -107,13 +107,13 @@ def _drawn_words(scene: Scene, angle: float) -> str:
     places = [member.place for member in scene.cranks]
     shafts = [shaft for shaft in machine.shafts if shaft in {place.shaft for place in places}]
     throws = sorted({place.throw + 1 for place in places})
-    of_shafts = [f"{place.shaft} {place.throw + 1}" for place in places]
+    said = [f"{place.shaft} {place.throw + 1}" for place in places] if len(shafts) > 1 else map(str, throws)
     drawn = first_that_holds(
-        (len(shafts) > 1 and len(throws) > 1, _("Throws {of_shafts}, drawn at φ = {angle:g}°")),
+        (len(shafts) > 1 and len(throws) > 1, _("Throws {throws}, drawn at φ = {angle:g}°")),
         (len(throws) > 1, _("Throws {throws} of {n}, drawn at φ = {angle:g}°")),
         (n > 1, _("Throw {throw} of {n}, drawn at φ = {angle:g}°")),
         (True, _("Drawn at φ = {angle:g}°")),
-    ).format(of_shafts=", ".join(of_shafts), throws=", ".join(map(str, throws)), throw=throws[0], n=n, angle=angle)
+    ).format(throws=", ".join(said), throw=throws[0], n=n, angle=angle)
     return first_that_holds(
         (len(machine.shafts) == 1, "{drawn}"),
         (len(shafts) == len(machine.shafts), _("{drawn}; shafts {shafts}")),
