@@ -24,9 +24,9 @@ class Request(Asked):
 
 def show_run(request: Request, *, with_inputs: bool = False) -> None:
     """Compute, write and show."""
-    from cranktrain.cli.screen.report import show_result
+    from cranktrain.cli.screen.report import show_result, title
 
-    suffix = _suffix(request.output)
+    suffix = None if request.output is None else _suffix(request.output)
     if request.quantities == ():
         allowed = _("must be names of results, with commas between; `cranktrain list results` names them")
         raise InputError([Problem("--quantities", '""', allowed)])
@@ -35,7 +35,7 @@ def show_run(request: Request, *, with_inputs: bool = False) -> None:
         result = _computed(file, request)
     else:
         result = _written(file, request, request.output, suffix)
-    with page() as console:
+    with page(title(file.machine)) as console:
         names = _chosen(result, request)
         show_result(console, file, result, names, is_all=request.quantities is None, with_inputs=with_inputs)
         if request.output is not None:
@@ -43,10 +43,8 @@ def show_run(request: Request, *, with_inputs: bool = False) -> None:
             console.print(_("written: {name}").format(name=one_line(request.output)), soft_wrap=True)
 
 
-def _suffix(output: str | None) -> str | None:
+def _suffix(output: str) -> str:
     """Suffix of the output's name, by which its form is known."""
-    if output is None:
-        return None
     from cranktrain.io.tables import WRITERS
 
     suffix = PurePath(output).suffix.lower()

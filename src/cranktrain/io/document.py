@@ -136,7 +136,7 @@ class Document:
         if problem.position is not None and problem.position.line is not None:
             return problem
         given = self._given(problem.path) if problem.given is None else problem.given
-        return replace(problem, given=given).at(self.locate(problem.path))
+        return replace(problem, given=given, position=self.locate(problem.path))
 
     def _given(self, path: str) -> str | None:
         """Give the value at a path as it was typed, without its quotes; None where there is no value."""

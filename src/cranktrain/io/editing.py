@@ -102,7 +102,7 @@ def _refuse(found: Places, place: Place, parts: PathParts) -> NoReturn:
             repair = _("or set the whole list: {path}=[…]").format(path=here)
     elif not rest or isinstance(rest[0], int):
         allowed = _("{path} is a table: set one of the keys in it").format(path=here)
-        repair = ", ".join(path_text(inner.path) for inner in found.inside(place)) or None
+        repair = ", ".join(path_text(path) for path in found.by_path if path and path[:-1] == place.path) or None
     else:
         n_names = next(i for i, part in enumerate(rest) if isinstance(part, int))
         missing = path_text((*place.path, *rest[:n_names]))

@@ -70,10 +70,6 @@ class Places:
         """Follow a path as far as the text has it."""
         return next(self.by_path[parts[:n]] for n in range(len(parts), -1, -1) if parts[:n] in self.by_path)
 
-    def inside(self, table: Place) -> list[Place]:
-        """Give what stands directly in a table or list."""
-        return [place for path, place in self.by_path.items() if path and path[:-1] == table.path]
-
 
 def places(source: bytes) -> Places:
     """Find every table, key and value of a TOML text; a text that is not right as far as it can be made out."""

@@ -110,7 +110,6 @@ def crank_rocker_from_swing(
             _("One parameter is free; ξ = {angle} gives the largest smallest transmission angle, {best}.").format(
                 angle=number(parameter, "deg"), best=number(reached, "deg")
             ),
-            *_transmission_remarks(reached),
         ),
     )
 
@@ -186,7 +185,6 @@ def _of_equal_swings(
         remarks=(
             _("With equal swings the crank follows from the swing and the rod is free."),
             _("A longer rod transmits better, but never quite at {limit}.").format(limit=number(limit, "deg")),
-            *_transmission_remarks(float(judged(want, bars).transmission_angle)),
         ),
     )
 
@@ -239,13 +237,6 @@ def _numbers(bars: CrankRocker, transmission_angle: float) -> tuple[Number, ...]
     )
 
 
-def _transmission_remarks(reached: float) -> tuple[str, ...]:
-    """Warn where the rod drives the rocker badly."""
-    if reached >= 2 * pi / 9:
-        return ()
-    return (_("The transmission angle falls below the usual 40 deg: expect large bearing forces there."),)
-
-
 def _proposal(
     want: Want,
     bars: CrankRocker,
@@ -258,13 +249,16 @@ def _proposal(
     """Put a four-bar together with its machine file."""
     ratio = time_ratio_of(want.excess)
     how = _("equal swings") if parameter is None else _("swing, time ratio, largest transmission angle")
+    reached = float(judged(want, bars).transmission_angle)
+    if reached < 2 * pi / 9:
+        remarks += (_("The transmission angle falls below the usual 40 deg: expect large bearing forces there."),)
     free = () if parameter is None else (Number("parameter", "ξ", parameter, "deg", _("Free parameter")),)
     return Proposal(
         title=_("Crank-rocker with a swing of {swing}, time ratio {ratio:.4g}").format(
             swing=number(want.swing, "deg"), ratio=ratio
         ),
         numbers=(
-            *_numbers(bars, float(judged(want, bars).transmission_angle)),
+            *_numbers(bars, reached),
             Number("swing", "γ", want.swing, "deg", _("Swing of the rocker")),
             Number("time_ratio", "k", ratio, "1", _("Time of the slow swing over that of the quick one")),
             *free,

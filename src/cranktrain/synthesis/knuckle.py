@@ -9,6 +9,7 @@ from cranktrain.language import N_, _
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import single
+from cranktrain.paths import quoted
 from cranktrain.synthesis.knuckle_equations import Free, stroke_product, unshifted_angle
 from cranktrain.synthesis.knuckle_numbers import cylinder_table, slave_numbers
 from cranktrain.synthesis.knuckle_search import Search, is_usable, searched
@@ -20,7 +21,6 @@ from cranktrain.synthesis.proposal import (
     Table,
     found,
     quantity_text,
-    quoted,
     shaft_table,
     wanted,
 )

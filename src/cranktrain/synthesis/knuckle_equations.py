@@ -13,7 +13,7 @@ from cranktrain.motion import Array
 Free = Literal["knuckle_radius", "articulation_angle", "rod_length"]
 """What a solution may choose: r, ζ, l."""
 
-_NEWTON_STEPS = 12
+NEWTON_STEPS = 12
 HALF_THE_DIGITS = 1e-9
 """A Newton step this small, in radians or in parts of the quantity, leaves nothing but rounding for the next."""
 _REST = 1e-9
@@ -52,7 +52,7 @@ def _dead_centre(rod: ArticulatedRod, start: Array, bend: float) -> tuple[Array,
     """Angle and distance of the dead centre near an angle; `bend` is the sign that s″ must have there."""
     with np.errstate(all="ignore"):
         angle = start
-        for _step in range(_NEWTON_STEPS):
+        for _step in range(NEWTON_STEPS):
             slider = articulated_rod(angle, rod).slider
             step = slider.first / slider.second
             angle = angle - step

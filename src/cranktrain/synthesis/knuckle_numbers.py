@@ -5,8 +5,9 @@ from math import pi
 from cranktrain.language import _
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
+from cranktrain.paths import quoted
 from cranktrain.synthesis.knuckle_equations import dead_centres, stroke_product
-from cranktrain.synthesis.proposal import Number, Table, quoted, wanted
+from cranktrain.synthesis.proposal import Number, Table, wanted
 from cranktrain.synthesis.slider_crank_lengths import Lengths, stroke_of
 
 

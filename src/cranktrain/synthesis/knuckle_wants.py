@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import Literal, NamedTuple
 
 from cranktrain.mechanisms.slider_crank import SliderCrank
+from cranktrain.motion import Array
 from cranktrain.synthesis.knuckle_numbers import master_stroke, master_top
 
 
@@ -34,6 +35,10 @@ class Goal(NamedTuple):
     of_top: float
     of_bottom: float
     target: float
+
+    def of(self, top: Array, bottom: Array) -> Array:
+        """What a goal makes of two dead centres, or of their slopes."""
+        return self.of_top * top + self.of_bottom * bottom
 
 
 def goals_of(wants: Wants, master: SliderCrank) -> Iterator[Goal]:

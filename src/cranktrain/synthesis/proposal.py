@@ -1,6 +1,5 @@
 """A proposal: dimensions found from wants, what else was considered, and the machine file that runs them."""
 
-import json
 import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -9,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.language import _
+from cranktrain.paths import quoted
 from cranktrain.quantities import Dimension, Status, read, shown
-from cranktrain.wording import number
 
 _DIMENSIONS = {"mm": Dimension.LENGTH, "deg": Dimension.ANGLE, "rpm": Dimension.SPEED}
 _MOST_DIGITS = 17
@@ -27,10 +26,6 @@ class Number(NamedTuple):
     value: float
     unit: str
     sentence: str
-
-    def __str__(self) -> str:
-        """Write it as a line shows it: `r = 80.00 mm`."""
-        return f"{self.symbol} = {number(self.value, self.unit)}"
 
 
 class Alternative(NamedTuple):
@@ -90,16 +85,6 @@ class Proposal:
         for table in self.tables:
             lines += ["", f"[{table.head}]", *(f"{key} = {value}" for key, value in table.keys.items())]
         return "\n".join(lines) + "\n"
-
-
-def quoted(text: str) -> str:
-    """Write a TOML string; JSON's escapes are TOML's."""
-    return json.dumps(text, ensure_ascii=False)
-
-
-def listed(values: Sequence[str]) -> str:
-    """Write a TOML list of values that are TOML text already."""
-    return f"[{', '.join(values)}]"
 
 
 def listed_in_lines(values: Sequence[str]) -> str:

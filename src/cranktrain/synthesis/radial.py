@@ -9,6 +9,7 @@ from cranktrain.language import N_, _
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import single
+from cranktrain.paths import quoted
 from cranktrain.quantities import unlisted
 from cranktrain.synthesis.knuckle_equations import Free
 from cranktrain.synthesis.knuckle_numbers import cylinder_table, slave_numbers
@@ -21,10 +22,8 @@ from cranktrain.synthesis.proposal import (
     Proposal,
     Table,
     found,
-    listed,
     listed_in_lines,
     quantity_text,
-    quoted,
     shaft_table,
     wanted,
 )
@@ -212,6 +211,7 @@ def _tables(
             return listed_in_lines([found(value, unit, how) for value in values])
         return wanted(values[0], unit)
 
+    angles = ", ".join(quoted(quantity_text(float(rod.bank_angle), "deg")) for rod in rods)
     return (
         *shaft_table(speed),
         Table(
@@ -222,7 +222,7 @@ def _tables(
                 "rod_length": wanted(float(master.rod_length), "mm"),
             },
         ),
-        Table("bank.S", {"angle": listed([quoted(quantity_text(float(rod.bank_angle), "deg")) for rod in rods])}),
+        Table("bank.S", {"angle": f"[{angles}]"}),
         Table(
             "bank.S.mechanism",
             {

@@ -222,13 +222,15 @@ def _alternatives(
     """What else keeps the limits: without an offset, with the best one; and what the source's rule would give."""
     central = shortest_rod(stroke, 0.0, Limits(sin(limits[0]), sin(limits[1])))
     best = _chosen(stroke, None, None, working_stroke, (sin(limits[0]), sin(limits[1])))
-    considered = [(_("shortest rod without an offset"), central), (_("shortest rod of all, with an offset"), best)]
-    seen = [lengths]
-    kept: list[Alternative] = []
-    for label, other in considered:
-        if not any(_are_same(other, one) for one in seen):
-            kept.append(Alternative(label, slider_crank_numbers(other, working_stroke, None)))
-        seen.append(other)
+    considered = (
+        (_("shortest rod without an offset"), central, (lengths,)),
+        (_("shortest rod of all, with an offset"), best, (lengths, central)),
+    )
+    kept = (
+        Alternative(label, slider_crank_numbers(other, working_stroke, None))
+        for label, other, seen in considered
+        if not any(_are_same(other, one) for one in seen)
+    )
     return (*kept, _source_rule(central.crank_radius, min(limits)))
 
 

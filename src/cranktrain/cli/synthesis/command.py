@@ -10,6 +10,7 @@ from typing import Annotated
 
 import typer
 
+from cranktrain.cli.options import Force
 from cranktrain.cli.synthesis.proposals import give_proposal
 from cranktrain.cli.synthesis.wants import form_of, option_of, wants_of
 from cranktrain.cli.task import Task
@@ -77,14 +78,13 @@ _Textbook = Annotated[
     bool, typer.Option("--textbook", help=_("Show the source's steps, wrong ones named; alone: its own example."))
 ]
 _Output = Annotated[str | None, typer.Option("-o", "--output", metavar="FILE", help=_("Write the machine file here."))]
-_Force = Annotated[bool, typer.Option("--force", help=_("Replace a file that is there."))]
 
 
 def _command(problem: str) -> Callable[..., Task]:
     """Make what Typer is to read: a function that has the wants of a problem for parameters, and options of its own."""
 
     def command(
-        *, textbook: _Textbook = False, output: _Output = None, force: _Force = False, **typed: str | bool | None
+        *, textbook: _Textbook = False, output: _Output = None, force: Force = False, **typed: str | bool | None
     ) -> Task:
         return partial(give_proposal, problem, typed, output, force=force, with_source=textbook)
 
