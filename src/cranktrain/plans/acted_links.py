@@ -92,12 +92,6 @@ def _on_shaft(dynamics: AnyDynamics) -> dict[str, str]:
     return {name: name if name in held else first for name in dynamics.moving}
 
 
-def cranks_of(dynamics: AnyDynamics) -> tuple[str, ...]:
-    """Links of a mechanism that turn with the shaft; a slave has none of its own."""
-    in_groups = {name for group in dynamics.groups for name in group.links}
-    return tuple(name for name in dynamics.moving if name not in in_groups)
-
-
 def _reactions(one: Member) -> Iterator[tuple[Reaction, Array]]:
     """Reactions of a mechanism's own joints, shape (2,); a slave's share of its master's are none."""
     for reaction, wrench in zip(one.dynamics.reactions, one.solved.forces.joints, strict=True):

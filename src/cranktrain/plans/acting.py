@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from cranktrain.analysis import SpeedWanted, run, speed_over_cycle
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import Problem, refuse
 from cranktrain.language import _
 from cranktrain.layout.frames import in_machine_axes
 from cranktrain.layout.places import PlacedMechanism
@@ -88,13 +88,15 @@ def made_ready(machine: Machine, speed: SpeedWanted) -> LoadedMachine:
 
 def refuse_idle(machine: Machine) -> None:
     """Refuse a machine on whose links nothing acts, or of which no speed is known."""
-    problems: list[Problem] = []
+    refuse(_idle(machine))
+
+
+def _idle(machine: Machine) -> Iterator[Problem]:
+    """What a machine lacks for forces."""
     if machine.main_shaft.speed is None and machine.main_shaft.speed_curve is None:
-        problems.append(Problem("shaft.main.speed", None, _("is missing: forces of inertia need it")))
+        yield Problem("shaft.main.speed", None, _("is missing: forces of inertia need it"))
     if machine.gas is None and not machine.masses and not machine.weighed.bodies:
-        problems.append(Problem("masses", None, _("is missing, and [gas] too: nothing acts on the links")))
-    if problems:
-        raise InputError(problems)
+        yield Problem("masses", None, _("is missing, and [gas] too: nothing acts on the links"))
 
 
 def member_of(machine: Machine, loaded: LoadedMachine, place: PlacedMechanism, angle: Array) -> Member:

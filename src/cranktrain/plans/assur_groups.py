@@ -13,7 +13,6 @@ from cranktrain.motion import Array
 from cranktrain.plans.acted_links import (
     Seen,
     acted_links,
-    cranks_of,
     master_of,
     seen_by_itself,
     seen_by_slave,
@@ -67,7 +66,8 @@ def _of_mechanism(seen: Seen) -> Iterator[GroupForces]:
         for rubbing in friction_on_links(one)
     }
     laying = _Laying(seen, links, friction, _NOTHING * largest)
-    cranks = cranks_of(one.dynamics)
+    in_groups = {name for group in one.dynamics.groups for name in group.links}
+    cranks = tuple(name for name in one.dynamics.moving if name not in in_groups)  # a slave has none of its own
     groups = [*reversed(one.dynamics.groups), *([Group(INITIAL, cranks)] if cranks else [])]
     for group in groups:
         yield laying.of_group(group)

@@ -13,7 +13,7 @@ from cranktrain.motion import Array, Coefficient
 from cranktrain.plans.lettering import lettered
 from cranktrain.plans.placement import place_called, placed
 from cranktrain.plans.positions import closed_angles
-from cranktrain.plans.vectors import cross, in_plane, spoken_name, turned_left
+from cranktrain.plans.vectors import angle_of, cross, in_plane, spoken_name, turned_left
 
 _Sort = Literal["frame", "link", "slider", "block"]
 
@@ -133,10 +133,6 @@ def instant_centres(
     return InstantCentres(place.name, angle, bodies, centres, drawing)
 
 
-def _away(vector: Array) -> float:
-    return float(np.arctan2(vector[1], vector[0]))
-
-
 _Pins = Mapping[str, Coefficient]
 
 
@@ -182,10 +178,10 @@ def _slot_direction(block: Block, pins: _Pins) -> float:
     """Direction of a slot: of its link, or if that does not turn the one in which the pin slides. [rad]"""
     pin, base, end = (pins[name] for name in (block.pin, block.link[0], block.link[-1]))
     if len(block.link) > 1:
-        return _away(end.value - base.value)
+        return angle_of(end.value - base.value)
     slides = pin.first - base.first
     is_at_its_end = np.hypot(*slides) < _PARALLEL * np.hypot(*pin.first)
-    return _away(pin.second - base.second if is_at_its_end else slides)
+    return angle_of(pin.second - base.second if is_at_its_end else slides)
 
 
 def _centre(
@@ -205,5 +201,5 @@ def _centre(
     elif abs(turning) > _PARALLEL:
         place = drift / turning
     elif np.hypot(*drift) >= _PARALLEL * np.hypot(*pins[bodies[1].pins[-1]].value):
-        direction = _away(drift)
+        direction = angle_of(drift)
     return Centre(pair[0] + 1, pair[1] + 1, place, direction, is_joint=bool(common) or pair in across)

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
+from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.frames import Frame, frame_of, in_machine_axes
 from cranktrain.layout.places import PlacedMechanism
@@ -87,9 +88,7 @@ def shaft_places(machine: Machine) -> ShaftPlaces:
 
 def _facing(machine: Machine) -> tuple[PlacedMechanism, PlacedMechanism] | None:
     """Find the first two pistons on both shafts that share a cylinder, if all others face each other as they do."""
-    cylinders: dict[str, list[PlacedMechanism]] = {}
-    for place in machine.places:
-        cylinders.setdefault(place.cylinder, []).append(place)
+    cylinders = grouped((place.cylinder, place) for place in machine.places)
     pairs = [pair for pair in cylinders.values() if len({place.shaft for place in pair}) == 2]
     lines = {round(float(frame(machine, place).direction) % np.pi, 9) for pair in pairs for place in pair}
     return (pairs[0][0], pairs[0][1]) if len(lines) == 1 else None

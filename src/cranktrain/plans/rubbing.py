@@ -66,9 +66,8 @@ def _of_contact(
     one: Member, contact: Contact, links: Mapping[str, Link], pin: Point, fastest: float
 ) -> Iterator[Rubbing]:
     """Friction of one contact on its two links; nothing where they do not slide."""
-    names = [reaction.name for reaction in one.dynamics.reactions]
-    at = names.index(contact.joint)
-    reaction, wrench = one.dynamics.reactions[at], one.solved.forces.joints[at]
+    reaction = next(reaction for reaction in one.dynamics.reactions if reaction.name == contact.joint)
+    wrench = one.dynamics.by_joint(one.solved.forces.joints)[contact.joint]
     place = in_plane(pin)
     on, by = (_carried(links.get(body), place) for body in (reaction.on, reaction.by))
     rate = float(np.hypot(*(on - by)))

@@ -150,6 +150,11 @@ def _point_under(pin: PinMotion, base: PinMotion, other: PinMotion) -> tuple[Pin
     ), turning
 
 
+def angle_of(vector: Array) -> float:
+    """Direction of a vector from X. [rad]"""
+    return float(np.arctan2(vector[1], vector[0]))
+
+
 def turned_left(vector: Array) -> Array:
     """A vector turned by 90° anticlockwise."""
     return np.array([-vector[1], vector[0]])

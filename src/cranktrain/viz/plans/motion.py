@@ -187,8 +187,8 @@ def plan_klein(
     cells = cells_of(box, len(constructions))
     wide = 0.62 * cells[0].width
     room = (wide - 16.0, cells[0].height - 14.0)
-    rough = [np.array(klein_sketch(construction, 1.0).bounds()).reshape(2, 2) for construction in constructions]
-    scale = 1e3 * fitting([1e-3 * bounds for bounds in rough], room)
+    rough = [np.concatenate(list(klein_sketch(one, 1.0).outline()), axis=1) for one in constructions]
+    scale = 1e3 * fitting([1e-3 * outline for outline in rough], room)
     for construction, cell in zip(constructions, cells, strict=True):
         centre_at_angle(page, construction.angle, klein_sketch(construction, scale), cell._replace(width=wide), 0.0)
         rows = _klein_table(machine, construction)

@@ -94,13 +94,9 @@ def _dead_positions(scene: Scene, member: Member, angles: Sequence[float]) -> It
 
 def _chains(member: Member, pins: dict[str, Array]) -> list[Array]:
     """Lines from pin to pin: one through all of them, or of a mechanism drawn link by link one for each link."""
-    names = [link.pins for link in member.turn.links] if member.is_plain else [_chain(member)]
+    through = ("O", "A", "C", "D") if member.place.kind.name == "articulated_rod" else tuple(member.turn.pins)
+    names = [link.pins for link in member.turn.links] if member.is_plain else [through]
     return [np.stack([pins[name] for name in line], axis=1) for line in names]
-
-
-def _chain(member: Member) -> tuple[str, ...]:
-    """Pins from the shaft to the output, for a line drawing."""
-    return ("O", "A", "C", "D") if member.place.kind.name == "articulated_rod" else tuple(member.turn.pins)
 
 
 def _crank(scene: Scene, member: Member, angle: float) -> Iterator[Line | Circle]:

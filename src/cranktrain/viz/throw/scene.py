@@ -8,6 +8,7 @@ from itertools import combinations
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
+from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import MAIN
@@ -15,10 +16,11 @@ from cranktrain.machine import Machine
 from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.motion import Array, Point
 from cranktrain.plans.placement import first_throw, placed, shaft_places
+from cranktrain.plans.vectors import angle_of
 from cranktrain.quantities import shown
 from cranktrain.questions.cylinders.declared import cylinders_of
 from cranktrain.record import record
-from cranktrain.viz.paper.shapes import Along, angle_of, guide_line, unit
+from cranktrain.viz.paper.shapes import Along, guide_line, unit
 
 _TURN = np.linspace(0.0, 2 * np.pi, 361)
 _OUTLINED = ("slider_crank", "crank_rocker", "articulated_rod")
@@ -148,9 +150,7 @@ class Scene:
     @cached_property
     def pairs(self) -> tuple[tuple[Member, Member], ...]:
         """Pistons that share a cylinder, two by two; a piston with side rods second."""
-        cylinders: dict[str, list[Member]] = {}
-        for member in self.sliders:
-            cylinders.setdefault(member.place.cylinder, []).append(member)
+        cylinders = grouped((member.place.cylinder, member) for member in self.sliders)
         return tuple(
             (one, other) if other.place.is_far or not one.place.is_far else (other, one)
             for one, other in (found for found in cylinders.values() if len(found) == _PAIR)
