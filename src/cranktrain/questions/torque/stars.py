@@ -19,6 +19,7 @@ class PhaseStars(NamedTuple):
 
     Attributes
     ----------
+    order : Array, shape (n,)
     vectors : complex, shape (..., n, cylinder)
         w_i e^{−ikφ_i}: where a cylinder's harmonic of that order stands.
     total : complex, shape (..., n)
@@ -28,6 +29,7 @@ class PhaseStars(NamedTuple):
         directions count with them.
     """
 
+    order: Array
     vectors: ComplexArray
     total: ComplexArray
     is_major: NDArray[np.bool_]
@@ -69,7 +71,7 @@ def phase_stars(order: Array, firing_angle: Array, weight: Array | None = None) 
     most = np.sum(np.abs(weights), axis=-1)[..., np.newaxis]
     summed = np.sum(vectors, axis=-1)
     total = np.where(np.abs(summed) <= _ROUNDING * most, 0.0, summed)
-    return PhaseStars(vectors, total, np.abs(total) >= (1 - _ALIGNED) * most)
+    return PhaseStars(order, vectors, total, np.abs(total) >= (1 - _ALIGNED) * most)
 
 
 def shaft_harmonics(cylinder: Harmonics, firing_angle: Array) -> Harmonics:
