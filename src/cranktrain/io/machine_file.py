@@ -213,7 +213,9 @@ def _with_settings(document: Document, settings: Sequence[str]) -> tuple[Documen
             paths.append(parts)
         except InputError as error:
             problems += [
-                problem if _has_line(problem) else replace(problem, position=_SETTING) for problem in error.problems
+                # One that stands in the file itself keeps its line.
+                problem if problem.position and problem.position.line else replace(problem, position=_SETTING)
+                for problem in error.problems
             ]
     refuse(problems)
     return document, tuple(paths)
@@ -229,11 +231,6 @@ def _deeper(table: Mapping[str, Any], path: PathParts, above: PathParts = ()) ->
             if deeper is not None:
                 return deeper
     return None
-
-
-def _has_line(problem: Problem) -> bool:
-    """Whether a problem stands in the file itself."""
-    return problem.position is not None and problem.position.line is not None
 
 
 def _placed(problem: Problem, document: Document, settings: Sequence[PathParts]) -> Problem:

@@ -12,6 +12,7 @@ from cranktrain.layout.frames import frames_of
 from cranktrain.layout.mechanisms import Mechanisms, Pistons, Rockers, mechanisms_of
 from cranktrain.layout.question import Dimension, TableFile
 from cranktrain.layout.shafts import shafts_of
+from cranktrain.layout.specs import MAIN
 from cranktrain.layout.speed import Speed
 from cranktrain.layout.speed_curve import speed_at_moment
 from cranktrain.layout.speed_table import tabled_speed
@@ -57,7 +58,7 @@ def laid_out(designs: Sequence[Design], *, cycle: float, step: float) -> Designs
 
 def layout_parts(designs: Designs) -> Iterator[object | None]:
     """Parts of every machine; None stands for what is not declared."""
-    places, shafts = designs.places, designs.shafts
+    places, shafts = designs.places, [design.shafts for design in designs.each]
     yield designs.crank_angle
     yield designs.mechanisms
     yield from (batch.members for batch in designs.mechanisms.batches)
@@ -73,7 +74,7 @@ def layout_parts(designs: Designs) -> Iterator[object | None]:
 
 def _speed_parts(designs: Designs) -> Iterator[object | None]:
     """What the file says of how the main shaft turns; None stands for a curve that it has not."""
-    shafts = [design.main_shaft for design in designs.each]
+    shafts = [design.shafts[MAIN] for design in designs.each]
     grid = designs.crank_angle
     speeds = np.array([shaft.speed.si for shaft in shafts if shaft.speed is not None])
     accelerations = np.array([shaft.acceleration.si for shaft in shafts if shaft.acceleration is not None])

@@ -78,10 +78,6 @@ def _dot(one: ComplexArray, other: ComplexArray) -> Array:
     return np.real(np.conj(one) * other)
 
 
-def _cross(one: ComplexArray, other: ComplexArray) -> Array:
-    return np.imag(np.conj(one) * other)
-
-
 def _line(leg: _PlaneLeg, first: _PlaneLeg, angle: Array) -> _Line:
     """Take a guide as it is, and of a rod's equation the difference from the first rod's: the squares cancel."""
     vector = (leg.point - first.point) * np.exp(1j * angle) - leg.end  # the leg, counted from the first leg's point
@@ -94,7 +90,7 @@ def _line(leg: _PlaneLeg, first: _PlaneLeg, angle: Array) -> _Line:
 
 def _crossing(one: _Line, other: _Line) -> tuple[ComplexArray, Array]:
     """Point where two lines cross, times the cross product of their normals, and that product."""
-    return 1j * (other.level * one.normal - one.level * other.normal), _cross(one.normal, other.normal)
+    return 1j * (other.level * one.normal - one.level * other.normal), np.imag(np.conj(one.normal) * other.normal)
 
 
 def _condition(legs: list[_PlaneLeg], angle: Array) -> Array:

@@ -59,10 +59,10 @@ def triad_walk(ends: Callable[[Array], TriadEnds], geometry: Triad, start: Pose)
         nodes = [(at, pose)]
         while np.any(at < TURN):
             after = np.minimum(at + step, TURN)
-            expected = _predicted(pose, after - at)
+            expected = pose[0] + (after - at) * (pose[1] + 0.5 * (after - at) * pose[2])
             found = triad(TriadDriver(ends(after), Pose(*expected)), geometry)
             reached = _pose(found)
-            reached[0, 2] = expected[2] + _turn_apart(reached[0, 2] - expected[2])  # counted on from the last angle
+            reached[0, 2] -= TURN * np.round((reached[0, 2] - expected[2]) / TURN)  # counted on from the last angle
             missed = np.max(np.abs(reached[0] - expected) / scale, axis=0) / _MOST_MISSED
             missed = np.where(found.transmission * side > 0, missed, np.inf)
             is_taken = missed <= 1
@@ -127,11 +127,3 @@ def _scale(geometry: Triad, side: Array) -> Array:
     """What x, y and angle count by: the link's largest radius, the same, one radian; (3, ..., 1)."""
     radius = np.broadcast_to(np.maximum.reduce([leg.point.radius for leg in geometry]), side.shape)
     return np.stack([radius, radius, np.ones_like(radius)])
-
-
-def _predicted(pose: Array, step: Array) -> Array:
-    return pose[0] + step * (pose[1] + 0.5 * step * pose[2])
-
-
-def _turn_apart(difference: Array) -> Array:
-    return difference - TURN * np.round(difference / TURN)

@@ -7,6 +7,7 @@ from cranktrain.language import N_
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.masses import bodies_given
 from cranktrain.layout.question import Dimension, Parts, Question, Stage, Use
+from cranktrain.layout.specs import MAIN
 from cranktrain.layout.uses import table
 from cranktrain.questions.balance import frame_forces, running_frame, shaking, spec, weights
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
@@ -14,11 +15,11 @@ from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 
 def _problems(design: Design) -> Iterable[Problem]:
     given = design.table(spec.BalanceSpec)
-    return () if given is None else weights.balance_problems(given, design.main_shaft)
+    return () if given is None else weights.balance_problems(given, design.shafts[MAIN])
 
 
 def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
-    yield weights.declared_balance(designs.tables(spec.BalanceSpec), designs.shafts)
+    yield weights.declared_balance(designs.tables(spec.BalanceSpec), [one.shafts for one in designs.each])
 
 
 def _gravity(design: Design) -> Sequence[str]:

@@ -37,7 +37,7 @@ def _problems(design: Design) -> Iterator[Problem]:
 def _parts(designs: Designs, known: Parts) -> Iterator[object | None]:
     yield carriers.carriers_of(designs.places[0])
     # There are forces where gas presses, whether anything has a mass or not.
-    if designs.first.weighed.bodies or all(part in known for part in gas.PRESSING):
+    if designs.each[0].weighed.bodies or all(part in known for part in gas.PRESSING):
         yield masses_of(designs.places, [design.weighed for design in designs.each])
 
 

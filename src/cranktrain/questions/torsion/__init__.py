@@ -6,6 +6,7 @@ from cranktrain.errors import Problem
 from cranktrain.language import N_
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Dimension, Parts, Question, Stage, Use
+from cranktrain.layout.specs import MAIN
 from cranktrain.layout.uses import table
 from cranktrain.questions.torsion.critical import critical_speeds, mode_vector_sums
 from cranktrain.questions.torsion.modes import TorsionalModes, of_one_crankshaft, torsional_modes, torsional_train
@@ -22,7 +23,7 @@ def _problems(design: Design) -> Iterator[Problem]:
 def _parts(designs: Designs, _known: Parts) -> Iterator[object]:
     specs = designs.tables(TorsionSpec)
     if specs:
-        yield declared_train(specs, len(designs.first.main_shaft.throws))
+        yield declared_train(specs, len(designs.each[0].shafts[MAIN].throws))
 
 
 QUESTION = Question(

@@ -12,6 +12,7 @@ from cranktrain.errors import Problem
 from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design
+from cranktrain.layout.specs import MAIN
 from cranktrain.motion import Array
 from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.record import record
@@ -138,7 +139,7 @@ def _ratio(spec: TorsionSpec, name: Node) -> float:
 
 def torsion_problems(spec: TorsionSpec, design: Design) -> Iterator[Problem]:
     """Find what does not fit the crankshaft, what nothing weighs, and machines whose trains are of another kind."""
-    n_throws, places = len(design.main_shaft.throws), design.places
+    n_throws, places = len(design.shafts[MAIN].throws), design.places
     if len(design.shafts) > 1 or any(place.name != place.cylinder for place in places):
         allowed = _("is for a machine with one crankshaft and one piston in a cylinder; this version knows no other")
         yield Problem("torsion", None, allowed)
