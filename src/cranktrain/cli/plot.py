@@ -36,7 +36,7 @@ _DIGITS = 9
 
 
 @record
-class Request(Asked):
+class PlotRequest(Asked):
     """What is asked of `plot`, as typed."""
 
     plan: str | None = None
@@ -54,7 +54,7 @@ class Choice(NamedTuple):
     size: str
 
 
-def write_picture(request: Request) -> None:
+def write_picture(request: PlotRequest) -> None:
     """Draw and write; say what was written.
 
     Raises
@@ -76,12 +76,12 @@ def write_picture(request: Request) -> None:
     print(_("written: {name}").format(name=one_line(request.output or "")))
 
 
-def understood(request: Request) -> Choice:
+def understood(request: PlotRequest) -> Choice:
     """Read the options; refuse those that do not go together.
 
     Parameters
     ----------
-    request : Request
+    request : PlotRequest
 
     Returns
     -------
@@ -116,7 +116,7 @@ def understood(request: Request) -> Choice:
     return Choice(picture, angles, size)
 
 
-def _output_problems(request: Request, suffix: str) -> Iterator[Problem]:
+def _output_problems(request: PlotRequest, suffix: str) -> Iterator[Problem]:
     """Refuse a name of the picture that says nothing of its form."""
     if request.output is None:
         name = one_line(PurePath(request.file).stem) or "3d12"
@@ -129,7 +129,7 @@ def _output_problems(request: Request, suffix: str) -> Iterator[Problem]:
         yield Problem("-o", request.output, allowed)
 
 
-def _refused(request: Request, picture: Picture) -> Iterator[Problem]:
+def _refused(request: PlotRequest, picture: Picture) -> Iterator[Problem]:
     """Refuse options that mean nothing for a picture."""
     for option, about, is_typed, given in (
         ("--plan", "plan", request.plan is not None, request.plan),
@@ -166,7 +166,7 @@ def _angles(text: str | None, picture: Picture | None) -> Angles | None:
     return angles
 
 
-def _draw(file: MachineFile, choice: Choice, request: Request) -> None:
+def _draw(file: MachineFile, choice: Choice, request: PlotRequest) -> None:
     """Draw once the file is known to be possible, and write it."""
     picture, name, force = choice.picture, request.output or "", request.force
     if picture.name == ".gif":
@@ -186,7 +186,7 @@ def _draw(file: MachineFile, choice: Choice, request: Request) -> None:
         )
 
 
-def _of_machine(file: MachineFile, choice: Choice, request: Request) -> dict[str, Any]:
+def _of_machine(file: MachineFile, choice: Choice, request: PlotRequest) -> dict[str, Any]:
     """What is said of a picture at crank angles; a speed only where there is one to be chosen."""
     from cranktrain.plans.positions import source_angles
 
@@ -200,7 +200,7 @@ def _of_machine(file: MachineFile, choice: Choice, request: Request) -> dict[str
     return options
 
 
-def _placed(file: MachineFile, request: Request, problem: Problem) -> Problem:
+def _placed(file: MachineFile, request: PlotRequest, problem: Problem) -> Problem:
     """Place what cannot be drawn: in the machine file, or at the option that asks for it."""
     if problem.position is not None or problem.path.startswith("-"):
         return problem

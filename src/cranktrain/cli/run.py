@@ -15,14 +15,14 @@ from cranktrain.record import record
 
 
 @record
-class Request(Asked):
+class RunRequest(Asked):
     """What is asked of `run`, as typed; `quantities` is None for all."""
 
     quantities: tuple[str, ...] | None = None
     step_degrees: float = 1.0
 
 
-def show_run(request: Request, *, with_inputs: bool = False) -> None:
+def show_run(request: RunRequest, *, with_inputs: bool = False) -> None:
     """Compute, write and show."""
     from cranktrain.cli.screen.report import show_result, title
 
@@ -54,7 +54,7 @@ def _suffix(output: str) -> str:
     return suffix
 
 
-def _computed(file: MachineFile, request: Request) -> Result:
+def _computed(file: MachineFile, request: RunRequest) -> Result:
     """Compute; refuse a quantity that was asked for and that this machine does not give."""
     with problems_as(at_running_speed):
         result = request.result(file, step_degrees=request.step_degrees, quantities=request.quantities)
@@ -71,7 +71,7 @@ def _absence(name: str, result: Result, file: str) -> Problem:
     return Problem("quantities", name, allowed)
 
 
-def _written(file: MachineFile, request: Request, output: str, suffix: str) -> Result:
+def _written(file: MachineFile, request: RunRequest, output: str, suffix: str) -> Result:
     """Compute once the output is known to be possible, and write it; a table without what is given by each method."""
     from cranktrain.io.tables import WRITERS
 
@@ -93,6 +93,6 @@ def _written(file: MachineFile, request: Request, output: str, suffix: str) -> R
     return made[0]
 
 
-def _chosen(result: Result, request: Request) -> tuple[str, ...]:
+def _chosen(result: Result, request: RunRequest) -> tuple[str, ...]:
     """Names of the quantities to show and write, in the order of the catalogue."""
     return tuple(name for name in result.catalogue if request.quantities is None or name in request.quantities)

@@ -8,7 +8,7 @@ from typing import cast
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.files import refusal
 from cranktrain.io.long_keys import long_key
-from cranktrain.io.places import places
+from cranktrain.io.text_spans import places
 from cranktrain.language import N_, _
 from cranktrain.one_line import short
 from cranktrain.paths import DEEPEST_NESTING, PathParts, path_text, too_many_parts

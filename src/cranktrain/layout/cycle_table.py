@@ -9,7 +9,7 @@ from pydantic import Field
 
 from cranktrain.errors import InputError, Position, Problem, refuse
 from cranktrain.gas.indicator.reading import unit_in
-from cranktrain.gas.indicator.table import Table, held_text, read_table
+from cranktrain.gas.indicator.table import NumberTable, held_text, read_table
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
@@ -120,7 +120,7 @@ def given_curve(spec: CycleFileSpec) -> Polyline:
     return Polyline(angles[kept], values[kept] * factor, period)
 
 
-def _columns(spec: CycleFileSpec, table: Table) -> tuple[int, int]:
+def _columns(spec: CycleFileSpec, table: NumberTable) -> tuple[int, int]:
     """Places of angle and value in a row, from 0."""
     words = spec.words
     n_columns = table.rows.shape[1]
@@ -139,7 +139,7 @@ def _columns(spec: CycleFileSpec, table: Table) -> tuple[int, int]:
     return spec.columns[0] - 1, spec.columns[1] - 1
 
 
-def _order_problems(table: Table, where: int) -> Iterator[Problem]:
+def _order_problems(table: NumberTable, where: int) -> Iterator[Problem]:
     """Find angles that are given twice or go back, each at its place."""
     angles = table.rows[:, where]
     wrong = np.flatnonzero(np.diff(angles) <= 0) + 1
@@ -154,7 +154,9 @@ def _order_problems(table: Table, where: int) -> Iterator[Problem]:
         yield Problem("file", table.name, _("{n} more angles like these").format(n=wrong.size - _MOST_PROBLEMS))
 
 
-def _span_problems(spec: CycleFileSpec, table: Table, angles: Array, values: Array, where: int) -> Iterator[Problem]:
+def _span_problems(
+    spec: CycleFileSpec, table: NumberTable, angles: Array, values: Array, where: int
+) -> Iterator[Problem]:
     """Find a curve that is not one turn or two, and one that does not close."""
     position = table.position(len(table.lines) - 1, where)
     period = _period(angles)

@@ -10,7 +10,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.frames import frames_of
 from cranktrain.layout.mechanisms import Mechanisms, Pistons, Rockers, mechanisms_of
-from cranktrain.layout.question import Dimension, TableFile
+from cranktrain.layout.question import ResultDimension, TableFile
 from cranktrain.layout.shafts import shafts_of
 from cranktrain.layout.specs import MAIN
 from cranktrain.layout.speed import Speed
@@ -22,16 +22,16 @@ from cranktrain.mechanisms import KINDS
 _OF_MECHANISMS = "mechanism"
 
 DIMENSIONS = (
-    Dimension("design", N_("design"), is_number=True),
-    Dimension("crank_angle", N_("crank angle"), is_number=True),
+    ResultDimension("design", N_("design"), is_number=True),
+    ResultDimension("crank_angle", N_("crank angle"), is_number=True),
     *(
-        Dimension(name, "", family=_OF_MECHANISMS)
+        ResultDimension(name, "", family=_OF_MECHANISMS)
         for name in (_OF_MECHANISMS, Pistons.dimension, Rockers.dimension, *(kind.name for kind in KINDS))
     ),
-    Dimension("throw", N_("throw")),
-    Dimension("shaft", ""),
-    Dimension("journal", N_("journal")),
-    Dimension("order", N_("order"), is_number=True),
+    ResultDimension("throw", N_("throw")),
+    ResultDimension("shaft", ""),
+    ResultDimension("journal", N_("journal")),
+    ResultDimension("order", N_("order"), is_number=True),
 )
 """Those that questions share."""
 

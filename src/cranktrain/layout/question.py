@@ -79,7 +79,7 @@ class Stage:
         return self.applies(**given)
 
 
-class Dimension(NamedTuple):
+class ResultDimension(NamedTuple):
     """A dimension of results.
 
     Attributes
@@ -144,7 +144,7 @@ class Question:
         stands for what is not declared.
     stages : tuple of Stage
         In the order in which people read their results.
-    dimensions : tuple of Dimension
+    dimensions : tuple of ResultDimension
         That its results bring.
     headline : tuple of str
         Its facts that say most, the first first.
@@ -159,7 +159,7 @@ class Question:
     problems: Callable[[Design], Iterable[Problem]] = _nothing
     parts: Callable[[Designs, Parts], Iterable[object | None]] = _nothing
     stages: tuple[Stage, ...] = ()
-    dimensions: tuple[Dimension, ...] = ()
+    dimensions: tuple[ResultDimension, ...] = ()
     headline: tuple[str, ...] = ()
     uses: tuple[Use, ...] = ()
     files: tuple[TableFile, ...] = ()

@@ -11,8 +11,8 @@ from cranktrain.linkage.crank import Crank, crank
 from cranktrain.linkage.legs import OnLine, block_along, fixed_guide, rod_between, rod_end
 from cranktrain.linkage.modes import triad_modes
 from cranktrain.linkage.pin import (
+    CentreLine,
     CrankAndGround,
-    Line,
     Pin,
     PinMotion,
     line_between,
@@ -40,12 +40,12 @@ __all__ = [
     "AHEAD",
     "GUIDE",
     "ROD",
+    "CentreLine",
     "Crank",
     "CrankAndGround",
     "CrankAndPivot",
     "Ends",
     "Leg",
-    "Line",
     "LinkPoint",
     "OnLine",
     "Pin",

@@ -33,7 +33,7 @@ MASTER_ROD = "master_rod"
 
 
 @dataclass(frozen=True)
-class Member:
+class LoadedMechanism:
     """One mechanism of a loaded machine at one crank angle φ; all arrays have shape (1,).
 
     Attributes
@@ -99,7 +99,7 @@ def _idle(machine: Machine) -> Iterator[Problem]:
         yield Problem("masses", None, _("is missing, and [gas] too: nothing acts on the links"))
 
 
-def member_of(machine: Machine, loaded: LoadedMachine, place: PlacedMechanism, angle: Array) -> Member:
+def member_of(machine: Machine, loaded: LoadedMachine, place: PlacedMechanism, angle: Array) -> LoadedMechanism:
     """Find a mechanism in a loaded machine, at φ of shape (1,). [rad]"""
     index = loaded.mechanisms.names.index(place.name)
     at, batch = next((i, batch) for i, batch in enumerate(loaded.mechanisms.batches) if index in batch.index)
@@ -108,7 +108,7 @@ def member_of(machine: Machine, loaded: LoadedMachine, place: PlacedMechanism, a
     solved = mapped(lambda _name, part: np.broadcast_to(part, shape)[0, member], loaded.solved(angle)[at])
     size = rows(batch.members.geometry, np.array(member))
     bodies = rows(loaded.masses.batches[at].bodies, np.array(member))
-    return Member(machine, loaded, place, angle, size, bodies, solved)
+    return LoadedMechanism(machine, loaded, place, angle, size, bodies, solved)
 
 
 def link_numbers(place: PlacedMechanism, after: int = 1) -> dict[str, int]:
@@ -125,7 +125,7 @@ def pair_symbol(letter: str, by: int, on: int) -> str:
     return f"{letter}_{by}{on}" if max(by, on) < 10 else f"{letter}_{by},{on}"
 
 
-def known_forces(one: Member, i: int, number: int) -> Iterator[PolygonForce]:
+def known_forces(one: LoadedMechanism, i: int, number: int) -> Iterator[PolygonForce]:
     """Load, weight and inertia of one link."""
     link, body = one.links[i], one.bodies[i]
     conditions = one.solved.conditions

@@ -17,7 +17,7 @@ from cranktrain.plans.acted_links import (
     seen_by_itself,
     seen_by_slave,
 )
-from cranktrain.plans.acting import Member, pair_symbol
+from cranktrain.plans.acting import LoadedMechanism, pair_symbol
 from cranktrain.plans.force_sides import INITIAL, GroupForces, PolygonForce, Span
 from cranktrain.plans.rubbing import friction_on_links
 from cranktrain.plans.vectors import pair
@@ -34,12 +34,12 @@ class _Arc(NamedTuple):
     last: tuple[PolygonForce, ...]
 
 
-def group_forces(one: Member, after: int = 1) -> Iterator[GroupForces]:
+def group_forces(one: LoadedMechanism, after: int = 1) -> Iterator[GroupForces]:
     """Forces on a mechanism's groups at one crank angle.
 
     Parameters
     ----------
-    one : Member
+    one : LoadedMechanism
     after : int
         The crank has the next number.
 

@@ -20,7 +20,7 @@ _REST = 1e-9
 """Largest |s′| of a converged dead centre, in parts of the crank radius."""
 
 
-class DeadCentres(NamedTuple):
+class SlaveDeadCentres(NamedTuple):
     """Crank angles of a slave's dead centres from the master's axis [rad], and its distances from the shaft [m].
 
     NaN where the search from γ and γ + π does not settle on a highest and a lowest point.
@@ -32,7 +32,7 @@ class DeadCentres(NamedTuple):
     bottom: Array
 
 
-def dead_centres(rod: ArticulatedRod) -> DeadCentres:
+def slave_dead_centres(rod: ArticulatedRod) -> SlaveDeadCentres:
     """Dead centres of slaves, by Newton's method on s′ from γ and γ + π.
 
     Parameters
@@ -45,7 +45,7 @@ def dead_centres(rod: ArticulatedRod) -> DeadCentres:
     """
     top_angle, top = _dead_centre(rod, rod.bank_angle, -1.0)
     bottom_angle, bottom = _dead_centre(rod, rod.bank_angle + np.pi, 1.0)
-    return DeadCentres(top_angle, bottom_angle, top, bottom)
+    return SlaveDeadCentres(top_angle, bottom_angle, top, bottom)
 
 
 def _dead_centre(rod: ArticulatedRod, start: Array, bend: float) -> tuple[Array, Array]:

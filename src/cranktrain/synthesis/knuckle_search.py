@@ -1,4 +1,4 @@
-"""Search for the knuckle geometry that meets wants: every solution over the range of a dimension, to rounding."""
+"""Search for the knuckle geometry that meets requirements: every solution over a dimension's range, to rounding."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -14,11 +14,11 @@ from cranktrain.synthesis.knuckle_equations import (
     HALF_THE_DIGITS,
     NEWTON_STEPS,
     Free,
-    dead_centres,
     distance_slope,
+    slave_dead_centres,
     unshifted_angle,
 )
-from cranktrain.synthesis.knuckle_wants import Goal, Wants, goals_of
+from cranktrain.synthesis.knuckle_requirements import Goal, KnuckleRequirements, goals_of
 
 _SAMPLES = 480
 _WIDEST_OFFSET_ANGLE = 75 * np.pi / 180
@@ -35,7 +35,7 @@ def _solved(rod: ArticulatedRod, goal: Goal, free: Free) -> ArticulatedRod:
     """Meet one goal by one dimension, by Newton's method with the slopes in closed form; NaN where it finds none."""
     with np.errstate(all="ignore"):
         for _step in range(NEWTON_STEPS):
-            at = dead_centres(rod)
+            at = slave_dead_centres(rod)
             slope = goal.of(distance_slope(at.top_angle, rod, free), distance_slope(at.bottom_angle, rod, free))
             step = (goal.of(at.top, at.bottom) - goal.target) / slope
             rod = _with_value(rod, free, getattr(rod, free) - step)
@@ -45,7 +45,7 @@ def _solved(rod: ArticulatedRod, goal: Goal, free: Free) -> ArticulatedRod:
 
 
 class Search(NamedTuple):
-    """What a search found: rods that meet the wants, and the range of what the first goal is of. [m]
+    """What a search found: rods that meet the requirements, and the range of what the first goal is of. [m]
 
     The range is NaN where there is nothing to search.
     """
@@ -55,14 +55,14 @@ class Search(NamedTuple):
     most: float
 
 
-def searched(rod: ArticulatedRod, wants: Wants, free: Sequence[Free]) -> Search:
-    """Meet wants: an unshifted dead centre in closed form, one goal by one dimension, or two by two.
+def searched(rod: ArticulatedRod, requirements: KnuckleRequirements, free: Sequence[Free]) -> Search:
+    """Meet requirements: an unshifted dead centre in closed form, one goal by one dimension, or two by two.
 
     Parameters
     ----------
     rod : ArticulatedRod
         With its given dimensions; the free ones are where the search for the second begins.
-    wants : Wants
+    requirements : KnuckleRequirements
         With two goals at most.
     free : sequence of str
         As many dimensions as goals. The first goal is met by the first over its whole range, the second, if any, by the
@@ -73,9 +73,9 @@ def searched(rod: ArticulatedRod, wants: Wants, free: Sequence[Free]) -> Search:
     Search
         Rods that close all round the turn, the one nearest to the start first.
     """
-    if wants.unshifted is not None:
-        rod = rod._replace(articulation_angle=unshifted_angle(rod, wants.unshifted))
-    goals = list(goals_of(wants, rod.master))
+    if requirements.unshifted is not None:
+        rod = rod._replace(articulation_angle=unshifted_angle(rod, requirements.unshifted))
+    goals = list(goals_of(requirements, rod.master))
     if not goals:
         return Search((rod,) if is_usable(rod) else (), np.nan, np.nan)
 
@@ -87,7 +87,7 @@ def searched(rod: ArticulatedRod, wants: Wants, free: Sequence[Free]) -> Search:
         return _solved(start, goals[1], free[1])
 
     def curve(value: Array) -> Array:
-        reached = dead_centres(at(value))
+        reached = slave_dead_centres(at(value))
         return goals[0].of(reached.top, reached.bottom) - goals[0].target
 
     grid = _range(rod, free[0])

@@ -1,4 +1,4 @@
-"""A proposal: dimensions found from wants, what else was considered, and the machine file that runs them."""
+"""A proposal: dimensions found from requirements, what else was considered, and the machine file that runs them."""
 
 import textwrap
 from collections.abc import Mapping, Sequence
@@ -35,7 +35,7 @@ class Alternative(NamedTuple):
     numbers: tuple[Number, ...]
 
 
-class Table(NamedTuple):
+class ProposedTable(NamedTuple):
     """A table of a machine file: its head, and each key with its value as TOML text."""
 
     head: str
@@ -53,7 +53,7 @@ class Proposal:
     numbers : tuple of Number
     alternatives : tuple of Alternative
     remarks : tuple of str
-    tables : tuple of Table
+    tables : tuple of ProposedTable
         What a machine file of it says.
     """
 
@@ -61,7 +61,7 @@ class Proposal:
     numbers: tuple[Number, ...]
     alternatives: tuple[Alternative, ...]
     remarks: tuple[str, ...]
-    tables: tuple[Table, ...]
+    tables: tuple[ProposedTable, ...]
 
     def value(self, name: str) -> float:
         """Give a number by its name, in SI.
@@ -126,12 +126,14 @@ def wanted(value: float, unit: str) -> str:
 
 
 def found(value: float, unit: str, note: str, status: Status = "derived") -> str:
-    """Write a quantity that follows from the wants, as TOML text with its status."""
+    """Write a quantity that follows from the requirements, as TOML text with its status."""
     return f'{{ value = {quoted(quantity_text(value, unit))}, status = "{status}", note = {quoted(note)} }}'
 
 
-def shaft_table(speed: float | None, note: str | None = None) -> tuple[Table, ...]:
+def shaft_table(speed: float | None, note: str | None = None) -> tuple[ProposedTable, ...]:
     """Write the shaft's table with its speed [rad/s], where there is one; a note says how it was found."""
     if speed is None:
         return ()
-    return (Table("shaft.main", {"speed": wanted(speed, "rpm") if note is None else found(speed, "rpm", note)}),)
+    return (
+        ProposedTable("shaft.main", {"speed": wanted(speed, "rpm") if note is None else found(speed, "rpm", note)}),
+    )

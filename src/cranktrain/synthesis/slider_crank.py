@@ -12,7 +12,7 @@ from cranktrain.synthesis.proposal import (
     Alternative,
     Number,
     Proposal,
-    Table,
+    ProposedTable,
     found,
     shaft_table,
     wanted,
@@ -119,7 +119,7 @@ def _impossible(
     mean_speed: float | None,
     speed: float | None,
 ) -> Iterator[Problem]:
-    """Find wants that contradict themselves or geometry."""
+    """Find requirements that contradict themselves or geometry."""
     yield from not_positive({"stroke": stroke, "rod_length": rod_length})
     yield from not_positive({"mean_speed": mean_speed, "speed": speed}, plain)
     for name, value in {"pressure_angle": pressure_angle, "return_pressure_angle": return_pressure_angle}.items():
@@ -274,7 +274,7 @@ def _remarks(lengths: Lengths, working_stroke: Stroke) -> tuple[str, ...]:
     )
 
 
-def _mechanism(lengths: Lengths, rod_length: float | None, offset: float | None) -> Table:
+def _mechanism(lengths: Lengths, rod_length: float | None, offset: float | None) -> ProposedTable:
     """The mechanism's table."""
     how_offset = _("shortest rod within the limits") if rod_length is None else _("least pressure angle")
     how_crank = _("from the stroke, rod and offset") if lengths.offset else _("S/2")
@@ -287,4 +287,4 @@ def _mechanism(lengths: Lengths, rod_length: float | None, offset: float | None)
     }
     if lengths.offset:
         keys["offset"] = found(lengths.offset, "mm", how_offset) if offset is None else wanted(lengths.offset, "mm")
-    return Table("mechanism", keys)
+    return ProposedTable("mechanism", keys)

@@ -19,7 +19,7 @@ from cranktrain.questions.motion.dead_centres import PistonTurn
 from cranktrain.questions.motion.pistons import PistonMotion
 from cranktrain.record import record
 from cranktrain.textbook.articulated_rod import (
-    Harmonics,
+    SlaveHarmonics,
     derived,
     own_top_distance,
     reconstructed,
@@ -51,7 +51,7 @@ def _infinite(geometry: SliderCrank) -> Curve:
     return lambda angle: infinite_rod(angle, geometry.crank_radius)
 
 
-def _slave(constants: Callable[[ArticulatedRod], Harmonics]) -> Form:
+def _slave(constants: Callable[[ArticulatedRod], SlaveHarmonics]) -> Form:
     """Displacement by (I.13) from the curve's own top."""
 
     def of(geometry: ArticulatedRod) -> Curve:

@@ -17,14 +17,14 @@ from cranktrain.cli.screen.figures import figures
 from cranktrain.cli.screen.text import GAP, table
 from cranktrain.grouping import grouped
 from cranktrain.language import _
-from cranktrain.layout.question import Dimension
+from cranktrain.layout.question import ResultDimension
 from cranktrain.record import record
 from cranktrain.wording import ABSENT, ranged
 
 _MOST_COLUMNS = 3
 """Of a table with one row for each fact; facts that need more groups get one row for each group."""
 
-_OF_MACHINE = Dimension("", "")
+_OF_MACHINE = ResultDimension("", "")
 
 
 @record

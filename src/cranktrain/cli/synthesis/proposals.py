@@ -9,7 +9,7 @@ from rich.text import Text
 
 from cranktrain.cli.screen.columns import Column, column_tables, worded_tables
 from cranktrain.cli.screen.text import INDENT, page, section, table
-from cranktrain.cli.synthesis.wants import Typed, proposed
+from cranktrain.cli.synthesis.requirements import Typed, proposed
 from cranktrain.cli.textbook.errata import SOURCE_EXAMPLE, show_source_example
 from cranktrain.grouping import grouped
 from cranktrain.io.output import STANDARD_OUTPUT, write_whole
@@ -29,13 +29,13 @@ def give_proposal(problem: str, typed: Typed, output: str | None, *, force: bool
     problem : str
         As `proposed` takes it.
     typed : mapping
-        The wants.
+        The requirements.
     output : str or None
         File to write; `-` for the machine file alone on the standard output.
     force : bool
         Replace a file that is there.
     with_source : bool
-        Whether to show the source's own example and its errors, with no want typed for its wants.
+        Whether to show the source's own example and its errors, with no requirement typed for its requirements.
     """
     proposal = proposed(problem, SOURCE_EXAMPLE if with_source and not any(typed.values()) else typed)
     if output is not None:

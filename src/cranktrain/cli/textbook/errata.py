@@ -13,8 +13,8 @@ from cranktrain.references import REFERENCES
 from cranktrain.synthesis.proposal import quantity_text
 from cranktrain.textbook.slider_crank_synthesis import (
     PIN_SPEED,
+    REQUIREMENTS,
     ROD_LENGTH,
-    WANTS,
     velocity_table,
     wrong_steps,
 )
@@ -22,9 +22,9 @@ from cranktrain.textbook.slider_crank_synthesis import (
 SOURCE = "slider-crank-synthesis"
 
 SOURCE_EXAMPLE = {
-    "stroke": quantity_text(WANTS.stroke, "mm"),
-    "pressure_angle": quantity_text(WANTS.pressure_angle, "deg"),
-    "mean_speed": f"{WANTS.mean_speed} m/s",
+    "stroke": quantity_text(REQUIREMENTS.stroke, "mm"),
+    "pressure_angle": quantity_text(REQUIREMENTS.pressure_angle, "deg"),
+    "mean_speed": f"{REQUIREMENTS.mean_speed} m/s",
 }
 """What the source of the slider-crank's synthesis wants, as it would be typed."""
 
@@ -32,10 +32,14 @@ SOURCE_EXAMPLE = {
 def show_source_example(console: Console) -> None:
     """Show the wrong steps of the slider-crank's synthesis, and its table of velocities beside the right one."""
     width = console.width - INDENT
-    wants = _("stroke {stroke}, mean slider speed {speed}, permissible pressure angle {angle}").format(
+    requirements = _("stroke {stroke}, mean slider speed {speed}, permissible pressure angle {angle}").format(
         stroke=SOURCE_EXAMPLE["stroke"], speed=SOURCE_EXAMPLE["mean_speed"], angle=SOURCE_EXAMPLE["pressure_angle"]
     )
-    section(console, f"[{SOURCE}]", [REFERENCES[SOURCE].text, _("Its example: {wants}.").format(wants=wants)])
+    section(
+        console,
+        f"[{SOURCE}]",
+        [REFERENCES[SOURCE].text, _("Its example: {requirements}.").format(requirements=requirements)],
+    )
     for place, step in enumerate(wrong_steps(), start=1):
         words = _(step.step)
         rows = [

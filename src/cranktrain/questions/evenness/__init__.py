@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from cranktrain.language import N_
 from cranktrain.layout.design import Designs
 from cranktrain.layout.masses import bodies_given
-from cranktrain.layout.question import Dimension, Parts, Question, Stage, TableFile, Use
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, TableFile, Use
 from cranktrain.layout.uses import inner_table, keys, table
 from cranktrain.questions.evenness import (
     applied_torque,
@@ -38,7 +38,7 @@ QUESTION = Question(
         Stage(flywheel.flywheel_size),
         Stage(flywheel.rim_size),
     ),
-    dimensions=(Dimension("flywheel_method", N_("method")),),
+    dimensions=(ResultDimension("flywheel_method", N_("method")),),
     headline=("coefficient_of_fluctuation", "largest_excess_work", "wanted_flywheel_moment"),
     uses=(
         Use(table("evenness"), (shaft_work.ShaftWork,)),

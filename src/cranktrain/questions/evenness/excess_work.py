@@ -40,6 +40,7 @@ def excess_of(work: PeriodicCurve, mean: Array) -> ExcessWork:
     Examples
     --------
     >>> from cranktrain.numerics.periodic import fourier_integral
+    >>> from cranktrain.numerics.harmonics import TURN
     >>> excess = 100 + 50 * np.sin(np.arange(36) * np.pi / 18)
     >>> round(float(excess_of(fourier_integral(excess, TURN), np.mean(excess)).difference), 9)
     100.0

@@ -7,7 +7,7 @@ from cranktrain.language import N_
 from cranktrain.layout.bodies import BodySpec, GravitySpec, GuideSpec
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.masses import mass_problems, masses_of
-from cranktrain.layout.question import Dimension, Parts, Question, Stage, Use
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
 from cranktrain.layout.uses import table
 from cranktrain.quantities import Given
 from cranktrain.questions import gas
@@ -68,10 +68,10 @@ QUESTION = Question(
         Stage(unlikely.unlikely_loads),
     ),
     dimensions=(
-        Dimension("joint", N_("joint")),
-        Dimension("guide", N_("guide")),
-        Dimension("force_method", N_("method")),
-        Dimension("rod_method", N_("method")),
+        ResultDimension("joint", N_("joint")),
+        ResultDimension("guide", N_("guide")),
+        ResultDimension("force_method", N_("method")),
+        ResultDimension("rod_method", N_("method")),
     ),
     headline=("largest_crankpin_load", "largest_joint_force"),
     uses=(

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from cranktrain.errors import Problem
 from cranktrain.language import N_
 from cranktrain.layout.design import Design, Designs
-from cranktrain.layout.question import Dimension, Parts, Question, Stage, Use
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
 from cranktrain.layout.specs import MAIN
 from cranktrain.layout.uses import table
 from cranktrain.questions.torsion.critical import critical_speeds, mode_vector_sums
@@ -37,7 +37,7 @@ QUESTION = Question(
         Stage(critical_speeds),
         Stage(mode_vector_sums),
     ),
-    dimensions=(Dimension("disc", N_("disc")), Dimension("mode", N_("mode"), is_number=True)),
+    dimensions=(ResultDimension("disc", N_("disc")), ResultDimension("mode", N_("mode"), is_number=True)),
     headline=("natural_frequency",),
     uses=(Use(table("torsion"), (TorsionalModes,)),),
 )

@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.plans.centres import Body, Centre, InstantCentres, instant_centres
+from cranktrain.plans.centres import Centre, InstantCentres, TurningBody, instant_centres
 from cranktrain.plans.positions import PositionPlan, fitting
 from cranktrain.plans.vectors import angle_of, spoken_name
 from cranktrain.textbook.crank_rocker import pin_velocity_ratio
@@ -137,7 +137,7 @@ def _lines_through(found: InstantCentres, wanted: Centre) -> Iterator[Array]:
             yield max(places, key=lambda place: float(np.hypot(*(place - wanted.place))))
 
 
-def _body_words(body: Body) -> str:
+def _body_words(body: TurningBody) -> str:
     """Name a body."""
     words = {
         "frame": _("frame"),

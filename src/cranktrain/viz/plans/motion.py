@@ -27,7 +27,7 @@ from cranktrain.plans.positions import (
 )
 from cranktrain.plans.together import places_called
 from cranktrain.plans.turning import turning
-from cranktrain.plans.vectors import Vector
+from cranktrain.plans.vectors import PolygonVector
 from cranktrain.quantities import shown
 from cranktrain.viz.figures import figure
 from cranktrain.viz.paper.page import INDICES, Box, Figure, Page, drawing_settings, mathematics
@@ -244,7 +244,7 @@ def _fitting_rows(polygon: Polygon, height: float) -> tuple[list[tuple[str, ...]
     return list(_vectors_table(polygon, vectors)), max(line, LEAST_ROW)
 
 
-def _vectors_table(polygon: Polygon, vectors: Sequence[Vector]) -> Iterator[tuple[str, ...]]:
+def _vectors_table(polygon: Polygon, vectors: Sequence[PolygonVector]) -> Iterator[tuple[str, ...]]:
     """Vectors: where each is, its length on paper and its size."""
     yield (_("vector"), _("from, to"), "mm", unit_words(polygon.unit))
     for vector in vectors:

@@ -8,7 +8,7 @@ from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.plans.pin_loads import PinLoads, pin_loads
+from cranktrain.plans.pin_loads import CrankpinLoad, pin_loads
 from cranktrain.plans.positions import fitting, plan_angles
 from cranktrain.plans.vectors import angle_of
 from cranktrain.viz.figures import rounded
@@ -107,7 +107,7 @@ def plan_polar(
     return page.figure
 
 
-def polar_sketch(loads: PinLoads, pair: tuple[Array, Array], scale: float) -> Sketch:
+def polar_sketch(loads: CrankpinLoad, pair: tuple[Array, Array], scale: float) -> Sketch:
     """One diagram in drawing millimetres: axes, rings in kN, both loads, marks of the crank angle, the largest load."""
     full, without = (np.append(part, part[:, :1], axis=1) / scale for part in pair)
     every = np.concatenate([full, without, np.zeros((2, 1))], axis=1)
@@ -149,7 +149,7 @@ def _ring(radius: float, low: Array, high: Array) -> Array:
     return np.where(inside, points, np.nan)
 
 
-def _table(loads: PinLoads, angles: Array) -> Iterator[tuple[str, ...]]:
+def _table(loads: CrankpinLoad, angles: Array) -> Iterator[tuple[str, ...]]:
     """Load at some crank angles: toward the shaft, in the sense of rotation, its size."""
     yield ("φ, °", *(f"{mathematics(symbol)}, {_('kN')}" for symbol in ("K_R", "T_R", "R")))
     closed = np.append(loads.angle, loads.cycle)
@@ -161,7 +161,7 @@ def _table(loads: PinLoads, angles: Array) -> Iterator[tuple[str, ...]]:
         yield (f"{angles[i]:g}", rounded(-float(outward[i])), rounded(float(tangential[i])), rounded(float(size[i])))
 
 
-def _notes(loads: PinLoads) -> Iterator[str]:
+def _notes(loads: CrankpinLoad) -> Iterator[str]:
     """Say mean and largest load, and what the signs are."""
     yield _("Mean load R: {mean} kN").format(mean=rounded(loads.mean / 1e3))
     yield _("Largest: {largest} kN at {angle:g}°, ringed").format(

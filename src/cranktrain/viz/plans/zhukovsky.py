@@ -13,7 +13,7 @@ from cranktrain.plans.placement import place_called, placed
 from cranktrain.plans.polygons import Polygon, velocity_polygons
 from cranktrain.plans.positions import rounded_scale, single_plans
 from cranktrain.plans.vectors import POLE, angle_of, pair, spoken_name, turned_left
-from cranktrain.plans.zhukovsky import Lever, LeverForce, zhukovsky_lever
+from cranktrain.plans.zhukovsky import LeverForce, ZhukovskyLever, zhukovsky_lever
 from cranktrain.viz.figures import figure
 from cranktrain.viz.paper.labels import Wish, placed_labels, together
 from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings, mathematics
@@ -98,13 +98,13 @@ def plan_zhukovsky(
     return page.figure
 
 
-def _longest(lever: Lever, polygon: Polygon) -> float:
+def _longest(lever: ZhukovskyLever, polygon: Polygon) -> float:
     """Size of the lever's largest force, with the balancing one. [N]"""
     forces = [*(force for force in lever.forces if force.point), _balancing(lever, polygon)]
     return max(float(np.hypot(*force.value)) for force in forces)
 
 
-def lever_sketch(lever: Lever, polygon: Polygon, newton: float) -> Sketch:
+def lever_sketch(lever: ZhukovskyLever, polygon: Polygon, newton: float) -> Sketch:
     """Turned plan of velocities in drawing millimetres with the forces at its points, to newton N in one of them."""
     sketch = Sketch(1.0)
     points = {name: -turned_left(np.array(point)) for name, point in polygon.points.items()}
@@ -136,7 +136,7 @@ def _is_short(force: LeverForce, newton: float) -> bool:
     return float(np.hypot(*force.value)) / newton < _NAMED
 
 
-def _balancing(lever: Lever, polygon: Polygon) -> LeverForce:
+def _balancing(lever: ZhukovskyLever, polygon: Polygon) -> LeverForce:
     """The force at the crank pin, across the crank, that the driving torque is."""
     crank = next(vector for vector in polygon.vectors if vector.part == "absolute")
     velocity = np.array(crank.value)
@@ -144,7 +144,7 @@ def _balancing(lever: Lever, polygon: Polygon) -> LeverForce:
     return LeverForce("F_b", crank.end, pair(force), crank.value, lever.driving_torque)
 
 
-def _table(lever: Lever, letters: Mapping[str, str]) -> Iterator[tuple[str, ...]]:
+def _table(lever: ZhukovskyLever, letters: Mapping[str, str]) -> Iterator[tuple[str, ...]]:
     """Every force: at which point, its size and its moment about the pole, as torque on the crank."""
     yield (_("force"), _("at"), "N", "N·m")
     for force in lever.forces:
@@ -159,7 +159,7 @@ def _table(lever: Lever, letters: Mapping[str, str]) -> Iterator[tuple[str, ...]
     yield (mathematics("M_b"), "", "", figure(lever.driving_torque))
 
 
-def _short_words(lever: Lever, newton: float) -> Iterator[str]:
+def _short_words(lever: ZhukovskyLever, newton: float) -> Iterator[str]:
     """Say which forces are too short to be drawn, some to a line."""
     short = [mathematics(force.symbol) for force in lever.forces if _is_short(force, newton)]
     if short:
@@ -168,7 +168,7 @@ def _short_words(lever: Lever, newton: float) -> Iterator[str]:
         yield ", ".join(short[first : first + _TO_A_LINE])
 
 
-def _notes(lever: Lever) -> Iterator[str]:
+def _notes(lever: ZhukovskyLever) -> Iterator[str]:
     """Say what the lever proves."""
     yield _("Moments about p over the crank's speed.")
     yield _("Last: driving torque by the joints' reactions,")

@@ -10,7 +10,7 @@ from cranktrain.plans.vectors import angle_of
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.sketch import Circle, Label, Line
 from cranktrain.viz.throw.cylinders import skirt, wall_end, wall_start
-from cranktrain.viz.throw.scene import BIG_EYE, SMALL_EYE, Member, Scene
+from cranktrain.viz.throw.scene import BIG_EYE, SMALL_EYE, DrawnMechanism, Scene
 
 _LEAST_RING = 11.0
 """Radius of a degree ring on paper that has room for all its figures. [mm]"""
@@ -88,7 +88,7 @@ def rotations(scene: Scene, scale: float) -> Iterator[Line]:
         yield shapes.arrowhead(tip, float(end + sense * (np.pi / 2 - 1.1 * scale / radius)), 2.6 * scale)
 
 
-def _arc_of(scene: Scene, member: Member, scale: float) -> tuple[float, float, float]:
+def _arc_of(scene: Scene, member: DrawnMechanism, scale: float) -> tuple[float, float, float]:
     """Radius, middle and half the width of an arrow round a shaft, clear of all that is drawn there. [mm, rad]"""
     middle, room = _free_direction(scene, member.place.shaft)
     if member.place.shaft != scene.leading.place.shaft:

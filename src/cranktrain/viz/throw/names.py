@@ -10,7 +10,7 @@ from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, label_outline, placed_labels
 from cranktrain.viz.paper.sketch import Label, Line, Sketch
 from cranktrain.viz.throw.cylinders import wall_end
-from cranktrain.viz.throw.scene import Member, Scene
+from cranktrain.viz.throw.scene import DrawnMechanism, Scene
 
 _LEADER = 5.0
 """A name farther from what it names than this has a line to it. [mm of paper]"""
@@ -53,7 +53,7 @@ def piston_names(scene: Scene, angle: float, sketch: Sketch) -> Iterator[Label |
             yield Line(np.stack([named, label.position], axis=1), "DIMENSIONS", "thin", 8)
 
 
-def _middle(member: Member) -> Array:
+def _middle(member: DrawnMechanism) -> Array:
     """Middle of a piston pin's travel."""
     return member.stroke_line.at(0.5 * sum(member.travel))
 
