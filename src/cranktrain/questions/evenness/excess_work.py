@@ -39,6 +39,7 @@ def excess_of(work: PeriodicCurve, mean: Array) -> ExcessWork:
 
     Examples
     --------
+    >>> import numpy as np
     >>> from cranktrain.numerics.periodic import fourier_integral
     >>> from cranktrain.numerics.harmonics import TURN
     >>> excess = 100 + 50 * np.sin(np.arange(36) * np.pi / 18)

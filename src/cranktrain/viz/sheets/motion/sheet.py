@@ -15,7 +15,7 @@ from cranktrain.viz.paper.words import first_that_holds
 from cranktrain.viz.sheets.motion.dead_centres import Mark, ruler_of
 from cranktrain.viz.sheets.motion.panels import panels
 from cranktrain.viz.sheets.motion.ruler import draw_ruler
-from cranktrain.viz.throw.detail import draw_detail, wants_detail
+from cranktrain.viz.throw.detail import draw_detail, needs_detail
 from cranktrain.viz.throw.mechanism import mechanism_sketch
 from cranktrain.viz.throw.scene import Scene, scene_of
 
@@ -71,11 +71,11 @@ def _draw_mechanism(page: Page, machine: Machine, found: Sequence[Mark], at: flo
     for _pass in range(_PASSES):
         low, high = labelled_bounds(sketch)
         scale = fitting_scale(*pair(high - low), (room.width - 1.0, room.height - 6.0))
-        sketch = mechanism_sketch(scene, at, scale, dead, has_ring=not wants_detail(scene, scale))
+        sketch = mechanism_sketch(scene, at, scale, dead, has_ring=not needs_detail(scene, scale))
     low, high = (corner / sketch.scale for corner in labelled_bounds(sketch))
     origin = pair(room.middle - (low + high) / 2)
     page.draw(sketch, origin)
-    if wants_detail(scene, sketch.scale):
+    if needs_detail(scene, sketch.scale):
         draw_detail(page, scene, (at, dead), sketch, origin, room)
     page.scale_bar(room.left, room.bottom - 5.0, sketch.scale)
     for number, note in enumerate(reversed(notes)):
