@@ -123,9 +123,11 @@ def _syntax_problem(text: str, name: str, message: str) -> Problem:
     if said.startswith(("Invalid value", "Expected newline")):
         repair = _quoted_line(lines[(line or len(lines)) - 1])
         if repair:
-            allowed = _("text and quantities stand in quotes")
-            if '"' not in repair:
-                allowed = _("this is no number and no true or false of TOML")
+            allowed = (
+                _("text and quantities stand in quotes")
+                if '"' in repair
+                else _("this is no number and no true or false of TOML")
+            )
             return Problem("", given, allowed, _("write {line}").format(line=repair), position)
     for pattern, allowed, repair in _SYNTAX:
         if re.match(pattern, said):

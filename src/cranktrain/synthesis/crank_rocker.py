@@ -213,9 +213,11 @@ def _alternatives(requirement: FourBarRequirements, side: int) -> tuple[Alternat
     ]
     other = best_parameter(requirement, -side)
     if not np.isnan(other):
-        label = _("best with the slow swing in the sense of rotation")
-        if side < 0:
-            label = _("best with the slow swing against the sense of rotation")
+        label = (
+            _("best with the slow swing against the sense of rotation")
+            if side < 0
+            else _("best with the slow swing in the sense of rotation")
+        )
         chosen.append(_alternative(label, requirement, four_bar(requirement, single(other), -side)))
     return tuple(chosen)
 

@@ -243,9 +243,11 @@ def _source_rule(crank_radius: float, limit: float) -> Alternative:
     """The rod that the source's rule gives, and the pressure angle that it truly has; NaN where it cannot turn."""
     rod = rod_by_tangent(crank_radius, limit)
     angle = largest_pressure_angle(crank_radius, rod)
-    label = _("the source's rule l = r/tan[α]: too short, the angle is over the limit")
-    if isnan(angle):
-        label = _("the source's rule l = r/tan[α]: too short, the crank cannot turn")
+    label = (
+        _("the source's rule l = r/tan[α]: too short, the crank cannot turn")
+        if isnan(angle)
+        else _("the source's rule l = r/tan[α]: too short, the angle is over the limit")
+    )
     return Alternative(
         label,
         (
