@@ -6,7 +6,7 @@ from functools import cache
 from operator import attrgetter
 from typing import Any
 
-from cranktrain.language import translated
+from cranktrain.language import _
 
 _COORDINATE = re.compile("displacement|angle|position")
 """The word in a coordinate's name for which the names of its derivatives have another."""
@@ -87,7 +87,7 @@ def _declared(dimensions: tuple[str, ...], source: str, *parts: tuple[str, str, 
 def entries(result_class: type) -> tuple[Entry, ...]:
     """Give the catalogue entries of a result class, in the order of its fields."""
     return tuple(
-        Entry(_name(held.name, part), symbol, unit, dimensions, translated(sentence), source, held.name + part)
+        Entry(_name(held.name, part), symbol, unit, dimensions, _(sentence), source, held.name + part)
         for held in fields(result_class)
         for part, symbol, unit, sentence, dimensions, source in held.metadata.get("entries", ())
     )

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Generator, Iterable, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from cranktrain.language import _
 from cranktrain.one_line import one_line, short
@@ -50,10 +50,6 @@ class Problem:
     allowed: str
     repair: str | None = None
     position: Position | None = None
-
-    def at(self, position: Position | None) -> "Problem":
-        """Place the problem, unless it already has a line."""
-        return self if position is None else replace(self, position=position)
 
     def __str__(self) -> str:
         """Say it in one line, what is long cut: `file:line:column  path = given: allowed; repair`."""

@@ -50,7 +50,7 @@ def quantity_path(path: str) -> PathParts:
     start, more = 0, True
     while more and len(parts) <= DEEPEST_NESTING:
         found = _PATH_PART.match(path, start)
-        name = found and _name(found)
+        name = found and (found["bare"] or unquoted(found["quoted"] or ""))
         if not found or name is None:
             allowed = _("is no path of a machine file: names with dots between, [0], [1], … for the items of a list")
             repair = _('write like bank.R.mechanism.rod_length or shaft.main.throws[2]; other names in quotes: "1.a"')
@@ -73,13 +73,6 @@ def parts_of(path: str) -> PathParts:
 def too_many_parts() -> str:
     """Say that a path leads deeper than any machine's."""
     return _("has more than {limit} parts with dots between").format(limit=DEEPEST_NESTING)
-
-
-def _name(found: re.Match[str]) -> str | None:
-    """Give the name that a part of a path writes, or None where it writes none."""
-    if found["quoted"] is None:
-        return found["bare"] or None
-    return unquoted(found["quoted"])
 
 
 def unquoted(key: str) -> str | None:

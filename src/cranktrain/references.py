@@ -50,8 +50,14 @@ REFERENCES: dict[str, Reference] = {
 }
 """Every reference by its key."""
 
+CONVENTIONS = "docs/conventions"
 THEORY_OF_BALANCE = "docs/theory/balance"
+THEORY_OF_CRANK_ROCKERS = "docs/theory/crank-rocker"
+THEORY_OF_EVENNESS = "docs/theory/evenness"
 THEORY_OF_FORCES = "docs/theory/forces"
 THEORY_OF_GAS = "docs/theory/gas"
 THEORY_OF_HARMONICS = "docs/theory/harmonics-and-orders"
+THEORY_OF_OPPOSED_PISTONS = "docs/theory/opposed-pistons"
+THEORY_OF_SLIDER_CRANKS = "docs/theory/slider-crank"
+THEORY_OF_TORSION = "docs/theory/torsion"
 """Pages on which several results stand."""

@@ -11,6 +11,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails, core_schema
 
 from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.paths import path_text, value_at
 from cranktrain.quantities import Given, Quantity, expected, nearest, one_of, unknown_key, unlisted, written
@@ -131,43 +132,50 @@ class _Location(NamedTuple):
     alternatives: tuple[tuple[tuple[str | int, ...], str | int], ...]
 
 
-class _Bare(NamedTuple):
-    """A declared type without `Annotated` and `| None`; of a union its alternatives, and the key that tells them."""
+class Bare(NamedTuple):
+    """A declared type without `Annotated` and `| None`, what marks it, and of a union its alternatives."""
 
     annotation: object
+    marks: tuple[object, ...]
     alternatives: tuple[object, ...] = ()
-    tag: str | None = None
+
+    @property
+    def tag(self) -> str | None:
+        """Key that tells the alternatives of a union; None where none does."""
+        tags = [mark.discriminator for mark in self.marks if isinstance(mark, FieldInfo | Discriminator)]
+        return next((tag for tag in tags if isinstance(tag, str)), None)
 
 
 def _location(model: type[Spec], loc: tuple[str | int, ...]) -> _Location:
     """Follow pydantic's location, which also names the alternatives of unions, along the declared types."""
     where = _Location("", model, None, ())
     for index, item in enumerate(loc):
-        bare = _bare(where.annotation)
-        if bare.alternatives:
-            tried = () if bare.tag else ((loc[:index], item),)
-            where = where._replace(annotation=_alternative(bare, str(item)), alternatives=(*where.alternatives, *tried))
+        declared = bare(where.annotation)
+        if declared.alternatives:
+            tried = () if declared.tag else ((loc[:index], item),)
+            inner = _alternative(declared, str(item))
+            where = where._replace(annotation=inner, alternatives=(*where.alternatives, *tried))
         elif item != "[key]":  # after a key: not its value is wrong, but itself
             path = _joined(where.path, path_text((item,)))
             is_key = loc[index + 1 :] == ("[key]",)
-            inner = get_args(bare.annotation)[0] if is_key else _inner(bare.annotation, item)
-            where = _Location(path, inner, _table(bare.annotation), where.alternatives)
+            inner = get_args(declared.annotation)[0] if is_key else _inner(declared.annotation, item)
+            where = _Location(path, inner, _table(declared.annotation), where.alternatives)
     return where
 
 
-def _bare(annotation: object, tag: str | None = None) -> _Bare:
-    """Unwrap a declared type as far as pydantic's locations do."""
+def bare(annotation: object, marks: tuple[object, ...] = ()) -> Bare:
+    """Take a declared type apart as far as pydantic's locations do; `marks` are those that stood around it."""
     if get_origin(annotation) is Annotated:
-        inner, *marks = get_args(annotation)
-        tags = [mark.discriminator for mark in marks if isinstance(mark, FieldInfo | Discriminator)]
-        return _bare(inner, next((known for known in tags if isinstance(known, str)), tag))
+        inner, *own = get_args(annotation)
+        within = [part for mark in own for part in (mark, *(mark.metadata if isinstance(mark, FieldInfo) else ()))]
+        return bare(inner, (*marks, *within))
     if get_origin(annotation) in (Union, types.UnionType):
         alternatives = [part for part in get_args(annotation) if part is not types.NoneType]
-        return _Bare(annotation, tuple(alternatives), tag) if len(alternatives) > 1 else _bare(alternatives[0], tag)
-    return _Bare(annotation)
+        return Bare(annotation, marks, tuple(alternatives)) if len(alternatives) > 1 else bare(alternatives[0], marks)
+    return Bare(annotation, marks)
 
 
-def _alternative(union: _Bare, label: str) -> object:
+def _alternative(union: Bare, label: str) -> object:
     """Find the alternative of a union that pydantic means by its tag, class or type."""
     for alternative in union.alternatives:
         marks = get_args(alternative)[1:] if get_origin(alternative) is Annotated else ()
@@ -175,21 +183,21 @@ def _alternative(union: _Bare, label: str) -> object:
             return alternative
     kind = re.sub(r"^(?:function-\w+\[[^,]*, )+", "", label)  # what wraps its validators round it
     for alternative in union.alternatives:
-        bare = _bare(alternative)
-        table = _table(bare.annotation)
+        declared = bare(alternative)
+        table = _table(declared.annotation)
         if table is not None and union.tag is not None:
             if label in map(str, words_of(table.model_fields[union.tag].annotation)):
                 return alternative
-        elif re.match(rf"{_type_name(bare)}\b", kind):
+        elif re.match(rf"{_type_name(declared)}\b", kind):
             return alternative
     return object
 
 
-def _type_name(bare: _Bare) -> str:
+def _type_name(declared: Bare) -> str:
     """Name a type as pydantic begins to."""
-    if bare.alternatives:
+    if declared.alternatives:
         return "tagged-union"
-    origin = get_origin(bare.annotation) or bare.annotation
+    origin = get_origin(declared.annotation) or declared.annotation
     return "literal" if origin is Literal else str(getattr(origin, "__name__", origin))
 
 
@@ -245,16 +253,13 @@ def _fitting_alternatives(
     details: Sequence[ErrorDetails], locations: Sequence[_Location]
 ) -> dict[tuple[str | int, ...], set[str | int]]:
     """Of every union, the alternatives that got farthest before something was wrong; a wrong type is no start."""
-    reached: dict[tuple[str | int, ...], dict[str | int, tuple[int, bool]]] = {}
-    for detail, where in zip(details, locations, strict=True):
-        reach = (len(detail["loc"]), not detail["type"].endswith("_type"))
-        for union, label in where.alternatives:
-            of_union = reached.setdefault(union, {})
-            of_union[label] = max(of_union.get(label, reach), reach)
-    return {
-        union: {label for label, reach in of_union.items() if reach == max(of_union.values())}
-        for union, of_union in reached.items()
-    }
+    tried = grouped(
+        (union, (label, (len(detail["loc"]), not detail["type"].endswith("_type"))))
+        for detail, where in zip(details, locations, strict=True)
+        for union, label in where.alternatives
+    )
+    farthest = {union: max(reach for _label, reach in each) for union, each in tried.items()}
+    return {union: {label for label, reach in each if reach == farthest[union]} for union, each in tried.items()}
 
 
 def _problems_of(detail: ErrorDetails, where: _Location) -> Iterator[Problem]:
@@ -268,7 +273,7 @@ def _problems_of(detail: ErrorDetails, where: _Location) -> Iterator[Problem]:
     elif kind == "extra_forbidden" and where.table is not None:
         known = [_key(name, field) for name, field in where.table.model_fields.items()]
         yield unknown_key(where.path, str(detail["loc"][-1]), _as_written(detail["input"]), known)
-    elif kind.startswith("union_tag") and _bare(where.annotation).tag:
+    elif kind.startswith("union_tag") and bare(where.annotation).tag:
         yield _wrong_kind(detail, where)
     elif kind == "missing":
         yield Problem(where.path, None, missing(where.annotation))
@@ -286,7 +291,7 @@ def _problems_of(detail: ErrorDetails, where: _Location) -> Iterator[Problem]:
 
 def _wrong_kind(detail: ErrorDetails, where: _Location) -> Problem:
     """Refuse the `kind` of a table, or say that it is missing."""
-    tag = _bare(where.annotation).tag or ""
+    tag = bare(where.annotation).tag or ""
     tables = filter(None, map(_table, parts_of(where.annotation)))
     kinds = [kind for table in tables for kind in words_of(table.model_fields[tag].annotation)]
     path = _joined(where.path, tag)

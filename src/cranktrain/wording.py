@@ -53,8 +53,12 @@ def figure(value: float, unit: str) -> str:
     decimals = _DECIMALS.get(unit, 3)
     if unit in _SLOW_TOO and 1e-6 < abs(size) < 100:
         decimals = max(decimals, 2 - floor(log10(abs(size))))
-    digits_shown = f"{size:.{decimals}f}"
-    return digits_shown.lstrip("-") if float(digits_shown) == 0.0 else digits_shown
+    return signless(f"{size:.{decimals}f}")
+
+
+def signless(text: str) -> str:
+    """Take the sign from what is shown as 0."""
+    return text.lstrip("-") if float(text) == 0.0 else text
 
 
 def around_turn(angles: Array) -> Array:

@@ -11,7 +11,6 @@ from cranktrain.linkage import (
     Pin,
     Slide,
     Swivel,
-    SwivelEnds,
     TriadEnds,
     Yoke,
     crank,
@@ -27,6 +26,7 @@ from cranktrain.linkage.forces import (
     Body,
     Conditions,
     CrossingFriction,
+    CrossingLoads,
     Drive,
     Friction,
     Gravity,
@@ -35,12 +35,10 @@ from cranktrain.linkage.forces import (
     ReducedInertia,
     SlideLoads,
     SwivelLoads,
-    TrammelLoads,
     TriadFriction,
     TriadLoads,
     Turning,
     Wrench,
-    YokeLoads,
 )
 from cranktrain.linkage.forces.guide import Guided
 from cranktrain.linkage.forces.triad import Hold
@@ -48,7 +46,6 @@ from cranktrain.linkage.triad import GUIDE, ROD, Leg, Triad
 from cranktrain.linkage.vectors import Vector, at_arm, rotated
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
-from cranktrain.mechanisms.eccentric.kinematics import Eccentric, eccentric
 from cranktrain.mechanisms.oscillating_cylinder.kinematics import oscillating_cylinder
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke, scotch_yoke
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank, slider_crank
@@ -116,7 +113,7 @@ def rod_and_rocker(angle, size, side):
 
 
 def guide(angle, size):
-    return swivel(SwivelEnds(crank_pin(angle, size), fixed(size(0.1), size(-0.4))), Swivel(size(0.05), 1.0)).guide
+    return swivel(Ends(crank_pin(angle, size), fixed(size(0.1), size(-0.4))), Swivel(size(0.05), 1.0)).guide
 
 
 def triad(angle, size):
@@ -152,10 +149,6 @@ def slider_crank_geometry(size, side):
 
 KINDS = {
     "slider_crank": mechanism(slider_crank, slider_crank_geometry),
-    "eccentric": mechanism(
-        eccentric,
-        lambda size, side: Eccentric(size(0.1), size(1.1), size(0.05), size(1.9)),
-    ),
     "crank_rocker": mechanism(
         crank_rocker,
         lambda size, side: CrankRocker(size(0.3), size(1.0), size(0.8), size(1.1), side),
@@ -325,7 +318,7 @@ EXAMPLES = {
     "forces.torque_by_work": lambda angle, size, side: (reduced(size), drive(size)),
     "forces.trammel_reactions": lambda angle, size, side: (
         guide(angle, size),
-        TrammelLoads(wrench(size), wrench(size)),
+        CrossingLoads(wrench(size), wrench(size)),
         crossing_friction(size),
     ),
     "forces.triad_reactions": lambda angle, size, side: triad(angle, size),
@@ -340,7 +333,7 @@ EXAMPLES = {
     "forces.yoke_reactions": lambda angle, size, side: (
         size(0.3),
         Yoke(size(0.1), size(1.2)),
-        YokeLoads(wrench(size), wrench(size)),
+        CrossingLoads(wrench(size), wrench(size)),
         crossing_friction(size),
     ),
     "pin_load.pin_load": lambda angle, size, side: (

@@ -34,10 +34,8 @@ from cranktrain.linkage import (
     OnLine,
     Pin,
     Pose,
-    RodEnds,
     Slide,
     Swivel,
-    SwivelEnds,
     Trammel,
     Triad,
     TriadDriver,
@@ -149,7 +147,7 @@ def rod(angle, size):
 
 
 def swivel_ends(angle, size):
-    return SwivelEnds(crank_pin(angle, size), fixed(size(0.1), size(-0.4)))
+    return Ends(crank_pin(angle, size), fixed(size(0.1), size(-0.4)))
 
 
 def floating_link(angle, size):
@@ -234,7 +232,7 @@ EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "eccentric.eccentric_least_gap": lambda angle, size, side: (eccentric_geometry(size),),
     "legs.block_along": lambda angle, size, side: (OnLine(rod(angle, size), crank_pin(angle, size)),),
     "legs.fixed_guide": lambda angle, size, side: (size(0.4), size(-0.9), size(0.6)),
-    "legs.rod_between": lambda angle, size, side: (RodEnds(crank_pin(angle, size), fixed(size(1.1), size(0.05))),),
+    "legs.rod_between": lambda angle, size, side: (crank_pin(angle, size), fixed(size(1.1), size(0.05))),
     "legs.rod_end": lambda angle, size, side: (crank_pin(angle, size),),
     "pin.line_between": lambda angle, size, side: (ends(angle, size),),
     "pin.line_from_crank": lambda angle, size, side: (CrankAndGround(crank_pin(angle, size), size(1.1)),),
@@ -271,7 +269,6 @@ EXAMPLES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "swivel.swivel": lambda angle, size, side: (swivel_ends(angle, size), Swivel(size(0.05), side)),
     "swivel.swivel_gap": lambda angle, size, side: (swivel_ends(angle, size), Swivel(size(0.05), side)),
     "trammel.trammel": lambda angle, size, side: (rod(angle, size), Trammel(size(0.1), size(0.01))),
-    "trammel.trammel_transmission": lambda angle, size, side: (rod(angle, size),),
     "trammel.turned_link": lambda angle, size, side: (rod(angle, size), size(0.7)),
     "triad.triad": lambda angle, size, side: (floating_link(angle, size), legs(size)),
     "vectors.at_arm": lambda angle, size, side: two_vectors(angle, size),

@@ -62,3 +62,14 @@ def test_what_a_word_names_is_there(word, named):
 @pytest.mark.parametrize("word", INSTEAD)
 def test_words_that_are_not_used_name_nothing(word):
     assert names().get(word, []) == []
+
+
+def test_one_public_class_has_a_name():
+    """Two of one name are two things with one word."""
+    named = Counter(
+        node.name
+        for path in (ROOT / "src").rglob("*.py")
+        for node in ast.parse(path.read_text(encoding="utf-8")).body
+        if isinstance(node, ast.ClassDef) and not node.name.startswith("_")
+    )
+    assert [name for name, n in named.items() if n > 1] == []

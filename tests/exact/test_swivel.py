@@ -9,7 +9,7 @@ from tests.exact import oracles
 from tests.exact.agreement import assert_exact
 from tests.exact.geometries import SwivelCrank, swivel_cranks
 
-from cranktrain.linkage import Crank, Swivel, SwivelEnds, crank, fixed, swivel
+from cranktrain.linkage import Crank, Ends, Swivel, crank, fixed, swivel
 from cranktrain.motion import Coefficient, Point
 
 Array = NDArray[np.float64]
@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 def swivel_crank(angle: Array, geometry: SwivelCrank) -> NamedTuple:
     pin = crank(angle, Crank(geometry.crank_radius))
     pivot = fixed(geometry.ground_length, 0.0 * geometry.ground_length)
-    return swivel(SwivelEnds(pin, pivot), Swivel(geometry.offset, geometry.side))
+    return swivel(Ends(pin, pivot), Swivel(geometry.offset, geometry.side))
 
 
 def geared(angle: Array, radius: Array, ratio: float) -> Point:
@@ -29,7 +29,7 @@ def geared(angle: Array, radius: Array, ratio: float) -> Point:
 
 def turning(angle: Array, geometry: SwivelCrank) -> NamedTuple:
     """The same machine on a frame that turns about the shaft with the crank angle."""
-    ends = SwivelEnds(geared(angle, geometry.crank_radius, 2.0), geared(angle, geometry.ground_length, 1.0))
+    ends = Ends(geared(angle, geometry.crank_radius, 2.0), geared(angle, geometry.ground_length, 1.0))
     return swivel(ends, Swivel(geometry.offset, geometry.side))
 
 

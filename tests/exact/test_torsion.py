@@ -69,4 +69,4 @@ def test_a_slow_mode_beside_fast_ones_keeps_its_digits():
         found = natural_modes(train)
         assert values[1] / values[-1] < 2e-8
         assert abs(mp.mpf(float(found.speed[0])) / mp.sqrt(values[1]) - 1) < LIMIT
-    np.testing.assert_allclose(scaled(found.shape, 0).shape[0, :6], 1.0, rtol=1e-5)
+    np.testing.assert_allclose(scaled(found.shape, 0)[0][0, :6], 1.0, rtol=1e-5)

@@ -11,9 +11,9 @@ from tests.exact.geometries import SwivelCrank, slider_cranks, swivel_cranks
 from cranktrain.linkage import (
     AHEAD,
     Crank,
+    Ends,
     Slide,
     Swivel,
-    SwivelEnds,
     Trammel,
     crank,
     fixed,
@@ -41,7 +41,7 @@ class SlottedRod(NamedTuple):
 
 def slotted_lever(angle: Array, geometry: SlottedLever) -> NamedTuple:
     radius, ground, offset, _ = geometry.lever
-    ends = SwivelEnds(crank(angle, Crank(radius)), fixed(0.0 * ground, -ground))
+    ends = Ends(crank(angle, Crank(radius)), fixed(0.0 * ground, -ground))
     return trammel(swivel(ends, Swivel(offset, AHEAD)).guide, geometry.trammel)
 
 

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from tests.exact import oracles
 from tests.exact.agreement import quantities
 from tests.exact.geometries import CrankedEnd, CrankedTriad, PosedTriads, triads
+from tests.walks import comes_back
 
 from cranktrain.linkage import (
     GUIDE,
@@ -98,7 +99,7 @@ def drawn() -> PosedTriads:
 def turning(drawn) -> Turning:
     """Triads whose crank still turns with any one of the lengths one per cent longer or shorter."""
     walk = walked(drawn)
-    machines = rows(drawn, turns(walk) & walk.comes_back[:, 0])
+    machines = rows(drawn, turns(walk) & comes_back(walk, drawn.geometry.legs)[:, 0])
     for i in range(3):
         for length in ("end", "crank", "point", "leg"):
             for factor in (1 - LEAST_MARGIN, 1 + LEAST_MARGIN):
@@ -162,9 +163,7 @@ def test_what_cannot_be_followed_is_loose(drawn):
     whole = walked(drawn)
     is_lost = ~turns(whole)
     machines = rows(drawn, is_lost)
-    walk = Walk(
-        whole.angle[is_lost], Coefficient(*(order[:, is_lost] for order in whole.pose)), whole.comes_back[is_lost]
-    )
+    walk = Walk(whole.angle[is_lost], Coefficient(*(order[:, is_lost] for order in whole.pose)))
     last = np.sum(~np.isnan(walk.pose.value[0]), axis=-1, keepdims=True) - 1
     angle = np.take_along_axis(walk.angle, last, axis=-1)
     pose = Pose(*np.take_along_axis(walk.pose.value, last[np.newaxis], axis=-1))

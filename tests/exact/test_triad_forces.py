@@ -15,7 +15,6 @@ from cranktrain.linkage import (
     Leg,
     LinkPoint,
     Pose,
-    RodEnds,
     Triad,
     TriadDriver,
     TriadEnds,
@@ -87,7 +86,7 @@ def test_joints_and_torques(kinds, seed):
     link = triad(TriadDriver(ends, pose), geometry).link
     places = [point(link, leg.point) for leg in geometry]
     bars = [
-        swivel_slider_link(place, end) if kind == GUIDE else rod_between(RodEnds(end.origin, place))
+        swivel_slider_link(place, end) if kind == GUIDE else rod_between(end.origin, place)
         for kind, end, place in zip(kinds, ends, places, strict=True)
     ]
     links = [wheel, link, *bars]

@@ -93,9 +93,11 @@ def test_its_table_with_its_own_numbers(column, expected):
     np.testing.assert_allclose(found[:6:-1], -found[1:6], rtol=0, atol=1e-13)
 
 
-def test_right_answer_to_the_same_wants():
-    wants = source.WANTS
-    proposal = slider_crank_from_stroke(wants.stroke, wants.pressure_angle, mean_speed=wants.mean_speed)
+def test_right_answer_to_the_same_requirements():
+    requirements = source.REQUIREMENTS
+    proposal = slider_crank_from_stroke(
+        requirements.stroke, requirements.pressure_angle, mean_speed=requirements.mean_speed
+    )
     assert proposal.value("crank_radius") == 0.08
     assert proposal.value("rod_length") == pytest.approx(0.16, rel=1e-15)
     # ω = π v/S = π·6.3/0.16

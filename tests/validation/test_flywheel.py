@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.excess import excess_work
 
 import cranktrain as ct
 from cranktrain.analysis.parts import designs_of, parts_of
@@ -18,7 +19,6 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.speed import Speed
 from cranktrain.numerics.periodic import cycle_grid, fourier_curve, plus
 from cranktrain.questions.evenness.applied_torque import applied_torque
-from cranktrain.questions.evenness.excess_work import excess_work
 from cranktrain.questions.evenness.flywheel import FlywheelSize, flywheel_size
 from cranktrain.questions.evenness.flywheel_inertia import exact_flywheel, flywheels_by_method, textbook_inertia
 from cranktrain.questions.evenness.running_speed import RunningSpeed, running_speed

@@ -15,7 +15,7 @@ from scipy.optimize import brentq
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.textbook import articulated_rod
-from cranktrain.textbook.articulated_rod import Harmonics
+from cranktrain.textbook.articulated_rod import SlaveHarmonics
 
 CASE_FOLDER = Path(__file__).parents[1] / "golden/two_harmonic_errors"
 CASE = json.loads((CASE_FOLDER / "case.json").read_text(encoding="utf-8"))
@@ -65,7 +65,7 @@ def exact_harmonics(rod, points=720):
 def fourier(rod):
     """Constants of (I.13) as the first two harmonics of the exact distance."""
     mean, first, second = exact_harmonics(rod)[:3]
-    return Harmonics(
+    return SlaveHarmonics(
         abs(first) / rod.master.crank_radius,
         np.angle(first) + rod.bank_angle,
         4 * abs(second) / rod.master.crank_radius,

@@ -5,9 +5,9 @@ from collections.abc import Mapping
 from cranktrain import textbook
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.layout import parts
-from cranktrain.layout.question import Dimension
+from cranktrain.layout.question import ResultDimension
 
-DIMENSIONS: Mapping[str, Dimension] = {
+DIMENSIONS: Mapping[str, ResultDimension] = {
     dimension.name: dimension
     for dimensions in (parts.DIMENSIONS, *(question.dimensions for question in QUESTIONS), textbook.DIMENSIONS)
     for dimension in dimensions

@@ -67,12 +67,14 @@ def coarse_curves(facts: Mapping[type, object], curves: Mapping[type, object], s
     step = float(shown[1] - shown[0])
     if step <= FACTS_STEP:
         return ()
-    missed: dict[str, float] = {}
-    for kind, outcome in curves.items():
-        for entry in entries(kind) if kind in facts else ():
-            if not entry.is_fact:
-                # Designs of one machine differ in numbers alone: the first speaks for all.
-                missed[entry.name] = _missed(values(outcome, entry)[:1], values(facts[kind], entry)[:1])
+    # Designs of one machine differ in numbers alone: the first speaks for all.
+    missed = {
+        entry.name: _missed(values(outcome, entry)[:1], values(facts[kind], entry)[:1])
+        for kind, outcome in curves.items()
+        if kind in facts
+        for entry in entries(kind)
+        if not entry.is_fact
+    }
     worst = sorted((name for name in missed if missed[name] > _COARSE), key=lambda name: -missed[name])
     if not worst:
         return ()

@@ -202,7 +202,5 @@ def _numbered(machines: Sequence[Machine]) -> tuple[str, ...]:
 
 def _labels(parts: Parts, machines: Sequence[Machine], outcomes: Mapping[type, object]) -> dict[str, tuple[str, ...]]:
     """Names along each dimension, as parts and results have them."""
-    labels: dict[str, tuple[str, ...]] = {"design": _numbered(machines)}
-    for one in (*parts.values(), *outcomes.values()):
-        labels |= getattr(one, "labels", {})
-    return labels
+    held = (getattr(one, "labels", {}) for one in (*parts.values(), *outcomes.values()))
+    return {"design": _numbered(machines)} | {name: words for labels in held for name, words in labels.items()}

@@ -12,7 +12,7 @@ from cranktrain import textbook
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.catalogue import entries
 from cranktrain.grouping import grouped
-from cranktrain.language import translated
+from cranktrain.language import _
 from cranktrain.layout.question import Stage
 from cranktrain.mechanisms import KINDS
 
@@ -83,7 +83,7 @@ def lacking(stages: Sequence[Stage], parts: Mapping[type, object]) -> dict[type,
         else:
             known.add(one.gives)
     return {
-        outcome: () if _NOT_FOR_IT in words else tuple(sorted(translated(word) for word in words))
+        outcome: () if _NOT_FOR_IT in words else tuple(sorted(_(word) for word in words))
         for outcome, words in roots.items()
     }
 

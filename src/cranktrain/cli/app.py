@@ -146,10 +146,10 @@ def _run(
     ] = False,
     force: Force = False,
 ) -> None:
-    from cranktrain.cli.run import Request, show_run
+    from cranktrain.cli.run import RunRequest, show_run
 
     names = None if quantities is None else tuple(name.strip() for name in quantities.split(",") if name.strip())
-    request = Request(
+    request = RunRequest(
         file=file,
         settings=tuple(settings or ()),
         quantities=names,
@@ -222,9 +222,9 @@ def _plot(
     partial_turn: Partial = False,
     force: Force = False,
 ) -> None:
-    from cranktrain.cli.plot import Request, write_picture
+    from cranktrain.cli.plot import PlotRequest, write_picture
 
-    request = Request(
+    request = PlotRequest(
         file=file,
         settings=tuple(settings or ()),
         is_partial=partial_turn,

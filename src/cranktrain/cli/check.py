@@ -16,7 +16,12 @@ def show_check(source: str) -> None:
     print(_("{file}: nothing wrong").format(file=one_line(file.document.name)))
     for sentence in sentences(result.unused):
         print(f"! {one_line(sentence)}")
-    groups = ", ".join(_words(type(outcome).__name__) for outcome in result.outcomes if entries(type(outcome)))
+    groups = ", ".join(
+        # `DeadCentres` are dead centres.
+        re.sub(r"(?<=[a-z])(?=[A-Z])", " ", type(outcome).__name__).lower()
+        for outcome in result.outcomes
+        if entries(type(outcome))
+    )
     print(_("can compute {n} results: {groups}").format(n=len(result.catalogue), groups=groups))
     for missing in result.missing:
         print(
@@ -24,8 +29,3 @@ def show_check(source: str) -> None:
                 results=", ".join(missing.results), needs=_(" and ").join(missing.needs)
             )
         )
-
-
-def _words(class_name: str) -> str:
-    """Take the name of a result's class for what it is: `DeadCentres` gives `dead centres`."""
-    return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", class_name).lower()

@@ -8,7 +8,7 @@ from pathlib import PurePath
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 from cranktrain.cli.asked import RUNNING_SPEED, SPEED_CURVE, Asked, at_running_speed
-from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
+from cranktrain.errors import InputError, Position, Problem, problems_as
 from cranktrain.io.machine_file import MachineFile
 from cranktrain.language import _
 from cranktrain.one_line import one_line
@@ -36,7 +36,7 @@ _DIGITS = 9
 
 
 @record
-class Request(Asked):
+class PlotRequest(Asked):
     """What is asked of `plot`, as typed."""
 
     plan: str | None = None
@@ -54,7 +54,7 @@ class Choice(NamedTuple):
     size: str
 
 
-def write_picture(request: Request) -> None:
+def write_picture(request: PlotRequest) -> None:
     """Draw and write; say what was written.
 
     Raises
@@ -62,22 +62,26 @@ def write_picture(request: Request) -> None:
     InputError
         With everything that is wrong with the options, else with the machine, else with what cannot be drawn.
     """
+    from cranktrain.plans.placement import place_called
+
     choice = understood(request)
     # What the plotting library says of its fonts and its folder is nothing that a user asked for.
     logging.getLogger("matplotlib").setLevel(logging.ERROR)
     file = request.read()
     with problems_as(partial(_placed, file, request)), problems_as(at_running_speed):
-        _check_mechanism(file, request.mechanism)
+        if request.mechanism is not None:
+            with problems_as(lambda problem: replace(problem, path="--mechanism")):
+                place_called(file.machine, request.mechanism)
         _draw(file, choice, request)
     print(_("written: {name}").format(name=one_line(request.output or "")))
 
 
-def understood(request: Request) -> Choice:
+def understood(request: PlotRequest) -> Choice:
     """Read the options; refuse those that do not go together.
 
     Parameters
     ----------
-    request : Request
+    request : PlotRequest
 
     Returns
     -------
@@ -112,7 +116,7 @@ def understood(request: Request) -> Choice:
     return Choice(picture, angles, size)
 
 
-def _output_problems(request: Request, suffix: str) -> Iterator[Problem]:
+def _output_problems(request: PlotRequest, suffix: str) -> Iterator[Problem]:
     """Refuse a name of the picture that says nothing of its form."""
     if request.output is None:
         name = one_line(PurePath(request.file).stem) or "3d12"
@@ -125,24 +129,19 @@ def _output_problems(request: Request, suffix: str) -> Iterator[Problem]:
         yield Problem("-o", request.output, allowed)
 
 
-def _refused(request: Request, picture: Picture) -> Iterator[Problem]:
+def _refused(request: PlotRequest, picture: Picture) -> Iterator[Problem]:
     """Refuse options that mean nothing for a picture."""
-    typed = {
-        "plan": request.plan,
-        "at": request.at,
-        "mechanism": request.mechanism,
-        "size": request.size,
-        "sheet": request.sheet,
-    }
-    for option, given in typed.items():
-        if given is not None and option in picture.refused:
-            yield Problem(f"--{option}", given, _(picture.refused[option]))
-    for option, is_so in {
-        RUNNING_SPEED: request.is_at_running_speed,
-        SPEED_CURVE: request.speed_curve is not None,
-    }.items():
-        if is_so and "speed" in picture.refused:
-            yield Problem(option, None, _(picture.refused["speed"]))
+    for option, about, is_typed, given in (
+        ("--plan", "plan", request.plan is not None, request.plan),
+        ("--at", "at", request.at is not None, request.at),
+        ("--mechanism", "mechanism", request.mechanism is not None, request.mechanism),
+        ("--size", "size", request.size is not None, request.size),
+        ("--sheet", "sheet", request.sheet is not None, request.sheet),
+        (RUNNING_SPEED, "speed", request.is_at_running_speed, None),
+        (SPEED_CURVE, "speed", request.speed_curve is not None, None),
+    ):
+        if is_typed and about in picture.refused:
+            yield Problem(option, given, _(picture.refused[about]))
 
 
 def _angles(text: str | None, picture: Picture | None) -> Angles | None:
@@ -155,30 +154,19 @@ def _angles(text: str | None, picture: Picture | None) -> Angles | None:
     if is_count_meant and text.strip().isdecimal():
         return int(text)
     angles: list[float] = []
-    problems: list[Problem] = []
     for part in map(str.strip, text.split(",")):
         quantity = part if part[-1:].isalpha() or part.endswith("°") else f"{part} deg"
         try:
             angles.append(round(shown(read(quantity, Dimension.ANGLE), "deg"), _DIGITS))
         except QuantityError:
             allowed = _("must be crank angles in degrees with commas between, such as 30,60")
-            problems.append(Problem("--at", text, allowed))
-    if not problems and not is_count_meant and len(angles) > 1:
-        problems.append(Problem("--at", text, _("must be one crank angle; for several, ask for a --plan")))
-    refuse(problems[:1])
+            raise InputError([Problem("--at", text, allowed)]) from None
+    if not is_count_meant and len(angles) > 1:
+        raise InputError([Problem("--at", text, _("must be one crank angle; for several, ask for a --plan"))])
     return angles
 
 
-def _check_mechanism(file: MachineFile, name: str | None) -> None:
-    """Refuse a mechanism that the machine does not have."""
-    from cranktrain.plans.placement import place_called
-
-    if name is not None:
-        with problems_as(lambda problem: replace(problem, path="--mechanism")):
-            place_called(file.machine, name)
-
-
-def _draw(file: MachineFile, choice: Choice, request: Request) -> None:
+def _draw(file: MachineFile, choice: Choice, request: PlotRequest) -> None:
     """Draw once the file is known to be possible, and write it."""
     picture, name, force = choice.picture, request.output or "", request.force
     if picture.name == ".gif":
@@ -198,7 +186,7 @@ def _draw(file: MachineFile, choice: Choice, request: Request) -> None:
         )
 
 
-def _of_machine(file: MachineFile, choice: Choice, request: Request) -> dict[str, Any]:
+def _of_machine(file: MachineFile, choice: Choice, request: PlotRequest) -> dict[str, Any]:
     """What is said of a picture at crank angles; a speed only where there is one to be chosen."""
     from cranktrain.plans.positions import source_angles
 
@@ -212,7 +200,7 @@ def _of_machine(file: MachineFile, choice: Choice, request: Request) -> dict[str
     return options
 
 
-def _placed(file: MachineFile, request: Request, problem: Problem) -> Problem:
+def _placed(file: MachineFile, request: PlotRequest, problem: Problem) -> Problem:
     """Place what cannot be drawn: in the machine file, or at the option that asks for it."""
     if problem.position is not None or problem.path.startswith("-"):
         return problem

@@ -15,18 +15,18 @@ from cranktrain.record import record
 
 
 @record
-class Request(Asked):
+class RunRequest(Asked):
     """What is asked of `run`, as typed; `quantities` is None for all."""
 
     quantities: tuple[str, ...] | None = None
     step_degrees: float = 1.0
 
 
-def show_run(request: Request, *, with_inputs: bool = False) -> None:
+def show_run(request: RunRequest, *, with_inputs: bool = False) -> None:
     """Compute, write and show."""
-    from cranktrain.cli.screen.report import show_result
+    from cranktrain.cli.screen.report import show_result, title
 
-    suffix = _suffix(request.output)
+    suffix = None if request.output is None else _suffix(request.output)
     if request.quantities == ():
         allowed = _("must be names of results, with commas between; `cranktrain list results` names them")
         raise InputError([Problem("--quantities", '""', allowed)])
@@ -35,7 +35,7 @@ def show_run(request: Request, *, with_inputs: bool = False) -> None:
         result = _computed(file, request)
     else:
         result = _written(file, request, request.output, suffix)
-    with page() as console:
+    with page(title(file.machine)) as console:
         names = _chosen(result, request)
         show_result(console, file, result, names, is_all=request.quantities is None, with_inputs=with_inputs)
         if request.output is not None:
@@ -43,10 +43,8 @@ def show_run(request: Request, *, with_inputs: bool = False) -> None:
             console.print(_("written: {name}").format(name=one_line(request.output)), soft_wrap=True)
 
 
-def _suffix(output: str | None) -> str | None:
+def _suffix(output: str) -> str:
     """Suffix of the output's name, by which its form is known."""
-    if output is None:
-        return None
     from cranktrain.io.tables import WRITERS
 
     suffix = PurePath(output).suffix.lower()
@@ -56,7 +54,7 @@ def _suffix(output: str | None) -> str | None:
     return suffix
 
 
-def _computed(file: MachineFile, request: Request) -> Result:
+def _computed(file: MachineFile, request: RunRequest) -> Result:
     """Compute; refuse a quantity that was asked for and that this machine does not give."""
     with problems_as(at_running_speed):
         result = request.result(file, step_degrees=request.step_degrees, quantities=request.quantities)
@@ -73,7 +71,7 @@ def _absence(name: str, result: Result, file: str) -> Problem:
     return Problem("quantities", name, allowed)
 
 
-def _written(file: MachineFile, request: Request, output: str, suffix: str) -> Result:
+def _written(file: MachineFile, request: RunRequest, output: str, suffix: str) -> Result:
     """Compute once the output is known to be possible, and write it; a table without what is given by each method."""
     from cranktrain.io.tables import WRITERS
 
@@ -95,6 +93,6 @@ def _written(file: MachineFile, request: Request, output: str, suffix: str) -> R
     return made[0]
 
 
-def _chosen(result: Result, request: Request) -> tuple[str, ...]:
+def _chosen(result: Result, request: RunRequest) -> tuple[str, ...]:
     """Names of the quantities to show and write, in the order of the catalogue."""
     return tuple(name for name in result.catalogue if request.quantities is None or name in request.quantities)

@@ -10,8 +10,8 @@ from pathlib import Path
 from cranktrain.errors import Position, Problem
 from cranktrain.io.editing import with_value
 from cranktrain.io.files import content_of, refusal
-from cranktrain.io.places import VALUES, Places, places
 from cranktrain.io.syntax import parsed, text_position
+from cranktrain.io.text_spans import VALUES, TextSpans, places
 from cranktrain.language import _
 from cranktrain.one_line import short
 from cranktrain.paths import parts_of
@@ -98,7 +98,7 @@ class Document:
         return self.text.encode()
 
     @cached_property
-    def _places(self) -> Places:
+    def _places(self) -> TextSpans:
         return places(self._source)
 
     def locate(self, path: str, *, at_key: bool = False) -> Position:
@@ -136,7 +136,7 @@ class Document:
         if problem.position is not None and problem.position.line is not None:
             return problem
         given = self._given(problem.path) if problem.given is None else problem.given
-        return replace(problem, given=given).at(self.locate(problem.path))
+        return replace(problem, given=given, position=self.locate(problem.path))
 
     def _given(self, path: str) -> str | None:
         """Give the value at a path as it was typed, without its quotes; None where there is no value."""

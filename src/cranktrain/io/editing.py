@@ -4,7 +4,7 @@ import tomllib
 from typing import NoReturn
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.io.places import VALUES, Place, Places, places
+from cranktrain.io.text_spans import VALUES, TextSpan, TextSpans, places
 from cranktrain.language import _
 from cranktrain.paths import PathParts, path_text, quantity_path, quoted
 
@@ -84,7 +84,7 @@ def with_value(source: bytes, path: str, given: str) -> bytes:
     return _with_key(source, found, place, names, value)
 
 
-def _refuse(found: Places, place: Place, parts: PathParts) -> NoReturn:
+def _refuse(found: TextSpans, place: TextSpan, parts: PathParts) -> NoReturn:
     """Say why nothing can be set at the path."""
     here = path_text(place.path)
     rest = parts[len(place.path) :]
@@ -102,7 +102,7 @@ def _refuse(found: Places, place: Place, parts: PathParts) -> NoReturn:
             repair = _("or set the whole list: {path}=[…]").format(path=here)
     elif not rest or isinstance(rest[0], int):
         allowed = _("{path} is a table: set one of the keys in it").format(path=here)
-        repair = ", ".join(path_text(inner.path) for inner in found.inside(place)) or None
+        repair = ", ".join(path_text(path) for path in found.by_path if path and path[:-1] == place.path) or None
     else:
         n_names = next(i for i, part in enumerate(rest) if isinstance(part, int))
         missing = path_text((*place.path, *rest[:n_names]))
@@ -111,7 +111,7 @@ def _refuse(found: Places, place: Place, parts: PathParts) -> NoReturn:
     raise InputError([Problem(path_text(parts), None, allowed, repair)])
 
 
-def _with_key(source: bytes, found: Places, place: Place, names: tuple[str, ...], value: bytes) -> bytes:
+def _with_key(source: bytes, found: TextSpans, place: TextSpan, names: tuple[str, ...], value: bytes) -> bytes:
     """Give the text with a key that it does not have, under the deepest table that it has."""
     home = place.home or place
     pair = path_text((*place.path[len(home.path) :], *names)).encode() + b" = " + value
@@ -139,7 +139,7 @@ def _with_line_end(source: bytes, newline: bytes) -> bytes:
     return source if not source or source.endswith(b"\n") else source + newline
 
 
-def _with_pair_in_line(source: bytes, table: Place, pair: bytes) -> bytes:
+def _with_pair_in_line(source: bytes, table: TextSpan, pair: bytes) -> bytes:
     """Give the text with one more pair in an inline table."""
     if table.has_pairs:
         return source[: table.tail] + b", " + pair + source[table.tail :]
@@ -152,7 +152,7 @@ def _with_lines_above(source: bytes, place: int, lines: bytes) -> bytes:
     return source[:start] + lines + source[start:]
 
 
-def _with_pair_below(source: bytes, table: Place, pair: bytes, newline: bytes) -> bytes:
+def _with_pair_below(source: bytes, table: TextSpan, pair: bytes, newline: bytes) -> bytes:
     """Give the text with a pair in a line of its own below the table's last, as far indented as that."""
     indent = source[source.rfind(b"\n", 0, table.last_key) + 1 : table.last_key]
     end = source.find(b"\n", table.tail) + 1

@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
-from cranktrain.errors import InputError, Position, Problem, refuse
+from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.io.curve_files import with_curves
 from cranktrain.io.document import Document
 from cranktrain.io.examples import EXAMPLES_FOLDER, example_called, example_document, example_near
@@ -151,12 +151,12 @@ def computed(file: MachineFile, **options: Any) -> "Result":
     """
     from cranktrain.analysis import run
 
-    try:
+    def located(problem: Problem) -> Problem:
+        is_of_file = problem.path.partition(".")[0] in file.document.data
+        return file.document.located(problem) if is_of_file else problem
+
+    with problems_as(located):
         return run(file.machine, **options)
-    except InputError as error:
-        of_file = [problem for problem in error.problems if problem.path.partition(".")[0] in file.document.data]
-        others = [problem for problem in error.problems if problem not in of_file]
-        raise InputError([*map(file.document.located, of_file), *others]) from None
 
 
 def inputs_of(file: MachineFile) -> tuple[Input, ...]:
@@ -212,7 +212,11 @@ def _with_settings(document: Document, settings: Sequence[str]) -> tuple[Documen
                 problems.append(Problem(path, value, _("is set twice; keep one of the two"), position=_SETTING))
             paths.append(parts)
         except InputError as error:
-            problems += [problem if _has_line(problem) else problem.at(_SETTING) for problem in error.problems]
+            problems += [
+                # One that stands in the file itself keeps its line.
+                problem if problem.position and problem.position.line else replace(problem, position=_SETTING)
+                for problem in error.problems
+            ]
     refuse(problems)
     return document, tuple(paths)
 
@@ -227,11 +231,6 @@ def _deeper(table: Mapping[str, Any], path: PathParts, above: PathParts = ()) ->
             if deeper is not None:
                 return deeper
     return None
-
-
-def _has_line(problem: Problem) -> bool:
-    """Whether a problem stands in the file itself."""
-    return problem.position is not None and problem.position.line is not None
 
 
 def _placed(problem: Problem, document: Document, settings: Sequence[PathParts]) -> Problem:

@@ -6,6 +6,7 @@ import secrets
 import stat
 import sys
 from collections.abc import Iterable
+from contextlib import suppress
 from pathlib import Path
 
 from cranktrain.errors import InputError
@@ -63,7 +64,9 @@ def write_whole(path: "str | os.PathLike[str]", chunks: str | Iterable[str | byt
 def _write_file(name: str, pieces: Iterable[bytes], *, force: bool) -> None:
     """Write what is not the standard output."""
     try:
-        old = _status(Path(name))
+        old = None
+        with suppress(FileNotFoundError):
+            old = Path(name).stat()
         if old is not None and not stat.S_ISREG(old.st_mode) and not stat.S_ISDIR(old.st_mode):
             with Path(name).open("wb") as file:
                 file.writelines(pieces)
@@ -78,14 +81,6 @@ def _write_file(name: str, pieces: Iterable[bytes], *, force: bool) -> None:
     except OSError as error:
         allowed, repair = _FAILURES.get(error.errno or 0, (N_("cannot be written: {reason}"), None))
         raise refusal(name, _(allowed).format(reason=error.strerror), repair and _(repair)) from None
-
-
-def _status(target: Path) -> os.stat_result | None:
-    """Give what is there, or None."""
-    try:
-        return target.stat()
-    except FileNotFoundError:
-        return None
 
 
 def _check(name: str, target: Path, old: os.stat_result | None, *, force: bool) -> None:

@@ -1,9 +1,8 @@
 """The JSON schema of the machine file as it is written: what editors complete and check while one types."""
 
 import json
-import types
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal, Union, cast, get_args, get_origin
+from typing import Annotated, Any, Literal, cast, get_args, get_origin
 
 from pydantic import BeforeValidator, TypeAdapter
 from pydantic.fields import FieldInfo
@@ -14,7 +13,7 @@ from cranktrain.layout.specs import BankSpec
 from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS
 from cranktrain.quantities import Given, Quantity
-from cranktrain.spec import Spec
+from cranktrain.spec import Spec, bare
 
 Schema = dict[str, Any]
 
@@ -81,14 +80,13 @@ class _Writer:
 
     def of(self, annotation: object) -> Schema:
         """Describe what an annotation allows."""
-        inner, marks = _unwrapped(annotation)
+        inner, marks, alternatives = declared = bare(annotation)
         quantity = next((mark for mark in marks if isinstance(mark, Quantity)), None)
         if quantity is not None:
             return self._reference(_quantity_name(quantity), quantity.schema())
         origin, arguments = get_origin(inner), get_args(inner)
-        if origin in (Union, types.UnionType):
-            parts = [self.of(part) for part in arguments if part is not types.NoneType]
-            return parts[0] if len(parts) == 1 else {"oneOf" if _is_tagged(marks) else "anyOf": parts}
+        if alternatives:
+            return {"anyOf" if declared.tag is None else "oneOf": [self.of(part) for part in alternatives]}
         if origin is tuple:
             return self._list(arguments[0], marks)
         if origin is not None and isinstance(origin, type) and issubclass(origin, Mapping):
@@ -128,25 +126,6 @@ def _one_or_many(field: Schema) -> Schema:
     return {**about, "anyOf": [one, {"type": "array", "items": one, "minItems": 1}]}
 
 
-def _unwrapped(annotation: object) -> tuple[object, tuple[object, ...]]:
-    """Take an annotation apart: the type, and what marks it, also through nested `Annotated` and `| None`."""
-    if get_origin(annotation) is Annotated:
-        inner, *marks = get_args(annotation)
-        deeper, more = _unwrapped(inner)
-        own = [part for mark in marks for part in (mark, *(mark.metadata if isinstance(mark, FieldInfo) else ()))]
-        return deeper, (*own, *more)
-    if get_origin(annotation) in (Union, types.UnionType):
-        parts = [part for part in get_args(annotation) if part is not types.NoneType]
-        if len(parts) == 1:
-            return _unwrapped(parts[0])
-    return annotation, ()
-
-
-def _is_tagged(marks: tuple[object, ...]) -> bool:
-    """Whether a union's alternatives tell themselves apart by a key."""
-    return any(isinstance(mark, FieldInfo) and mark.discriminator is not None for mark in marks)
-
-
 def _quantity_name(quantity: Quantity) -> str:
     """Name a quantity and its range among the definitions."""
     limits = {
@@ -166,7 +145,7 @@ def _default(field: FieldInfo) -> object:
         return None
     if isinstance(default, tuple):
         items = [item.text for item in cast("tuple[object, ...]", default) if isinstance(item, Given)]
-        one_or_many = any(isinstance(mark, BeforeValidator) for mark in _unwrapped(field.rebuild_annotation())[1])
+        one_or_many = any(isinstance(mark, BeforeValidator) for mark in bare(field.rebuild_annotation()).marks)
         return items[0] if one_or_many and len(items) == 1 else items
     return default.text if isinstance(default, Given) else default
 

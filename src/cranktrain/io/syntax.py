@@ -8,7 +8,7 @@ from typing import cast
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.files import refusal
 from cranktrain.io.long_keys import long_key
-from cranktrain.io.places import places
+from cranktrain.io.text_spans import places
 from cranktrain.language import N_, _
 from cranktrain.one_line import short
 from cranktrain.paths import DEEPEST_NESTING, PathParts, path_text, too_many_parts
@@ -123,9 +123,11 @@ def _syntax_problem(text: str, name: str, message: str) -> Problem:
     if said.startswith(("Invalid value", "Expected newline")):
         repair = _quoted_line(lines[(line or len(lines)) - 1])
         if repair:
-            allowed = _("text and quantities stand in quotes")
-            if '"' not in repair:
-                allowed = _("this is no number and no true or false of TOML")
+            allowed = (
+                _("text and quantities stand in quotes")
+                if '"' in repair
+                else _("this is no number and no true or false of TOML")
+            )
             return Problem("", given, allowed, _("write {line}").format(line=repair), position)
     for pattern, allowed, repair in _SYNTAX:
         if re.match(pattern, said):

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from cranktrain.errors import Problem
+from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.closing import OpenRange, open_ranges
@@ -25,11 +26,9 @@ def closing_problems(places: Sequence[PlacedMechanism], zero: float) -> tuple[Pr
     -------
     tuple of Problem
     """
-    different: dict[object, PlacedMechanism] = {}
-    for place in places:
-        different.setdefault((place.path, place.geometry), place)
+    alike = grouped(((place.path, place.geometry), place) for place in places)
     with np.errstate(all="ignore"):
-        ranges = [(place, open_ranges(place.kind, place.geometry)) for place in different.values()]
+        ranges = [(place, open_ranges(place.kind, place.geometry)) for place, *_like in alike.values()]
         stuck = {place.geometry for place, found in ranges if found}
         return tuple(
             _closing_problem(place, found, zero)

@@ -7,16 +7,16 @@ from typing import Annotated, ClassVar, NamedTuple
 import numpy as np
 from pydantic import Field
 
-from cranktrain.errors import InputError, Position, Problem
+from cranktrain.errors import InputError, Position, Problem, refuse
 from cranktrain.fluids.indicator.reading import unit_in
-from cranktrain.fluids.indicator.table import Table, held_text, read_table
+from cranktrain.fluids.indicator.table import NumberTable, held_text, read_table
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.polyline import Polyline
 from cranktrain.quantities import Dimension, is_unit, one_of, read, unit_names
 from cranktrain.spec import Spec
 
-_TURN = 2 * np.pi
 _SAME = 1e-6
 """Spans closer than this are one. [rad]"""
 _CLOSED = 0.01
@@ -107,23 +107,20 @@ def given_curve(spec: CycleFileSpec) -> Polyline:
     labels = table.labels or ("",) * numbers.shape[1]
     angle_unit = unit_in(labels[where], Dimension.ANGLE) or "deg"
     angles, values = numbers[:, where] * read(f"1 {angle_unit}", Dimension.ANGLE), numbers[:, level]
-    problems = [*_order_problems(table, where)]
-    if not problems:
-        problems = [*_span_problems(spec, table, angles, values, where)]
+    problems = [*_order_problems(table, where)] or [*_span_problems(spec, table, angles, values, where)]
     unit = spec.unit or unit_in(labels[level], words.dimension)
     if unit is None and spec.needs_unit:
         allowed, repair = map(_, words.without_unit)
         units = ", ".join(unit_names(words.dimension))
         problems.append(Problem(words.unit_key, None, allowed, repair.format(units=units)))
-    if problems:
-        raise InputError(problems)
-    period = _period(angles) or _TURN
+    refuse(problems)
+    period = _period(angles) or TURN
     kept = slice(None, -1) if _is_closed(angles, period) else slice(None)
     factor = 1.0 if unit is None else read(f"1 {unit}", words.dimension)
     return Polyline(angles[kept], values[kept] * factor, period)
 
 
-def _columns(spec: CycleFileSpec, table: Table) -> tuple[int, int]:
+def _columns(spec: CycleFileSpec, table: NumberTable) -> tuple[int, int]:
     """Places of angle and value in a row, from 0."""
     words = spec.words
     n_columns = table.rows.shape[1]
@@ -142,7 +139,7 @@ def _columns(spec: CycleFileSpec, table: Table) -> tuple[int, int]:
     return spec.columns[0] - 1, spec.columns[1] - 1
 
 
-def _order_problems(table: Table, where: int) -> Iterator[Problem]:
+def _order_problems(table: NumberTable, where: int) -> Iterator[Problem]:
     """Find angles that are given twice or go back, each at its place."""
     angles = table.rows[:, where]
     wrong = np.flatnonzero(np.diff(angles) <= 0) + 1
@@ -157,7 +154,9 @@ def _order_problems(table: Table, where: int) -> Iterator[Problem]:
         yield Problem("file", table.name, _("{n} more angles like these").format(n=wrong.size - _MOST_PROBLEMS))
 
 
-def _span_problems(spec: CycleFileSpec, table: Table, angles: Array, values: Array, where: int) -> Iterator[Problem]:
+def _span_problems(
+    spec: CycleFileSpec, table: NumberTable, angles: Array, values: Array, where: int
+) -> Iterator[Problem]:
     """Find a curve that is not one turn or two, and one that does not close."""
     position = table.position(len(table.lines) - 1, where)
     period = _period(angles)
@@ -165,7 +164,7 @@ def _span_problems(spec: CycleFileSpec, table: Table, angles: Array, values: Arr
         first, last = (f"{np.degrees(float(end)):.7g}°" for end in (angles[0], angles[-1]))
         allowed = _("reaches from {first} to {last}; it must go on over one turn, 360°, or over two, 720°")
         repair = _("give the {value} at both ends, or in equal steps all round").format(value=_(spec.words.value))
-        if abs(float(angles[-1] - angles[0]) - np.radians(_TURN)) < np.radians(_TURN) / len(angles):
+        if abs(float(angles[-1] - angles[0]) - np.radians(TURN)) < np.radians(TURN) / len(angles):
             repair = _("if these are radians, write so in the header: angle [rad]")
         yield Problem("file", spec.file, allowed.format(first=first, last=last), repair, position)
     elif _is_closed(angles, period) and abs(values[-1] - values[0]) > _CLOSED * np.max(np.abs(values)):
@@ -178,7 +177,7 @@ def _period(angles: Array) -> float | None:
     steps = np.diff(angles)
     span = float(angles[-1] - angles[0])
     is_even = len(steps) > 0 and float(np.ptp(steps)) < _SAME
-    for period in (_TURN, 2 * _TURN):
+    for period in (TURN, 2 * TURN):
         if abs(span - period) < _SAME or (is_even and abs(span + float(steps[0]) - period) < len(angles) * _SAME):
             return period
     return None

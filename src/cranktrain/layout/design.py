@@ -9,7 +9,7 @@ from cranktrain.layout.frames import Orientation
 from cranktrain.layout.masses import Weighed
 from cranktrain.layout.mechanisms import Mechanisms, Pistons, Rockers
 from cranktrain.layout.places import PlacedMechanism
-from cranktrain.layout.specs import MAIN, ShaftSpec
+from cranktrain.layout.specs import ShaftSpec
 from cranktrain.record import record
 
 Table = TypeVar("Table")
@@ -54,11 +54,6 @@ class Design:
         """Those of its mechanisms that have this output."""
         return tuple(place for place in self.places if place.kind.output == output)
 
-    @property
-    def main_shaft(self) -> ShaftSpec:
-        """The shaft whose angle is the crank angle."""
-        return self.shafts[MAIN]
-
     @cached_property
     def _found(self) -> dict[object, Any]:
         return {}
@@ -77,6 +72,7 @@ class Designs:
     Attributes
     ----------
     each : tuple of Design
+        The first speaks for all where numbers do not matter.
     crank_angle : CrankAngle
     mechanisms : Mechanisms
     pistons, rockers : Pistons, Rockers or None
@@ -90,19 +86,9 @@ class Designs:
     rockers: Rockers | None
 
     @property
-    def first(self) -> Design:
-        """The first, which speaks for all where numbers do not matter."""
-        return self.each[0]
-
-    @property
     def places(self) -> Sequence[tuple[PlacedMechanism, ...]]:
         """Mechanisms of each design."""
         return [design.places for design in self.each]
-
-    @property
-    def shafts(self) -> Sequence[Mapping[str, ShaftSpec]]:
-        """Shafts of each design."""
-        return [design.shafts for design in self.each]
 
     def tables(self, kind: type[Table]) -> tuple[Table, ...]:
         """The table of that class of each design; none where the file has none."""

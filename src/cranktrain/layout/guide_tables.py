@@ -9,8 +9,6 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.dynamics import AnyDynamics
 from cranktrain.motion import ZERO, Array, single
 
-_TABLE = "guide"
-
 
 class Edges(NamedTuple):
     """Edges of a guide: 1/length, 0 if none is given [1/m]; middle from the pin, its place if `stays` is 1 [m]."""
@@ -29,7 +27,7 @@ Guides = Mapping[str, Mapping[str, GuideSpec]]
 
 def edges_of(place: PlacedMechanism, sliding: str, guides: Guides) -> Edges:
     """Edges of the guide of what slides in a mechanism."""
-    spec = nearest_item(place, sliding, _TABLE, guides)
+    spec = nearest_item(place, sliding, "guide", guides)
     if spec is None:
         return NO_EDGES
     middle = spec.middle if spec.at is None else spec.at

@@ -246,6 +246,5 @@ def _body(place: PlacedMechanism, part: str, spec: BodySpec) -> Body:
         mass = spec.big_end.si + spec.small_end.si
         along = length * spec.small_end.si / mass
     inertia = 0.0 if length is None else mass * along * (length - along)
-    if spec.inertia is not None:
-        inertia = spec.inertia.si
+    inertia = inertia if spec.inertia is None else spec.inertia.si
     return Body(single(mass), single(along), single(place.sense * spec.across.si), single(inertia))

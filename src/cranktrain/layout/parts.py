@@ -10,8 +10,9 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.frames import frames_of
 from cranktrain.layout.mechanisms import Mechanisms, Pistons, Rockers, mechanisms_of
-from cranktrain.layout.question import Dimension, TableFile
+from cranktrain.layout.question import ResultDimension, TableFile
 from cranktrain.layout.shafts import shafts_of
+from cranktrain.layout.specs import MAIN
 from cranktrain.layout.speed import Speed
 from cranktrain.layout.speed_curve import speed_at_moment
 from cranktrain.layout.speed_table import tabled_speed
@@ -21,16 +22,16 @@ from cranktrain.mechanisms import KINDS
 _OF_MECHANISMS = "mechanism"
 
 DIMENSIONS = (
-    Dimension("design", N_("design"), is_number=True),
-    Dimension("crank_angle", N_("crank angle"), is_number=True),
+    ResultDimension("design", N_("design"), is_number=True),
+    ResultDimension("crank_angle", N_("crank angle"), is_number=True),
     *(
-        Dimension(name, "", family=_OF_MECHANISMS)
+        ResultDimension(name, "", family=_OF_MECHANISMS)
         for name in (_OF_MECHANISMS, Pistons.dimension, Rockers.dimension, *(kind.name for kind in KINDS))
     ),
-    Dimension("throw", N_("throw")),
-    Dimension("shaft", ""),
-    Dimension("journal", N_("journal")),
-    Dimension("order", N_("order"), is_number=True),
+    ResultDimension("throw", N_("throw")),
+    ResultDimension("shaft", ""),
+    ResultDimension("journal", N_("journal")),
+    ResultDimension("order", N_("order"), is_number=True),
 )
 """Those that questions share."""
 
@@ -57,7 +58,7 @@ def laid_out(designs: Sequence[Design], *, cycle: float, step: float) -> Designs
 
 def layout_parts(designs: Designs) -> Iterator[object | None]:
     """Parts of every machine; None stands for what is not declared."""
-    places, shafts = designs.places, designs.shafts
+    places, shafts = designs.places, [design.shafts for design in designs.each]
     yield designs.crank_angle
     yield designs.mechanisms
     yield from (batch.members for batch in designs.mechanisms.batches)
@@ -73,7 +74,7 @@ def layout_parts(designs: Designs) -> Iterator[object | None]:
 
 def _speed_parts(designs: Designs) -> Iterator[object | None]:
     """What the file says of how the main shaft turns; None stands for a curve that it has not."""
-    shafts = [design.main_shaft for design in designs.each]
+    shafts = [design.shafts[MAIN] for design in designs.each]
     grid = designs.crank_angle
     speeds = np.array([shaft.speed.si for shaft in shafts if shaft.speed is not None])
     accelerations = np.array([shaft.acceleration.si for shaft in shafts if shaft.acceleration is not None])

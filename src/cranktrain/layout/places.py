@@ -229,9 +229,11 @@ def _master_of(slot: _Slot, slots: Sequence[_Slot]) -> _Slot | Problem | None:
     in_bank = [other for other in slots if other.bank == name]
     if not in_bank:
         banks = ", ".join(dict.fromkeys(other.bank for other in slots if other.bank != slot.bank and other.bank))
-        allowed = _("must be the name of a bank of slider-cranks, but there is no other bank")
-        if banks:
-            allowed = _("must be the name of a bank of slider-cranks; the other banks are: {banks}").format(banks=banks)
+        allowed = (
+            _("must be the name of a bank of slider-cranks; the other banks are: {banks}").format(banks=banks)
+            if banks
+            else _("must be the name of a bank of slider-cranks, but there is no other bank")
+        )
         return Problem(path, name, allowed)
     masters = [other for other in in_bank if other.spec.kind == "slider_crank"]
     if not masters:

@@ -40,6 +40,8 @@ def needs_of(function: Callable[..., Any]) -> Needs:
 class Stage:
     """One step of the computation: a function whose parameter types are its needs and whose return type is its result.
 
+    A class whose fields are just what the step needs is such a function.
+
     Attributes
     ----------
     function : callable
@@ -54,7 +56,7 @@ class Stage:
     @cached_property
     def gives(self) -> type:
         """Type of the result."""
-        return get_type_hints(self.function)["return"]
+        return self.function if isinstance(self.function, type) else get_type_hints(self.function)["return"]
 
     @property
     def needs(self) -> Mapping[str, type]:
@@ -77,7 +79,7 @@ class Stage:
         return self.applies(**given)
 
 
-class Dimension(NamedTuple):
+class ResultDimension(NamedTuple):
     """A dimension of results.
 
     Attributes
@@ -142,7 +144,7 @@ class Question:
         stands for what is not declared.
     stages : tuple of Stage
         In the order in which people read their results.
-    dimensions : tuple of Dimension
+    dimensions : tuple of ResultDimension
         That its results bring.
     headline : tuple of str
         Its facts that say most, the first first.
@@ -157,7 +159,7 @@ class Question:
     problems: Callable[[Design], Iterable[Problem]] = _nothing
     parts: Callable[[Designs, Parts], Iterable[object | None]] = _nothing
     stages: tuple[Stage, ...] = ()
-    dimensions: tuple[Dimension, ...] = ()
+    dimensions: tuple[ResultDimension, ...] = ()
     headline: tuple[str, ...] = ()
     uses: tuple[Use, ...] = ()
     files: tuple[TableFile, ...] = ()

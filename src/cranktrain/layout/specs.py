@@ -5,7 +5,7 @@ from typing import Annotated, Any, Literal, TypeVar, cast
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, GuideSpec
 from cranktrain.layout.ends import ENDS
@@ -222,13 +222,12 @@ class BankSpec(Spec, frozen=True):
         lists = {
             name: items for name, value in fields.items() if name not in LISTS and (items := _items(value)) is not None
         }
-        wrong = {name: len(items) for name, items in lists.items() if len(items) != n_angles}
-        if wrong:
-            allowed = _("must be one value, or a list with one for each angle of the bank: {n}").format(n=n_angles)
-            raise InputError(
-                Problem(f"mechanism.{name}", _("a list of {n}").format(n=length), allowed)
-                for name, length in wrong.items()
-            )
+        allowed = _("must be one value, or a list with one for each angle of the bank: {n}").format(n=n_angles)
+        refuse(
+            Problem(f"mechanism.{name}", _("a list of {n}").format(n=len(items)), allowed)
+            for name, items in lists.items()
+            if len(items) != n_angles
+        )
         return {
             **table,
             "mechanism": tuple(

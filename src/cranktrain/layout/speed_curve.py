@@ -59,11 +59,11 @@ class SpeedCurve:
             )
             acceleration = number(float(self.moment[design, 0, 0]), "rad/s^2")
             return said.format(speed=number(float(speeds[0]), "rpm"), acceleration=acceleration)
-        said = _("All of this is at the speed that was given, {least} to {most} over the cycle, {mean} over time.")
-        if self.is_steady_running:
-            said = _(
-                "All of this is at the speed of steady running, {least} to {most} over the cycle, {mean} over time."
-            )
+        said = (
+            _("All of this is at the speed of steady running, {least} to {most} over the cycle, {mean} over time.")
+            if self.is_steady_running
+            else _("All of this is at the speed that was given, {least} to {most} over the cycle, {mean} over time.")
+        )
         return said.format(
             least=number(float(np.min(speeds)), "rpm"),
             most=number(float(np.max(speeds)), "rpm"),

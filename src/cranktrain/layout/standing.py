@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from cranktrain.errors import Problem
+from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.frames import Orientation, frame_of, in_machine_axes
 from cranktrain.layout.places import PlacedMechanism
@@ -41,10 +42,7 @@ def standing_problems(
     """
     centres = shaft_centres(shafts)
     found: dict[str, Problem] = {}
-    cylinders: dict[str, list[PlacedMechanism]] = {}
-    for place in places:
-        cylinders.setdefault(place.cylinder, []).append(place)
-    for pair in cylinders.values():
+    for pair in grouped((place.cylinder, place) for place in places).values():
         if len(pair) != 2 or pair[0].shaft == pair[1].shaft or not {pair[0].shaft, pair[1].shaft} <= centres.keys():
             continue
         named = next(place.shaft for place in reversed(pair) if place.shaft != MAIN)

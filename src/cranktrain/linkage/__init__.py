@@ -8,12 +8,11 @@ NamedTuple of coefficients. It has no state, no checks, no units; what cannot cl
 from cranktrain.linkage.blocks import in_blocks
 from cranktrain.linkage.compile import compiled
 from cranktrain.linkage.crank import Crank, crank
-from cranktrain.linkage.legs import OnLine, RodEnds, block_along, fixed_guide, rod_between, rod_end
+from cranktrain.linkage.legs import OnLine, block_along, fixed_guide, rod_between, rod_end
 from cranktrain.linkage.modes import triad_modes
 from cranktrain.linkage.pin import (
+    CentreLine,
     CrankAndGround,
-    Ends,
-    Line,
     Pin,
     PinMotion,
     line_between,
@@ -22,18 +21,17 @@ from cranktrain.linkage.pin import (
     pin_from_crank,
     pin_gap,
 )
-from cranktrain.linkage.point import LinkPoint, fixed, point, turned
+from cranktrain.linkage.point import Ends, LinkPoint, fixed, point, turned
 from cranktrain.linkage.slide import AHEAD, Slide, SlideMotion, slide, slide_gap
 from cranktrain.linkage.swivel import (
     CrankAndPivot,
     Swivel,
-    SwivelEnds,
     SwivelMotion,
     crank_swivel_gap,
     swivel,
     swivel_gap,
 )
-from cranktrain.linkage.trammel import Trammel, TrammelMotion, trammel, trammel_transmission, turned_link
+from cranktrain.linkage.trammel import Trammel, TrammelMotion, trammel, turned_link
 from cranktrain.linkage.triad import GUIDE, ROD, Leg, Pose, Triad, TriadDriver, TriadEnds, TriadMotion, triad
 from cranktrain.linkage.walk import Walk, pose_at, triad_walk
 from cranktrain.linkage.yoke import Yoke, YokeMotion, yoke
@@ -42,22 +40,20 @@ __all__ = [
     "AHEAD",
     "GUIDE",
     "ROD",
+    "CentreLine",
     "Crank",
     "CrankAndGround",
     "CrankAndPivot",
     "Ends",
     "Leg",
-    "Line",
     "LinkPoint",
     "OnLine",
     "Pin",
     "PinMotion",
     "Pose",
-    "RodEnds",
     "Slide",
     "SlideMotion",
     "Swivel",
-    "SwivelEnds",
     "SwivelMotion",
     "Trammel",
     "TrammelMotion",
@@ -89,7 +85,6 @@ __all__ = [
     "swivel",
     "swivel_gap",
     "trammel",
-    "trammel_transmission",
     "triad",
     "triad_modes",
     "triad_walk",

@@ -38,14 +38,13 @@ def in_blocks(kernel: Callable[[Array, Geometry], Motion], angle: Array, geometr
     whole = {id(piece): np.empty((*piece.shape[:-1], n_angles)) for piece in pieces}
     rows = [whole[id(piece)] for piece in pieces]
     distinct = list({id(piece): place for place, piece in enumerate(pieces)}.values())
-    motion = first
     for start in range(0, n_angles, BLOCK):
         block = slice(start, start + BLOCK)
         motion = first if start == 0 else kernel(angle[..., block], geometry)
         values = _arrays(motion)
         for place in distinct:
             rows[place][..., block] = values[place]
-    return filled(motion, iter(rows))
+    return filled(first, iter(rows))
 
 
 def _arrays(motion: tuple[object, ...]) -> list[Array]:

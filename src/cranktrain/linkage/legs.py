@@ -9,13 +9,6 @@ from cranktrain.linkage.vectors import cross, direction, dot, moving_between
 from cranktrain.motion import Array, Coefficient, Link, Point
 
 
-class RodEnds(NamedTuple):
-    """Two points at a distance that does not change. [m, m/rad, m/rad²]"""
-
-    start: Point
-    end: Point
-
-
 class OnLine(NamedTuple):
     """A moving line, given by the link that carries it, and a point on it or beside it at a constant distance."""
 
@@ -34,12 +27,12 @@ def rod_end(end: Point) -> Link:
     return Link(end, Coefficient(zero, zero, zero), zero + 1.0, zero)
 
 
-def rod_between(ends: RodEnds) -> Link:
-    """Rod between two points that move as given, and its derivatives by the crank angle.
+def rod_between(start: Point, end: Point) -> Link:
+    """Rod between two points whose distance does not change, and its derivatives by the crank angle.
 
     Parameters
     ----------
-    ends : RodEnds, coefficients of shape (..., n)
+    start, end : Point, coefficients of shape (..., n)
 
     Returns
     -------
@@ -50,11 +43,11 @@ def rod_between(ends: RodEnds) -> Link:
     -----
     d·d′ = 0: θ′ = d × d′/D², θ″ = d × d″/D². Exact; docs/theory/groups-2, eq. (7.16).
     """
-    d, d1, d2 = moving_between(ends.start, ends.end)
+    d, d1, d2 = moving_between(start, end)
     square = dot(d, d)
     length = np.sqrt(square)
     angle = Coefficient(np.arctan2(d.y, d.x), cross(d, d1) / square, cross(d, d2) / square)
-    return Link(ends.start, angle, d.x / length, d.y / length)
+    return Link(start, angle, d.x / length, d.y / length)
 
 
 def block_along(on_line: OnLine) -> Coefficient:

@@ -4,13 +4,11 @@ from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cranktrain.linkage.triad import Leg, Pose, Triad, TriadDriver, TriadEnds, triad
 from cranktrain.motion import Array, Link
 from cranktrain.numerics import turn_grid
-
-_Vectors = NDArray[np.complex128]
+from cranktrain.numerics.harmonics import ComplexArray
 
 _HIGHEST = 3  # multiple of the link's angle in the equation for it
 _SAMPLES = 16
@@ -31,7 +29,7 @@ class _PlaneLeg(NamedTuple):
 class _Line(NamedTuple):
     """A line on which the first leg's point P lies, n·P = b."""
 
-    normal: _Vectors
+    normal: ComplexArray
     level: Array
 
 
@@ -76,12 +74,8 @@ def _plane_leg(end: Link, leg: Leg) -> _PlaneLeg:
     )
 
 
-def _dot(one: _Vectors, other: _Vectors) -> Array:
+def _dot(one: ComplexArray, other: ComplexArray) -> Array:
     return np.real(np.conj(one) * other)
-
-
-def _cross(one: _Vectors, other: _Vectors) -> Array:
-    return np.imag(np.conj(one) * other)
 
 
 def _line(leg: _PlaneLeg, first: _PlaneLeg, angle: Array) -> _Line:
@@ -94,9 +88,9 @@ def _line(leg: _PlaneLeg, first: _PlaneLeg, angle: Array) -> _Line:
     return _Line(vector + first.end, 0.5 * squares)
 
 
-def _crossing(one: _Line, other: _Line) -> tuple[_Vectors, Array]:
+def _crossing(one: _Line, other: _Line) -> tuple[ComplexArray, Array]:
     """Point where two lines cross, times the cross product of their normals, and that product."""
-    return 1j * (other.level * one.normal - one.level * other.normal), _cross(one.normal, other.normal)
+    return 1j * (other.level * one.normal - one.level * other.normal), np.imag(np.conj(one.normal) * other.normal)
 
 
 def _condition(legs: list[_PlaneLeg], angle: Array) -> Array:
@@ -118,13 +112,13 @@ def _possible_angles(legs: list[_PlaneLeg]) -> Array:
     return np.arctan2(roots.imag, roots.real)
 
 
-def _positions(legs: list[_PlaneLeg], angle: Array) -> list[_Vectors]:
+def _positions(legs: list[_PlaneLeg], angle: Array) -> list[ComplexArray]:
     """Where two legs at a time can hold the first leg's point, at a given angle of the link."""
     first = legs[0]
     if first.is_guide:
         crossings = (_crossing(*pair) for pair in combinations([_line(leg, first, angle) for leg in legs], 2))
         return [point / product for point, product in crossings]
-    positions: list[_Vectors] = []
+    positions: list[ComplexArray] = []
     for normal, level in (_line(leg, first, angle) for leg in legs[1:]):
         square = np.abs(normal) ** 2
         distance = level - _dot(normal, np.full_like(normal, first.end))

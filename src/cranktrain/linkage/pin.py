@@ -4,16 +4,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.linkage.point import fixed
+from cranktrain.linkage.point import Ends, fixed
 from cranktrain.linkage.vectors import Vector, between, cross, dot, moving_between, rotated
 from cranktrain.motion import Array, Coefficient, Link, Point
-
-
-class Ends(NamedTuple):
-    """The outer pins of the group: the rod's and the rocker's. [m, m/rad, m/rad²]"""
-
-    rod: Point
-    rocker: Point
 
 
 class CrankAndGround(NamedTuple):
@@ -23,7 +16,7 @@ class CrankAndGround(NamedTuple):
     ground_length: Array
 
 
-class Line(NamedTuple):
+class CentreLine(NamedTuple):
     """The line d from the rod's end to the rocker's, and how it moves, with e = d/D².
 
     vector d [m], its square D² [m²], inverse e [1/m]; turn ψ′ = e × d′, stretch ε = e·d′, and of the second derivative
@@ -82,15 +75,15 @@ def pin(ends: Ends, geometry: Pin) -> PinMotion:
     """
     q, t, rod, rocker = _vectors_and_angles(line_between(ends), geometry)
     v, a = _swept(q, rod)
-    x = ends.rod.x
-    y = ends.rod.y
+    x = ends.driver.x
+    y = ends.driver.y
     return PinMotion(
         Point(
             Coefficient(x.value + q.x, x.first + v.x, x.second + a.x),
             Coefficient(y.value + q.y, y.first + v.y, y.second + a.y),
         ),
-        Link(ends.rod, rod, q.x / geometry.rod_length, q.y / geometry.rod_length),
-        Link(ends.rocker, rocker, t.x / geometry.rocker_length, t.y / geometry.rocker_length),
+        Link(ends.driver, rod, q.x / geometry.rod_length, q.y / geometry.rod_length),
+        Link(ends.pivot, rocker, t.x / geometry.rocker_length, t.y / geometry.rocker_length),
     )
 
 
@@ -122,17 +115,17 @@ def pin_from_crank(driver: CrankAndGround, geometry: Pin) -> PinMotion:
     )
 
 
-def line_between(ends: Ends) -> Line:
+def line_between(ends: Ends) -> CentreLine:
     """Line from the rod's end to the rocker's, both of which may move."""
-    d, d1, d2 = moving_between(ends.rod, ends.rocker)
+    d, d1, d2 = moving_between(ends.driver, ends.pivot)
     square = dot(d, d)
     e = Vector(d.x / square, d.y / square)
     turn = cross(e, d1)
     # ψ′² to e·d″ first: where the whole turns as one body they cancel without rounding.
-    return Line(d, square, e, turn, dot(e, d1), cross(e, d2), dot(e, d2) + turn * turn)
+    return CentreLine(d, square, e, turn, dot(e, d1), cross(e, d2), dot(e, d2) + turn * turn)
 
 
-def line_from_crank(driver: CrankAndGround) -> Line:
+def line_from_crank(driver: CrankAndGround) -> CentreLine:
     """Line from a crank's pin to a pivot that stands still on the axis x through the shaft's centre.
 
     A crank's derivatives are its own coordinates, a′ = a⊥, a″ = −a, and a + d = (g, 0): so ε = e × d″ = −g e_y, and
@@ -145,10 +138,10 @@ def line_from_crank(driver: CrankAndGround) -> Line:
     turn = e.x * crank_pin.x.second + e.y * d.y
     minus_ground = -driver.ground_length
     stretch = minus_ground * e.y
-    return Line(d, square, e, turn, stretch, stretch, (minus_ground * e.x) * turn)
+    return CentreLine(d, square, e, turn, stretch, stretch, (minus_ground * e.x) * turn)
 
 
-def _vectors_and_angles(line: Line, geometry: Pin) -> tuple[Vector, Vector, Coefficient, Coefficient]:
+def _vectors_and_angles(line: CentreLine, geometry: Pin) -> tuple[Vector, Vector, Coefficient, Coefficient]:
     """Rod and rocker as vectors to the joint, and their angles.
 
     On its own so that its intermediate arrays are freed before the results are made, and with the angles at once: a
@@ -183,7 +176,7 @@ def _swept(arm: Vector, angle: Coefficient) -> tuple[Vector, Vector]:
 
 def pin_gap(ends: Ends, geometry: Pin) -> Array:
     """By how much the triangle of rod, rocker and the line between their ends can close; negative where not. [m]"""
-    d = between(ends.rod, ends.rocker)
+    d = between(ends.driver, ends.pivot)
     distance = np.sqrt(dot(d, d))
     return np.minimum(
         geometry.rod_length + geometry.rocker_length - distance,

@@ -15,6 +15,13 @@ class LinkPoint(NamedTuple):
     angle: Array
 
 
+class Ends(NamedTuple):
+    """A group's outer pins: which drives its rod or slider, and pivot of its rocker or guide. [m, m/rad, m/rad²]"""
+
+    driver: Point
+    pivot: Point
+
+
 def point(link: Link, geometry: LinkPoint) -> Point:
     """Point that a link carries with it, and its derivatives by the crank angle.
 

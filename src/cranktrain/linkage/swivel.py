@@ -5,17 +5,10 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.linkage.crank import Crank, crank
-from cranktrain.linkage.point import fixed
+from cranktrain.linkage.point import Ends, fixed
 from cranktrain.linkage.slide import AHEAD
 from cranktrain.linkage.vectors import between, cross, dot, moving_between, rotated
-from cranktrain.motion import Array, Coefficient, Link, Point
-
-
-class SwivelEnds(NamedTuple):
-    """The pin that carries the slider, and the pivot of the guide, fixed or moving. [m, m/rad, m/rad²]"""
-
-    pin: Point
-    pivot: Point
+from cranktrain.motion import Array, Coefficient, Link
 
 
 class Swivel(NamedTuple):
@@ -36,12 +29,12 @@ class SwivelMotion(NamedTuple):
     guide: Link
 
 
-def swivel(ends: SwivelEnds, geometry: Swivel) -> SwivelMotion:
+def swivel(ends: Ends, geometry: Swivel) -> SwivelMotion:
     """Guide that follows a slider on a moving pin, and its derivatives by the crank angle.
 
     Parameters
     ----------
-    ends : SwivelEnds, coefficients of shape (..., n)
+    ends : Ends, coefficients of shape (..., n)
     geometry : Swivel, fields broadcastable to (..., 1)
 
     Returns
@@ -62,10 +55,10 @@ def swivel(ends: SwivelEnds, geometry: Swivel) -> SwivelMotion:
 
     >>> from cranktrain.linkage import AHEAD, Crank, crank, fixed
     >>> pin = crank(np.pi / 2, Crank(0.3))
-    >>> round(float(swivel(SwivelEnds(pin, fixed(0.0, -0.1)), Swivel(0.0, AHEAD)).guide.angle.first), 12)
+    >>> round(float(swivel(Ends(pin, fixed(0.0, -0.1)), Swivel(0.0, AHEAD)).guide.angle.first), 12)
     0.75
     """
-    d, d1, d2 = moving_between(ends.pivot, ends.pin)
+    d, d1, d2 = moving_between(ends.pivot, ends.driver)
     square = dot(d, d)
     distance = np.sqrt(square)
     reach = geometry.side * np.sqrt((distance - geometry.offset) * (distance + geometry.offset))
@@ -89,9 +82,9 @@ def swivel(ends: SwivelEnds, geometry: Swivel) -> SwivelMotion:
     return SwivelMotion(slider, Link(ends.pivot, angle, cos, sin))
 
 
-def swivel_gap(ends: SwivelEnds, geometry: Swivel) -> Array:
+def swivel_gap(ends: Ends, geometry: Swivel) -> Array:
     """By how much the pin is farther from the pivot than the guide's line; negative where it cannot close. [m]"""
-    d = between(ends.pivot, ends.pin)
+    d = between(ends.pivot, ends.driver)
     return np.sqrt(dot(d, d)) - np.abs(geometry.offset)
 
 
@@ -117,4 +110,4 @@ def crank_swivel_gap(angle: Array, geometry: CrankAndPivot) -> Array:
     pivot = fixed(geometry.ground_length, 0.0 * geometry.ground_length)
     nearest = geometry.ground_length - geometry.crank_radius
     crossed = np.abs(nearest) - geometry.way * nearest
-    return swivel_gap(SwivelEnds(pin, pivot), Swivel(geometry.offset, AHEAD)) - crossed
+    return swivel_gap(Ends(pin, pivot), Swivel(geometry.offset, AHEAD)) - crossed

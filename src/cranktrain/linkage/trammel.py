@@ -35,7 +35,8 @@ def trammel(link: Link, geometry: Trammel) -> TrammelMotion:
     Returns
     -------
     TrammelMotion, shape (..., n)
-        There is one crossing and no side. Infinite or NaN where the slot is parallel to the guide.
+        There is one crossing and no side. Infinite or NaN where the slot is parallel to the guide: it closes all the
+        way round where the sine of the angle between both, in the guide's axes the link's, keeps its sign.
 
     Notes
     -----
@@ -65,15 +66,6 @@ def trammel(link: Link, geometry: Trammel) -> TrammelMotion:
         link.origin.x.second + (block2 * link.cos - coriolis * link.sin - rate * height - square * ahead),
     )
     return TrammelMotion(slider, Coefficient(block, block1, block2))
-
-
-def trammel_transmission(link: Link) -> Array:
-    """Sine of the angle from the guide to the slot: it closes all the way round where this keeps its sign. [1]
-
-    There is no gap in metres: two straight lines cross wherever they are not parallel, and near that the slider goes
-    beyond all bounds.
-    """
-    return link.sin
 
 
 def turned_link(link: Link, angle: Array) -> Link:

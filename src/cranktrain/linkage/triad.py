@@ -1,12 +1,14 @@
 """Class III group: a floating link with three points, each on a leg: a rod, or a block on a line that is carried."""
 
-from typing import NamedTuple
+from typing import Generic, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 
 from cranktrain.linkage.point import LinkPoint
 from cranktrain.linkage.vectors import Vector, Wrench, at_arm, cross, crossed, direction, dot, rotated
 from cranktrain.motion import Array, Coefficient, Link, Point, single
+
+_Each = TypeVar("_Each")
 
 ROD = single(0.0)
 """Kind of a leg that keeps a point of the link at a distance from the leg's end."""
@@ -29,20 +31,19 @@ class Leg(NamedTuple):
     kind: Array
 
 
-class Triad(NamedTuple):
-    """The three legs."""
+class OfLegs(NamedTuple, Generic[_Each]):
+    """What each of the three legs has, or is."""
 
-    first: Leg
-    second: Leg
-    third: Leg
+    first: _Each
+    second: _Each
+    third: _Each
 
 
-class TriadEnds(NamedTuple):
-    """The legs' outer ends. A guide lies along its link; of a rod's end only the link's first pin counts."""
+Triad: TypeAlias = OfLegs[Leg]
+"""The three legs."""
 
-    first: Link
-    second: Link
-    third: Link
+TriadEnds: TypeAlias = OfLegs[Link]
+"""The legs' outer ends. A guide lies along its link; of a rod's end only the link's first pin counts."""
 
 
 class Pose(NamedTuple):

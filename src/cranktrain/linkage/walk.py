@@ -8,11 +8,11 @@ from numpy.typing import NDArray
 
 from cranktrain.linkage.triad import Pose, Triad, TriadDriver, TriadEnds, TriadMotion, triad
 from cranktrain.motion import Array, Coefficient
+from cranktrain.numerics.harmonics import TURN
 
-_TURN = 2 * np.pi
-_FIRST_STEP = _TURN / 48
-_LARGEST_STEP = _TURN / 12
-_SMALLEST_STEP = _TURN / 2**16
+_FIRST_STEP = TURN / 48
+_LARGEST_STEP = TURN / 12
+_SMALLEST_STEP = TURN / 2**16
 _MOST_MISSED = 1e-3  # of the link's size, by the prediction of a step
 
 
@@ -21,16 +21,15 @@ class Walk(NamedTuple):
 
     angle: crank angles of the nodes from the first to one turn later, shape (..., m) [rad]. pose: x, y [m] and angle
     (without jumps) [rad] of the link along the first axis, shape (3, ..., m); NaN from where the crank cannot turn on.
-    comes_back: whether the link is after the turn as it was before, shape (..., 1). Else it has gone over to another
-    mode on the way, without ever being loose, and needs more than one turn to come back.
+    Where the link is not after the turn as it was before, it has gone over to another mode on the way, without ever
+    being loose, and needs more than one turn to come back.
     """
 
     angle: Array
     pose: Coefficient
-    comes_back: NDArray[np.bool_]
 
 
-def triad_walk(ends: Callable[[Array], TriadEnds], geometry: Triad, start: Pose, angle: float = 0.0) -> Walk:
+def triad_walk(ends: Callable[[Array], TriadEnds], geometry: Triad, start: Pose) -> Walk:
     """Follow a triad's link over one turn of the crank.
 
     Parameters
@@ -39,9 +38,7 @@ def triad_walk(ends: Callable[[Array], TriadEnds], geometry: Triad, start: Pose,
         Gives the legs' ends at crank angles of shape (..., 1), which differ from machine to machine.
     geometry : Triad, fields broadcastable to (..., 1)
     start : Pose, fields broadcastable to (..., 1)
-        Near the pose at `angle`, as `triad_modes` gives it: the assembly mode. [m, rad]
-    angle : float
-        Crank angle at which to start. [rad]
+        Near the pose at φ = 0, as `triad_modes` gives it: the assembly mode. [m, rad]
 
     Returns
     -------
@@ -54,33 +51,29 @@ def triad_walk(ends: Callable[[Array], TriadEnds], geometry: Triad, start: Pose,
     missed by no more than 0.1 % of the link's size and the transmission keeps its sign; else it is made smaller. Where
     a step of 0.0055° is too large the crank cannot turn on. docs/theory/groups-2, eq. (7.18).
     """
-    end = angle + _TURN
     with np.errstate(all="ignore"):
-        found = triad(TriadDriver(ends(np.array([angle])), start), geometry)
+        found = triad(TriadDriver(ends(np.zeros(1)), start), geometry)
         side, pose = found.transmission, _pose(found)
         scale = _scale(geometry, side)
-        at, step = np.full(side.shape, angle), np.full(side.shape, _FIRST_STEP)
+        at, step = np.zeros(side.shape), np.full(side.shape, _FIRST_STEP)
         nodes = [(at, pose)]
-        while np.any(at < end):
-            after = np.minimum(at + step, end)
-            expected = _predicted(pose, after - at)
+        while np.any(at < TURN):
+            after = np.minimum(at + step, TURN)
+            expected = pose[0] + (after - at) * (pose[1] + 0.5 * (after - at) * pose[2])
             found = triad(TriadDriver(ends(after), Pose(*expected)), geometry)
             reached = _pose(found)
-            reached[0, 2] = expected[2] + _turn_apart(reached[0, 2] - expected[2])  # counted on from the last angle
+            reached[0, 2] -= TURN * np.round((reached[0, 2] - expected[2]) / TURN)  # counted on from the last angle
             missed = np.max(np.abs(reached[0] - expected) / scale, axis=0) / _MOST_MISSED
             missed = np.where(found.transmission * side > 0, missed, np.inf)
             is_taken = missed <= 1
             is_stuck = ~is_taken & (step <= _SMALLEST_STEP)
             pose = np.where(is_taken, reached, np.where(is_stuck, np.nan, pose))
-            at = np.where(is_taken, after, np.where(is_stuck, end, at))
+            at = np.where(is_taken, after, np.where(is_stuck, TURN, at))
             step = np.minimum(step * np.clip(0.9 / np.cbrt(missed), 0.1, 2.0), _LARGEST_STEP)
             nodes.append((at, pose))
-    change = (pose[0] - nodes[0][1][0]) / scale
-    change[2] = _turn_apart(change[2])
     return Walk(
         np.concatenate([at for at, _ in nodes], axis=-1),
         Coefficient(*np.concatenate([pose for _, pose in nodes], axis=-1)),
-        np.max(np.abs(change), axis=0) <= _MOST_MISSED,
     )
 
 
@@ -102,8 +95,7 @@ def pose_at(walk: Walk, angle: Array) -> Pose:
     -----
     The polynomial of fifth degree with value and two derivatives of both nodes; docs/theory/groups-2, eq. (7.19).
     """
-    start = walk.angle[..., :1]
-    angle = start + np.mod(angle - start, _TURN)
+    angle = np.mod(angle, TURN)
     last = walk.angle.shape[-1] - 2
     before = np.minimum(sum(walk.angle[..., i : i + 1] <= angle for i in range(1, last + 2)), last)
     near = np.take_along_axis(walk.angle, before, axis=-1)
@@ -135,11 +127,3 @@ def _scale(geometry: Triad, side: Array) -> Array:
     """What x, y and angle count by: the link's largest radius, the same, one radian; (3, ..., 1)."""
     radius = np.broadcast_to(np.maximum.reduce([leg.point.radius for leg in geometry]), side.shape)
     return np.stack([radius, radius, np.ones_like(radius)])
-
-
-def _predicted(pose: Array, step: Array) -> Array:
-    return pose[0] + step * (pose[1] + 0.5 * step * pose[2])
-
-
-def _turn_apart(difference: Array) -> Array:
-    return difference - _TURN * np.round(difference / _TURN)

@@ -207,8 +207,7 @@ def open_ranges(kind: Kind[Motion, Geometry], geometry: Geometry) -> tuple[OpenR
         return kind.gap(phi, geometry) - rounding
 
     with np.errstate(all="ignore"):
-        samples = curve(turn_grid())
-        deepest = smallest(curve, samples=samples)
+        deepest = smallest(curve)
         if deepest.value[0] > 0:
             return ()
         # The least gap may lie between two grid points.
@@ -220,19 +219,12 @@ def open_ranges(kind: Kind[Motion, Geometry], geometry: Geometry) -> tuple[OpenR
         end_at = np.flatnonzero(is_open & ~np.roll(is_open, -1))
         if end_at[0] < start_at[0]:
             end_at = np.roll(end_at, -1)
+        ring = np.concatenate([grid[-1:] - 2 * np.pi, grid, grid[:1] + 2 * np.pi])
         ranges: list[OpenRange] = []
         for first, last in zip(start_at.tolist(), end_at.tolist(), strict=True):
-            before, after = _neighbour(grid, first, -1), _neighbour(grid, last, +1)
-            start = bracketed_roots(curve, before, grid[first : first + 1])
-            end = bracketed_roots(curve, grid[last : last + 1], after)
+            start = bracketed_roots(curve, ring[[first]], grid[[first]])
+            end = bracketed_roots(curve, grid[[last]], ring[[last + 2]])
             end = end + 2 * np.pi * (end < start)
             inside = np.linspace(float(start[0]), float(end[0]), 91)
             ranges.append(OpenRange(float(start[0]), float(end[0]), float(-np.nanmin(curve(inside)))))
     return tuple(ranges)
-
-
-def _neighbour(grid: Array, index: int, step: int) -> Array:
-    """Angle beside a grid point, across the end of the turn where need be."""
-    other = index + step
-    turn = 2 * np.pi * (other // len(grid))
-    return grid[[other % len(grid)]] + turn

@@ -6,7 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.motion import Array, Coefficient, Point
+from cranktrain.motion import Array, Point
+from cranktrain.numerics.nested import mapped
 from cranktrain.record import record
 
 
@@ -68,9 +69,5 @@ class Drawing:
 
     def scaled(self, factor: float) -> "Drawing":
         """Give the same drawing in another unit of length."""
-        pins = {name: Point(*(_times(part, factor) for part in pin)) for name, pin in self.pins.items()}
+        pins = {name: mapped(lambda _name, value: factor * value, pin) for name, pin in self.pins.items()}
         return replace(self, pins=pins)
-
-
-def _times(part: Coefficient, factor: float) -> Coefficient:
-    return Coefficient(*(factor * value for value in part))

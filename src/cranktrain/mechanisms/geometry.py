@@ -15,7 +15,7 @@ Geometry = TypeVar("Geometry", bound=tuple[object, ...])
 _MIRRORED = frozenset(
     {
         *("offset", "shift", "y", "articulation_angle", "bank_angle", "slot_angle", "direction", "ahead", "side"),
-        *("angle", "across", "moment"),
+        *("arm_direction", "angle", "across", "moment"),
     }
 )
 """What changes sign when the mechanism's y is mirrored: what counts toward +y or in the sense of rotation."""

@@ -1,7 +1,6 @@
 """Roots and extremes of many curves at once, to rounding: curves are kernels, so nothing is read off a grid."""
 
 from cranktrain.numerics.extremes import Extremes, extremes, largest, smallest, turning_points
-from cranktrain.numerics.panels import Panels, integral_to, panels
 from cranktrain.numerics.pieces import Curves, Peak, in_slots, largest_between
 from cranktrain.numerics.roots import Curve, bracketed_roots, near_roots
 from cranktrain.numerics.series import (
@@ -13,6 +12,7 @@ from cranktrain.numerics.series import (
     turn_grid,
     unwrapped,
 )
+from cranktrain.numerics.subintervals import Subintervals, integral_to, subintervals
 from cranktrain.numerics.tops import Extreme
 
 __all__ = [
@@ -21,8 +21,8 @@ __all__ = [
     "Curves",
     "Extreme",
     "Extremes",
-    "Panels",
     "Peak",
+    "Subintervals",
     "around_zero",
     "bracketed_roots",
     "derivatives_residual",
@@ -33,9 +33,9 @@ __all__ = [
     "largest",
     "largest_between",
     "near_roots",
-    "panels",
     "smallest",
     "spectral_derivative",
+    "subintervals",
     "turn_grid",
     "turning_points",
     "unwrapped",

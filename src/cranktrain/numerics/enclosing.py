@@ -20,14 +20,14 @@ _MOST_PEAKS = 6
 _MOST_STEPS = 60
 
 
-class Circle(NamedTuple):
+class EnclosingCircle(NamedTuple):
     """Centre, x + iy, and radius of a circle."""
 
     centre: complex
     radius: float
 
 
-def smallest_circle(curve: Callable[[Array], ComplexArray]) -> Circle:
+def smallest_circle(curve: Callable[[Array], ComplexArray]) -> EnclosingCircle:
     """Smallest circle that holds a closed curve.
 
     Parameters
@@ -37,7 +37,7 @@ def smallest_circle(curve: Callable[[Array], ComplexArray]) -> Circle:
 
     Returns
     -------
-    Circle
+    EnclosingCircle
         Its radius to 1e-9 of itself: the points where it touches are refined between the grid's.
 
     Notes
@@ -47,7 +47,7 @@ def smallest_circle(curve: Callable[[Array], ComplexArray]) -> Circle:
     """
     samples = curve(turn_grid())
     held: list[complex] = [complex(samples[0])]
-    circle = Circle(held[0], 0.0)
+    circle = EnclosingCircle(held[0], 0.0)
     for _ in range(_MOST_STEPS):
         outside = _outside(curve, samples, circle)
         if not outside:
@@ -58,7 +58,7 @@ def smallest_circle(curve: Callable[[Array], ComplexArray]) -> Circle:
     return circle
 
 
-def _outside(curve: Callable[[Array], ComplexArray], samples: ComplexArray, circle: Circle) -> list[complex]:
+def _outside(curve: Callable[[Array], ComplexArray], samples: ComplexArray, circle: EnclosingCircle) -> list[complex]:
     """Where the curve bulges out of a circle farthest, at most so many points, refined between the samples."""
     grid = turn_grid()
 
@@ -78,15 +78,15 @@ def _outside(curve: Callable[[Array], ComplexArray], samples: ComplexArray, circ
     return points
 
 
-def _round_points(points: Sequence[complex]) -> tuple[Circle, list[complex]]:
+def _round_points(points: Sequence[complex]) -> tuple[EnclosingCircle, list[complex]]:
     """Smallest circle round a few points, and those that hold it: of all circles' centres the nearest to all."""
-    best, held = Circle(points[0], float("inf")), list(points)
+    best, held = EnclosingCircle(points[0], float("inf")), list(points)
     for n_held in (2, 3):
         for chosen in combinations(points, n_held):
             centre = _centre(chosen)
             radius = max(abs(point - centre) for point in points)
             if radius < best.radius:
-                best, held = Circle(centre, radius), list(chosen)
+                best, held = EnclosingCircle(centre, radius), list(chosen)
     return best, held
 
 

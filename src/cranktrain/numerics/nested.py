@@ -33,25 +33,14 @@ def mapped(change: Callable[[str, Array], Array], parts: Nested, above: str = ""
     >>> mapped(lambda name, value: -value if name == "1.0" else value, (1.0, (2.0, 3.0)))
     (1.0, (-2.0, 3.0))
     """
-    return remade(
-        parts,
-        (
-            mapped(change, cast("tuple[object, ...]", part), f"{above}{name}.")
-            if isinstance(part, tuple)
-            else change(f"{above}{name}", cast(Array, part))
-            for name, part in zip(_names(parts), parts, strict=True)
-        ),
+    names = cast("tuple[str, ...]", getattr(parts, "_fields", ())) or map(str, range(len(parts)))
+    make = cast("Callable[[Iterable[object]], Nested]", getattr(parts, "_make", tuple))
+    return make(
+        mapped(change, cast("tuple[object, ...]", part), f"{above}{name}.")
+        if isinstance(part, tuple)
+        else change(f"{above}{name}", cast(Array, part))
+        for name, part in zip(names, parts, strict=True)
     )
-
-
-def remade(like: Nested, values: Iterable[object]) -> Nested:
-    """Make a NamedTuple, or a plain tuple, of the same type of other values."""
-    make = cast("Callable[[Iterable[object]], Nested]", getattr(like, "_make", tuple))
-    return make(values)
-
-
-def _names(parts: tuple[object, ...]) -> Iterable[str]:
-    return cast("tuple[str, ...]", getattr(parts, "_fields", ())) or map(str, range(len(parts)))
 
 
 def leaves(parts: tuple[object, ...]) -> list[Array]:

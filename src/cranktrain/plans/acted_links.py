@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from cranktrain.mechanisms.dynamics import FRAME, AnyDynamics, Reaction
 from cranktrain.motion import Array
-from cranktrain.plans.acting import MASTER_ROD, Member, known_forces, link_numbers, member_of, pair_symbol
+from cranktrain.plans.acting import MASTER_ROD, LoadedMechanism, known_forces, link_numbers, member_of, pair_symbol
 from cranktrain.plans.force_sides import PolygonForce
 from cranktrain.plans.vectors import pair
 
@@ -22,26 +22,26 @@ class Seen:
 
     Attributes
     ----------
-    one : Member
+    one : LoadedMechanism
     numbers, names : mapping by the mechanism's own names of its bodies
         1 is the frame, 2 the crank; `master_rod` of a mechanism that is seen as another's master.
     hung : mapping of slave to number
         Of the rods that hang on its rod, where they have one; the others go by their mechanism's name.
     """
 
-    one: Member
+    one: LoadedMechanism
     numbers: Mapping[str, int]
     names: Mapping[str, str]
     hung: Mapping[str, int]
 
 
-def seen_by_itself(one: Member, after: int = 1) -> Seen:
+def seen_by_itself(one: LoadedMechanism, after: int = 1) -> Seen:
     """Give a mechanism with numbers of its own, the crank's next after a number."""
     numbers = link_numbers(one.place, after)
     return Seen(one, numbers, {name: name for name in numbers}, {})
 
 
-def seen_by_slave(master: Member, slave: Seen) -> Seen:
+def seen_by_slave(master: LoadedMechanism, slave: Seen) -> Seen:
     """Give a master with the numbers that its slave has for its links."""
     own = link_numbers(master.place)
     names = {name: name if name in (FRAME, _CRANK) else f"{_MASTER}{name}" for name in own}
@@ -49,7 +49,7 @@ def seen_by_slave(master: Member, slave: Seen) -> Seen:
     return Seen(master, numbers, names, {slave.one.place.name: slave.numbers[_ROD]})
 
 
-def master_of(slave: Member) -> Member | None:
+def master_of(slave: LoadedMechanism) -> LoadedMechanism | None:
     """Find the mechanism on whose rod another hangs; None of one that hangs on a crank."""
     places = slave.machine.places
     index = int(slave.loaded.carriers.master[places.index(slave.place)])
@@ -92,13 +92,7 @@ def _on_shaft(dynamics: AnyDynamics) -> dict[str, str]:
     return {name: name if name in held else first for name in dynamics.moving}
 
 
-def cranks_of(dynamics: AnyDynamics) -> tuple[str, ...]:
-    """Links of a mechanism that turn with the shaft; a slave has none of its own."""
-    in_groups = {name for group in dynamics.groups for name in group.links}
-    return tuple(name for name in dynamics.moving if name not in in_groups)
-
-
-def _reactions(one: Member) -> Iterator[tuple[Reaction, Array]]:
+def _reactions(one: LoadedMechanism) -> Iterator[tuple[Reaction, Array]]:
     """Reactions of a mechanism's own joints, shape (2,); a slave's share of its master's are none."""
     for reaction, wrench in zip(one.dynamics.reactions, one.solved.forces.joints, strict=True):
         if reaction.on in one.dynamics.moving:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from cranktrain.analysis import SpeedWanted, run, speed_over_cycle
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import Problem, refuse
 from cranktrain.language import _
 from cranktrain.layout.frames import in_machine_axes
 from cranktrain.layout.places import PlacedMechanism
@@ -33,7 +33,7 @@ MASTER_ROD = "master_rod"
 
 
 @dataclass(frozen=True)
-class Member:
+class LoadedMechanism:
     """One mechanism of a loaded machine at one crank angle φ; all arrays have shape (1,).
 
     Attributes
@@ -88,16 +88,18 @@ def made_ready(machine: Machine, speed: SpeedWanted) -> LoadedMachine:
 
 def refuse_idle(machine: Machine) -> None:
     """Refuse a machine on whose links nothing acts, or of which no speed is known."""
-    problems: list[Problem] = []
+    refuse(_idle(machine))
+
+
+def _idle(machine: Machine) -> Iterator[Problem]:
+    """What a machine lacks for forces."""
     if machine.main_shaft.speed is None and machine.main_shaft.speed_curve is None:
-        problems.append(Problem("shaft.main.speed", None, _("is missing: forces of inertia need it")))
+        yield Problem("shaft.main.speed", None, _("is missing: forces of inertia need it"))
     if machine.gas is None and not machine.masses and not machine.weighed.bodies:
-        problems.append(Problem("masses", None, _("is missing, and [gas] too: nothing acts on the links")))
-    if problems:
-        raise InputError(problems)
+        yield Problem("masses", None, _("is missing, and [gas] too: nothing acts on the links"))
 
 
-def member_of(machine: Machine, loaded: LoadedMachine, place: PlacedMechanism, angle: Array) -> Member:
+def member_of(machine: Machine, loaded: LoadedMachine, place: PlacedMechanism, angle: Array) -> LoadedMechanism:
     """Find a mechanism in a loaded machine, at φ of shape (1,). [rad]"""
     index = loaded.mechanisms.names.index(place.name)
     at, batch = next((i, batch) for i, batch in enumerate(loaded.mechanisms.batches) if index in batch.index)
@@ -106,7 +108,7 @@ def member_of(machine: Machine, loaded: LoadedMachine, place: PlacedMechanism, a
     solved = mapped(lambda _name, part: np.broadcast_to(part, shape)[0, member], loaded.solved(angle)[at])
     size = rows(batch.members.geometry, np.array(member))
     bodies = rows(loaded.masses.batches[at].bodies, np.array(member))
-    return Member(machine, loaded, place, angle, size, bodies, solved)
+    return LoadedMechanism(machine, loaded, place, angle, size, bodies, solved)
 
 
 def link_numbers(place: PlacedMechanism, after: int = 1) -> dict[str, int]:
@@ -123,7 +125,7 @@ def pair_symbol(letter: str, by: int, on: int) -> str:
     return f"{letter}_{by}{on}" if max(by, on) < 10 else f"{letter}_{by},{on}"
 
 
-def known_forces(one: Member, i: int, number: int) -> Iterator[PolygonForce]:
+def known_forces(one: LoadedMechanism, i: int, number: int) -> Iterator[PolygonForce]:
     """Load, weight and inertia of one link."""
     link, body = one.links[i], one.bodies[i]
     conditions = one.solved.conditions

@@ -13,12 +13,11 @@ from cranktrain.motion import Array
 from cranktrain.plans.acted_links import (
     Seen,
     acted_links,
-    cranks_of,
     master_of,
     seen_by_itself,
     seen_by_slave,
 )
-from cranktrain.plans.acting import Member, pair_symbol
+from cranktrain.plans.acting import LoadedMechanism, pair_symbol
 from cranktrain.plans.force_sides import INITIAL, GroupForces, PolygonForce, Span
 from cranktrain.plans.rubbing import friction_on_links
 from cranktrain.plans.vectors import pair
@@ -35,12 +34,12 @@ class _Arc(NamedTuple):
     last: tuple[PolygonForce, ...]
 
 
-def group_forces(one: Member, after: int = 1) -> Iterator[GroupForces]:
+def group_forces(one: LoadedMechanism, after: int = 1) -> Iterator[GroupForces]:
     """Forces on a mechanism's groups at one crank angle.
 
     Parameters
     ----------
-    one : Member
+    one : LoadedMechanism
     after : int
         The crank has the next number.
 
@@ -67,7 +66,8 @@ def _of_mechanism(seen: Seen) -> Iterator[GroupForces]:
         for rubbing in friction_on_links(one)
     }
     laying = _Laying(seen, links, friction, _NOTHING * largest)
-    cranks = cranks_of(one.dynamics)
+    in_groups = {name for group in one.dynamics.groups for name in group.links}
+    cranks = tuple(name for name in one.dynamics.moving if name not in in_groups)  # a slave has none of its own
     groups = [*reversed(one.dynamics.groups), *([Group(INITIAL, cranks)] if cranks else [])]
     for group in groups:
         yield laying.of_group(group)

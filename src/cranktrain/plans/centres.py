@@ -13,7 +13,7 @@ from cranktrain.motion import Array, Coefficient
 from cranktrain.plans.lettering import lettered
 from cranktrain.plans.placement import place_called, placed
 from cranktrain.plans.positions import closed_angles
-from cranktrain.plans.vectors import cross, in_plane, spoken_name, turned_left
+from cranktrain.plans.vectors import angle_of, cross, in_plane, spoken_name, turned_left
 
 _Sort = Literal["frame", "link", "slider", "block"]
 
@@ -21,7 +21,7 @@ _PARALLEL = 1e-9
 """Bodies whose angular velocities differ by less than this part of the crank's move along each other."""
 
 
-class Body(NamedTuple):
+class TurningBody(NamedTuple):
     """A rigid body: what it is, its name, the pins on it, how fast it turns, and its point at the shaft centre moves.
 
     turning is its angular velocity by that of the crank, in the crank's sense [1]; drift is X and Y of the velocity by
@@ -63,7 +63,7 @@ class InstantCentres:
     mechanism : str
     angle : float
         Crank angle as the machine shows it. [deg]
-    bodies : tuple of Body
+    bodies : tuple of TurningBody
         The frame is 1, the crank 2.
     centres : tuple of Centre
         n(n − 1)/2 of n bodies.
@@ -73,7 +73,7 @@ class InstantCentres:
 
     mechanism: str
     angle: float
-    bodies: tuple[Body, ...]
+    bodies: tuple[TurningBody, ...]
     centres: tuple[Centre, ...]
     drawing: Drawing
 
@@ -133,10 +133,6 @@ def instant_centres(
     return InstantCentres(place.name, angle, bodies, centres, drawing)
 
 
-def _away(vector: Array) -> float:
-    return float(np.arctan2(vector[1], vector[0]))
-
-
 _Pins = Mapping[str, Coefficient]
 
 
@@ -148,15 +144,15 @@ def _turning(pins: _Pins, link: Sequence[str]) -> float:
     return cross(arm, last.first - first.first) / float(np.dot(arm, arm))
 
 
-def _bodies(drawing: Drawing, pins: _Pins) -> tuple[tuple[Body, ...], dict[tuple[int, int], float]]:
+def _bodies(drawing: Drawing, pins: _Pins) -> tuple[tuple[TurningBody, ...], dict[tuple[int, int], float]]:
     """Frame, links, sliders and blocks; for those that only slide on each other, the direction across. [rad]"""
     sense = _turning(pins, drawing.links[0].pins)
 
-    def body(sort: _Sort, name: str, its_pins: tuple[str, ...], turning: float) -> Body:
+    def body(sort: _Sort, name: str, its_pins: tuple[str, ...], turning: float) -> TurningBody:
         pin = pins[its_pins[0]]
-        return Body(sort, name, its_pins, turning, pin.first / sense - turning * turned_left(pin.value))
+        return TurningBody(sort, name, its_pins, turning, pin.first / sense - turning * turned_left(pin.value))
 
-    found = [Body("frame", "", tuple(drawing.fixed), 0.0, np.zeros(2))]
+    found = [TurningBody("frame", "", tuple(drawing.fixed), 0.0, np.zeros(2))]
     found += [body("link", link.name, link.pins, _turning(pins, link.pins) / sense) for link in drawing.links]
     across: dict[tuple[int, int], float] = {}
     links = {tuple(pin for pin in link.pins if pin not in drawing.ends): i for i, link in enumerate(drawing.links, 1)}
@@ -182,14 +178,14 @@ def _slot_direction(block: Block, pins: _Pins) -> float:
     """Direction of a slot: of its link, or if that does not turn the one in which the pin slides. [rad]"""
     pin, base, end = (pins[name] for name in (block.pin, block.link[0], block.link[-1]))
     if len(block.link) > 1:
-        return _away(end.value - base.value)
+        return angle_of(end.value - base.value)
     slides = pin.first - base.first
     is_at_its_end = np.hypot(*slides) < _PARALLEL * np.hypot(*pin.first)
-    return _away(pin.second - base.second if is_at_its_end else slides)
+    return angle_of(pin.second - base.second if is_at_its_end else slides)
 
 
 def _centre(
-    bodies: Sequence[Body], pair: tuple[int, int], pins: _Pins, across: Mapping[tuple[int, int], float]
+    bodies: Sequence[TurningBody], pair: tuple[int, int], pins: _Pins, across: Mapping[tuple[int, int], float]
 ) -> Centre:
     """Instant centre of two bodies: a pin of both, across where they slide, or where their velocities agree."""
     one, other = (bodies[number] for number in pair)
@@ -205,5 +201,5 @@ def _centre(
     elif abs(turning) > _PARALLEL:
         place = drift / turning
     elif np.hypot(*drift) >= _PARALLEL * np.hypot(*pins[bodies[1].pins[-1]].value):
-        direction = _away(drift)
+        direction = angle_of(drift)
     return Centre(pair[0] + 1, pair[1] + 1, place, direction, is_joint=bool(common) or pair in across)

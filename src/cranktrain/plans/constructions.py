@@ -37,9 +37,8 @@ class Readings:
         Crank angle; read backwards, as constructed and as it is, else both as given. [rad]
     displacement, exact_displacement : Array, shape (n,)
         As constructed and as it is; read backwards, both as given. [m]
-    on_circle, foot, exact_foot, piston : Array, shape (2, n)
-        What is drawn: where the crank circle is met, the reading on the line of stroke, where that should be, and the
-        crosshead's pin. [m]
+    on_circle, foot, piston : Array, shape (2, n)
+        What is drawn: where the crank circle is met, the reading on the line of stroke, and the crosshead's pin. [m]
     """
 
     angle: Array
@@ -48,7 +47,6 @@ class Readings:
     exact_displacement: Array
     on_circle: Array
     foot: Array
-    exact_foot: Array
     piston: Array
 
 
@@ -201,7 +199,6 @@ def _arc(geometry: SliderCrank, phi: Array) -> Readings:
         exact_displacement=_end(geometry) - piston[0],
         on_circle=on_circle,
         foot=_on_line(foot, geometry),
-        exact_foot=_on_line(piston[0] - geometry.rod_length, geometry),
         piston=piston,
     )
 
@@ -209,16 +206,13 @@ def _arc(geometry: SliderCrank, phi: Array) -> Readings:
 def _read_on_diameter(geometry: SliderCrank, phi: Array, on_circle: Array, displacement: Array) -> Readings:
     """Readings from the end of the crank circle's diameter."""
     piston = _exact(phi, geometry)
-    exact = _end(geometry) - piston
-    level = np.zeros_like(phi)
     return Readings(
         angle=phi,
         exact_angle=phi,
         displacement=displacement,
-        exact_displacement=exact,
+        exact_displacement=_end(geometry) - piston,
         on_circle=on_circle,
-        foot=np.stack([geometry.crank_radius - displacement, level]),
-        exact_foot=np.stack([geometry.crank_radius - exact, level]),
+        foot=np.stack([geometry.crank_radius - displacement, np.zeros_like(phi)]),
         piston=_on_line(piston, geometry),
     )
 
@@ -248,15 +242,13 @@ def _backward(geometry: SliderCrank, chosen: int | Array) -> Readings:
     angle = brix_angle(read, geometry.crank_radius, geometry.crank_radius / geometry.rod_length)
     along = geometry.crank_radius - read
     height = np.sqrt(np.maximum(geometry.crank_radius**2 - along**2, 0.0))
-    foot = np.stack([along, np.zeros_like(along)])
     return Readings(
         angle=angle,
         exact_angle=exact,
         displacement=displacement,
         exact_displacement=displacement,
         on_circle=np.stack([along, height]),
-        foot=foot,
-        exact_foot=foot,
+        foot=np.stack([along, np.zeros_like(along)]),
         piston=_on_line(_end(geometry) - displacement, geometry),
     )
 

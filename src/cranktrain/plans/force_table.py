@@ -15,7 +15,7 @@ from cranktrain.motion import Array
 from cranktrain.plans.acting import refuse_idle
 from cranktrain.quantities import Dimension, shown, unlisted
 from cranktrain.quantities.dimensions import plain, spellings
-from cranktrain.questions.cylinders.parts import cylinders
+from cranktrain.questions.cylinders.declared import cylinders_of
 from cranktrain.questions.forces.carriers import carriers_of
 
 STEPS = (10.0, 15.0, 30.0)
@@ -105,7 +105,7 @@ def force_table(machine: Machine, *, step: float = 30.0, unit: str = "N", piston
     refuse_idle(machine)
     place = _piston(machine, piston)
     result = run(machine, quantities=_QUANTITIES)
-    area = _area(machine, place.name) if is_pressure else None
+    area = _area(machine, place) if is_pressure else None
     kept = np.isclose(result.crank_angle % step, 0.0)
     per_unit = shown(1.0, name) / (area or 1.0)
     torque = "kgf·m" if name.startswith("kgf") else "N·m"
@@ -174,10 +174,9 @@ def _piston(machine: Machine, wanted: str | None) -> PlacedMechanism:
     return rods[wanted]
 
 
-def _area(machine: Machine, piston: str) -> float:
+def _area(machine: Machine, piston: PlacedMechanism) -> float:
     """Area of a piston, π/4 of its bore squared. [m²]"""
-    at = next(i for i, place in enumerate(machine.design.pistons) if place.name == piston)
-    bore = next((one.spec.bore for one in machine.design.once(cylinders) if at in one.pistons), None)
+    bore = cylinders_of(machine.cylinder, [piston])[0].spec.bore
     if bore is None:
         raise InputError([Problem("cylinder.bore", None, _("is missing: forces over the piston's area need it"))])
     return np.pi / 4 * bore.si**2

@@ -25,7 +25,7 @@ _ROD = "rod"
 
 
 @dataclass(frozen=True)
-class PinLoads:
+class CrankpinLoad:
     """Load of a crank pin over the cycle, each of shape (2, n): across and along an axis. [N]
 
     Attributes
@@ -63,7 +63,7 @@ class PinLoads:
         return float(np.mean(size))
 
 
-def pin_loads(machine: Machine, *, mechanism: str | None = None, speed: SpeedWanted = "constant") -> PinLoads:
+def pin_loads(machine: Machine, *, mechanism: str | None = None, speed: SpeedWanted = "constant") -> CrankpinLoad:
     """Collect the load of a crank pin.
 
     Parameters
@@ -77,7 +77,7 @@ def pin_loads(machine: Machine, *, mechanism: str | None = None, speed: SpeedWan
 
     Returns
     -------
-    PinLoads
+    CrankpinLoad
 
     Raises
     ------
@@ -101,7 +101,7 @@ def pin_loads(machine: Machine, *, mechanism: str | None = None, speed: SpeedWan
     motion = place.kind.motion(phi, place.geometry)
     lean = np.broadcast_to(motion.rod.angle.value, phi.shape) - phi
     loads = [np.stack([across, -inward]) for inward, across in ((radial, tangential), without)]
-    return PinLoads(
+    return CrankpinLoad(
         place.name,
         result.crank_angle,
         *loads,

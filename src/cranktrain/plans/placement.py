@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
+from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.frames import Frame, frame_of, in_machine_axes
 from cranktrain.layout.places import PlacedMechanism
@@ -42,14 +43,14 @@ def first_throw(machine: Machine) -> tuple[PlacedMechanism, ...]:
     return tuple(place for place in machine.places if place.name in found)
 
 
-class ShaftPlaces(NamedTuple):
+class PlacedShafts(NamedTuple):
     """Centres of shafts by name, X right and Y up from the main one [m]; those of `assumed` the file does not give."""
 
     centres: Mapping[str, Array]
     assumed: tuple[str, ...]
 
 
-def shaft_places(machine: Machine) -> ShaftPlaces:
+def shaft_places(machine: Machine) -> PlacedShafts:
     """Say where shafts stand for a drawing.
 
     Of two shafts that face each other along one line the second's place may be assumed: as far away as both pistons
@@ -67,12 +68,12 @@ def shaft_places(machine: Machine) -> ShaftPlaces:
     missing = [name for name in machine.shafts if name not in known]
     pair = _facing(machine) if len(machine.shafts) == 2 and missing else None
     if pair is None:
-        return ShaftPlaces(known, ())
+        return PlacedShafts(known, ())
     phi = turn_grid()
     with np.errstate(all="ignore"):
         motions = [place.kind.motion(phi + place.phase, place.geometry).slider.value for place in pair]
     if not np.any(np.isfinite(motions[0] + motions[1])):
-        return ShaftPlaces(known, ())
+        return PlacedShafts(known, ())
     distance = float(np.nanmax(motions[0] + motions[1])) + _bore(machine, pair[0], motions[0])
     on_main, other = pair if pair[0].shaft == MAIN else pair[::-1]
     lines = [
@@ -82,14 +83,12 @@ def shaft_places(machine: Machine) -> ShaftPlaces:
             (other, (0.0, getattr(other.geometry, "offset", 0.0))),
         )
     ]
-    return ShaftPlaces({**known, missing[0]: np.ravel(lines[0] - lines[1])}, tuple(missing))
+    return PlacedShafts({**known, missing[0]: np.ravel(lines[0] - lines[1])}, tuple(missing))
 
 
 def _facing(machine: Machine) -> tuple[PlacedMechanism, PlacedMechanism] | None:
     """Find the first two pistons on both shafts that share a cylinder, if all others face each other as they do."""
-    cylinders: dict[str, list[PlacedMechanism]] = {}
-    for place in machine.places:
-        cylinders.setdefault(place.cylinder, []).append(place)
+    cylinders = grouped((place.cylinder, place) for place in machine.places)
     pairs = [pair for pair in cylinders.values() if len({place.shaft for place in pair}) == 2]
     lines = {round(float(frame(machine, place).direction) % np.pi, 9) for pair in pairs for place in pair}
     return (pairs[0][0], pairs[0][1]) if len(lines) == 1 else None

@@ -18,7 +18,7 @@ from cranktrain.plans.lettering import lettered
 from cranktrain.plans.positions import ROOM, closed_angles, fitting
 from cranktrain.plans.together import placed_together, places_called, together_name
 from cranktrain.plans.turning import turning
-from cranktrain.plans.vectors import POLE, Quantity, Vector, plan_vectors
+from cranktrain.plans.vectors import POLE, PolygonVector, Quantity, plan_vectors
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Polygon:
         m/s or m/s^2 at the machine's speed; m/rad or m/rad^2 where it has none.
     points : mapping of name to (X, Y)
         From the pole `p`. [drawing mm]
-    vectors : tuple of Vector
+    vectors : tuple of PolygonVector
     """
 
     mechanism: str
@@ -46,9 +46,9 @@ class Polygon:
     scale: float
     unit: str
     points: Mapping[str, tuple[float, float]]
-    vectors: tuple[Vector, ...]
+    vectors: tuple[PolygonVector, ...]
 
-    def length(self, vector: Vector) -> float:
+    def length(self, vector: PolygonVector) -> float:
         """Give a vector's length on paper. [drawing mm]"""
         return vector.size / self.scale
 
@@ -153,7 +153,7 @@ def _polygons(
     )
 
 
-def _refuse_boundless(name: str, shown: Array, found: Sequence[tuple[Vector, ...]]) -> None:
+def _refuse_boundless(name: str, shown: Array, found: Sequence[tuple[PolygonVector, ...]]) -> None:
     """Refuse positions that the links reach only at rest, where velocities have no bound."""
     bounded = np.array([np.all(np.isfinite([vector.value for vector in vectors])) for vectors in found])
     if not np.all(bounded):
@@ -162,7 +162,7 @@ def _refuse_boundless(name: str, shown: Array, found: Sequence[tuple[Vector, ...
         raise InputError([Problem("", there, allowed)])
 
 
-def _points(vectors: Sequence[Vector]) -> dict[str, Array]:
+def _points(vectors: Sequence[PolygonVector]) -> dict[str, Array]:
     """Go from the pole along the vectors; a point that several reach lies where the first ends."""
     points = {POLE: np.zeros(2)}
     for vector in vectors:

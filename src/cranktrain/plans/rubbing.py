@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.linkage.forces import Wrench, handed_back
 from cranktrain.mechanisms.dynamics import FRAME, Contact
 from cranktrain.motion import ZERO, Array, Coefficient, Link, Point
-from cranktrain.plans.acting import Member
+from cranktrain.plans.acting import LoadedMechanism
 from cranktrain.plans.vectors import in_plane, turned_left
 
 _STANDING = 1e-12
@@ -37,12 +37,12 @@ class Rubbing(NamedTuple):
     velocity: Array
 
 
-def friction_on_links(one: Member) -> Iterator[Rubbing]:
+def friction_on_links(one: LoadedMechanism) -> Iterator[Rubbing]:
     """Friction on the links of a mechanism at one crank angle.
 
     Parameters
     ----------
-    one : Member
+    one : LoadedMechanism
 
     Yields
     ------
@@ -63,12 +63,11 @@ def friction_on_links(one: Member) -> Iterator[Rubbing]:
 
 
 def _of_contact(
-    one: Member, contact: Contact, links: Mapping[str, Link], pin: Point, fastest: float
+    one: LoadedMechanism, contact: Contact, links: Mapping[str, Link], pin: Point, fastest: float
 ) -> Iterator[Rubbing]:
     """Friction of one contact on its two links; nothing where they do not slide."""
-    names = [reaction.name for reaction in one.dynamics.reactions]
-    at = names.index(contact.joint)
-    reaction, wrench = one.dynamics.reactions[at], one.solved.forces.joints[at]
+    reaction = next(reaction for reaction in one.dynamics.reactions if reaction.name == contact.joint)
+    wrench = one.dynamics.by_joint(one.solved.forces.joints)[contact.joint]
     place = in_plane(pin)
     on, by = (_carried(links.get(body), place) for body in (reaction.on, reaction.by))
     rate = float(np.hypot(*(on - by)))

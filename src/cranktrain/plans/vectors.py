@@ -21,7 +21,7 @@ _EVEN = 1e-12
 """A link about a fixed pin turns evenly where its tangential acceleration is less than this part of the normal one."""
 
 
-class Vector(NamedTuple):
+class PolygonVector(NamedTuple):
     """A vector of a polygon: symbol such as `a_BA^n`, part, from which point to which, exact X and Y, whose it is.
 
     pins are the pin that moves and, unless it is absolute, the one that it moves about. `A'` is the point of a slotted
@@ -41,7 +41,7 @@ class Vector(NamedTuple):
         return float(np.hypot(*self.value))
 
 
-class PinMotion(NamedTuple):
+class PinVectors(NamedTuple):
     """Where a pin is, its velocity and its acceleration: X and Y. [m, m/s, m/s²]"""
 
     place: Array
@@ -61,7 +61,7 @@ class _Leg(NamedTuple):
 class _Plan:
     """What a polygon is drawn from: motions by pin, letters of their ends by pin, fixed pins, the quantity."""
 
-    motions: Mapping[str, PinMotion]
+    motions: Mapping[str, PinVectors]
     letters: Mapping[str, str]
     fixed: Sequence[str]
     quantity: Quantity
@@ -71,13 +71,15 @@ class _Plan:
         motion = self.motions[pin]
         return motion.velocity if self.quantity == "velocity" else motion.acceleration
 
-    def vector(self, pins: tuple[str, ...], part: Part, ends: tuple[str, str], value: Array, mark: str = "") -> Vector:
+    def vector(
+        self, pins: tuple[str, ...], part: Part, ends: tuple[str, str], value: Array, mark: str = ""
+    ) -> PolygonVector:
         """Name a vector for its pins."""
         symbol = f"{self.quantity[0]}_{_index(pins)}" + (f"^{mark}" if mark else "")
-        return Vector(symbol, part, *ends, pair(value), pins)
+        return PolygonVector(symbol, part, *ends, pair(value), pins)
 
 
-def plan_vectors(drawing: Drawing, at: int, drive: Drive, quantity: Quantity) -> tuple[Vector, ...]:
+def plan_vectors(drawing: Drawing, at: int, drive: Drive, quantity: Quantity) -> tuple[PolygonVector, ...]:
     """Give the vectors of a plan, each after those at whose ends it starts.
 
     Parameters
@@ -106,10 +108,10 @@ def plan_vectors(drawing: Drawing, at: int, drive: Drive, quantity: Quantity) ->
     return tuple(_vectors(plan, legs))
 
 
-def _motions(drawing: Drawing, at: int, drive: Drive) -> tuple[dict[str, PinMotion], list[_Leg]]:
+def _motions(drawing: Drawing, at: int, drive: Drive) -> tuple[dict[str, PinVectors], list[_Leg]]:
     """Motions of all pins, and of the points under those in slots; the steps in which a polygon reaches them."""
     places = {name: in_plane(pin, at) for name, pin in drawing.pins.items()}
-    every = {name: PinMotion(place.value, *rates(place, drive)) for name, place in places.items()}
+    every = {name: PinVectors(place.value, *rates(place, drive)) for name, place in places.items()}
     motions = {name: motion for name, motion in every.items() if name not in drawing.ends}
     legs: list[_Leg] = []
     for link in drawing.links:
@@ -135,7 +137,7 @@ def pair(vector: Array) -> tuple[float, float]:
     return float(vector[0]), float(vector[1])
 
 
-def _point_under(pin: PinMotion, base: PinMotion, other: PinMotion) -> tuple[PinMotion, float]:
+def _point_under(pin: PinVectors, base: PinVectors, other: PinVectors) -> tuple[PinVectors, float]:
     """Point of a link that lies under a pin, by two pins of the link; how fast the link turns. [rad/s]"""
     arm = other.place - base.place
     square = np.dot(arm, arm)
@@ -143,11 +145,16 @@ def _point_under(pin: PinMotion, base: PinMotion, other: PinMotion) -> tuple[Pin
     rate = cross(arm, other.acceleration - base.acceleration) / square
     reach = pin.place - base.place
     across = turned_left(reach)
-    return PinMotion(
+    return PinVectors(
         pin.place,
         base.velocity + turning * across,
         base.acceleration + rate * across - turning**2 * reach,
     ), turning
+
+
+def angle_of(vector: Array) -> float:
+    """Direction of a vector from X. [rad]"""
+    return float(np.arctan2(vector[1], vector[0]))
 
 
 def turned_left(vector: Array) -> Array:
@@ -160,7 +167,7 @@ def cross(one: Array, other: Array) -> float:
     return float(one[0] * other[1] - one[1] * other[0])
 
 
-def _vectors(plan: _Plan, legs: Sequence[_Leg]) -> Iterator[Vector]:
+def _vectors(plan: _Plan, legs: Sequence[_Leg]) -> Iterator[PolygonVector]:
     """Vectors from the pole when first needed, then those between pins."""
     reached = set(plan.fixed)
     for leg in [*legs, *(_Leg(pin, pin) for pin in plan.motions)]:
@@ -172,7 +179,7 @@ def _vectors(plan: _Plan, legs: Sequence[_Leg]) -> Iterator[Vector]:
             yield from _between(plan, leg)
 
 
-def _between(plan: _Plan, leg: _Leg) -> Iterator[Vector]:
+def _between(plan: _Plan, leg: _Leg) -> Iterator[PolygonVector]:
     """Vectors of a pin about another one of the same link; in a slot, about the slotted link's point under it."""
     names = (leg.pin, leg.about)
     is_fixed = leg.about in plan.fixed
@@ -203,7 +210,7 @@ def spoken_name(pin: str) -> str:
     return pin.replace(".pin", "")
 
 
-def _letters(pins: Mapping[str, PinMotion]) -> dict[str, str]:
+def _letters(pins: Mapping[str, PinVectors]) -> dict[str, str]:
     """Give the letters at which the vectors of pins end: small ones, each once, none the pole's."""
     letters: dict[str, str] = {}
     for pin in pins:

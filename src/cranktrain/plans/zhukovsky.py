@@ -13,7 +13,7 @@ from cranktrain.analysis import SpeedWanted
 from cranktrain.linkage.forces import NO_FRICTION, WEIGHTLESS, added, applied, momentum
 from cranktrain.machine import Machine
 from cranktrain.motion import ONE, ZERO, Array
-from cranktrain.plans.acting import Member, known_forces, link_numbers, made_ready, member_of, pair_symbol
+from cranktrain.plans.acting import LoadedMechanism, known_forces, link_numbers, made_ready, member_of, pair_symbol
 from cranktrain.plans.placement import place_called
 from cranktrain.plans.positions import closed_angles
 from cranktrain.plans.rubbing import Rubbing, friction_on_links
@@ -35,7 +35,7 @@ class LeverForce(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Lever:
+class ZhukovskyLever:
     """Zhukovsky's lever of a mechanism at one crank angle.
 
     Attributes
@@ -66,7 +66,7 @@ class Lever:
 
 def zhukovsky_lever(
     machine: Machine, angle: float, *, mechanism: str | None = None, speed: SpeedWanted = "constant"
-) -> Lever:
+) -> ZhukovskyLever:
     """Balance a mechanism's forces on the turned plan of velocities.
 
     Parameters
@@ -83,7 +83,7 @@ def zhukovsky_lever(
 
     Returns
     -------
-    Lever
+    ZhukovskyLever
 
     Notes
     -----
@@ -102,10 +102,10 @@ def zhukovsky_lever(
     ]
     rubbing = list(friction_on_links(one))
     forces += (_of_friction(one, each, numbers) for each in rubbing)
-    return Lever(place.name, float(shown[0]), _speed(one), tuple(forces), _driving_torque(one, rubbing))
+    return ZhukovskyLever(place.name, float(shown[0]), _speed(one), tuple(forces), _driving_torque(one, rubbing))
 
 
-def _of_link(one: Member, i: int, number: int) -> Iterator[LeverForce]:
+def _of_link(one: LoadedMechanism, i: int, number: int) -> Iterator[LeverForce]:
     """Load at a link's pin, weight and inertia at its centroid, couples of both."""
     link, body = one.links[i], one.bodies[i]
     load, *at_centroid = known_forces(one, i, number)
@@ -121,7 +121,7 @@ def _of_link(one: Member, i: int, number: int) -> Iterator[LeverForce]:
 
 
 def _at(
-    one: Member, symbol: str, value: tuple[float, float], point: str, velocity: tuple[Array, Array] | Array
+    one: LoadedMechanism, symbol: str, value: tuple[float, float], point: str, velocity: tuple[Array, Array] | Array
 ) -> LeverForce:
     """Put a force to its point, of which the velocity is by the crank angle, in the mechanism's axes. [m/rad]"""
     x, y = velocity
@@ -129,26 +129,26 @@ def _at(
     return LeverForce(symbol, point, value, pair(turned), float(np.dot(value, turned)) / _speed(one))
 
 
-def _of_friction(one: Member, rubbing: Rubbing, numbers: Mapping[str, int]) -> LeverForce:
+def _of_friction(one: LoadedMechanism, rubbing: Rubbing, numbers: Mapping[str, int]) -> LeverForce:
     """Friction at its point, `f_14` of 1 on 4."""
     symbol = pair_symbol("f", numbers[rubbing.by], numbers[rubbing.on])
     value = pair(one.in_machine_axes(rubbing.wrench.x, rubbing.wrench.y))
     return _at(one, symbol, value, rubbing.pin, rubbing.velocity)
 
 
-def _speed(one: Member) -> float:
+def _speed(one: LoadedMechanism) -> float:
     """Speed of the crank. [rad/s]"""
     return float(one.solved.conditions.drive.speed[0])
 
 
-def _pin_name(one: Member, i: int) -> str:
+def _pin_name(one: LoadedMechanism, i: int) -> str:
     """Name of the pin about which a link's load counts: the output slider's."""
     name = one.dynamics.moving[i]
     guides = one.place.kind.drawing(np.zeros(1), one.place.geometry).guides
     return guides[0].pin if guides and name == "slider" else name
 
 
-def _driving_torque(one: Member, rubbing: Sequence[Rubbing]) -> float:
+def _driving_torque(one: LoadedMechanism, rubbing: Sequence[Rubbing]) -> float:
     """Torque to be applied to the crank for the mechanism alone, by its joints' reactions; friction is a load."""
     solved = one.solved
     conditions = solved.conditions._replace(friction=tuple(NO_FRICTION for _slider in one.dynamics.sliding))

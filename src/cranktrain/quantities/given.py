@@ -70,18 +70,14 @@ class Quantity:
             With everything that is wrong with it; `QuantityError` where that is one thing.
         """
         if isinstance(data, Given):
-            return self._same(data)
+            if self._in_range(data.text).si != data.si:
+                allowed = _("must be the value of its text, but {si} in SI units is not").format(si=data.si)
+                raise QuantityError(data.text, allowed)
+            return data
         if isinstance(data, Mapping):
             return self._from_table(cast("Mapping[str, object]", data))
         read = self._in_range(data)
         return Given(read.si, read.text)
-
-    def _same(self, given: Given) -> Given:
-        """Accept a value that was read before, if it is a value of this field."""
-        if self._in_range(given.text).si != given.si:
-            allowed = _("must be the value of its text, but {si} in SI units is not").format(si=given.si)
-            raise QuantityError(given.text, allowed)
-        return given
 
     def _from_table(self, table: Mapping[str, object]) -> Given:
         read, problems = None, list(_table_problems(table))

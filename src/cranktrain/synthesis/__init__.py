@@ -1,1 +1,1 @@
-"""Dimensions found from wants."""
+"""Dimensions found from requirements."""

@@ -12,7 +12,7 @@ from cranktrain.mechanisms.crank_rocker import CrankRocker
 from cranktrain.mechanisms.crank_rocker.facts import CLASSES
 from cranktrain.motion import single
 from cranktrain.synthesis.four_bars import (
-    Want,
+    FourBarRequirements,
     best_parameter,
     excess_angle,
     four_bar,
@@ -23,7 +23,7 @@ from cranktrain.synthesis.four_bars import (
     with_equal_swings,
 )
 from cranktrain.synthesis.positive import not_positive, plain
-from cranktrain.synthesis.proposal import Alternative, Number, Proposal, Table, found, shaft_table, wanted
+from cranktrain.synthesis.proposal import Alternative, Number, Proposal, ProposedTable, found, shaft_table, wanted
 from cranktrain.synthesis.quantities import Angle, Length, Speed, TimeRatio
 from cranktrain.wording import number, precise
 
@@ -87,30 +87,29 @@ def crank_rocker_from_swing(
     """
     refuse(_impossible(swing, time_ratio, rocker_length, transmission_angle, rod_length, speed))
     _refuse_unreachable(swing, time_ratio, slow_swing)
-    want = Want(swing, excess_angle(time_ratio), rocker_length)
-    if want.excess < _EQUAL:
-        return _of_equal_swings(want, transmission_angle, rod_length, speed)
+    requirement = FourBarRequirements(swing, excess_angle(time_ratio), rocker_length)
+    if requirement.excess < _EQUAL:
+        return _of_equal_swings(requirement, transmission_angle, rod_length, speed)
     if rod_length is not None:
         allowed = _("must be left out: with a time ratio other than 1 the best rod follows from swing and ratio")
         raise InputError([Problem("rod_length", precise(rod_length), allowed)])
     side = _SIDES[slow_swing]
-    parameter = best_parameter(want, side)
-    bars = four_bar(want, single(parameter), side)
-    reached = float(judged(want, bars).transmission_angle)
+    parameter = best_parameter(requirement, side)
+    bars = four_bar(requirement, single(parameter), side)
+    reached = float(judged(requirement, bars).transmission_angle)
     if transmission_angle is not None and reached < transmission_angle:
         allowed = _("must be at most {angle} with this swing and time ratio").format(angle=number(reached, "deg"))
         raise InputError([Problem("transmission_angle", number(transmission_angle, "deg"), allowed)])
     return _proposal(
-        want,
+        requirement,
         bars,
         speed,
         parameter=parameter,
-        alternatives=_alternatives(want, side),
+        alternatives=_alternatives(requirement, side),
         remarks=(
             _("One parameter is free; ξ = {angle} gives the largest smallest transmission angle, {best}.").format(
                 angle=number(parameter, "deg"), best=number(reached, "deg")
             ),
-            *_transmission_remarks(reached),
         ),
     )
 
@@ -123,7 +122,7 @@ def _impossible(
     rod_length: float | None,
     speed: float | None,
 ) -> Iterator[Problem]:
-    """Find wants that contradict themselves or geometry."""
+    """Find requirements that contradict themselves or geometry."""
     if not 0 < swing < pi:
         yield Problem("swing", number(swing, "deg"), _("must lie between 0 and 180 deg"))
     if not time_ratio >= 1:
@@ -149,12 +148,12 @@ def _refuse_unreachable(swing: float, time_ratio: float, slow_swing: Swing) -> N
 
 
 def _of_equal_swings(
-    want: Want, transmission_angle: float | None, rod_length: float | None, speed: float | None
+    requirement: FourBarRequirements, transmission_angle: float | None, rod_length: float | None, speed: float | None
 ) -> Proposal:
     """Propose for a time ratio of 1: the crank follows from the swing, the rod is free."""
-    rocker = want.rocker_length
-    radius = rocker * sin(want.swing / 2)
-    limit = (pi - want.swing) / 2
+    rocker = requirement.rocker_length
+    radius = rocker * sin(requirement.swing / 2)
+    limit = (pi - requirement.swing) / 2
     if (rod_length is None) == (transmission_angle is None):
         allowed = _("is missing, and transmission_angle with it; with a time ratio of 1 the rod is free: give one")
         if rod_length is not None:
@@ -174,51 +173,58 @@ def _of_equal_swings(
                 )
             ]
         )
-    rod = rod_length if transmission_angle is None else rod_with_equal_swings(want, transmission_angle)
+    rod = rod_length if transmission_angle is None else rod_with_equal_swings(requirement, transmission_angle)
     assert rod is not None  # one of the two is given
-    bars = with_equal_swings(want, rod)
+    bars = with_equal_swings(requirement, rod)
     return _proposal(
-        want,
+        requirement,
         bars,
         speed,
         parameter=None,
-        alternatives=_with_other_rods(want, rod),
+        alternatives=_with_other_rods(requirement, rod),
         remarks=(
             _("With equal swings the crank follows from the swing and the rod is free."),
             _("A longer rod transmits better, but never quite at {limit}.").format(limit=number(limit, "deg")),
-            *_transmission_remarks(float(judged(want, bars).transmission_angle)),
         ),
     )
 
 
-def _with_other_rods(want: Want, rod: float) -> tuple[Alternative, ...]:
+def _with_other_rods(requirement: FourBarRequirements, rod: float) -> tuple[Alternative, ...]:
     """Four-bars of time ratio 1 with rods shorter and longer."""
     return tuple(
-        _alternative(_("rod × {factor:g}").format(factor=factor), want, with_equal_swings(want, factor * rod))
+        _alternative(
+            _("rod × {factor:g}").format(factor=factor), requirement, with_equal_swings(requirement, factor * rod)
+        )
         for factor in (0.5, 0.75, 1.5, 2.0, 4.0)
-        if factor * rod > want.rocker_length * sin(want.swing / 2)
+        if factor * rod > requirement.rocker_length * sin(requirement.swing / 2)
     )
 
 
-def _alternatives(want: Want, side: int) -> tuple[Alternative, ...]:
+def _alternatives(requirement: FourBarRequirements, side: int) -> tuple[Alternative, ...]:
     """Four-bars over the range of the parameter on the chosen side, and the best of the other side."""
-    values = np.linspace(want.excess / 2, pi / 2, _SHOWN + 2)[1:-1].tolist()
+    values = np.linspace(requirement.excess / 2, pi / 2, _SHOWN + 2)[1:-1].tolist()
     chosen = [
-        _alternative(_("ξ = {angle:.2f} deg").format(angle=degrees(value)), want, four_bar(want, single(value), side))
+        _alternative(
+            _("ξ = {angle:.2f} deg").format(angle=degrees(value)),
+            requirement,
+            four_bar(requirement, single(value), side),
+        )
         for value in values
     ]
-    other = best_parameter(want, -side)
+    other = best_parameter(requirement, -side)
     if not np.isnan(other):
-        label = _("best with the slow swing in the sense of rotation")
-        if side < 0:
-            label = _("best with the slow swing against the sense of rotation")
-        chosen.append(_alternative(label, want, four_bar(want, single(other), -side)))
+        label = (
+            _("best with the slow swing against the sense of rotation")
+            if side < 0
+            else _("best with the slow swing in the sense of rotation")
+        )
+        chosen.append(_alternative(label, requirement, four_bar(requirement, single(other), -side)))
     return tuple(chosen)
 
 
-def _alternative(label: str, want: Want, bars: CrankRocker) -> Alternative:
+def _alternative(label: str, requirement: FourBarRequirements, bars: CrankRocker) -> Alternative:
     """Numbers of one four-bar, and in its label what keeps it from being used."""
-    verdict = judged(want, bars)
+    verdict = judged(requirement, bars)
     kind = int(verdict.grashof_class)
     if kind != 0:
         label = _("{label}: no crank-rocker; {kind}").format(label=label, kind=_(CLASSES[kind]))
@@ -239,15 +245,8 @@ def _numbers(bars: CrankRocker, transmission_angle: float) -> tuple[Number, ...]
     )
 
 
-def _transmission_remarks(reached: float) -> tuple[str, ...]:
-    """Warn where the rod drives the rocker badly."""
-    if reached >= 2 * pi / 9:
-        return ()
-    return (_("The transmission angle falls below the usual 40 deg: expect large bearing forces there."),)
-
-
 def _proposal(
-    want: Want,
+    requirement: FourBarRequirements,
     bars: CrankRocker,
     speed: float | None,
     *,
@@ -256,16 +255,19 @@ def _proposal(
     remarks: tuple[str, ...],
 ) -> Proposal:
     """Put a four-bar together with its machine file."""
-    ratio = time_ratio_of(want.excess)
+    ratio = time_ratio_of(requirement.excess)
     how = _("equal swings") if parameter is None else _("swing, time ratio, largest transmission angle")
+    reached = float(judged(requirement, bars).transmission_angle)
+    if reached < 2 * pi / 9:
+        remarks += (_("The transmission angle falls below the usual 40 deg: expect large bearing forces there."),)
     free = () if parameter is None else (Number("parameter", "ξ", parameter, "deg", _("Free parameter")),)
     return Proposal(
         title=_("Crank-rocker with a swing of {swing}, time ratio {ratio:.4g}").format(
-            swing=number(want.swing, "deg"), ratio=ratio
+            swing=number(requirement.swing, "deg"), ratio=ratio
         ),
         numbers=(
-            *_numbers(bars, float(judged(want, bars).transmission_angle)),
-            Number("swing", "γ", want.swing, "deg", _("Swing of the rocker")),
+            *_numbers(bars, reached),
+            Number("swing", "γ", requirement.swing, "deg", _("Swing of the rocker")),
             Number("time_ratio", "k", ratio, "1", _("Time of the slow swing over that of the quick one")),
             *free,
         ),
@@ -273,13 +275,13 @@ def _proposal(
         remarks=remarks,
         tables=(
             *shaft_table(speed),
-            Table(
+            ProposedTable(
                 "mechanism",
                 {
                     "kind": '"crank_rocker"',
                     "crank_radius": found(float(bars.crank_radius), "mm", how),
                     "rod_length": found(float(bars.rod_length), "mm", how),
-                    "rocker_length": wanted(want.rocker_length, "mm"),
+                    "rocker_length": wanted(requirement.rocker_length, "mm"),
                     "ground_length": found(float(bars.ground_length), "mm", how),
                     "side": '"left"',
                 },

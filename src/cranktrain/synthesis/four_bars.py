@@ -19,7 +19,7 @@ _SWING_ROUNDING = 1e-9
 """By how much the swing, from differences of arc cosines, may miss the wanted one. [rad]"""
 
 
-class Want(NamedTuple):
+class FourBarRequirements(NamedTuple):
     """Swing and excess angle ϑ [rad], rocker length [m]."""
 
     swing: float
@@ -53,12 +53,12 @@ def largest_time_ratio(swing: float, side: int) -> float:
     return (3 * pi - side * swing) / (pi + side * swing)
 
 
-def four_bar(want: Want, parameter: Array, side: int) -> CrankRocker:
+def four_bar(requirement: FourBarRequirements, parameter: Array, side: int) -> CrankRocker:
     """Four-bar whose dead positions are as wanted, one for each value of the free parameter.
 
     Parameters
     ----------
-    want : Want
+    requirement : FourBarRequirements
         With ϑ > 0.
     parameter : Array
         ξ; between ϑ/2 and π/2 the rod is longer than the crank. [rad]
@@ -73,7 +73,7 @@ def four_bar(want: Want, parameter: Array, side: int) -> CrankRocker:
     -----
     docs/theory/synthesis, eqs. (8.9) and (8.10).
     """
-    swing, excess, rocker = want
+    swing, excess, rocker = requirement
     half_chord = rocker * sin(swing / 2)
     radius = half_chord * np.cos(parameter) / cos(excess / 2)
     rod = half_chord * np.sin(parameter) / sin(excess / 2)
@@ -83,12 +83,12 @@ def four_bar(want: Want, parameter: Array, side: int) -> CrankRocker:
     return CrankRocker(radius, rod, rocker + 0.0 * radius, ground, ONE)
 
 
-def parameter_range(want: Want, side: int) -> tuple[float, float]:
+def parameter_range(requirement: FourBarRequirements, side: int) -> tuple[float, float]:
     """Range of ξ whose four-bars are crank-rockers of one branch; empty where it ends below its start. [rad]
 
     Parameters
     ----------
-    want : Want
+    requirement : FourBarRequirements
     side : int
 
     Returns
@@ -96,15 +96,15 @@ def parameter_range(want: Want, side: int) -> tuple[float, float]:
     tuple of float
         docs/theory/synthesis, eq. (8.13).
     """
-    return want.excess / 2, pi / 2 - abs(want.swing / 2 + side * want.excess / 2)
+    return requirement.excess / 2, pi / 2 - abs(requirement.swing / 2 + side * requirement.excess / 2)
 
 
-def judged(want: Want, bars: CrankRocker) -> Judged:
+def judged(requirement: FourBarRequirements, bars: CrankRocker) -> Judged:
     """Analyse four-bars: class, branch of the dead positions, transmission angle.
 
     Parameters
     ----------
-    want : Want
+    requirement : FourBarRequirements
     bars : CrankRocker, of any shape
 
     Returns
@@ -127,17 +127,17 @@ def judged(want: Want, bars: CrankRocker) -> Judged:
         transmission = np.arccos(np.maximum(cosines[0], -cosines[1]))
     return Judged(
         grashof_class=grashof_class(bars),
-        is_one_branch=np.abs(np.abs(at_dead[0] - at_dead[1]) - want.swing) < _SWING_ROUNDING,
+        is_one_branch=np.abs(np.abs(at_dead[0] - at_dead[1]) - requirement.swing) < _SWING_ROUNDING,
         transmission_angle=transmission,
     )
 
 
-def best_parameter(want: Want, side: int) -> float:
+def best_parameter(requirement: FourBarRequirements, side: int) -> float:
     """Parameter ξ with the largest smallest transmission angle on a side; NaN where no crank-rocker is there. [rad]
 
     Parameters
     ----------
-    want : Want
+    requirement : FourBarRequirements
         With ϑ > 0.
     side : int
 
@@ -146,21 +146,23 @@ def best_parameter(want: Want, side: int) -> float:
     float
         To rounding: a root of the transmission angle's derivative, docs/theory/synthesis, eq. (8.12).
     """
-    start, end = parameter_range(want, side)
+    start, end = parameter_range(requirement, side)
     if not start < end:
         return float("nan")
     samples = np.linspace(start, end, _SAMPLES + 1)
     inside = samples[1:-1]
-    best = 1 + int(np.argmax(judged(want, four_bar(want, inside, side)).transmission_angle))
+    best = 1 + int(np.argmax(judged(requirement, four_bar(requirement, inside, side)).transmission_angle))
     return float(
-        bracketed_roots(lambda xi: _slope(want, xi, side), samples[best - 1 : best], samples[best + 1 : best + 2])[0]
+        bracketed_roots(
+            lambda xi: _slope(requirement, xi, side), samples[best - 1 : best], samples[best + 1 : best + 2]
+        )[0]
     )
 
 
-def _slope(want: Want, parameter: Array, side: int) -> Array:
+def _slope(requirement: FourBarRequirements, parameter: Array, side: int) -> Array:
     """Derivative by ξ of the cosine of the extreme transmission angle that decides on this side."""
-    swing, excess, rocker = want
-    radius, rod, _rocker, ground, _side = four_bar(want, parameter, side)
+    swing, excess, rocker = requirement
+    radius, rod, _rocker, ground, _side = four_bar(requirement, parameter, side)
     half_chord = rocker * sin(swing / 2)
     radius_first = -half_chord * np.sin(parameter) / cos(excess / 2)
     rod_first = half_chord * np.cos(parameter) / sin(excess / 2)
@@ -171,16 +173,16 @@ def _slope(want: Want, parameter: Array, side: int) -> Array:
     return (rod * rod_first - reach * reach_first) / (rod * rocker) - cosine * rod_first / rod
 
 
-def with_equal_swings(want: Want, rod: float) -> CrankRocker:
+def with_equal_swings(requirement: FourBarRequirements, rod: float) -> CrankRocker:
     """Four-bar of time ratio 1 with a given rod, docs/theory/synthesis, eq. (8.15)."""
-    rocker = want.rocker_length
-    radius = rocker * sin(want.swing / 2)
-    ground = sqrt(rod**2 + (rocker * cos(want.swing / 2)) ** 2)
+    rocker = requirement.rocker_length
+    radius = rocker * sin(requirement.swing / 2)
+    ground = sqrt(rod**2 + (rocker * cos(requirement.swing / 2)) ** 2)
     return CrankRocker(single(radius), single(rod), single(rocker), single(ground), ONE)
 
 
-def rod_with_equal_swings(want: Want, transmission_angle: float) -> float:
+def rod_with_equal_swings(requirement: FourBarRequirements, transmission_angle: float) -> float:
     """Rod with which a four-bar of time ratio 1 has just that smallest transmission angle, eq. (8.16)."""
-    half = want.swing / 2
+    half = requirement.swing / 2
     ratio = cos(transmission_angle) / sin(half)
-    return want.rocker_length * cos(half) / sqrt((ratio - 1) * (ratio + 1))
+    return requirement.rocker_length * cos(half) / sqrt((ratio - 1) * (ratio + 1))

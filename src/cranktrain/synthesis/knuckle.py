@@ -9,18 +9,18 @@ from cranktrain.language import N_, _
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import single
+from cranktrain.paths import quoted
 from cranktrain.synthesis.knuckle_equations import Free, stroke_product, unshifted_angle
 from cranktrain.synthesis.knuckle_numbers import cylinder_table, slave_numbers
+from cranktrain.synthesis.knuckle_requirements import KnuckleRequirements
 from cranktrain.synthesis.knuckle_search import Search, is_usable, searched
-from cranktrain.synthesis.knuckle_wants import Wants
 from cranktrain.synthesis.positive import not_positive, plain
 from cranktrain.synthesis.proposal import (
     Alternative,
     Proposal,
-    Table,
+    ProposedTable,
     found,
     quantity_text,
-    quoted,
     shaft_table,
     wanted,
 )
@@ -35,7 +35,7 @@ _KNUCKLE_SHARE = 0.25
 """Where the search for a free knuckle radius begins, in parts of the master rod; the slave rod has the rest."""
 
 
-def knuckle_from_wants(
+def knuckle_from_requirements(
     crank_radius: Length,
     master_rod_length: Length,
     bank_angle: Annotated[Angle, N_("From the master's cylinder, in the sense of rotation.")],
@@ -51,7 +51,7 @@ def knuckle_from_wants(
     bore: Bore | None = None,
     speed: Speed | None = None,
 ) -> Proposal:
-    """Propose a knuckle: of r, l and ζ as many are free as there are wants, the others are given.
+    """Propose a knuckle: of r, l and ζ as many are free as there are requirements, the others are given.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ def knuckle_from_wants(
     Proposal
         With the numbers `knuckle_radius`, `articulation_angle`, `rod_length`, `stroke`, `top_shift`, `bottom_shift`,
         `top_distance`, `height_over_master`, `stroke_product`, and `compression_ratio` where one is wanted;
-        alternatives: other solutions, the same wants with other dimensions, other wants with the same r and l.
+        alternatives: other solutions, the same requirements with other dimensions, others with the same r and l.
 
     Raises
     ------
@@ -91,46 +91,47 @@ def knuckle_from_wants(
     Examples
     --------
     >>> from math import degrees, radians
-    >>> proposal = knuckle_from_wants(0.09, 0.32, radians(60), stroke=0.1867, knuckle_radius=0.085, rod_length=0.235)
+    >>> given = {"knuckle_radius": 0.085, "rod_length": 0.235}
+    >>> proposal = knuckle_from_requirements(0.09, 0.32, radians(60), stroke=0.1867, **given)
     >>> round(degrees(proposal.value("articulation_angle")), 2)
     66.63
     """
-    wants = Wants(stroke, unshifted, same_height, same_ratio)
+    requirements = KnuckleRequirements(stroke, unshifted, same_height, same_ratio)
     given: dict[Free, float | None] = {
         "articulation_angle": articulation_angle,
         "knuckle_radius": knuckle_radius,
         "rod_length": rod_length,
     }
     master = SliderCrank(single(crank_radius), single(master_rod_length), single(master_offset))
-    refuse(_impossible(wants, given, master, bank_angle, bore, speed))
+    refuse(_impossible(requirements, given, master, bank_angle, bore, speed))
     known: dict[Free, float] = {name: value for name, value in given.items() if value is not None}
-    rods = _solutions(master, bank_angle, wants, known)
+    rods = _solutions(master, bank_angle, requirements, known)
     rod = rods[0]
     return Proposal(
         title=_("Articulated rod {angle} after its master").format(angle=number(bank_angle, "deg")),
         numbers=slave_numbers(rod, same_ratio),
         alternatives=(
             *(Alternative(_("another solution"), slave_numbers(one, same_ratio)) for one in rods[1:]),
-            *_with_other_dimensions(rod, wants, known),
-            *_with_other_wants(rod, same_ratio),
+            *_with_other_dimensions(rod, requirements, known),
+            *_with_other_requirements(rod, same_ratio),
         ),
-        remarks=tuple(_remarks(rod, wants, known)),
-        tables=_tables(rod, wants, known, bore, speed),
+        remarks=tuple(_remarks(rod, requirements, known)),
+        tables=_tables(rod, requirements, known, bore, speed),
     )
 
 
 def _impossible(
-    wants: Wants,
+    requirements: KnuckleRequirements,
     given: dict[Free, float | None],
     master: SliderCrank,
     bank_angle: float,
     bore: float | None,
     speed: float | None,
 ) -> Iterator[Problem]:
-    """Find wants that contradict themselves or geometry."""
+    """Find requirements that contradict themselves or geometry."""
     lengths = {
         "crank_radius": float(master.crank_radius),
-        "stroke": wants.stroke,
+        "stroke": requirements.stroke,
         "knuckle_radius": given["knuckle_radius"],
         "rod_length": given["rod_length"],
         "bore": bore,
@@ -143,36 +144,36 @@ def _impossible(
     if not master.rod_length > least:
         allowed = _("must be more than {least}, or the crank cannot turn").format(least=precise(least))
         yield Problem("master_rod_length", precise(float(master.rod_length)), allowed)
-    if wants.same_ratio is not None and not wants.same_ratio > 1:
-        yield Problem("same_ratio", plain(wants.same_ratio), _("must be more than 1"))
-    yield from _count_problems(wants, [name for name, value in given.items() if value is None])
+    if requirements.same_ratio is not None and not requirements.same_ratio > 1:
+        yield Problem("same_ratio", plain(requirements.same_ratio), _("must be more than 1"))
+    yield from _count_problems(requirements, [name for name, value in given.items() if value is None])
 
 
-def _count_problems(wants: Wants, free: list[Free]) -> Iterator[Problem]:
-    """Say what is missing or too much where wants and free dimensions are not as many."""
-    if wants.decided == 0:
-        allowed = _("is missing; want a stroke, an unshifted dead centre, the same_height or the same_ratio")
+def _count_problems(requirements: KnuckleRequirements, free: list[Free]) -> Iterator[Problem]:
+    """Say what is missing or too much where requirements and free dimensions are not as many."""
+    if requirements.decided == 0:
+        allowed = _("is missing; ask for a stroke, an unshifted dead centre, the same_height or the same_ratio")
         yield Problem("stroke", None, allowed)
-    elif wants.decided != len(free):
-        allowed = _("each want decides one dimension; wants: {wants}, free dimensions: {free}").format(
-            wants=wants.decided, free=len(free)
-        )
+    elif requirements.decided != len(free):
+        allowed = _(
+            "each requirement decides one dimension; requirements: {requirements}, free dimensions: {free}"
+        ).format(requirements=requirements.decided, free=len(free))
         repair = _("give more of {names}").format(names=", ".join(free))
-        if wants.decided > len(free):
+        if requirements.decided > len(free):
             repair = _("leave out more of {names}").format(names=", ".join(name for name in _FREE if name not in free))
         yield Problem("", None, allowed, repair)
-    elif wants.unshifted is not None and "articulation_angle" not in free:
+    elif requirements.unshifted is not None and "articulation_angle" not in free:
         allowed = _("must be left out: an unshifted dead centre decides it")
         yield Problem("articulation_angle", None, allowed)
-    elif wants.decided - (wants.unshifted is not None) == 3:
+    elif requirements.decided - (requirements.unshifted is not None) == 3:
         allowed = _("must not stand beside stroke and same_ratio, which decide the height")
         yield Problem("same_height", None, allowed)
 
 
 def _solutions(
-    master: SliderCrank, bank_angle: float, wants: Wants, known: dict[Free, float]
+    master: SliderCrank, bank_angle: float, requirements: KnuckleRequirements, known: dict[Free, float]
 ) -> tuple[ArticulatedRod, ...]:
-    """Give all rods that meet the wants; refuse wants that none meets."""
+    """Give all rods that meet the requirements; refuse requirements that none meets."""
     length = float(master.rod_length)
     knuckle = known.get("knuckle_radius", _KNUCKLE_SHARE * length)
     rod = ArticulatedRod(
@@ -183,48 +184,54 @@ def _solutions(
         single(known.get("rod_length", max(length - knuckle, _KNUCKLE_SHARE * length))),
         single(0.0),
     )
-    decided: Collection[Free] = known if wants.unshifted is None else {"articulation_angle", *known}
+    decided: Collection[Free] = known if requirements.unshifted is None else {"articulation_angle", *known}
     free: tuple[Free, ...] = tuple(name for name in _FREE if name not in decided)
-    search = searched(rod, wants, free)
+    search = searched(rod, requirements, free)
     if not search.rods:
-        raise InputError([_unreachable(rod, wants, search, free)])
+        raise InputError([_unreachable(rod, requirements, search, free)])
     return search.rods
 
 
-def _unreachable(rod: ArticulatedRod, wants: Wants, search: Search, free: Sequence[Free]) -> Problem:
-    """Say what can be reached where a want cannot."""
+def _unreachable(
+    rod: ArticulatedRod, requirements: KnuckleRequirements, search: Search, free: Sequence[Free]
+) -> Problem:
+    """Say what can be reached where a requirement cannot."""
     if not free:
         return Problem("rod_length", precise(float(rod.rod_length)), _("is too short: the slave cannot close"))
     names = ", ".join(free)
-    if wants.stroke is not None and search.least <= search.most:
+    if requirements.stroke is not None and search.least <= search.most:
         allowed = _("must lie between {least} and {most}, all that {names} can give here").format(
             least=precise(search.least), most=precise(search.most), names=names
         )
-        return Problem("stroke", precise(wants.stroke), allowed)
-    path = "same_height" if wants.same_height else "same_ratio" if wants.same_ratio is not None else "stroke"
+        return Problem("stroke", precise(requirements.stroke), allowed)
+    path = (
+        "same_height" if requirements.same_height else "same_ratio" if requirements.same_ratio is not None else "stroke"
+    )
     allowed = _("cannot be met by {names} with what is given: every rod that would is one that does not close")
     return Problem(path, None, allowed.format(names=names))
 
 
-def _with_other_dimensions(rod: ArticulatedRod, wants: Wants, known: dict[Free, float]) -> Iterator[Alternative]:
-    """The same wants met with each given dimension somewhat changed; those that cannot be had are left out."""
+def _with_other_dimensions(
+    rod: ArticulatedRod, requirements: KnuckleRequirements, known: dict[Free, float]
+) -> Iterator[Alternative]:
+    """The same requirements met with each given dimension somewhat changed; those that cannot be had are left out."""
     for name, value in known.items():
         changed = [value + step for step in _STEPS] if name == "articulation_angle" else [value * by for by in _FACTORS]
         for other in changed:
             try:
-                best = _solutions(rod.master, float(rod.bank_angle), wants, {**known, name: other})[0]
+                best = _solutions(rod.master, float(rod.bank_angle), requirements, {**known, name: other})[0]
             except InputError:
                 continue
-            label = _("the same wants with {symbol} = {value}").format(
+            label = _("the same requirements with {symbol} = {value}").format(
                 symbol=_SYMBOLS[name], value=number(other, _UNITS[name])
             )
-            yield Alternative(label, slave_numbers(best, wants.same_ratio))
+            yield Alternative(label, slave_numbers(best, requirements.same_ratio))
 
 
 _SYMBOLS: dict[Free, str] = {"articulation_angle": "ζ", "knuckle_radius": "r", "rod_length": "l"}
 
 
-def _with_other_wants(rod: ArticulatedRod, ratio: float | None) -> tuple[Alternative, ...]:
+def _with_other_requirements(rod: ArticulatedRod, ratio: float | None) -> tuple[Alternative, ...]:
     """The same r and l at the articulation angles that leave a dead centre unshifted, and at the bank angle."""
     angles = {
         _("no shift of the top dead centre, the same r and l"): unshifted_angle(rod, "top"),
@@ -239,28 +246,32 @@ def _with_other_wants(rod: ArticulatedRod, ratio: float | None) -> tuple[Alterna
     return tuple(Alternative(label, slave_numbers(other, ratio)) for label, other in others.items() if is_usable(other))
 
 
-def _remarks(rod: ArticulatedRod, wants: Wants, known: dict[Free, float]) -> Iterator[str]:
-    """Say in words what the wants fix and what they do not."""
+def _remarks(rod: ArticulatedRod, requirements: KnuckleRequirements, known: dict[Free, float]) -> Iterator[str]:
+    """Say in words what the requirements fix and what they do not."""
     product = number(float(stroke_product(rod)), "mm")
-    if wants.stroke is not None:
+    if requirements.stroke is not None:
         yield _(
             "A stroke fixes little more than r(1 + r/l) sin(ζ − γ), here {product}; not r, l and ζ each. "
             "The alternatives with other dimensions have the same stroke."
         ).format(product=product)
-    if wants.stroke is not None or wants.same_height or wants.same_ratio is not None:
+    if requirements.stroke is not None or requirements.same_height or requirements.same_ratio is not None:
         yield _("Dimensions found in this way are fitted: they are no data of any engine.")
-    if wants.unshifted is not None:
-        stays, moves = (_("top"), _("bottom")) if wants.unshifted == "top" else (_("bottom"), _("top"))
+    if requirements.unshifted is not None:
+        stays, moves = (_("top"), _("bottom")) if requirements.unshifted == "top" else (_("bottom"), _("top"))
         yield _("The {stays} dead centre stays, so the {moves} one must shift, unless sin γ = 0; and {sum}.").format(
-            stays=stays, moves=moves, sum="H = R + r + l" if wants.unshifted == "top" else "h = r + l − R"
+            stays=stays, moves=moves, sum="H = R + r + l" if requirements.unshifted == "top" else "h = r + l − R"
         )
     if not known:
-        yield _("All three dimensions follow from the wants; none was given.")
+        yield _("All three dimensions follow from the requirements; none was given.")
 
 
 def _tables(
-    rod: ArticulatedRod, wants: Wants, known: dict[Free, float], bore: float | None, speed: float | None
-) -> tuple[Table, ...]:
+    rod: ArticulatedRod,
+    requirements: KnuckleRequirements,
+    known: dict[Free, float],
+    bore: float | None,
+    speed: float | None,
+) -> tuple[ProposedTable, ...]:
     """Tables of the machine file: master, slave, cylinders."""
     master = rod.master
     how = _("to the wanted stroke, height or ratio")
@@ -269,8 +280,8 @@ def _tables(
         value = float(getattr(rod, name))
         if name in known:
             return wanted(value, _UNITS[name])
-        if name == "articulation_angle" and wants.unshifted is not None:
-            return found(value, "deg", _("no shift of the dead centre: {which}").format(which=wants.unshifted))
+        if name == "articulation_angle" and requirements.unshifted is not None:
+            return found(value, "deg", _("no shift of the dead centre: {which}").format(which=requirements.unshifted))
         return found(value, _UNITS[name], how, "fitted")
 
     master_keys = {
@@ -282,9 +293,9 @@ def _tables(
         master_keys["offset"] = wanted(float(master.offset), "mm")
     return (
         *shaft_table(speed),
-        Table("bank.M.mechanism", master_keys),
-        Table("bank.S", {"angle": quoted(quantity_text(float(rod.bank_angle), "deg"))}),
-        Table(
+        ProposedTable("bank.M.mechanism", master_keys),
+        ProposedTable("bank.S", {"angle": quoted(quantity_text(float(rod.bank_angle), "deg"))}),
+        ProposedTable(
             "bank.S.mechanism",
             {
                 "kind": '"articulated_rod"',
@@ -294,5 +305,5 @@ def _tables(
                 "articulation_angle": written("articulation_angle"),
             },
         ),
-        *cylinder_table(wants.same_ratio, bore),
+        *cylinder_table(requirements.same_ratio, bore),
     )

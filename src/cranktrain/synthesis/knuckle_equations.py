@@ -13,14 +13,14 @@ from cranktrain.motion import Array
 Free = Literal["knuckle_radius", "articulation_angle", "rod_length"]
 """What a solution may choose: r, ζ, l."""
 
-_NEWTON_STEPS = 12
+NEWTON_STEPS = 12
 HALF_THE_DIGITS = 1e-9
 """A Newton step this small, in radians or in parts of the quantity, leaves nothing but rounding for the next."""
 _REST = 1e-9
 """Largest |s′| of a converged dead centre, in parts of the crank radius."""
 
 
-class DeadCentres(NamedTuple):
+class SlaveDeadCentres(NamedTuple):
     """Crank angles of a slave's dead centres from the master's axis [rad], and its distances from the shaft [m].
 
     NaN where the search from γ and γ + π does not settle on a highest and a lowest point.
@@ -32,7 +32,7 @@ class DeadCentres(NamedTuple):
     bottom: Array
 
 
-def dead_centres(rod: ArticulatedRod) -> DeadCentres:
+def slave_dead_centres(rod: ArticulatedRod) -> SlaveDeadCentres:
     """Dead centres of slaves, by Newton's method on s′ from γ and γ + π.
 
     Parameters
@@ -41,18 +41,18 @@ def dead_centres(rod: ArticulatedRod) -> DeadCentres:
 
     Returns
     -------
-    DeadCentres, of the broadcast shape
+    SlaveDeadCentres, of the broadcast shape
     """
     top_angle, top = _dead_centre(rod, rod.bank_angle, -1.0)
     bottom_angle, bottom = _dead_centre(rod, rod.bank_angle + np.pi, 1.0)
-    return DeadCentres(top_angle, bottom_angle, top, bottom)
+    return SlaveDeadCentres(top_angle, bottom_angle, top, bottom)
 
 
 def _dead_centre(rod: ArticulatedRod, start: Array, bend: float) -> tuple[Array, Array]:
     """Angle and distance of the dead centre near an angle; `bend` is the sign that s″ must have there."""
     with np.errstate(all="ignore"):
         angle = start
-        for _step in range(_NEWTON_STEPS):
+        for _step in range(NEWTON_STEPS):
             slider = articulated_rod(angle, rod).slider
             step = slider.first / slider.second
             angle = angle - step

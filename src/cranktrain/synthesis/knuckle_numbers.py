@@ -5,8 +5,9 @@ from math import pi
 from cranktrain.language import _
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
-from cranktrain.synthesis.knuckle_equations import dead_centres, stroke_product
-from cranktrain.synthesis.proposal import Number, Table, quoted, wanted
+from cranktrain.paths import quoted
+from cranktrain.synthesis.knuckle_equations import slave_dead_centres, stroke_product
+from cranktrain.synthesis.proposal import Number, ProposedTable, wanted
 from cranktrain.synthesis.slider_crank_lengths import Lengths, stroke_of
 
 
@@ -23,7 +24,7 @@ def slave_numbers(rod: ArticulatedRod, master_ratio: float | None) -> tuple[Numb
     -------
     tuple of Number
     """
-    at = dead_centres(rod)
+    at = slave_dead_centres(rod)
     stroke, top = float(at.top - at.bottom), float(at.top)
     higher = top - master_top(rod.master)
     ratio = ()
@@ -50,12 +51,12 @@ def slave_numbers(rod: ArticulatedRod, master_ratio: float | None) -> tuple[Numb
     )
 
 
-def cylinder_table(ratio: float | None, bore: float | None) -> tuple[Table, ...]:
+def cylinder_table(ratio: float | None, bore: float | None) -> tuple[ProposedTable, ...]:
     """Write the cylinders' table: the bore and the master's compression ratio, where there is either."""
     keys = {} if bore is None else {"bore": wanted(bore, "mm")}
     if ratio is not None:
         keys["compression_ratio"] = f"{{ value = {ratio!r}, note = {quoted(_('as wanted'))} }}"
-    return (Table("cylinder", keys),) if keys else ()
+    return (ProposedTable("cylinder", keys),) if keys else ()
 
 
 def master_top(master: SliderCrank) -> float:

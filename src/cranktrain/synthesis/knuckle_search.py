@@ -1,7 +1,7 @@
-"""Search for the knuckle geometry that meets wants: every solution over the range of a dimension, to rounding."""
+"""Search for the knuckle geometry that meets requirements: every solution over a dimension's range, to rounding."""
 
 from collections.abc import Sequence
-from typing import NamedTuple, cast
+from typing import NamedTuple
 
 import numpy as np
 
@@ -12,14 +12,14 @@ from cranktrain.numerics import bracketed_roots, smallest, turn_grid
 from cranktrain.numerics.nested import mapped
 from cranktrain.synthesis.knuckle_equations import (
     HALF_THE_DIGITS,
+    NEWTON_STEPS,
     Free,
-    dead_centres,
     distance_slope,
+    slave_dead_centres,
     unshifted_angle,
 )
-from cranktrain.synthesis.knuckle_wants import Goal, Wants, goals_of
+from cranktrain.synthesis.knuckle_requirements import Goal, KnuckleRequirements, goals_of
 
-_NEWTON_STEPS = 12
 _SAMPLES = 480
 _WIDEST_OFFSET_ANGLE = 75 * np.pi / 180
 _LONGEST = 1.2
@@ -31,34 +31,21 @@ def _with_value(rod: ArticulatedRod, free: Free, value: Array) -> ArticulatedRod
     return mapped(lambda name, own: value if name == free else own, rod)
 
 
-def _value_of(rod: ArticulatedRod, free: Free) -> Array:
-    """Give one of the rod's dimensions."""
-    return cast(Array, getattr(rod, free))
-
-
-def _miss(rod: ArticulatedRod, goal: Goal) -> Array:
-    """By how much a rod misses a goal. [m]"""
-    at = dead_centres(rod)
-    return goal.of_top * at.top + goal.of_bottom * at.bottom - goal.target
-
-
 def _solved(rod: ArticulatedRod, goal: Goal, free: Free) -> ArticulatedRod:
     """Meet one goal by one dimension, by Newton's method with the slopes in closed form; NaN where it finds none."""
     with np.errstate(all="ignore"):
-        for _step in range(_NEWTON_STEPS):
-            at = dead_centres(rod)
-            slope = goal.of_top * distance_slope(at.top_angle, rod, free) + goal.of_bottom * distance_slope(
-                at.bottom_angle, rod, free
-            )
-            step = (goal.of_top * at.top + goal.of_bottom * at.bottom - goal.target) / slope
-            rod = _with_value(rod, free, _value_of(rod, free) - step)
-            if not np.any(np.abs(step) > HALF_THE_DIGITS * np.abs(_value_of(rod, free))):
+        for _step in range(NEWTON_STEPS):
+            at = slave_dead_centres(rod)
+            slope = goal.of(distance_slope(at.top_angle, rod, free), distance_slope(at.bottom_angle, rod, free))
+            step = (goal.of(at.top, at.bottom) - goal.target) / slope
+            rod = _with_value(rod, free, getattr(rod, free) - step)
+            if not np.any(np.abs(step) > HALF_THE_DIGITS * np.abs(getattr(rod, free))):
                 break
     return rod
 
 
 class Search(NamedTuple):
-    """What a search found: rods that meet the wants, and the range of what the first goal is of. [m]
+    """What a search found: rods that meet the requirements, and the range of what the first goal is of. [m]
 
     The range is NaN where there is nothing to search.
     """
@@ -68,14 +55,14 @@ class Search(NamedTuple):
     most: float
 
 
-def searched(rod: ArticulatedRod, wants: Wants, free: Sequence[Free]) -> Search:
-    """Meet wants: an unshifted dead centre in closed form, one goal by one dimension, or two by two.
+def searched(rod: ArticulatedRod, requirements: KnuckleRequirements, free: Sequence[Free]) -> Search:
+    """Meet requirements: an unshifted dead centre in closed form, one goal by one dimension, or two by two.
 
     Parameters
     ----------
     rod : ArticulatedRod
         With its given dimensions; the free ones are where the search for the second begins.
-    wants : Wants
+    requirements : KnuckleRequirements
         With two goals at most.
     free : sequence of str
         As many dimensions as goals. The first goal is met by the first over its whole range, the second, if any, by the
@@ -86,9 +73,9 @@ def searched(rod: ArticulatedRod, wants: Wants, free: Sequence[Free]) -> Search:
     Search
         Rods that close all round the turn, the one nearest to the start first.
     """
-    if wants.unshifted is not None:
-        rod = rod._replace(articulation_angle=unshifted_angle(rod, wants.unshifted))
-    goals = list(goals_of(wants, rod.master))
+    if requirements.unshifted is not None:
+        rod = rod._replace(articulation_angle=unshifted_angle(rod, requirements.unshifted))
+    goals = list(goals_of(requirements, rod.master))
     if not goals:
         return Search((rod,) if is_usable(rod) else (), np.nan, np.nan)
 
@@ -96,11 +83,12 @@ def searched(rod: ArticulatedRod, wants: Wants, free: Sequence[Free]) -> Search:
         tried = _with_value(rod, free[0], value)
         if len(goals) == 1:
             return tried
-        start = _with_value(tried, free[1], _value_of(tried, free[1]) + 0.0 * value)
+        start = _with_value(tried, free[1], getattr(tried, free[1]) + 0.0 * value)
         return _solved(start, goals[1], free[1])
 
     def curve(value: Array) -> Array:
-        return _miss(at(value), goals[0])
+        reached = slave_dead_centres(at(value))
+        return goals[0].of(reached.top, reached.bottom) - goals[0].target
 
     grid = _range(rod, free[0])
     with np.errstate(invalid="ignore"):

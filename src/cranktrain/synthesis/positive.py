@@ -1,4 +1,4 @@
-"""Wants that must be more than 0."""
+"""Requirements that must be more than 0."""
 
 from collections.abc import Callable, Mapping
 
@@ -7,11 +7,11 @@ from cranktrain.language import _
 from cranktrain.wording import precise
 
 
-def not_positive(wants: Mapping[str, float | None], written: Callable[[float], str] = precise) -> list[Problem]:
-    """Problems of the wants that are not more than 0, each written as a length unless said; None is no want."""
+def not_positive(requirements: Mapping[str, float | None], written: Callable[[float], str] = precise) -> list[Problem]:
+    """Problems of requirements that are not more than 0, each written as a length unless said; None is none."""
     return [
         Problem(name, written(value), _("must be more than 0"))
-        for name, value in wants.items()
+        for name, value in requirements.items()
         if value is not None and not value > 0
     ]
 

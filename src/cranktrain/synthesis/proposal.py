@@ -1,6 +1,5 @@
-"""A proposal: dimensions found from wants, what else was considered, and the machine file that runs them."""
+"""A proposal: dimensions found from requirements, what else was considered, and the machine file that runs them."""
 
-import json
 import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -9,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.language import _
+from cranktrain.paths import quoted
 from cranktrain.quantities import Dimension, Status, read, shown
-from cranktrain.wording import number
 
 _DIMENSIONS = {"mm": Dimension.LENGTH, "deg": Dimension.ANGLE, "rpm": Dimension.SPEED}
 _MOST_DIGITS = 17
@@ -28,10 +27,6 @@ class Number(NamedTuple):
     unit: str
     sentence: str
 
-    def __str__(self) -> str:
-        """Write it as a line shows it: `r = 80.00 mm`."""
-        return f"{self.symbol} = {number(self.value, self.unit)}"
-
 
 class Alternative(NamedTuple):
     """Something else that was considered: what it is, and its numbers beside the proposal's."""
@@ -40,7 +35,7 @@ class Alternative(NamedTuple):
     numbers: tuple[Number, ...]
 
 
-class Table(NamedTuple):
+class ProposedTable(NamedTuple):
     """A table of a machine file: its head, and each key with its value as TOML text."""
 
     head: str
@@ -58,7 +53,7 @@ class Proposal:
     numbers : tuple of Number
     alternatives : tuple of Alternative
     remarks : tuple of str
-    tables : tuple of Table
+    tables : tuple of ProposedTable
         What a machine file of it says.
     """
 
@@ -66,7 +61,7 @@ class Proposal:
     numbers: tuple[Number, ...]
     alternatives: tuple[Alternative, ...]
     remarks: tuple[str, ...]
-    tables: tuple[Table, ...]
+    tables: tuple[ProposedTable, ...]
 
     def value(self, name: str) -> float:
         """Give a number by its name, in SI.
@@ -90,16 +85,6 @@ class Proposal:
         for table in self.tables:
             lines += ["", f"[{table.head}]", *(f"{key} = {value}" for key, value in table.keys.items())]
         return "\n".join(lines) + "\n"
-
-
-def quoted(text: str) -> str:
-    """Write a TOML string; JSON's escapes are TOML's."""
-    return json.dumps(text, ensure_ascii=False)
-
-
-def listed(values: Sequence[str]) -> str:
-    """Write a TOML list of values that are TOML text already."""
-    return f"[{', '.join(values)}]"
 
 
 def listed_in_lines(values: Sequence[str]) -> str:
@@ -141,12 +126,14 @@ def wanted(value: float, unit: str) -> str:
 
 
 def found(value: float, unit: str, note: str, status: Status = "derived") -> str:
-    """Write a quantity that follows from the wants, as TOML text with its status."""
+    """Write a quantity that follows from the requirements, as TOML text with its status."""
     return f'{{ value = {quoted(quantity_text(value, unit))}, status = "{status}", note = {quoted(note)} }}'
 
 
-def shaft_table(speed: float | None, note: str | None = None) -> tuple[Table, ...]:
+def shaft_table(speed: float | None, note: str | None = None) -> tuple[ProposedTable, ...]:
     """Write the shaft's table with its speed [rad/s], where there is one; a note says how it was found."""
     if speed is None:
         return ()
-    return (Table("shaft.main", {"speed": wanted(speed, "rpm") if note is None else found(speed, "rpm", note)}),)
+    return (
+        ProposedTable("shaft.main", {"speed": wanted(speed, "rpm") if note is None else found(speed, "rpm", note)}),
+    )

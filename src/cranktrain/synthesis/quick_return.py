@@ -12,7 +12,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
 from cranktrain.synthesis.four_bars import excess_angle, time_ratio_of
 from cranktrain.synthesis.positive import not_positive, plain
-from cranktrain.synthesis.proposal import Alternative, Number, Proposal, Table, found, shaft_table, wanted
+from cranktrain.synthesis.proposal import Alternative, Number, Proposal, ProposedTable, found, shaft_table, wanted
 from cranktrain.synthesis.quantities import Length, Speed, TimeRatio
 from cranktrain.synthesis.slider_crank import Stroke, slider_crank_numbers
 from cranktrain.synthesis.slider_crank_lengths import Lengths
@@ -154,7 +154,7 @@ def quick_return(
         ),
         tables=(
             *shaft_table(speed),
-            Table(
+            ProposedTable(
                 "mechanism",
                 {
                     "kind": '"slider_crank"',
@@ -168,7 +168,7 @@ def quick_return(
 
 
 def _impossible(stroke: float, ratio: float, speed: float | None) -> Iterator[Problem]:
-    """Find wants that contradict geometry."""
+    """Find requirements that contradict geometry."""
     yield from not_positive({"stroke": stroke})
     yield from not_positive({"speed": speed}, plain)
     if not 1 < ratio < 3:

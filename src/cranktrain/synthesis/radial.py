@@ -9,22 +9,21 @@ from cranktrain.language import N_, _
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import single
+from cranktrain.paths import quoted
 from cranktrain.quantities import unlisted
 from cranktrain.synthesis.knuckle_equations import Free
 from cranktrain.synthesis.knuckle_numbers import cylinder_table, slave_numbers
+from cranktrain.synthesis.knuckle_requirements import KnuckleRequirements
 from cranktrain.synthesis.knuckle_search import Search, searched
-from cranktrain.synthesis.knuckle_wants import Wants
 from cranktrain.synthesis.positive import not_positive, plain
 from cranktrain.synthesis.proposal import (
     Alternative,
     Number,
     Proposal,
-    Table,
+    ProposedTable,
     found,
-    listed,
     listed_in_lines,
     quantity_text,
-    quoted,
     shaft_table,
     wanted,
 )
@@ -125,7 +124,7 @@ def radial(
 def _impossible(
     n_cylinders: int, strategy: str, compression_ratio: float, lengths: Mapping[str, float], rod_length: float
 ) -> Iterator[Problem]:
-    """Find wants that contradict themselves."""
+    """Find requirements that contradict themselves."""
     yield from not_positive(lengths)
     if not rod_length > lengths["crank_radius"]:
         allowed = _("must be more than the crank radius, or the crank cannot turn")
@@ -138,10 +137,10 @@ def _impossible(
         yield Problem("compression_ratio", plain(compression_ratio), _("must be more than 1"))
 
 
-def _wants(strategy: Strategy, master: SliderCrank, ratio: float) -> Wants:
+def _requirements(strategy: Strategy, master: SliderCrank, ratio: float) -> KnuckleRequirements:
     """What a strategy demands of a slave."""
     is_equal = strategy == "equal_stroke"
-    return Wants(
+    return KnuckleRequirements(
         stroke=float(2 * master.crank_radius) if is_equal else None,
         unshifted="top" if strategy.startswith("unshifted") else None,
         same_height=is_equal,
@@ -151,7 +150,7 @@ def _wants(strategy: Strategy, master: SliderCrank, ratio: float) -> Wants:
 
 def _chosen(rod: ArticulatedRod, strategy: Strategy, ratio: float) -> ArticulatedRod:
     """Geometry of one slave by a strategy."""
-    search = searched(rod, _wants(strategy, rod.master, ratio), _FREE[strategy])
+    search = searched(rod, _requirements(strategy, rod.master, ratio), _FREE[strategy])
     if not search.rods:
         raise InputError([_unreachable(rod, strategy, search)])
     return search.rods[0]
@@ -199,7 +198,7 @@ def _spread(rods: Sequence[ArticulatedRod], ratio: float) -> tuple[Number, ...]:
 
 def _tables(
     rods: Sequence[ArticulatedRod], strategy: Strategy, ratio: float, bore: float | None, speed: float | None
-) -> tuple[Table, ...]:
+) -> tuple[ProposedTable, ...]:
     """Tables of the machine file: the master's bank, the slaves', and the cylinders."""
     master = rods[0].master
     how = _("strategy {name}").format(name=strategy)
@@ -212,9 +211,10 @@ def _tables(
             return listed_in_lines([found(value, unit, how) for value in values])
         return wanted(values[0], unit)
 
+    angles = ", ".join(quoted(quantity_text(float(rod.bank_angle), "deg")) for rod in rods)
     return (
         *shaft_table(speed),
-        Table(
+        ProposedTable(
             "bank.M.mechanism",
             {
                 "kind": '"slider_crank"',
@@ -222,8 +222,8 @@ def _tables(
                 "rod_length": wanted(float(master.rod_length), "mm"),
             },
         ),
-        Table("bank.S", {"angle": listed([quoted(quantity_text(float(rod.bank_angle), "deg")) for rod in rods])}),
-        Table(
+        ProposedTable("bank.S", {"angle": f"[{angles}]"}),
+        ProposedTable(
             "bank.S.mechanism",
             {
                 "kind": '"articulated_rod"',

@@ -12,7 +12,7 @@ from cranktrain.synthesis.proposal import (
     Alternative,
     Number,
     Proposal,
-    Table,
+    ProposedTable,
     found,
     shaft_table,
     wanted,
@@ -119,7 +119,7 @@ def _impossible(
     mean_speed: float | None,
     speed: float | None,
 ) -> Iterator[Problem]:
-    """Find wants that contradict themselves or geometry."""
+    """Find requirements that contradict themselves or geometry."""
     yield from not_positive({"stroke": stroke, "rod_length": rod_length})
     yield from not_positive({"mean_speed": mean_speed, "speed": speed}, plain)
     for name, value in {"pressure_angle": pressure_angle, "return_pressure_angle": return_pressure_angle}.items():
@@ -222,13 +222,15 @@ def _alternatives(
     """What else keeps the limits: without an offset, with the best one; and what the source's rule would give."""
     central = shortest_rod(stroke, 0.0, Limits(sin(limits[0]), sin(limits[1])))
     best = _chosen(stroke, None, None, working_stroke, (sin(limits[0]), sin(limits[1])))
-    considered = [(_("shortest rod without an offset"), central), (_("shortest rod of all, with an offset"), best)]
-    seen = [lengths]
-    kept: list[Alternative] = []
-    for label, other in considered:
-        if not any(_are_same(other, one) for one in seen):
-            kept.append(Alternative(label, slider_crank_numbers(other, working_stroke, None)))
-        seen.append(other)
+    considered = (
+        (_("shortest rod without an offset"), central, (lengths,)),
+        (_("shortest rod of all, with an offset"), best, (lengths, central)),
+    )
+    kept = (
+        Alternative(label, slider_crank_numbers(other, working_stroke, None))
+        for label, other, seen in considered
+        if not any(_are_same(other, one) for one in seen)
+    )
     return (*kept, _source_rule(central.crank_radius, min(limits)))
 
 
@@ -241,9 +243,11 @@ def _source_rule(crank_radius: float, limit: float) -> Alternative:
     """The rod that the source's rule gives, and the pressure angle that it truly has; NaN where it cannot turn."""
     rod = rod_by_tangent(crank_radius, limit)
     angle = largest_pressure_angle(crank_radius, rod)
-    label = _("the source's rule l = r/tan[α]: too short, the angle is over the limit")
-    if isnan(angle):
-        label = _("the source's rule l = r/tan[α]: too short, the crank cannot turn")
+    label = (
+        _("the source's rule l = r/tan[α]: too short, the crank cannot turn")
+        if isnan(angle)
+        else _("the source's rule l = r/tan[α]: too short, the angle is over the limit")
+    )
     return Alternative(
         label,
         (
@@ -272,7 +276,7 @@ def _remarks(lengths: Lengths, working_stroke: Stroke) -> tuple[str, ...]:
     )
 
 
-def _mechanism(lengths: Lengths, rod_length: float | None, offset: float | None) -> Table:
+def _mechanism(lengths: Lengths, rod_length: float | None, offset: float | None) -> ProposedTable:
     """The mechanism's table."""
     how_offset = _("shortest rod within the limits") if rod_length is None else _("least pressure angle")
     how_crank = _("from the stroke, rod and offset") if lengths.offset else _("S/2")
@@ -285,4 +289,4 @@ def _mechanism(lengths: Lengths, rod_length: float | None, offset: float | None)
     }
     if lengths.offset:
         keys["offset"] = found(lengths.offset, "mm", how_offset) if offset is None else wanted(lengths.offset, "mm")
-    return Table("mechanism", keys)
+    return ProposedTable("mechanism", keys)

@@ -52,11 +52,6 @@ def advantage_near(lengths: Lengths, before: float, dead_centre: DeadCentre = "b
     return lengths.crank_radius / (_bend(lengths, dead_centre) * before)
 
 
-def angle_for_advantage(lengths: Lengths, wanted: float, dead_centre: DeadCentre = "bottom") -> float:
-    """Crank angle from a dead centre within which the advantage is more than wanted, to first order. [rad]"""
-    return lengths.crank_radius / (_bend(lengths, dead_centre) * wanted)
-
-
 def advantage_at_travel(lengths: Lengths, travel: float, dead_centre: DeadCentre = "bottom") -> float:
     """Advantage where the slider is a small travel from its dead centre, to first order.
 

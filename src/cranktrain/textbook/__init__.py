@@ -1,9 +1,9 @@
 """The sources' own formulas, with their ranges, beside the exact ones."""
 
 from cranktrain.language import N_
-from cranktrain.layout.question import Dimension, Stage
+from cranktrain.layout.question import ResultDimension, Stage
 from cranktrain.questions.motion.rods import on_rods
 from cranktrain.textbook.comparison import textbook_motion
 
 STAGES = (Stage(textbook_motion, applies=on_rods),)
-DIMENSIONS = (Dimension("method", N_("method")),)
+DIMENSIONS = (ResultDimension("method", N_("method")),)

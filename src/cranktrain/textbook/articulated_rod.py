@@ -16,7 +16,7 @@ _NEWTON_STEPS, _SETTLED = 8, 1e-9
 a step after which the next one is less than rounding. [rad]"""
 
 
-class Harmonics(NamedTuple):
+class SlaveHarmonics(NamedTuple):
     """The constants of (I.13)."""
 
     first_amplitude: Array
@@ -31,7 +31,7 @@ class Harmonics(NamedTuple):
     """K, mean distance of the slave's piston pin from the shaft [m]"""
 
 
-def derived(rod: ArticulatedRod) -> Harmonics:
+def derived(rod: ArticulatedRod) -> SlaveHarmonics:
     """Constants of (I.13) derived anew: exact in the offset angle δ = ζ − γ, complete to second order in R.
 
     Parameters
@@ -40,7 +40,7 @@ def derived(rod: ArticulatedRod) -> Harmonics:
 
     Returns
     -------
-    Harmonics, of the broadcast shape of the fields
+    SlaveHarmonics, of the broadcast shape of the fields
 
     Notes
     -----
@@ -71,7 +71,7 @@ def derived(rod: ArticulatedRod) -> Harmonics:
     )
 
 
-def reconstructed(rod: ArticulatedRod) -> Harmonics:
+def reconstructed(rod: ArticulatedRod) -> SlaveHarmonics:
     """Constants of (I.13) as the source most likely had them: cos ψ → 1, sin ψ to first power. Reconstructed.
 
     Parameters
@@ -80,7 +80,7 @@ def reconstructed(rod: ArticulatedRod) -> Harmonics:
 
     Returns
     -------
-    Harmonics, of the broadcast shape of the fields
+    SlaveHarmonics, of the broadcast shape of the fields
 
     Notes
     -----
@@ -109,13 +109,13 @@ def reconstructed(rod: ArticulatedRod) -> Harmonics:
     )
 
 
-def own_top_distance(rod: ArticulatedRod, harmonics: Harmonics) -> Array:
+def own_top_distance(rod: ArticulatedRod, harmonics: SlaveHarmonics) -> Array:
     """Distance from the shaft to the top of the two-harmonic curve itself, H = K + R·max[…].
 
     Parameters
     ----------
     rod : ArticulatedRod
-    harmonics : Harmonics
+    harmonics : SlaveHarmonics
         F up to 0.6 E.
 
     Returns
@@ -134,7 +134,9 @@ def own_top_distance(rod: ArticulatedRod, harmonics: Harmonics) -> Array:
     return K + rod.master.crank_radius * (E * np.cos(angle + Phi) + F / 4 * np.cos(2 * angle - Theta))
 
 
-def slave_displacement(angle: Array, rod: ArticulatedRod, harmonics: Harmonics, top_distance: Array) -> Coefficient:
+def slave_displacement(
+    angle: Array, rod: ArticulatedRod, harmonics: SlaveHarmonics, top_distance: Array
+) -> Coefficient:
     """Slave's displacement by (I.13).
 
     Parameters
@@ -142,7 +144,7 @@ def slave_displacement(angle: Array, rod: ArticulatedRod, harmonics: Harmonics, 
     angle : Array
         Crank angle α from the master's dead centre. [rad]
     rod : ArticulatedRod, fields broadcastable with angle
-    harmonics : Harmonics, fields broadcastable with angle
+    harmonics : SlaveHarmonics, fields broadcastable with angle
     top_distance : Array, broadcastable with angle
         H, from the shaft to the slave's top: exact, or the curve's own (`own_top_distance`). [m]
 
@@ -167,9 +169,9 @@ def slave_displacement(angle: Array, rod: ArticulatedRod, harmonics: Harmonics, 
     )
 
 
-def _harmonics(first: tuple[Array, Array], second: tuple[Array, Array], mean_distance: Array) -> Harmonics:
+def _harmonics(first: tuple[Array, Array], second: tuple[Array, Array], mean_distance: Array) -> SlaveHarmonics:
     """Amplitudes and phases from the pairs (amplitude·cos phase, amplitude·sin phase)."""
-    return Harmonics(
+    return SlaveHarmonics(
         np.hypot(*first),
         np.arctan2(first[1], first[0]),
         np.hypot(*second),

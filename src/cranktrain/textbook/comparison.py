@@ -19,7 +19,7 @@ from cranktrain.questions.motion.dead_centres import PistonTurn
 from cranktrain.questions.motion.pistons import PistonMotion
 from cranktrain.record import record
 from cranktrain.textbook.articulated_rod import (
-    Harmonics,
+    SlaveHarmonics,
     derived,
     own_top_distance,
     reconstructed,
@@ -29,7 +29,6 @@ from cranktrain.textbook.ranges import RANGES
 from cranktrain.textbook.steam_engine import brix, infinite_rod, two_harmonics
 from cranktrain.wording import Names, number, ranged
 
-_CURVE = ("method", "piston", "crank_angle")
 _FACT = ("method", "piston")
 _THEORY = "docs/theory/textbook-forms"
 
@@ -52,7 +51,7 @@ def _infinite(geometry: SliderCrank) -> Curve:
     return lambda angle: infinite_rod(angle, geometry.crank_radius)
 
 
-def _slave(constants: Callable[[ArticulatedRod], Harmonics]) -> Form:
+def _slave(constants: Callable[[ArticulatedRod], SlaveHarmonics]) -> Form:
     """Displacement by (I.13) from the curve's own top."""
 
     def of(geometry: ArticulatedRod) -> Curve:
@@ -80,7 +79,7 @@ class TextbookMotion(StageResult):
     displacement_by_method: Coefficient = coefficients(
         "x",
         "m",
-        _CURVE,
+        ("method", "piston", "crank_angle"),
         N_("Piston displacement by each method, from the method's own top"),
         N_("Piston velocity for each rad/s of the crank, by each method"),
         N_("Piston acceleration for each (rad/s)² of the crank, by each method"),

@@ -31,7 +31,7 @@ class OpposedSize(NamedTuple):
     lead: Array
 
 
-class VolumetricDeadCentres(NamedTuple):
+class FirstOrderDeadCentres(NamedTuple):
     """Where the volume between two pistons is least (inner) and greatest (outer), as exhaust crank angles. [rad]"""
 
     inner: Array
@@ -71,7 +71,7 @@ def opposed_pistons(angle: Array, size: OpposedSize) -> OpposedMotion:
     return OpposedMotion(exhaust, scavenge, combined)
 
 
-def volumetric_dead_centres(lead: Array) -> VolumetricDeadCentres:
+def volumetric_dead_centres(lead: Array) -> FirstOrderDeadCentres:
     """Volumetric dead centres as the source has them: half the lead after the exhaust crank's own.
 
     Parameters
@@ -81,13 +81,13 @@ def volumetric_dead_centres(lead: Array) -> VolumetricDeadCentres:
 
     Returns
     -------
-    VolumetricDeadCentres
+    FirstOrderDeadCentres
         Δ/2 and π + Δ/2; exact only where both cranks and both rods are equal.
     """
-    return VolumetricDeadCentres(lead / 2, np.pi + lead / 2)
+    return FirstOrderDeadCentres(lead / 2, np.pi + lead / 2)
 
 
-def volumetric_dead_centres_to_first_order(size: OpposedSize) -> VolumetricDeadCentres:
+def volumetric_dead_centres_to_first_order(size: OpposedSize) -> FirstOrderDeadCentres:
     """Volumetric dead centres of unequal cranks or rods, to first order in the lead.
 
     Parameters
@@ -96,7 +96,7 @@ def volumetric_dead_centres_to_first_order(size: OpposedSize) -> VolumetricDeadC
 
     Returns
     -------
-    VolumetricDeadCentres, of the broadcast shape
+    FirstOrderDeadCentres, of the broadcast shape
 
     Notes
     -----
@@ -113,7 +113,7 @@ def volumetric_dead_centres_to_first_order(size: OpposedSize) -> VolumetricDeadC
         (size.exhaust_radius * (1 + sign * size.exhaust_ratio), size.scavenge_radius * (1 + sign * size.scavenge_ratio))
         for sign in (1, -1)
     )
-    return VolumetricDeadCentres(
+    return FirstOrderDeadCentres(
         size.lead * inner[1] / (inner[0] + inner[1]), np.pi + size.lead * outer[1] / (outer[0] + outer[1])
     )
 

@@ -14,7 +14,7 @@ from cranktrain.motion import Array, single
 from cranktrain.textbook.steam_engine import two_harmonics
 
 
-class Wants(NamedTuple):
+class SliderCrankRequirements(NamedTuple):
     """What the source starts from: stroke [m], mean slider speed [m/s], permissible pressure angle [rad]."""
 
     stroke: float
@@ -48,7 +48,7 @@ class VelocityTable(NamedTuple):
     exact: Array
 
 
-WANTS = Wants(stroke=0.16, mean_speed=6.3, pressure_angle=pi / 6)
+REQUIREMENTS = SliderCrankRequirements(stroke=0.16, mean_speed=6.3, pressure_angle=pi / 6)
 CRANK_RADIUS = 0.08
 ROD_LENGTH = 0.27
 """After r/tan 30°, with 0.3 for the tangent. [m]"""
@@ -79,7 +79,7 @@ def rod_by_tangent(crank_radius: float, pressure_angle: float) -> float:
 
     Examples
     --------
-    >>> round(rod_by_tangent(0.08, WANTS.pressure_angle), 4)
+    >>> round(rod_by_tangent(0.08, REQUIREMENTS.pressure_angle), 4)
     0.1386
     """
     return crank_radius / tan(pressure_angle)
@@ -124,13 +124,13 @@ def wrong_steps() -> tuple[WrongStep, ...]:
     Returns
     -------
     tuple of WrongStep
-        A right number follows from the wants alone, or, where the step only uses an earlier one, from the source's own
-        earlier numbers.
+        A right number follows from the requirements alone, or, where the step only uses an earlier one, from the
+        source's own earlier numbers.
     """
-    limit = WANTS.pressure_angle
-    radius = WANTS.stroke / 2
+    limit = REQUIREMENTS.pressure_angle
+    radius = REQUIREMENTS.stroke / 2
     table = velocity_table()
-    period = 2 * WANTS.stroke / WANTS.mean_speed
+    period = 2 * REQUIREMENTS.stroke / REQUIREMENTS.mean_speed
     at_60 = pi / 3
     return (
         WrongStep(

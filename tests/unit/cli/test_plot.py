@@ -19,7 +19,7 @@ from tests.sentences import (
     WITHOUT_ROD,
 )
 
-from cranktrain.cli.plot import Request, understood
+from cranktrain.cli.plot import PlotRequest, understood
 from cranktrain.viz.sheets import PICTURES
 
 NAMES = {kind: ", ".join(one.name for one in PICTURES if one.kind == kind) for kind in ("plan", "sheet")}
@@ -40,7 +40,7 @@ NAMES = {kind: ", ".join(one.name for one in PICTURES if one.kind == kind) for k
     ],
 )
 def test_crank_angles_as_typed(plan, at, output, angles):
-    assert understood(Request("3d12", plan=plan, at=at, output=output)).angles == angles
+    assert understood(PlotRequest("3d12", plan=plan, at=at, output=output)).angles == angles
 
 
 @pytest.mark.parametrize(

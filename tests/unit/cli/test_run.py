@@ -163,7 +163,7 @@ def test_failed_check_is_shown(typed, capsys):
     file = read_machine("vaz-21213")
     result = ct.run(file.machine, step_degrees=10)
     result = dataclasses.replace(result, outcomes=(*result.outcomes, Doubtful()))
-    with page() as console:
+    with page("") as console:
         show_result(console, file, result, ["stroke"], is_all=False, with_inputs=False)
     output = " ".join(capsys.readouterr().out.split())
     assert "✗ does not hold (residual 5.0e-01, limit 1e-09): something against something else" in output

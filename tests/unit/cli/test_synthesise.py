@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from tests.sentences import A_LENGTH, A_RATIO, AN_ANGLE, BEYOND_ANY_SIZE, NOT_POSITIVE, WHOLE_NUMBER
 
-from cranktrain.cli.synthesis import wants
+from cranktrain.cli.synthesis import requirements
 
 SLIDER_CRANK = ("slider-crank", "--stroke", "160 mm", "--pressure-angle", "30 deg")
 KNUCKLE = ("knuckle", "--crank-radius", "90 mm", "--master-rod-length", "320 mm", "--bank-angle", "60 deg")
@@ -83,7 +83,7 @@ def test_numbers_of_a_radial_stand_in_columns(typed):
 def test_many_alternatives_are_numbered(typed):
     output = typed("synthesise", *PROBLEMS["knuckle"]).output
     assert re.search(r"^ +0  as proposed$", output, re.MULTILINE)
-    assert re.search(r"^ +2  the same wants with r = 76.50 mm$", output, re.MULTILINE)
+    assert re.search(r"^ +2  the same requirements with r = 76.50 mm$", output, re.MULTILINE)
 
 
 def test_the_source_and_its_errors(typed):
@@ -145,7 +145,8 @@ def test_the_source_and_its_errors(typed):
         (
             [*KNUCKLE, "--stroke", "186.7 mm"],
             [
-                "cranktrain synthesise knuckle  each want decides one dimension; wants: 1, free dimensions: 3; "
+                "cranktrain synthesise knuckle  each requirement decides one dimension; requirements: 1, "
+                "free dimensions: 3; "
                 "give more of --articulation-angle, --knuckle-radius, --rod-length"
             ],
         ),
@@ -194,12 +195,12 @@ def test_a_file_is_kept_unless_forced(typed, written):
 
 
 def test_every_parameter_of_every_synthesis_can_be_typed(typed):
-    for problem, synthesis in wants.SYNTHESES.items():
+    for problem, synthesis in requirements.SYNTHESES.items():
         options = set(re.findall(r"--[a-z-]+", typed("synthesise", problem, "--help").output))
-        assert {wants.option_of(name) for name in inspect.signature(synthesis).parameters} <= options
+        assert {requirements.option_of(name) for name in inspect.signature(synthesis).parameters} <= options
 
 
-@pytest.mark.parametrize("problem", ["", *wants.SYNTHESES])
+@pytest.mark.parametrize("problem", ["", *requirements.SYNTHESES])
 def test_examples_in_help_work(typed, problem):
     shown = typed("synthesise", *filter(None, [problem, "--help"]))
     assert (shown.status, shown.errors) == (0, "")
@@ -215,5 +216,5 @@ def test_examples_in_help_work(typed, problem):
 def test_alone_it_shows_its_problems(typed):
     alone = typed("synthesise")
     assert alone == typed("synthesise", "--help")
-    for problem in wants.SYNTHESES:
+    for problem in requirements.SYNTHESES:
         assert f"\n  {problem} " in alone.output

@@ -11,7 +11,7 @@ from tests.sentences import NO_PATH, SET_A_KEY, WHOLE_LIST
 from cranktrain.errors import InputError
 from cranktrain.io.document import Document
 from cranktrain.io.editing import toml_value, with_value
-from cranktrain.io.places import places
+from cranktrain.io.text_spans import places
 from cranktrain.paths import path_text, quantity_path
 
 

@@ -8,13 +8,12 @@ from cranktrain.linkage import (
     GUIDE,
     ROD,
     Crank,
+    Ends,
     Leg,
     LinkPoint,
     OnLine,
     Pose,
-    RodEnds,
     Swivel,
-    SwivelEnds,
     Trammel,
     Triad,
     TriadDriver,
@@ -31,7 +30,6 @@ from cranktrain.linkage import (
     swivel,
     swivel_gap,
     trammel,
-    trammel_transmission,
     triad,
     turned_link,
     yoke,
@@ -40,7 +38,7 @@ from cranktrain.linkage import (
 ANGLES = np.linspace(-1.0, 1.0, 7)
 STILL = 0.0 * ANGLES
 PIN = crank(ANGLES, Crank(0.1))
-ENDS = SwivelEnds(PIN, fixed(STILL, STILL - 0.3))
+ENDS = Ends(PIN, fixed(STILL, STILL - 0.3))
 GUIDED = Swivel(0.05, AHEAD)
 LEVER = swivel(ENDS, GUIDED).guide
 LEGS = Triad(
@@ -69,10 +67,9 @@ def number(value, i: int):
         (swivel_gap, ENDS, (GUIDED,)),
         (yoke, PIN, (Yoke(0.1, 1.0),)),
         (trammel, LEVER, (Trammel(0.2, 0.01),)),
-        (trammel_transmission, LEVER, ()),
         (turned_link, LEVER, (0.3,)),
         (triad, TriadDriver(TRIAD_ENDS, POSE), (LEGS,)),
-        (rod_between, RodEnds(PIN, point(LEVER, LinkPoint(0.2, 0.0))), ()),
+        (rod_between, PIN, (point(LEVER, LinkPoint(0.2, 0.0)),)),
         (block_along, OnLine(fixed_guide(STILL, STILL, STILL + 0.3), PIN), ()),
     ],
     ids=lambda value: getattr(value, "__name__", ""),

@@ -25,13 +25,13 @@ from cranktrain.linkage import (
 from cranktrain.linkage.forces import (
     NOTHING,
     CrossingFriction,
+    CrossingLoads,
     Friction,
     SlideLoads,
     TriadFriction,
     TriadLoads,
     Turning,
     Wrench,
-    YokeLoads,
     crossing_forces,
     slide_reactions,
     triad_reactions,
@@ -92,9 +92,9 @@ def test_wedging_is_not_a_number():
 
 def test_a_yoke_across_its_guide_has_no_friction_from_its_load():
     """Its slot at right angles presses along the guide alone."""
-    found = yoke_reactions(0.2, Yoke(0.0, np.pi / 2), YokeLoads(NOTHING, Wrench(500.0, 0.0, 0.0)), GUIDE_ALONE)
+    found = yoke_reactions(0.2, Yoke(0.0, np.pi / 2), CrossingLoads(NOTHING, Wrench(500.0, 0.0, 0.0)), GUIDE_ALONE)
     assert found.guide.x == pytest.approx(0.0, abs=1e-13)
-    assert found.slot.x == pytest.approx(-500.0)
+    assert found.slider.x == pytest.approx(-500.0)
     assert found.guide.moment == pytest.approx(-0.2 * 500.0)
 
 

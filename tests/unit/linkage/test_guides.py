@@ -27,14 +27,13 @@ from cranktrain.linkage import (
 from cranktrain.linkage.forces import (
     NOTHING,
     CrossingFriction,
+    CrossingLoads,
     Friction,
     SlideLoads,
     SwivelLoads,
-    TrammelLoads,
     TriadFriction,
     TriadLoads,
     Wrench,
-    YokeLoads,
     edge_forces,
     slide_reactions,
     swivel_reactions,
@@ -121,11 +120,11 @@ def test_yoke(seed):
     slot = [-sin, cos, place], [rub * cos, rub * sin, 0.0]
     expected = agreeing([slot, *edges(friction.guide, (0, 1), (1, 0))], load)
     with np.errstate(invalid="ignore"):
-        found = yoke_reactions(place, Yoke(0.0, angle), YokeLoads(NOTHING, Wrench(*load)), friction)
+        found = yoke_reactions(place, Yoke(0.0, angle), CrossingLoads(NOTHING, Wrench(*load)), friction)
     if expected is None:
-        assert is_wedged(found.guide, found.slot)
+        assert is_wedged(found.guide, found.slider)
         return
-    same([cos * found.slot.y - sin * found.slot.x, *of_edges(found.guide, friction.guide)], expected)
+    same([cos * found.slider.y - sin * found.slider.x, *of_edges(found.guide, friction.guide)], expected)
 
 
 @pytest.mark.parametrize("seed", range(100))
@@ -139,11 +138,11 @@ def test_trammel(seed):
     slot = [-link.sin, link.cos, 0.0], [rub * link.cos, rub * link.sin, 0.0]
     expected = agreeing([slot, *edges(friction.guide, (0, 1), (1, 0))], load)
     with np.errstate(invalid="ignore"):
-        found = trammel_reactions(link, TrammelLoads(NOTHING, Wrench(*load)), friction)
+        found = trammel_reactions(link, CrossingLoads(NOTHING, Wrench(*load)), friction)
     if expected is None:
-        assert is_wedged(found.guide, found.slot)
+        assert is_wedged(found.guide, found.block)
         return
-    same([link.cos * found.slot.y - link.sin * found.slot.x, *of_edges(found.guide, friction.guide)], expected)
+    same([link.cos * found.block.y - link.sin * found.block.x, *of_edges(found.guide, friction.guide)], expected)
 
 
 @pytest.mark.parametrize("seed", range(200))
@@ -233,11 +232,11 @@ def test_a_guide_longer_than_any_moment_needs_is_one_without_length():
 
 def test_a_drawer_sticks_where_its_guide_is_short():
     """A force at a distance t from a guide of length b: friction is 2μt/b of what passes; at 1 nothing passes."""
-    yoke, load = Yoke(0.0, np.pi / 2), YokeLoads(NOTHING, Wrench(500.0, 0.0, 0.0))
+    yoke, load = Yoke(0.0, np.pi / 2), CrossingLoads(NOTHING, Wrench(500.0, 0.0, 0.0))
     for length in (0.2001, 0.5, 3.0):
         found = yoke_reactions(0.5, yoke, load, CrossingFriction(Friction(0.2, 1.0, 1 / length), Friction(0.0, 1.0)))
         # Along: N₁ = X + f, f = −μ 2tN₁/b.
-        assert -found.slot.x == pytest.approx(500.0 / (1 + 2 * 0.2 * 0.5 / length), rel=1e-12)
+        assert -found.slider.x == pytest.approx(500.0 / (1 + 2 * 0.2 * 0.5 / length), rel=1e-12)
     with np.errstate(invalid="ignore"):
         stuck = yoke_reactions(0.5, yoke, load, CrossingFriction(Friction(0.2, 1.0, 1 / 0.1999), Friction(0.0, 1.0)))
-    assert is_wedged(stuck.guide, stuck.slot)
+    assert is_wedged(stuck.guide, stuck.slider)

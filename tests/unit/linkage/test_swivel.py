@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from cranktrain.linkage import AHEAD, Crank, Swivel, SwivelEnds, crank, fixed, swivel, swivel_gap
+from cranktrain.linkage import AHEAD, Crank, Ends, Swivel, crank, fixed, swivel, swivel_gap
 
 
-def ends(angle, crank_radius: float, ground_length: float) -> SwivelEnds:
-    return SwivelEnds(crank(angle, Crank(crank_radius)), fixed(ground_length, 0.0))
+def ends(angle, crank_radius: float, ground_length: float) -> Ends:
+    return Ends(crank(angle, Crank(crank_radius)), fixed(ground_length, 0.0))
 
 
 def test_slotted_lever_swings_by_the_arcsine_of_crank_over_ground():

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cranktrain.linkage import Crank, Trammel, crank, fixed, trammel, trammel_transmission, turned_link
+from cranktrain.linkage import Crank, Trammel, crank, fixed, trammel, turned_link
 from cranktrain.motion import Coefficient, Link
 
 
@@ -32,12 +32,10 @@ def test_slot_square_to_the_guide_and_beside_its_pivot():
     assert [motion.slider.value, motion.block.value] == pytest.approx([-0.1, 0.3], rel=1e-15)
 
 
-def test_slot_along_the_guide_has_no_transmission_and_no_crossing():
+def test_slot_along_the_guide_has_no_crossing():
     link = slotted_crank(np.float64(0.0))
-    assert trammel_transmission(link) == 0.0
     with np.errstate(all="ignore"):
         assert not np.isfinite(trammel(link, Trammel(0.3, 0.0)).slider.value)
-    assert trammel_transmission(slotted_crank(-ANGLES)) == pytest.approx(-np.sin(ANGLES), rel=1e-15)
 
 
 def test_turned_link_has_the_same_derivatives():

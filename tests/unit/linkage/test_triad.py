@@ -16,7 +16,6 @@ from cranktrain.linkage import (
     Pin,
     PinMotion,
     Pose,
-    RodEnds,
     Slide,
     Triad,
     TriadDriver,
@@ -78,7 +77,7 @@ def test_triad_with_two_rods_on_one_joint_is_two_pins(two_pins, as_triad):
 
 
 def test_rod_between_the_ends_of_a_leg(two_pins, as_triad):
-    leg = rod_between(RodEnds(NEAR, point(as_triad.link, LinkPoint(0.35, 0.0))))
+    leg = rod_between(NEAR, point(as_triad.link, LinkPoint(0.35, 0.0)))
     assert_close(leg.angle, two_pins.link.rocker.angle)
     assert leg.cos == pytest.approx(two_pins.link.rocker.cos, abs=1e-13)
     assert leg.sin == pytest.approx(two_pins.link.rocker.sin, abs=1e-13)

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from tests.machines import scaled
+from tests.walks import comes_back
 
 import cranktrain as ct
 from cranktrain.io.machine_file import read_machine
@@ -56,14 +57,14 @@ def turns(kind, geometry, way, change):
     size = size_of(geometry)
     for share in np.linspace(0, 1, N_STEPS):
         size = size_of(changed(lengths, geometry, way, share * change))
-        pose = followed(structure, np.zeros(1), size, {place: pose}).poses[place]
+        pose = followed(structure, np.zeros(1), size, {place: pose})[1][place]
     step, own = triad_at(structure, place, size)
     above, upper = structure._replace(steps=structure.steps[:place]), size._replace(steps=size.steps[:place])
 
     def ends(angle):
         return triad_ends(step, own, chain_made(above, angle + np.zeros((len(change), 1)), upper))
 
-    return triad_walk(ends, triad_legs(own), pose).comes_back[:, 0]
+    return comes_back(triad_walk(ends, triad_legs(own), pose), triad_legs(own))[:, 0]
 
 
 def test_walks_open_just_beyond_the_margin():

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from cranktrain.numerics import integral_to, largest_between, panels
+from cranktrain.numerics import integral_to, largest_between, subintervals
 
 CYCLE = 4 * np.pi
 GRID = np.arange(720) * (CYCLE / 720)
@@ -98,7 +98,7 @@ def test_of_alike_peaks_the_first_is_taken():
 def test_integrals_between_breaks():
     """To any angle, in the period or not, against adaptive quadrature between the breaks."""
     breaks = np.array([2.0, 2.5, 9.0043, 0.0, np.nan])
-    cut = panels(breaks, np.pi / 9, CYCLE)
+    cut = subintervals(breaks, np.pi / 9, CYCLE)
     values = sawtooth(cut.angle) * np.exp(np.sin(cut.angle))
     assert np.sum(cut.weight) == pytest.approx(CYCLE, rel=1e-14)
     for end in (0.7, 2.0, 2.2, 8.0, 9.5, 12.0, CYCLE + 2.2, -1.0):

@@ -10,7 +10,7 @@ from cranktrain.errors import InputError
 from cranktrain.machine import Machine
 from cranktrain.synthesis.crank_rocker import crank_rocker_from_swing
 from cranktrain.synthesis.four_bars import (
-    Want,
+    FourBarRequirements,
     best_parameter,
     excess_angle,
     four_bar,
@@ -34,9 +34,9 @@ def run_of(proposal):
     return run(Machine(**tomllib.loads(proposal.machine_file())))
 
 
-@pytest.mark.parametrize(("wants", "xi", "radius", "rod", "ground", "transmission"), REFERENCE)
-def test_reference_numbers(wants, xi, radius, rod, ground, transmission):
-    proposal = crank_rocker_from_swing(radians(wants[0]), wants[1], 1.0)
+@pytest.mark.parametrize(("requirements", "xi", "radius", "rod", "ground", "transmission"), REFERENCE)
+def test_reference_numbers(requirements, xi, radius, rod, ground, transmission):
+    proposal = crank_rocker_from_swing(radians(requirements[0]), requirements[1], 1.0)
     assert degrees(proposal.value("transmission_angle")) == pytest.approx(transmission, rel=3e-14)
     assert degrees(proposal.value("parameter")) == pytest.approx(xi, abs=1e-6)
     for name, expected in (("crank_radius", radius), ("rod_length", rod), ("ground_length", ground)):
@@ -65,7 +65,7 @@ def test_best_parameter_in_40_digits():
 
 @pytest.mark.parametrize("slow_swing", ["forward", "backward"])
 @pytest.mark.parametrize(("swing", "ratio"), [(50, 1.2), (100, 1.1), (20, 2.0)])
-def test_run_gives_the_wants(swing, ratio, slow_swing):
+def test_run_gives_the_requirements(swing, ratio, slow_swing):
     proposal = crank_rocker_from_swing(radians(swing), ratio, 0.4, slow_swing=slow_swing, speed=3.0)
     result = run_of(proposal)
     assert degrees(result.swing[0]) == pytest.approx(swing, rel=1e-13)
@@ -80,16 +80,16 @@ def test_run_gives_the_wants(swing, ratio, slow_swing):
 @pytest.mark.parametrize("side", [-1, 1])
 @pytest.mark.parametrize(("swing", "ratio"), WANTS)
 def test_range_holds_all_crank_rockers_of_one_branch_and_the_best(swing, ratio, side):
-    want = Want(radians(swing), excess_angle(ratio), 1.0)
-    start, end = parameter_range(want, side)
-    assert (start < end) == (ratio < largest_time_ratio(want.swing, side))
-    every = np.linspace(want.excess / 2, pi / 2, 1001)[1:-1]
-    verdict = judged(want, four_bar(want, every, side))
+    requirement = FourBarRequirements(radians(swing), excess_angle(ratio), 1.0)
+    start, end = parameter_range(requirement, side)
+    assert (start < end) == (ratio < largest_time_ratio(requirement.swing, side))
+    every = np.linspace(requirement.excess / 2, pi / 2, 1001)[1:-1]
+    verdict = judged(requirement, four_bar(requirement, every, side))
     usable = (verdict.grashof_class == 0) & verdict.is_one_branch
     np.testing.assert_array_equal(usable, (every > start) & (every < end))
     if start < end:
-        best = four_bar(want, np.array(best_parameter(want, side)), side)
-        assert judged(want, best).transmission_angle >= np.max(verdict.transmission_angle[usable])
+        best = four_bar(requirement, np.array(best_parameter(requirement, side)), side)
+        assert judged(requirement, best).transmission_angle >= np.max(verdict.transmission_angle[usable])
 
 
 def test_largest_time_ratio_is_the_end():
@@ -124,7 +124,7 @@ def test_alternatives_say_why_they_are_none():
 
 
 @pytest.mark.parametrize(
-    ("wants", "options", "path", "words"),
+    ("requirements", "options", "path", "words"),
     [
         ((50, 1.2), {"transmission_angle": radians(45)}, "transmission_angle", "at most 43.26 deg"),
         ((50, 1.2), {"rod_length": 1.0}, "rod_length", "left out"),
@@ -138,9 +138,9 @@ def test_alternatives_say_why_they_are_none():
         ((50, 1.0), {"transmission_angle": radians(65)}, "transmission_angle", "less than 65.00 deg"),
     ],
 )
-def test_impossible_wants_say_what_is_possible(wants, options, path, words):
+def test_impossible_requirements_say_what_is_possible(requirements, options, path, words):
     with pytest.raises(InputError) as caught:
-        crank_rocker_from_swing(radians(wants[0]), wants[1], 1.0, **options)
+        crank_rocker_from_swing(radians(requirements[0]), requirements[1], 1.0, **options)
     (problem,) = caught.value.problems
     assert problem.path == path
     assert words in str(problem)

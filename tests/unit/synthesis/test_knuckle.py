@@ -9,8 +9,8 @@ from cranktrain.errors import InputError
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
-from cranktrain.synthesis.knuckle import knuckle_from_wants
-from cranktrain.synthesis.knuckle_equations import dead_centres, distance_slope, stroke_product
+from cranktrain.synthesis.knuckle import knuckle_from_requirements
+from cranktrain.synthesis.knuckle_equations import distance_slope, slave_dead_centres, stroke_product
 
 MASTER = (0.09, 0.32)
 BANK = radians(60)
@@ -26,7 +26,7 @@ def names(proposal):
 
 
 @pytest.mark.parametrize(
-    ("wants", "known", "expected"),
+    ("requirements", "known", "expected"),
     [
         # 3D12, fitted by others to stroke and pin height and published with these digits
         (
@@ -57,8 +57,8 @@ def names(proposal):
         ),
     ],
 )
-def test_known_dimensions(wants, known, expected):
-    found = names(knuckle_from_wants(*MASTER, BANK, **wants, **known))
+def test_known_dimensions(requirements, known, expected):
+    found = names(knuckle_from_requirements(*MASTER, BANK, **requirements, **known))
     for name, (value, allowed) in expected.items():
         assert abs(found[name] - value) <= allowed
 
@@ -66,7 +66,7 @@ def test_known_dimensions(wants, known, expected):
 @pytest.mark.parametrize("master_offset", [0.0, 0.012])
 @pytest.mark.parametrize("bank", [60, -60, 45, 120])
 @pytest.mark.parametrize(
-    "wants",
+    "requirements",
     [
         {"stroke": 0.1867, "knuckle_radius": 0.085, "rod_length": 0.235},
         {"stroke": 0.1867, "same_height": True, "knuckle_radius": 0.08},
@@ -80,28 +80,28 @@ def test_known_dimensions(wants, known, expected):
         {"unshifted": "top", "same_ratio": 14.5, "rod_length": 0.24},
     ],
 )
-def test_run_gives_the_wants(bank, master_offset, wants):
-    proposal = knuckle_from_wants(*MASTER, radians(bank), master_offset=master_offset, bore=0.15, **wants)
+def test_run_gives_the_requirements(bank, master_offset, requirements):
+    proposal = knuckle_from_requirements(*MASTER, radians(bank), master_offset=master_offset, bore=0.15, **requirements)
     result = run_of(proposal)
     found = names(proposal)
     for name, value in (("stroke", result.stroke[1]), ("top_distance", result.top_position[1])):
         assert found[name] == pytest.approx(value, rel=1e-13)
     assert degrees(found["top_shift"]) == pytest.approx(result.top_shift[1], abs=1e-11)
     assert degrees(found["bottom_shift"]) == pytest.approx(result.bottom_shift[1], abs=1e-11)
-    if "stroke" in wants:
-        assert result.stroke[1] == pytest.approx(wants["stroke"], rel=1e-13)
-    if "same_height" in wants:
+    if "stroke" in requirements:
+        assert result.stroke[1] == pytest.approx(requirements["stroke"], rel=1e-13)
+    if "same_height" in requirements:
         assert result.top_position[1] == pytest.approx(result.top_position[0], rel=1e-13)
-    if "unshifted" in wants:
-        shift = result.top_shift if wants["unshifted"] == "top" else result.bottom_shift
+    if "unshifted" in requirements:
+        shift = result.top_shift if requirements["unshifted"] == "top" else result.bottom_shift
         assert abs(shift[1]) < 1e-11
-    if "same_ratio" in wants:
+    if "same_ratio" in requirements:
         assert result.compression_ratio[1] == pytest.approx(14.5, rel=1e-11)
 
 
 def test_same_wants_by_other_dimensions_have_the_same_stroke_but_not_the_same_dimensions():
-    proposal = knuckle_from_wants(*MASTER, BANK, stroke=0.1867, same_height=True, knuckle_radius=0.08)
-    same = [one for one in proposal.alternatives if one.label.startswith("the same wants")]
+    proposal = knuckle_from_requirements(*MASTER, BANK, stroke=0.1867, same_height=True, knuckle_radius=0.08)
+    same = [one for one in proposal.alternatives if one.label.startswith("the same requirements")]
     assert len(same) == 4
     for one in same:
         numbers = {number.name: number.value for number in one.numbers}
@@ -114,7 +114,7 @@ def test_same_wants_by_other_dimensions_have_the_same_stroke_but_not_the_same_di
 
 def test_several_solutions_are_all_told():
     # opposite to the master everything is even about ζ = γ
-    proposal = knuckle_from_wants(*MASTER, pi, stroke=0.19, knuckle_radius=0.1, rod_length=0.22)
+    proposal = knuckle_from_requirements(*MASTER, pi, stroke=0.19, knuckle_radius=0.1, rod_length=0.22)
     (other,) = [one for one in proposal.alternatives if one.label == "another solution"]
     numbers = {number.name: number.value for number in other.numbers}
     assert numbers["stroke"] == pytest.approx(0.19, rel=1e-13)
@@ -122,7 +122,7 @@ def test_several_solutions_are_all_told():
 
 
 def test_slopes_in_40_digits():
-    at = dead_centres(ROD)
+    at = slave_dead_centres(ROD)
     with mpmath.workdps(40):
         for angle in (float(at.top_angle), 1.0, float(at.bottom_angle)):
 
@@ -145,14 +145,14 @@ def test_product_that_a_stroke_fixes():
 
 
 @pytest.mark.parametrize(
-    ("wants", "path", "words"),
+    ("requirements", "path", "words"),
     [
-        ({"knuckle_radius": 0.08, "rod_length": 0.24}, "stroke", "want a stroke"),
+        ({"knuckle_radius": 0.08, "rod_length": 0.24}, "stroke", "ask for a stroke"),
         ({"stroke": 0.1867, "knuckle_radius": 0.08}, "", "give more of articulation_angle, rod_length"),
         (
             {"stroke": 0.1867, "same_height": True, "knuckle_radius": 0.08, "rod_length": 0.24},
             "",
-            "wants: 2, free dimensions: 1; leave out more of knuckle_radius, rod_length",
+            "requirements: 2, free dimensions: 1; leave out more of knuckle_radius, rod_length",
         ),
         (
             {"unshifted": "top", "articulation_angle": 1.2, "rod_length": 0.24},
@@ -170,9 +170,9 @@ def test_product_that_a_stroke_fixes():
         ({"unshifted": "top", "knuckle_radius": 0.08, "rod_length": 0.05}, "rod_length", "too short"),
     ],
 )
-def test_impossible_wants_say_what_is_possible(wants, path, words):
+def test_impossible_requirements_say_what_is_possible(requirements, path, words):
     with pytest.raises(InputError) as caught:
-        knuckle_from_wants(*MASTER, BANK, **wants)
+        knuckle_from_requirements(*MASTER, BANK, **requirements)
     (problem,) = caught.value.problems
     assert problem.path == path
     assert words in str(problem)
@@ -180,4 +180,4 @@ def test_impossible_wants_say_what_is_possible(wants, path, words):
 
 def test_master_that_cannot_turn():
     with pytest.raises(InputError, match="master_rod_length"):
-        knuckle_from_wants(0.09, 0.08, BANK, stroke=0.18, knuckle_radius=0.02, rod_length=0.06)
+        knuckle_from_requirements(0.09, 0.08, BANK, stroke=0.18, knuckle_radius=0.02, rod_length=0.06)

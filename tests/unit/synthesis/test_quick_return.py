@@ -20,7 +20,7 @@ from cranktrain.synthesis.quick_return import (
 
 @pytest.mark.parametrize("ratio", [1.05, 1.2, 1.6, 2.5])
 @pytest.mark.parametrize("slow_stroke", ["toward", "away"])
-def test_run_of_the_offset_slider_crank_gives_the_wants(ratio, slow_stroke):
+def test_run_of_the_offset_slider_crank_gives_the_requirements(ratio, slow_stroke):
     proposal = quick_return(0.3, ratio, slow_stroke=slow_stroke, speed=2.0)
     result = run(Machine(**tomllib.loads(proposal.machine_file())))
     assert result.stroke[0] == pytest.approx(0.3, rel=1e-13)
@@ -98,7 +98,7 @@ def test_alternatives_have_the_same_stroke_and_time_ratio():
 
 
 @pytest.mark.parametrize(
-    ("wants", "path", "words"),
+    ("requirements", "path", "words"),
     [
         ({"stroke": 0.3, "time_ratio": 3.0}, "time_ratio", "crank of 0.7071 of the distance"),
         ({"stroke": 0.3, "time_ratio": 1.0}, "time_ratio", "between 1 and 3"),
@@ -107,9 +107,9 @@ def test_alternatives_have_the_same_stroke_and_time_ratio():
         ({"stroke": 0.3, "time_ratio": 1.5, "rod_length": 1.0}, "rod_length", "between 150 mm and 461.6525 mm"),
     ],
 )
-def test_impossible_wants_say_what_is_possible(wants, path, words):
+def test_impossible_requirements_say_what_is_possible(requirements, path, words):
     with pytest.raises(InputError) as caught:
-        quick_return(**wants)
+        quick_return(**requirements)
     (problem,) = caught.value.problems
     assert problem.path == path
     assert words in str(problem)

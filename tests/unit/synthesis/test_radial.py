@@ -74,8 +74,8 @@ def test_slave_opposite_to_its_master_cannot_have_its_stroke():
         ({"slave_rod_length": 0.05}, "slave_rod_length"),
     ],
 )
-def test_impossible_wants(changes, path):
-    wants = {"crank_radius": 0.08, "rod_length": 0.31, "n_cylinders": 9, "strategy": "plain", **NINE}
+def test_impossible_requirements(changes, path):
+    requirements = {"crank_radius": 0.08, "rod_length": 0.31, "n_cylinders": 9, "strategy": "plain", **NINE}
     with pytest.raises(InputError) as caught:
-        radial(**wants | changes)
+        radial(**requirements | changes)
     assert [problem.path for problem in caught.value.problems] == [path]

@@ -35,7 +35,7 @@ def keeps(rod_length, offset, toward, away):
     return angles[0] <= toward and angles[1] <= away
 
 
-def test_central_run_gives_the_wants():
+def test_central_run_gives_the_requirements():
     proposal = slider_crank_from_stroke(STROKE, radians(30), mean_speed=6.3)
     result = run_of(proposal)
     assert result.stroke[0] == pytest.approx(STROKE, rel=1e-15)
@@ -116,7 +116,7 @@ def test_stroke_grows_all_along_the_line_of_best_offsets():
 
 
 @pytest.mark.parametrize(
-    ("wants", "paths", "words"),
+    ("requirements", "paths", "words"),
     [
         ({"stroke": 0.0, "pressure_angle": 0.5}, ["stroke"], "more than 0"),
         ({"stroke": 0.1}, ["pressure_angle"], "missing"),
@@ -129,8 +129,8 @@ def test_stroke_grows_all_along_the_line_of_best_offsets():
         ({"stroke": 0.16, "pressure_angle": 0.2, "rod_length": 0.27}, ["pressure_angle"], "at least 17.24 deg"),
     ],
 )
-def test_impossible_wants_say_what_is_possible(wants, paths, words):
+def test_impossible_requirements_say_what_is_possible(requirements, paths, words):
     with pytest.raises(InputError) as caught:
-        slider_crank_from_stroke(**wants)
+        slider_crank_from_stroke(**requirements)
     assert [problem.path for problem in caught.value.problems] == paths
     assert words in str(caught.value)

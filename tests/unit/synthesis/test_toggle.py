@@ -8,7 +8,6 @@ from cranktrain.synthesis.toggle import (
     advantage,
     advantage_at_travel,
     advantage_near,
-    angle_for_advantage,
     toggle_advantage,
 )
 
@@ -36,8 +35,6 @@ def test_first_order_near_a_dead_centre(dead_centre, at):
     assert errors[1] / errors[0] == pytest.approx(0.1, abs=0.01)
     travel = float(abs(position(at) - position(at - 1e-4)))
     assert advantage_at_travel(OFFSET, travel, dead_centre) == pytest.approx(advantage(OFFSET, at - 1e-4), rel=1e-4)
-    wanted = advantage_near(OFFSET, 0.01, dead_centre)
-    assert angle_for_advantage(OFFSET, wanted, dead_centre) == pytest.approx(0.01, rel=1e-14)
 
 
 def test_central_press_at_its_lower_dead_centre():

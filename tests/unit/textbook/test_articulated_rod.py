@@ -6,7 +6,7 @@ from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.geometry import stacked
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.textbook import articulated_rod, steam_engine
-from cranktrain.textbook.articulated_rod import Harmonics
+from cranktrain.textbook.articulated_rod import SlaveHarmonics
 
 V2 = ArticulatedRod(SliderCrank(0.09, 0.32, 0.0), 0.085, np.radians(67.0), np.radians(60.0), 0.235, 0.0)
 # a bank before the master's, with an offset angle beyond any engine's: quadrants and signs
@@ -106,7 +106,7 @@ def test_derivatives_of_the_printed_displacement_in_40_digits():
 @pytest.mark.parametrize("ratio", [0.0, 0.1, 0.25, 0.45, 0.6])
 def test_own_top_is_the_curves_highest_point_for_every_phase(ratio):
     phase = np.linspace(-np.pi, np.pi, 181)[:, np.newaxis]
-    harmonics = Harmonics(1.1, 0.3, 1.1 * ratio, phase, 0.31)
+    harmonics = SlaveHarmonics(1.1, 0.3, 1.1 * ratio, phase, 0.31)
     found = articulated_rod.own_top_distance(V2, harmonics)
     angle = np.linspace(-np.pi, np.pi, 20001)
     curve = articulated_rod.slave_displacement(angle, V2, harmonics, found).value.min(axis=-1)

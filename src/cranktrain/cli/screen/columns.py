@@ -7,9 +7,8 @@ from rich.cells import cell_len
 from rich.console import Console
 from rich.text import Text
 
-from cranktrain.cli.screen.text import INDENT, section, table
+from cranktrain.cli.screen.text import GAP, INDENT, section, table
 
-_GAP = 2
 _ROOM_FOR_WORDS = 26
 """Words that have less room beside their row stand below the table."""
 
@@ -25,7 +24,7 @@ class Column(NamedTuple):
     @property
     def width(self) -> int:
         """Columns of the screen that it takes, with the gap before it."""
-        return _GAP + max(map(cell_len, (self.head, self.unit, *self.texts)))
+        return GAP + max(map(cell_len, (self.head, self.unit, *self.texts)))
 
 
 def column_tables(columns: Sequence[Column], labels: Sequence[str], width: int) -> Iterator[Text]:

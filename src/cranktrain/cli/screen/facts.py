@@ -4,7 +4,7 @@ import itertools
 import textwrap
 from collections.abc import Iterator, Sequence
 from functools import reduce
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from rich.text import Text
@@ -13,19 +13,18 @@ from cranktrain.analysis import Result
 from cranktrain.analysis.dimensions import DIMENSIONS
 from cranktrain.catalogue import Entry
 from cranktrain.cli.screen.columns import Column, column_table, side_by_side
-from cranktrain.cli.screen.figures import ABSENT, figures
-from cranktrain.cli.screen.text import table
+from cranktrain.cli.screen.figures import figures
+from cranktrain.cli.screen.text import GAP, table
 from cranktrain.grouping import grouped
 from cranktrain.language import _
-from cranktrain.layout.question import Dimension
+from cranktrain.layout.question import ResultDimension
 from cranktrain.record import record
-from cranktrain.wording import ranged
+from cranktrain.wording import ABSENT, ranged
 
 _MOST_COLUMNS = 3
 """Of a table with one row for each fact; facts that need more groups get one row for each group."""
 
-_GAP = 2
-_OF_MACHINE = Dimension("", "")
+_OF_MACHINE = ResultDimension("", "")
 
 
 @record
@@ -66,11 +65,8 @@ class _Family(NamedTuple):
     rows: list[FactRow]
 
 
-class _Line(NamedTuple):
-    """A line of a table with one column for each fact."""
-
-    label: str
-    texts: list[str]
+_Line: TypeAlias = tuple[str, list[str]]
+"""Label and texts of a line of a table with one column for each fact."""
 
 
 def fact_tables(result: Result, names: Sequence[str], width: int) -> Iterator[str | Text]:
@@ -154,9 +150,9 @@ def _narrow(rows: Sequence[FactRow], members: Sequence[str], width: int) -> tupl
 
 def _natural_width(rows: Sequence[FactRow], groups: Sequence[Sequence[int]], members: Sequence[str]) -> int:
     """Columns of the screen that a table by fact takes."""
-    heads = sum(max(len(row.head[i]) for row in rows) + _GAP for i in range(3))
+    heads = sum(max(len(row.head[i]) for row in rows) + GAP for i in range(3))
     return heads + sum(
-        _GAP + max(len(ranged(members, group)), *(len(row.text(members[group[0]])) for row in rows)) for group in groups
+        GAP + max(len(ranged(members, group)), *(len(row.text(members[group[0]])) for row in rows)) for group in groups
     )
 
 
@@ -171,7 +167,7 @@ def _lines(rows: Sequence[FactRow], members: Sequence[str], outer: str = "") -> 
     """One line for each group of members of which there is anything to say."""
     groups = _groups(rows, members)
     return [
-        _Line(" ".join(filter(None, (outer, ranged(members, group) if len(groups) > 1 else ""))), texts)
+        (" ".join(filter(None, (outer, ranged(members, group) if len(groups) > 1 else ""))), texts)
         for group in groups
         if set(texts := [row.text(members[group[0]]) for row in rows]) != {ABSENT}
     ]
@@ -195,15 +191,15 @@ def _deep(result: Result, entries: Sequence[Entry], width: int) -> Iterator[str 
 
 def _by_member(rows: Sequence[FactRow], lines: Sequence[_Line], width: int, title: str = "") -> Iterator[str | Text]:
     """One column for each fact, as many as there is room for side by side, and the facts' names below."""
-    labels = [textwrap.wrap(line.label, width // 2, break_on_hyphens=False) or [""] for line in lines]
+    labels = [textwrap.wrap(label, width // 2, break_on_hyphens=False) or [""] for label, _texts in lines]
     columns = [
         Column(
             row.entry.symbol or row.entry.name,
             row.unit,
             tuple(
                 cell
-                for line, label in zip(lines, labels, strict=True)
-                for cell in [line.texts[i], *([""] * (len(label) - 1))]
+                for (_label, texts), label in zip(lines, labels, strict=True)
+                for cell in [texts[i], *([""] * (len(label) - 1))]
             ),
             row.entry.name,
         )

@@ -5,13 +5,10 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.wording import figure
+from cranktrain.wording import ABSENT, figure
 
 _SHOWN = {"m": "mm", "rad": "deg", "deg": "deg", "m/s": "m/s", "m/s^2": "m/s^2", "1": "1"}
 """Units in which sentences give a quantity of that unit, too."""
-
-ABSENT = "–"
-"""Stands for what there is not."""
 
 _ROUNDING = 1e-12
 """Of the largest value of a quantity; what is less is shown as 0."""

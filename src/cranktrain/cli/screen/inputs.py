@@ -21,16 +21,14 @@ def provenance(file: MachineFile, width: int) -> Iterator[str | Text]:
     yield _("{n} numbers of the file: {counted}").format(n=len(inputs), counted=counted)
     told = [one for status in _TOLD for one in inputs if one.given.status == status]
     if told:
-        yield from table(("", "", "", ""), list(_rows(told)), fold=width)
+        yield from input_table(told, width)
 
 
-def input_table(file: MachineFile, width: int) -> list[Text]:
-    """Every number of a file, with its status and note, in a width of columns."""
-    return table(("", "", "", ""), list(_rows(inputs_of(file))), fold=width)
-
-
-def _rows(inputs: Sequence[Input]) -> Iterator[tuple[str, str, str, str]]:
-    """Give path, value, status and note of inputs."""
-    for path, given in inputs:
-        about = "; ".join(one_line(word) for word in (given.note, given.source) if word)
-        yield path, one_line(given.text), given.status or "", about
+def input_table(inputs: Sequence[Input], width: int) -> list[Text]:
+    """Path, value, status and note of numbers of a file, in a width of columns."""
+    notes = ["; ".join(one_line(word) for word in (given.note, given.source) if word) for _path, given in inputs]
+    rows = [
+        (path, one_line(given.text), given.status or "", note)
+        for (path, given), note in zip(inputs, notes, strict=True)
+    ]
+    return table(("", "", "", ""), rows, fold=width)

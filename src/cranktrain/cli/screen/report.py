@@ -10,16 +10,16 @@ from rich.text import Text
 from cranktrain.analysis import Missing, Result, sentences
 from cranktrain.catalogue import Entry
 from cranktrain.cli.screen.facts import fact_tables
-from cranktrain.cli.screen.figures import ABSENT, figures
+from cranktrain.cli.screen.figures import figures
 from cranktrain.cli.screen.inputs import input_table, provenance
 from cranktrain.cli.screen.text import INDENT, paragraph, section, table
 from cranktrain.grouping import places_of_equal
 from cranktrain.io.description import layout_words
-from cranktrain.io.machine_file import MachineFile
+from cranktrain.io.machine_file import MachineFile, inputs_of
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.one_line import one_line, visible
-from cranktrain.wording import ranged
+from cranktrain.wording import ABSENT, ranged
 
 _NAMED = 4
 """How many of the results that something would give are named."""
@@ -46,9 +46,9 @@ def show_result(
     with_inputs : bool
         Whether to show every number of the file, and not only a word on where they are from.
     """
-    console.print(Text(title(file.machine), style="bold"))
     for sentence in sentences(result.unused):
-        console.print(Text("\n").join(_minded(console, sentence)), soft_wrap=True)
+        first, *more = paragraph(console, sentence)
+        console.print(Text("\n").join([Text("! ") + first, *(Text("  ") + line for line in more)]), soft_wrap=True)
     console.print()
     for sentence in result.answers():
         console.print(visible(sentence))
@@ -56,8 +56,7 @@ def show_result(
     deep = [name for name in names if is_all and len(result.labels_of(result.catalogue[name])) > 1]
     names = [name for name in names if name not in deep]
     facts = [name for name in names if result.catalogue[name].is_fact]
-    if facts:
-        section(console, _("Results"), fact_tables(result, facts, width))
+    section(console, _("Results"), fact_tables(result, facts, width))
     peaks = list(_peaks(result, names))
     if peaks:
         step = f"{result.crank_angle[1]:g}°"
@@ -66,20 +65,11 @@ def show_result(
         section(console, heading, table(heads, peaks, right=(2, 4), fold=width))
     if deep:
         section(console, _("By each method, with --quantities"), [", ".join(deep)])
-    if result.checks:
-        section(console, _("Checks"), _checks(console, result))
-    if result.flags:
-        section(console, _("Mind"), result.flags)
-    about = input_table(file, width) if with_inputs else provenance(file, width)
+    section(console, _("Checks"), _checks(console, result))
+    section(console, _("Mind"), result.flags)
+    about = input_table(inputs_of(file), width) if with_inputs else provenance(file, width)
     section(console, _("What this rests on"), about)
-    if result.missing:
-        section(console, _("To learn more"), [_missing(missing) for missing in result.missing])
-
-
-def _minded(console: Console, sentence: str) -> Iterator[Text]:
-    """Fold a sentence that comes before all results."""
-    for place, line in enumerate(paragraph(console, sentence)):
-        yield Text("  " if place else "! ") + line
+    section(console, _("To learn more"), map(_missing, result.missing))
 
 
 def title(machine: Machine) -> str:
@@ -110,30 +100,28 @@ def _shafts(machine: Machine) -> str:
 
 def _peaks(result: Result, names: Sequence[str]) -> Iterator[tuple[str, ...]]:
     """Give the largest size of every curve: name, symbol, value, unit, where and whose."""
-    for name in names:
-        entry = result.catalogue[name]
+    for entry in map(result.catalogue.__getitem__, names):
         if entry.is_fact:
             continue
+        value, at, member = _refined(result, entry) or _in_steps(result, entry)
+        shown = figures(np.array([value]), entry.unit)
         members = [", ".join(labels) for labels in itertools.product(*result.labels_of(entry).values())]
-        if (found := _refined(result, entry)) is not None:
-            value, at, member = found
-            shown = figures(np.array([value]), entry.unit)
-            yield name, entry.symbol, shown.texts[0], shown.unit, f"{at:.1f}", members[member] if members[1:] else ""
-            continue
-        curves = np.reshape(getattr(result, name), (-1, result.crank_angle.size))
-        size = np.nan_to_num(np.abs(curves), nan=-1.0)
-        member, place = np.unravel_index(np.argmax(size >= np.max(size) * (1 - _EQUAL)), size.shape)
-        if np.isnan(curves[member, place]):
-            yield name, entry.symbol, ABSENT, "", "", ""
-            continue
-        shown = figures(curves[[member], place], entry.unit)
         whose = members[member] if len(members) > 1 else ""
-        yield name, entry.symbol, shown.texts[0], shown.unit, f"{result.crank_angle[place]:g}", whose
+        told = (ABSENT, "", "", "") if np.isnan(value) else (shown.texts[0], shown.unit, at, whose)
+        yield entry.name, entry.symbol, *told
 
 
-def _refined(result: Result, entry: Entry) -> tuple[float, float, int] | None:
+def _in_steps(result: Result, entry: Entry) -> tuple[float, str, int]:
+    """Largest size of a curve among its steps, at which and whose; NaN where it has none."""
+    curves = np.reshape(getattr(result, entry.name), (-1, result.crank_angle.size))
+    size = np.nan_to_num(np.abs(curves), nan=-1.0)
+    member, place = np.unravel_index(np.argmax(size >= np.max(size) * (1 - _EQUAL)), size.shape)
+    return float(curves[member, place]), f"{result.crank_angle[place]:g}", int(member)
+
+
+def _refined(result: Result, entry: Entry) -> tuple[float, str, int] | None:
     """Largest size of a curve, where and whose, if facts say it of the same members: no step has a part in these."""
-    found: list[tuple[float, float, int]] = []
+    found: list[tuple[float, str, int]] = []
     # Facts of the machine's torque and of the gas's pressure are called shortly.
     stem = entry.name.removeprefix("machine_").removeprefix("gas_")
     for side in ("smallest", "largest", "peak"):
@@ -143,7 +131,7 @@ def _refined(result: Result, entry: Entry) -> tuple[float, float, int] | None:
         sizes = np.nan_to_num(np.abs(np.ravel(extreme.value)), nan=-1.0)
         member = int(np.argmax(sizes >= np.max(sizes) * (1 - _EQUAL)))
         if sizes[member] >= 0:
-            found.append((float(np.ravel(extreme.value)[member]), float(np.ravel(at.value)[member]), member))
+            found.append((float(np.ravel(extreme.value)[member]), f"{np.ravel(at.value)[member]:.1f}", member))
     return max(found, key=lambda one: abs(one[0]), default=None)
 
 

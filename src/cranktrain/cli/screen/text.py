@@ -16,7 +16,9 @@ from cranktrain.one_line import visible
 INDENT = 2
 """Of what stands under a heading."""
 
-_GAP = 2
+GAP = 2
+"""Between columns."""
+
 _WIDTH = 80
 """Where there is no terminal."""
 
@@ -25,10 +27,11 @@ _LEAST_FOLDED = 9
 
 
 @contextmanager
-def page() -> Generator[Console]:
-    """Collect a page for the standard output, and show it without blanks at line ends."""
+def page(head: str) -> Generator[Console]:
+    """Collect a page for the standard output below its head, and show it without blanks at line ends."""
     console = _screen()
     with console.capture() as shown:
+        console.print(Text(head, style="bold"))
         yield console
     sys.stdout.writelines(f"{line.rstrip()}\n" for line in shown.get().splitlines())
 
@@ -42,11 +45,11 @@ def _screen() -> Console:
 
 
 def section(console: Console, heading: str, lines: Iterable[str | Text]) -> None:
-    """Show lines under a heading; one that is no `Text` is a paragraph, folded to the width of the screen."""
+    """Show lines, if any, under a heading; one that is no `Text` is a paragraph, folded to the width of the screen."""
     parts = [part for line in lines for part in ([line] if isinstance(line, Text) else paragraph(console, line))]
-    console.print()
-    console.print(Text(visible(heading), style="bold"))
     if parts:
+        console.print()
+        console.print(Text(visible(heading), style="bold"))
         console.print(Text("\n").join(Text(" " * INDENT) + part for part in parts), soft_wrap=True)
 
 
@@ -81,9 +84,9 @@ def table(
     has_heads = any(heads)
     every = [[visible(cell) for cell in row] for row in ([heads, *rows] if has_heads else rows)]
     widths = [max(cell_len(row[i]) for row in every) for i in range(len(heads))]
-    gap = _GAP
+    gap = GAP
     if fold is not None:
-        gap = _GAP if fold - _width(widths[:-1], _GAP) >= min(widths[-1], _LEAST_FOLDED) else 1
+        gap = GAP if fold - _width(widths[:-1], GAP) >= min(widths[-1], _LEAST_FOLDED) else 1
         widths[-1] = max(1, min(widths[-1], max(_LEAST_FOLDED, fold - _width(widths[:-1], gap))))
     lines: list[Text] = []
     for number, row in enumerate(every):

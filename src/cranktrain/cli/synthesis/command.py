@@ -1,4 +1,4 @@
-"""What may be typed after `synthesise`: a command for each problem, its wants as options.
+"""What may be typed after `synthesise`: a command for each problem, its requirements as options.
 
 Loaded only then: to build these commands takes as long as to show a help.
 """
@@ -10,8 +10,9 @@ from typing import Annotated
 
 import typer
 
+from cranktrain.cli.options import Force
 from cranktrain.cli.synthesis.proposals import give_proposal
-from cranktrain.cli.synthesis.wants import form_of, option_of, wants_of
+from cranktrain.cli.synthesis.requirements import form_of, option_of, requirements_of
 from cranktrain.cli.task import Task
 from cranktrain.language import N_, _
 from cranktrain.spec import parts_of
@@ -56,7 +57,7 @@ _HELP = {
         '    --rod-length "600 mm" -o shaper.toml'
     ),
     "knuckle": N_(
-        "Find the knuckle of an articulated rod. Each want decides one of its dimensions; give the others.\n\n"
+        "Find the knuckle of an articulated rod. Each requirement decides one of its dimensions; give the others.\n\n"
         "\b\n"
         '  cranktrain synthesise knuckle --crank-radius "90 mm" --master-rod-length "320 mm" \\\n'
         '    --bank-angle "60 deg" --stroke "186.7 mm" --knuckle-radius "85 mm" --rod-length "235 mm"\n'
@@ -77,32 +78,31 @@ _Textbook = Annotated[
     bool, typer.Option("--textbook", help=_("Show the source's steps, wrong ones named; alone: its own example."))
 ]
 _Output = Annotated[str | None, typer.Option("-o", "--output", metavar="FILE", help=_("Write the machine file here."))]
-_Force = Annotated[bool, typer.Option("--force", help=_("Replace a file that is there."))]
 
 
 def _command(problem: str) -> Callable[..., Task]:
-    """Make what Typer is to read: a function that has the wants of a problem for parameters, and options of its own."""
+    """Make what Typer is to read: a function with a problem's requirements for parameters, and options of its own."""
 
     def command(
-        *, textbook: _Textbook = False, output: _Output = None, force: _Force = False, **typed: str | bool | None
+        *, textbook: _Textbook = False, output: _Output = None, force: Force = False, **typed: str | bool | None
     ) -> Task:
         return partial(give_proposal, problem, typed, output, force=force, with_source=textbook)
 
     textbook, *own, _typed = signature(command).parameters.values()
     if problem == "slider-crank":  # the only one of which a source has an example
         own = [textbook, *own]
-    command.__signature__ = Signature([*map(_option, wants_of(problem)), *own])
+    command.__signature__ = Signature([*map(_option, requirements_of(problem)), *own])
     return command
 
 
-def _option(want: Parameter) -> Parameter:
-    """Declare a want as an option that need not be typed: what is missing is told with all else that is wrong."""
-    parts = list(parts_of(want.annotation))
+def _option(requirement: Parameter) -> Parameter:
+    """Declare a requirement as an option that need not be typed: what is missing is told with all that is wrong."""
+    parts = list(parts_of(requirement.annotation))
     is_truth = bool in parts
     about = _(next((part for part in parts if isinstance(part, str)), ""))
-    option = typer.Option(option_of(want.name), metavar=None if is_truth else form_of(want), help=about)
+    option = typer.Option(option_of(requirement.name), metavar=None if is_truth else form_of(requirement), help=about)
     return Parameter(
-        want.name,
+        requirement.name,
         Parameter.KEYWORD_ONLY,
         default=False if is_truth else None,
         annotation=Annotated[bool if is_truth else str | None, option],

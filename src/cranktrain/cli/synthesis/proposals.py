@@ -2,20 +2,20 @@
 
 import re
 import shlex
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 from rich.console import Console
 from rich.text import Text
 
 from cranktrain.cli.screen.columns import Column, column_tables, worded_tables
 from cranktrain.cli.screen.text import INDENT, page, section, table
-from cranktrain.cli.synthesis.wants import Typed, proposed
+from cranktrain.cli.synthesis.requirements import Typed, proposed
 from cranktrain.cli.textbook.errata import SOURCE_EXAMPLE, show_source_example
 from cranktrain.grouping import grouped
 from cranktrain.io.output import STANDARD_OUTPUT, write_whole
 from cranktrain.language import _
 from cranktrain.one_line import one_line
-from cranktrain.synthesis.proposal import Alternative, Number, Proposal
+from cranktrain.synthesis.proposal import Number, Proposal
 from cranktrain.wording import figure
 
 _OF_MEMBER = re.compile(r"(?P<name>.+)\((?P<member>\d+)\)$")
@@ -29,20 +29,20 @@ def give_proposal(problem: str, typed: Typed, output: str | None, *, force: bool
     problem : str
         As `proposed` takes it.
     typed : mapping
-        The wants.
+        The requirements.
     output : str or None
         File to write; `-` for the machine file alone on the standard output.
     force : bool
         Replace a file that is there.
     with_source : bool
-        Whether to show the source's own example and its errors, with no want typed for its wants.
+        Whether to show the source's own example and its errors, with no requirement typed for its requirements.
     """
     proposal = proposed(problem, SOURCE_EXAMPLE if with_source and not any(typed.values()) else typed)
     if output is not None:
         write_whole(output, proposal.machine_file(), force=force)
     if output in STANDARD_OUTPUT:
         return
-    with page() as console:
+    with page(one_line(proposal.title)) as console:
         show_proposal(console, proposal)
         if with_source:
             show_source_example(console)
@@ -58,12 +58,9 @@ def give_proposal(problem: str, typed: Typed, output: str | None, *, force: bool
 def show_proposal(console: Console, proposal: Proposal) -> None:
     """Show numbers, alternatives and remarks."""
     width = console.width - INDENT
-    console.print(Text(one_line(proposal.title), style="bold"))
     section(console, _("Proposed"), _numbers(proposal.numbers, width))
-    if proposal.alternatives:
-        section(console, _("Also considered"), _alternatives(proposal, width))
-    if proposal.remarks:
-        section(console, _("Mind"), proposal.remarks)
+    section(console, _("Also considered"), _alternatives(proposal, width))
+    section(console, _("Mind"), proposal.remarks)
 
 
 def _numbers(numbers: Sequence[Number], width: int) -> Iterator[str | Text]:
@@ -83,25 +80,19 @@ def _numbers(numbers: Sequence[Number], width: int) -> Iterator[str | Text]:
 def _alternatives(proposal: Proposal, width: int) -> Iterator[str | Text]:
     """Tables of alternatives, one for each set of numbers; those that the proposal has too stand beside its own."""
     own = {one.name: one for one in proposal.numbers}
-    families: dict[tuple[str, ...], list[tuple[str, Mapping[str, Number]]]] = {}
-    for label, numbers in map(_by_name, proposal.alternatives):
-        is_comparable = set(numbers) <= set(own)
-        family = tuple(own) if is_comparable else tuple(numbers)
-        start = [(_("as proposed"), own)] if is_comparable else []
-        families.setdefault(family, list(start)).append((label, numbers))
+    others = [(label, {one.name: one for one in numbers}) for label, numbers in proposal.alternatives]
+    families = grouped((tuple(own if set(other) <= set(own) else other), (label, other)) for label, other in others)
     for i, (names, rows) in enumerate(families.items()):
         if i:
             yield ""
+        if names == tuple(own):
+            rows.insert(0, (_("as proposed"), own))
         shown = {name: next(numbers[name] for _label, numbers in rows if name in numbers) for name in names}
         columns = {name: _column(one, [numbers.get(name) for _label, numbers in rows]) for name, one in shown.items()}
         kept = [name for name, column in columns.items() if len(set(filter(None, column.texts))) > 1] or list(columns)
         yield from worded_tables([columns[name] for name in kept], [label for label, _numbers in rows], width)
         yield ""
         yield _legend([shown[name] for name in kept])
-
-
-def _by_name(alternative: Alternative) -> tuple[str, Mapping[str, Number]]:
-    return alternative.label, {one.name: one for one in alternative.numbers}
 
 
 def _column(like: Number, numbers: Sequence[Number | None]) -> Column:

@@ -11,7 +11,7 @@ from cranktrain.analysis import Result, run
 from cranktrain.cli.screen.columns import Column, column_tables, section_of_columns
 from cranktrain.cli.screen.report import title
 from cranktrain.cli.screen.text import INDENT, page, section, table
-from cranktrain.cli.textbook.errata import show_errata
+from cranktrain.cli.textbook.errata import show_source_example
 from cranktrain.cli.textbook.source import machine_file
 from cranktrain.grouping import places_of_equal
 from cranktrain.language import _
@@ -60,18 +60,19 @@ def show_textbook(source: str, settings: Sequence[str], *, with_table: bool, wit
         With everything that is wrong with the machine.
     """
     is_errata = source.casefold() == _ERRATA and not os.path.isfile(source)  # noqa: PTH113 - takes a NUL byte
+    errors = _("Errors of the sources, each with what is right")
     if is_errata or (with_errata and not source):
-        with page() as console:
-            show_errata(console)
+        with page(errors) as console:
+            show_source_example(console)
         return
     machine = machine_file(source, settings, "cranktrain textbook 3d12").machine
     result = run(machine, step_degrees=_STEP, quantities=_NEEDED)
-    with page() as console:
-        console.print(Text(title(machine), style="bold"))
+    with page(title(machine)) as console:
         _show_methods(console, machine, result, with_table=with_table)
         if with_errata:
             console.print()
-            show_errata(console)
+            console.print(Text(errors, style="bold"))
+            show_source_example(console)
 
 
 def _show_methods(console: Console, machine: Machine, result: Result, *, with_table: bool) -> None:
@@ -144,7 +145,7 @@ def _method(machine: Machine, result: Result, one: Range, width: int) -> Iterato
     places = [place for place in machine.places if place.kind.name in FORMS[one.method]]
     names = [place.name for place in places]
     yield _("range: {condition}").format(condition=_(one.condition))
-    if _has_limits(one):
+    if one.outside(single(np.inf), single(1.0)):  # some sources give no limits
         said = [
             (_("outside, λ = {ratio:.3f}") if one.outside(ratio, offset) else _("inside, λ = {ratio:.3f}")).format(
                 ratio=float(ratio)
@@ -153,12 +154,8 @@ def _method(machine: Machine, result: Result, one: Range, width: int) -> Iterato
         ]
         yield "; ".join(f"{ranged(names, members)}: {words}" for words, members in places_of_equal(said).items())
     groups = places_of_equal([tuple(_errors(result, one.method, name)) for name in names])
-    heads = [text for symbol in _ERRORS for text in (symbol, "φ")]
-    units = ["%", "deg"] * len(_ERRORS)
-    columns = [
-        Column(head, unit, tuple(texts[place] for texts in groups))
-        for place, (head, unit) in enumerate(zip(heads, units, strict=True))
-    ]
+    heads = [head for symbol in _ERRORS for head in ((symbol, "%"), ("φ", "deg"))]
+    columns = [Column(*head, texts) for head, texts in zip(heads, zip(*groups, strict=True), strict=True)]
     yield from column_tables(columns, [ranged(names, members) for members in groups.values()], width)
 
 
@@ -206,8 +203,3 @@ def _sizes(place: PlacedMechanism) -> tuple[Array, Array]:
     """Crank radius by rod and offset of the line of stroke [m], of a slave its master's, as ranges have them."""
     geometry = getattr(place.geometry, "master", place.geometry)
     return single(geometry.crank_radius / geometry.rod_length), single(geometry.offset)
-
-
-def _has_limits(one: Range) -> bool:
-    """Whether there is anything outside a range: some sources give none."""
-    return bool(one.outside(single(np.inf), single(1.0)))

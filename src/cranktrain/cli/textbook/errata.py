@@ -13,9 +13,8 @@ from cranktrain.references import REFERENCES
 from cranktrain.synthesis.proposal import quantity_text
 from cranktrain.textbook.slider_crank_synthesis import (
     PIN_SPEED,
+    REQUIREMENTS,
     ROD_LENGTH,
-    WANTS,
-    WrongStep,
     velocity_table,
     wrong_steps,
 )
@@ -23,45 +22,34 @@ from cranktrain.textbook.slider_crank_synthesis import (
 SOURCE = "slider-crank-synthesis"
 
 SOURCE_EXAMPLE = {
-    "stroke": quantity_text(WANTS.stroke, "mm"),
-    "pressure_angle": quantity_text(WANTS.pressure_angle, "deg"),
-    "mean_speed": f"{WANTS.mean_speed} m/s",
+    "stroke": quantity_text(REQUIREMENTS.stroke, "mm"),
+    "pressure_angle": quantity_text(REQUIREMENTS.pressure_angle, "deg"),
+    "mean_speed": f"{REQUIREMENTS.mean_speed} m/s",
 }
 """What the source of the slider-crank's synthesis wants, as it would be typed."""
-
-
-def show_errata(console: Console) -> None:
-    """Show the errors of every source of which any are known."""
-    console.print(Text(_("Errors of the sources, each with what is right"), style="bold"))
-    show_source_example(console)
 
 
 def show_source_example(console: Console) -> None:
     """Show the wrong steps of the slider-crank's synthesis, and its table of velocities beside the right one."""
     width = console.width - INDENT
-    section(console, f"[{SOURCE}]", [REFERENCES[SOURCE].text, _("Its example: {wants}.").format(wants=_example())])
-    for place, step in enumerate(wrong_steps(), start=1):
-        words = _(step.step)
-        section(console, f"{place}. {words[:1].upper()}{words[1:]}", _rows_of(step, width))
-    section(console, _("Its table of slider velocities, m/s"), _velocities(width))
-
-
-def _example() -> str:
-    """Dimensions from which the source's example starts."""
-    return _("stroke {stroke}, mean slider speed {speed}, permissible pressure angle {angle}").format(
+    requirements = _("stroke {stroke}, mean slider speed {speed}, permissible pressure angle {angle}").format(
         stroke=SOURCE_EXAMPLE["stroke"], speed=SOURCE_EXAMPLE["mean_speed"], angle=SOURCE_EXAMPLE["pressure_angle"]
     )
-
-
-def _rows_of(step: WrongStep, width: int) -> Iterator[Text]:
-    """What a step says, gives, and would have to give."""
-    rows = [
-        (_("printed"), step.printed),
-        (_("gives"), _figure(step.got, step.unit)),
-        (_("right"), _figure(step.right, step.unit)),
-        (_("because"), _(step.why)),
-    ]
-    yield from table(("", ""), rows, fold=width)
+    section(
+        console,
+        f"[{SOURCE}]",
+        [REFERENCES[SOURCE].text, _("Its example: {requirements}.").format(requirements=requirements)],
+    )
+    for place, step in enumerate(wrong_steps(), start=1):
+        words = _(step.step)
+        rows = [
+            (_("printed"), step.printed),
+            (_("gives"), _figure(step.got, step.unit)),
+            (_("right"), _figure(step.right, step.unit)),
+            (_("because"), _(step.why)),
+        ]
+        section(console, f"{place}. {words[:1].upper()}{words[1:]}", table(("", ""), rows, fold=width))
+    section(console, _("Its table of slider velocities, m/s"), _velocities(width))
 
 
 def _figure(value: float, unit: str) -> str:

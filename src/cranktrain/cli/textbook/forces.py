@@ -4,7 +4,6 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 from rich.console import Console
-from rich.text import Text
 
 from cranktrain.cli.screen.columns import Column, section_of_columns
 from cranktrain.cli.screen.report import title
@@ -14,6 +13,7 @@ from cranktrain.errors import Problem, problems_as, refuse
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.plans.force_table import ForceColumn, ForceTable, force_table
+from cranktrain.wording import signless
 
 _FIGURES = 5
 """Of the largest number in a column."""
@@ -46,8 +46,7 @@ def show_force_tables(source: str, settings: Sequence[str], *, unit: str, step: 
     file = machine_file(source, settings, f"cranktrain textbook 3d12 --forces {unit}")
     with problems_as(lambda problem: problem if problem.path.startswith("-") else file.document.located(problem)):
         table = force_table(file.machine, step=step, unit=unit, piston=piston)
-    with page() as console:
-        console.print(Text(title(file.machine), style="bold"))
+    with page(title(file.machine)) as console:
         _show(console, table)
 
 
@@ -85,7 +84,7 @@ def _show_method(
     forces = [Column(one.symbol, one.unit, _written(values, one.exact)) for one, values, _error in columns]
     section_of_columns(console, heading, forces, labels)
     errors = [
-        Column(f"Δ{one.symbol}", "%", tuple(_signless(f"{100 * value:.2f}") for value in error))
+        Column(f"Δ{one.symbol}", "%", tuple(signless(f"{100 * value:.2f}") for value in error))
         for one, _values, error in columns
     ]
     section_of_columns(console, _("Their errors, of the exact peaks"), errors, labels)
@@ -112,9 +111,4 @@ def _written(values: Array, like: Array) -> tuple[str, ...]:
     """Write numbers with as many decimals as give the largest of a curve its figures."""
     peak = float(np.max(np.abs(like)))
     decimals = max(0, _FIGURES - 1 - int(np.floor(np.log10(peak)))) if peak > 0.0 else 0
-    return tuple(_signless(f"{value:.{decimals}f}") for value in values)
-
-
-def _signless(text: str) -> str:
-    """Take the sign from what is shown as 0."""
-    return text.lstrip("-") if float(text) == 0.0 else text
+    return tuple(signless(f"{value:.{decimals}f}") for value in values)

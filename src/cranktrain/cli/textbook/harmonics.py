@@ -4,7 +4,6 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 from rich.console import Console
-from rich.text import Text
 
 from cranktrain.cli.screen.columns import Column, section_of_columns
 from cranktrain.cli.screen.report import title
@@ -55,16 +54,14 @@ def show_harmonics(
     """
     given = _given_ratio(source, settings, ratio, others)
     if given is not None:
-        with page() as console:
-            console.print(Text(_("Central slider-crank"), style="bold"))
+        with page(_("Central slider-crank")) as console:
             _show(console, f"λ = {given:g}", given)
             _explain(console)
         return
     machine = machine_file(source, settings, _EXAMPLE).machine
     places = [place for place in machine.places if place.kind.name == "slider_crank" and place.geometry.offset == 0.0]
     ratios = places_of_equal([float(place.geometry.crank_radius / place.geometry.rod_length) for place in places])
-    with page() as console:
-        console.print(Text(title(machine), style="bold"))
+    with page(title(machine)) as console:
         if not ratios:
             section(console, _("Harmonics"), [_("Only a central slider-crank has them in closed form.")])
             return

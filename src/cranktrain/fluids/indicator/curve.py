@@ -12,7 +12,7 @@ _AT_PLACE = 1e-13
 """What is so little before a place stands at it: places come back from a count of other zero with rounding. [rad]"""
 
 
-class Curve(NamedTuple):
+class CubicCurve(NamedTuple):
     """A periodic curve, one cubic from each place to the next.
 
     Attributes
@@ -80,12 +80,12 @@ def steps_between(places: Array, values: Array, period: float) -> Steps:
     return Steps(places[is_step], lengths[is_step], values[is_step], ends[is_step], after_jump[is_step])
 
 
-def curve_at(curve: Curve, at: Array) -> Array:
+def curve_at(curve: CubicCurve, at: Array) -> Array:
     """Value of a periodic curve.
 
     Parameters
     ----------
-    curve : Curve
+    curve : CubicCurve
     at : Array, any shape
         Any multiple of the period may be added. [rad]
 
@@ -102,7 +102,7 @@ def curve_at(curve: Curve, at: Array) -> Array:
     return along(curve, index, share)
 
 
-def along(curve: Curve, index: NDArray[np.intp], share: Array) -> Array:
+def along(curve: CubicCurve, index: NDArray[np.intp], share: Array) -> Array:
     """Value of some of a curve's cubics, each at a part of its length, of the broadcast shape."""
     step, rest = curve.steps[index], 1 - share
     start, end = curve.starts[index], curve.ends[index]
@@ -111,7 +111,7 @@ def along(curve: Curve, index: NDArray[np.intp], share: Array) -> Array:
     return rest * start + share * end + share * rest * bend
 
 
-def crest(curve: Curve) -> tuple[float, float]:
+def crest(curve: CubicCurve) -> tuple[float, float]:
     """Place and value of the highest point of a curve. [rad, unit]"""
     step = curve.steps
     chord = curve.ends - curve.starts
@@ -131,9 +131,9 @@ def _share(above: Array, below: Array) -> Array:
     return np.clip(above / np.where(below == 0.0, np.inf, below), 0.0, 1.0)
 
 
-def spline_curve(places: Array, values: Array, period: float) -> Curve:
+def spline_curve(places: Array, values: Array, period: float) -> CubicCurve:
     """Periodic cubic spline through points of one period; of a place given twice the second counts, as if no jump."""
     kept = np.diff(places, append=places[0] + period) > 0
     own, starts = places[kept], values[kept]
     slopes = periodic_slopes(own, starts, period)
-    return Curve(period, own, starts, np.roll(starts, -1), slopes, np.roll(slopes, -1))
+    return CubicCurve(period, own, starts, np.roll(starts, -1), slopes, np.roll(slopes, -1))

@@ -5,7 +5,7 @@ from typing import Literal, TypeAlias
 
 import numpy as np
 
-from cranktrain.fluids.indicator.curve import Curve, along, curve_at, spline_curve
+from cranktrain.fluids.indicator.curve import CubicCurve, along, curve_at, spline_curve
 from cranktrain.fluids.indicator.cycle import Samples
 from cranktrain.fluids.indicator.limited import limited_curve
 from cranktrain.motion import Array
@@ -13,7 +13,10 @@ from cranktrain.record import record
 
 Interpolation: TypeAlias = Literal["limited", "spline"]
 
-CURVES: dict[Interpolation, Callable[[Array, Array, float], Curve]] = {"limited": limited_curve, "spline": spline_curve}
+CURVES: dict[Interpolation, Callable[[Array, Array, float], CubicCurve]] = {
+    "limited": limited_curve,
+    "spline": spline_curve,
+}
 """The curve through places and values of one period."""
 
 _GAUSS_POINTS = 6
@@ -28,13 +31,13 @@ class Diagram:
 
     Attributes
     ----------
-    curve : Curve
+    curve : CubicCurve
         Absolute pressure over the crank angle from firing, its places in [0, cycle). [rad, Pa]
     findings, flags : tuple of str
         What was found in the file and changed, and what may be meant otherwise, as sentences.
     """
 
-    curve: Curve
+    curve: CubicCurve
     findings: tuple[str, ...] = ()
     flags: tuple[str, ...] = ()
 

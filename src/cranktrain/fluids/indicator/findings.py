@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cranktrain.fluids.indicator.curve import Curve, crest
+from cranktrain.fluids.indicator.curve import CubicCurve, crest
 from cranktrain.fluids.indicator.cycle import Samples
 from cranktrain.language import _
 from cranktrain.motion import single
@@ -12,12 +12,12 @@ from cranktrain.numerics import around_zero
 from cranktrain.quantities import shown
 
 
-def curve_findings(curve: Curve, samples: Samples, highest: int, dead_centre: float) -> Iterator[str]:
+def curve_findings(curve: CubicCurve, samples: Samples, highest: int, dead_centre: float) -> Iterator[str]:
     """Say what the samples show and what the curve makes of them.
 
     Parameters
     ----------
-    curve : Curve
+    curve : CubicCurve
     samples : Samples
         What the curve was laid through, before it was smoothed.
     highest : int

@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from cranktrain.fluids.indicator.curve import Curve, steps_between
+from cranktrain.fluids.indicator.curve import CubicCurve, steps_between
 from cranktrain.motion import Array
 
 _BESIDE = 2
@@ -17,7 +17,7 @@ _CORNER = 2.0
 """A bend more than so many times as sharp as those beside it is a corner rather than a crest."""
 
 
-def limited_curve(places: Array, values: Array, period: float) -> Curve:
+def limited_curve(places: Array, values: Array, period: float) -> CubicCurve:
     """Curve through samples of one period that overshoots at smooth crests only.
 
     Parameters
@@ -30,7 +30,7 @@ def limited_curve(places: Array, values: Array, period: float) -> Curve:
 
     Returns
     -------
-    Curve
+    CubicCurve
         Nothing of it reaches across a jump.
 
     Notes
@@ -56,7 +56,7 @@ def limited_curve(places: Array, values: Array, period: float) -> Curve:
     start_slopes, end_slopes = np.empty_like(chords), np.empty_like(chords)
     for own, slopes in zip(pieces, of_pieces, strict=True):
         start_slopes[own], end_slopes[own] = slopes[:-1], slopes[1:]
-    return Curve(period, steps.places, steps.starts, steps.ends, start_slopes, end_slopes)
+    return CubicCurve(period, steps.places, steps.starts, steps.ends, start_slopes, end_slopes)
 
 
 def _slopes_between_jumps(lengths: Array, chords: Array) -> Array:

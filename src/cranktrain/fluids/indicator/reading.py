@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.errors import InputError, Position, Problem
-from cranktrain.fluids.indicator.table import Table, read_table
+from cranktrain.fluids.indicator.table import NumberTable, read_table
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.quantities import Dimension, is_unit, read, shown, unit_names
@@ -141,7 +141,7 @@ def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
     )
 
 
-def _columns(table: Table, said: Columns, name: str) -> tuple[Axis, int, int]:
+def _columns(table: NumberTable, said: Columns, name: str) -> tuple[Axis, int, int]:
     """Tell what the axis is, and which columns hold axis and pressure, counted from 0."""
     n_columns = table.rows.shape[1]
     if n_columns < _PAIR:
@@ -166,7 +166,7 @@ def _columns(table: Table, said: Columns, name: str) -> tuple[Axis, int, int]:
     return said.axis or "angle", 0, 1
 
 
-def _columns_taken(table: Table, said: Columns, level: int) -> Iterator[str]:
+def _columns_taken(table: NumberTable, said: Columns, level: int) -> Iterator[str]:
     """Say which column is taken where there are more than the two that are needed."""
     if said.columns is None and table.rows.shape[1] > _PAIR:
         label = table.labels[level] if table.labels else ""
@@ -210,7 +210,9 @@ def unit_in(label: str, dimension: Dimension) -> str | None:
     return None
 
 
-def _place_scale(axis: Axis, label: str, said: Columns, table: Table, column: int) -> tuple[float, tuple[str, ...]]:
+def _place_scale(
+    axis: Axis, label: str, said: Columns, table: NumberTable, column: int
+) -> tuple[float, tuple[str, ...]]:
     """Give the SI value of one of the axis's units, and say what was taken for granted."""
     unit = said.axis_unit or unit_in(label, AXES[axis])
     if unit is not None:
@@ -252,7 +254,7 @@ def _absolute(numbers: Array, unit: str, label: str, said: Columns) -> tuple[Arr
     return numbers * scale, ()
 
 
-def _refuse_negative(pressures: Array, table: Table, level: int) -> None:
+def _refuse_negative(pressures: Array, table: NumberTable, level: int) -> None:
     """Refuse absolute pressures that cannot be, at the first of them."""
     wrong = np.flatnonzero(pressures <= 0)
     if wrong.size:

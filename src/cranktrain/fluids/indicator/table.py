@@ -23,7 +23,7 @@ _MOST_PROBLEMS = 10
 
 
 @record
-class Table:
+class NumberTable:
     """A table of numbers.
 
     Attributes
@@ -61,7 +61,7 @@ def held_text(file: str, text: str | None) -> str:
     return text
 
 
-def read_table(text: str, name: str) -> Table:
+def read_table(text: str, name: str) -> NumberTable:
     r"""Read a table of numbers.
 
     Parameters
@@ -74,7 +74,7 @@ def read_table(text: str, name: str) -> Table:
 
     Returns
     -------
-    Table
+    NumberTable
         Every row as long as the first.
 
     Raises
@@ -103,7 +103,7 @@ def read_table(text: str, name: str) -> Table:
     rows = _numbers(texts, separator, n_columns)
     if rows is None:
         raise InputError(_first_of(_problems(body, separator, name), name))
-    return Table(name, labels, rows, numbers, texts, separator)
+    return NumberTable(name, labels, rows, numbers, texts, separator)
 
 
 def _refuse_many(text: str, name: str) -> None:

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.fluids.indicator.chamber import Chamber
-from cranktrain.fluids.indicator.curve import Curve, curve_at
+from cranktrain.fluids.indicator.curve import CubicCurve, curve_at
 from cranktrain.fluids.indicator.cycle import Samples, once_or_jump
 from cranktrain.fluids.indicator.flags import lost_jump_flags
 from cranktrain.fluids.indicator.reading import Trace
@@ -34,7 +34,7 @@ OutwardAngle = Callable[[Array], Array]
 """From the travelled part of the stroke, 0 to 1 from the top, to the crank angle of the outward stroke. [rad]"""
 
 
-CurveThrough = Callable[[Array, Array, float], Curve]
+CurveThrough = Callable[[Array, Array, float], CubicCurve]
 """From places, values and period to the curve through them."""
 
 
@@ -45,14 +45,14 @@ class _Branch(NamedTuple):
     pressures: Array
 
 
-class DeadCentres(NamedTuple):
+class ChamberDeadCentres(NamedTuple):
     """Where a chamber's volume is smallest, next to nominal firing, and where it is largest after that. [rad]"""
 
     top: float
     bottom: float
 
 
-def dead_centres_of(volume: Callable[[Array], Array]) -> DeadCentres:
+def dead_centres_of(volume: Callable[[Array], Array]) -> ChamberDeadCentres:
     """True dead centres of a chamber, from nominal firing.
 
     Parameters
@@ -62,13 +62,15 @@ def dead_centres_of(volume: Callable[[Array], Array]) -> DeadCentres:
 
     Returns
     -------
-    DeadCentres
+    ChamberDeadCentres
         What is within 1e-8 of 0 or π stands there: a curve without its derivative says no more.
     """
     found = extremes(volume, samples=volume(turn_grid()))
     top = float(around_zero(found.smallest.angle[0]))
     bottom = float(np.mod(found.largest.angle[0] - top, 2 * np.pi)) + top
-    return DeadCentres(0.0 if abs(top) < _AT_NOMINAL else top, np.pi if abs(bottom - np.pi) < _AT_NOMINAL else bottom)
+    return ChamberDeadCentres(
+        0.0 if abs(top) < _AT_NOMINAL else top, np.pi if abs(bottom - np.pi) < _AT_NOMINAL else bottom
+    )
 
 
 def unrolled(
@@ -188,7 +190,7 @@ def _in_order(branches: Sequence[_Branch], trace: Trace) -> Sequence[_Branch]:
 
 
 def _angles(
-    travelled: Array, is_outward: bool, chamber: Chamber, ends: DeadCentres, outward: OutwardAngle | None
+    travelled: Array, is_outward: bool, chamber: Chamber, ends: ChamberDeadCentres, outward: OutwardAngle | None
 ) -> Array:
     """Crank angles of one stroke's points, in the first turn. [rad]"""
     if outward is not None:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array, Coefficient
-from cranktrain.numerics.panels import interpolation, leggauss, partial_integrals
+from cranktrain.numerics.subintervals import interpolation, leggauss, partial_integrals
 from cranktrain.record import record
 
 _N_NODES = 12

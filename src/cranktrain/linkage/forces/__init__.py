@@ -23,16 +23,23 @@ from cranktrain.linkage.forces.body import (
 )
 from cranktrain.linkage.forces.conditions import NO_FRICTION, Conditions, Friction, borne
 from cranktrain.linkage.forces.crank import CrankReactions, carrying_crank, crank_link, crank_reactions
-from cranktrain.linkage.forces.crossing import CrossingForces, CrossingFriction, Turning, crossing_forces
+from cranktrain.linkage.forces.crossing import (
+    CrossingForces,
+    CrossingFriction,
+    CrossingLoads,
+    CrossingReactions,
+    Turning,
+    crossing_forces,
+)
 from cranktrain.linkage.forces.guide import EdgeForces, edge_forces
 from cranktrain.linkage.forces.pin import PinLoads, PinReactions, pin_reactions
 from cranktrain.linkage.forces.rubbing_triad import TriadFriction, triad_reactions_with_friction
 from cranktrain.linkage.forces.slide import SlideLoads, SlideReactions, slide_reactions, slider_link
 from cranktrain.linkage.forces.swivel import SwivelLoads, SwivelReactions, swivel_reactions, swivel_slider_link
-from cranktrain.linkage.forces.trammel import TrammelLoads, TrammelReactions, trammel_reactions
+from cranktrain.linkage.forces.trammel import trammel_reactions
 from cranktrain.linkage.forces.triad import LegReactions, TriadLoads, TriadReactions, triad_reactions
 from cranktrain.linkage.forces.wrench import NOTHING, Wrench, added, handed_back, opposite, turned_wrench, work
-from cranktrain.linkage.forces.yoke import YokeLoads, YokeReactions, block_link, yoke_reactions
+from cranktrain.linkage.forces.yoke import block_link, yoke_reactions
 
 __all__ = [
     "NOTHING",
@@ -43,6 +50,8 @@ __all__ = [
     "CrankReactions",
     "CrossingForces",
     "CrossingFriction",
+    "CrossingLoads",
+    "CrossingReactions",
     "Drive",
     "EdgeForces",
     "Friction",
@@ -57,15 +66,11 @@ __all__ = [
     "SlideReactions",
     "SwivelLoads",
     "SwivelReactions",
-    "TrammelLoads",
-    "TrammelReactions",
     "TriadFriction",
     "TriadLoads",
     "TriadReactions",
     "Turning",
     "Wrench",
-    "YokeLoads",
-    "YokeReactions",
     "added",
     "added_reduced",
     "applied",

@@ -17,6 +17,25 @@ class CrossingFriction(NamedTuple):
     slot: Friction
 
 
+class CrossingLoads(NamedTuple):
+    """What block and slider bear but for their joints: about their pin, a yoke about where its slot meets the guide."""
+
+    block: Wrench
+    slider: Wrench
+
+
+class CrossingReactions(NamedTuple):
+    """Wrenches on the block of what drives it, of the block on the slider, of the guide on the slider.
+
+    The first two are about the pin. The guide's: friction along x, normal force along y, and a moment about the pin, of
+    a yoke about where its slot meets the guide.
+    """
+
+    block: Wrench
+    slider: Wrench
+    guide: Wrench
+
+
 class Turning(NamedTuple):
     """Moment of the guide about the slider's pin without the slot's force [N·m]; that force's place along the slot [m].
 

@@ -1,6 +1,6 @@
 """Reactions of a class III group whose blocks rub on their lines, each guide on one side or on two edges."""
 
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -15,17 +15,12 @@ from cranktrain.linkage.forces.triad import (
     triple,
 )
 from cranktrain.linkage.forces.wrench import Wrench, plus
-from cranktrain.linkage.triad import Leg, Triad, TriadEnds
+from cranktrain.linkage.triad import Leg, OfLegs, Triad, TriadEnds
 from cranktrain.linkage.vectors import Vector, at_arm, crossed
 from cranktrain.motion import Array, Link
 
-
-class TriadFriction(NamedTuple):
-    """Friction of each leg's block, in the sense of its line's direction; of a rod it does not count."""
-
-    first: Friction
-    second: Friction
-    third: Friction
+TriadFriction: TypeAlias = OfLegs[Friction]
+"""Friction of each leg's block, in the sense of its line's direction; of a rod it does not count."""
 
 
 class _Line(NamedTuple):

@@ -1,42 +1,31 @@
 """Reactions of a PRP group: a block in a moving link's slot, jointed to a slider, with friction in slot and guide."""
 
-from typing import NamedTuple
-
 from cranktrain.linkage.forces.conditions import Friction
-from cranktrain.linkage.forces.crossing import CrossingFriction, Turning, crossing_forces
+from cranktrain.linkage.forces.crossing import (
+    CrossingFriction,
+    CrossingLoads,
+    CrossingReactions,
+    Turning,
+    crossing_forces,
+)
 from cranktrain.linkage.forces.wrench import Wrench, added
 from cranktrain.motion import Link
 
 
-class TrammelLoads(NamedTuple):
-    """What block and slider bear but for their joints, both about the pin between them."""
-
-    block: Wrench
-    slider: Wrench
-
-
-class TrammelReactions(NamedTuple):
-    """Wrenches of the link on the block, of the block on the slider, of the guide on the slider; all about the pin."""
-
-    slot: Wrench
-    joint: Wrench
-    guide: Wrench
-
-
-def trammel_reactions(link: Link, loads: TrammelLoads, friction: CrossingFriction) -> TrammelReactions:
+def trammel_reactions(link: Link, loads: CrossingLoads, friction: CrossingFriction) -> CrossingReactions:
     """Reactions of a slider on a guide along x and the block by which a moving link's slot drives it.
 
     Parameters
     ----------
     link : Link, shape (..., n)
         The slotted link, in the guide's axes.
-    loads : TrammelLoads, shape (..., n)
+    loads : CrossingLoads, shape (..., n)
     friction : CrossingFriction, fields broadcastable to (..., n)
         The slot's sense is that of the block along the link.
 
     Returns
     -------
-    TrammelReactions, shape (..., n)
+    CrossingReactions, shape (..., n)
         Infinite or NaN where the slot is parallel to the guide; NaN where friction wedges the slider.
 
     Notes
@@ -49,7 +38,7 @@ def trammel_reactions(link: Link, loads: TrammelLoads, friction: CrossingFrictio
     zero = 0.0 * (link.cos + loads.slider.moment)
     turning = Turning(zero - loads.slider.moment, zero)
     found = crossing_forces(link.cos, link.sin, together, turning, CrossingFriction(friction.guide, slot))
-    return TrammelReactions(
+    return CrossingReactions(
         Wrench(found.x, found.y, zero - loads.block.moment),
         Wrench(found.x + loads.block.x, found.y + loads.block.y, zero),
         Wrench(found.drag, found.normal, turning.moment),

@@ -1,12 +1,12 @@
 """Reactions of a class III group: a floating link on three legs, rods or blocks on lines, where nothing rubs."""
 
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
 from cranktrain.linkage.forces.wrench import Wrench, added, opposite, plus
 from cranktrain.linkage.point import arm_of
-from cranktrain.linkage.triad import Leg, Triad, TriadEnds
+from cranktrain.linkage.triad import Leg, OfLegs, Triad, TriadEnds
 from cranktrain.linkage.vectors import Vector, at_arm, crossed
 from cranktrain.motion import ZERO, Array, Link
 
@@ -33,12 +33,8 @@ class LegReactions(NamedTuple):
     end: Wrench
 
 
-class TriadReactions(NamedTuple):
-    """Reactions of the three legs."""
-
-    first: LegReactions
-    second: LegReactions
-    third: LegReactions
+TriadReactions: TypeAlias = OfLegs[LegReactions]
+"""Reactions of the three legs."""
 
 
 class Hold(NamedTuple):
@@ -94,7 +90,7 @@ def reactions_of(a: Hold, b: Hold, c: Hold, held: Array, geometry: Triad, loads:
     first = triple(needed, bc) / determinant
     second = triple(needed, crossed(c.unit, a.unit)) / determinant
     third = triple(needed, crossed(a.unit, b.unit)) / determinant
-    return TriadReactions(
+    return OfLegs(
         leg_reactions(a, first, geometry.first, loads.first),
         leg_reactions(b, second, geometry.second, loads.second),
         leg_reactions(c, third, geometry.third, loads.third),

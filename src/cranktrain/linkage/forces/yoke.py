@@ -1,31 +1,17 @@
 """Reactions of an RPP group: a block on a pin in a slider's slot, with friction in slot and guide."""
 
-from typing import NamedTuple
-
 import numpy as np
 
-from cranktrain.linkage.forces.crossing import CrossingFriction, Turning, crossing_forces
+from cranktrain.linkage.forces.crossing import (
+    CrossingFriction,
+    CrossingLoads,
+    CrossingReactions,
+    Turning,
+    crossing_forces,
+)
 from cranktrain.linkage.forces.wrench import Wrench
 from cranktrain.linkage.yoke import Yoke
 from cranktrain.motion import Array, Coefficient, Link, Point
-
-
-class YokeLoads(NamedTuple):
-    """What block and slider bear but for their joints: about the pin, and about where the slot meets the guide."""
-
-    block: Wrench
-    slider: Wrench
-
-
-class YokeReactions(NamedTuple):
-    """Wrenches of the pin on the block, of the block on the slider (about the pin), of the guide on the slider.
-
-    The guide's: friction along x, normal force along y, and a moment about where the slot meets the guide.
-    """
-
-    pin: Wrench
-    slot: Wrench
-    guide: Wrench
 
 
 def block_link(pin: Point, angle: Array) -> Link:
@@ -34,7 +20,7 @@ def block_link(pin: Point, angle: Array) -> Link:
     return Link(pin, Coefficient(angle + zero, zero, zero), np.cos(angle) + zero, np.sin(angle) + zero)
 
 
-def yoke_reactions(block: Array, geometry: Yoke, loads: YokeLoads, friction: CrossingFriction) -> YokeReactions:
+def yoke_reactions(block: Array, geometry: Yoke, loads: CrossingLoads, friction: CrossingFriction) -> CrossingReactions:
     """Reactions of a block and its slotted slider.
 
     Parameters
@@ -42,12 +28,12 @@ def yoke_reactions(block: Array, geometry: Yoke, loads: YokeLoads, friction: Cro
     block : Array, shape (..., n)
         Its position along the slot, from where that meets the guide. [m]
     geometry : Yoke, fields broadcastable to (..., 1)
-    loads : YokeLoads, shape (..., n)
+    loads : CrossingLoads, shape (..., n)
     friction : CrossingFriction, fields broadcastable to (..., n)
 
     Returns
     -------
-    YokeReactions, shape (..., n)
+    CrossingReactions, shape (..., n)
         NaN where friction wedges the slider.
 
     Notes
@@ -62,7 +48,7 @@ def yoke_reactions(block: Array, geometry: Yoke, loads: YokeLoads, friction: Cro
     found = crossing_forces(cos, sin, loads.slider, turning, friction)
     zero = 0.0 * found.x
     across = cos * found.y - sin * found.x
-    return YokeReactions(
+    return CrossingReactions(
         Wrench(found.x - loads.block.x, found.y - loads.block.y, zero),
         Wrench(found.x, found.y, zero + couple),
         Wrench(found.drag, found.normal, turning.moment - block * across),

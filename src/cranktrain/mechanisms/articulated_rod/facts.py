@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check
+from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.kind import Members
@@ -21,7 +21,7 @@ class ArticulatedRods(Members[ArticulatedRod]):
 
 
 @record
-class Articulation:
+class Articulation(StageResult):
     """Where the knuckle pin stands, and where it would have to stand for an unshifted dead centre."""
 
     offset_angle: Array = quantity("ψ", "rad", _ROD, N_("Articulation angle less bank angle, ζ − γ"), _THEORY)
@@ -31,7 +31,6 @@ class Articulation:
     articulation_angle_without_bottom_shift: Array = quantity(
         "ζ_B", "rad", _ROD, N_("Articulation angle that would leave the slave's bottom dead centre unshifted"), _THEORY
     )
-    checks: tuple[Check, ...] = ()
 
     def answer(self, names: Names, design: int) -> str | None:
         """Say which articulation angles would remove the shifts of the slaves' dead centres."""

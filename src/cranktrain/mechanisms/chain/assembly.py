@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.linkage import Pose, trammel_transmission, triad_modes, turned_link
+from cranktrain.linkage import Pose, triad_modes, turned_link
 from cranktrain.linkage.nearest import nearest_pose
 from cranktrain.linkage.triad import Triad, TriadEnds
 from cranktrain.mechanisms.chain.kinematics import chain_made
@@ -67,7 +67,7 @@ def _put_together(structure: Structure, place: int, size: ChainSize, near: Mappi
             return own._replace(outside=single(_outside(structure, step, made_above(structure, place, size))))
         case TrammelStep(), TrammelSize():
             link = turned_link(made_above(structure, place, size)[step.link], own.direction)
-            side = float(np.sign(trammel_transmission(link)))
+            side = float(np.sign(link.sin))
             return own._replace(side=single(side if side != 0.0 else 1.0))
         case TriadStep(), TriadSize():
             return own._replace(start=_start(step, own, made_above(structure, place, size), near[step.link]))

@@ -10,15 +10,14 @@ from cranktrain.linkage.forces import (
     NO_FRICTION,
     NOTHING,
     CrossingFriction,
+    CrossingLoads,
     Friction,
     PinLoads,
     SlideLoads,
     SwivelLoads,
-    TrammelLoads,
     TriadFriction,
     TriadLoads,
     Wrench,
-    YokeLoads,
     pin_reactions,
     slide_reactions,
     swivel_reactions,
@@ -84,17 +83,17 @@ def _solve_swivel(step: SwivelStep, own: SwivelSize, acting: Acting) -> Solved:
 
 def _solve_yoke(step: YokeStep, own: YokeSize, acting: Acting) -> Solved:
     block = acting.made[slot_of(step.slider)].value
-    loads = YokeLoads(NOTHING, turned_wrench(acting.loads[step.slider], own.direction))
+    loads = CrossingLoads(NOTHING, turned_wrench(acting.loads[step.slider], own.direction))
     found = yoke_reactions(block, Yoke(own.offset, own.slot_angle), loads, _crossing(acting, step.slider))
-    rubbing = -_along(found.slot, np.cos(own.slot_angle), np.sin(own.slot_angle))
-    return _in_file((found.pin, found.guide), own.direction, found.guide.x, rubbing)
+    rubbing = -_along(found.slider, np.cos(own.slot_angle), np.sin(own.slot_angle))
+    return _in_file((found.block, found.guide), own.direction, found.guide.x, rubbing)
 
 
 def _solve_trammel(step: TrammelStep, own: TrammelSize, acting: Acting) -> Solved:
-    loads = TrammelLoads(NOTHING, turned_wrench(acting.loads[step.slider], own.direction))
+    loads = CrossingLoads(NOTHING, turned_wrench(acting.loads[step.slider], own.direction))
     link = turned_link(acting.made[step.link], own.direction)
     found = trammel_reactions(link, loads, _crossing(acting, step.slider))
-    return _in_file((found.slot, found.guide), own.direction, found.guide.x, _along(found.slot, link.cos, link.sin))
+    return _in_file((found.block, found.guide), own.direction, found.guide.x, _along(found.block, link.cos, link.sin))
 
 
 def _crossing(acting: Acting, slider: str) -> CrossingFriction:

@@ -48,13 +48,10 @@ _LENGTHS: dict[type, tuple[tuple[str, str], ...]] = {
     TrammelStep: (("shift", "shift"), ("offset", "guide.offset")),
     PointStep: (("radius", "along"),),
     MountStep: (),
+    RodLegStep: (("joint.radius", "along"), ("length", "rod.length")),
+    GuideLegStep: (("joint.radius", "along"), ("offset", "guide.offset")),
 }
-"""Lengths of each group but the triad: as its numbers call them, and as the file does."""
-
-_LEG_LENGTHS: dict[type, tuple[str, str]] = {
-    RodLegStep: ("length", "rod.length"),
-    GuideLegStep: ("offset", "guide.offset"),
-}
+"""Lengths of each group, of a triad those of its legs: as its numbers call them, and as the file does."""
 
 
 @cache
@@ -144,9 +141,7 @@ def _lengths(step: Step) -> Sequence[tuple[str, str]]:
     if not isinstance(step, TriadStep):
         return _LENGTHS[type(step)]
     return [
-        (f"legs.{k}.{own}", f"leg[{k}].{path}")
-        for k, leg in enumerate(step.legs)
-        for own, path in (("joint.radius", "along"), _LEG_LENGTHS[type(leg)])
+        (f"legs.{k}.{own}", f"leg[{k}].{path}") for k, leg in enumerate(step.legs) for own, path in _LENGTHS[type(leg)]
     ]
 
 

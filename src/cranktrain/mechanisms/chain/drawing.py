@@ -30,7 +30,7 @@ _COARSE = turn_grid(72)
 def chain_drawing(structure: Structure, angle: Array, size: ChainSize) -> Drawing:
     """All points at each angle, shape (..., n), and what joins them; the output's guide comes first."""
     made = chain_made(structure, angle, size)
-    links = [DrawnLink(_crank(name), (SHAFT, pin_of(name))) for name in structure.cranks]
+    links = [DrawnLink("crank" if name == "main" else name, (SHAFT, pin_of(name))) for name in structure.cranks]
     guides = [Guide(pin_of(name), direction) for name, direction in guide_directions(structure, size).items()]
     blocks: list[Block] = []
     ends: list[str] = []
@@ -75,7 +75,3 @@ def chain_drawing(structure: Structure, angle: Array, size: ChainSize) -> Drawin
         blocks=tuple(blocks),
         ends=tuple(ends),
     )
-
-
-def _crank(name: str) -> str:
-    return "crank" if name == "main" else name

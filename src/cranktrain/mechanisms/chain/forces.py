@@ -22,7 +22,6 @@ from cranktrain.mechanisms.chain.groups import anatomy, guide_directions, made_n
 from cranktrain.mechanisms.chain.joints import (
     carriers_of,
     chain_contacts,
-    chain_groups,
     chain_moving,
     chain_reactions,
 )
@@ -159,7 +158,8 @@ def chain_dynamics(structure: Structure, size_of: Callable[[Geometry], ChainSize
         chain_reactions(structure),
         tuple(contacts),
         tuple(contacts.values()),
-        chain_groups(structure),
+        # A point is no group.
+        tuple(anatomy(step).group for step in structure.steps if anatomy(step).sort),
         lambda motion, geometry: tuple(chain_links(structure, motion, size_of(geometry)).values()),
         lambda motion, geometry, value: chain_load(structure, motion, size_of(geometry), value),
         lambda motion, geometry, bodies, loads, conditions: chain_forces(

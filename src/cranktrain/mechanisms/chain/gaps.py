@@ -1,7 +1,7 @@
 """By how much the groups of a chain can close, at any crank angle."""
 
 from collections.abc import Callable, Mapping
-from typing import NamedTuple
+from functools import reduce
 
 import numpy as np
 
@@ -11,7 +11,6 @@ from cranktrain.linkage import (
     Pose,
     Slide,
     Swivel,
-    SwivelEnds,
     Triad,
     TriadDriver,
     TriadEnds,
@@ -19,7 +18,6 @@ from cranktrain.linkage import (
     pin_gap,
     slide_gap,
     swivel_gap,
-    trammel_transmission,
     triad,
     turned,
     turned_link,
@@ -50,14 +48,6 @@ from cranktrain.mechanisms.chain.triads import link_size, place_triad, triad_at,
 from cranktrain.mechanisms.chain.walks import Branch, kept_side, lacking
 from cranktrain.motion import Array, Link, Point, single
 
-
-class Followed(NamedTuple):
-    """A chain whose triads are followed from given poses: gap of each group [m], pose of each triad by its place."""
-
-    gaps: list[Array]
-    poses: dict[int, Pose]
-
-
 _TriadOf = Callable[[int, Made], tuple[Link, Array]]
 """Gives link and gap of the triad at a place of the chain, on what stands above it."""
 
@@ -76,13 +66,13 @@ def chain_gaps(structure: Structure, angle: Array, size: ChainSize) -> list[Arra
 
 def chain_gap(structure: Structure, angle: Array, size: ChainSize) -> Array:
     """By how much the group that closes least does; negative where it cannot. [m]"""
-    least = np.full_like(angle + size.cranks[0].radius, np.inf)
-    for gap in chain_gaps(structure, angle, size):
-        least = np.fmin(least, gap)
-    return least
+    none = np.full_like(angle + size.cranks[0].radius, np.inf)
+    return reduce(np.fmin, chain_gaps(structure, angle, size), none)
 
 
-def followed(structure: Structure, angle: Array, size: ChainSize, starts: Mapping[int, Pose]) -> Followed:
+def followed(
+    structure: Structure, angle: Array, size: ChainSize, starts: Mapping[int, Pose]
+) -> tuple[list[Array], dict[int, Pose]]:
     """By how much each group can close, for triads in poses near given ones, at any crank angle by itself.
 
     Parameters
@@ -96,9 +86,11 @@ def followed(structure: Structure, angle: Array, size: ChainSize, starts: Mappin
 
     Returns
     -------
-    Followed, shapes (..., n)
-        gaps: as of `chain_gaps`, but where they do not depend on the angle 1; of a triad the square of the
-        transmission with its sign, positive on the side that is kept. NaN where a group cannot close.
+    list of Array, shape (..., n)
+        Gap of each group, as of `chain_gaps`, but where they do not depend on the angle 1; of a triad the square of the
+        transmission with its sign, positive on the side that is kept. NaN where a group cannot close. [m]
+    dict of int to Pose, shape (..., n)
+        Of each triad by its place. [m, rad]
     """
     poses: dict[int, Pose] = {}
 
@@ -110,7 +102,7 @@ def followed(structure: Structure, angle: Array, size: ChainSize, starts: Mappin
         poses[place] = Pose(origin.x.value, origin.y.value, motion.link.angle.value)
         return motion.link, _firmness(motion, legs) * np.sign(motion.transmission) * kept_side(own.start, legs)
 
-    return Followed(_gaps(structure, angle, size, single(1.0), near_start), poses)
+    return _gaps(structure, angle, size, single(1.0), near_start), poses
 
 
 def _gaps(structure: Structure, angle: Array, size: ChainSize, radius: Array, triad_of: _TriadOf) -> list[Array]:
@@ -156,12 +148,13 @@ def _gap_of(step: Step, own: StepSize, made: Made, radius: Array) -> Array:
             height = guide_offset(made, step.through, own.direction, own.offset)
             return slide_gap(turned(made[step.rod_from], own.direction), Slide(own.rod_length, height, own.way))
         case SwivelStep(), SwivelSize():
-            ends = SwivelEnds(made[step.pin], made[step.pivot])
+            ends = Ends(made[step.pin], made[step.pivot])
             return swivel_gap(ends, Swivel(own.offset, own.way)) - _crossed(ends, own.outside)
         case YokeStep(), YokeSize():
             return radius * np.abs(np.sin(own.slot_angle)) + 0.0 * made[step.pin].x.value
         case TrammelStep(), TrammelSize():
-            return radius * own.side * trammel_transmission(turned_link(made[step.link], own.direction))
+            # Two straight lines cross wherever they are not parallel.
+            return radius * own.side * turned_link(made[step.link], own.direction).sin
         case PointStep(), _:
             return radius + 0.0 * made[step.link].cos
         case MountStep(), _:
@@ -170,9 +163,9 @@ def _gap_of(step: Step, own: StepSize, made: Made, radius: Array) -> Array:
             raise TypeError(step)
 
 
-def _crossed(ends: SwivelEnds, outside: Array) -> Array:
+def _crossed(ends: Ends, outside: Array) -> Array:
     """How far the pivot is on the wrong side of a crank pin's circle, through which it has come. [m]"""
-    nearest = _distance(ends.pivot) - _distance(ends.pin)
+    nearest = _distance(ends.pivot) - _distance(ends.driver)
     return outside * (outside * np.abs(nearest) - nearest)
 
 

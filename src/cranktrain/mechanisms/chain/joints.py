@@ -3,7 +3,7 @@
 from cranktrain.mechanisms.chain.groups import anatomy
 from cranktrain.mechanisms.chain.made import SHAFT, pin_of
 from cranktrain.mechanisms.chain.steps import Structure
-from cranktrain.mechanisms.dynamics import FRAME, Contact, Group, Reaction
+from cranktrain.mechanisms.dynamics import FRAME, Contact, Reaction
 
 
 def chain_moving(structure: Structure) -> tuple[str, ...]:
@@ -22,11 +22,6 @@ def chain_reactions(structure: Structure) -> tuple[Reaction, ...]:
     joints = (joint for step in structure.steps for joint in anatomy(step).joints)
     parts = (Reaction(joint.name, joint.on, joint.by or carriers[joint.at], joint.role) for joint in joints)
     return (Reaction("main_bearing", structure.cranks[0], FRAME, "main_bearing"), *parts)
-
-
-def chain_groups(structure: Structure) -> tuple[Group, ...]:
-    """Assur groups of a chain, in the order of the file; a point is none."""
-    return tuple(anatomy(step).group for step in structure.steps if anatomy(step).sort)
 
 
 def carriers_of(structure: Structure) -> dict[str, str]:

@@ -55,12 +55,8 @@ def names_in(table: Spec, above: str) -> Iterator[Name]:
                     yield from names_in(leg, f"{path}[{place}].")
 
 
-def naming_problems(spec: ChainTable) -> tuple[Problem, ...]:
+def naming_problems(spec: ChainTable) -> Iterator[Problem]:
     """Find everything that is wrong with a chain's names, with paths within its table."""
-    return tuple(_problems(spec))
-
-
-def _problems(spec: ChainTable) -> Iterator[Problem]:
     if MAIN not in spec.crank:
         yield Problem("crank.main", None, _("is missing; its angle is the crank angle"))
     known = {SHAFT: "fixed"}

@@ -9,7 +9,6 @@ from cranktrain.linkage import (
     Pin,
     Slide,
     Swivel,
-    SwivelEnds,
     Trammel,
     Yoke,
     crank,
@@ -71,7 +70,7 @@ def placed(step: Step, own: StepSize, made: Made) -> Made:
             rod = _in_file(motion.rod, made[step.rod_from], own.direction)
             return {step.rod: rod, **_on_guide(step.slider, motion.slider, height, own.direction)}
         case SwivelStep(), SwivelSize():
-            motion = swivel(SwivelEnds(made[step.pin], made[step.pivot]), Swivel(own.offset, own.way))
+            motion = swivel(Ends(made[step.pin], made[step.pivot]), Swivel(own.offset, own.way))
             return {step.slider: motion.slider, step.guide: motion.guide}
         case YokeStep(), YokeSize():
             height = guide_offset(made, step.through, own.direction, own.offset)

@@ -1,6 +1,6 @@
 """A chain's structure and numbers from its table."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
@@ -55,18 +55,28 @@ from cranktrain.wording import precise
 _SIDES = {"left": 1.0, "right": -1.0, "ahead": 1.0, "behind": -1.0}
 
 
-def chain_geometry(spec: ChainTable, _master: Master | None = None) -> ChainSize:
+def chain_geometry(spec: ChainTable, _master: Master | None) -> ChainSize:
     """All numbers in SI, in the order of the file."""
     near = {part.link: _near(part) for part in spec.part if isinstance(part, TriadPartSpec)}
-    return assembled(structure_of(spec), _size_of(spec), near)
+    return assembled(*_chain(spec), near)
 
 
-def _size_of(spec: ChainTable) -> ChainSize:
+def structure_of(spec: ChainTable) -> Structure:
+    """What the chain is made of, without its numbers."""
+    return _chain(spec)[0]
+
+
+def _chain(spec: ChainTable) -> tuple[Structure, ChainSize]:
+    """What the chain is made of, and its numbers, of which `assembled` finds some."""
     guides = _guides(spec)
-    return ChainSize(
-        tuple(CrankSize(single(one.radius.si), single(one.angle.si)) for one in spec.crank.values()),
-        tuple(Coordinates(single(x.si), single(y.si)) for x, y in spec.fixed.values()),
-        tuple(_size(part, guides) for part in spec.part),
+    groups = [_group(part, guides) for part in spec.part]
+    return (
+        Structure(tuple(spec.crank), tuple(spec.fixed), tuple(step for step, _size in groups), spec.output),
+        ChainSize(
+            tuple(CrankSize(single(one.radius.si), single(one.angle.si)) for one in spec.crank.values()),
+            tuple(Coordinates(single(x.si), single(y.si)) for x, y in spec.fixed.values()),
+            tuple(size for _step, size in groups),
+        ),
     )
 
 
@@ -91,76 +101,63 @@ def _joint(along: float, across: float, turned: float = 0.0) -> LinkPoint:
     return LinkPoint(single(float(np.hypot(along, across))), single(turned + float(np.arctan2(across, along))))
 
 
-def _size(part: PartSpec, guides: Mapping[str, ChainGuideSpec]) -> StepSize:
-    """One part's numbers; what `assembled` finds stands as nothing."""
+def _group(part: PartSpec, guides: Mapping[str, ChainGuideSpec]) -> tuple[Step, StepSize]:
+    """One part by names, and its numbers; what `assembled` finds stands as nothing."""
     match part:
-        case PinPartSpec():
-            return Pin(single(part.rod.length.si), single(part.rocker.length.si), single(_SIDES[part.side]))
-        case SlidePartSpec():
-            return SlideSize(single(part.rod.length.si), single(_SIDES[part.side]), *_guide(part.guide))
-        case SwivelPartSpec():
-            return SwivelSize(single(part.guide.offset.si), single(_SIDES[part.side]), single(0.0))
-        case YokePartSpec():
-            return YokeSize(single(part.slot_angle.si), *_guide(part.guide))
-        case TrammelPartSpec():
-            return TrammelSize(single(part.shift.si), *_guide(part.guide), single(1.0))
+        case PinPartSpec(rod=rod, rocker=rocker):
+            return (
+                PinStep(rod.start, rocker.start, rod.name, rocker.name, part.joint),
+                Pin(single(rod.length.si), single(rocker.length.si), single(_SIDES[part.side])),
+            )
+        case SlidePartSpec(rod=rod, guide=guide):
+            return (
+                SlideStep(rod.start, rod.name, part.slider, guide.through),
+                SlideSize(single(rod.length.si), single(_SIDES[part.side]), *_guide(guide)),
+            )
+        case SwivelPartSpec(guide=swinging):
+            return (
+                SwivelStep(part.pin, swinging.start, swinging.name, part.slider),
+                SwivelSize(single(swinging.offset.si), single(_SIDES[part.side]), single(0.0)),
+            )
+        case YokePartSpec(guide=guide):
+            return (
+                YokeStep(part.pin, part.slider, guide.through),
+                YokeSize(single(part.slot_angle.si), *_guide(guide)),
+            )
+        case TrammelPartSpec(guide=guide):
+            return (
+                TrammelStep(part.link, part.slider, guide.through),
+                TrammelSize(single(part.shift.si), *_guide(guide), single(1.0)),
+            )
+        case PointPartSpec() if part.link in guides:
+            turned = guides[part.link].direction.si
+            return MountStep(part.link, part.name), _joint(part.along.si, part.across.si, turned)
         case PointPartSpec():
-            turned = guides[part.link].direction.si if part.link in guides else 0.0
-            return _joint(part.along.si, part.across.si, turned)
+            return PointStep(part.link, part.name), _joint(part.along.si, part.across.si)
         case TriadPartSpec():
-            return TriadSize(tuple(map(_leg_size, part.leg)), NO_START)
+            legs = [_leg(leg) for leg in part.leg]
+            return (
+                TriadStep(part.link, tuple(step for step, _size in legs)),
+                TriadSize(tuple(size for _step, size in legs), NO_START),
+            )
 
 
-def _leg_size(leg: TriadLegSpec) -> RodLegSize | GuideLegSize:
+def _leg(leg: TriadLegSpec) -> tuple[RodLegStep | GuideLegStep, RodLegSize | GuideLegSize]:
     joint = _joint(leg.along.si, leg.across.si)
-    if leg.rod is not None:
-        return RodLegSize(joint, single(leg.rod.length.si))
-    assert leg.guide is not None  # the spec asks for one of the two
-    return GuideLegSize(joint, *_guide(leg.guide))
-
-
-def structure_of(spec: ChainTable) -> Structure:
-    """What the chain is made of, without its numbers."""
-    guides = _guides(spec)
-    return Structure(
-        tuple(spec.crank), tuple(spec.fixed), tuple(_step(part, guides) for part in spec.part), spec.output
-    )
-
-
-def _step(part: PartSpec, guides: Mapping[str, ChainGuideSpec]) -> Step:
-    match part:
-        case PinPartSpec():
-            return PinStep(part.rod.start, part.rocker.start, part.rod.name, part.rocker.name, part.joint)
-        case SlidePartSpec():
-            return SlideStep(part.rod.start, part.rod.name, part.slider, part.guide.through)
-        case SwivelPartSpec():
-            return SwivelStep(part.pin, part.guide.start, part.guide.name, part.slider)
-        case YokePartSpec():
-            return YokeStep(part.pin, part.slider, part.guide.through)
-        case TrammelPartSpec():
-            return TrammelStep(part.link, part.slider, part.guide.through)
-        case PointPartSpec():
-            return MountStep(part.link, part.name) if part.link in guides else PointStep(part.link, part.name)
-        case TriadPartSpec():
-            return TriadStep(part.link, tuple(map(_leg_step, part.leg)))
-
-
-def _leg_step(leg: TriadLegSpec) -> RodLegStep | GuideLegStep:
     if leg.rod is not None and leg.joint is not None:
-        return RodLegStep(leg.rod.start, leg.rod.name, leg.joint)
+        return RodLegStep(leg.rod.start, leg.rod.name, leg.joint), RodLegSize(joint, single(leg.rod.length.si))
     assert leg.guide is not None  # the spec asks for one of the two
     assert leg.slider is not None
-    return GuideLegStep(leg.slider, leg.guide.through)
+    return GuideLegStep(leg.slider, leg.guide.through), GuideLegSize(joint, *_guide(leg.guide))
 
 
-def mode_problems(spec: ChainTable) -> tuple[Problem, ...]:
+def mode_problems(spec: ChainTable) -> Iterator[Problem]:
     """Find triads that fit in more than one way, without a word on which it is; with paths within the chain's table."""
-    found: list[Problem] = []
     structure = structure_of(spec)
     for place, part in enumerate(spec.part):
         if not isinstance(part, TriadPartSpec) or any(leg.near is not None for leg in part.leg):
             continue
-        size = chain_geometry(spec)
+        size = chain_geometry(spec, None)
         step, own = triad_at(structure, place, size)
         modes = modes_of(step, own, made_above(structure, place, size))
         if len(modes) > 1:
@@ -169,8 +166,7 @@ def mode_problems(spec: ChainTable) -> tuple[Problem, ...]:
                 "fits in {n} ways where the crank lies along x; say where about a joint lies, near = [x, y] in a leg: "
                 "{ways}"
             )
-            found.append(Problem(f"part[{place}].link", part.link, allowed.format(n=len(modes), ways=ways)))
-    return tuple(found)
+            yield Problem(f"part[{place}].link", part.link, allowed.format(n=len(modes), ways=ways))
 
 
 def _joints(part: TriadPartSpec, joints: Array) -> str:

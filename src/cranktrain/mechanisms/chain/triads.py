@@ -6,7 +6,6 @@ from cranktrain.linkage import (
     GUIDE,
     ROD,
     Leg,
-    RodEnds,
     Triad,
     TriadEnds,
     fixed_guide,
@@ -68,7 +67,7 @@ def place_triad(step: TriadStep, own: TriadSize, link: Link, made: Made) -> None
         joint = point(link, size.joint)
         if isinstance(leg, RodLegStep):
             made[leg.joint] = joint
-            made[leg.rod] = rod_between(RodEnds(made[leg.rod_from], joint))
+            made[leg.rod] = rod_between(made[leg.rod_from], joint)
         elif isinstance(size, GuideLegSize):
             made[leg.slider] = turned(joint, size.direction).x
             made[pin_of(leg.slider)] = joint

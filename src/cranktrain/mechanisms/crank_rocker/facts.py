@@ -3,17 +3,17 @@
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check
+from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker, crank_rocker
 from cranktrain.mechanisms.kind import Members
 from cranktrain.motion import Array
 from cranktrain.numerics import extremes
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
 from cranktrain.wording import Names, shared
 
 _LINKAGE = ("crank_rocker",)
-_THEORY = "docs/theory/crank-rocker"
 
 CLASSES = (
     N_("crank-rocker: the crank turns, the rocker swings"),
@@ -32,7 +32,7 @@ class CrankRockers(Members[CrankRocker]):
 
 
 @record
-class Transmission:
+class Transmission(StageResult):
     """Class of the linkage and extremes of the angle between rod and rocker."""
 
     grashof_class: Array = quantity(
@@ -48,7 +48,6 @@ class Transmission:
     largest_transmission_angle: Array = quantity(
         "μ_max", "rad", _LINKAGE, N_("Largest angle between rod and rocker"), _THEORY
     )
-    checks: tuple[Check, ...] = ()
 
     def answer(self, names: Names, design: int) -> str:
         """Say the class and the transmission angle's range."""

@@ -1,11 +1,15 @@
 """Eccentric: a valve, a pump or a shear driven by a slider-crank of small crank, set ahead of the main one."""
 
+from typing import cast
+
 from cranktrain.language import N_
+from cranktrain.mechanisms.dynamics import Dynamics
 from cranktrain.mechanisms.eccentric.drawing import eccentric_drawing
-from cranktrain.mechanisms.eccentric.forces import DYNAMICS
 from cranktrain.mechanisms.eccentric.kinematics import Eccentric, eccentric, eccentric_gap, eccentric_least_gap
 from cranktrain.mechanisms.eccentric.spec import EccentricSpec, eccentric_advice, eccentric_geometry
 from cranktrain.mechanisms.kind import Kind, Members
+from cranktrain.mechanisms.slider_crank.forces import DYNAMICS
+from cranktrain.mechanisms.slider_crank.kinematics import SliderCrankMotion
 
 __all__ = ["KIND", "Eccentric", "EccentricSpec", "eccentric"]
 
@@ -17,12 +21,14 @@ KIND = Kind(
     motion=eccentric,
     gap=eccentric_gap,
     least_gap=eccentric_least_gap,
-    lengths=("eccentricity", "rod_length", "offset"),
+    lengths=("crank_radius", "rod_length", "offset"),
+    length_paths=("eccentricity", "rod_length", "offset"),
     output="slider",
     has_rod=True,
     links=("rod",),
     drawing=eccentric_drawing,
-    dynamics=DYNAMICS,
+    # The forces read of a geometry what a slider-crank has.
+    dynamics=cast("Dynamics[SliderCrankMotion, Eccentric]", DYNAMICS),
     closing_advice=eccentric_advice,
     members=Members,
     stages=(),

@@ -14,9 +14,9 @@ from cranktrain.numerics import Extreme
 
 
 class Eccentric(NamedTuple):
-    """Eccentricity, rod length, offset of the valve's line toward +y [m]; how far ahead of the crank it is [rad]."""
+    """As `SliderCrank`, its crank the eccentricity [m]; and how far ahead of the machine's crank that stands [rad]."""
 
-    eccentricity: Array
+    crank_radius: Array
     rod_length: Array
     offset: Array
     ahead: Array

@@ -5,8 +5,8 @@ from cranktrain.linkage.forces import (
     Body,
     Conditions,
     CrossingFriction,
+    CrossingLoads,
     Wrench,
-    YokeLoads,
     block_link,
     carrying_crank,
     crank_link,
@@ -66,14 +66,14 @@ def scotch_yoke_forces(
     group = yoke_reactions(
         motion.block.value,
         Yoke(geometry.offset, geometry.slot_angle),
-        YokeLoads(on_block, on_slider),
+        CrossingLoads(on_block, on_slider),
         CrossingFriction(conditions.friction[0], conditions.friction[1]),
     )
-    shaft = carrying_crank(crank, on_crank, motion.pin, group.pin)
+    shaft = carrying_crank(crank, on_crank, motion.pin, group.block)
     # Of the block on the slot, along it: on the block it is the opposite.
-    rubbing = block.cos * group.slot.x + block.sin * group.slot.y
+    rubbing = block.cos * group.slider.x + block.sin * group.slider.y
     return Forces(
-        (shaft.bearing, group.pin, group.slot, group.guide),
+        (shaft.bearing, group.block, group.slider, group.guide),
         shaft.driving_torque,
         group.guide.x * motion.slider.first - rubbing * motion.block.first,
     )

@@ -1,5 +1,6 @@
 """The slider-crank's table of the machine file."""
 
+from collections.abc import Iterator
 from math import sqrt
 from typing import Literal
 
@@ -41,12 +42,12 @@ class SliderCrankSpec(MechanismSpec, frozen=True):
         ),
     )
 
-    def _problems(self) -> list[Problem]:
+    def _problems(self) -> Iterator[Problem]:
         """Find a crank or a rod that is given twice or not at all, and a stroke that no crank can make."""
-        wrong = [problem for names in (_CRANKS, _RODS) if (problem := _not_once(self, names)) is not None]
+        wrong = [problem for names in (_CRANKS, _RODS) for problem in _not_once(self, names)]
+        yield from wrong
         if not wrong and self.stroke is not None and _radius_from_stroke(self) is None:
-            wrong = [Problem("stroke", None, _stroke_limit(self))]
-        return wrong
+            yield Problem("stroke", None, _stroke_limit(self))
 
 
 def slider_crank_rod_field(spec: SliderCrankSpec, _geometry: SliderCrank) -> str:
@@ -65,14 +66,13 @@ def _stroke_limit(spec: SliderCrankSpec) -> str:
     return _("must be at most 2√(L(L − |e|)) = {most} with this rod and offset").format(most=most)
 
 
-def _not_once(spec: SliderCrankSpec, names: tuple[str, ...]) -> Problem | None:
+def _not_once(spec: SliderCrankSpec, names: tuple[str, ...]) -> Iterator[Problem]:
     """Refuse fields of which not exactly one is given."""
     given = [name for name in names if getattr(spec, name) is not None]
     if not given:
-        return Problem(names[0], None, _("is missing; give one of {names}").format(names=", ".join(names)))
+        yield Problem(names[0], None, _("is missing; give one of {names}").format(names=", ".join(names)))
     if len(given) > 1:
-        return Problem(given[1], None, _("must not stand beside {other}; give one of them").format(other=given[0]))
-    return None
+        yield Problem(given[1], None, _("must not stand beside {other}; give one of them").format(other=given[0]))
 
 
 def slider_crank_geometry(spec: SliderCrankSpec, _master: Master | None = None) -> SliderCrank:

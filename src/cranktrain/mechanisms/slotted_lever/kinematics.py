@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from cranktrain.linkage import AHEAD, Crank, CrankAndPivot, Swivel, SwivelEnds, crank, fixed, swivel
+from cranktrain.linkage import AHEAD, Crank, CrankAndPivot, Ends, Swivel, crank, fixed, swivel
 from cranktrain.motion import Array, Coefficient, Link, Point
 
 
@@ -34,5 +34,5 @@ def slotted_lever(angle: Array, geometry: CrankAndPivot) -> SlottedLeverMotion:
     """
     pin = crank(angle, Crank(geometry.crank_radius))
     pivot = fixed(geometry.ground_length, 0.0 * geometry.ground_length)
-    motion = swivel(SwivelEnds(pin, pivot), Swivel(geometry.offset, AHEAD))
+    motion = swivel(Ends(pin, pivot), Swivel(geometry.offset, AHEAD))
     return SlottedLeverMotion(pin, motion.guide, motion.slider)

@@ -25,9 +25,9 @@ _LENGTHS = {
     "pin_setback": "pin_setback",
     "saddle_setback": "saddle_setback",
     "lifting_link_length": "lifting_link_length",
-    "arm.length": "lifting_arm_length",
-    "arm.x": "reverse_shaft_x",
-    "arm.y": "reverse_shaft_y",
+    "arm_length": "lifting_arm_length",
+    "reverse_shaft.x": "reverse_shaft_x",
+    "reverse_shaft.y": "reverse_shaft_y",
     "offset": "offset",
 }
 

@@ -42,23 +42,15 @@ STRAIGHT = Structure(_CRANKS, _FIXED, (_LINK, TrammelStep("link", "valve", "O"))
 """The slot is straight, along the link."""
 
 
-class LiftingArm(NamedTuple):
-    """Arm on the reverse shaft: where the shaft is, length [m], direction in this notch from x [rad]."""
-
-    x: Array
-    y: Array
-    length: Array
-    direction: Array
-
-
 class Stephenson(NamedTuple):
     """Stephenson's link motion in one notch.
 
     eccentricity, rod_length: of both eccentrics and their rods; ahead: how far the eccentric for running ahead stands
     ahead of the crank, the other as far behind [rad]; pin_spacing: of the rods' joints on the link, pin_setback: of the
     line of these joints from the middle of the slot toward the shaft; slot_arc: the slot's radius, its centre toward
-    the shaft; saddle_setback: of the joint of the lifting link, in the middle, toward the shaft; offset: of the
-    valve's line toward +y [m]; side: +1 where the ahead rod's joint lies toward −y, −1 toward +y; start: pose of the
+    the shaft; saddle_setback: of the joint of the lifting link, in the middle, toward the shaft; arm_length,
+    arm_direction: of the arm on the reverse shaft, its direction in this notch from x [rad]; offset: of the valve's
+    line toward +y [m]; side: +1 where the ahead rod's joint lies toward −y, −1 toward +y; start: pose of the
     link where the crank lies along x.
     """
 
@@ -70,7 +62,9 @@ class Stephenson(NamedTuple):
     slot_arc: Array
     saddle_setback: Array
     lifting_link_length: Array
-    arm: LiftingArm
+    reverse_shaft: Coordinates
+    arm_length: Array
+    arm_direction: Array
     offset: Array
     side: Array
     start: StartSize
@@ -94,7 +88,7 @@ def stephenson_size(structure: Structure, geometry: Stephenson) -> ChainSize:
     -----
     Exact, the link's rise and fall on its lifting link included; docs/theory/stephenson, eqs. (21.1) to (21.3).
     """
-    arm = geometry.arm
+    shaft = geometry.reverse_shaft
     half = 0.5 * geometry.pin_spacing
     none = 0.0 * half
     # Seen along the link, the shaft lies to the right where the ahead joint lies toward −y.
@@ -113,8 +107,11 @@ def stephenson_size(structure: Structure, geometry: Stephenson) -> ChainSize:
     return ChainSize(
         (CrankSize(geometry.eccentricity, geometry.ahead), CrankSize(geometry.eccentricity, -geometry.ahead)),
         (
-            Coordinates(arm.x + arm.length * np.cos(arm.direction), arm.y + arm.length * np.sin(arm.direction)),
-            Coordinates(arm.x, arm.y),
+            Coordinates(
+                shaft.x + geometry.arm_length * np.cos(geometry.arm_direction),
+                shaft.y + geometry.arm_length * np.sin(geometry.arm_direction),
+            ),
+            shaft,
         ),
         (TriadSize(legs, geometry.start), *rest),
     )

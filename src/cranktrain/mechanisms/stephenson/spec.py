@@ -7,10 +7,10 @@ from pydantic import Field
 
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.chain.assembly import assembled
-from cranktrain.mechanisms.chain.steps import NO_START, Structure
+from cranktrain.mechanisms.chain.steps import NO_START, Coordinates, Structure
 from cranktrain.mechanisms.chain.triads import triad_at
 from cranktrain.mechanisms.spec import Master, MechanismSpec
-from cranktrain.mechanisms.stephenson.kinematics import CURVED, STRAIGHT, LiftingArm, Stephenson, stephenson_size
+from cranktrain.mechanisms.stephenson.kinematics import CURVED, STRAIGHT, Stephenson, stephenson_size
 from cranktrain.mechanisms.valve_gear import Admission, Notch, set_ahead
 from cranktrain.motion import Array, single
 from cranktrain.quantities import Angle, Given, Length, PositiveLength, TurnedAngle
@@ -64,12 +64,6 @@ def structure_of(spec: StephensonSpec) -> Structure:
 
 def stephenson_geometry(spec: StephensonSpec, _master: Master | None = None) -> Stephenson:
     """Geometry in SI in the notch of the file, with the link put together upright between its rods and the arm."""
-    arm = LiftingArm(
-        single(spec.reverse_shaft_x.si),
-        single(spec.reverse_shaft_y.si),
-        single(spec.lifting_arm_length.si),
-        single(spec.lifting_arm_angle.si + spec.notch.si * spec.lifting_arm_swing.si),
-    )
     ahead = set_ahead(spec.angle_of_advance.si, spec.admission)
     geometry = Stephenson(
         eccentricity=single(spec.eccentricity.si),
@@ -80,7 +74,9 @@ def stephenson_geometry(spec: StephensonSpec, _master: Master | None = None) -> 
         slot_arc=single(0.0 if spec.link_radius is None else spec.link_radius.si),
         saddle_setback=single(spec.saddle_setback.si),
         lifting_link_length=single(spec.lifting_link_length.si),
-        arm=arm,
+        reverse_shaft=Coordinates(single(spec.reverse_shaft_x.si), single(spec.reverse_shaft_y.si)),
+        arm_length=single(spec.lifting_arm_length.si),
+        arm_direction=single(spec.lifting_arm_angle.si + spec.notch.si * spec.lifting_arm_swing.si),
         offset=single(spec.offset.si),
         side=single(1.0 if spec.rods == "open" else -1.0),
         start=NO_START,
@@ -93,8 +89,7 @@ def stephenson_geometry(spec: StephensonSpec, _master: Master | None = None) -> 
 
 def _upright(geometry: Stephenson) -> Array:
     """Where about the link's three joints lie: across the valve's line, its saddle below or above the arm's end."""
-    arm = geometry.arm
-    end = arm.y + arm.length * np.sin(arm.direction)
+    end = geometry.reverse_shaft.y + geometry.arm_length * np.sin(geometry.arm_direction)
     height = end + np.copysign(geometry.lifting_link_length, geometry.offset - end)
     half = 0.5 * geometry.side * geometry.pin_spacing
     across = np.array([height - half, height + half, height])

@@ -48,13 +48,6 @@ STRUCTURE = Structure(
 """The link about its trunnion is a rocker; the combination lever hangs on radius rod, union link and valve."""
 
 
-class Lever(NamedTuple):
-    """Combination lever: from radius rod's pin to union link's, and from there toward it to the valve's pin. [m]"""
-
-    length: Array
-    valve_pin: Array
-
-
 class Walschaerts(NamedTuple):
     """Walschaerts' gear in one notch.
 
@@ -62,9 +55,11 @@ class Walschaerts(NamedTuple):
     eccentricity: of the return crank's pin from the shaft; ahead: how far that stands ahead of the main crank [rad];
     rod_length: of the eccentric rod; trunnion: of the link; foot, foot_setback: joint of the eccentric rod on the link,
     from the trunnion along it and toward the shaft; die: of the block in this notch from the trunnion, toward the foot,
-    which the slot's arc of radius `radius_rod_length` takes; union_link_length; drop: union link's pin on the
-    crosshead, from its pin in the cylinder's axes; offset: of the valve's line toward +y [m]; side: +1 where the foot
-    lies toward +y of the trunnion, −1 toward −y; start: pose of the lever where the crank lies along x.
+    which the slot's arc of radius `radius_rod_length` takes; lever_length: of the combination lever, from the radius
+    rod's pin to the union link's; valve_pin: on it, from the radius rod's toward that one; union_link_length; drop:
+    union link's pin on the crosshead, from its pin in the cylinder's axes; offset: of the valve's line toward +y [m];
+    side: +1 where the foot lies toward +y of the trunnion, −1 toward −y; start: pose of the lever where the crank lies
+    along x.
     """
 
     master: SliderCrank
@@ -77,7 +72,8 @@ class Walschaerts(NamedTuple):
     foot_setback: Array
     die: Array
     radius_rod_length: Array
-    lever: Lever
+    lever_length: Array
+    valve_pin: Array
     union_link_length: Array
     drop: Coordinates
     offset: Array
@@ -102,7 +98,7 @@ def walschaerts_size(geometry: Walschaerts) -> ChainSize:
     Exact, for a block that keeps its place in the link; docs/theory/walschaerts, eqs. (22.1) to (22.5).
     """
     cylinder = -geometry.bank_angle
-    master, lever, drop = geometry.master, geometry.lever, geometry.drop
+    master, drop = geometry.master, geometry.drop
     none = 0.0 * geometry.die
     radius = geometry.radius_rod_length
     # From the trunnion to the foot the shaft lies to the left where the foot lies toward +y.
@@ -111,8 +107,10 @@ def walschaerts_size(geometry: Walschaerts) -> ChainSize:
     die_angle = np.arctan2(-geometry.side * sagitta, geometry.die)
     legs = (
         RodLegSize(LinkPoint(none, none), radius),
-        RodLegSize(LinkPoint(lever.length, none), geometry.union_link_length),
-        GuideLegSize(LinkPoint(np.abs(lever.valve_pin), np.arctan2(none, lever.valve_pin)), none, geometry.offset),
+        RodLegSize(LinkPoint(geometry.lever_length, none), geometry.union_link_length),
+        GuideLegSize(
+            LinkPoint(np.abs(geometry.valve_pin), np.arctan2(none, geometry.valve_pin)), none, geometry.offset
+        ),
     )
     return ChainSize(
         (
@@ -132,8 +130,7 @@ def walschaerts_size(geometry: Walschaerts) -> ChainSize:
 
 def upright(geometry: Walschaerts) -> Array:
     """Where about the combination lever's three joints lie, shape (3, 2): across the valve's line. [m]"""
-    trunnion, lever = geometry.trunnion, geometry.lever
-    x = trunnion.x + geometry.radius_rod_length
+    x = geometry.trunnion.x + geometry.radius_rod_length
     down = np.copysign(single(1.0), geometry.drop.y - geometry.offset)
-    pin = geometry.offset - down * lever.valve_pin
-    return np.array([[x, pin], [x, pin + down * lever.length], [x, geometry.offset]])
+    pin = geometry.offset - down * geometry.valve_pin
+    return np.array([[x, pin], [x, pin + down * geometry.lever_length], [x, geometry.offset]])

@@ -11,7 +11,7 @@ from cranktrain.mechanisms.chain.steps import NO_START, Coordinates
 from cranktrain.mechanisms.chain.triads import triad_at
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.mechanisms.valve_gear import Admission, Notch, set_ahead
-from cranktrain.mechanisms.walschaerts.kinematics import STRUCTURE, Lever, Walschaerts, upright, walschaerts_size
+from cranktrain.mechanisms.walschaerts.kinematics import STRUCTURE, Walschaerts, upright, walschaerts_size
 from cranktrain.motion import single
 from cranktrain.quantities import Angle, Given, Length, PositiveLength
 
@@ -83,7 +83,8 @@ def walschaerts_geometry(spec: WalschaertsSpec, master: Master | None) -> Walsch
         foot_setback=single(spec.foot_setback.si),
         die=single(spec.notch.si * spec.full_gear_die.si),
         radius_rod_length=single(spec.radius_rod_length.si),
-        lever=Lever(single(spec.lever_length.si), single(valve_pin)),
+        lever_length=single(spec.lever_length.si),
+        valve_pin=single(valve_pin),
         union_link_length=single(spec.union_link_length.si),
         drop=Coordinates(single(spec.drop_x.si), single(spec.drop_y.si)),
         offset=single(spec.offset.si),

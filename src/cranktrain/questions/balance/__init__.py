@@ -6,7 +6,8 @@ from cranktrain.errors import Problem
 from cranktrain.language import N_
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.masses import bodies_given
-from cranktrain.layout.question import Dimension, Parts, Question, Stage, Use
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
+from cranktrain.layout.specs import MAIN
 from cranktrain.layout.uses import table
 from cranktrain.questions.balance import frame_forces, running_frame, shaking, spec, weights
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
@@ -14,11 +15,11 @@ from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 
 def _problems(design: Design) -> Iterable[Problem]:
     given = design.table(spec.BalanceSpec)
-    return () if given is None else weights.balance_problems(given, design.main_shaft)
+    return () if given is None else weights.balance_problems(given, design.shafts[MAIN])
 
 
 def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
-    yield weights.declared_balance(designs.tables(spec.BalanceSpec), designs.shafts)
+    yield weights.declared_balance(designs.tables(spec.BalanceSpec), [one.shafts for one in designs.each])
 
 
 def _gravity(design: Design) -> Sequence[str]:
@@ -38,7 +39,7 @@ QUESTION = Question(
         Stage(shaking.shaking_couples),
         Stage(shaking.rolling_moment),
     ),
-    dimensions=(Dimension("balance", N_("balance")), Dimension("weight", N_("weight"))),
+    dimensions=(ResultDimension("balance", N_("balance")), ResultDimension("weight", N_("weight"))),
     headline=("shaking_force_largest", "shaking_couple_largest"),
     uses=(
         Use(table("balance"), (weights.BalanceWeights,)),

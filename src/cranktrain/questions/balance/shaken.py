@@ -15,6 +15,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import ComplexArray
 from cranktrain.numerics.plane_vectors import (
     PlaneVectors,
+    added,
     curve_vectors,
     hodograph,
     integrated,
@@ -157,7 +158,7 @@ def _at_constant_speed(
         own = weight_vectors(balanced.weights, frame.vectors.order)
         more = _summed(own, balanced.arm[..., np.newaxis])
         curves.append(curves[0] + vector_curve(_of_weights(balanced), crank_angle.angle[:, 0]))
-        by_order.append(PlaneVectors(more.order, *map(np.add, by_order[0][1:], more[1:])))
+        by_order.append(added(by_order[0], more))
     square = speed.value[:, 0] ** 2
     lots = [PlaneVectors(one.order, square * one.forward, square * one.backward) for one in by_order]
     whole: ComplexArray = speed.value**2 * np.stack(curves, axis=1)
@@ -184,12 +185,10 @@ def _of_weights(balanced: Balanced) -> PlaneVectors:
 
 def _in_cycle(lots: Sequence[PlaneVectors], turns: int) -> PlaneVectors:
     """Vectors by the orders of a cycle, shape (design, lot, order): what turns with the crank has no half orders."""
-    shape = (len(lots[0].forward), len(lots), HIGHEST_ORDER * turns)
-    forward, backward = np.zeros((2, *shape), dtype=np.complex128)
-    for i, one in enumerate(lots):
-        forward[:, i, turns - 1 :: turns] = one.forward[:, 1:]
-        backward[:, i, turns - 1 :: turns] = one.backward[:, 1:]
-    return PlaneVectors(orders(turns * 2 * np.pi), forward, backward)
+    whole = np.stack([one[1:] for one in lots], axis=2)[..., 1:]
+    every = np.zeros((*whole.shape[:-1], HIGHEST_ORDER * turns), dtype=np.complex128)
+    every[..., turns - 1 :: turns] = whole
+    return PlaneVectors(orders(turns * 2 * np.pi), every[0], every[1])
 
 
 def _summed(vectors: PlaneVectors, arm: Array) -> PlaneVectors:

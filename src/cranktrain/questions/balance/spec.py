@@ -96,8 +96,8 @@ class BalanceShaftsSpec(Spec, frozen=True):
                 yield Problem("planes", None, allowed)
         elif self.planes is None or len(self.planes) != 2:
             yield Problem("planes", None, _("must be two, as a couple needs them"))
-        elif (problem := _together(self.planes)) is not None:
-            yield problem
+        else:
+            yield from _together(self.planes)
 
 
 class BalanceSpec(Spec, frozen=True):
@@ -137,14 +137,13 @@ class BalanceSpec(Spec, frozen=True):
         if self.planes is not None:
             if self.counterweights is None:
                 yield Problem("planes", None, _("is for counterweights that are solved for; give these as well"))
-            elif (problem := _together(self.planes)) is not None:
-                yield problem
+            else:
+                yield from _together(self.planes)
         if not any((self.weight, self.shafts, self.counterweights, self.share, self.planes)):
             yield Problem("", None, _("must hold weight, counterweights or shafts, or be left out"))
 
 
-def _together(planes: Sequence[Given]) -> Problem | None:
-    """Refuse two planes at one place."""
-    if planes[0].si != planes[1].si:
-        return None
-    return Problem("planes[1]", planes[1].text, _("must be another plane than the first"))
+def _together(planes: Sequence[Given]) -> Iterator[Problem]:
+    """Find two planes at one place."""
+    if planes[0].si == planes[1].si:
+        yield Problem("planes[1]", planes[1].text, _("must be another plane than the first"))

@@ -1,7 +1,7 @@
 """Cylinders: how their pistons make room, what that holds, their ports, and when they fire."""
 
 from cranktrain.language import N_
-from cranktrain.layout.question import Dimension, Question, Stage, Use
+from cranktrain.layout.question import Question, ResultDimension, Stage, Use
 from cranktrain.layout.uses import keys
 from cranktrain.questions.cylinders import firing, opposed, ports, spec, travel, volumes
 from cranktrain.questions.cylinders.parts import parts, problems
@@ -23,9 +23,9 @@ QUESTION = Question(
         Stage(opposed.combined_speeds),
     ),
     dimensions=(
-        Dimension("cylinder", N_("cylinder"), family="mechanism"),
-        Dimension("chamber", N_("chamber"), family="mechanism"),
-        Dimension("bank", N_("bank")),
+        ResultDimension("cylinder", N_("cylinder"), family="mechanism"),
+        ResultDimension("chamber", N_("chamber"), family="mechanism"),
+        ResultDimension("bank", N_("bank")),
     ),
     headline=("displacement", "compression_ratio", "combined_stroke", "firing_interval"),
     uses=(

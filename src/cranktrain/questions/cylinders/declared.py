@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from cranktrain.errors import Problem
+from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.questions.cylinders.spec import CylinderSpec, CylindersSpec
@@ -52,10 +53,7 @@ _COMMON_RATIO = "cylinder.compression_ratio"
 
 def cylinders_of(common: CylindersSpec, pistons: Sequence[PlacedMechanism]) -> tuple[Cylinder, ...]:
     """Give every cylinder its pistons and its dimensions; a valve has none."""
-    members: dict[str, list[int]] = {}
-    for i, place in enumerate(pistons):
-        if place.kind.has_chambers:
-            members.setdefault(place.cylinder, []).append(i)
+    members = grouped((place.cylinder, i) for i, place in enumerate(pistons) if place.kind.has_chambers)
     return tuple(_cylinder(common, pistons, tuple(index)) for index in members.values())
 
 
@@ -63,23 +61,21 @@ def _cylinder(common: CylindersSpec, pistons: Sequence[PlacedMechanism], index: 
     """Take each field from the nearest table that gives it."""
     places = [pistons[i] for i in index]
     name, bank = places[0].cylinder, places[0].bank
-    tables: list[tuple[str, CylinderSpec]] = [
-        (f"cylinder.{key}", common.overrides[key]) for key in (name, bank) if key in common.overrides
-    ]
-    fields: dict[str, Any] = {}
-    paths: dict[str, str] = {}
-    for path, table in (*tables, ("cylinder", common)):
-        for field in CylinderSpec.model_fields:
-            value = getattr(table, field)
-            if value is not None and field not in fields:
-                fields[field], paths[field] = value, f"{path}.{field}"
+    own = [(f"cylinder.{key}", common.overrides[key]) for key in (bank, name) if key in common.overrides]
+    # The nearer a table is, the later it comes: what it gives takes the place of what others gave.
+    given: dict[str, tuple[str, Any]] = {
+        field: (path, getattr(table, field))
+        for path, table in (("cylinder", common), *own)
+        for field in CylinderSpec.model_fields
+        if getattr(table, field) is not None
+    }
     return Cylinder(
         name=name,
         bank=bank,
         pistons=index,
         signs=tuple(-1.0 if place.is_far else 1.0 for place in places),
-        spec=CylinderSpec.model_construct(**fields),
-        paths=paths,
+        spec=CylinderSpec.model_construct(**{field: value for field, (_path, value) in given.items()}),
+        paths={field: f"{path}.{field}" for field, (path, _value) in given.items()},
         is_master=all(place.kind.name == "slider_crank" for place in places),
     )
 

@@ -14,14 +14,13 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.motion import Array
 from cranktrain.numerics import around_zero
-from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.cylinders.travel import CylinderPistons, CylinderTravel
 from cranktrain.questions.motion.dead_centres import ANGLE_ROUNDING
 from cranktrain.record import record
+from cranktrain.references import CONVENTIONS as _THEORY
 from cranktrain.wording import Names, shared
 
 _CYLINDER = ("cylinder",)
-_THEORY = "docs/conventions"
 _SAME = 1e-9
 """Firings closer than this are simultaneous. [rad]"""
 
@@ -37,11 +36,6 @@ class Cycle:
 
     length: float
     fires: bool = True
-
-    @property
-    def is_two_stroke(self) -> bool:
-        """Whether a cycle is one turn."""
-        return self.length == TURN
 
 
 @record

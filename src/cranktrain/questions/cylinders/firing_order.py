@@ -40,9 +40,8 @@ def firing_order_of(
         order = [order[0], *order[:0:-1]]
     index = [names.index(name) for name in order]
     problems = _throw_problems(common, order, within_turn(np.array([leading[i].nominal_top for i in index])))
-    by_cylinder = {name: word for word, name in common.numbers.items()}
-    numbers = tuple(by_cylinder.get(name, name) for name in order) if by_cylinder else ()
-    return (None if problems else FiringOrder(np.array(index, dtype=np.intp), numbers)), problems
+    found = FiringOrder(np.array(index, dtype=np.intp), common.makers_numbers(order))
+    return (None if problems else found), problems
 
 
 def _own_order(common: CylindersSpec, leading: Sequence[PlacedMechanism]) -> FiringOrder | None:

@@ -67,10 +67,8 @@ def given_firing(
             if is_off
         )
     order: NDArray[np.intp] = np.argsort(angles, kind="stable")
-    numbers = {name: word for word, name in common.numbers.items()}
     in_order: list[str] = [names[i] for i in order.tolist()]
-    words = tuple(numbers.get(name, name) for name in in_order) if numbers else ()
-    return FiringOrder(order, words, angles[np.newaxis]), ()
+    return FiringOrder(order, common.makers_numbers(in_order), angles[np.newaxis]), ()
 
 
 def _by_cylinder(common: CylindersSpec, names: Sequence[str]) -> tuple[list[tuple[str, Given]], tuple[Problem, ...]]:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.catalogue import coefficients, quantity
-from cranktrain.checks import Check
+from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
@@ -13,11 +13,11 @@ from cranktrain.numerics import DERIVATIVES_LIMIT, around_zero, derivatives_resi
 from cranktrain.questions.cylinders.travel import CylinderPistons, CylinderTravel, reach
 from cranktrain.questions.motion.dead_centres import DeadCentres
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_OPPOSED_PISTONS as _THEORY
 from cranktrain.wording import Names, number, shared
 
 _CYLINDER = ("cylinder",)
 _CURVE = ("cylinder", "crank_angle")
-_THEORY = "docs/theory/opposed-pistons"
 
 
 @record
@@ -109,13 +109,9 @@ def volumetric_dead_centres(
     own = np.where(cylinders.signs < 0, -dead_centres.bottom_position[:, cylinders.index], 0.0) + np.where(
         cylinders.signs > 0, dead_centres.top_position[:, cylinders.index], 0.0
     )
-    is_opposed = cylinders.is_opposed
-
-    def of_both(values: Array) -> Array:
-        return np.where(is_opposed, values, np.nan)
-
+    lead = around_zero(innermost[..., 1] - innermost[..., 0])
     return VolumetricDeadCentres(
-        lead=of_both(around_zero(innermost[..., 1] - innermost[..., 0])),
+        lead=np.where(cylinders.is_opposed, lead, np.nan),
         combined_stroke=travel.stroke,
         nominal_stroke=np.sum(strokes, axis=-1),
         inner_volumetric_dead_centre=crank_angle.counted(travel.inner[..., np.newaxis])[..., 0],
@@ -127,7 +123,7 @@ def volumetric_dead_centres(
 
 
 @record
-class CombinedMotion:
+class CombinedMotion(StageResult):
     """How the pistons of a cylinder part, both together: as one piston would that sweeps the same volume."""
 
     combined_displacement: Coefficient = coefficients(
@@ -139,7 +135,6 @@ class CombinedMotion:
         N_("Acceleration at which they part for each (rad/s)² of the crank"),
         _THEORY,
     )
-    checks: tuple[Check, ...] = ()
 
 
 def combined_motion(

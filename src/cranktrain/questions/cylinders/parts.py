@@ -45,7 +45,7 @@ def parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
     if designs.pistons is None:
         return
     each = [design.once(cylinders) for design in designs.each]
-    cycle = _table(designs.first).cycle_length
+    cycle = _table(designs.each[0]).cycle_length
     yield cylinder_pistons_of(each[0])
     yield chambers_of(each, len(designs.pistons.names))
     yield compression_ratios_of(each)

@@ -6,20 +6,22 @@ from typing import ClassVar
 import numpy as np
 
 from cranktrain.catalogue import quantity
+from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.motion import Array
 from cranktrain.numerics import around_zero, bracketed_roots
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.cylinders.firing import Cycle
 from cranktrain.questions.cylinders.travel import CylinderPistons, CylinderTravel, reach
 from cranktrain.questions.cylinders.volumes import Chambers, ChamberVolumes
 from cranktrain.questions.motion.dead_centres import DeadCentres, slider_motion
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_OPPOSED_PISTONS as _THEORY
 from cranktrain.wording import Names, number, ranged, shared
 
 _CYLINDER = ("cylinder",)
-_THEORY = "docs/theory/opposed-pistons"
 
 
 @record
@@ -39,7 +41,7 @@ class Ports:
 
 
 @record
-class PortTiming:
+class PortTiming(StageResult):
     """When ports open and close; NaN for a port that is never shut."""
 
     exhaust_opens: Array = quantity(
@@ -68,7 +70,6 @@ class PortTiming:
         N_("By how much the exhaust ports close before the scavenge ports; negative: after them"),
         _THEORY,
     )
-    flags: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str:
         """Say which ports open and close first, and by how much."""
@@ -88,7 +89,7 @@ class PortTiming:
 
 def have_ports(ports: Ports | None, cycle: Cycle | None) -> bool:
     """Whether the cylinders have ports, or should: those of a two-stroke."""
-    return ports is not None or (cycle is not None and cycle.is_two_stroke)
+    return ports is not None or (cycle is not None and cycle.length == TURN)
 
 
 def port_timing(

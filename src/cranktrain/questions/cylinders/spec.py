@@ -1,6 +1,6 @@
 """Cylinders: their table of the machine file."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Annotated, Any, ClassVar, Literal, cast
 
 from pydantic import Field, model_validator
@@ -102,6 +102,11 @@ class CylindersSpec(CylinderSpec, frozen=True):
     def cycle_length(self) -> float | None:
         """Crank angle of a cycle; None where the file does not say. [rad]"""
         return None if self.cycle is None else CYCLES[self.cycle]
+
+    def makers_numbers(self, cylinders: Sequence[str]) -> tuple[str, ...]:
+        """Call cylinders by the maker's numbers, where these are given; no names where none is."""
+        by_cylinder = {name: word for word, name in self.numbers.items()}
+        return tuple(by_cylinder.get(name, name) for name in cylinders) if by_cylinder else ()
 
     def _problems(self) -> Iterator[Problem]:
         """Find firing or friction that is said twice, angles of an unknown cycle, and a mean gauge pressure."""

@@ -68,8 +68,7 @@ def reach(cylinders: CylinderPistons, pistons: Pistons, angle: Array) -> Coeffic
     own = angle
     if angle.ndim == 3 and angle.shape[1] > 1:
         own = np.zeros((angle.shape[0], len(pistons.names), angle.shape[-1]))
-        for place in (0, 1):
-            own[:, cylinders.index[:, place]] = angle
+        own[:, cylinders.index] = angle[:, :, np.newaxis]
     motion = slider_motion(pistons, own)
     return Coefficient(*(cylinders.summed(part) for part in motion))
 

@@ -8,16 +8,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check, Limit, flagged
+from cranktrain.checks import Limit, StageResult, flagged
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.motion.pistons import PistonMotion
 from cranktrain.record import record
+from cranktrain.references import CONVENTIONS as _THEORY
 from cranktrain.wording import Names, ranged, shared
 
 _CHAMBER = ("chamber",)
-_THEORY = "docs/conventions"
 
 
 @record
@@ -161,7 +161,7 @@ def swept_volumes(chambers: Chambers, travel: CylinderTravel) -> SweptVolumes:
 
 
 @record
-class ChamberVolumes:
+class ChamberVolumes(StageResult):
     """Volume of every chamber, and what is left of it at its smallest."""
 
     chamber_volume: Array = quantity("V", "m^3", ("chamber", "crank_angle"), N_("Volume of the chamber"), _THEORY)
@@ -169,8 +169,6 @@ class ChamberVolumes:
     compression_ratio: Array = quantity(
         "ε", "1", _CHAMBER, N_("Geometric compression ratio, largest volume over smallest"), _THEORY
     )
-    checks: tuple[Check, ...] = ()
-    flags: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str:
         """Say the compression ratios."""

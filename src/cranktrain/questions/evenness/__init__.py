@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from cranktrain.language import N_
 from cranktrain.layout.design import Designs
 from cranktrain.layout.masses import bodies_given
-from cranktrain.layout.question import Dimension, Parts, Question, Stage, TableFile, Use
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, TableFile, Use
 from cranktrain.layout.uses import inner_table, keys, table
 from cranktrain.questions.evenness import (
     applied_torque,
@@ -24,11 +24,9 @@ def _parts(designs: Designs, _known: Parts) -> Iterator[object]:
         yield from spec.evenness_parts(specs)
 
 
-_TABLE = "evenness"
-
 QUESTION = Question(
     "evenness",
-    tables={_TABLE: spec.EvennessSpec},
+    tables={"evenness": spec.EvennessSpec},
     parts=_parts,
     stages=(
         Stage(flywheel_moment.flywheel_moment, applies=bodies_given),
@@ -40,15 +38,15 @@ QUESTION = Question(
         Stage(flywheel.flywheel_size),
         Stage(flywheel.rim_size),
     ),
-    dimensions=(Dimension("flywheel_method", N_("method")),),
+    dimensions=(ResultDimension("flywheel_method", N_("method")),),
     headline=("coefficient_of_fluctuation", "largest_excess_work", "wanted_flywheel_moment"),
     uses=(
-        Use(table(_TABLE), (shaft_work.ShaftWork,)),
-        Use(keys(_TABLE, "load", "flywheel", "flywheel_moment"), (running_speed.RunningSpeed,)),
-        Use(inner_table(_TABLE, "motor"), (running_speed.RunningSpeed,)),
-        Use(inner_table(_TABLE, "load_curve"), (load_curve.LoadTorque,)),
-        Use(keys(_TABLE, "coefficient"), (flywheel.FlywheelSize,)),
-        Use(inner_table(_TABLE, "rim"), (flywheel.RimSize,)),
+        Use(table("evenness"), (shaft_work.ShaftWork,)),
+        Use(keys("evenness", "load", "flywheel", "flywheel_moment"), (running_speed.RunningSpeed,)),
+        Use(inner_table("evenness", "motor"), (running_speed.RunningSpeed,)),
+        Use(inner_table("evenness", "load_curve"), (load_curve.LoadTorque,)),
+        Use(keys("evenness", "coefficient"), (flywheel.FlywheelSize,)),
+        Use(inner_table("evenness", "rim"), (flywheel.RimSize,)),
     ),
-    files=(TableFile((_TABLE, "load_curve"), None, N_("a load curve")),),
+    files=(TableFile(("evenness", "load_curve"), None, N_("a load curve")),),
 )

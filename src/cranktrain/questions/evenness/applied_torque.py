@@ -22,8 +22,7 @@ from cranktrain.questions.evenness.spec import ShaftLoad
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.record import record
-
-_THEORY = "docs/theory/evenness"
+from cranktrain.references import THEORY_OF_EVENNESS as _THEORY
 
 
 class Interpolations(NamedTuple):

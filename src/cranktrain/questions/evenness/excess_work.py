@@ -2,12 +2,9 @@
 
 from typing import NamedTuple
 
-import numpy as np
-
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
-from cranktrain.numerics.harmonics import TURN
-from cranktrain.numerics.periodic import Interpolation, PeriodicCurve, combined, curve_extremes, fourier_integral
+from cranktrain.numerics.periodic import PeriodicCurve, combined, curve_extremes
 
 
 class ExcessWork(NamedTuple):
@@ -35,38 +32,20 @@ class ExcessWork(NamedTuple):
         return (self.largest.value - self.smallest.value)[..., 0]
 
 
-def excess_work(excess: Array, cycle: float = TURN, by: Interpolation = fourier_integral) -> ExcessWork:
-    """Excess work over a cycle.
+def excess_of(work: PeriodicCurve, mean: Array) -> ExcessWork:
+    """Excess work whose curve, 0 at φ = 0, is known [J], and the mean of the excess torque, shape (...) [N·m].
 
-    Parameters
-    ----------
-    excess : Array, shape (..., n)
-        Driving less load torque, in equal steps over the whole cycle, endpoint excluded. With a constant load the
-        driving torque alone will do. [N·m]
-    cycle : float
-        2π, or 4π of a four-stroke engine. [rad]
-    by : Interpolation
-        `fourier_integral`, or `spline_integral` for a torque with kinks or jumps.
-
-    Returns
-    -------
-    ExcessWork
-
-    Notes
-    -----
     A = ∫₀^φ (M_d − M_r) dφ. docs/theory/evenness, eqs. (17.2) and (17.3).
 
     Examples
     --------
-    >>> phi = np.arange(36) * np.pi / 18
-    >>> round(float(excess_work(100 + 50 * np.sin(phi)).difference), 9)
+    >>> import numpy as np
+    >>> from cranktrain.numerics.periodic import fourier_integral
+    >>> from cranktrain.numerics.harmonics import TURN
+    >>> excess = 100 + 50 * np.sin(np.arange(36) * np.pi / 18)
+    >>> round(float(excess_of(fourier_integral(excess, TURN), np.mean(excess)).difference), 9)
     100.0
     """
-    return excess_of(by(excess, cycle), np.mean(excess, axis=-1))
-
-
-def excess_of(work: PeriodicCurve, mean: Array) -> ExcessWork:
-    """Excess work whose curve, 0 at φ = 0, is known [J], and the mean of the excess torque, shape (...) [N·m]."""
     return ExcessWork(work, mean, *curve_extremes(work))
 
 

@@ -1,11 +1,11 @@
 """Flywheel for a wanted coefficient of fluctuation, exact and as the textbooks have it, and the rim that it takes."""
 
-from collections.abc import Iterator, Mapping
-from dataclasses import field
+from collections.abc import Iterator
 
 import numpy as np
 
 from cranktrain.catalogue import quantity
+from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
@@ -15,14 +15,14 @@ from cranktrain.questions.evenness.running_speed import RunningSpeed
 from cranktrain.questions.evenness.shaft_work import ShaftWork
 from cranktrain.questions.evenness.spec import DeclaredRim, GivenFlywheel, ShaftLoad, WantedCoefficient
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_EVENNESS as _THEORY
 from cranktrain.wording import Names, number
 
 _METHOD = "flywheel_method"
-_THEORY = "docs/theory/evenness"
 
 
 @record
-class FlywheelSize:
+class FlywheelSize(StageResult):
     """Flywheels that give the coefficient of fluctuation wanted, against a load that does not depend on the speed.
 
     Attributes
@@ -47,8 +47,6 @@ class FlywheelSize:
     flywheel_fluctuation: Array = quantity(
         "δ_f", "1", (_METHOD,), N_("Coefficient of fluctuation that each flywheel really gives"), _THEORY
     )
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {_METHOD: METHODS})
-    flags: tuple[str, ...] = ()
 
     def answer(self, _names: Names, design: int) -> str:
         """Say the exact flywheel, with GD², and the others beside it."""
@@ -92,6 +90,7 @@ def flywheel_size(load: ShaftLoad, coefficient: WantedCoefficient, work: ShaftWo
         wanted_flywheel_moment=4 * found.inertia,
         flywheel_inertia_error=found.error,
         flywheel_fluctuation=found.fluctuation,
+        labels={_METHOD: METHODS},
         flags=tuple(_size_flags(load)),
     )
 
@@ -106,7 +105,7 @@ def _size_flags(load: ShaftLoad) -> Iterator[str]:
 
 
 @record
-class RimSize:
+class RimSize(StageResult):
     """Rim of the flywheel that is wanted, or where none is, of the one that there is."""
 
     rim_height: Array = quantity("h", "m", (), N_("Height of the rim's section"), _THEORY)
@@ -117,7 +116,6 @@ class RimSize:
         "m_D", "kg", (), N_("Mass of the rim by the textbooks' GD² = mD², with its mean diameter"), _THEORY
     )
     rim_speed: Array = quantity("v", "m/s", (), N_("Speed of the rim's outside at the largest speed"), _THEORY)
-    flags: tuple[str, ...] = ()
 
     def answer(self, _names: Names, design: int) -> str:
         """Say the rim's section, mass and speed."""

@@ -5,9 +5,7 @@ from cranktrain.language import N_
 from cranktrain.motion import Array
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.record import record
-
-_CURVE = ("crank_angle",)
-_THEORY = "docs/theory/evenness"
+from cranktrain.references import THEORY_OF_EVENNESS as _THEORY
 
 
 @record
@@ -15,7 +13,11 @@ class FlywheelMoment:
     """GD² of the moving parts."""
 
     flywheel_moment: Array = quantity(
-        "GD²", "kg*m^2", _CURVE, N_("Flywheel moment of all moving parts, four times their reduced inertia"), _THEORY
+        "GD²",
+        "kg*m^2",
+        ("crank_angle",),
+        N_("Flywheel moment of all moving parts, four times their reduced inertia"),
+        _THEORY,
     )
 
 

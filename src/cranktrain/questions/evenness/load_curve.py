@@ -5,6 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from cranktrain.catalogue import quantity
+from cranktrain.checks import StageResult
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
@@ -16,16 +17,15 @@ from cranktrain.questions.evenness.spec import LoadCurve, ShaftLoad
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_EVENNESS as _THEORY
 from cranktrain.wording import Names, number
 
-_CURVE = ("crank_angle",)
-_THEORY = "docs/theory/evenness"
 _NOTHING = 1e-9
 """A mean torque below this part of the peak is none."""
 
 
 @record
-class LoadTorque:
+class LoadTorque(StageResult):
     """Torque of the load that is given as a curve.
 
     Attributes
@@ -43,7 +43,11 @@ class LoadTorque:
     mean: Array
     balance: str
     load_torque: Array = quantity(
-        "M_r", "N*m", _CURVE, N_("Torque of the load that is given as a curve, positive where it resists"), _THEORY
+        "M_r",
+        "N*m",
+        ("crank_angle",),
+        N_("Torque of the load that is given as a curve, positive where it resists"),
+        _THEORY,
     )
     load_factor: Array = quantity(
         "c_r", "1", (), N_("What the torques of the given load curve are multiplied by"), _THEORY
@@ -56,7 +60,6 @@ class LoadTorque:
         N_("Mean of the machine's torque that the load curve leaves; less than 0 where the shaft is driven besides"),
         _THEORY,
     )
-    flags: tuple[str, ...] = ()
 
     def answer(self, _names: Names, design: int) -> str:
         """Say the load's mean and peak, and its factor or what balances the rest."""

@@ -25,7 +25,8 @@ def motion_check(speed: Array, inertia: Array, slope: Array, work: PeriodicCurve
     left = fourier_integral(inertia * acceleration + of_inertia, cycle).samples
     energy = inertia * speed**2 / 2
     # Torques that do no work within the cycle leave the energy that moving parts hand over at a constant speed.
-    spread, handed_over = _range(work.samples), _range(inertia) * np.mean(speed**2, axis=-1) / 2
+    spread: Array = np.ptp(work.samples, axis=-1)
+    handed_over: Array = np.ptp(inertia, axis=-1) * np.mean(speed**2, axis=-1) / 2
     least = _ROUNDING * np.max(energy, axis=-1)
     works = spread > least
     scale = np.where(works, spread, handed_over)
@@ -48,10 +49,6 @@ def motion_check(speed: Array, inertia: Array, slope: Array, work: PeriodicCurve
         limit,
         tuple(np.where(runs, reasons, _("needs steady running")).tolist()),
     )
-
-
-def _range(curve: Array) -> Array:
-    return np.max(curve, axis=-1) - np.min(curve, axis=-1)
 
 
 def _is_shown(torque: Array) -> NDArray[np.bool_]:

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from cranktrain.catalogue import extreme, quantity
-from cranktrain.checks import Check
+from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.speed import Speed, SteadySpeed
@@ -20,16 +20,16 @@ from cranktrain.questions.evenness.spec import GivenFlywheel, ShaftLoad
 from cranktrain.questions.evenness.steady_running import SteadyRunning, steady_running
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_EVENNESS as _THEORY
 from cranktrain.wording import Names, number
 
 _CURVE = ("crank_angle",)
-_THEORY = "docs/theory/evenness"
 _UNLIKELY = 0.5
 """Coefficient of fluctuation from which a flywheel is flagged."""
 
 
 @record
-class RunningSpeed:
+class RunningSpeed(StageResult):
     """Speed of the shaft over the cycle, with the flywheel that there is; load says against what, as answers begin."""
 
     load: str
@@ -51,8 +51,6 @@ class RunningSpeed:
     smallest_crank_speed: Extreme = extreme(
         "ω_m", "rad/s", (), N_("Smallest speed of the crank"), N_("Crank angle of the smallest speed"), _THEORY
     )
-    checks: tuple[Check, ...] = ()
-    flags: tuple[str, ...] = ()
 
     def answer(self, _names: Names, design: int) -> str:
         """Say the speed's bounds, its coefficient of fluctuation and its means."""

@@ -13,10 +13,8 @@ from cranktrain.questions.evenness.load_curve import LoadTorque
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_EVENNESS as _THEORY
 from cranktrain.wording import Names, number
-
-_CURVE = ("crank_angle",)
-_THEORY = "docs/theory/evenness"
 
 
 @record
@@ -34,7 +32,7 @@ class ShaftWork:
     excess: ExcessWork
     inertia: PeriodicCurve
     excess_work: Array = quantity(
-        "A", "J", _CURVE, N_("Work of that torque, less that of a given load curve, less its mean"), _THEORY
+        "A", "J", ("crank_angle",), N_("Work of that torque, less that of a given load curve, less its mean"), _THEORY
     )
     largest_excess_work: Array = quantity(
         "ΔA", "J", (), N_("Largest excess work: from the least to the most that is stored within a cycle"), _THEORY

@@ -7,7 +7,7 @@ from cranktrain.language import N_
 from cranktrain.layout.bodies import BodySpec, GravitySpec, GuideSpec
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.masses import mass_problems, masses_of
-from cranktrain.layout.question import Dimension, Parts, Question, Stage, Use
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
 from cranktrain.layout.uses import table
 from cranktrain.quantities import Given
 from cranktrain.questions import gas
@@ -37,7 +37,7 @@ def _problems(design: Design) -> Iterator[Problem]:
 def _parts(designs: Designs, known: Parts) -> Iterator[object | None]:
     yield carriers.carriers_of(designs.places[0])
     # There are forces where gas presses, whether anything has a mass or not.
-    if designs.first.weighed.bodies or all(part in known for part in gas.PRESSING):
+    if designs.each[0].weighed.bodies or all(part in known for part in gas.PRESSING):
         yield masses_of(designs.places, [design.weighed for design in designs.each])
 
 
@@ -55,7 +55,7 @@ QUESTION = Question(
     problems=_problems,
     parts=_parts,
     stages=(
-        Stage(loaded_machine.loaded_machine),
+        Stage(loaded_machine.LoadedMachine),
         Stage(solved_cycle.solved_cycle),
         Stage(events.force_events),
         Stage(piston_forces.piston_force_set, applies=on_rods),
@@ -68,10 +68,10 @@ QUESTION = Question(
         Stage(unlikely.unlikely_loads),
     ),
     dimensions=(
-        Dimension("joint", N_("joint")),
-        Dimension("guide", N_("guide")),
-        Dimension("force_method", N_("method")),
-        Dimension("rod_method", N_("method")),
+        ResultDimension("joint", N_("joint")),
+        ResultDimension("guide", N_("guide")),
+        ResultDimension("force_method", N_("method")),
+        ResultDimension("rod_method", N_("method")),
     ),
     headline=("largest_crankpin_load", "largest_joint_force"),
     uses=(

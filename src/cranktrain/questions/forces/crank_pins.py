@@ -20,9 +20,7 @@ from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.wording import Names, number
 
-_MECHANISM = ("mechanism",)
 _CURVE = ("mechanism", "crank_angle")
-_ROD = "rod"
 _ALIKE = 1e-9
 """Loads that differ by less, relative, are the same; the first is named."""
 
@@ -68,7 +66,7 @@ class CrankPinLoads:
     largest_crankpin_load: Extreme = extreme(
         "R_max",
         "N",
-        _MECHANISM,
+        ("mechanism",),
         N_("Largest load of the crank pin"),
         N_("Crank angle of the largest load of the crank pin"),
         _THEORY,
@@ -109,7 +107,7 @@ def crank_pin_loads(
         load = pin_load(one.forces.joints[joint], crank_link(one.motion.pin, Crank(radius)))
         put(whole, batch.index, load)
         reaction = batch.kind.dynamics.reactions[joint]
-        if reaction.on == _ROD:
+        if reaction.on == "rod":
             rod = batch.kind.dynamics.by_link(made.bodies)["rod"]
             rotating = weighed_ends(rod, batch.members.geometry.rod_length).first
             put(without, batch.index, with_rotating_mass(load, -rotating, radius, loaded.speed.drive(phi)))

@@ -14,7 +14,7 @@ from cranktrain.layout.speed import Speed
 from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench, added
 from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.mechanisms.solved import Forces
-from cranktrain.motion import Array, Coefficient, single
+from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import in_slots
 from cranktrain.numerics.gathering import put
 from cranktrain.questions.forces.carriers import MASTER, Carriers
@@ -73,7 +73,6 @@ class LoadedMachine:
     def solved(
         self,
         angle: Array,
-        friction_sense: float | None = None,
         *,
         gas_force: Array | None = None,
         motions: Sequence[AnyMotion] | None = None,
@@ -85,8 +84,6 @@ class LoadedMachine:
         angle : Array, shape (n,), (design, 1, n) or (design, mechanism, n)
             φ, the same for all mechanisms or one for each; those that hang on one rod or share a chamber have the same.
             [rad]
-        friction_sense : float, optional
-            +1 or −1 for the value on either side of a standstill; of each slider's own velocity unless given.
         gas_force : Array, shape (design, piston, n), optional
             Of the gas on the pistons toward their shafts, where it is known already. [N]
         motions : sequence, optional
@@ -114,7 +111,7 @@ class LoadedMachine:
                 on_crank, on_rod, on_piston = loads
                 borne = (on_crank, added(on_rod, handed), on_piston)
             friction = tuple(
-                _friction(batch.kind.part(motion, name), coefficient, edges, friction_sense)
+                _friction(batch.kind.part(motion, name), coefficient, edges)
                 for name, coefficient, edges in zip(dynamics.sliding, made.friction, made.edges, strict=True)
             )
             drive = Drive(*(_own(part, batch.index) for part in drives))
@@ -201,11 +198,11 @@ def _own(values: Array, index: NDArray[np.intp]) -> Array:
     return values[:, index] if values.ndim == 3 and values.shape[1] > 1 else values
 
 
-def _friction(slider: Coefficient, coefficient: Array, edges: Edges, sense: float | None) -> Friction:
+def _friction(slider: Coefficient, coefficient: Array, edges: Edges) -> Friction:
     """Friction of what slides, and where its guide's middle lies from it: edges that stay are left behind."""
     return Friction(
         coefficient,
-        np.sign(slider.first) if sense is None else single(sense),
+        np.sign(slider.first),
         edges.per_length,
         edges.middle - edges.stays * slider.value,
     )
@@ -218,10 +215,3 @@ def _of_slaves(index: NDArray[np.intp], on_rods: Mapping[int, Wrench]) -> Wrench
     nothing = Wrench(*(np.zeros_like(part) for part in next(iter(on_rods.values()))))
     rods = [on_rods.get(int(mechanism), nothing) for mechanism in index]
     return Wrench(*(np.concatenate(parts, axis=1) for parts in zip(*rods, strict=True)))
-
-
-def loaded_machine(
-    mechanisms: Mechanisms, carriers: Carriers, masses: Masses, speed: Speed, gas: GasInChambers | None
-) -> LoadedMachine:
-    """Put masses and gas to the mechanisms."""
-    return LoadedMachine(mechanisms, carriers, masses, gas, speed)

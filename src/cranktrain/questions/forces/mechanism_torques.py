@@ -15,7 +15,6 @@ from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
 
-_MECHANISM = ("mechanism", "crank_angle")
 _TORQUES_LIMIT = 1e-12
 
 
@@ -24,7 +23,7 @@ class MechanismTorques(StageResult):
     """What every mechanism does to the shaft, and all together."""
 
     mechanism_torque: Array = quantity(
-        "M_i", "N*m", _MECHANISM, N_("Torque of the mechanism on its shaft, by virtual work"), _THEORY
+        "M_i", "N*m", ("mechanism", "crank_angle"), N_("Torque of the mechanism on its shaft, by virtual work"), _THEORY
     )
     driving_torque: Array = quantity(
         "M", "N*m", ("crank_angle",), N_("Torque that must be applied to the shaft, by the reactions"), _THEORY

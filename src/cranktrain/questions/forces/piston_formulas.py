@@ -24,21 +24,6 @@ class PistonForces(NamedTuple):
     tangential: Array
 
 
-class RodForces(NamedTuple):
-    """Force along a rod, + in compression, at its piston pin and at its other pin. [N]"""
-
-    at_piston: Array
-    at_crank: Array
-
-
-class PistonIdentities(NamedTuple):
-    """What must be zero: K² + T² − S² [N²]; TR − Px′ and TR − (Ns + Pe) [N·m]."""
-
-    resolution: Array
-    work: Array
-    reversal: Array
-
-
 def inertia_force(slider: Coefficient, mass: Array, drive: Drive) -> Array:
     """Inertia of what goes with the piston, toward the shaft: P_j = −m_j x″ω² − m_j x′ε, x toward the shaft. [N]"""
     return mass * (slider.second * (drive.speed * drive.speed) + slider.first * drive.acceleration)
@@ -100,11 +85,16 @@ def piston_forces(force: Array, motion: SliderCrankMotion, geometry: SliderCrank
     )
 
 
-def piston_identities(forces: PistonForces, motion: SliderCrankMotion, geometry: SliderCrank) -> PistonIdentities:
-    """Residuals of what holds between the forces of a piston; docs/theory/forces, eqs. (13.32) and (13.33)."""
+def piston_identities(
+    forces: PistonForces, motion: SliderCrankMotion, geometry: SliderCrank
+) -> tuple[Array, Array, Array]:
+    """What must be zero of the forces of a piston: K² + T² − S² [N²]; TR − Px′ and TR − (Ns + Pe) [N·m].
+
+    docs/theory/forces, eqs. (13.32) and (13.33).
+    """
     torque = forces.tangential * geometry.crank_radius
     resolved = forces.radial * forces.radial + forces.tangential * forces.tangential
-    return PistonIdentities(
+    return (
         resolved - forces.rod * forces.rod,
         torque + forces.piston * motion.slider.first,
         torque - (forces.side * motion.slider.value + forces.piston * geometry.offset),
@@ -113,7 +103,7 @@ def piston_identities(forces: PistonForces, motion: SliderCrankMotion, geometry:
 
 def rod_forces(
     rod: Link, slider: Coefficient, pins: tuple[Wrench, Wrench], masses: TwoMasses, drive: Drive
-) -> RodForces:
+) -> tuple[Array, Array]:
     """Force along a rod by the reactions in both its pins.
 
     Parameters
@@ -130,7 +120,8 @@ def rod_forces(
 
     Returns
     -------
-    RodForces, shape (..., n)
+    at_piston, at_crank : Array, shape (..., n)
+        + in compression. [N]
         Where nothing hangs on the rod and it has no weight, both are the same. docs/theory/forces, eq. (13.50).
     """
     first, second = pins
@@ -139,4 +130,4 @@ def rod_forces(
     first_x = first.x - masses.first * (origin.x.second * square + origin.x.first * drive.acceleration)
     first_y = first.y - masses.first * (origin.y.second * square + origin.y.first * drive.acceleration)
     second_x = second.x + masses.second * (slider.second * square + slider.first * drive.acceleration)
-    return RodForces(second_x * rod.cos + second.y * rod.sin, first_x * rod.cos + first_y * rod.sin)
+    return second_x * rod.cos + second.y * rod.sin, first_x * rod.cos + first_y * rod.sin

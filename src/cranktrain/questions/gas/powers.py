@@ -98,9 +98,11 @@ class BrakePowers:
         """Say brake power and torque, or what drives the machine."""
         del names
         power = float(self.brake_power[design])
-        said = _("Brake power {power}, mean torque {torque}; mean pressure {mean}. Friction takes {friction}.")
-        if power < 0:
-            said = _("Driven by {power}, mean torque {torque}; mean pressure {mean}. Friction takes {friction}.")
+        said = (
+            _("Driven by {power}, mean torque {torque}; mean pressure {mean}. Friction takes {friction}.")
+            if power < 0
+            else _("Brake power {power}, mean torque {torque}; mean pressure {mean}. Friction takes {friction}.")
+        )
         return said.format(
             power=number(abs(power), "kW"),
             torque=number(abs(float(self.brake_torque[design])), "N*m"),

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from cranktrain.language import N_
 from cranktrain.layout.design import Designs
-from cranktrain.layout.question import Dimension, Parts, Question, Stage
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage
 from cranktrain.questions.motion import (
     axial_positions,
     closing,
@@ -23,8 +23,7 @@ def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
     yield points.link_points_of(designs.places)
     yield followed.followed_of(followed.FollowedLinks, designs.places[0])
     yield followed.followed_of(followed.FollowedSliders, designs.places[0])
-    if designs.rockers is not None:
-        yield rocker_load.load_radius_of([design.driving("rocker") for design in designs.each])
+    yield rocker_load.load_radius_of([design.driving("rocker") for design in designs.each])
 
 
 QUESTION = Question(
@@ -52,6 +51,10 @@ QUESTION = Question(
         Stage(axial_positions.axial_positions),
         Stage(closing.closing),
     ),
-    dimensions=(Dimension("point", N_("point")), Dimension("link", N_("link")), Dimension("slider", N_("slider"))),
+    dimensions=(
+        ResultDimension("point", N_("point")),
+        ResultDimension("link", N_("link")),
+        ResultDimension("slider", N_("slider")),
+    ),
     headline=("stroke", "mean_piston_speed", "largest_piston_speed", "swing", "time_ratio", "closing_margin"),
 )

@@ -5,6 +5,7 @@ from cranktrain.language import N_
 from cranktrain.layout.axial import AxialPlaces
 from cranktrain.motion import Array
 from cranktrain.record import record
+from cranktrain.references import CONVENTIONS
 
 
 @record
@@ -16,7 +17,7 @@ class AxialPositions:
         "m",
         ("mechanism",),
         N_("Along the shaft, from throw 1 toward the flywheel"),
-        "docs/conventions",
+        CONVENTIONS,
     )
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Limit, flagged
+from cranktrain.checks import Limit, StageResult, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.distinct import distinct
@@ -26,7 +26,7 @@ _CLOSENESS = Limit(
 
 
 @record
-class Closing:
+class Closing(StageResult):
     """How far each mechanism is from locking.
 
     Attributes
@@ -40,7 +40,6 @@ class Closing:
     )
     closing_angle: Array = quantity("φ_m", "deg", _MECHANISM, N_("Crank angle at which the links would part"), _THEORY)
     length_names: tuple[tuple[str, ...], ...] = ()
-    flags: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str | None:
         """Say the smallest margin of all."""

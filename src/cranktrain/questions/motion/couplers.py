@@ -11,9 +11,9 @@ from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import unwrapped
 from cranktrain.questions.motion.dead_centres import rod_angle
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
 
 _CURVE = ("rocker", "crank_angle")
-_THEORY = "docs/theory/crank-rocker"
 
 
 @record

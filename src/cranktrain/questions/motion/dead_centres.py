@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Limit, flagged
+from cranktrain.checks import Limit, StageResult, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.distinct import Distinct, distinct
@@ -16,10 +16,10 @@ from cranktrain.motion import Array, Coefficient, Link
 from cranktrain.numerics import Extreme, Extremes, around_zero, extremes, turn_grid
 from cranktrain.numerics.nested import mapped
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_SLIDER_CRANKS as _THEORY
 from cranktrain.wording import Names, by_sort, shared
 
 _PISTON = ("piston",)
-_THEORY = "docs/theory/slider-crank"
 ANGLE_ROUNDING = 1e-12
 """Sums of a few angles differ by less. [rad]"""
 
@@ -121,7 +121,7 @@ _DISTANCE = Limit(
 
 
 @record
-class DeadCentres:
+class DeadCentres(StageResult):
     """Where each piston truly turns back, and how far it travels; is_valve: which are valves, shape (piston,)."""
 
     is_valve: NDArray[np.bool_]
@@ -142,7 +142,6 @@ class DeadCentres:
     bottom_position: Array = quantity(
         "h", "m", _PISTON, N_("Distance from shaft centre to piston pin at bottom dead centre"), _THEORY
     )
-    flags: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str:
         """Say strokes and true dead centres of pistons, travels of valves and where they are farthest."""

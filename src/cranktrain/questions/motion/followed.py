@@ -16,8 +16,6 @@ from cranktrain.numerics import unwrapped
 from cranktrain.numerics.nested import Nested, mapped, side_by_side
 from cranktrain.record import record
 
-_LINK = ("link", "crank_angle")
-_SLIDER = ("slider", "crank_angle")
 _THEORY = "docs/theory/groups-2"
 
 
@@ -88,7 +86,7 @@ class LinkMotion:
     link_angle: Coefficient = coefficients(
         "θ",
         "rad",
-        _LINK,
+        ("link", "crank_angle"),
         N_("Direction of the link, from its first pin to its second, from the mechanism's x"),
         N_("Link's angular velocity for each rad/s of the crank"),
         N_("Link's angular acceleration for each (rad/s)² of the crank"),
@@ -109,7 +107,7 @@ class SliderMotion:
     slider_position: Coefficient = coefficients(
         "t",
         "m",
-        _SLIDER,
+        ("slider", "crank_angle"),
         N_("Position along the guide or slot, in the direction in which that points"),
         N_("Velocity along the guide or slot for each rad/s of the crank"),
         N_("Second derivative of the position by the crank angle"),

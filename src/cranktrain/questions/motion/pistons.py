@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import coefficients, extreme, quantity
-from cranktrain.checks import Check, Limit, flagged
+from cranktrain.checks import Check, Limit, StageResult, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
@@ -14,17 +14,17 @@ from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, Extremes, derivative
 from cranktrain.numerics.tops import chosen
 from cranktrain.questions.motion.dead_centres import DeadCentres, PistonGrid, PistonTurn, slider_motion
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_SLIDER_CRANKS as _THEORY
 from cranktrain.wording import Names, by_sort, shared
 
 _PISTON = ("piston",)
 _CURVE = ("piston", "crank_angle")
-_THEORY = "docs/theory/slider-crank"
 _ALIKE = 1e-9
 """Speeds of both strokes that differ by less, relative, are one; the one toward the shaft is named."""
 
 
 @record
-class PistonMotion:
+class PistonMotion(StageResult):
     """Motion of every piston by the crank angle alone; speed enters with `PistonSpeeds`."""
 
     piston_displacement: Coefficient = coefficients(
@@ -36,14 +36,13 @@ class PistonMotion:
         N_("Piston acceleration for each (rad/s)² of the crank"),
         _THEORY,
     )
-    checks: tuple[Check, ...] = ()
 
 
 def piston_motion(grid: PistonGrid, turn: PistonTurn, dead_centres: DeadCentres) -> PistonMotion:
     """Displacement from the true top toward the shaft and its derivatives."""
     slider = grid.value.slider
     travel = dead_centres.top_position[..., np.newaxis] - slider.value
-    return PistonMotion(Coefficient(travel, -slider.first, -slider.second), (_derivatives_check(turn),))
+    return PistonMotion(Coefficient(travel, -slider.first, -slider.second), checks=(_derivatives_check(turn),))
 
 
 def _derivatives_check(turn: PistonTurn) -> Check:
@@ -66,7 +65,7 @@ _MEAN_SPEED = Limit(
 
 
 @record
-class PistonSpeeds:
+class PistonSpeeds(StageResult):
     """Velocities and accelerations of pistons; is_valve: which are valves, shape (piston,)."""
 
     is_valve: NDArray[np.bool_]
@@ -113,7 +112,6 @@ class PistonSpeeds:
         N_("Crank angle of the largest acceleration away from the shaft"),
         _THEORY,
     )
-    flags: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str:
         """Say mean and largest speeds of pistons, and of valves."""

@@ -14,11 +14,10 @@ from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import extremes
 from cranktrain.questions.motion.rockers import DeadPositions, RockerMotion, RockerTurn, rocker_angle
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
 from cranktrain.wording import Names, shared
 
 _ROCKER = ("rocker",)
-_CURVE = ("rocker", "crank_angle")
-_THEORY = "docs/theory/crank-rocker"
 
 _DIRECTIONS = {"with": 1.0, "against": -1.0}
 
@@ -57,7 +56,7 @@ class LoadMotion:
     load_displacement: Coefficient = coefficients(
         "x_Q",
         "m",
-        _CURVE,
+        ("rocker", "crank_angle"),
         N_("Travel of the load from the dead position at which it is least"),
         N_("Load velocity for each rad/s of the crank: the torque factor of a pumping unit"),
         N_("Load acceleration for each (rad/s)² of the crank"),

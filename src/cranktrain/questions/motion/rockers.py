@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.catalogue import coefficients, extreme, quantity
-from cranktrain.checks import Check, Limit, flagged
+from cranktrain.checks import Check, Limit, StageResult, flagged
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Rockers
@@ -11,11 +11,11 @@ from cranktrain.layout.speed import Speed, rates
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, derivatives_residual, turn_grid, turning_points, unwrapped
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
 from cranktrain.wording import Names, around_turn, shared
 
 _ROCKER = ("rocker",)
 _CURVE = ("rocker", "crank_angle")
-_THEORY = "docs/theory/crank-rocker"
 
 
 def rocker_angle(rockers: Rockers, angle: Array) -> Coefficient:
@@ -65,13 +65,19 @@ def _counted(angle: Array, middle: Array) -> Array:
     return np.where(np.isnan(middle), unwrapped(angle), about)
 
 
+def _without_jumps(rockers: Rockers, turn: RockerTurn, phi: Array) -> Coefficient:
+    """Angles of the rockers at φ, counted as their swings or turns ask for."""
+    motion = rocker_angle(rockers, phi)
+    return motion._replace(value=_counted(motion.value, turn.middle))
+
+
 _SWING = Limit(
     1e5, "deg", N_("A rocker swings {value}: what there is of its motion is in the last digits of its position.")
 )
 
 
 @record
-class DeadPositions:
+class DeadPositions(StageResult):
     """Between which positions each rocker swings; NaN for a rocker that turns with the crank."""
 
     swing: Array = quantity("ψ", "rad", _ROCKER, N_("Angle through which the rocker swings"), _THEORY)
@@ -94,7 +100,6 @@ class DeadPositions:
         N_("Crank angle of the other dead position"),
         _THEORY,
     )
-    flags: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str | None:
         """Say swing, dead positions and time ratio of the rockers that swing."""
@@ -111,12 +116,9 @@ class DeadPositions:
 
 def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) -> DeadPositions:
     """Extremes of every rocker's angle: roots of θ′."""
-
-    def rocker(phi: Array) -> Coefficient:
-        motion = rocker_angle(rockers, phi)
-        return Coefficient(_counted(motion.value, turn.middle), motion.first, motion.second)
-
-    least, most = turning_points(rocker, _counted(turn.samples.value, turn.middle))
+    least, most = turning_points(
+        lambda phi: _without_jumps(rockers, turn, phi), _counted(turn.samples.value, turn.middle)
+    )
     travel = np.mod(most.angle - least.angle, 2 * np.pi)
     slower = np.maximum(travel, 2 * np.pi - travel)
 
@@ -134,7 +136,7 @@ def dead_positions(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) 
 
 
 @record
-class RockerMotion:
+class RockerMotion(StageResult):
     """Motion of every rocker by the crank angle alone."""
 
     rocker_angle: Coefficient = coefficients(
@@ -146,13 +148,11 @@ class RockerMotion:
         N_("Rocker's angular acceleration for each (rad/s)² of the crank"),
         _THEORY,
     )
-    checks: tuple[Check, ...] = ()
 
 
 def rocker_motion(rockers: Rockers, turn: RockerTurn, crank_angle: CrankAngle) -> RockerMotion:
     """Angles of every rocker, without jumps, and their derivatives."""
-    motion = rocker_angle(rockers, crank_angle.angle)
-    return RockerMotion(motion._replace(value=_counted(motion.value, turn.middle)), (_derivatives_check(rockers),))
+    return RockerMotion(_without_jumps(rockers, turn, crank_angle.angle), checks=(_derivatives_check(rockers),))
 
 
 def _derivatives_check(rockers: Rockers) -> Check:

@@ -5,17 +5,17 @@ import numpy as np
 from cranktrain.catalogue import coefficients, extreme, quantity
 from cranktrain.language import N_
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.mechanisms import Mechanisms, Pistons
+from cranktrain.layout.mechanisms import Pistons
 from cranktrain.layout.speed import Speed, rates
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extreme, turning_points
 from cranktrain.numerics.tops import chosen
-from cranktrain.questions.motion.dead_centres import PistonGrid, PistonTurn, rod_angle
+from cranktrain.questions.motion.dead_centres import PistonGrid, PistonTurn, slider_and_rod
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_SLIDER_CRANKS as _THEORY
 
 _PISTON = ("piston",)
 _CURVE = ("piston", "crank_angle")
-_THEORY = "docs/theory/slider-crank"
 _GROUPS = "docs/theory/groups"
 
 
@@ -50,11 +50,6 @@ class RodMotion:
     )
 
 
-def _rod(pistons: Mechanisms, angle: Array) -> Coefficient:
-    """Evaluate every piston's rod at φ."""
-    return pistons.evaluated(lambda motion: rod_angle(motion, motion.slider), angle)
-
-
 def on_rods(pistons: Pistons) -> bool:
     """Whether any piston hangs on a rod."""
     return bool(np.any(pistons.has_rod))
@@ -64,7 +59,8 @@ def rod_motion(grid: PistonGrid, crank_angle: CrankAngle, turn: PistonTurn) -> R
     """Rod angles, their derivatives and extremes."""
     different = turn.distinct
     opposite, usual = turning_points(
-        lambda alpha: Coefficient(*(-part for part in _rod(different.mechanisms, alpha))), -turn.samples.rod.value
+        lambda alpha: Coefficient(*(-part for part in slider_and_rod(different.mechanisms, alpha).rod)),
+        -turn.samples.rod.value,
     )
     usual, opposite = (
         Extreme(crank_angle.counted(different.angle(one.angle))[..., 0], different.spread(one.value)[..., 0])

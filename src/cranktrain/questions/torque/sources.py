@@ -14,7 +14,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.shafts import Shafts
 from cranktrain.linkage.forces import Drive, Reduced, ReducedInertia, torque_by_work
 from cranktrain.motion import ZERO, Array
-from cranktrain.numerics import Panels, integral_to, panels
+from cranktrain.numerics import Subintervals, integral_to, subintervals
 from cranktrain.numerics.gathering import gathered
 from cranktrain.numerics.harmonics import ComplexArray, harmonics, phasor
 from cranktrain.numerics.periodic import fourier_integral
@@ -40,7 +40,7 @@ class Source(NamedTuple):
     Attributes
     ----------
     design : int
-    panels : Panels
+    panels : Subintervals
     values : Array, shape (part, point)
         At the panels' points; the parts act on different shafts. [N·m]
     starts : Array, shape (place,)
@@ -50,7 +50,7 @@ class Source(NamedTuple):
     """
 
     design: int
-    panels: Panels
+    subintervals: Subintervals
     values: Array
     starts: Array
     shafts: NDArray[np.intp]
@@ -87,7 +87,7 @@ class TorqueSources:
         wrong = np.mean(self.inertia, axis=-1) - np.where(np.any(self.inertia, axis=-1), self.spent / cycle, 0.0)
         found = np.mean(self.rest, axis=-1) + wrong[:, np.newaxis] / self.rest.shape[1]
         for one in self.sources:
-            own = np.broadcast_to(np.sum(one.values * one.panels.weight, axis=-1) / cycle, one.shafts.shape)
+            own = np.broadcast_to(np.sum(one.values * one.subintervals.weight, axis=-1) / cycle, one.shafts.shape)
             np.add.at(found[one.design], one.shafts, own)
         return found
 
@@ -107,11 +107,11 @@ class TorqueSources:
         share = np.where(order > 0, 2.0, 1.0) / cycle
         for one in self.sources:
             # Orders are multiples of the first.
-            waves = np.empty((order.size, one.panels.angle.size), dtype=np.complex128)
-            waves[0], waves[1:] = 1.0, phasor(-order[1] * one.panels.angle)
+            waves = np.empty((order.size, one.subintervals.angle.size), dtype=np.complex128)
+            waves[0], waves[1:] = 1.0, phasor(-order[1] * one.subintervals.angle)
             waves = np.multiply.accumulate(waves, axis=0)
             # A sum and no matrix product, for which threads would be woken.
-            own = share * np.sum(waves * (np.sum(one.values, axis=0) * one.panels.weight), axis=-1)
+            own = share * np.sum(waves * (np.sum(one.values, axis=0) * one.subintervals.weight), axis=-1)
             found[one.design] += own * np.sum(phasor(-order * one.starts[:, np.newaxis]), axis=0)
         return found
 
@@ -133,12 +133,12 @@ class TorqueSources:
         step = float(shown[1] - shown[0])
         for one in self.sources:
             values = np.sum(one.values, axis=0)
-            values = values - np.sum(values * one.panels.weight) / cycle
+            values = values - np.sum(values * one.subintervals.weight) / cycle
             # Starts that are whole steps apart see the same points in turn.
             steps = one.starts / step
             beside: Array = np.round(np.mod(steps + 0.5, 1.0) - 0.5, 9)
             for aside in np.unique(beside).tolist():
-                whole = integral_to(one.panels, values, shown - aside * step)
+                whole = integral_to(one.subintervals, values, shown - aside * step)
                 for late in np.rint(steps[beside == aside] - aside).astype(np.intp).tolist():
                     laid = np.roll(whole, late)
                     found[one.design] += laid - laid[0]
@@ -186,7 +186,7 @@ def _of_machines(
     if (curve := loaded.speed.curve) is not None:
         nodes = curve.square.angle + curve.zero[:, 0] - crank_angle.zero[:, 0]
         breaks = np.concatenate([breaks, np.broadcast_to(nodes, (len(breaks), nodes.shape[-1]))], axis=-1)
-    cuts = [panels(own, _WIDEST, crank_angle.cycle) for own in breaks]
+    cuts = [subintervals(own, _WIDEST, crank_angle.cycle) for own in breaks]
     longest = max(cut.angle.size for cut in cuts)
     asked = np.stack([np.pad(cut.angle, (0, longest - cut.angle.size), mode="edge") for cut in cuts])
     solved = loaded.solved(asked[:, np.newaxis] + crank_angle.zero)
@@ -206,7 +206,7 @@ def _of_chambers(
         # Near its least value V = V_c + ½V″φ², which is 0 at an imaginary φ.
         volume, _slope, curvature = (float(part[design, gas.among_distinct[design, first], 0]) for part in events.least)
         away = float(np.sqrt(2 * volume / curvature))
-        cut = panels(
+        cut = subintervals(
             events.angle[design, first] - start, min(_WIDEST, _REACH * away) if away > 0 else _WIDEST, gas.cycle
         )
         motion = gas.volume_of(design, first, cut.angle + start)

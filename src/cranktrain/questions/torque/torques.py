@@ -57,9 +57,8 @@ class ShaftTorques(StageResult):
     gross: Array = field(kw_only=True)
     in_journals: Peak = field(kw_only=True)
 
-    def answer(self, names: Names, design: int) -> str:
+    def answer(self, _names: Names, design: int) -> str:
         """Say mean, largest and smallest torque; none where it is nothing beside what the forces could do."""
-        del names
         most, least = self.largest_torque, self.smallest_torque
         if max(abs(most.value[design]), abs(least.value[design])) <= _NOTHING * self.gross[design]:
             return _("Torque on the shaft: none.")

@@ -5,14 +5,13 @@ from collections.abc import Iterator
 from cranktrain.errors import Problem
 from cranktrain.language import N_
 from cranktrain.layout.design import Design, Designs
-from cranktrain.layout.question import Dimension, Parts, Question, Stage, Use
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
+from cranktrain.layout.specs import MAIN
 from cranktrain.layout.uses import table
 from cranktrain.questions.torsion.critical import critical_speeds, mode_vector_sums
 from cranktrain.questions.torsion.modes import TorsionalModes, of_one_crankshaft, torsional_modes, torsional_train
 from cranktrain.questions.torsion.parts import declared_train, torsion_problems
 from cranktrain.questions.torsion.spec import TorsionSpec
-
-_TABLE = "torsion"
 
 
 def _problems(design: Design) -> Iterator[Problem]:
@@ -24,12 +23,12 @@ def _problems(design: Design) -> Iterator[Problem]:
 def _parts(designs: Designs, _known: Parts) -> Iterator[object]:
     specs = designs.tables(TorsionSpec)
     if specs:
-        yield declared_train(specs, len(designs.first.main_shaft.throws))
+        yield declared_train(specs, len(designs.each[0].shafts[MAIN].throws))
 
 
 QUESTION = Question(
     "torsion",
-    tables={_TABLE: TorsionSpec},
+    tables={"torsion": TorsionSpec},
     problems=_problems,
     parts=_parts,
     stages=(
@@ -38,7 +37,7 @@ QUESTION = Question(
         Stage(critical_speeds),
         Stage(mode_vector_sums),
     ),
-    dimensions=(Dimension("disc", N_("disc")), Dimension("mode", N_("mode"), is_number=True)),
+    dimensions=(ResultDimension("disc", N_("disc")), ResultDimension("mode", N_("mode"), is_number=True)),
     headline=("natural_frequency",),
-    uses=(Use(table(_TABLE), (TorsionalModes,)),),
+    uses=(Use(table("torsion"), (TorsionalModes,)),),
 )

@@ -1,11 +1,12 @@
 """Critical speeds of torsional vibration: where orders meet natural frequencies, and how far cylinders add up there."""
 
-from collections.abc import Mapping
 from dataclasses import field
 
 import numpy as np
 
 from cranktrain.catalogue import quantity
+from cranktrain.checks import StageResult
+from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle, order_labels, orders
 from cranktrain.layout.shafts import Shafts
@@ -18,10 +19,10 @@ from cranktrain.questions.torque.stars import phase_stars
 from cranktrain.questions.torsion.modes import TorsionalModes
 from cranktrain.questions.torsion.parts import DeclaredTrain
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_TORSION as _THEORY
 from cranktrain.wording import Names, number
 
 _ORDER = ("mode", "order")
-_THEORY = "docs/theory/torsion"
 _NAMED = 3
 """How many of the largest vector sums the answer says, and of the orders that have one."""
 _DECIMALS = 9
@@ -29,14 +30,13 @@ _DECIMALS = 9
 
 
 @record
-class CriticalSpeeds:
+class CriticalSpeeds(StageResult):
     """Speeds at which an order of the torque has a natural frequency; speed is the declared one, if any."""
 
     critical_speed: Array = quantity(
         "Ω", "rad/s", _ORDER, N_("Speed of the crank at which the order has the mode's natural frequency"), _THEORY
     )
     speed: Array | None = field(kw_only=True)
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"order": ()})
 
     def answer(self, names: Names, design: int) -> str | None:
         """Say between which critical speeds of the first mode the machine runs."""
@@ -65,7 +65,7 @@ def critical_speeds(modes: TorsionalModes, crank_angle: CrankAngle, speed: Speed
 
 
 @record
-class ModeVectorSums:
+class ModeVectorSums(StageResult):
     """How far the cylinders' torques of one order add up in a mode of the shaft."""
 
     mode_vector_sum: Array = quantity(
@@ -75,17 +75,14 @@ class ModeVectorSums:
         N_("Sum of the cylinders' phase vectors of the order, each times its mode's amplitude"),
         _THEORY,
     )
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"order": ()})
 
     def answer(self, names: Names, design: int) -> str | None:
         """Name the orders that excite the first mode most."""
         of_mode = self.mode_vector_sum[design, 0]
         if not np.all(np.isfinite(of_mode)):
             return None
-        alike: dict[str, list[str]] = {}
-        ranked = np.argsort(-of_mode.round(_DECIMALS), kind="stable")
-        for place in map(int, ranked):
-            alike.setdefault(f"{float(of_mode[place]):.3g}", []).append(names["order"][place])
+        ranked: list[int] = np.argsort(-of_mode.round(_DECIMALS), kind="stable").tolist()
+        alike = grouped((f"{float(of_mode[place]):.3g}", names["order"][place]) for place in ranked)
         said = [
             _("{sum} of order {orders}").format(
                 sum=size, orders=", ".join([*own[:_NAMED], *["…"] * (len(own) > _NAMED)])
@@ -112,4 +109,4 @@ def mode_vector_sums(
     """
     on_disc = declared.throws[shafts.throw[carriers.driven[cylinders.leading]]]
     stars = phase_stars(orders(cycle.length), firing.firing_angle[:, np.newaxis], modes.mode_shape[..., on_disc])
-    return ModeVectorSums(stars.length, order_labels(cycle.length))
+    return ModeVectorSums(stars.length, labels=order_labels(cycle.length))

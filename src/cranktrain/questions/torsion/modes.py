@@ -1,13 +1,13 @@
 """Torsional vibration of the crankshaft: its train of discs, natural frequencies, modes and Holzer's table."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.catalogue import quantity
-from cranktrain.checks import Check
+from cranktrain.checks import Check, StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.masses import Masses
@@ -27,18 +27,18 @@ from cranktrain.questions.torsion.train import (
     scaled,
 )
 from cranktrain.record import record
+from cranktrain.references import THEORY_OF_TORSION as _THEORY
 from cranktrain.wording import Names, number
 
 _DISC = ("disc",)
 _MODE = ("mode", "disc")
-_THEORY = "docs/theory/torsion"
 _LIMIT = 1e-12
 _NAMED = 3
 """How many of the lowest frequencies the answer says."""
 
 
 @record
-class TorsionalTrain:
+class TorsionalTrain(StageResult):
     """Discs and shafts, referred to the crank, by the rows of Holzer's table."""
 
     disc_inertia: Array = quantity(
@@ -53,7 +53,6 @@ class TorsionalTrain:
         _THEORY,
     )
     train: Train = field(kw_only=True)
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"disc": ()})
 
 
 def of_one_crankshaft(shafts: Shafts, sharing: CylinderPistons | None) -> bool:
@@ -92,7 +91,7 @@ def mean_inertias(mechanisms: Mechanisms, masses: Masses, crank_angle: CrankAngl
 
 
 @record
-class TorsionalModes:
+class TorsionalModes(StageResult):
     """Free torsional vibration, and Holzer's table of every mode: for 1 rad where the amplitude is 1.
 
     unit: array of int, shape (design, mode), the disc where it is.
@@ -117,9 +116,6 @@ class TorsionalModes:
         "Δa", "1", _MODE, N_("Holzer's table: twist of the shaft that leads on, taken off the amplitude"), _THEORY
     )
     unit: NDArray[np.intp] = field(kw_only=True)
-    labels: Mapping[str, tuple[str, ...]] = field(default_factory=lambda: {"mode": ()})
-    checks: tuple[Check, ...] = ()
-    flags: tuple[str, ...] = ()
 
     def answer(self, _names: Names, design: int) -> str | None:
         """Say the lowest natural frequencies."""

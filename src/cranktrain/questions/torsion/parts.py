@@ -1,6 +1,7 @@
 """The declared train of several designs as SI arrays, in the order of Holzer's table; and what does not fit it."""
 
 from collections.abc import Iterator, Sequence
+from itertools import permutations
 from math import prod
 from typing import ClassVar
 
@@ -8,8 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.errors import Problem
+from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design
+from cranktrain.layout.specs import MAIN
 from cranktrain.motion import Array
 from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.record import record
@@ -76,10 +79,7 @@ def _order(spec: TorsionSpec, n_throws: int) -> tuple[list[Node], dict[Node, Nod
 
     The last is the disc that the file has last on the flywheel's side.
     """
-    neighbours: dict[Node, list[Node]] = {}
-    for one, other in map(tuple, _shafts(spec, n_throws)):
-        neighbours.setdefault(one, []).append(other)
-        neighbours.setdefault(other, []).append(one)
+    neighbours = grouped(ends for shaft in _shafts(spec, n_throws) for ends in permutations(shaft, 2))
     outer = [
         name for name, disc in spec.disc.items() if disc.stiffness and (n_throws == 1 or 1 not in _inward(spec, name))
     ]
@@ -139,7 +139,7 @@ def _ratio(spec: TorsionSpec, name: Node) -> float:
 
 def torsion_problems(spec: TorsionSpec, design: Design) -> Iterator[Problem]:
     """Find what does not fit the crankshaft, what nothing weighs, and machines whose trains are of another kind."""
-    n_throws, places = len(design.main_shaft.throws), design.places
+    n_throws, places = len(design.shafts[MAIN].throws), design.places
     if len(design.shafts) > 1 or any(place.name != place.cylinder for place in places):
         allowed = _("is for a machine with one crankshaft and one piston in a cylinder; this version knows no other")
         yield Problem("torsion", None, allowed)

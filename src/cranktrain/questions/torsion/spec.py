@@ -66,18 +66,15 @@ class TorsionSpec(Spec, frozen=True):
 
     def _problems(self) -> Iterator[Problem]:
         """Find names that cannot be written, discs beside nothing, and a free end that does not move by itself."""
-        yield from self._names()
+        allowed = _("must have a name of letters, digits and _, a letter first")
+        for name in self.disc:
+            if not re.fullmatch(r"[^\W\d]\w*", name):
+                yield Problem(path_text(("disc", name)), None, allowed)
         yield from self._neighbours()
         if self.free_end is not None and (self.free_end not in self.disc or self.disc[self.free_end].stiffness is None):
             elastic = [name for name, disc in self.disc.items() if disc.stiffness is not None]
             allowed = _("must be the name of a disc with a stiffness: {discs}").format(discs=", ".join(elastic) or "–")
             yield Problem("free_end", self.free_end, allowed)
-
-    def _names(self) -> Iterator[Problem]:
-        allowed = _("must have a name of letters, digits and _, a letter first")
-        for name in self.disc:
-            if not re.fullmatch(r"[^\W\d]\w*", name):
-                yield Problem(path_text(("disc", name)), None, allowed)
 
     def _neighbours(self) -> Iterator[Problem]:
         for name, disc in self.disc.items():

@@ -83,17 +83,7 @@ def _is_positive(values: Array) -> NDArray[np.bool_]:
     return np.all(np.isfinite(values) & (values > 0), axis=-1)
 
 
-class Scaled(NamedTuple):
-    """Amplitudes of modes, and which disc's is 1 in each.
-
-    shape: (..., mode, disc); unit: array of int, shape (..., mode).
-    """
-
-    shape: Array
-    unit: NDArray[np.intp]
-
-
-def scaled(shape: Array, free_end: int) -> Scaled:
+def scaled(shape: Array, free_end: int) -> tuple[Array, NDArray[np.intp]]:
     """Modes with amplitude 1 at the free end, or where that is a node, at the disc that moves most.
 
     Parameters
@@ -105,12 +95,14 @@ def scaled(shape: Array, free_end: int) -> Scaled:
 
     Returns
     -------
-    Scaled
+    shape : Array, shape (..., mode, disc)
+    unit : array of int, shape (..., mode)
+        Which disc's amplitude is 1.
     """
     size = np.abs(shape)
     moves = size[..., free_end] > _STILL * np.max(size, axis=-1)
     unit = np.where(moves, free_end, np.argmax(size, axis=-1))
-    return Scaled(shape / np.take_along_axis(shape, unit[..., np.newaxis], axis=-1), unit)
+    return shape / np.take_along_axis(shape, unit[..., np.newaxis], axis=-1), unit
 
 
 class HolzerTable(NamedTuple):

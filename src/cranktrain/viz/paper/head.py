@@ -9,8 +9,8 @@ from cranktrain.language import _
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.one_line import short
-from cranktrain.viz.paper.page import MARGIN, Box, Page, muted, paper
-from cranktrain.viz.paper.style import TITLE
+from cranktrain.viz.paper.page import MARGIN, Box, Page, paper
+from cranktrain.viz.paper.style import MUTED, TITLE
 from cranktrain.viz.paper.words import (
     provenance_words,
     running_words,
@@ -44,7 +44,7 @@ def title_block(page: Page, machine: Machine, title: str = "", at_speed: str = "
     layout = layout_words(machine)
     page.text(MARGIN, top - 10.0, f"{layout[:1].upper()}{layout[1:]}. {running_words(machine)}")
     zero = zero_words(machine)
-    page.text(MARGIN, top - 14.5, f"{title}. {zero}" if title else zero, **muted())
+    page.text(MARGIN, top - 14.5, f"{title}. {zero}" if title else zero, color=MUTED)
     page.text(page.width - MARGIN, top - 10.0, provenance_words(machine), ha="right")
     letters = int((page.width - 2 * MARGIN) * _LETTERS / 100.0)
     for line in [*([at_speed] if at_speed else []), *(line for sentence in unused for line in wrap(sentence, letters))]:

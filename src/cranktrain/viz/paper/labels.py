@@ -1,12 +1,12 @@
 """Where labels go: beside their points, clear of each other and, where there is room, of the lines."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.viz.paper.sketch import Label
+from cranktrain.viz.paper.sketch import Circle, Label, Manner, Sketch, bounds_of
 
 _CHARACTER, _LINE, _SYMBOL_LINE = 1.75, 3.2, 4.2
 """Width of a character, height of a line of text and of symbols on paper. [mm]"""
@@ -28,29 +28,18 @@ _OVER_MARK = 60.0
 class Wish(NamedTuple):
     """A label to place: its point [mm of the sketch], the direction from it that it would rather lie in [rad].
 
-    A symbol or a name keeps off the lines; a number stands on white and may lie over them.
+    A symbol or a name keeps off the lines; a number stands on white, may lie over them, and is left out where there is
+    no room.
     """
 
     point: Array
     text: str
     towards: float
-    manner: Literal["symbol", "number", "name"] = "symbol"
-
-    @property
-    def is_number(self) -> bool:
-        """Whether it stands on white, over lines, and is left out where there is no room."""
-        return self.manner == "number"
-
-
-class RoundMark(NamedTuple):
-    """A round mark: centre and radius. [mm of the sketch]"""
-
-    centre: Array
-    radius: float
+    manner: Manner = "symbol"
 
 
 def placed_labels(
-    wishes: Sequence[Wish], lines: Iterable[Array], scale: float, marks: Sequence[RoundMark] = ()
+    wishes: Sequence[Wish], lines: Iterable[Array], scale: float, marks: Sequence[Circle] = ()
 ) -> Iterator[Label]:
     """Place labels one by one, each at the free place that is best for it; a number without any is left out.
 
@@ -61,7 +50,7 @@ def placed_labels(
         Polylines to keep clear of. [mm of the sketch]
     scale : float
         Millimetres of the sketch in one of paper.
-    marks : sequence of RoundMark
+    marks : sequence of Circle
         Which a number may not lie over, as it may over lines.
 
     Yields
@@ -69,12 +58,12 @@ def placed_labels(
     Label
     """
     obstacles = np.concatenate([dots(line / scale) for line in lines], axis=1)
-    points = np.stack([wish.point for wish in wishes], axis=1) / scale
+    points = np.reshape([wish.point for wish in wishes], (-1, 2)).T / scale
     taken: list[Array] = []
     for wish in wishes:
-        size = _size(wish.text.translate({ord(mark): None for mark in "_^"}), is_symbol=wish.manner == "symbol")
+        size = _size(wish.text.translate({ord(mark): None for mark in "_^"}), wish.manner)
         point = wish.point[:, np.newaxis] / scale
-        places = point + _ways(size, _REACHES[: _NEAR if wish.is_number else None])
+        places = point + _ways(size, _REACHES[: _NEAR if wish.manner == "number" else None])
         boxes = _boxes(places, size)
         under = _n_under(boxes, taken)
         cost = (
@@ -83,29 +72,27 @@ def placed_labels(
             + _NOT_ITS_OWN * _is_nearer_to_another(places, point, points)
         )
         best = int(np.argmin(cost))
-        if wish.is_number and under[best]:
+        if wish.manner == "number" and under[best]:
             continue
-        taken.append(boxes[:, best])
-        is_symbol = wish.manner == "symbol"
-        yield Label(
-            places[:, best] * scale,
-            wish.text,
-            is_bold=wish.manner == "name",
-            is_framed=not is_symbol,
-            is_symbol=is_symbol,
-        )
+        taken.append(boxes[..., best])
+        yield Label(places[:, best] * scale, wish.text, wish.manner)
 
 
-def _size(text: str, *, is_symbol: bool) -> tuple[float, float]:
+def _size(text: str, manner: Manner) -> tuple[float, float]:
     """Width and height of a label. [mm of paper]"""
-    return _CHARACTER * len(text) + 0.8, _SYMBOL_LINE if is_symbol else _LINE
+    return _CHARACTER * len(text) + 0.8, _SYMBOL_LINE if manner == "symbol" else _LINE
 
 
 def label_outline(label: Label, scale: float) -> Array:
     """Outline of a label's box, closed, shape (2, 5). [mm of the sketch]"""
-    width, height = _size(label.text, is_symbol=label.is_symbol)
+    width, height = _size(label.text, label.manner)
     corners = 0.5 * np.array([[-width, width, width, -width, -width], [-height, -height, height, height, -height]])
     return label.position[:, np.newaxis] + scale * corners
+
+
+def labelled_bounds(sketch: Sketch) -> tuple[Array, Array]:
+    """Lower left and upper right corner of a sketch with its words. [mm of the sketch]"""
+    return bounds_of([*sketch.outline(), *(label_outline(label, sketch.scale) for label in sketch.labels)])
 
 
 def _ways(size: tuple[float, float], reaches: Sequence[float]) -> Array:
@@ -116,9 +103,9 @@ def _ways(size: tuple[float, float], reaches: Sequence[float]) -> Array:
 
 
 def _boxes(places: Array, size: tuple[float, float]) -> Array:
-    """Least and largest x, least and largest y of a label at each place, shape (4, n)."""
-    x, y = places
-    return np.stack([x - size[0] / 2, x + size[0] / 2, y - size[1] / 2, y + size[1] / 2])
+    """Lower left and upper right corner of a label at each place, shape (2, 2, n)."""
+    half = np.array(size)[:, np.newaxis] / 2
+    return np.stack([places - half, places + half])
 
 
 def _is_nearer_to_another(places: Array, point: Array, points: Array) -> Array:
@@ -127,11 +114,10 @@ def _is_nearer_to_another(places: Array, point: Array, points: Array) -> Array:
     return np.min(np.hypot(*others), axis=1) < np.hypot(*(places - point)) - 0.5
 
 
-def _is_over(boxes: Array, mark: RoundMark, scale: float) -> Array:
+def _is_over(boxes: Array, mark: Circle, scale: float) -> Array:
     """Whether a label would lie over a mark."""
-    left, right, low, high = boxes
-    x, y = mark.centre / scale
-    return np.hypot(np.clip(x, left, right) - x, np.clip(y, low, high) - y) < mark.radius / scale
+    centre = mark.centre[:, np.newaxis] / scale
+    return np.hypot(*(np.clip(centre, *boxes) - centre)) < mark.radius / scale
 
 
 def _cost(away: Array, wish: Wish, under: Array, inside: Array) -> Array:
@@ -139,22 +125,22 @@ def _cost(away: Array, wish: Wish, under: Array, inside: Array) -> Array:
     turn = np.arctan2(away[1], away[0]) - wish.towards
     return (
         1000.0 * under
-        + (0.15 if wish.is_number else 4.0) * inside
+        + (0.15 if wish.manner == "number" else 4.0) * inside
         + 1.5 * np.hypot(*away)
-        + (8.0 if wish.is_number else 2.0) * (1 - np.cos(turn))
+        + (8.0 if wish.manner == "number" else 2.0) * (1 - np.cos(turn))
     )
 
 
 def _n_under(boxes: Array, taken: Sequence[Array]) -> Array:
     """How many labels a label would lie over."""
-    left, right, low, high = boxes[..., np.newaxis]
-    of_left, of_right, of_low, of_high = np.reshape(taken, (-1, 4)).T
-    return np.count_nonzero((left < of_right) & (of_left < right) & (low < of_high) & (of_low < high), axis=1)
+    low, high = boxes[..., np.newaxis]
+    of_low, of_high = np.reshape(taken, (-1, 2, 2)).transpose(1, 2, 0)[:, :, np.newaxis]
+    return np.count_nonzero(np.all((low < of_high) & (of_low < high), axis=0), axis=1)
 
 
 def _n_inside(boxes: Array, dots: Array) -> Array:
     """How many points of the lines a label would cover."""
-    left, right, low, high = boxes[..., np.newaxis]
+    (left, low), (right, high) = boxes[..., np.newaxis]
     x, y = dots
     return np.count_nonzero((x > left) & (x < right) & (y > low) & (y < high), axis=1)
 

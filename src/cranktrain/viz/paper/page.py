@@ -12,6 +12,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.one_line import visible
+from cranktrain.plans.positions import rounded_scale
 from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch
 from cranktrain.viz.paper.style import FILLS, HEADING, INK, MUTED, RULE, SETTINGS, SYMBOL, TEXT, pen_of
 
@@ -56,6 +57,11 @@ class Box(NamedTuple):
     width: float
     height: float
 
+    @property
+    def middle(self) -> Array:
+        """Its middle, shape (2,)."""
+        return np.array([self.left + self.width / 2, self.bottom + self.height / 2])
+
 
 @contextmanager
 def drawing_settings() -> Generator[None]:
@@ -82,11 +88,6 @@ class Page:
         self.paper.set(xlim=(0.0, width), ylim=(0.0, height))
         self.paper.set_axis_off()
 
-    def axes(self, room: Box) -> Axes:
-        """Give axes for curves in a room on the sheet."""
-        left, bottom, width, height = room
-        return self.figure.add_axes((left / self.width, bottom / self.height, width / self.width, height / self.height))
-
     def place_of(self, axes: Axes, points: Array) -> Array:
         """Where points of axes lie on the sheet, shape (2, n). [mm]"""
         return axes.transData.transform(points.T).T / self.figure.dpi * _INCH
@@ -109,15 +110,12 @@ class Page:
     def notes(self, x: float, y: float, sentences: Iterable[str]) -> None:
         """Write sentences one below the other, as second text."""
         for number, sentence in enumerate(sentences):
-            self.text(x, y - LINE * number, sentence, **muted())
+            self.text(x, y - LINE * number, sentence, color=MUTED)
 
-    def end(self, words: Text) -> float:
-        """Say where written words end on the right. [mm]"""
-        return words.get_window_extent().x1 / self.figure.dpi * _INCH
-
-    def start(self, words: Text) -> float:
-        """Say where written words begin on the left. [mm]"""
-        return words.get_window_extent().x0 / self.figure.dpi * _INCH
+    def ends(self, words: Text) -> tuple[float, float]:
+        """Say where written words begin on the left and end on the right. [mm]"""
+        start, end = words.get_window_extent().intervalx / self.figure.dpi * _INCH
+        return float(start), float(end)
 
     def sample(self, start: float, end: float, y: float, **manner: Any) -> None:
         """Draw a sample of a line, for a legend."""
@@ -162,28 +160,26 @@ class Page:
         self.text(
             float(at[0]),
             float(at[1]),
-            mathematics(label.text) if label.is_symbol else label.text,
+            mathematics(label.text) if label.manner == "symbol" else label.text,
             ha="center",
             va="center_baseline",
-            fontsize=SYMBOL if label.is_symbol else TEXT,
-            fontweight="bold" if label.is_bold else "normal",
-            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6} if label.is_framed else None,
+            fontsize=SYMBOL if label.manner == "symbol" else TEXT,
+            fontweight="bold" if label.manner == "name" else "normal",
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6}
+            if label.manner in ("number", "name")
+            else None,
             zorder=20,
         )
 
     def move(self, artists: Sequence[Artist], sketch: Sketch, origin: tuple[float, float]) -> None:
         """Move what `draw` gave to where the same parts are in another sketch."""
         place = np.array(origin)
-        lines, circles = artists[: len(sketch.lines)], artists[len(sketch.lines) :]
-        for artist, line in zip(lines, sketch.lines, strict=True):
-            points = (place[:, np.newaxis] + line.points / sketch.scale).T
-            if line.is_closed:
-                artist.set_xy(points)
+        for artist, part in zip(artists, (*sketch.lines, *sketch.circles), strict=True):
+            if isinstance(part, Circle):
+                artist.set(center=tuple(place + part.centre / sketch.scale), radius=part.radius / sketch.scale)
             else:
-                artist.set_data(points[:, 0], points[:, 1])
-        for artist, circle in zip(circles, sketch.circles, strict=True):
-            artist.set_center(tuple(place + circle.centre / sketch.scale))
-            artist.set_radius(circle.radius / sketch.scale)
+                points = place[:, np.newaxis] + part.points / sketch.scale
+                artist.set(**({"xy": points.T} if part.is_closed else {"data": points}))
 
 
 def _artist_of(part: Line | Circle, layer: float) -> Artist:
@@ -210,10 +206,7 @@ def paper(size: str) -> tuple[float, float]:
 def fitting_scale(width: float, height: float, room: tuple[float, float]) -> float:
     """Choose the round scale at which metal of a width and height fits a room on paper; metal mm in one of paper."""
     least = max(width / room[0], height / room[1])
-    if least < 0.8:
-        return 1.0 / rounded_down(1.0 / least)
-    power = 10.0 ** float(np.floor(np.log10(least)))
-    return next(step * power for step in _SCALES if step * power >= least * (1 - 1e-9))
+    return 1.0 / rounded_down(1.0 / least) if least < 0.8 else rounded_scale(least, _SCALES)
 
 
 def scale_words(scale: float) -> str:
@@ -274,8 +267,3 @@ def _letters_or_word(name: str) -> str:
 def in_words(pin: str) -> str:
     """Give a pin's name in plain text, its number as an index: B₂."""
     return pin.translate(INDICES) if _NUMBERED.fullmatch(pin) else pin
-
-
-def muted(**manner: Any) -> dict[str, Any]:
-    """Manner of second text."""
-    return {"color": MUTED} | manner

@@ -115,7 +115,8 @@ def axes_in(page: Page, room: Box, beside: float = FORCES.beside) -> Axes:
     """Give axes in a room, with our grid, few round ticks and our frame; `beside` is of the height of their curves."""
     from matplotlib.ticker import MaxNLocator
 
-    axes = page.axes(room)
+    left, bottom, width, height = room
+    axes = page.figure.add_axes((left / page.width, bottom / page.height, width / page.width, height / page.height))
     axes.grid(color=GRID, linewidth=0.5)
     axes.set_axisbelow(True)
     axes.margins(y=beside)
@@ -150,10 +151,10 @@ def _write_head(page: Page, panel: Panel, place: tuple[float, float, float], loo
     if look.is_unit_bold:
         page.heading(left, y, f"{panel.title}, {panel.unit}")
     else:
-        end = page.end(page.heading(left, y, panel.title))
+        _start, end = page.ends(page.heading(left, y, panel.title))
         if panel.symbol:
             words, colour = formula(panel.symbol.replace("'", "′")), COLOURS[panel.curves[0].letter]
-            end = page.end(page.text(end + 1.5, y, words, color=colour, fontsize=SYMBOL))
+            _start, end = page.ends(page.text(end + 1.5, y, words, color=colour, fontsize=SYMBOL))
         page.text(end, y, f", {panel.unit}", fontsize=HEADING)
     for number, curve in enumerate(reversed([curve for curve in panel.curves if curve.symbol])):
         x = right - look.reach * number

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.plans.vectors import angle_of
 from cranktrain.viz.paper.sketch import Circle, Fill, Line
 
 HATCH = 1.3
@@ -53,11 +54,6 @@ def guide_line(direction: Array | float, pin: Array, shaft: Array | float = 0.0)
 def unit(direction: Array | float) -> Array:
     """Vector of length 1 in a direction from X [rad], shape (2, ...)."""
     return np.array([np.cos(direction), np.sin(direction)])
-
-
-def angle_of(vector: Array) -> float:
-    """Direction of a vector from X. [rad]"""
-    return float(np.arctan2(vector[1], vector[0]))
 
 
 def bar(start: Array, end: Array, widths: tuple[float, float], fill: Fill, order: int) -> Line:

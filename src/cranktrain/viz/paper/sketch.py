@@ -16,6 +16,7 @@ Habit = Literal[
     "outline", "rod", "thin", "hatch", "dotted", "axis", "arrow", "vector", "part", "chord", "construction", "none"
 ]
 Fill = Literal["none", "paper", "light", "dark", "ink"]
+Manner = Literal["symbol", "number", "name", "words"]
 
 LAYERS: tuple[Layer, ...] = ("LINKS", "GUIDES", "PATHS", "PLAN_V", "PLAN_A", "TEXT", "DIMENSIONS")
 
@@ -43,13 +44,14 @@ class Circle(NamedTuple):
 
 
 class Label(NamedTuple):
-    """A word, its middle at a point [mm]; a symbol is set as mathematics: a_BA^n."""
+    """A word, its middle at a point [mm].
+
+    A symbol is set as mathematics: a_BA^n; a number and a name stand on white, and a name is bold.
+    """
 
     position: Array
     text: str
-    is_bold: bool = False
-    is_framed: bool = False
-    is_symbol: bool = False
+    manner: Manner = "words"
 
 
 @dataclass
@@ -74,13 +76,8 @@ class Sketch:
         for circle in self.circles:
             yield circle.centre[:, np.newaxis] + circle.radius * np.array([[-1.0, 1.0], [-1.0, 1.0]])
 
-    def bounds(self) -> tuple[float, float, float, float]:
-        """Least and largest X, least and largest Y. [mm]"""
-        return bounds_of(self.outline())
 
-
-def bounds_of(outlines: Iterable[Array]) -> tuple[float, float, float, float]:
-    """Least and largest X, least and largest Y of points, each array of shape (2, n). [mm]"""
+def bounds_of(outlines: Iterable[Array]) -> tuple[Array, Array]:
+    """Lower left and upper right corner of what points fill, each array of shape (2, n). [mm]"""
     points = np.concatenate(list(outlines), axis=1)
-    low, high = np.nanmin(points, axis=1), np.nanmax(points, axis=1)
-    return float(low[0]), float(high[0]), float(low[1]), float(high[1])
+    return np.nanmin(points, axis=1), np.nanmax(points, axis=1)

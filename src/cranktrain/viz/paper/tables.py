@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from cranktrain.viz.paper.page import Page, is_formula
-from cranktrain.viz.paper.style import SYMBOL
+from cranktrain.viz.paper.style import SYMBOL, TEXT
 
 ROW, LEAST_ROW = 5.2, 4.5
 """Height of a row of a table, and how low it may be made where there is no room. [mm]"""
@@ -21,22 +21,21 @@ def write_table(
     `shares` are where the other columns end, in parts of the width; evenly, unless given. `line` is a row's height.
     """
     left, top, width = place
-    columns = len(rows[0])
+    last = len(rows[0]) - 1
+    ends = shares or tuple(0.1 + 0.9 * column / last for column in range(1, last + 1))
+    places = [(left, "left"), *((left + width * share, "right") for share in ends)]
     y = top - 4.0
     for number, row in enumerate(rows):
-        for column, words in enumerate(row):
-            share = shares[column - 1] if shares else 0.1 + 0.9 * column / (columns - 1)
-            is_symbol = is_formula(words)
-            page.text(
-                left if column == 0 else left + width * share,
-                y,
-                words,
-                ha="left" if column == 0 else "right",
-                fontsize=SYMBOL if is_symbol else 8.0,
-                fontweight="bold" if number == 0 else "normal",
-            )
+        write_row(page, row, places, y, is_bold=number == 0)
         if number == 0:
             page.rule(y - 1.6, left, left + width)
             y -= 1.2
         y -= line
     return y
+
+
+def write_row(page: Page, row: Sequence[str], places: Sequence[tuple[float, str]], y: float, *, is_bold: bool) -> None:
+    """Write a row of a table: each column at its place, on one side of it."""
+    for words, (x, side) in zip(row, places, strict=False):
+        size = SYMBOL if is_formula(words) else TEXT
+        page.text(x, y, words, ha=side, fontsize=size, fontweight="bold" if is_bold else "normal")

@@ -29,22 +29,25 @@ def speed_words(curve: SpeedCurve | None, design: int = 0) -> str:
     return "" if curve is None else curve.answer({}, design)
 
 
+def first_that_holds(*cases: tuple[bool, str]) -> str:
+    """Give the first of some sentences whose case it is."""
+    return next(sentence for holds, sentence in cases if holds)
+
+
 def zero_words(machine: Machine) -> str:
     """Say where the crank angle is 0 and how it counts."""
-    axis = _("the mechanism's x")
-    if len(machine.bank) == 1:
-        axis = _("the first cylinder's axis")
-    elif machine.bank:
-        axis = _("the axis of bank {bank}").format(bank=next(iter(machine.bank)))
-    if machine.crank_zero == "Y":
-        start = _("φ = 0 where crank 1 points up")
-    elif machine.crank_zero.si != 0.0:
-        words = _("φ = 0 where crank 1 is {angle} ahead of {axis}")
-        if machine.crank_zero.si < 0.0:
-            words = _("φ = 0 where crank 1 is {angle} behind {axis}")
-        start = words.format(angle=f"{shown(abs(machine.crank_zero.si), 'deg'):.2f}°", axis=axis)
-    else:
-        start = _("φ = 0 where crank 1 is on {axis}").format(axis=axis)
+    axis = first_that_holds(
+        (len(machine.bank) > 1, _("the axis of bank {bank}")),
+        (len(machine.bank) == 1, _("the first cylinder's axis")),
+        (True, _("the mechanism's x")),
+    ).format(bank=next(iter(machine.bank), ""))
+    ahead = 0.0 if machine.crank_zero == "Y" else machine.crank_zero.si
+    start = first_that_holds(
+        (machine.crank_zero == "Y", _("φ = 0 where crank 1 points up")),
+        (ahead > 0.0, _("φ = 0 where crank 1 is {angle} ahead of {axis}")),
+        (ahead < 0.0, _("φ = 0 where crank 1 is {angle} behind {axis}")),
+        (True, _("φ = 0 where crank 1 is on {axis}")),
+    ).format(angle=f"{shown(abs(ahead), 'deg'):.2f}°", axis=axis)
     return _("{start}; counted in the sense of running; seen from the free end").format(start=start)
 
 

@@ -19,7 +19,7 @@ from cranktrain.one_line import visible
 from cranktrain.plans.polygons import Polygon, acceleration_polygons, velocity_polygons
 from cranktrain.plans.positions import PositionPlan, position_plan, rescaled, track
 from cranktrain.plans.vectors import pair
-from cranktrain.viz.paper.sketch import LAYERS, Circle, Line, Sketch
+from cranktrain.viz.paper.sketch import LAYERS, Circle, Line, Sketch, bounds_of
 from cranktrain.viz.paper.words import speed_words
 from cranktrain.viz.plans.sketches import polygon_sketch, positions_sketch
 
@@ -117,15 +117,15 @@ def _draw_all(
     document.header["$LTSCALE"] = 4.0 * scale
     _draw(space, sketch, np.zeros(2))
     _dimensions(space, plan)
-    _low_x, left, _low_y, top = sketch.bounds()
+    _lowest, corner = bounds_of(sketch.outline())
     if curve is not None:
-        _write(space, speed_words(curve), np.array([left, top]) + scale * np.array([30.0, 14.0]), _TEXT * scale)
+        _write(space, speed_words(curve), corner + scale * np.array([30.0, 14.0]), _TEXT * scale)
     for number, polygons_of in enumerate((velocity_polygons, acceleration_polygons)):
         polygons = polygons_of(machine, angles, mechanism=mechanism, room=_PLAN_ROOM, speed=curve or "constant")
         for i, polygon in enumerate(polygons):
             column = number * -(-len(polygons) // _ROWS) + i // _ROWS
             step = [30.0 + column * (_PLAN_ROOM[0] + _GAP), -(i % _ROWS) * (_PLAN_ROOM[1] + _GAP)]
-            _polygon(space, polygon, np.array([left, top]) + scale * np.array(step), scale)
+            _polygon(space, polygon, corner + scale * np.array(step), scale)
 
 
 def _dimensions(space: Modelspace, plan: PositionPlan) -> None:
@@ -153,8 +153,8 @@ def _dimensions(space: Modelspace, plan: PositionPlan) -> None:
 def _polygon(space: Modelspace, polygon: Polygon, corner: Array, scale: float) -> None:
     """Draw a polygon as large beside the metal as it is on paper, and say what a millimetre of it is."""
     sketch = polygon_sketch(polygon)
-    low_x, _high_x, _low_y, high_y = sketch.bounds()
-    _draw(space, sketch, corner - scale * np.array([low_x, high_y]), scale)
+    low, high = bounds_of(sketch.outline())
+    _draw(space, sketch, corner - scale * np.array([low[0], high[1]]), scale)
     words = f"φ = {polygon.angle:g}°: 1 mm = {polygon.scale / scale:.6g} {polygon.unit}"
     _write(space, words, corner + scale * np.array([0.0, 6.0]), _TEXT * scale)
 

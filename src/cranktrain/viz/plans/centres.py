@@ -7,12 +7,11 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.plans.centres import Body, Centre, InstantCentres, instant_centres
+from cranktrain.plans.centres import Centre, InstantCentres, TurningBody, instant_centres
 from cranktrain.plans.positions import PositionPlan, fitting
-from cranktrain.plans.vectors import spoken_name
+from cranktrain.plans.vectors import angle_of, spoken_name
 from cranktrain.textbook.crank_rocker import pin_velocity_ratio
 from cranktrain.viz.figures import figure
-from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.page import Figure, drawing_settings, formula, mathematics
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
@@ -124,7 +123,7 @@ def _sketch(found: InstantCentres, scale: float) -> Sketch:
         for start in _lines_through(found, one):
             sketch.add([Line(np.stack([1e3 * start, place], axis=1), "DIMENSIONS", "construction", 2)])
         sketch.add([Circle(place, 0.9 * sketch.scale, "DIMENSIONS", "outline", 6, "ink")])
-        wishes.append(Wish(place, one.name, shapes.angle_of(place - middle)))
+        wishes.append(Wish(place, one.name, angle_of(place - middle)))
     sketch.add(placed_labels(wishes, [line.points for line in sketch.lines], sketch.scale))
     return sketch
 
@@ -138,7 +137,7 @@ def _lines_through(found: InstantCentres, wanted: Centre) -> Iterator[Array]:
             yield max(places, key=lambda place: float(np.hypot(*(place - wanted.place))))
 
 
-def _body_words(body: Body) -> str:
+def _body_words(body: TurningBody) -> str:
     """Name a body."""
     words = {
         "frame": _("frame"),

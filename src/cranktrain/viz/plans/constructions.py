@@ -9,11 +9,12 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.plans.constructions import Construction, Method, construction
 from cranktrain.plans.positions import fitting
+from cranktrain.plans.vectors import angle_of
 from cranktrain.viz.figures import figure, rounded
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.page import Box, Figure, drawing_settings
-from cranktrain.viz.paper.sketch import Circle, Line, Sketch
+from cranktrain.viz.paper.sketch import Circle, Line, Sketch, bounds_of
 from cranktrain.viz.plans.sheet import centre, plan_page, scale_of, write_beside, write_scales
 from cranktrain.viz.plans.sketches import alike
 
@@ -80,7 +81,7 @@ def _sheet(
     page, box = plan_page(machine, angles, size, title, found.mechanism)
     wide = 0.62 * box.width
     left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
-    bounds = np.array(_sketch(found, 1e-9).bounds()).reshape(2, 2)
+    bounds = np.stack(bounds_of(_sketch(found, 1e-9).outline()), axis=1)
     scale = fitting([1e-3 * bounds], (left.width - 26.0, left.height - 26.0))
     sketch = _sketch(found, 1e3 * scale)
     sketch.add(placed_labels(list(_wishes(found, 1e3 * scale)), [line.points for line in sketch.lines], 1e3 * scale))
@@ -107,14 +108,14 @@ def _sketch(found: Construction, scale: float) -> Sketch:
     points = 1e3 * np.concatenate([found.on_circle, foot], axis=1)
     sketch.add(Circle(point, 0.6 * scale, "LINKS", "thin", 6, "paper") for point in points.T)
     if found.method != "brix_backward":
-        sketch.add(_bars(found.foot if is_arc else found.exact_foot, scale))
+        sketch.add(_bars(found, scale))
     return sketch
 
 
 def _arcs(found: Construction) -> Iterator[Line]:
     """Arcs about the piston's pin from the crank pin to the line of stroke; one position as a line drawing."""
     for pin, piston in zip(found.on_circle.T, found.piston.T, strict=True):
-        start = shapes.angle_of(pin - piston) % (2 * np.pi)
+        start = angle_of(pin - piston) % (2 * np.pi)
         points = shapes.arc(1e3 * piston, 1e3 * float(found.geometry.rod_length), start, np.pi)
         yield Line(points, "LINKS", "construction", 3)
     first = min(1, found.piston.shape[1] - 1)
@@ -133,8 +134,10 @@ def _projections(found: Construction, scale: float) -> Iterator[Line | Circle]:
         yield Line(1e3 * np.stack([point, foot], axis=1), "LINKS", "construction", 3)
 
 
-def _bars(points: Array, scale: float) -> Iterator[Line]:
-    """Short bars across the line of stroke."""
+def _bars(found: Construction, scale: float) -> Iterator[Line]:
+    """Short bars across the line of stroke: at the readings of arcs, else where these should be."""
+    exact = found.geometry.crank_radius - found.exact_displacement
+    points = found.foot if found.method == "arc" else np.stack([exact, np.zeros_like(exact)])
     for point in 1e3 * points.T:
         ends = point[:, np.newaxis] + 1.6 * scale * np.array([[0.0, 0.0], [-1.0, 1.0]])
         yield Line(ends, "PLAN_V", "outline", 5)
@@ -156,7 +159,7 @@ def _numbers(points: Array, scale: float, towards: float | None) -> Iterator[Wis
     """Numbers beside points, one direction for all or away from the shaft; those that fall together share a place."""
     for together in alike(points, scale):
         point = points[:, together[0]]
-        outward = shapes.angle_of(point) if towards is None else towards
+        outward = angle_of(point) if towards is None else towards
         yield Wish(point, ",".join(map(str, together)), outward, "number")
 
 

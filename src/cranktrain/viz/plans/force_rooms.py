@@ -11,7 +11,7 @@ from cranktrain.plans.force_sides import INITIAL
 from cranktrain.plans.positions import fitting, rounded_scale
 from cranktrain.plans.vectors import pair
 from cranktrain.viz.figures import figure
-from cranktrain.viz.paper.labels import label_outline
+from cranktrain.viz.paper.labels import labelled_bounds
 from cranktrain.viz.paper.page import Box, Page, mathematics
 from cranktrain.viz.paper.sketch import Sketch
 from cranktrain.viz.plans.force_rows import group_words, packed
@@ -51,9 +51,7 @@ class DrawnPolygon(NamedTuple):
 def drawn_polygon(polygon: ForcePolygon) -> DrawnPolygon:
     """Draw a polygon, and measure it with its labels."""
     sketch = force_polygon_sketch(polygon)
-    outlines = [*sketch.outline(), *(label_outline(label, sketch.scale) for label in sketch.labels)]
-    points = np.concatenate(outlines, axis=1)
-    return DrawnPolygon(polygon, sketch, np.min(points, axis=1), np.max(points, axis=1))
+    return DrawnPolygon(polygon, sketch, *labelled_bounds(sketch))
 
 
 def fitting_polygons(
@@ -120,5 +118,5 @@ def _draw(page: Page, picture: DrawnPolygon, box: Box) -> None:
     if picture.polygon.sort == INITIAL:
         moment = f"{mathematics('M_b')} = {figure(picture.polygon.moment)} N·m"  # in the sense of rotation
         page.text(box.left + 4.0, top - 9.0, moment)
-    middle = np.array([box.left + box.width / 2, box.bottom + (box.height - picture.above) / 2])
-    page.draw(picture.sketch, pair(middle - (picture.low + picture.high) / 2))
+    below = box._replace(height=box.height - picture.above)
+    page.draw(picture.sketch, pair(below.middle - (picture.low + picture.high) / 2))

@@ -4,12 +4,14 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple, TypeVar
 
 from cranktrain.language import _
+from cranktrain.one_line import short
 from cranktrain.plans.force_polygons import ForcePolygon
 from cranktrain.plans.force_sides import INITIAL, PolygonForce
 from cranktrain.plans.vectors import spoken_name
 from cranktrain.viz.figures import figure
-from cranktrain.viz.paper.page import Page, in_words, is_formula, mathematics
-from cranktrain.viz.paper.style import SYMBOL
+from cranktrain.viz.paper.page import Page, in_words, mathematics
+from cranktrain.viz.paper.tables import write_row
+from cranktrain.viz.paper.words import first_that_holds
 
 Item = TypeVar("Item")
 
@@ -59,12 +61,10 @@ def write_forces(page: Page, rows: Sequence[Row], place: tuple[float, float, flo
     """Write a table at a place on the sheet: left, top, width. [mm]"""
     left, top, width = place
     heads = Row(("", _("force"), _("joint"), "mm", "N"), is_heading=True)
+    places = [(left + share * width, side) for share, side in zip(_ENDS, _SIDES, strict=True)]
     lines = [0.0, *(_HEAD + _LINE * number for number in range(len(rows)))]
     for row, line in zip((heads, *rows), lines, strict=True):
-        for words, share, where in zip(row.columns, _ENDS, _SIDES, strict=False):
-            size = SYMBOL if is_formula(words) else 8.0
-            weight = "bold" if row.is_heading else "normal"
-            page.text(left + share * width, top - 4.0 - line, words, ha=where, fontsize=size, fontweight=weight)
+        write_row(page, row.columns, places, top - 4.0 - line, is_bold=row.is_heading)
     page.rule(top - 5.4, left, left + width)
 
 
@@ -101,18 +101,13 @@ def _row(polygon: ForcePolygon, force: PolygonForce, number: str, letters: Mappi
 
 def _said(force: PolygonForce, letters: Mapping[str, str]) -> str:
     """Cause of a force, how a part of a reaction lies, or the joint of a reaction."""
-    causes = {"load": _("load"), "weight": _("weight"), "inertia": _("inertia")}
-    if force.cause in causes:
-        return causes[force.cause]
-    if force.about:
-        pin = letters.get(force.about) or spoken_name(force.about).replace("_", " ")
-        return _shortened(_("about {pin}").format(pin=in_words(pin)))
-    if force.symbol.endswith("^n"):
-        return _("along the link")
-    if force.symbol.startswith("f_"):
-        return _("friction")
-    return _shortened(spoken_name(force.joint.partition("/")[0]).replace("_", " "))
-
-
-def _shortened(words: str) -> str:
-    return words if len(words) <= _LETTERS else f"{words[: _LETTERS - 1]}…"
+    pin = letters.get(force.about) or spoken_name(force.about).replace("_", " ")
+    return first_that_holds(
+        (force.cause == "load", _("load")),
+        (force.cause == "weight", _("weight")),
+        (force.cause == "inertia", _("inertia")),
+        (bool(force.about), short(_("about {pin}").format(pin=in_words(pin)), _LETTERS)),
+        (force.symbol.endswith("^n"), _("along the link")),
+        (force.symbol.startswith("f_"), _("friction")),
+        (True, short(spoken_name(force.joint.partition("/")[0]).replace("_", " "), _LETTERS)),
+    )

@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.motion import Array
 from cranktrain.plans.force_polygons import ForcePolygon
 from cranktrain.plans.force_sides import PolygonForce
-from cranktrain.viz.paper import shapes
+from cranktrain.plans.vectors import angle_of
 from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.sketch import Circle, Habit, Sketch
 from cranktrain.viz.plans.sketches import arrow
@@ -55,8 +55,7 @@ def force_polygon_sketch(polygon: ForcePolygon) -> Sketch:
         sketch.add(arrow(lines[-1][:, 0], lines[-1][:, 1], "LINKS", one.habit))
     sketch.add([Circle(polygon.corners[:, 0], 0.7, "LINKS", "outline", 6, "paper")])
     wishes = list(_wishes(drawn, lines, np.mean(polygon.corners, axis=1)))
-    if wishes:
-        sketch.add(placed_labels(wishes, list(sketch.outline()), 1.0))
+    sketch.add(placed_labels(wishes, list(sketch.outline()), 1.0))
     return sketch
 
 
@@ -68,7 +67,7 @@ def _wishes(drawn: Sequence[_Drawn], lines: Sequence[Array], middle: Array) -> I
         points = [line @ np.array([1.0 - place, place]) for place in places]
         rooms = [min((_distance(point, other) for other in others), default=_CLEAR) for point in points]
         point = points[int(np.argmax(np.round(np.minimum(rooms, _CLEAR))))]
-        towards = _outward(point - middle, shapes.angle_of(one.end - one.start))
+        towards = _outward(point - middle, angle_of(one.end - one.start))
         if one.length > _SYMBOL:
             yield Wish(point, one.force.symbol, towards)
         elif one.length > _SEEN and one.number:
@@ -127,4 +126,4 @@ def _outward(away: Array, along: float) -> float:
     """Direction across a side, away from the middle; to its left where the middle is on it."""
     across = np.array([-np.sin(along), np.cos(along)])
     side = -1.0 if float(across @ away) < -1e-6 else 1.0
-    return shapes.angle_of(side * across)
+    return angle_of(side * across)

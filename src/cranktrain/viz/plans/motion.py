@@ -27,7 +27,7 @@ from cranktrain.plans.positions import (
 )
 from cranktrain.plans.together import places_called
 from cranktrain.plans.turning import turning
-from cranktrain.plans.vectors import Vector
+from cranktrain.plans.vectors import PolygonVector
 from cranktrain.quantities import shown
 from cranktrain.viz.figures import figure
 from cranktrain.viz.paper.page import INDICES, Box, Figure, Page, drawing_settings, mathematics
@@ -187,8 +187,8 @@ def plan_klein(
     cells = cells_of(box, len(constructions))
     wide = 0.62 * cells[0].width
     room = (wide - 16.0, cells[0].height - 14.0)
-    rough = [np.array(klein_sketch(construction, 1.0).bounds()).reshape(2, 2) for construction in constructions]
-    scale = 1e3 * fitting([1e-3 * bounds for bounds in rough], room)
+    rough = [np.concatenate(list(klein_sketch(one, 1.0).outline()), axis=1) for one in constructions]
+    scale = 1e3 * fitting([1e-3 * outline for outline in rough], room)
     for construction, cell in zip(constructions, cells, strict=True):
         centre_at_angle(page, construction.angle, klein_sketch(construction, scale), cell._replace(width=wide), 0.0)
         rows = _klein_table(machine, construction)
@@ -244,7 +244,7 @@ def _fitting_rows(polygon: Polygon, height: float) -> tuple[list[tuple[str, ...]
     return list(_vectors_table(polygon, vectors)), max(line, LEAST_ROW)
 
 
-def _vectors_table(polygon: Polygon, vectors: Sequence[Vector]) -> Iterator[tuple[str, ...]]:
+def _vectors_table(polygon: Polygon, vectors: Sequence[PolygonVector]) -> Iterator[tuple[str, ...]]:
     """Vectors: where each is, its length on paper and its size."""
     yield (_("vector"), _("from, to"), "mm", unit_words(polygon.unit))
     for vector in vectors:

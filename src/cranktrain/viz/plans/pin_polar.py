@@ -8,12 +8,12 @@ from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.plans.pin_loads import PinLoads, pin_loads
+from cranktrain.plans.pin_loads import CrankpinLoad, pin_loads
 from cranktrain.plans.positions import fitting, plan_angles
+from cranktrain.plans.vectors import angle_of
 from cranktrain.viz.figures import rounded
-from cranktrain.viz.paper.labels import RoundMark, Wish, placed_labels
+from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.page import Box, Figure, drawing_settings, mathematics, rounded_down
-from cranktrain.viz.paper.shapes import angle_of
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
 from cranktrain.viz.paper.style import INK
 from cranktrain.viz.plans.sheet import centre, plan_page, scale_of, write_beside, write_scales
@@ -74,17 +74,23 @@ def plan_polar(
         curve=curve,
     )
     width = (box.width - _TABLE) / 2
-    pairs = ((loads.on_pin, loads.on_pin_without), (loads.in_rod, loads.in_rod_without))
-    heads = (_("On the pin, in the crank's axes"), _("On the rod's bearing, in the rod's axes"))
-    axes = (
-        (_("up: away from the shaft"), _("right: in the sense of rotation")),
-        (_("up: toward the piston"), _("right: 90° from it in the sense of rotation")),
+    diagrams = (
+        (
+            (loads.on_pin, loads.on_pin_without),
+            _("On the pin, in the crank's axes"),
+            (_("up: away from the shaft"), _("right: in the sense of rotation")),
+        ),
+        (
+            (loads.in_rod, loads.in_rod_without),
+            _("On the rod's bearing, in the rod's axes"),
+            (_("up: toward the piston"), _("right: 90° from it in the sense of rotation")),
+        ),
     )
-    for number, pair in enumerate(pairs):
+    for number, (pair, head, axes) in enumerate(diagrams):
         cell = Box(box.left + number * width, box.bottom + 8.0, width - 4.0, box.height - 8.0)
         top = cell.bottom + cell.height
-        page.heading(cell.left, top - 4.0, heads[number])
-        page.notes(cell.left, top - 8.5, axes[number])
+        page.heading(cell.left, top - 4.0, head)
+        page.notes(cell.left, top - 8.5, axes)
         outline = np.concatenate([*pair, np.zeros((2, 1))], axis=1)
         scale = fitting([outline], (width - 26.0, box.height - 42.0), _STEPS)
         rings = _("rings each {step:g} kN").format(step=ring_step(pair[0]) / 1e3)
@@ -101,7 +107,7 @@ def plan_polar(
     return page.figure
 
 
-def polar_sketch(loads: PinLoads, pair: tuple[Array, Array], scale: float) -> Sketch:
+def polar_sketch(loads: CrankpinLoad, pair: tuple[Array, Array], scale: float) -> Sketch:
     """One diagram in drawing millimetres: axes, rings in kN, both loads, marks of the crank angle, the largest load."""
     full, without = (np.append(part, part[:, :1], axis=1) / scale for part in pair)
     every = np.concatenate([full, without, np.zeros((2, 1))], axis=1)
@@ -127,8 +133,7 @@ def polar_sketch(loads: PinLoads, pair: tuple[Array, Array], scale: float) -> Sk
     middle = np.nanmean(full, axis=1)
     named = marked[loads.angle[marked] % (_MARKS * round(loads.cycle / 360.0)) == 0]
     wishes += [Wish(full[:, i], f"{loads.angle[i]:g}°", angle_of(full[:, i] - middle), "number") for i in named]
-    marks = [RoundMark(circle.centre, circle.radius) for circle in sketch.circles]
-    sketch.add(placed_labels(wishes, [full, *axes], 1.0, marks))
+    sketch.add(placed_labels(wishes, [full, *axes], 1.0, sketch.circles))
     return sketch
 
 
@@ -144,7 +149,7 @@ def _ring(radius: float, low: Array, high: Array) -> Array:
     return np.where(inside, points, np.nan)
 
 
-def _table(loads: PinLoads, angles: Array) -> Iterator[tuple[str, ...]]:
+def _table(loads: CrankpinLoad, angles: Array) -> Iterator[tuple[str, ...]]:
     """Load at some crank angles: toward the shaft, in the sense of rotation, its size."""
     yield ("φ, °", *(f"{mathematics(symbol)}, {_('kN')}" for symbol in ("K_R", "T_R", "R")))
     closed = np.append(loads.angle, loads.cycle)
@@ -156,7 +161,7 @@ def _table(loads: PinLoads, angles: Array) -> Iterator[tuple[str, ...]]:
         yield (f"{angles[i]:g}", rounded(-float(outward[i])), rounded(float(tangential[i])), rounded(float(size[i])))
 
 
-def _notes(loads: PinLoads) -> Iterator[str]:
+def _notes(loads: CrankpinLoad) -> Iterator[str]:
     """Say mean and largest load, and what the signs are."""
     yield _("Mean load R: {mean} kN").format(mean=rounded(loads.mean / 1e3))
     yield _("Largest: {largest} kN at {angle:g}°, ringed").format(

@@ -12,10 +12,11 @@ from cranktrain.motion import Array
 from cranktrain.plans.lettering import pin_letters
 from cranktrain.plans.positions import plan_angles
 from cranktrain.plans.together import placed_together, places_called, together_name
-from cranktrain.plans.vectors import spoken_name
+from cranktrain.plans.vectors import pair, spoken_name
 from cranktrain.viz.paper.head import title_block
-from cranktrain.viz.paper.page import MARGIN, Box, Page, formula, muted, paper, scale_words
-from cranktrain.viz.paper.sketch import Sketch
+from cranktrain.viz.paper.page import MARGIN, Box, Page, formula, paper, scale_words
+from cranktrain.viz.paper.sketch import Sketch, bounds_of
+from cranktrain.viz.paper.style import MUTED
 from cranktrain.viz.paper.tables import ROW, write_table
 from cranktrain.viz.paper.words import speed_words
 
@@ -83,11 +84,8 @@ def cells_of(box: Box, n: int) -> list[Box]:
 
 def centre(page: Page, sketch: Sketch, box: Box) -> None:
     """Draw a sketch in the middle of a room."""
-    low_x, high_x, low_y, high_y = (value / sketch.scale for value in sketch.bounds())
-    page.draw(
-        sketch,
-        (box.left + box.width / 2 - (low_x + high_x) / 2, box.bottom + box.height / 2 - (low_y + high_y) / 2),
-    )
+    low, high = (corner / sketch.scale for corner in bounds_of(sketch.outline()))
+    page.draw(sketch, pair(box.middle - (low + high) / 2))
 
 
 def centre_at_angle(page: Page, angle: float, sketch: Sketch, box: Box, head: float = 5.0) -> None:
@@ -124,7 +122,9 @@ def write_scales(page: Page, box: Box, scales: Sequence[str], metal: float | Non
     if metal is not None:
         start = page.scale_bar(box.left, box.bottom, metal) + 6.0 + 2.0 * len(scale_words(metal)) + 34.0
     page.text(start, box.bottom - 0.4, "     ".join(scales), fontsize=9.0)
-    page.text(box.left + box.width, box.bottom - 0.4, _("1 mm is 1 mm on the sheet as printed"), ha="right", **muted())
+    page.text(
+        box.left + box.width, box.bottom - 0.4, _("1 mm is 1 mm on the sheet as printed"), ha="right", color=MUTED
+    )
 
 
 def unit_words(unit: str) -> str:

@@ -4,12 +4,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from cranktrain.grouping import grouped
 from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.motion import Array
 from cranktrain.plans.klein import Klein
 from cranktrain.plans.polygons import Polygon
 from cranktrain.plans.positions import PositionPlan
-from cranktrain.plans.vectors import POLE, Part, spoken_name
+from cranktrain.plans.vectors import POLE, Part, angle_of, spoken_name
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels, together
 from cranktrain.viz.paper.sketch import Circle, Habit, Layer, Line, Sketch
@@ -89,7 +90,7 @@ def pin_wishes(drawing: Drawing, pins: dict[str, Array]) -> list[Wish]:
     """Names of the pins in the first position, outside the mechanism."""
     middle = np.mean(np.concatenate(list(pins.values()), axis=1), axis=1)
     return [
-        Wish(pin[:, 0], spoken_name(name), shapes.angle_of(pin[:, 0] - middle))
+        Wish(pin[:, 0], spoken_name(name), angle_of(pin[:, 0] - middle))
         for name, pin in pins.items()
         if name not in drawing.ends
     ]
@@ -106,17 +107,14 @@ def _numbers(name: str, pins: dict[str, Array], drawing: Drawing, scale: float) 
             outward = across[0] + np.pi * (number % 2)
             point = point + 2.6 * scale * np.array([np.cos(outward), np.sin(outward)])
         else:
-            outward = shapes.angle_of(point - pins[bases[0] if bases else "O"][:, 0])
+            outward = angle_of(point - pins[bases[0] if bases else "O"][:, 0])
         yield Wish(point, ",".join(map(str, few)), outward, "number")
 
 
 def alike(points: Array, scale: float) -> list[list[int]]:
     """Put points together that fall on one place on paper, by their numbers; without those that are nowhere."""
-    together: dict[tuple[float, float], list[int]] = {}
-    for i in np.flatnonzero(np.all(np.isfinite(points), axis=0)).tolist():
-        x, y = np.round(points[:, i] / (0.5 * scale))
-        together.setdefault((x, y), []).append(i)
-    return list(together.values())
+    drawn = np.flatnonzero(np.all(np.isfinite(points), axis=0)).tolist()
+    return list(grouped((tuple(np.round(points[:, i] / (0.5 * scale))), i) for i in drawn).values())
 
 
 def _frame(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[Line | Circle]:
@@ -169,7 +167,7 @@ def polygon_sketch(polygon: Polygon, *, with_symbols: bool = True) -> Sketch:
         *(vector.start for vector in short if vector.part == "tangential"),
     }
     named = {name: point for name, point in points.items() if name not in corners}
-    wishes = [Wish(point, name, shapes.angle_of(point - middle)) for name, point in _separate(named)]
+    wishes = [Wish(point, name, angle_of(point - middle)) for name, point in _separate(named)]
     is_crowded = len(polygon.vectors) > _MANY
     for vector in polygon.vectors:
         enough = max(_LETTERS_FROM * longest, 10.0)
@@ -178,7 +176,7 @@ def polygon_sketch(polygon: Polygon, *, with_symbols: bool = True) -> Sketch:
         is_named = with_symbols and (vector.part == "absolute" or not is_crowded)
         if is_named and polygon.length(vector) > enough:
             half = 0.5 * (points[vector.start] + points[vector.end])
-            wishes.append(Wish(half, vector.symbol, shapes.angle_of(half - middle)))
+            wishes.append(Wish(half, vector.symbol, angle_of(half - middle)))
     sketch.add(placed_labels(wishes, list(sketch.outline()), 1.0))
     return sketch
 
@@ -187,7 +185,7 @@ def arrow(start: Array, end: Array, layer: Layer, habit: Habit) -> Iterator[Line
     """A vector on paper, with a head where it is long enough."""
     yield Line(np.stack([start, end], axis=1), layer, habit, 3)
     if np.hypot(*(end - start)) > _HEADED:
-        yield shapes.arrowhead(end, shapes.angle_of(end - start), 2.0)._replace(layer=layer)
+        yield shapes.arrowhead(end, angle_of(end - start), 2.0)._replace(layer=layer)
 
 
 def _separate(points: dict[str, Array]) -> Iterator[tuple[str, Array]]:
@@ -223,6 +221,6 @@ def klein_sketch(construction: Klein, scale: float) -> Sketch:
         ]
     )
     drawn = {name: point for name, point in points.items() if np.all(np.isfinite(point))}
-    wishes = [Wish(point, name, shapes.angle_of(point - middle)) for name, point in drawn.items()]
+    wishes = [Wish(point, name, angle_of(point - middle)) for name, point in drawn.items()]
     sketch.add(placed_labels(wishes, [line.points for line in sketch.lines], scale))
     return sketch

@@ -8,18 +8,17 @@ from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
-from cranktrain.motion import Array
 from cranktrain.plans.lettering import pin_letters
 from cranktrain.plans.placement import place_called, placed
 from cranktrain.plans.polygons import Polygon, velocity_polygons
 from cranktrain.plans.positions import rounded_scale, single_plans
-from cranktrain.plans.vectors import POLE, pair, spoken_name
-from cranktrain.plans.zhukovsky import Lever, LeverForce, zhukovsky_lever
+from cranktrain.plans.vectors import POLE, angle_of, pair, spoken_name, turned_left
+from cranktrain.plans.zhukovsky import LeverForce, ZhukovskyLever, zhukovsky_lever
 from cranktrain.viz.figures import figure
-from cranktrain.viz.paper import shapes
-from cranktrain.viz.paper.labels import Wish, placed_labels
-from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings, mathematics, muted
+from cranktrain.viz.paper.labels import Wish, placed_labels, together
+from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings, mathematics
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
+from cranktrain.viz.paper.style import MUTED
 from cranktrain.viz.paper.tables import LEAST_ROW, ROW
 from cranktrain.viz.plans.forces import too_many_words
 from cranktrain.viz.plans.sheet import (
@@ -39,6 +38,9 @@ _LONGEST = 0.30
 
 _NAMED = 2.0
 """A force shorter than this stands in the table alone. [mm]"""
+
+_ONE_POINT = 0.7
+"""A point nearer to another one has no name of its own. [mm]"""
 
 _TO_A_LINE = 8
 """Symbols side by side below a table."""
@@ -92,37 +94,38 @@ def plan_zhukovsky(
     velocity = scale_of("v", polygons[0].scale, polygons[0].unit)
     write_scales(page, box, [scale_of("l", plans[0].scale, "m"), velocity, scale_of("F", newton, "N")], None)
     words = _("Velocities turned by 90° clockwise: a force's anticlockwise moment about p is its power")
-    page.text(box.left + left, box.bottom + 4.4, words, **muted())
+    page.text(box.left + left, box.bottom + 4.4, words, color=MUTED)
     return page.figure
 
 
-def _longest(lever: Lever, polygon: Polygon) -> float:
+def _longest(lever: ZhukovskyLever, polygon: Polygon) -> float:
     """Size of the lever's largest force, with the balancing one. [N]"""
     forces = [*(force for force in lever.forces if force.point), _balancing(lever, polygon)]
     return max(float(np.hypot(*force.value)) for force in forces)
 
 
-def lever_sketch(lever: Lever, polygon: Polygon, newton: float) -> Sketch:
+def lever_sketch(lever: ZhukovskyLever, polygon: Polygon, newton: float) -> Sketch:
     """Turned plan of velocities in drawing millimetres with the forces at its points, to newton N in one of them."""
     sketch = Sketch(1.0)
-    points = {name: _quarter_turned(np.array(point)) for name, point in polygon.points.items()}
+    points = {name: -turned_left(np.array(point)) for name, point in polygon.points.items()}
     for vector in polygon.vectors:
         ends = np.stack([points[vector.start], points[vector.end]], axis=1)
         sketch.add([Line(ends, "PLAN_V", "part" if vector.part == "relative" else "vector", 2)])
     sketch.add(Circle(point, 0.5, "PLAN_V", "outline", 5, "paper") for point in points.values())
-    middle = np.mean(np.stack(list(points.values())), axis=0)
-    named = {name: point for i, (name, point) in enumerate(points.items()) if not _is_at_earlier(i, points)}
-    wishes = [Wish(point, name, shapes.angle_of(point - middle)) for name, point in named.items()]
+    names, places = list(points), np.stack(list(points.values()), axis=1)
+    named = {names[of[0]]: places[:, of[0]] for of in together(places, _ONE_POINT)}
+    middle = np.mean(places, axis=1)
+    wishes = [Wish(point, name, angle_of(point - middle)) for name, point in named.items()]
     long = (force for force in lever.forces if force.point and not _is_short(force, newton))
     for force in (*long, _balancing(lever, polygon)):
-        at = _quarter_turned(np.array(force.velocity)) / polygon.scale
+        at = -turned_left(np.array(force.velocity)) / polygon.scale
         end = at + np.array(force.value) / newton
         sketch.add(arrow(at, end, "LINKS", "part" if force.symbol.startswith("Φ") else "vector"))
-        wishes.append(Wish(end, force.symbol, shapes.angle_of(end - at)))
-        if force.point.startswith("s_") and not any(np.hypot(*(at - point)) < 0.7 for point in named.values()):
+        wishes.append(Wish(end, force.symbol, angle_of(end - at)))
+        if force.point.startswith("s_") and not any(np.hypot(*(at - point)) < _ONE_POINT for point in named.values()):
             sketch.add([Circle(at, 0.5, "PLAN_V", "outline", 5, "paper")])
             named[force.point] = at
-            wishes.append(Wish(at, force.point, shapes.angle_of(at - middle)))
+            wishes.append(Wish(at, force.point, angle_of(at - middle)))
     sketch.add([Circle(points[POLE], 0.8, "PLAN_V", "outline", 6, "paper")])
     sketch.add(placed_labels(wishes, list(sketch.outline()), 1.0))
     return sketch
@@ -133,13 +136,7 @@ def _is_short(force: LeverForce, newton: float) -> bool:
     return float(np.hypot(*force.value)) / newton < _NAMED
 
 
-def _is_at_earlier(place: int, points: dict[str, Array]) -> bool:
-    """Whether a point falls on one before it, whose name stands there."""
-    every = list(points.values())
-    return any(np.hypot(*(every[place] - other)) < 0.7 for other in every[:place])
-
-
-def _balancing(lever: Lever, polygon: Polygon) -> LeverForce:
+def _balancing(lever: ZhukovskyLever, polygon: Polygon) -> LeverForce:
     """The force at the crank pin, across the crank, that the driving torque is."""
     crank = next(vector for vector in polygon.vectors if vector.part == "absolute")
     velocity = np.array(crank.value)
@@ -147,12 +144,7 @@ def _balancing(lever: Lever, polygon: Polygon) -> LeverForce:
     return LeverForce("F_b", crank.end, pair(force), crank.value, lever.driving_torque)
 
 
-def _quarter_turned(vector: Array) -> Array:
-    """Turn by 90° clockwise."""
-    return np.array([vector[1], -vector[0]])
-
-
-def _table(lever: Lever, letters: Mapping[str, str]) -> Iterator[tuple[str, ...]]:
+def _table(lever: ZhukovskyLever, letters: Mapping[str, str]) -> Iterator[tuple[str, ...]]:
     """Every force: at which point, its size and its moment about the pole, as torque on the crank."""
     yield (_("force"), _("at"), "N", "N·m")
     for force in lever.forces:
@@ -167,7 +159,7 @@ def _table(lever: Lever, letters: Mapping[str, str]) -> Iterator[tuple[str, ...]
     yield (mathematics("M_b"), "", "", figure(lever.driving_torque))
 
 
-def _short_words(lever: Lever, newton: float) -> Iterator[str]:
+def _short_words(lever: ZhukovskyLever, newton: float) -> Iterator[str]:
     """Say which forces are too short to be drawn, some to a line."""
     short = [mathematics(force.symbol) for force in lever.forces if _is_short(force, newton)]
     if short:
@@ -176,7 +168,7 @@ def _short_words(lever: Lever, newton: float) -> Iterator[str]:
         yield ", ".join(short[first : first + _TO_A_LINE])
 
 
-def _notes(lever: Lever) -> Iterator[str]:
+def _notes(lever: ZhukovskyLever) -> Iterator[str]:
     """Say what the lever proves."""
     yield _("Moments about p over the crank's speed.")
     yield _("Last: driving torque by the joints' reactions,")

@@ -6,10 +6,11 @@ from itertools import pairwise
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.plans.vectors import angle_of
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.sketch import Circle, Label, Line
 from cranktrain.viz.throw.cylinders import skirt, wall_end, wall_start
-from cranktrain.viz.throw.scene import BIG_EYE, SMALL_EYE, Member, Scene
+from cranktrain.viz.throw.scene import BIG_EYE, SMALL_EYE, DrawnMechanism, Scene
 
 _LEAST_RING = 11.0
 """Radius of a degree ring on paper that has room for all its figures. [mm]"""
@@ -41,7 +42,7 @@ def degree_ring(
             and (degree == 0 or not scene.is_star)
             and (degree == 0 or not _is_covered(scene, lines, place, angle, 2.6 * scale))
         ):
-            yield Label(place, f"{degree}", is_bold=degree == 0, is_framed=degree == 0)
+            yield Label(place, f"{degree}", "words" if degree else "name")
 
 
 def _is_covered(scene: Scene, lines: Sequence[tuple[Array, float]], point: Array, angle: float, margin: float) -> bool:
@@ -63,7 +64,7 @@ def _is_covered(scene: Scene, lines: Sequence[tuple[Array, float]], point: Array
 def _free_direction(scene: Scene, shaft: str) -> tuple[float, float]:
     """Direction farthest from all cylinders of a shaft, or from the rocker's pivot, and how far it is. [rad]"""
     taken = [
-        shapes.angle_of(member.stroke_line.along)
+        angle_of(member.stroke_line.along)
         if member.output is not None
         else np.arctan2(*member.turn_pins[member.turn.fixed[-1]][::-1, 0])
         for member in scene.members
@@ -87,7 +88,7 @@ def rotations(scene: Scene, scale: float) -> Iterator[Line]:
         yield shapes.arrowhead(tip, float(end + sense * (np.pi / 2 - 1.1 * scale / radius)), 2.6 * scale)
 
 
-def _arc_of(scene: Scene, member: Member, scale: float) -> tuple[float, float, float]:
+def _arc_of(scene: Scene, member: DrawnMechanism, scale: float) -> tuple[float, float, float]:
     """Radius, middle and half the width of an arrow round a shaft, clear of all that is drawn there. [mm, rad]"""
     middle, room = _free_direction(scene, member.place.shaft)
     if member.place.shaft != scene.leading.place.shaft:

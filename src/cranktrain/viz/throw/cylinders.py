@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.sketch import Line
-from cranktrain.viz.throw.scene import Member, Scene
+from cranktrain.viz.throw.scene import DrawnMechanism, Scene
 
 _BELOW, _BELOW_IN_STAR = 0.34, 0.14
 """Skirt below the piston pin, in parts of the bore; in a star there is no room for long skirts."""
@@ -13,24 +13,24 @@ _GAP = 0.05
 """Clearance above the piston at its top, in parts of the bore."""
 
 
-def wall_start(scene: Scene, member: Member) -> float:
+def wall_start(scene: Scene, member: DrawnMechanism) -> float:
     """Where a cylinder begins, from the shaft. [mm]"""
     lowest = member.travel[0] - skirt(scene, member)
     return min(max(lowest + 0.25 * member.width, scene.clearance * 1.02), member.travel[0] + 0.1 * member.width)
 
 
-def skirt(scene: Scene, member: Member) -> float:
+def skirt(scene: Scene, member: DrawnMechanism) -> float:
     """How far the skirt reaches below the piston pin. [mm]"""
     return (_BELOW_IN_STAR if scene.is_star else _BELOW) * member.width
 
 
-def wall_end(scene: Scene, member: Member) -> float:
+def wall_end(scene: Scene, member: DrawnMechanism) -> float:
     """Where a cylinder ends, from the shaft. [mm]"""
     beyond = _BELOW * member.width if member.place.is_far else scene.above(member) + _GAP * member.width
     return member.travel[1] + beyond
 
 
-def cylinder(scene: Scene, member: Member, scale: float) -> Iterator[Line]:
+def cylinder(scene: Scene, member: DrawnMechanism, scale: float) -> Iterator[Line]:
     """Centre line and walls; a crosshead runs between guides that are open at the end."""
     line = member.stroke_line
     end = wall_end(scene, member)
@@ -39,13 +39,13 @@ def cylinder(scene: Scene, member: Member, scale: float) -> Iterator[Line]:
     yield from shapes.walls(line, member.width, span, scale, has_head=member.bore is not None)
 
 
-def common_cylinder(scene: Scene, pair: tuple[Member, Member], scale: float) -> Iterator[Line]:
+def common_cylinder(scene: Scene, pair: tuple[DrawnMechanism, DrawnMechanism], scale: float) -> Iterator[Line]:
     """Centre line, and walls from where one piston's begin to where the other's do, with gaps for the ports."""
     one, other = pair
     line = one.stroke_line
     far = float(line.place(other.centre))
 
-    def along(member: Member, place: float) -> float:
+    def along(member: DrawnMechanism, place: float) -> float:
         """Where a place that counts from a member's own shaft is on the line."""
         return place if member.place.shaft == one.place.shaft else far - place
 

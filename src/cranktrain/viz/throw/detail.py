@@ -24,7 +24,7 @@ _STEP, _EVERY = 3.0, 6
 _NAME = "A"
 
 
-def wants_detail(scene: Scene, scale: float) -> bool:
+def needs_detail(scene: Scene, scale: float) -> bool:
     """Whether the crank is too small at a scale to be seen, and too small for a degree ring."""
     return scene.crank_radius / scale < _SMALLEST
 

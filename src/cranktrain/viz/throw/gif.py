@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from cranktrain.analysis import Result
+from cranktrain.plans.vectors import pair
 from cranktrain.viz.paper.page import Page, drawing_settings, fitting_scale
 from cranktrain.viz.paper.sketch import Sketch, bounds_of
 from cranktrain.viz.throw.mechanism import mechanism_sketch
@@ -47,10 +48,10 @@ def animation(result: Result, *, n_frames: int = 36, design: int = 0) -> bytes:
     scene = scene_of(machine)
     angles = [a for a in np.arange(n_frames) * (360.0 / n_frames) if scene.closing_angle(float(a)) == a]
     some = [mechanism_sketch(scene, angle, 1.0, is_plain=True) for angle in angles[::3]]
-    bounds = bounds_of(points for sketch in some for points in sketch.outline())
-    scale = fitting_scale(bounds[1] - bounds[0], bounds[3] - bounds[2], (_SIDE - 8.0, _SIDE - 8.0))
-    size = ((bounds[1] - bounds[0]) / scale + 8.0, (bounds[3] - bounds[2]) / scale + 8.0 + _HEAD)
-    origin = (4.0 - bounds[0] / scale, 4.0 - bounds[2] / scale)
+    low, high = bounds_of(points for sketch in some for points in sketch.outline())
+    scale = fitting_scale(*pair(high - low), (_SIDE - 8.0, _SIDE - 8.0))
+    size = pair((high - low) / scale + np.array([8.0, 8.0 + _HEAD]))
+    origin = pair(4.0 - low / scale)
     frames = [Image.fromarray(pixels).convert("RGB") for pixels in _frames(scene, angles, scale, (size, origin))]
     palette = frames[0].quantize(_COLOURS)
     reduced = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]

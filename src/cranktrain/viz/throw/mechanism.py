@@ -11,7 +11,7 @@ from cranktrain.viz.paper.sketch import Circle, Line, Sketch
 from cranktrain.viz.throw.angle_marks import degree_ring, rotations
 from cranktrain.viz.throw.cylinders import common_cylinder, cylinder, skirt
 from cranktrain.viz.throw.names import bank_angle, piston_names
-from cranktrain.viz.throw.scene import BIG_EYE, SMALL_EYE, Member, Scene
+from cranktrain.viz.throw.scene import BIG_EYE, SMALL_EYE, DrawnMechanism, Scene
 
 _FEW = 2
 """Up to so many mechanisms, the links are drawn in the dead positions too."""
@@ -70,14 +70,14 @@ def mechanism_sketch(
     return sketch
 
 
-def _path(scene: Scene, member: Member) -> Iterator[Line]:
+def _path(scene: Scene, member: DrawnMechanism) -> Iterator[Line]:
     """Paths of pins over a turn."""
     for name in member.turn.paths:
         if name != member.crank_pin or member in scene.cranks:
             yield Line(member.turn_pins[name], "PATHS", "dotted", 1)
 
 
-def _dead_positions(scene: Scene, member: Member, angles: Sequence[float]) -> Iterator[Line | Circle]:
+def _dead_positions(scene: Scene, member: DrawnMechanism, angles: Sequence[float]) -> Iterator[Line | Circle]:
     """Links at the dead positions, thin; where mechanisms are many, only how far the crowns reach."""
     for angle in angles:
         pins = scene.pins(member, angle)
@@ -92,18 +92,14 @@ def _dead_positions(scene: Scene, member: Member, angles: Sequence[float]) -> It
             yield Line(member.stroke_line.path((crown, -half), (crown, half)), "LINKS", "thin", 3)
 
 
-def _chains(member: Member, pins: dict[str, Array]) -> list[Array]:
+def _chains(member: DrawnMechanism, pins: dict[str, Array]) -> list[Array]:
     """Lines from pin to pin: one through all of them, or of a mechanism drawn link by link one for each link."""
-    names = [link.pins for link in member.turn.links] if member.is_plain else [_chain(member)]
+    through = ("O", "A", "C", "D") if member.place.kind.name == "articulated_rod" else tuple(member.turn.pins)
+    names = [link.pins for link in member.turn.links] if member.is_plain else [through]
     return [np.stack([pins[name] for name in line], axis=1) for line in names]
 
 
-def _chain(member: Member) -> tuple[str, ...]:
-    """Pins from the shaft to the output, for a line drawing."""
-    return ("O", "A", "C", "D") if member.place.kind.name == "articulated_rod" else tuple(member.turn.pins)
-
-
-def _crank(scene: Scene, member: Member, angle: float) -> Iterator[Line | Circle]:
+def _crank(scene: Scene, member: DrawnMechanism, angle: float) -> Iterator[Line | Circle]:
     """Crank web of a throw with journal; the pin is drawn with the rods."""
     radius = scene.crank_radius
     pins = scene.pins(member, angle)
@@ -113,7 +109,7 @@ def _crank(scene: Scene, member: Member, angle: float) -> Iterator[Line | Circle
     yield Circle(pins["O"], 0.035 * radius, "LINKS", "arrow", 8, "ink")
 
 
-def _links(scene: Scene, member: Member, angle: float, scale: float) -> Iterator[Line | Circle]:
+def _links(scene: Scene, member: DrawnMechanism, angle: float, scale: float) -> Iterator[Line | Circle]:
     """Piston, rod and rocker of one member."""
     pins = scene.pins(member, angle)
     if member.output is not None:
@@ -141,7 +137,7 @@ def _links(scene: Scene, member: Member, angle: float, scale: float) -> Iterator
         yield from shapes.eye(pins["C"], 0.30 * radius, 0.16 * radius, "light", 4)
 
 
-def _plain_links(scene: Scene, member: Member, pins: dict[str, Array], scale: float) -> Iterator[Line | Circle]:
+def _plain_links(scene: Scene, member: DrawnMechanism, pins: dict[str, Array], scale: float) -> Iterator[Line | Circle]:
     """Every link but the crank as a bar through its pins, pins as eyes, fixed ones on their bearings."""
     radius = scene.crank_radius
     for link in member.turn.links[1:]:
@@ -175,7 +171,9 @@ def _break(start: Array, end: Array, radius: float, scale: float) -> Iterator[Li
         yield Line(edge.T, "LINKS", "thin", 5)
 
 
-def _other_sliders(scene: Scene, member: Member, pins: dict[str, Array], scale: float) -> Iterator[Line | Circle]:
+def _other_sliders(
+    scene: Scene, member: DrawnMechanism, pins: dict[str, Array], scale: float
+) -> Iterator[Line | Circle]:
     """Sliders beside the output: blocks between short guides, joined to the pin that drives them in a slot."""
     size = max(0.4 * scene.crank_radius, 1.5 * scale)
     for guide in member.turn.guides[1:]:
@@ -193,7 +191,7 @@ def _other_sliders(scene: Scene, member: Member, pins: dict[str, Array], scale: 
         yield Line(block, "LINKS", "rod", 7, is_closed=True, fill="light")
 
 
-def _slider(scene: Scene, member: Member, angle: float) -> Iterator[Line]:
+def _slider(scene: Scene, member: DrawnMechanism, angle: float) -> Iterator[Line]:
     """Piston; where no bore is known, a crosshead."""
     fill = "light" if member.is_first else "paper"
     above, below = (member.toward_chamber * part for part in (scene.above(member), skirt(scene, member)))

@@ -5,12 +5,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.plans.vectors import angle_of
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, label_outline, placed_labels
-from cranktrain.viz.paper.shapes import angle_of
 from cranktrain.viz.paper.sketch import Label, Line, Sketch
 from cranktrain.viz.throw.cylinders import wall_end
-from cranktrain.viz.throw.scene import Member, Scene
+from cranktrain.viz.throw.scene import DrawnMechanism, Scene
 
 _LEADER = 5.0
 """A name farther from what it names than this has a line to it. [mm of paper]"""
@@ -37,10 +37,9 @@ def piston_names(scene: Scene, angle: float, sketch: Sketch) -> Iterator[Label |
         outer = across * np.sign(lies_out if abs(lies_out) > 1e-6 * scale else across @ np.array([1.0, -1e-3]))
         beside = 0.5 * pair[0].width * outer
         places += [(member, _middle(member) + beside + 1.5 * scale * outer, outer) for member in pair]
-        ends = np.stack([_end_of_travel(member) for member in pair], axis=1)
+        # Where a piston's pin is farthest from the other piston.
+        ends = np.stack([member.stroke_line.at(member.travel[member.place.is_far]) for member in pair], axis=1)
         obstacles += [ends + side * beside[:, np.newaxis] for side in (-1.0, 0.0, 1.0)]
-    if not places:
-        return
     obstacles += [label_outline(label, scale) for label in sketch.labels]
     obstacles += [shapes.arc(circle.centre, circle.radius, 0.0, 2 * np.pi) for circle in sketch.circles]
     wishes = [Wish(point, member.place.name, angle_of(outward), "name") for member, point, outward in places]
@@ -54,12 +53,7 @@ def piston_names(scene: Scene, angle: float, sketch: Sketch) -> Iterator[Label |
             yield Line(np.stack([named, label.position], axis=1), "DIMENSIONS", "thin", 8)
 
 
-def _end_of_travel(member: Member) -> Array:
-    """Where a piston's pin is farthest from the other piston."""
-    return member.stroke_line.at(member.travel[member.place.is_far])
-
-
-def _middle(member: Member) -> Array:
+def _middle(member: DrawnMechanism) -> Array:
     """Middle of a piston pin's travel."""
     return member.stroke_line.at(0.5 * sum(member.travel))
 

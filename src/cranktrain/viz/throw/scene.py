@@ -8,6 +8,7 @@ from itertools import combinations
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
+from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import MAIN
@@ -15,10 +16,11 @@ from cranktrain.machine import Machine
 from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.motion import Array, Point
 from cranktrain.plans.placement import first_throw, placed, shaft_places
+from cranktrain.plans.vectors import angle_of
 from cranktrain.quantities import shown
 from cranktrain.questions.cylinders.declared import cylinders_of
 from cranktrain.record import record
-from cranktrain.viz.paper.shapes import Along, angle_of, guide_line, unit
+from cranktrain.viz.paper.shapes import Along, guide_line, unit
 
 _TURN = np.linspace(0.0, 2 * np.pi, 361)
 _OUTLINED = ("slider_crank", "crank_rocker", "articulated_rod")
@@ -38,7 +40,7 @@ _STAR = 3
 
 
 @record
-class Member:
+class DrawnMechanism:
     """One mechanism of the throw.
 
     Attributes
@@ -114,7 +116,7 @@ class Scene:
     Attributes
     ----------
     machine : Machine
-    members : tuple of Member
+    members : tuple of DrawnMechanism
     ports : mapping of cylinder to mapping of "exhaust" and "scavenge" to float
         Heights of ports. [mm]
     assumed : tuple of str
@@ -122,12 +124,12 @@ class Scene:
     """
 
     machine: Machine
-    members: tuple[Member, ...]
+    members: tuple[DrawnMechanism, ...]
     ports: Mapping[str, Mapping[str, float]]
     assumed: tuple[str, ...]
 
     @cached_property
-    def leading(self) -> Member:
+    def leading(self) -> DrawnMechanism:
         """The member on the throw from which the crank angle counts."""
         on_main = [member for member in self.members if member.place.shaft == MAIN] or self.members
         return min(on_main, key=lambda member: member.place.throw)
@@ -139,44 +141,42 @@ class Scene:
         return float(np.hypot(*(crank.turn_pins[crank.crank_pin][:, 0] - crank.centre)))
 
     @cached_property
-    def cranks(self) -> tuple[Member, ...]:
+    def cranks(self) -> tuple[DrawnMechanism, ...]:
         """One member for each throw that is drawn, the leading one first."""
         ordered = reversed((self.leading, *self.members))
         throws = {(member.place.shaft, member.place.throw): member for member in ordered}
         return tuple(sorted(throws.values(), key=lambda member: member is not self.leading))
 
     @cached_property
-    def pairs(self) -> tuple[tuple[Member, Member], ...]:
+    def pairs(self) -> tuple[tuple[DrawnMechanism, DrawnMechanism], ...]:
         """Pistons that share a cylinder, two by two; a piston with side rods second."""
-        cylinders: dict[str, list[Member]] = {}
-        for member in self.sliders:
-            cylinders.setdefault(member.place.cylinder, []).append(member)
+        cylinders = grouped((member.place.cylinder, member) for member in self.sliders)
         return tuple(
             (one, other) if other.place.is_far or not one.place.is_far else (other, one)
             for one, other in (found for found in cylinders.values() if len(found) == _PAIR)
         )
 
     @property
-    def singles(self) -> tuple[Member, ...]:
+    def singles(self) -> tuple[DrawnMechanism, ...]:
         """Sliders that have their cylinder for themselves."""
         return tuple(member for member in self.sliders if not any(member in pair for pair in self.pairs))
 
     @cached_property
-    def pins(self) -> Callable[[Member, float], dict[str, Array]]:
+    def pins(self) -> Callable[[DrawnMechanism, float], dict[str, Array]]:
         """Gives a member's pins at a shown crank angle [deg]: name to (X, Y) [mm]; each is asked for many times."""
 
         @cache
-        def pins_at(member: Member, angle: float) -> dict[str, Array]:
+        def pins_at(member: DrawnMechanism, angle: float) -> dict[str, Array]:
             turned = self.turned(member, np.array([angle]))
             return {name: pin[:, 0] for name, pin in turned.items()}
 
         return pins_at
 
-    def reach(self, member: Member, angle: float) -> float:
+    def reach(self, member: DrawnMechanism, angle: float) -> float:
         """Where a slider's output pin is on its line, at a shown crank angle [deg]. [mm]"""
         return float(member.stroke_line.place(self.pins(member, angle)[member.turn.guides[0].pin]))
 
-    def turned(self, member: Member, angles: Array) -> dict[str, Array]:
+    def turned(self, member: DrawnMechanism, angles: Array) -> dict[str, Array]:
         """Give a member's pins at shown crank angles, shape (n,) [deg]: name to (2, n). [mm]"""
         phi = np.deg2rad(angles) + self.machine.zero
         drawing = placed(self.machine, member.place, phi).scaled(shown(1.0, "mm"))
@@ -191,11 +191,11 @@ class Scene:
             raise InputError([Problem("", None, _("the links can close at no crank angle: there is nothing to draw"))])
         return float(tried[closed[0]])
 
-    def crank_direction(self, angle: float, member: Member) -> float:
+    def crank_direction(self, angle: float, member: DrawnMechanism) -> float:
         """Direction of a member's throw from X at a shown crank angle [deg]. [rad]"""
         return angle_of(self.pins(member, angle)[member.crank_pin] - member.centre)
 
-    def above(self, member: Member) -> float:
+    def above(self, member: DrawnMechanism) -> float:
         """Height of a slider's crown over its pin: schematic, but two in one cylinder do not meet. [mm]"""
         usual = _ABOVE * member.width
         for one, other in self.pairs:
@@ -206,12 +206,12 @@ class Scene:
         return usual
 
     @property
-    def sliders(self) -> tuple[Member, ...]:
+    def sliders(self) -> tuple[DrawnMechanism, ...]:
         """Members that drive a piston or crosshead."""
         return tuple(member for member in self.members if member.output is not None)
 
     @cached_property
-    def slaves(self) -> tuple[Member, ...]:
+    def slaves(self) -> tuple[DrawnMechanism, ...]:
         """Members whose rods hang on another's."""
         return tuple(member for member in self.members if member.place.kind.name == "articulated_rod")
 
@@ -239,11 +239,11 @@ def scene_of(machine: Machine) -> Scene:
     bored = ((pistons[i].name, one.spec.bore) for one in cylinders for i in one.pistons)
     bores = {name: shown(bore.si, "mm") for name, bore in bored if bore is not None}
     shafts = shaft_places(machine)
-    members: list[Member] = []
+    members: list[DrawnMechanism] = []
     for number, place in enumerate(places):
         centre = shown(shafts.centres.get(place.shaft, np.zeros(2)), "mm")
         turn = _standing(placed(machine, place, _TURN).scaled(shown(1.0, "mm")), centre, 0.0)
-        members.append(Member(place, number == 0, turn, bores.get(place.name), centre))
+        members.append(DrawnMechanism(place, number == 0, turn, bores.get(place.name), centre))
     ports = {
         cylinder.name: {
             end: shown(height.si, "mm")
@@ -268,13 +268,13 @@ def _standing(drawing: Drawing, centre: Array, cut: float) -> Drawing:
     return replace(drawing, pins=pins)
 
 
-def _broken(members: tuple[Member, ...]) -> tuple[Member, ...]:
+def _broken(members: tuple[DrawnMechanism, ...]) -> tuple[DrawnMechanism, ...]:
     """Break rods that reach much farther than all else, such as one that stands for no rod at all."""
     reaches = {member.place.name: member.travel[1] for member in members if member.output is not None}
     if len(reaches) < _PAIR:
         return members
     least = min(reaches.values())
-    found: list[Member] = []
+    found: list[DrawnMechanism] = []
     for member in members:
         is_long = reaches.get(member.place.name, 0.0) > _BREAK * least and len(member.turn.pins) == _PINS_OF_A_ROD
         cut = member.travel[0] - _BROKEN * least if is_long else 0.0

@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import quad, solve_ivp
+from tests.excess import excess_work
 
 from cranktrain.numerics.periodic import (
     cycle_grid,
@@ -14,7 +15,6 @@ from cranktrain.numerics.periodic import (
     spline_curve,
     spline_integral,
 )
-from cranktrain.questions.evenness.excess_work import excess_work
 from cranktrain.questions.evenness.flywheel_inertia import (
     METHODS,
     exact_flywheel,

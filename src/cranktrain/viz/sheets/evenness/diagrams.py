@@ -191,9 +191,9 @@ def _legend(page: Page, box: Box, curves: Sequence[Curve]) -> None:
     """Say over the right end of a diagram which line is which."""
     end, y = box.left + box.width, box.bottom + box.height + 2.2
     for curve in reversed(curves):
-        start = page.start(page.text(end, y, formula(curve.symbol), ha="right", fontsize=SYMBOL, color=INK)) - 2.0
-        page.sample(start - 9.0, start, y + 0.9, **(line_of(curve) | {"linewidth": 1.4}))
-        end = start - 14.0
+        start, _end = page.ends(page.text(end, y, formula(curve.symbol), ha="right", fontsize=SYMBOL, color=INK))
+        page.sample(start - 11.0, start - 2.0, y + 0.9, **(line_of(curve) | {"linewidth": 1.4}))
+        end = start - 16.0
 
 
 def _wide(values: Array, beside: float) -> tuple[float, float]:

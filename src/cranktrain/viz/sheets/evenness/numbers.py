@@ -8,8 +8,8 @@ from cranktrain.questions.evenness.flywheel import FlywheelSize
 from cranktrain.textbook.flywheel_diagrams import Tangent
 from cranktrain.viz.figures import figure
 from cranktrain.viz.panel import OneDesign
-from cranktrain.viz.paper.page import Page, muted
-from cranktrain.viz.paper.style import INK
+from cranktrain.viz.paper.page import Page
+from cranktrain.viz.paper.style import INK, MUTED
 from cranktrain.viz.paper.tables import write_table
 
 TABLE = 86.0
@@ -26,7 +26,7 @@ def write_numbers(page: Page, shown: OneDesign, left: float, top: float, tangent
     if tangents:
         for words, dashes in ((_("tangent at the largest speed"), UPPER), (_("tangent at the smallest"), LOWER)):
             page.sample(left, left + 10.0, y - 1.0, color=INK, lw=0.9, dashes=dashes)
-            page.text(left + 12.0, y - 2.0, words, **muted())
+            page.text(left + 12.0, y - 2.0, words, color=MUTED)
             y -= 4.6
     return y
 

@@ -1,6 +1,6 @@
 """Where pistons, cylinders or a rocker are at the ends of their way: marks for a ruler over the curves."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -10,6 +10,7 @@ from cranktrain.language import _
 from cranktrain.plans.placement import first_throw
 from cranktrain.record import record
 from cranktrain.viz.panel import OneDesign
+from cranktrain.viz.paper.words import first_that_holds
 from cranktrain.viz.sheets.motion.panels import drawn_names, opposed_names, told_forms
 
 FEW = 2
@@ -28,11 +29,12 @@ _ENDS = {
 
 
 class Mark(NamedTuple):
-    """A dead centre: whose, at which crank angle [deg], whether it is the top."""
+    """A dead centre: whose, at which crank angle [deg], whether it is the top, and its word."""
 
     name: str
     angle: float
     is_top: bool
+    word: str
 
 
 @record
@@ -42,8 +44,6 @@ class Ruler:
     Attributes
     ----------
     heading : str
-    words : (str, str)
-        Of a mark at the top and at the bottom, or largest and smallest.
     marks : tuple of Mark
     pistons : sequence of str
         Names of the curves.
@@ -51,22 +51,13 @@ class Ruler:
         Forms beside the curves, if any.
     is_of_cylinders : bool
         Whether the marks are of cylinders and not of these pistons.
-    valves : sequence of str
-        Which of the names are valves, that have no top.
     """
 
     heading: str
-    words: tuple[str, str]
     marks: tuple[Mark, ...]
     pistons: Sequence[str] = ()
     textbook: str = ""
     is_of_cylinders: bool = False
-    valves: Sequence[str] = ()
-
-    def word(self, mark: Mark) -> str:
-        """Word of a mark."""
-        words = (_("farthest"), _("nearest")) if mark.name in self.valves else self.words
-        return words[0] if mark.is_top else words[1]
 
     @property
     def names(self) -> list[str]:
@@ -101,30 +92,34 @@ def ruler_of(result: Result, design: int = 0) -> Ruler:
     pair = opposed_names(machine)
     if pair:
         cylinders = [place.cylinder for place in first_throw(machine) if place.cylinder in result.labels["cylinder"]]
-        found = tuple(_marks(shown, "cylinder", dict.fromkeys(cylinders)))
-        return Ruler(_("Volumetric dead centres"), (_("inner"), _("outer")), found, pair, is_of_cylinders=True)
+        found = tuple(_marks(shown, "cylinder", dict.fromkeys(cylinders, (_("inner"), _("outer")))))
+        return Ruler(_("Volumetric dead centres"), found, pair, is_of_cylinders=True)
     if "piston" not in result.labels:
-        found = tuple(_marks(shown, "rocker", drawn_names(result, "rocker")))
+        words = _("largest at"), _("smallest at")
+        found = tuple(_marks(shown, "rocker", dict.fromkeys(drawn_names(result, "rocker"), words)))
         heading = _("Dead positions of the rocker") if found else _("The rocker turns with the crank")
-        return Ruler(heading, (_("largest at"), _("smallest at")), found)
-    found = tuple(_marks(shown, "piston", drawn_names(result, "piston")))
+        return Ruler(heading, found)
+    valves = {place.name for place in machine.places if not place.kind.has_chambers}
+    of_valve, of_piston = (_("farthest"), _("nearest")), (_("TDC"), _("BDC"))
+    words = {name: of_valve if name in valves else of_piston for name in drawn_names(result, "piston")}
+    found = tuple(_marks(shown, "piston", words))
     names = tuple(dict.fromkeys(mark.name for mark in found))
-    valves = [place.name for place in machine.places if not place.kind.has_chambers]
-    heading = _("True dead centres") if found else _("No dead centres")
-    if found and set(names) <= set(valves):
-        heading = _("Ends of valve travel")
-    elif set(names) & set(valves):
-        heading = _("Dead centres; ends of valve travel")
-    return Ruler(heading, (_("TDC"), _("BDC")), found, names, _textbook_words(shown), valves=valves)
+    heading = first_that_holds(
+        (not found, _("No dead centres")),
+        (valves >= set(names), _("Ends of valve travel")),
+        (not valves.isdisjoint(names), _("Dead centres; ends of valve travel")),
+        (True, _("True dead centres")),
+    )
+    return Ruler(heading, found, names, _textbook_words(shown))
 
 
-def _marks(shown: OneDesign, dimension: str, names: Iterable[str]) -> Iterator[Mark]:
-    """Both ends of the way of each, where there are such."""
-    for name in names:
-        for quantity, is_top in zip(_ENDS[dimension], (True, False), strict=True):
+def _marks(shown: OneDesign, dimension: str, words: Mapping[str, tuple[str, str]]) -> Iterator[Mark]:
+    """Both ends of the way of each, where there are such; words of both by the names of those whose way it is."""
+    for name, own in words.items():
+        for quantity, is_top, word in zip(_ENDS[dimension], (True, False), own, strict=True):
             angle = float(shown(quantity)[shown.member(dimension, name)])
             if np.isfinite(angle):
-                yield Mark(name, angle, is_top)
+                yield Mark(name, angle, is_top, word)
 
 
 def _textbook_words(shown: OneDesign) -> str:

@@ -1,12 +1,13 @@
 """Curves of motion over one turn: of pistons with what the textbook says, of opposed pistons, of a rocker."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.analysis import Result
+from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.speed import rates
 from cranktrain.layout.speed_curve import SpeedCurve
@@ -72,14 +73,6 @@ class _Turn(NamedTuple):
         return np.stack([motion.value, *rates(motion, self.drive)])
 
 
-class _Moved(NamedTuple):
-    """Curves of a piston or rocker: its name, their role, and travel, velocity and acceleration, shape (3, n)."""
-
-    name: str
-    role: Role
-    motion: Array
-
-
 def panels(result: Result, design: int = 0) -> tuple[Panel, ...]:
     """Collect the curves that a sheet shows.
 
@@ -111,9 +104,7 @@ def drawn_names(result: Result, dimension: str) -> tuple[str, ...]:
 
 def opposed_names(machine: Machine) -> tuple[str, ...]:
     """Name the two pistons of the first drawn cylinder that has two; none where none has."""
-    cylinders: dict[str, list[str]] = {}
-    for place in first_throw(machine):
-        cylinders.setdefault(place.cylinder, []).append(place.name)
+    cylinders = grouped((place.cylinder, place.name) for place in first_throw(machine))
     return next((tuple(names) for names in cylinders.values() if len(names) == _PAIR), ())
 
 
@@ -153,19 +144,22 @@ def _roles(names: Sequence[str]) -> Iterator[Role]:
         yield "first" if number == 0 else "second" if len(names) == _PAIR else "other"
 
 
-def _moved(turn: _Turn, dimension: str, names: Sequence[str]) -> list[_Moved]:
-    """Motion of some pistons or rockers."""
-    motions = (turn.motion(dimension, turn.shown.member(dimension, name)) for name in names)
-    return list(map(_Moved, names, _roles(names), motions))
-
-
-def _motion_panels(turn: _Turn, dimension: str, drawn: Sequence[_Moved]) -> Iterator[Panel]:
-    """Travel, velocity and acceleration of pistons or rockers; without a speed by the crank angle."""
+def _motion_panels(
+    turn: _Turn, dimension: str, names: Sequence[str], told: Mapping[str, int] | None = None
+) -> Iterator[Panel]:
+    """Travel, velocity and acceleration of pistons or rockers, with the textbook's; without a speed by crank angle."""
+    forms = told or {}
+    motions = [turn.motion(dimension, turn.shown.member(dimension, name)) for name in names]
+    motions += [turn.motion("textbook", form, turn.shown.member("piston", name)) for name, form in forms.items()]
+    roles: list[Role] = [*_roles(names), *("textbook" for _form in forms)]
     result, design = turn.shown
     has_speed = result.machines[design].main_shaft.speed is not None or result.get(SpeedCurve) is not None
     titles = _titles(turn.shown, dimension)
     for order, (symbol, unit, factor) in enumerate(_SCALES[dimension, has_speed]):
-        curves = (Curve(factor * one.motion[order], one.role, _LETTERS[order], name=one.name) for one in drawn)
+        curves = (
+            Curve(factor * motion[order], role, _LETTERS[order], name=name)
+            for name, role, motion in zip((*names, *forms), roles, motions, strict=True)
+        )
         yield Panel(titles[order], unit, turn.angle, tuple(curves), symbol)
 
 
@@ -175,22 +169,20 @@ def _titles(shown: OneDesign, dimension: str) -> tuple[str, str, str]:
         return _("Rocker angle"), _("Rocker angular velocity"), _("Rocker angular acceleration")
     result, design = shown
     names = drawn_names(result, "piston")
+    both = _("Travel of piston and valve"), _("Velocity of piston and valve"), _("Acceleration of piston and valve")
+    titles: dict[tuple[bool, ...], tuple[str, str, str]] = {
+        (True,): (_("Piston travel"), _("Piston velocity"), _("Piston acceleration")),
+        (False,): (_("Valve travel"), _("Valve velocity"), _("Valve acceleration")),
+        (False, True): both,
+    }
     are_pistons = {place.kind.has_chambers for place in result.machines[design].places if place.name in names}
-    if are_pistons == {False}:
-        return _("Valve travel"), _("Valve velocity"), _("Valve acceleration")
-    if False in are_pistons:
-        return (
-            _("Travel of piston and valve"),
-            _("Velocity of piston and valve"),
-            _("Acceleration of piston and valve"),
-        )
-    return _("Piston travel"), _("Piston velocity"), _("Piston acceleration")
+    return titles[tuple(sorted(are_pistons))]
 
 
 def _opposed_panels(turn: _Turn, names: Sequence[str]) -> Iterator[Panel]:
     """Travel of both pistons of a cylinder and of both together, its volume, both velocities and accelerations."""
     result, design = turn.shown
-    travel, *rates = _motion_panels(turn, "piston", _moved(turn, "piston", names))
+    travel, *rates = _motion_panels(turn, "piston", names)
     yield travel
     cylinder = next(p.cylinder for p in result.machines[design].places if p.name == names[0])
     both = shown(1.0, "mm") * turn.curve("combined_displacement", turn.shown.member("cylinder", cylinder))
@@ -206,11 +198,7 @@ def _panels_of(turn: _Turn, dimension: str) -> Iterator[Panel]:
     """Travel, velocity and acceleration, with what the textbook says; the torque factor of rockers under a load."""
     names = drawn_names(turn.shown.result, dimension)
     told = told_forms(turn.shown)
-    textbook = [
-        _Moved(name, "textbook", turn.motion("textbook", form, turn.shown.member("piston", name)))
-        for name, form in told.items()
-    ]
-    yield from _motion_panels(turn, dimension, [*_moved(turn, dimension, names), *textbook])
+    yield from _motion_panels(turn, dimension, names, told)
     worst = _worst(turn.shown, told)
     if worst is not None:
         yield _error_panel(turn, worst, told[worst])

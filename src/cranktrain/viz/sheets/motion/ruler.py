@@ -1,5 +1,6 @@
 """The ruler over the curves of motion: triangles at the dead centres, with their angles and whose they are."""
 
+from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.viz.panel import Role
 from cranktrain.viz.paper.page import MARGIN, Page
@@ -18,9 +19,7 @@ def draw_ruler(page: Page, ruler: Ruler, left: float, right: float, top: float) 
     if ruler.has_legend and ruler.is_few and ruler.textbook:
         y -= 5.0
     has_samples = bool(ruler.pistons) and ruler.is_few and not ruler.is_of_cylinders
-    rows: dict[str, list[Mark]] = {}
-    for mark in ruler.marks:
-        rows.setdefault(mark.name if ruler.is_few else ruler.word(mark), []).append(mark)
+    rows = grouped((mark.name if ruler.is_few else mark.word, mark) for mark in ruler.marks)
     for number, (row, marks) in enumerate(rows.items()):
         page.rule(y, left, right)
         if ruler.pistons and len(row) <= SHORT + 2:
@@ -45,7 +44,7 @@ def _sample(page: Page, role: Role, start: float, end: float, y: float) -> None:
 def _legend(page: Page, ruler: Ruler, right: float, y: float) -> None:
     """Say what the habits of lines are that no ruler shows."""
     if ruler.textbook:
-        start = page.start(page.text(right, y, _("textbook: {forms}").format(forms=ruler.textbook), ha="right"))
+        start, _end = page.ends(page.text(right, y, _("textbook: {forms}").format(forms=ruler.textbook), ha="right"))
         page.sample(
             start - 9.0, start - 1.5, y + 0.9, color=INK, lw=PENS["textbook"].width, dashes=PENS["textbook"].dashes
         )
@@ -58,7 +57,7 @@ def _legend(page: Page, ruler: Ruler, right: float, y: float) -> None:
     if ruler.textbook and not is_many:  # there is no room beside it
         right, y = page.width - MARGIN, y - 5.0
     for number in reversed(range(len(words))):
-        start = page.start(page.text(right, y, words[number], ha="right"))
+        start, _end = page.ends(page.text(right, y, words[number], ha="right"))
         _sample(page, roles[number], start - 8.0, start - 1.5, y + 0.9)
         right = start - 11.0
 
@@ -70,7 +69,7 @@ def _mark(page: Page, ruler: Ruler, mark: Mark, place: tuple[float, float], righ
     page.paper.plot([x], [y], "v" if mark.is_top else "^", ms=4.5, mfc=fill, mec=INK, mew=0.7, zorder=6)
     if ruler.is_few:
         is_last = x > right - 26.0
-        words = f"{ruler.word(mark)} {mark.angle:.2f}°"
+        words = f"{mark.word} {mark.angle:.2f}°"
         page.text(x + (-2.0 if is_last else 2.0), y + 0.8, words, ha="right" if is_last else "left")
     else:
         page.text(x, y - 1.6, f"{mark.name}\n{mark.angle:.1f}", ha="center", va="top", linespacing=1.05)

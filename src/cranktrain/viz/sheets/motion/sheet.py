@@ -5,15 +5,17 @@ from collections.abc import Iterator, Sequence
 from cranktrain.analysis import Result
 from cranktrain.language import _
 from cranktrain.machine import Machine
+from cranktrain.plans.vectors import pair
 from cranktrain.viz.paper.head import result_page
-from cranktrain.viz.paper.labels import label_outline
-from cranktrain.viz.paper.page import Box, Figure, Page, drawing_settings, fitting_scale, muted
+from cranktrain.viz.paper.labels import labelled_bounds
+from cranktrain.viz.paper.page import Box, Figure, Page, drawing_settings, fitting_scale
 from cranktrain.viz.paper.panels import MOTION, draw_panels
-from cranktrain.viz.paper.sketch import Sketch, bounds_of
+from cranktrain.viz.paper.style import MUTED
+from cranktrain.viz.paper.words import first_that_holds
 from cranktrain.viz.sheets.motion.dead_centres import Mark, ruler_of
 from cranktrain.viz.sheets.motion.panels import panels
 from cranktrain.viz.sheets.motion.ruler import draw_ruler
-from cranktrain.viz.throw.detail import draw_detail, wants_detail
+from cranktrain.viz.throw.detail import draw_detail, needs_detail
 from cranktrain.viz.throw.mechanism import mechanism_sketch
 from cranktrain.viz.throw.scene import Scene, scene_of
 
@@ -67,25 +69,17 @@ def _draw_mechanism(page: Page, machine: Machine, found: Sequence[Mark], at: flo
     dead = [[mark.angle for mark in found if mark.name in own] for own in names]
     sketch = mechanism_sketch(scene, at, scene.crank_radius / _ROUGH, dead)
     for _pass in range(_PASSES):
-        low_x, high_x, low_y, high_y = _extent(sketch)
-        scale = fitting_scale(high_x - low_x, high_y - low_y, (room.width - 1.0, room.height - 6.0))
-        sketch = mechanism_sketch(scene, at, scale, dead, has_ring=not wants_detail(scene, scale))
-    low_x, high_x, low_y, high_y = (value / sketch.scale for value in _extent(sketch))
-    origin = (
-        room.left + room.width / 2 - (low_x + high_x) / 2,
-        room.bottom + room.height / 2 - (low_y + high_y) / 2,
-    )
+        low, high = labelled_bounds(sketch)
+        scale = fitting_scale(*pair(high - low), (room.width - 1.0, room.height - 6.0))
+        sketch = mechanism_sketch(scene, at, scale, dead, has_ring=not needs_detail(scene, scale))
+    low, high = (corner / sketch.scale for corner in labelled_bounds(sketch))
+    origin = pair(room.middle - (low + high) / 2)
     page.draw(sketch, origin)
-    if wants_detail(scene, sketch.scale):
+    if needs_detail(scene, sketch.scale):
         draw_detail(page, scene, (at, dead), sketch, origin, room)
     page.scale_bar(room.left, room.bottom - 5.0, sketch.scale)
     for number, note in enumerate(reversed(notes)):
-        page.text(box.left, box.bottom - 0.4 + _NOTE * number, note, **muted())
-
-
-def _extent(sketch: Sketch) -> tuple[float, float, float, float]:
-    """Least and largest X and Y of a sketch with its words. [mm of the sketch]"""
-    return bounds_of([*sketch.outline(), *(label_outline(label, sketch.scale) for label in sketch.labels)])
+        page.text(box.left, box.bottom - 0.4 + _NOTE * number, note, color=MUTED)
 
 
 def _notes(scene: Scene, angle: float) -> Iterator[str]:
@@ -113,23 +107,16 @@ def _drawn_words(scene: Scene, angle: float) -> str:
     places = [member.place for member in scene.cranks]
     shafts = [shaft for shaft in machine.shafts if shaft in {place.shaft for place in places}]
     throws = sorted({place.throw + 1 for place in places})
-    said = ", ".join(map(str, throws))
-    if len(shafts) > 1 and len(throws) > 1:
-        said = ", ".join(f"{place.shaft} {place.throw + 1}" for place in places)
-        words = _("Throws {throws}, drawn at φ = {angle:g}°")
-    elif len(throws) > 1:
-        words = _("Throws {throws} of {n}, drawn at φ = {angle:g}°")
-    elif n > 1:
-        words = _("Throw {throw} of {n}, drawn at φ = {angle:g}°")
-    else:
-        words = _("Drawn at φ = {angle:g}°")
-    drawn = words.format(throws=said, throw=throws[0], n=n, angle=angle)
-    if len(machine.shafts) == 1:
-        return drawn
-    if len(shafts) == len(machine.shafts):
-        words = _("{drawn}; shafts {shafts}")
-    elif len(shafts) > 1:
-        words = _("{drawn}; shafts {shafts}, no other is drawn")
-    else:
-        words = _("{drawn}; of shaft {shaft}, no other is drawn")
-    return words.format(drawn=drawn, shaft=shafts[0], shafts=", ".join(shafts))
+    said = [f"{place.shaft} {place.throw + 1}" for place in places] if len(shafts) > 1 else map(str, throws)
+    drawn = first_that_holds(
+        (len(shafts) > 1 and len(throws) > 1, _("Throws {throws}, drawn at φ = {angle:g}°")),
+        (len(throws) > 1, _("Throws {throws} of {n}, drawn at φ = {angle:g}°")),
+        (n > 1, _("Throw {throw} of {n}, drawn at φ = {angle:g}°")),
+        (True, _("Drawn at φ = {angle:g}°")),
+    ).format(throws=", ".join(said), throw=throws[0], n=n, angle=angle)
+    return first_that_holds(
+        (len(machine.shafts) == 1, "{drawn}"),
+        (len(shafts) == len(machine.shafts), _("{drawn}; shafts {shafts}")),
+        (len(shafts) > 1, _("{drawn}; shafts {shafts}, no other is drawn")),
+        (True, _("{drawn}; of shaft {shaft}, no other is drawn")),
+    ).format(drawn=drawn, shaft=shafts[0], shafts=", ".join(shafts))

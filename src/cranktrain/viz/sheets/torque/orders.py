@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.language import _
-from cranktrain.motion import Array
+from cranktrain.numerics.harmonics import ComplexArray
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.labels import together
 from cranktrain.viz.paper.page import Box, Page
@@ -57,20 +57,20 @@ def draw_orders(page: Page, shown: OneDesign, left: float, right: float, top: fl
 def draw_stars(page: Page, shown: OneDesign, left: float, right: float, top: float) -> float:
     """Draw the phase stars of the largest orders; parameters as of `draw_orders`, gives where they end. [mm]"""
     stars = largest_stars(shown)
-    if not stars:
+    if stars is None:
         return top
     page.heading(left, top - 3.0, _("Phase stars of the largest orders, by nominal firing"))
     names = shown.result.labels["cylinder"]
     middle = top - 8.0 - _NAME - 2.0
-    for number, star in enumerate(stars):
+    for number, (order, length) in enumerate(zip(stars.order.tolist(), stars.length.tolist(), strict=True)):
         centre = (left + (number + 0.5) * (right - left) / STARS, middle)
-        _draw_star(page, star.vectors, names, centre)
-        words = _("{order:g}: sum {sum:.2f} of {n}").format(order=star.order, sum=star.length, n=len(names))
+        _draw_star(page, stars.vectors[number], names, centre)
+        words = _("{order:g}: sum {sum:.2f} of {n}").format(order=order, sum=length, n=len(names))
         page.text(centre[0], middle - _NAME - 5.5, words, ha="center")
     return middle - _NAME - 8.0
 
 
-def _draw_star(page: Page, star: Array, names: tuple[str, ...], centre: tuple[float, float]) -> None:
+def _draw_star(page: Page, star: ComplexArray, names: tuple[str, ...], centre: tuple[float, float]) -> None:
     """Draw one star: a line for each direction, the cylinders in it, and the sum of all as a thick line."""
     turn = np.linspace(0.0, 2 * np.pi, 91)
     page.paper.plot(centre[0] + _RADIUS * np.cos(turn), centre[1] + _RADIUS * np.sin(turn), color=MUTED, lw=0.4)

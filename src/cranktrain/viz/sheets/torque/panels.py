@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import orders
 from cranktrain.motion import Array
-from cranktrain.questions.torque.stars import phase_stars
+from cranktrain.questions.torque.stars import PhaseStars, phase_stars
 from cranktrain.viz.figures import figure
 from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
 
@@ -28,14 +28,6 @@ class OrderBars(NamedTuple):
     order: Array
     amplitude: Array
     is_major: NDArray[np.bool_]
-
-
-class Star(NamedTuple):
-    """Phase star of an order: directions of the cylinders as complex numbers, and the length of their sum."""
-
-    order: float
-    vectors: Array
-    length: float
 
 
 def torque_panel(shown: OneDesign) -> Panel:
@@ -60,15 +52,14 @@ def order_bars(shown: OneDesign) -> OrderBars:
     return OrderBars(order, np.where(amplitude > _NOTHING * largest, amplitude, 0.0), is_major)
 
 
-def largest_stars(shown: OneDesign) -> list[Star]:
+def largest_stars(shown: OneDesign) -> PhaseStars | None:
     """Phase stars of the largest orders, by nominal firing; none without a firing order, or of one cylinder."""
     if not shown.has("phase_star_sum") or len(shown("firing_angle")) < 2:
-        return []
+        return None
     bars = order_bars(shown)
     largest = np.argsort(-bars.amplitude, kind="stable")[:STARS]
     order = bars.order[largest[bars.amplitude[largest] > 0.0]]
-    stars = phase_stars(order, _firing(shown))
-    return list(map(Star, order.tolist(), stars.vectors, stars.length.tolist()))
+    return phase_stars(order, _firing(shown)) if order.size else None
 
 
 def _firing(shown: OneDesign) -> Array:

@@ -4,7 +4,7 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.quantities import shown
-from cranktrain.viz.paper.page import Axes, Box, Page, formula, muted, set_words
+from cranktrain.viz.paper.page import Axes, Box, Page, formula, set_words
 from cranktrain.viz.paper.panels import axes_in
 from cranktrain.viz.paper.style import COLOURS, INK, MUTED, SYMBOL
 from cranktrain.viz.paper.tables import write_table
@@ -87,7 +87,7 @@ def _number_rays(page: Page, of: Campbell, room: Box) -> None:
             continue
         before = x, y
         manner = {"ha": "center", "va": "bottom"} if order > steepest else {"ha": "left", "va": "center_baseline"}
-        page.text(x if order > steepest else x + 1.0, y + 0.6 * (order > steepest), f"{order:g}", **muted(), **manner)
+        page.text(x if order > steepest else x + 1.0, y + 0.6 * (order > steepest), f"{order:g}", color=MUTED, **manner)
 
 
 def _hertz(speed: float) -> float:

@@ -38,7 +38,7 @@ def draw_modes(page: Page, shapes: Sequence[ModeShape], discs: Sequence[str], bo
     names = [
         page.text(x, box.bottom, short(name, _LONGEST), ha="center") for x, name in zip(starts, discs, strict=True)
     ]
-    longest = max(page.end(name) - page.start(name) for name in names) + 1.5
+    longest = max(float(np.ptp(page.ends(name))) for name in names) + 1.5
     is_turned = longest > step
     foot = 5.0 + longest if is_turned else 8.0
     for name in names:

@@ -14,7 +14,7 @@ _NARROWEST = 1e-13
 """Breaks that are closer are one. [rad]"""
 
 
-class Panels(NamedTuple):
+class Subintervals(NamedTuple):
     """One period cut at breaks, and further where that leaves wide pieces.
 
     Attributes
@@ -35,7 +35,7 @@ class Panels(NamedTuple):
     weight: Array
 
 
-def panels(breaks: Array, widest: float, period: float) -> Panels:
+def subintervals(breaks: Array, widest: float, period: float) -> Subintervals:
     """Cut one period into panels.
 
     Parameters
@@ -49,7 +49,7 @@ def panels(breaks: Array, widest: float, period: float) -> Panels:
 
     Returns
     -------
-    Panels
+    Subintervals
     """
     known = np.mod(breaks[~np.isnan(breaks)], period)
     n_parts = int(np.ceil(period / widest - _NARROWEST))
@@ -69,15 +69,15 @@ def panels(breaks: Array, widest: float, period: float) -> Panels:
         half = width[chosen, np.newaxis] / 2
         angle[place] = start[chosen, np.newaxis] + half * (1 + node)
         weight[place] = half * share
-    return Panels(start, width, first, size, angle, weight)
+    return Subintervals(start, width, first, size, angle, weight)
 
 
-def integral_to(of: Panels, values: Array, angle: Array) -> Array:
+def integral_to(of: Subintervals, values: Array, angle: Array) -> Array:
     """Integral of a periodic curve from the first edge of the panels to some angles.
 
     Parameters
     ----------
-    of : Panels
+    of : Subintervals
     values : Array, shape (..., point)
         At the panels' points.
     angle : Array, shape (k,)

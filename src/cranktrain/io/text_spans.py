@@ -13,7 +13,7 @@ VALUES = ("scalar", "list", "inline")
 
 
 @dataclass
-class Place:
+class TextSpan:
     """What the text has at one path.
 
     Attributes
@@ -31,7 +31,7 @@ class Place:
     n_items : int
         Of a list.
     has_pairs : bool
-    home : Place or None
+    home : TextSpan or None
         Of a dotted table: the table in which its keys are written.
     """
 
@@ -44,45 +44,41 @@ class Place:
     tail: int = 0
     n_items: int = 0
     has_pairs: bool = False
-    home: "Place | None" = None
+    home: "TextSpan | None" = None
 
 
 @dataclass
-class Places:
+class TextSpans:
     """All places of a text.
 
     Attributes
     ----------
-    root : Place
+    root : TextSpan
         The file itself.
-    by_path : dict of Place
+    by_path : dict of TextSpan
     repeated : list of (tuple, int, int)
         Keys and heads that are there already: the path, where it stands first, where again.
     first_head : int or None
     """
 
-    root: Place
-    by_path: dict[PathParts, Place]
+    root: TextSpan
+    by_path: dict[PathParts, TextSpan]
     repeated: list[tuple[PathParts, int, int]]
     first_head: int | None = None
 
-    def deepest(self, parts: PathParts) -> Place:
+    def deepest(self, parts: PathParts) -> TextSpan:
         """Follow a path as far as the text has it."""
         return next(self.by_path[parts[:n]] for n in range(len(parts), -1, -1) if parts[:n] in self.by_path)
 
-    def inside(self, table: Place) -> list[Place]:
-        """Give what stands directly in a table or list."""
-        return [place for path, place in self.by_path.items() if path and path[:-1] == table.path]
 
-
-def places(source: bytes) -> Places:
+def places(source: bytes) -> TextSpans:
     """Find every table, key and value of a TOML text; a text that is not right as far as it can be made out."""
     import tree_sitter_toml
     from tree_sitter import Language, Parser
 
     tree = Parser(Language(tree_sitter_toml.language())).parse(source)
-    root = Place("section", (), 0, 0, 0)
-    found = Places(root, {(): root}, [])
+    root = TextSpan("section", (), 0, 0, 0)
+    found = TextSpans(root, {(): root}, [])
     for node in tree.root_node.children:
         is_section = node.type in ("table", "table_array_element") and node.named_child_count > 0
         table = _add_section(found, node) if is_section else root
@@ -107,7 +103,7 @@ def _keys(node: "Node") -> list[tuple[str, int]]:
     return keys[::-1]
 
 
-def _add_section(found: Places, node: "Node") -> Place:
+def _add_section(found: TextSpans, node: "Node") -> TextSpan:
     """Enter the head of a table and give the place that takes its pairs."""
     head_end = next((child.end_byte for child in node.children if child.type in ("]", "]]")), node.end_byte)
     if found.first_head is None:
@@ -115,13 +111,13 @@ def _add_section(found: Places, node: "Node") -> Place:
     *above, (name, key) = _keys(node.children[1])
     owner = found.root
     for outer, outer_key in above:
-        implied = Place("implied", (*owner.path, outer), node.start_byte, head_end, outer_key)
+        implied = TextSpan("implied", (*owner.path, outer), node.start_byte, head_end, outer_key)
         owner = found.by_path.setdefault(implied.path, implied)
         owner = found.by_path[*owner.path, owner.n_items - 1] if owner.kind == "sections" else owner
-    section = Place("section", (*owner.path, name), node.start_byte, head_end, key, node.start_byte, head_end)
+    section = TextSpan("section", (*owner.path, name), node.start_byte, head_end, key, node.start_byte, head_end)
     there = found.by_path.get(section.path, owner if owner.kind in VALUES else None)
     if node.type == "table_array_element" and (there is None or there.kind == "sections"):
-        sections = Place("sections", section.path, node.start_byte, head_end, key)
+        sections = TextSpan("sections", section.path, node.start_byte, head_end, key)
         there = found.by_path.setdefault(section.path, sections)
         section.path = (*section.path, there.n_items)
         there.n_items += 1
@@ -131,12 +127,12 @@ def _add_section(found: Places, node: "Node") -> Place:
     return section
 
 
-def _add_pair(found: Places, table: Place, node: "Node") -> None:
+def _add_pair(found: TextSpans, table: TextSpan, node: "Node") -> None:
     """Enter `key = value` into the table in which it is written."""
     *above, (name, key) = _keys(node.children[0])
     owner = table
     for outer, outer_key in above:
-        dotted = Place("dotted", (*owner.path, outer), outer_key, outer_key + len(outer.encode()), outer_key)
+        dotted = TextSpan("dotted", (*owner.path, outer), outer_key, outer_key + len(outer.encode()), outer_key)
         owner = found.by_path.setdefault(dotted.path, dotted)
         if owner.kind in ("dotted", "implied"):
             owner.kind, owner.home = "dotted", table
@@ -148,9 +144,9 @@ def _add_pair(found: Places, table: Place, node: "Node") -> None:
     table.last_key, table.tail, table.has_pairs = node.start_byte, value.end, True
 
 
-def _add_value(found: Places, node: "Node", path: PathParts, key: int) -> Place:
+def _add_value(found: TextSpans, node: "Node", path: PathParts, key: int) -> TextSpan:
     """Enter a value with all that is in it."""
-    place = found.by_path[path] = Place("scalar", path, node.start_byte, node.end_byte, key)
+    place = found.by_path[path] = TextSpan("scalar", path, node.start_byte, node.end_byte, key)
     if len(path) > DEEPEST_NESTING:
         return place
     if node.type == "array":

@@ -1,4 +1,4 @@
-"""What was typed for a synthesis: each want read as what it must be, and all that is wrong with them at once."""
+"""What was typed for a synthesis: each requirement read as what it must be, and all that is wrong with them at once."""
 
 import re
 from collections.abc import Callable, Iterable, Mapping
@@ -12,20 +12,20 @@ from cranktrain.language import _
 from cranktrain.quantities import Dimension, QuantityError, unlisted
 from cranktrain.spec import missing, parts_of, quantity_of, words_of
 from cranktrain.synthesis.crank_rocker import crank_rocker_from_swing
-from cranktrain.synthesis.knuckle import knuckle_from_wants
+from cranktrain.synthesis.knuckle import knuckle_from_requirements
 from cranktrain.synthesis.proposal import Proposal
 from cranktrain.synthesis.quick_return import quick_return
 from cranktrain.synthesis.radial import radial
 from cranktrain.synthesis.slider_crank import slider_crank_from_stroke
 
 Typed: TypeAlias = Mapping[str, str | bool | None]
-"""Wants by the names of a synthesis's parameters, as typed; None where nothing was."""
+"""Requirements by the names of a synthesis's parameters, as typed; None where nothing was."""
 
 SYNTHESES: Mapping[str, Callable[..., Proposal]] = {
     "slider-crank": slider_crank_from_stroke,
     "crank-rocker": crank_rocker_from_swing,
     "quick-return": quick_return,
-    "knuckle": knuckle_from_wants,
+    "knuckle": knuckle_from_requirements,
     "radial": radial,
 }
 """What can be synthesised; the annotations of its parameters say what each is, and what may be typed for it."""
@@ -36,22 +36,22 @@ _FREE = "free"
 _MOST_CYLINDERS = 99
 
 
-def wants_of(problem: str) -> Iterable[Parameter]:
+def requirements_of(problem: str) -> Iterable[Parameter]:
     """Parameters of a synthesis, by its key in `SYNTHESES`."""
     return signature(SYNTHESES[problem]).parameters.values()
 
 
-def form_of(want: Parameter) -> str:
+def form_of(requirement: Parameter) -> str:
     """Say in short what is typed for a parameter."""
-    quantity, words = quantity_of(want.annotation), words_of(want.annotation)
+    quantity, words = quantity_of(requirement.annotation), words_of(requirement.annotation)
     if quantity is None:
-        return "|".join(map(str, words)) if len(words) == 2 else want.name.upper()
+        return "|".join(map(str, words)) if len(words) == 2 else requirement.name.upper()
     form = "NUMBER" if quantity.dimension is Dimension.RATIO else quantity.dimension.name
-    return f"{form}|{_FREE}" if _can_be_free(want) else form
+    return f"{form}|{_FREE}" if _can_be_free(requirement) else form
 
 
 def proposed(problem: str, typed: Typed) -> Proposal:
-    """Read wants and find dimensions for them.
+    """Read requirements and find dimensions for them.
 
     Parameters
     ----------
@@ -66,22 +66,23 @@ def proposed(problem: str, typed: Typed) -> Proposal:
     Raises
     ------
     InputError
-        With every want that is missing or no such quantity; else with what the synthesis says, of the options as typed.
+        With every requirement that is missing or no such quantity; else with what the synthesis says, of the options
+        as typed.
     """
     problems: list[Problem] = []
-    wants: dict[str, object] = {}
-    for want in wants_of(problem):
-        given = typed.get(want.name)
+    requirements: dict[str, object] = {}
+    for requirement in requirements_of(problem):
+        given = typed.get(requirement.name)
         try:
             if given is not None:
-                wants[want.name] = _value(want, given)
-            elif want.default is Parameter.empty:
-                problems.append(Problem(option_of(want.name), None, missing(want.annotation)))
+                requirements[requirement.name] = _value(requirement, given)
+            elif requirement.default is Parameter.empty:
+                problems.append(Problem(option_of(requirement.name), None, missing(requirement.annotation)))
         except InputError as error:
-            problems += [replace(one, path=option_of(want.name)) for one in error.problems]
+            problems += [replace(one, path=option_of(requirement.name)) for one in error.problems]
     refuse(problems)
     with problems_as(partial(_in_options, typed, Position(f"cranktrain synthesise {problem}"))):
-        return SYNTHESES[problem](**wants)
+        return SYNTHESES[problem](**requirements)
 
 
 def option_of(name: str) -> str:
@@ -89,29 +90,29 @@ def option_of(name: str) -> str:
     return f"--{name.removeprefix('n_').replace('_', '-')}"
 
 
-def _value(want: Parameter, given: str | bool) -> object:
-    """Read one want."""
-    quantity, words = quantity_of(want.annotation), words_of(want.annotation)
+def _value(requirement: Parameter, given: str | bool) -> object:
+    """Read one requirement."""
+    quantity, words = quantity_of(requirement.annotation), words_of(requirement.annotation)
     if isinstance(given, bool):
         return given
     if quantity is None:
         chosen = given.strip().casefold().replace("-", "_")
         if chosen not in words:
-            raise InputError([unlisted(want.name, given, words)])
+            raise InputError([unlisted(requirement.name, given, words)])
         return chosen
-    if _can_be_free(want) and given.strip().casefold() == _FREE:
+    if _can_be_free(requirement) and given.strip().casefold() == _FREE:
         return None
     value = quantity.given(given).si
-    if int in parts_of(want.annotation):
+    if int in parts_of(requirement.annotation):
         if value != round(value) or value > _MOST_CYLINDERS:
             raise QuantityError(given, _("must be a whole number up to {most}").format(most=_MOST_CYLINDERS))
         return round(value)
     return value
 
 
-def _can_be_free(want: Parameter) -> bool:
+def _can_be_free(requirement: Parameter) -> bool:
     """Tell whether a parameter may be None, and is something else unless given."""
-    return want.default is not None and type(None) in parts_of(want.annotation)
+    return requirement.default is not None and type(None) in parts_of(requirement.annotation)
 
 
 def _in_options(typed: Typed, command: Position, problem: Problem) -> Problem:
