@@ -8,7 +8,7 @@ from cranktrain.fluids import Rooms, VolumeLimits
 from cranktrain.fluids.compressor import Compressor, capacity, compressor_work, suction_heating
 from cranktrain.fluids.compressor.chamber import CompressorNumbers
 from cranktrain.fluids.compressor.pressure import corners
-from cranktrain.fluids.compressor.stages import Stage, interstage_pressures
+from cranktrain.fluids.compressor.stages import CompressorStage, interstage_pressures
 
 R, L, BORE, ROD = 0.08, 0.4, 0.25, 0.05
 HEAD = np.pi / 4 * BORE**2
@@ -73,7 +73,7 @@ def stage(volume, clearance, temperature):
     )
     room = VolumeLimits(np.full(shape, clearance * volume), np.full(shape, (1 + clearance) * volume))
     nothing = np.zeros(shape)
-    return Stage(numbers, Rooms("gas", 2 * np.pi, room, nothing, nothing, nothing, None, None))
+    return CompressorStage(numbers, Rooms("gas", 2 * np.pi, room, nothing, nothing, nothing, None, None))
 
 
 def test_pressure_between_two_stages():

@@ -7,6 +7,7 @@ from typing import cast
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.errors import Problem, refuse
 from cranktrain.language import _
+from cranktrain.layout.design import Design
 from cranktrain.layout.parts import laid_out, layout_parts
 from cranktrain.layout.question import Parts
 from cranktrain.machine import Machine, machine_problems

@@ -15,7 +15,7 @@ from cranktrain.numerics import bracketed_roots
 from cranktrain.quantities import shown
 
 
-class Stage(NamedTuple):
+class CompressorStage(NamedTuple):
     """One stage: its numbers and the chambers that work in it."""
 
     numbers: CompressorNumbers
@@ -39,12 +39,12 @@ class Stage(NamedTuple):
         return np.max(most, axis=1) * ((1 - self.numbers.suction_loss) / (1 + self.numbers.discharge_loss))[:, 0]
 
 
-def interstage_pressures(stages: Sequence[Stage], suction: Array, discharge: Array) -> tuple[Array, ...]:
+def interstage_pressures(stages: Sequence[CompressorStage], suction: Array, discharge: Array) -> tuple[Array, ...]:
     """Pressures between stages at which each takes in what the one before delivers.
 
     Parameters
     ----------
-    stages : sequence of Stage
+    stages : sequence of CompressorStage
         In the order in which the gas goes through them.
     suction, discharge : Array, shape (design, 1)
         Absolute pressures before the first and behind the last. [Pa]
@@ -78,7 +78,7 @@ def interstage_pressures(stages: Sequence[Stage], suction: Array, discharge: Arr
     return behind(np.exp(root))
 
 
-def _against(stage: Stage, suction: Array, flow: Array) -> Array:
+def _against(stage: CompressorStage, suction: Array, flow: Array) -> Array:
     """Pressure against which a stage delivers a given flow; NaN where it cannot take it in. [Pa]"""
     low = np.log(suction)
     return np.exp(
@@ -115,7 +115,7 @@ def staged(numbers: Sequence[CompressorNumbers], rooms: Sequence[Rooms]) -> tupl
         if len(chain) == 1:
             continue
         suction, discharge = found[chain[0]].suction_pressure[..., 0], found[end].discharge_pressure[..., 0]
-        between = interstage_pressures([Stage(found[i], rooms[i]) for i in chain], suction, discharge)
+        between = interstage_pressures([CompressorStage(found[i], rooms[i]) for i in chain], suction, discharge)
         if np.any(np.isnan(between)):
             allowed = _("has no flow in common with the stage before, at any pressure from {low} to {high} bar")
             low, high = (f"{shown(float(part[0, 0]), 'bar'):.4g}" for part in (suction, discharge))
