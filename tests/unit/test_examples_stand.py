@@ -154,6 +154,7 @@ STANDING = {
     ),
     "great_northern": ("lies ahead of the drivers, to the right", "", to_the_right),
     "mud_pump_12p160": ("the liners lie to the right", "", to_the_right),
+    "gas_compressor": ("the cylinder lies to the right", "", to_the_right),
     "10d100": ("upright between two shafts", "lower shaft works the exhaust", upright_between_two_shafts),
     "38d8": ("# the lower one", "", upright_between_two_shafts),
     "jumo_205": ("upright between two shafts", "# the lower one", upright_between_two_shafts),
@@ -162,7 +163,16 @@ STANDING = {
     "3d12": ("The right bank is reached 60 deg after the left one", "", v12),
     "kamaz_740": ("the engine's right side is at the left", "", kamaz),
 }
-UPRIGHT = {"3d12_fit_85_235", "3d12_quoted_rods", "inline_six", "m_503", "r_1340", "textbook_78x78", "vaz_21213"}
+UPRIGHT = {
+    "3d12_fit_85_235",
+    "burning_cylinder",
+    "3d12_quoted_rods",
+    "inline_six",
+    "m_503",
+    "r_1340",
+    "textbook_78x78",
+    "vaz_21213",
+}
 """Examples that say nothing of where things are: their first cylinder, or the middle of a V, stands upright."""
 
 

@@ -1,12 +1,13 @@
 """Cards in the chambers of all designs: each is unrolled once for chambers that are alike."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import problems_as
 from cranktrain.fluids.fluid import Rooms
 from cranktrain.fluids.indicator.card import CardNumbers
 from cranktrain.fluids.indicator.chamber import Chamber
@@ -46,13 +47,8 @@ def diagrams_of(numbers: CardNumbers, rooms: Rooms) -> Diagrams:
         def volume(angle: Array, design: int = design, place: int = place) -> Array:
             return rooms.volume_of(design, place, angle).value
 
-        try:
+        with problems_as(lambda one: replace(one, path=f"{rooms.path}.{one.path}".removesuffix("."))):
             own = indicator_diagram(numbers.card[design, 0, 0], Chamber(rooms.cycle, limits, volume))
-        except InputError as error:
-            raise InputError(
-                Problem(f"{rooms.path}.{one.path}".removesuffix("."), one.given, one.allowed, one.repair)
-                for one in error.problems
-            ) from error
         found[design, rooms.alike[design] == place, 0] = own
     return Diagrams(found)
 
