@@ -165,11 +165,18 @@ def test_walschaerts_needs_a_crosshead():
         ("walschaerts", {"notch": -2}, "bank.valve.mechanism.notch"),
         ("walschaerts", {"union_link_length": "100 mm"}, "bank.valve.mechanism.radius_rod_length"),
         ("eccentric", {"rod_length": "50 mm"}, "mechanism.rod_length"),
-        ("eccentric", {"angle_ahead": "5 deg"}, "mechanism.angle_of_advance"),
     ],
 )
 def test_what_cannot_be_is_refused_with_its_field(kind, changes, path):
     assert refusal(changed(kind, **changes)).path == path
+
+
+def test_an_eccentric_is_set_one_way():
+    """Both fields of the other way are named at once."""
+    with pytest.raises(InputError) as caught:
+        ct.Machine(**changed("eccentric", angle_ahead="5 deg"))
+    paths = [problem.path for problem in caught.value.problems]
+    assert paths == ["mechanism.angle_of_advance", "mechanism.admission"]
 
 
 def test_an_eccentric_must_be_set():
