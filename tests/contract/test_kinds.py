@@ -89,7 +89,7 @@ def test_links_that_carry_points_are_in_the_motion(kind):
     kind = place.kind
     motion = kind.motion(PHI, place.geometry)
     for name in kind.links:
-        link = kind.part(motion, name)
+        link = kind.named(motion, name)
         np.testing.assert_allclose(link.cos**2 + link.sin**2, 1, atol=1e-14)
     assert np.shape(getattr(motion, kind.output).value if kind.output == "slider" else motion.rocker.cos) == PHI.shape
 
@@ -292,7 +292,7 @@ def test_moving_and_sliding_are_in_the_motion(kind):
     sliding = {name for name in dynamics.sliding if name != "block" and not name.endswith(".slot")}
     assert {*place.kind.links, *sliding} <= set(dynamics.moving)
     for name in dynamics.sliding:
-        assert np.shape(place.kind.part(motion, name).first) == PHI.shape
+        assert np.shape(place.kind.named(motion, name).first) == PHI.shape
 
 
 @every_kind
@@ -332,7 +332,7 @@ def test_contacts_are_where_links_slide(kind):
     for name, contact in zip(dynamics.sliding, dynamics.contacts, strict=True):
         joint, pin = joints[contact.joint], pins[contact.pin]
         passing = np.abs(velocity(joint.on, pin) - velocity(joint.by, pin))
-        np.testing.assert_allclose(passing, np.abs(place.kind.part(motion, name).first), rtol=0, atol=1e-12)
+        np.testing.assert_allclose(passing, np.abs(place.kind.named(motion, name).first), rtol=0, atol=1e-12)
 
 
 @every_kind

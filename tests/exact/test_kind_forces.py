@@ -189,7 +189,7 @@ def any_machines(name, coefficient):
     random = np.random.default_rng(5)
     kind, geometry = kind_named(name), GEOMETRIES[name]()
     motion = kind.motion(random.uniform(0, 2 * np.pi, (N, 1)), geometry)
-    senses = [np.sign(kind.part(motion, slider).first) for slider in kind.dynamics.sliding]
+    senses = [np.sign(kind.named(motion, slider).first) for slider in kind.dynamics.sliding]
     bodies, loads, conditions = circumstances(random, kind.dynamics, senses, coefficient)
     return kind, geometry, motion, tuple(bodies), tuple(loads), conditions
 
@@ -285,7 +285,7 @@ def test_both_torques_agree():
         random = np.random.default_rng(8)
         kind, geometry = kind_named(name), GEOMETRIES[name]()
         motion = kind.motion(phi, geometry)
-        senses = [np.sign(kind.part(motion, slider).first) for slider in kind.dynamics.sliding]
+        senses = [np.sign(kind.named(motion, slider).first) for slider in kind.dynamics.sliding]
         for coefficient in (0.0, 0.1):
             bodies, loads, conditions = circumstances(random, kind.dynamics, senses, coefficient)
             forces = kind.dynamics.forces(motion, geometry, bodies, loads, conditions)

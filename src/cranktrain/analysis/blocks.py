@@ -27,10 +27,10 @@ def block_sizes(n_designs: int) -> list[int]:
     return sizes
 
 
-def is_told(outcome: object, names: Collection[str] | None) -> bool:
+def is_kept(outcome: object, names: Collection[str] | None) -> bool:
     """Whether a stage's result is kept of every block: with quantities, or with some of those that are asked for."""
-    told = {entry.name for entry in entries(type(outcome))}
-    return bool(told) if names is None else not told.isdisjoint(names)
+    held = {entry.name for entry in entries(type(outcome))}
+    return bool(held) if names is None else not held.isdisjoint(names)
 
 
 def joined(outcomes: Sequence[Outcome], sizes: Sequence[int]) -> Outcome:

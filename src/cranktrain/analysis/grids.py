@@ -19,7 +19,7 @@ _COARSE = 0.02
 """Of a curve's range; what straight lines between its points may miss."""
 _ROUGH = 0.05
 """Of its range, by which a curve bends on the average from point to point where it is but rounding."""
-_TOLD = 3
+_NAMED = 3
 """How many curves a sentence names."""
 
 
@@ -78,8 +78,8 @@ def coarse_curves(facts: Mapping[type, object], curves: Mapping[type, object], s
     worst = sorted((name for name in missed if missed[name] > _COARSE), key=lambda name: -missed[name])
     if not worst:
         return ()
-    named = ", ".join(f"{name} ({100 * missed[name]:.0f} %)" for name in worst[:_TOLD])
-    more = _(" and {n} more").format(n=len(worst) - _TOLD) if len(worst) > _TOLD else ""
+    named = ", ".join(f"{name} ({100 * missed[name]:.0f} %)" for name in worst[:_NAMED])
+    more = _(" and {n} more").format(n=len(worst) - _NAMED) if len(worst) > _NAMED else ""
     said = _(
         "A step of {step:g} deg is coarse for curves, though not for facts: straight lines between points miss up to"
         " this much of the range of {curves}{more}."

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from cranktrain.analysis.blocks import MOST_AT_ONCE, block_sizes, is_told, joined
+from cranktrain.analysis.blocks import MOST_AT_ONCE, block_sizes, is_kept, joined
 from cranktrain.analysis.grids import FACTS_STEP, coarse_curves, has_curves, on_grid, with_curves
 from cranktrain.analysis.parts import designs_of, parts_of
 from cranktrain.analysis.result import Result
@@ -89,7 +89,7 @@ def run(
     for start, end in zip([0, *ends], ends, strict=False):
         of_block = own[start:end] if own.ndim == _BY_DESIGN else speed
         block = _run(machines[start:end], designs[start:end], of_block, step, stages, chosen, has_designs=True)
-        kept = tuple(outcome for outcome in block.outcomes if is_told(outcome, names))
+        kept = tuple(outcome for outcome in block.outcomes if is_kept(outcome, names))
         each.append(replace(block, outcomes=kept))
     first = each[0]
     return replace(

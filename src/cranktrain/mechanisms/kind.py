@@ -87,7 +87,7 @@ class Kind(Generic[Motion, Geometry]):
         What else slides, along a link or guide; followed as results by their names.
     joints : tuple of str
         Points of the motion that are followed as results by their names.
-    part : callable (motion, name) → Link, Coefficient or Point
+    named : callable (motion, name) → Link, Coefficient or Point
         Finds links, sliders and joints in the motion.
     length_paths : tuple of str
         Where `lengths` stand in the mechanism's table, where they are not the same.
@@ -121,7 +121,7 @@ class Kind(Generic[Motion, Geometry]):
     example: str
     sliders: tuple[str, ...] = ()
     joints: tuple[str, ...] = ()
-    part: Callable[[Motion, str], Any] = getattr
+    named: Callable[[Motion, str], Any] = getattr
     length_paths: tuple[str, ...] = ()
     composed: "Callable[[Any], Kind[Any, Any]] | None" = None
     closing_field: str | Callable[[Any, Geometry], str] = "rod_length"

@@ -10,7 +10,7 @@ from cranktrain.io.machine_file import Input, MachineFile, inputs_of
 from cranktrain.language import _
 from cranktrain.one_line import one_line
 
-_TOLD = ("assumed", "fitted")
+_LISTED = ("assumed", "fitted")
 """Status of numbers that nobody measured: each of them is named."""
 
 
@@ -19,9 +19,9 @@ def provenance(file: MachineFile, width: int) -> Iterator[str | Text]:
     inputs = inputs_of(file)
     counted = counted_by_status(one.given for one in inputs)
     yield _("{n} numbers of the file: {counted}").format(n=len(inputs), counted=counted)
-    told = [one for status in _TOLD for one in inputs if one.given.status == status]
-    if told:
-        yield from input_table(told, width)
+    listed = [one for status in _LISTED for one in inputs if one.given.status == status]
+    if listed:
+        yield from input_table(listed, width)
 
 
 def input_table(inputs: Sequence[Input], width: int) -> list[Text]:

@@ -107,8 +107,8 @@ def _peaks(result: Result, names: Sequence[str]) -> Iterator[tuple[str, ...]]:
         shown = figures(np.array([value]), entry.unit)
         members = [", ".join(labels) for labels in itertools.product(*result.labels_of(entry).values())]
         whose = members[member] if len(members) > 1 else ""
-        told = (ABSENT, "", "", "") if np.isnan(value) else (shown.texts[0], shown.unit, at, whose)
-        yield entry.name, entry.symbol, *told
+        words = (ABSENT, "", "", "") if np.isnan(value) else (shown.texts[0], shown.unit, at, whose)
+        yield entry.name, entry.symbol, *words
 
 
 def _in_steps(result: Result, entry: Entry) -> tuple[float, str, int]:

@@ -18,7 +18,7 @@ from cranktrain.wording import signless
 _FIGURES = 5
 """Of the largest number in a column."""
 
-_TOLD = 5e-5
+_SAID = 5e-5
 """An error that is shown, in parts of the peak."""
 
 
@@ -67,7 +67,7 @@ def _show(console: Console, table: ForceTable) -> None:
     by_formula = [(one, one.textbook, one.textbook_error) for one in table.columns]
     by_harmonics = [(one, one.two_harmonics, one.two_harmonics_error) for one in table.columns]
     heading = _("The same by the textbook's P·f(β)")
-    if all(np.all(np.abs(one.textbook_error) < _TOLD) for one in table.columns):
+    if all(np.all(np.abs(one.textbook_error) < _SAID) for one in table.columns):
         section(console, heading, [_("The same: this rod is as two masses, and nothing hangs on it.")])
     else:
         _show_method(console, heading, by_formula, labels)

@@ -138,8 +138,8 @@ def _each_once(
         allowed = allowed.format(angle=_degrees(float(angles[jumps[0]])), line=first, n=jumps.size)
         raise trace.refused(allowed, again, repair.format(most=_MOST_JUMPS))
     n_left_out = len(samples.angles) - len(kept)
-    told = (_("{n} samples that were given twice are left out.").format(n=n_left_out),) if n_left_out else ()
-    return Samples(angles, samples.pressures[kept], told, ()), lines[kept]
+    sentences = (_("{n} samples that were given twice are left out.").format(n=n_left_out),) if n_left_out else ()
+    return Samples(angles, samples.pressures[kept], sentences, ()), lines[kept]
 
 
 def _open_ended(
@@ -155,8 +155,8 @@ def _open_ended(
     first, last = _degrees(angles[0]), _degrees(angles[-1])
     apart = abs(pressures[before] - pressures[after]) / np.max(pressures)
     if apart <= _ALIKE:
-        told = _("First and last sample are the same angle, {first} and {last}: the last is left out.")
-        findings = (*findings, told.format(first=first, last=last))
+        sentence = _("First and last sample are the same angle, {first} and {last}: the last is left out.")
+        findings = (*findings, sentence.format(first=first, last=last))
         return Samples(angles[inner], pressures[inner], findings, flags), lines[inner]
     if apart > _CLOSED:
         differ = _(

@@ -30,10 +30,10 @@ def curve_findings(curve: CubicCurve, samples: Samples, highest: int, dead_centr
     str
     """
     crest_at, crest_pressure = crest(curve)
-    told = _(
+    sentence = _(
         "The largest sample is {sample} bar at {sample_at} from firing, the curve's crest {crest} bar at {crest_at}."
     )
-    yield told.format(
+    yield sentence.format(
         sample=_bar(float(samples.pressures[highest])),
         sample_at=_from_firing(float(samples.angles[highest]) - dead_centre, curve.period),
         crest=_bar(crest_pressure),

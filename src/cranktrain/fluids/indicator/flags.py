@@ -115,7 +115,7 @@ def lost_jump_flags(samples: Samples, cycle: float) -> Iterator[str]:
     found = np.flatnonzero(steep & (np.abs(ends - starts) > _LARGE_STEP * np.ptp(samples.pressures)))
     if found.size:
         largest = int(found[np.argmax(np.abs(ends - starts)[found])])
-        told = _(
+        sentence = _(
             "Between {start} and {end} the pressure goes from {before} to {after} bar in one step, far steeper than"
             " beside it{more}: if it jumps, give the jump as two rows of one angle (or place), before and after; else"
             " give more rows there. A jump lost between rows takes from the mean pressure, 2 % in steps of 10°."
@@ -124,7 +124,7 @@ def lost_jump_flags(samples: Samples, cycle: float) -> Iterator[str]:
         start, end = places[largest], places[largest] + lengths[largest]
         before, after = (f"{shown(float(pressure[largest]), 'bar'):.4g}" for pressure in (starts, ends))
         start, end = (f"{shown(float(angle), 'deg') + 0.0:.6g}°" for angle in (start, end))
-        yield told.format(start=start, end=end, before=before, after=after, more=more)
+        yield sentence.format(start=start, end=end, before=before, after=after, more=more)
 
 
 def rounded_jump_flags(samples: Samples) -> Iterator[str]:

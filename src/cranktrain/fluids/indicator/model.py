@@ -61,8 +61,8 @@ def indicator_diagram(card: Card, chamber: Chamber) -> Diagram:
     diagram = diagram_through(samples._replace(flags=flags), chamber.cycle, card.interpolation)
     if card.smoothing is not None:
         diagram = smoothed(diagram, card.smoothing, card.interpolation)
-    told = curve_findings(diagram.curve, samples, highest, dead_centres_of(chamber.volume).top)
-    return replace(diagram, findings=(*diagram.findings, *told))
+    sentences = curve_findings(diagram.curve, samples, highest, dead_centres_of(chamber.volume).top)
+    return replace(diagram, findings=(*diagram.findings, *sentences))
 
 
 def _refuse_angles(card: Card, axis: str) -> None:
@@ -87,12 +87,12 @@ def _from_nominal(samples: Samples, chamber: Chamber) -> Samples:
         return samples
     angles = np.mod(samples.angles + top, chamber.cycle)
     order = np.argsort(angles, kind="stable")
-    told = _(
+    sentence = _(
         "The file's dead centre is put on the machine's true one, {angle} from where the crank lies along the cylinder."
     )
-    told = told.format(angle=f"{shown(top, 'deg'):.3f}°")
+    sentence = sentence.format(angle=f"{shown(top, 'deg'):.3f}°")
     return samples._replace(
-        angles=angles[order], pressures=samples.pressures[order], findings=(*samples.findings, told)
+        angles=angles[order], pressures=samples.pressures[order], findings=(*samples.findings, sentence)
     )
 
 
@@ -120,8 +120,8 @@ def _pegged(samples: Samples, diagram: Diagram, peg: Peg, chamber: Chamber) -> S
             raise InputError([Problem("peg.start", f"{shown(peg.start, 'deg'):g} deg", allowed)])
         volumes = chamber.volume(from_firing[chosen])
         offset = polytropic_offset(samples.pressures[chosen], volumes, peg.exponent)
-    told = _("All pressures are moved by {offset} kPa, to the level that is known.")
+    sentence = _("All pressures are moved by {offset} kPa, to the level that is known.")
     return samples._replace(
         pressures=samples.pressures + offset,
-        findings=(*samples.findings, told.format(offset=f"{shown(offset, 'kPa'):+.4g}")),
+        findings=(*samples.findings, sentence.format(offset=f"{shown(offset, 'kPa'):+.4g}")),
     )

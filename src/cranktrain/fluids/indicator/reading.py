@@ -128,7 +128,7 @@ def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
     if unit is None:
         repair = _('write pressure_unit = "bar" (or {units})')
         raise _without_unit("pressure_unit", _("the file names no unit of pressure"), repair, Dimension.PRESSURE)
-    pressures, told = _absolute(table.rows[:, level], unit, labels[level], said)
+    pressures, sentences = _absolute(table.rows[:, level], unit, labels[level], said)
     _refuse_negative(pressures, table, level)
     return Trace(
         name=name,
@@ -136,7 +136,7 @@ def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
         places=table.rows[:, where] * place_scale,
         pressures=pressures,
         lines=table.lines,
-        findings=(*_columns_taken(table, said, level), *findings, *told),
+        findings=(*_columns_taken(table, said, level), *findings, *sentences),
         flags=tuple(_level_flags(pressures)),
     )
 
@@ -170,8 +170,10 @@ def _columns_taken(table: NumberTable, said: Columns, level: int) -> Iterator[st
     """Say which column is taken where there are more than the two that are needed."""
     if said.columns is None and table.rows.shape[1] > _PAIR:
         label = table.labels[level] if table.labels else ""
-        told = _("The file has {n} columns; pressures are taken from column {column}{label}: `columns` says otherwise.")
-        yield told.format(n=table.rows.shape[1], column=level + 1, label=f", {label}" if label else "")
+        sentence = _(
+            "The file has {n} columns; pressures are taken from column {column}{label}: `columns` says otherwise."
+        )
+        yield sentence.format(n=table.rows.shape[1], column=level + 1, label=f", {label}" if label else "")
 
 
 def _axis_of(label: str) -> Axis | None:
@@ -247,8 +249,8 @@ def _absolute(numbers: Array, unit: str, label: str, said: Columns) -> tuple[Arr
     else:
         is_gauge = False if re.search(_ABSOLUTE, words, re.IGNORECASE) else None
     if is_gauge:
-        told = _("Gauge pressures: {ambient} kPa added.").format(ambient=f"{shown(said.ambient, 'kPa'):.6g}")
-        return numbers * scale + said.ambient, (told,)
+        sentence = _("Gauge pressures: {ambient} kPa added.").format(ambient=f"{shown(said.ambient, 'kPa'):.6g}")
+        return numbers * scale + said.ambient, (sentence,)
     if is_gauge is None:
         return numbers * scale, (_("The file does not say absolute or gauge; its pressures are taken as absolute."),)
     return numbers * scale, ()

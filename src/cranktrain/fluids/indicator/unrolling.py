@@ -116,10 +116,10 @@ def unrolled(
         2 * np.pi * (stroke // 2) + _angles(branch.travelled, stroke % 2 == 0, chamber, ends, outward)
         for stroke, branch in enumerate(in_order)
     ]
-    told = _("Pressures over the stroke are unrolled over the crank angle: {n} strokes.").format(n=n_strokes)
+    sentence = _("Pressures over the stroke are unrolled over the crank angle: {n} strokes.").format(n=n_strokes)
     angles, pressures = _joined(strokes, in_order, chamber.cycle)
     flags = tuple(lost_jump_flags(Samples(angles, pressures, (), ()), chamber.cycle))
-    return Samples(*_filled(angles, pressures, chamber, curve_through), (*findings, told), flags)
+    return Samples(*_filled(angles, pressures, chamber, curve_through), (*findings, sentence), flags)
 
 
 def _travelled(trace: Trace, chamber: Chamber) -> tuple[Array, tuple[str, ...]]:
@@ -130,10 +130,12 @@ def _travelled(trace: Trace, chamber: Chamber) -> tuple[Array, tuple[str, ...]]:
     if trace.axis == "displacement":
         part = (trace.places - low) / (high - low)
         is_turned = bool(part[np.argmax(trace.pressures)] > 0.5)
-        told = [_("The ends of the file's displacements are taken for the dead centres.")]
+        sentences = [_("The ends of the file's displacements are taken for the dead centres.")]
         if is_turned:
-            told.append(_("They count from the bottom dead centre, as the peak is at their far end: turned round."))
-        return (1 - part if is_turned else part), tuple(told)
+            sentences.append(
+                _("They count from the bottom dead centre, as the peak is at their far end: turned round.")
+            )
+        return (1 - part if is_turned else part), tuple(sentences)
     smallest, largest = chamber.limits
     part = (trace.places - smallest) / (largest - smallest)
     if np.min(part) < -_BEYOND or np.max(part) > 1 + _BEYOND:

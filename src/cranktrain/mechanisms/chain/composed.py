@@ -116,7 +116,7 @@ def as_chain(
         "links": named("link"),
         "sliders": tuple(name for name in named("slider") if name != structure.output),
         "joints": (*(pin_of(name) for name in structure.cranks), *named("point")),
-        "part": partial(_part_named, made_names(structure)),
+        "named": partial(_part_named, made_names(structure)),
     }
 
 

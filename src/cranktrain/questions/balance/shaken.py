@@ -35,7 +35,7 @@ _ROUNDING = 1e-12
 """What is less than this share of it is 0."""
 BALANCE = ("without", "with")
 """What the dimension `balance` has: the machine without balance weights and, where there are any, with them."""
-_TOLD = 3
+_NAMED = 3
 """How many orders a sentence names."""
 
 
@@ -221,6 +221,6 @@ def orders_in_words(names: Sequence[str], largest: Array, gross: float, unit: st
     if not left:
         return _("none")
     said = [
-        _("order {order}, {size}").format(order=names[i], size=_size(float(largest[i]), unit)) for i in left[:_TOLD]
+        _("order {order}, {size}").format(order=names[i], size=_size(float(largest[i]), unit)) for i in left[:_NAMED]
     ]
-    return "; ".join([*said, _("and less of others")] if len(left) > _TOLD else said)
+    return "; ".join([*said, _("and less of others")] if len(left) > _NAMED else said)

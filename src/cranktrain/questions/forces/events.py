@@ -88,7 +88,7 @@ def _signals(loaded: LoadedMachine, solved: Sequence[SolvedBatch], rubbing: _Rub
         joint = next(i for i, reaction in enumerate(dynamics.reactions) if reaction.name == contact.joint)
         pressing = one.forces.joints[joint][:2]
     shape = one.forces.driving_torque.shape
-    parts = [np.broadcast_to(part, shape) for part in (batch.kind.part(one.motion, name).first, *pressing)]
+    parts = [np.broadcast_to(part, shape) for part in (batch.kind.named(one.motion, name).first, *pressing)]
     return np.stack(parts, axis=2).reshape(shape[0], -1, shape[-1])
 
 

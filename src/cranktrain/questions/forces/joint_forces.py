@@ -136,7 +136,7 @@ def _wedged(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:
     stuck: list[int] = []
     for batch, one, made in zip(loaded.mechanisms.batches, solved.batches, loaded.masses.batches, strict=True):
         for name, coefficient in zip(batch.kind.dynamics.sliding, made.friction, strict=True):
-            moves = ~np.isnan(batch.kind.part(one.motion, name).first)
+            moves = ~np.isnan(batch.kind.named(one.motion, name).first)
             found = (coefficient > 0) & moves & np.isnan(one.forces.driving_torque)
             stuck += batch.index[np.any(found, axis=(0, 2))].tolist()
     if stuck:

@@ -111,7 +111,7 @@ class LoadedMachine:
                 on_crank, on_rod, on_piston = loads
                 borne = (on_crank, added(on_rod, handed), on_piston)
             friction = tuple(
-                _friction(batch.kind.part(motion, name), coefficient, edges)
+                _friction(batch.kind.named(motion, name), coefficient, edges)
                 for name, coefficient, edges in zip(dynamics.sliding, made.friction, made.edges, strict=True)
             )
             drive = Drive(*(_own(part, batch.index) for part in drives))

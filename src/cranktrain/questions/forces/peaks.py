@@ -15,7 +15,7 @@ from cranktrain.wording import number
 
 _ROUNDING = 1e-12
 """Forces smaller than this part of the largest are none."""
-_TOLD = 4
+_NAMED = 4
 """How many one-sided extremes a sentence names."""
 
 
@@ -111,15 +111,15 @@ def one_sided(peaks: Sequence[tuple[str, Peak]], labels: Sequence[str] = ("",)) 
         What it is, in the user's language, and its peaks, shape (design, …) along `labels`.
     labels : sequence of str
     """
-    told: dict[str, None] = {}
+    each: dict[str, None] = {}
     for words, peak in peaks:
         side = peak.side.reshape(len(peak.side), -1)
         for design, place in zip(*np.nonzero(side), strict=True):
             at = number(float(peak.angle.reshape(side.shape)[design, place]), "deg")
             where = _("just after {at}") if side[design, place] > 0 else _("just before {at}")
-            told.setdefault(" ".join(filter(None, (words, str(labels[place]), where.format(at=at)))))
-    if told:
-        named = list(told)[:_TOLD]
-        more = len(told) - len(named)
+            each.setdefault(" ".join(filter(None, (words, str(labels[place]), where.format(at=at)))))
+    if each:
+        named = list(each)[:_NAMED]
+        more = len(each) - len(named)
         said = "; ".join([*named, *([_("and {n} more").format(n=more)] if more else [])])
         yield _("Values at a jump are those of the side on which they are largest: {peaks}.").format(peaks=said)

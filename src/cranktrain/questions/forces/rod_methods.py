@@ -23,7 +23,7 @@ from cranktrain.wording import Names, number, ranged
 _FACT = ("rod_method", "piston")
 
 
-_TOLD = 1e-9
+_SAID = 1e-9
 """An error that is told; less is rounding, where a rod's inertia was assumed to be that of two masses."""
 
 
@@ -67,7 +67,7 @@ class RodMethods(StageResult):
     @staticmethod
     def _lost(side: Array, torque: Array) -> str:
         """Say what two masses lose; nothing where that is rounding."""
-        if np.all(np.isnan(side)) or not np.nanmax(side) > _TOLD:
+        if np.all(np.isnan(side)) or not np.nanmax(side) > _SAID:
             return ""
         return _("A rod of two masses is off by up to {side} in the side force, {torque} in the torque.").format(
             side=number(float(np.nanmax(side)), "%"), torque=number(float(np.nanmax(torque)), "%")

@@ -250,8 +250,8 @@ def _origin(gas: GasInChambers, declared: DeclaredGas) -> NDArray[np.intp]:
     then = gas.at_own(gas.firing + _TELLING, every, lambda angle: gas.volume(angle).value)
     seen = np.concatenate([*gas.limits, then], axis=-1)
     place = 10.0 ** (_DIGITS - 1 - np.floor(np.log10(np.abs(seen))))
-    told = np.rint(seen * place) / place
-    is_same = np.all(told[:, :, np.newaxis] == told[:, np.newaxis], axis=-1)
+    rounded = np.rint(seen * place) / place
+    is_same = np.all(rounded[:, :, np.newaxis] == rounded[:, np.newaxis], axis=-1)
     return np.argmax(is_same & (declared.table[:, np.newaxis] == declared.table), axis=-1)
 
 

@@ -55,14 +55,14 @@ def _volume_at(gas: GasInChambers, angle: Array, places: Sequence[int]) -> Coeff
 
 def _kinks(gas: GasInChambers, firing: Array, least: Coefficient) -> Array:
     """φ of the kinks of all chambers, by Halley's method from the dead centre, shape (design, chamber, kink). [rad]"""
-    told = _kinks_told(gas)
-    places = [place for place in gas.distinct for _kink in range(told.shape[-1])]
-    volume, sense, turn = told.reshape(3, len(firing), -1)[..., np.newaxis]
+    kinks = _kinks_of_fluids(gas)
+    places = [place for place in gas.distinct for _kink in range(kinks.shape[-1])]
+    volume, sense, turn = kinks.reshape(3, len(firing), -1)[..., np.newaxis]
     if volume.size == 0:
         return np.empty((*firing.shape, 0))
     centre = firing[:, places, np.newaxis]
     # Near the dead centre the volume is a parabola.
-    smallest, curvature = (np.repeat(part, told.shape[-1], axis=1) for part in (least.value, least.second))
+    smallest, curvature = (np.repeat(part, kinks.shape[-1], axis=1) for part in (least.value, least.second))
     away = np.minimum(np.sqrt(2 * (volume - smallest) / curvature), 0.75 * np.pi)
     for _step in range(_MOST_STEPS):
         found = _volume_at(gas, centre + sense * away, places)
@@ -86,7 +86,7 @@ def _breaks(gas: GasInChambers) -> Array:
     return filled
 
 
-def _kinks_told(gas: GasInChambers) -> Array:
+def _kinks_of_fluids(gas: GasInChambers) -> Array:
     """Volume, sense and turn of the kinks of the distinct chambers, (3, design, distinct, kink): NaN fills up."""
     each = [(one.places, kink) for one in gas.fillings for kink in one.fluid.kinks(one.ready, one.rooms.limits)]
     filled = np.full((3, *gas.firing.shape[:2], len(each)), np.nan)

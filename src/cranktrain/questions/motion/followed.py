@@ -131,7 +131,7 @@ def followed_parts(
             motion = batch.kind.motion(crank_angle.angle + batch.members.phase, batch.members.geometry)
             for place in own.tolist():
                 member = np.flatnonzero(batch.index == followed.mechanism[place])
-                part = _members(batch.kind.part(motion, followed.parts[place]), member)
+                part = _members(batch.kind.named(motion, followed.parts[place]), member)
                 picked.append((np.array([place]), pick(part, place)))
     return side_by_side(picked, (len(crank_angle.zero), len(followed.names), crank_angle.shown.size))
 

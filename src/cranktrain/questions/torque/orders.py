@@ -20,7 +20,7 @@ from cranktrain.references import THEORY_OF_HARMONICS as _THEORY
 from cranktrain.wording import Names, number
 
 _ORDER = ("order",)
-_TOLD = 3
+_NAMED = 3
 """How many of the largest orders the answer names."""
 _NOTHING = 1e-12
 """Of the largest torque, and of what all forces could do; an order of less is rounding."""
@@ -49,7 +49,7 @@ class TorqueOrders(StageResult):
         amplitude = np.nan_to_num(self.torque_order_amplitude[design])
         least = max(_ROUNDING * float(np.max(amplitude)), _GONE * float(self.gross[design]))
         largest = [
-            place for place in np.argsort(-amplitude, kind="stable")[:_TOLD].tolist() if amplitude[place] > least
+            place for place in np.argsort(-amplitude, kind="stable")[:_NAMED].tolist() if amplitude[place] > least
         ]
         if not largest:
             return None

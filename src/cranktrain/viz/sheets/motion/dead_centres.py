@@ -11,7 +11,7 @@ from cranktrain.plans.placement import first_throw
 from cranktrain.record import record
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.words import first_that_holds
-from cranktrain.viz.sheets.motion.panels import drawn_names, opposed_names, told_forms
+from cranktrain.viz.sheets.motion.panels import drawn_forms, drawn_names, opposed_names
 
 FEW = 2
 """Up to so many mechanisms, each has a ruler of its own."""
@@ -125,6 +125,6 @@ def _marks(shown: OneDesign, dimension: str, words: Mapping[str, tuple[str, str]
 def _textbook_words(shown: OneDesign) -> str:
     """Name the textbook's forms that stand beside the first throw's pistons; nothing where there are none."""
     words = {"two_harmonics": _("two harmonics (333)–(337)"), "reconstructed": _("(I.13) reconstructed")}
-    told = told_forms(shown)
-    forms = [words[shown.result.labels["method"][form]] for form in dict.fromkeys(told.values())]
-    return ", ".join([*forms, *(told if len(drawn_names(shown.result, "piston")) > FEW else ())])
+    drawn = drawn_forms(shown)
+    forms = [words[shown.result.labels["method"][form]] for form in dict.fromkeys(drawn.values())]
+    return ", ".join([*forms, *(drawn if len(drawn_names(shown.result, "piston")) > FEW else ())])

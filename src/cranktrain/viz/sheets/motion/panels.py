@@ -108,11 +108,11 @@ def opposed_names(machine: Machine) -> tuple[str, ...]:
     return next((tuple(names) for names in cylinders.values() if len(names) == _PAIR), ())
 
 
-def told_forms(shown: OneDesign) -> dict[str, int]:
+def drawn_forms(shown: OneDesign) -> dict[str, int]:
     """Pistons beside which the textbook's curve stands, with its form: of many only the one that it misses most."""
     forms = _forms(shown)
-    told = forms if len(drawn_names(shown.result, "piston")) <= _FEW else [_worst(shown, forms)]
-    return {name: form for name, form in forms.items() if name in told}
+    chosen = forms if len(drawn_names(shown.result, "piston")) <= _FEW else [_worst(shown, forms)]
+    return {name: form for name, form in forms.items() if name in chosen}
 
 
 def _forms(shown: OneDesign) -> dict[str, int]:
@@ -145,10 +145,10 @@ def _roles(names: Sequence[str]) -> Iterator[Role]:
 
 
 def _motion_panels(
-    turn: _Turn, dimension: str, names: Sequence[str], told: Mapping[str, int] | None = None
+    turn: _Turn, dimension: str, names: Sequence[str], given: Mapping[str, int] | None = None
 ) -> Iterator[Panel]:
     """Travel, velocity and acceleration of pistons or rockers, with the textbook's; without a speed by crank angle."""
-    forms = told or {}
+    forms = given or {}
     motions = [turn.motion(dimension, turn.shown.member(dimension, name)) for name in names]
     motions += [turn.motion("textbook", form, turn.shown.member("piston", name)) for name, form in forms.items()]
     roles: list[Role] = [*_roles(names), *("textbook" for _form in forms)]
@@ -197,11 +197,11 @@ def _opposed_panels(turn: _Turn, names: Sequence[str]) -> Iterator[Panel]:
 def _panels_of(turn: _Turn, dimension: str) -> Iterator[Panel]:
     """Travel, velocity and acceleration, with what the textbook says; the torque factor of rockers under a load."""
     names = drawn_names(turn.shown.result, dimension)
-    told = told_forms(turn.shown)
-    yield from _motion_panels(turn, dimension, names, told)
-    worst = _worst(turn.shown, told)
+    forms = drawn_forms(turn.shown)
+    yield from _motion_panels(turn, dimension, names, forms)
+    worst = _worst(turn.shown, forms)
     if worst is not None:
-        yield _error_panel(turn, worst, told[worst])
+        yield _error_panel(turn, worst, forms[worst])
     if dimension == "rocker" and turn.shown.has("load_velocity_coefficient"):
         yield _load_panel(turn, names)
 
