@@ -23,7 +23,7 @@ def test_forces_in_a_mirror(kind):
 
     def forces(phi, geometry, bodies, loads, drive, gravity):
         motion = own.motion(phi, geometry)
-        senses = [np.sign(own.part(motion, name).first * drive.speed) for name in own.dynamics.sliding]
+        senses = [np.sign(own.named(motion, name).first * drive.speed) for name in own.dynamics.sliding]
         friction = tuple(Friction(0.05, sense) for sense in senses)
         acting = bodies, loads, Conditions(drive, gravity, friction)
         return own.dynamics.forces(motion, geometry, *acting)
