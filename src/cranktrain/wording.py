@@ -88,6 +88,12 @@ def shared(names: Sequence[str], values: Array, unit: str) -> str:
     return ", ".join(f"{text} ({ranged(names, members)})" for text, members in written.items())
 
 
+def shared_known(names: Sequence[str], values: Array, unit: str) -> str:
+    """Say values by name, as `shared` does, of those alone that have one: NaN stands for none."""
+    known = np.flatnonzero(~np.isnan(values)).tolist()
+    return shared([names[i] for i in known], values[known], unit)
+
+
 def by_sort(
     words: tuple[str, str], names: Sequence[str], is_valve: NDArray[np.bool_], values: Sequence[Array]
 ) -> Iterator[tuple[str, list[str], list[Array]]]:

@@ -13,7 +13,7 @@ from typing import Annotated
 from pydantic import Field
 
 from cranktrain.fluids import compressor, diesel, dual, indicator, otto, wiebe
-from cranktrain.fluids.fluid import AnyFluid, Fluid, FluidSpec, Kink, Rooms, of_designs
+from cranktrain.fluids.fluid import AnyFluid, Fluid, FluidSpec, Kink, Rooms, of_designs, table_path
 from cranktrain.fluids.state import ChamberState, VolumeLimits, chamber_state
 
 __all__ = [
@@ -30,6 +30,7 @@ __all__ = [
     "fluid_named",
     "fluid_of",
     "of_designs",
+    "table_path",
 ]
 
 KINDS: tuple[AnyFluid, ...] = (indicator.KIND, otto.KIND, diesel.KIND, dual.KIND, wiebe.KIND, compressor.KIND)

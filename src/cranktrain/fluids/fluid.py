@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from cranktrain.errors import Problem
 from cranktrain.fluids.state import ChamberState, VolumeLimits
 from cranktrain.motion import Array, Coefficient
+from cranktrain.paths import path_text
 from cranktrain.record import record
 from cranktrain.spec import Spec
 
@@ -17,6 +18,11 @@ class FluidSpec(Spec, frozen=True):
     """What every fluid of a machine file declares."""
 
     kind: str
+
+
+def table_path(name: str) -> str:
+    """Path of the table of that name, `[gas.NAME]`."""
+    return path_text(("gas", name))
 
 
 class Rooms(NamedTuple):
@@ -107,10 +113,10 @@ class Fluid(Generic[_Table, _Numbers, _Ready]):
         Absolute pressure at each crank angle, of the state's shape; of one chamber of one design too. [Pa]
     work : callable (prepared, Rooms) → Array, shape (design, chamber)
         ∮ p dV over a cycle, exactly. [J]
-    flags : callable (spec) → tuple of str
-        What may be meant otherwise than it was given, as sentences.
     example : str
         A commented `[gas]` table to start from.
+    flags : callable (spec) → tuple of str
+        What may be meant otherwise than it was given, as sentences.
     problems : callable (mapping of path to spec) → Problems
         What all tables of this fluid show to be wrong only together.
     together : callable (sequence of numbers, sequence of Rooms) → sequence of numbers
@@ -132,8 +138,8 @@ class Fluid(Generic[_Table, _Numbers, _Ready]):
     prepared: Callable[[_Numbers, Rooms], _Ready]
     pressure: Callable[[ChamberState, _Ready], Array]
     work: Callable[[_Ready, Rooms], Array]
-    flags: Callable[[_Table], tuple[str, ...]]
     example: str
+    flags: Callable[[_Table], tuple[str, ...]] = lambda spec: ()
     problems: Callable[[Mapping[str, _Table]], Iterable[Problem]] = lambda tables: ()
     together: Callable[[Sequence[_Numbers], Sequence[Rooms]], Sequence[_Numbers]] = lambda numbers, rooms: numbers
     fires: bool = True

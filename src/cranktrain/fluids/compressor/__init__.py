@@ -26,7 +26,6 @@ KIND = Fluid(
     pressure=compressor_pressure,
     work=turn_work,
     kinks=valve_kinks,
-    flags=lambda spec: (),
     fires=False,
     example="""\
 [gas]

@@ -42,12 +42,12 @@ def in_chamber(numbers: CompressorNumbers, rooms: Rooms) -> Compressor:
 
 
 def valve_kinks(compressor: Compressor, limits: VolumeLimits) -> tuple[Kink, ...]:
-    """Where suction and discharge valves open; nowhere if nothing is delivered."""
+    """Where suction and discharge valves open, in every turn; nowhere if nothing is delivered."""
     found = corners(compressor, limits)
     delivers = found.discharge_opens > limits.smallest
-    opens = (found.suction_opens, found.discharge_opens)
+    opens = ((found.suction_opens, 1.0), (found.discharge_opens, -1.0))
     return tuple(
-        Kink(np.where(delivers, volume, np.nan), sense, 1.0) for volume, sense in zip(opens, (1.0, -1.0), strict=True)
+        Kink(np.where(delivers, volume, np.nan), sense, turn) for volume, sense in opens for turn in (1.0, -1.0)
     )
 
 

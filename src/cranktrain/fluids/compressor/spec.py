@@ -7,8 +7,9 @@ from pydantic import Field
 
 from cranktrain.errors import Problem
 from cranktrain.fluids.compressor.chamber import CompressorNumbers
-from cranktrain.fluids.fluid import FluidSpec
+from cranktrain.fluids.fluid import FluidSpec, table_path
 from cranktrain.language import N_, _
+from cranktrain.paths import quantity_path
 from cranktrain.quantities import Dimension, Given, Quantity, Temperature
 from cranktrain.spec import missing
 
@@ -72,12 +73,12 @@ def stage_problems(tables: Mapping[str, CompressorSpec]) -> Iterator[Problem]:
     """Find stages that are none, and pressures that are given where the stages find them, or not given where not."""
     after: dict[str, str] = {}
     for path, spec in tables.items():
-        before = f"gas.{spec.takes_from}"
+        before = table_path(spec.takes_from or "")
         if spec.takes_from is None:
             if spec.suction_pressure is None:
                 yield Problem(f"{path}.suction_pressure", None, missing(AbsolutePressure))
         elif before not in tables or before == path:
-            known = [other.removeprefix("gas.") for other in tables if other != path]
+            known = [str(quantity_path(other)[-1]) for other in tables if other != path]
             allowed = _("must be another compressor's name among the tables [gas.NAME]: {known}")
             said = allowed.format(known=", ".join(known) or _("there is none"))
             yield Problem(f"{path}.takes_from", spec.takes_from, said)
@@ -120,7 +121,7 @@ def _last_problems(tables: Mapping[str, CompressorSpec], after: Mapping[str, str
 def chain_to(path: str, tables: Mapping[str, CompressorSpec]) -> list[str]:
     """Stages as far as one, the first in front."""
     chain = [path]
-    while (name := tables[chain[0]].takes_from) is not None and (before := f"gas.{name}") in tables:
+    while (name := tables[chain[0]].takes_from) is not None and (before := table_path(name)) in tables:
         if before in chain:
             break
         chain.insert(0, before)

@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.errors import InputError, Problem
 from cranktrain.fluids.compressor.chamber import CompressorNumbers, in_chamber
 from cranktrain.fluids.compressor.pressure import Compressor, corners
-from cranktrain.fluids.fluid import Rooms
+from cranktrain.fluids.fluid import Rooms, table_path
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
@@ -107,7 +107,7 @@ def staged(numbers: Sequence[CompressorNumbers], rooms: Sequence[Rooms]) -> tupl
     """
     found = list(numbers)
     place = {room.path: i for i, room in enumerate(rooms)}
-    before = [place.get(f"gas.{one.takes_from[0, 0, 0]}") for one in numbers]
+    before = [place.get(table_path(one.takes_from[0, 0, 0] or "")) for one in numbers]
     for end in (i for i in range(len(numbers)) if i not in before):
         chain = [end]
         while (earlier := before[chain[0]]) is not None:

@@ -17,7 +17,6 @@ KIND = Fluid(
     prepared=diagrams_of,
     pressure=card_pressure,
     work=card_work,
-    flags=lambda spec: (),
     notes=card_notes,
     breaks=card_breaks,
     example="""\

@@ -16,7 +16,6 @@ KIND = Fluid(
     pressure=chamber_pressure,
     work=chamber_work,
     breaks=burning_breaks,
-    flags=lambda spec: (),
     example="""\
 [gas]
 kind = "wiebe"

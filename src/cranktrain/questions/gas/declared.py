@@ -7,10 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.errors import Problem
-from cranktrain.fluids import KINDS, AnyFluid, FluidSpec, fluid_of, of_designs
+from cranktrain.fluids import KINDS, AnyFluid, FluidSpec, fluid_of, of_designs, table_path
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design
-from cranktrain.paths import path_text
+from cranktrain.paths import quantity_path
 from cranktrain.questions.cylinders.parts import chamber_names, cylinders
 from cranktrain.record import record
 
@@ -53,7 +53,7 @@ def gas_tables(design: Design) -> dict[str, FluidSpec]:
     given = design.tables.get(_GAS)
     if given is None or isinstance(given, FluidSpec):
         return {} if given is None else {_GAS: given}
-    return {path_text((_GAS, name)): spec for name, spec in cast("Mapping[str, FluidSpec]", given).items()}
+    return {table_path(name): spec for name, spec in cast("Mapping[str, FluidSpec]", given).items()}
 
 
 def filled_by(design: Design) -> list[str | None]:
@@ -61,9 +61,7 @@ def filled_by(design: Design) -> list[str | None]:
     tables = gas_tables(design)
     if _GAS in tables:
         return [_GAS for _name in chamber_names(design.once(cylinders))]
-    return [
-        next((path for name in names if (path := path_text((_GAS, name))) in tables), None) for names in _names(design)
-    ]
+    return [next((path for name in names if (path := table_path(name)) in tables), None) for names in _names(design)]
 
 
 def _names(design: Design) -> list[tuple[str, ...]]:
@@ -106,8 +104,7 @@ def gas_problems(design: Design) -> Iterator[Problem]:
     known = list(dict.fromkeys(name for names in _names(design) for name in names))
     used = filled_by(design)
     for path in tables:
-        name = path.removeprefix(f"{_GAS}.").strip('"')
-        if path != _GAS and name not in known:
+        if path != _GAS and quantity_path(path)[-1] not in known:
             allowed = _("is neither a bank nor a cylinder or chamber of this machine: {known}")
             yield Problem(path, None, allowed.format(known=", ".join(known)))
         elif path not in used:

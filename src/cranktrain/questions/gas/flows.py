@@ -3,6 +3,7 @@
 import numpy as np
 
 from cranktrain.catalogue import quantity
+from cranktrain.checks import StageResult
 from cranktrain.fluids.compressor import Compressor, capacity, suction_heating
 from cranktrain.fluids.compressor.chamber import steady_exponents
 from cranktrain.language import N_, _
@@ -12,14 +13,14 @@ from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.gas.chambers import Filling, GasInChambers
 from cranktrain.questions.gas.declared import DeclaredGas
 from cranktrain.record import record
-from cranktrain.wording import Names, ranged, shared
+from cranktrain.references import THEORY_OF_GAS as _THEORY
+from cranktrain.wording import Names, ranged, shared_known
 
 _CHAMBER = ("chamber",)
-_THEORY = "docs/theory/gas"
 
 
 @record
-class CompressorCapacity:
+class CompressorCapacity(StageResult):
     """What each chamber of a compressor takes in; NaN of chambers with another gas."""
 
     suction_line_pressure: Array = quantity(
@@ -34,17 +35,15 @@ class CompressorCapacity:
     suction_end_temperature: Array = quantity(
         "T_1", "K", _CHAMBER, N_("Temperature at the end of suction, with which the masses close"), _THEORY
     )
-    flags: tuple[str, ...] = ()
 
     def answer(self, names: Names, design: int) -> str:
         """Say between which pressures, and how much."""
-        of = ~np.isnan(self.volumetric_efficiency[design])
-        chambers = [name for name, is_one in zip(names["chamber"], of, strict=True) if is_one]
+        chambers = names["chamber"]
         said = _("Compressor from {suction} to {discharge}; it takes in {part} of the swept volume.")
         return said.format(
-            suction=shared(chambers, self.suction_line_pressure[design, of], "bar"),
-            discharge=shared(chambers, self.discharge_line_pressure[design, of], "bar"),
-            part=shared(chambers, self.volumetric_efficiency[design, of], "%"),
+            suction=shared_known(chambers, self.suction_line_pressure[design], "bar"),
+            discharge=shared_known(chambers, self.discharge_line_pressure[design], "bar"),
+            part=shared_known(chambers, self.volumetric_efficiency[design], "%"),
         )
 
 
@@ -104,9 +103,8 @@ class CompressorFlow:
 
     def answer(self, names: Names, design: int) -> str:
         """Say the flow at the inlet of each stage."""
-        of = ~np.isnan(self.inlet_flow[design])
-        chambers = [name for name, is_one in zip(names["chamber"], of, strict=True) if is_one]
-        return _("Flow at its inlet's state {flow}.").format(flow=shared(chambers, self.inlet_flow[design, of], "m³/h"))
+        flow = shared_known(names["chamber"], self.inlet_flow[design], "m³/h")
+        return _("Flow at its inlet's state {flow}.").format(flow=flow)
 
 
 def compressor_flow(gas: GasInChambers, capacities: CompressorCapacity, speed: Speed) -> CompressorFlow:

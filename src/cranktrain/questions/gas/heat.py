@@ -12,10 +12,10 @@ from cranktrain.motion import Array
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.questions.gas.declared import DeclaredGas
 from cranktrain.record import record
-from cranktrain.wording import Names, shared
+from cranktrain.references import THEORY_OF_GAS as _THEORY
+from cranktrain.wording import Names, shared_known
 
 _CHAMBER = ("chamber",)
-_THEORY = "docs/theory/gas"
 
 
 @record
@@ -30,13 +30,12 @@ class HeatBalance:
 
     def answer(self, names: Names, design: int) -> str:
         """Say the heat, what is made of it, and what the walls take."""
-        of = ~np.isnan(self.released_heat[design])
-        chambers = [name for name, is_one in zip(names["chamber"], of, strict=True) if is_one]
+        chambers = names["chamber"]
         said = _("Heat {heat} a cycle, of which {part} becomes work of the gas; the walls take {loss}.")
         return said.format(
-            heat=shared(chambers, self.released_heat[design, of], "J"),
-            part=shared(chambers, self.working_turn_efficiency[design, of], "%"),
-            loss=shared(chambers, self.wall_loss[design, of], "J"),
+            heat=shared_known(chambers, self.released_heat[design], "J"),
+            part=shared_known(chambers, self.working_turn_efficiency[design], "%"),
+            loss=shared_known(chambers, self.wall_loss[design], "J"),
         )
 
 

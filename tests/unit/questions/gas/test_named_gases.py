@@ -79,3 +79,28 @@ def test_the_nearest_table_counts():
     result = ct.run(machine(gas, chambers=("head", "crank"), piston_rod="40 mm"))
     assert result.labels["chamber"] == ("1low.head", "1low.crank", "1high.head", "1high.crank")
     np.testing.assert_allclose(result.discharge_line_pressure, [4e5, 6e5, 4e5, 4e5])
+
+
+def test_a_stage_may_take_from_one_side_of_a_piston():
+    """Its name has a dot, and stands in quotes in the path."""
+    gas = {
+        "1low.head": FIRST,
+        "1low.crank": LAST | {"takes_from": "1low.head"},
+        "1high": WHOLE,
+    }
+    result = ct.run(machine(gas, chambers=("head", "crank"), piston_rod="150 mm", high={"chambers": ["head"]}))
+    low, crank, high = result.suction_line_pressure
+    assert (low, high) == (1e5, 1e5)
+    assert 1e5 < crank == result.discharge_line_pressure[0] < 9e5
+
+
+def test_a_compressor_beside_an_engine_works_in_every_turn():
+    """A gas-engine compressor: over a cycle of two turns its valves open twice, and the torque does the gas's work."""
+    engine = {"kind": "otto", "start_pressure": "1 bar", "compression_exponent": 1.3, "expansion_exponent": 1.3}
+    gas = {"low": engine | {"pressure_ratio": 3.0}, "high": WHOLE}
+    result = ct.run(machine(gas, cycle="four-stroke", firing_order="1low-1high"))
+    alone = ct.run(machine(WHOLE))
+    assert result.indicated_work[1] == pytest.approx(2 * alone.indicated_work[1], rel=1e-14)
+    assert [check.name for check in result.checks if not np.all(check.passed)] == []
+    (work,) = (check for check in result.checks if check.name == "work")
+    assert work.residual[0] < 1e-12
