@@ -23,6 +23,7 @@ PositiveVelocity: TypeAlias = Annotated[Given, Quantity(Dimension.VELOCITY, abov
 Force: TypeAlias = Annotated[Given, Quantity(Dimension.FORCE)]
 PositiveTorque: TypeAlias = Annotated[Given, Quantity(Dimension.TORQUE, above=0.0)]
 Pressure: TypeAlias = Annotated[Given, Quantity(Dimension.PRESSURE, at_least=0.0)]  # absolute
+PositivePressure: TypeAlias = Annotated[Given, Quantity(Dimension.PRESSURE, above=0.0)]  # absolute
 PositiveMass: TypeAlias = Annotated[Given, Quantity(Dimension.MASS, above=0.0)]
 PositiveInertia: TypeAlias = Annotated[Given, Quantity(Dimension.INERTIA, above=0.0)]
 NonNegativeInertia: TypeAlias = Annotated[Given, Quantity(Dimension.INERTIA, at_least=0.0)]

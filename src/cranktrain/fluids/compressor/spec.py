@@ -10,10 +10,9 @@ from cranktrain.fluids.compressor.chamber import CompressorNumbers
 from cranktrain.fluids.fluid import FluidSpec, table_path
 from cranktrain.language import N_, _
 from cranktrain.paths import quantity_path
-from cranktrain.quantities import Dimension, Given, Quantity, Temperature
+from cranktrain.quantities import Dimension, Given, PositivePressure, Quantity, Temperature
 from cranktrain.spec import missing
 
-AbsolutePressure = Annotated[Given, Quantity(Dimension.PRESSURE, above=0.0)]
 Exponent = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=2.0)]
 Loss = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]
 
@@ -24,10 +23,10 @@ class CompressorSpec(FluidSpec, frozen=True):
     """Compressor with clearance: pressures of the lines, exponents, and what the valves lose."""
 
     kind: Literal["compressor"] = Field(description=N_("Kind of gas model."))
-    suction_pressure: AbsolutePressure | None = Field(
+    suction_pressure: PositivePressure | None = Field(
         default=None, description=N_("Absolute pressure of the line that it takes from; of a later stage found.")
     )
-    discharge_pressure: AbsolutePressure | None = Field(
+    discharge_pressure: PositivePressure | None = Field(
         default=None,
         description=N_("Absolute pressure of the line that it delivers into; of all stages but the last found."),
     )
@@ -76,7 +75,7 @@ def stage_problems(tables: Mapping[str, CompressorSpec]) -> Iterator[Problem]:
         before = table_path(spec.takes_from or "")
         if spec.takes_from is None:
             if spec.suction_pressure is None:
-                yield Problem(f"{path}.suction_pressure", None, missing(AbsolutePressure))
+                yield Problem(f"{path}.suction_pressure", None, missing(PositivePressure))
         elif before not in tables or before == path:
             known = [str(quantity_path(other)[-1]) for other in tables if other != path]
             allowed = _("must be another compressor's name among the tables [gas.NAME]: {known}")
@@ -105,7 +104,7 @@ def _last_problems(tables: Mapping[str, CompressorSpec], after: Mapping[str, str
                 )
                 yield Problem(f"{path}.discharge_pressure", spec.discharge_pressure.text, allowed)
         elif spec.discharge_pressure is None:
-            yield Problem(f"{path}.discharge_pressure", None, missing(AbsolutePressure))
+            yield Problem(f"{path}.discharge_pressure", None, missing(PositivePressure))
         else:
             first = chain_to(path, tables)[0]
             suction = tables[first].suction_pressure

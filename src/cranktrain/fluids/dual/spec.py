@@ -8,13 +8,12 @@ from cranktrain.fluids.dual.pressure import IdealCycle
 from cranktrain.fluids.fluid import FluidSpec
 from cranktrain.language import N_, _
 from cranktrain.motion import single
-from cranktrain.quantities import Dimension, Given, Quantity, shown
+from cranktrain.quantities import Dimension, Given, PositivePressure, Quantity, shown
 
 _LEAST_EXPONENT, _MOST_EXPONENT = 1.0, 5 / 3
 """Of an isotherm, and of a gas of single atoms."""
 
 Exponent = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=2.0)]
-AbsolutePressure = Annotated[Given, Quantity(Dimension.PRESSURE, above=0.0)]
 HeatRatio = Annotated[Given, Quantity(Dimension.RATIO, at_least=1.0)]
 
 _ONE = Given(1.0, "1")
@@ -25,16 +24,16 @@ _LOWEST_USUAL = 0.5e5
 class IdealCycleSpec(FluidSpec, frozen=True):
     """Ideal cycle with gas exchange: pressures, which are absolute, and exponents of the polytropes."""
 
-    start_pressure: AbsolutePressure = Field(
+    start_pressure: PositivePressure = Field(
         description=N_("Absolute pressure at the start of compression, at the bottom dead centre.")
     )
     compression_exponent: Exponent = Field(description=N_("Exponent n of the compression, p·Vⁿ = const."))
     expansion_exponent: Exponent = Field(description=N_("Exponent n of the expansion, p·Vⁿ = const."))
-    inlet_pressure: AbsolutePressure | None = Field(
+    inlet_pressure: PositivePressure | None = Field(
         default=None,
         description=N_("Absolute pressure in the cylinder on the inlet stroke; start_pressure unless given."),
     )
-    exhaust_pressure: AbsolutePressure | None = Field(
+    exhaust_pressure: PositivePressure | None = Field(
         default=None,
         description=N_("Absolute pressure in the cylinder on the exhaust stroke; inlet_pressure unless given."),
     )

@@ -15,10 +15,9 @@ from cranktrain.fluids.indicator.placing import Sense
 from cranktrain.fluids.indicator.reading import AXES, STANDARD_ATMOSPHERE, Axis, Columns, Trace, read_trace
 from cranktrain.fluids.indicator.table import held_text
 from cranktrain.language import N_, _
-from cranktrain.quantities import Dimension, Given, Quantity, TurnedAngle, is_unit, one_of, unit_names
+from cranktrain.quantities import Dimension, Given, PositivePressure, Quantity, TurnedAngle, is_unit, one_of, unit_names
 from cranktrain.spec import Spec
 
-Pressure = Annotated[Given, Quantity(Dimension.PRESSURE, above=0.0)]
 Exponent = Annotated[Given, Quantity(Dimension.RATIO, above=1.0, at_most=2.0)]
 Width = Annotated[Given, Quantity(Dimension.ANGLE, above=0.0, at_most=pi / 12)]
 
@@ -26,7 +25,7 @@ Width = Annotated[Given, Quantity(Dimension.ANGLE, above=0.0, at_most=pi / 12)]
 class PegSpec(Spec, frozen=True):
     """How the level of the pressures is found: by one known pressure, or by the exponent of the compression."""
 
-    pressure: Pressure | None = Field(
+    pressure: PositivePressure | None = Field(
         default=None, description=N_("Known absolute pressure at `angle`, such as the inlet manifold's at the bottom.")
     )
     angle: TurnedAngle = Field(
@@ -80,7 +79,7 @@ class IndicatorSpec(FluidSpec, frozen=True):
     pressure: Literal["absolute", "gauge"] | None = Field(
         default=None, description=N_("What pressures count from; by the header unless given, or else absolute.")
     )
-    ambient: Pressure = Field(
+    ambient: PositivePressure = Field(
         default=Given(STANDARD_ATMOSPHERE, "101.325 kPa"), description=N_("What gauge pressures count from.")
     )
     firing_angle: TurnedAngle | None = Field(

@@ -110,8 +110,3 @@ def chamber_work(chambers: BurningChambers, rooms: Rooms) -> Array:
     swept = rooms.limits.largest - rooms.limits.smallest
     exchange = (chambers.inlet - chambers.exhaust) * swept if rooms.cycle > 3 * np.pi else 0.0
     return (chambers.work + exchange)[..., 0]
-
-
-def burning_breaks(chambers: BurningChambers) -> Array:
-    """Angles since nominal firing between which the pressure is smooth, close to each other where it begins to burn."""
-    return chambers.burns

@@ -10,9 +10,17 @@ from cranktrain.errors import Problem
 from cranktrain.fluids.fluid import FluidSpec
 from cranktrain.fluids.wiebe.chamber import WiebeNumbers
 from cranktrain.language import N_, _
-from cranktrain.quantities import Dimension, Given, HeatTransfer, PositiveEnergy, Quantity, Temperature, TurnedAngle
+from cranktrain.quantities import (
+    Dimension,
+    Given,
+    HeatTransfer,
+    PositiveEnergy,
+    PositivePressure,
+    Quantity,
+    Temperature,
+    TurnedAngle,
+)
 
-AbsolutePressure = Annotated[Given, Quantity(Dimension.PRESSURE, above=0.0)]
 FormFactor = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=20.0)]
 EfficiencyFactor = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=50.0)]
 HeatRatio = Annotated[Given, Quantity(Dimension.RATIO, above=1.0, at_most=5 / 3)]
@@ -25,7 +33,7 @@ class WiebeSpec(FluidSpec, frozen=True):
     """Heat by Wiebe's law in one zone, between the bottom dead centres, and gas exchange at constant pressures."""
 
     kind: Literal["wiebe"] = Field(description=N_("Kind of gas model."))
-    start_pressure: AbsolutePressure = Field(
+    start_pressure: PositivePressure = Field(
         description=N_("Absolute pressure at the start of compression, at the bottom dead centre.")
     )
     heat: PositiveEnergy = Field(description=N_("That one cylinder gets in a cycle, if all burns."))
@@ -37,11 +45,11 @@ class WiebeSpec(FluidSpec, frozen=True):
         description=N_("a of Wiebe's law: 6.908 burns 99.9 % of the heat, 5 only 99.3 %."),
     )
     heat_capacity_ratio: HeatRatio = Field(description=N_("γ of the gas, constant over the cycle."))
-    inlet_pressure: AbsolutePressure | None = Field(
+    inlet_pressure: PositivePressure | None = Field(
         default=None,
         description=N_("Absolute pressure in the cylinder on the inlet stroke; start_pressure unless given."),
     )
-    exhaust_pressure: AbsolutePressure | None = Field(
+    exhaust_pressure: PositivePressure | None = Field(
         default=None,
         description=N_("Absolute pressure in the cylinder on the exhaust stroke; inlet_pressure unless given."),
     )

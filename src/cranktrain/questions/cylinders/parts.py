@@ -65,12 +65,16 @@ def cylinder_pistons_of(cylinders: Sequence[Cylinder]) -> CylinderPistons | None
     )
 
 
+def chamber_sides(cylinders: Sequence[Cylinder]) -> list[tuple[Cylinder, str]]:
+    """Give the cylinder of each chamber and the side of the piston on which that is."""
+    return [(cylinder, side) for cylinder in cylinders for side in cylinder.chambers]
+
+
 def chamber_names(cylinders: Sequence[Cylinder]) -> list[str]:
     """Name the chambers: `1L`, or `1L.head` and `1L.crank` where both sides of the piston work."""
     return [
         cylinder.name if cylinder.chambers == ("head",) else f"{cylinder.name}.{side}"
-        for cylinder in cylinders
-        for side in cylinder.chambers
+        for cylinder, side in chamber_sides(cylinders)
     ]
 
 

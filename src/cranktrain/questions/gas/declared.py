@@ -11,7 +11,7 @@ from cranktrain.fluids import KINDS, AnyFluid, FluidSpec, fluid_of, of_designs, 
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design
 from cranktrain.paths import quantity_path
-from cranktrain.questions.cylinders.parts import chamber_names, cylinders
+from cranktrain.questions.cylinders.parts import chamber_names, chamber_sides, cylinders
 from cranktrain.record import record
 
 _GAS = "gas"
@@ -66,15 +66,12 @@ def filled_by(design: Design) -> list[str | None]:
 
 def _names(design: Design) -> list[tuple[str, ...]]:
     """Names by which each chamber may be called, the nearest first."""
-    named = zip(chamber_names(design.once(cylinders)), _sides(design), strict=True)
+    each = design.once(cylinders)
+    named = zip(chamber_names(each), chamber_sides(each), strict=True)
     return [
         tuple(filter(None, dict.fromkeys((chamber, f"{cylinder.name}.{side}", cylinder.name, cylinder.bank))))
         for chamber, (cylinder, side) in named
     ]
-
-
-def _sides(design: Design) -> list[tuple[Any, str]]:
-    return [(cylinder, side) for cylinder in design.once(cylinders) for side in cylinder.chambers]
 
 
 def declared_gas(designs: Sequence[Design]) -> DeclaredGas | None:
