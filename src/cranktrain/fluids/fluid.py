@@ -68,6 +68,16 @@ class Rooms(NamedTuple):
         """Largest volume over smallest, shape (design, chamber, 1)."""
         return self.limits.largest / self.limits.smallest
 
+    @property
+    def swept_volume(self) -> Array:
+        """Largest volume less the smallest, shape (design, chamber, 1). [m³]"""
+        return self.limits.largest - self.limits.smallest
+
+    @property
+    def n_turns(self) -> int:
+        """Turns of a cycle: 2 where one of them is for gas exchange."""
+        return round(self.cycle / (2 * np.pi))
+
 
 class Kink(NamedTuple):
     """Where the pressure has a kink away from the dead centres.

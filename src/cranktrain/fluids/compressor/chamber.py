@@ -59,4 +59,4 @@ def steady_exponents(compressor: Compressor, limits: VolumeLimits) -> NDArray[np
 
 def turn_work(compressor: Compressor, rooms: Rooms) -> Array:
     """Work over the cycle of the machine, shape (design, chamber). [J]"""
-    return compressor_work(compressor, rooms.limits)[..., 0] * round(rooms.cycle / (2 * np.pi))
+    return compressor_work(compressor, rooms.limits)[..., 0] * rooms.n_turns

@@ -7,13 +7,14 @@ from pydantic import Field
 
 from cranktrain.errors import Problem
 from cranktrain.fluids.compressor.chamber import CompressorNumbers
+from cranktrain.fluids.compressor.stages import chain_to
+from cranktrain.fluids.exchange import Exponent
 from cranktrain.fluids.fluid import FluidSpec, table_path
 from cranktrain.language import N_, _
 from cranktrain.paths import quantity_path
 from cranktrain.quantities import Dimension, Given, PositivePressure, Quantity, Temperature
 from cranktrain.spec import missing
 
-Exponent = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=2.0)]
 Loss = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, below=1.0)]
 
 _NONE = Given(0.0, "0")
@@ -96,6 +97,8 @@ def stage_problems(tables: Mapping[str, CompressorSpec]) -> Iterator[Problem]:
 
 def _last_problems(tables: Mapping[str, CompressorSpec], after: Mapping[str, str]) -> Iterator[Problem]:
     """Find stages that go round, and ends without a pressure to deliver into, or too low a one."""
+    taken = {path: table_path(spec.takes_from) for path, spec in tables.items() if spec.takes_from is not None}
+    before = {path: other for path, other in taken.items() if other in tables}
     for path, spec in tables.items():
         if path in after:
             if spec.discharge_pressure is not None:
@@ -106,22 +109,11 @@ def _last_problems(tables: Mapping[str, CompressorSpec], after: Mapping[str, str
         elif spec.discharge_pressure is None:
             yield Problem(f"{path}.discharge_pressure", None, missing(PositivePressure))
         else:
-            first = chain_to(path, tables)[0]
-            suction = tables[first].suction_pressure
+            suction = tables[chain_to(path, before)[0]].suction_pressure
             if suction is not None and suction.si >= spec.discharge_pressure.si:
                 allowed = _("must be more than suction_pressure, {suction}").format(suction=suction.text)
                 yield Problem(f"{path}.discharge_pressure", spec.discharge_pressure.text, allowed)
-    ends = [path for path in tables if path not in after]
-    if not {path for end in ends for path in chain_to(end, tables)} >= set(after):
-        going = next(path for path in after if path not in {one for end in ends for one in chain_to(end, tables)})
+    reached = {path for end in tables if end not in after for path in chain_to(end, before)}
+    going = next((path for path in after if path not in reached), None)
+    if going is not None:
         yield Problem(f"{going}.takes_from", tables[going].takes_from, _("goes round: one stage must be the first"))
-
-
-def chain_to(path: str, tables: Mapping[str, CompressorSpec]) -> list[str]:
-    """Stages as far as one, the first in front."""
-    chain = [path]
-    while (name := tables[chain[0]].takes_from) is not None and (before := table_path(name)) in tables:
-        if before in chain:
-            break
-        chain.insert(0, before)
-    return chain

@@ -1,6 +1,6 @@
 """Stages that share one flow: the pressures between them."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -13,6 +13,14 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
 from cranktrain.quantities import shown
+
+
+def chain_to(end: str, before: Mapping[str, str]) -> list[str]:
+    """Tables of the stages as far as one, the first in front; `before`: which one each takes from."""
+    chain = [end]
+    while (earlier := before.get(chain[0])) is not None and earlier not in chain:
+        chain.insert(0, earlier)
+    return chain
 
 
 class CompressorStage(NamedTuple):
@@ -105,24 +113,24 @@ def staged(numbers: Sequence[CompressorNumbers], rooms: Sequence[Rooms]) -> tupl
     InputError
         Where stages have no flow in common.
     """
-    found = list(numbers)
-    place = {room.path: i for i, room in enumerate(rooms)}
-    before = [place.get(table_path(one.takes_from[0, 0, 0] or "")) for one in numbers]
-    for end in (i for i in range(len(numbers)) if i not in before):
-        chain = [end]
-        while (earlier := before[chain[0]]) is not None:
-            chain.insert(0, earlier)
+    stages = {room.path: CompressorStage(one, room) for one, room in zip(numbers, rooms, strict=True)}
+    names: dict[str, str | None] = {path: one.numbers.takes_from[0, 0, 0] for path, one in stages.items()}
+    before = {path: table_path(name) for path, name in names.items() if name is not None}
+    found = dict(zip(stages, numbers, strict=True))
+    for end in (path for path in stages if path not in before.values()):
+        chain = chain_to(end, before)
         if len(chain) == 1:
             continue
         suction, discharge = found[chain[0]].suction_pressure[..., 0], found[end].discharge_pressure[..., 0]
-        between = interstage_pressures([CompressorStage(found[i], rooms[i]) for i in chain], suction, discharge)
+        between = interstage_pressures([stages[path] for path in chain], suction, discharge)
         if np.any(np.isnan(between)):
             allowed = _("has no flow in common with the stage before, at any pressure from {low} to {high} bar")
             low, high = (f"{shown(float(part[0, 0]), 'bar'):.4g}" for part in (suction, discharge))
             repair = _("make its cylinders smaller, or those of the stage before larger")
-            path, name = rooms[chain[1]].path, numbers[chain[1]].takes_from[0, 0, 0]
-            raise InputError([Problem(f"{path}.takes_from", name, allowed.format(low=low, high=high), repair)])
-        for i, j, pressure in zip(chain, chain[1:], between, strict=False):
-            found[i] = found[i]._replace(discharge_pressure=pressure[..., np.newaxis])
-            found[j] = found[j]._replace(suction_pressure=pressure[..., np.newaxis])
-    return tuple(found)
+            raise InputError(
+                [Problem(f"{chain[1]}.takes_from", names[chain[1]], allowed.format(low=low, high=high), repair)]
+            )
+        for path, behind, pressure in zip(chain, chain[1:], between, strict=False):
+            found[path] = found[path]._replace(discharge_pressure=pressure[..., np.newaxis])
+            found[behind] = found[behind]._replace(suction_pressure=pressure[..., np.newaxis])
+    return tuple(found.values())

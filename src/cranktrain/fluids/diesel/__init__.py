@@ -1,24 +1,15 @@
 """Diesel cycle: heat at constant pressure."""
 
 from cranktrain.fluids.diesel.spec import DieselSpec
-from cranktrain.fluids.dual.chamber import ideal_kinks, ideal_work, suitable
-from cranktrain.fluids.dual.pressure import ideal_pressure
-from cranktrain.fluids.dual.spec import cycle_flags, ideal_cycle
-from cranktrain.fluids.fluid import Fluid
+from cranktrain.fluids.dual.ideal import ideal_fluid
 from cranktrain.language import N_
 
 __all__ = ["KIND", "DieselSpec"]
 
-KIND = Fluid(
+KIND = ideal_fluid(
     name="diesel",
     title=N_("Diesel cycle, heat at constant pressure"),
     spec=DieselSpec,
-    numbers=ideal_cycle,
-    prepared=suitable,
-    pressure=ideal_pressure,
-    flags=cycle_flags,
-    work=ideal_work,
-    kinks=ideal_kinks,
     example="""\
 [gas]
 kind = "diesel"

@@ -1,23 +1,16 @@
 """Dual cycle (Sabathé, Trinkler): heat first at constant volume, then at constant pressure."""
 
-from cranktrain.fluids.dual.chamber import ideal_kinks, ideal_work, suitable
+from cranktrain.fluids.dual.ideal import ideal_fluid
 from cranktrain.fluids.dual.pressure import IdealCycle, ideal_mean_pressures, ideal_pressure
-from cranktrain.fluids.dual.spec import DualSpec, cycle_flags, ideal_cycle
-from cranktrain.fluids.fluid import Fluid
+from cranktrain.fluids.dual.spec import DualSpec
 from cranktrain.language import N_
 
 __all__ = ["KIND", "DualSpec", "IdealCycle", "ideal_mean_pressures", "ideal_pressure"]
 
-KIND = Fluid(
+KIND = ideal_fluid(
     name="dual",
     title=N_("dual cycle, heat at constant volume and at constant pressure"),
     spec=DualSpec,
-    numbers=ideal_cycle,
-    prepared=suitable,
-    pressure=ideal_pressure,
-    flags=cycle_flags,
-    work=ideal_work,
-    kinks=ideal_kinks,
     example="""\
 [gas]
 kind = "dual"

@@ -12,6 +12,8 @@ from cranktrain.motion import Array, chosen
 
 def ideal_kinks(cycle: IdealCycle, limits: VolumeLimits) -> tuple[Kink, ...]:
     """Where heat at constant pressure ends; nowhere without such heat."""
+    if not np.any(cycle.cut_off_ratio > 1):
+        return ()
     return (Kink(chosen(cycle.cut_off_ratio > 1, cycle.cut_off_ratio * limits.smallest, np.nan), 1.0, 1.0),)
 
 
@@ -28,5 +30,4 @@ def suitable(cycle: IdealCycle, rooms: Rooms) -> IdealCycle:
 def ideal_work(cycle: IdealCycle, rooms: Rooms) -> Array:
     """Work of the cycle in every chamber, in closed form, shape (design, chamber). [J]"""
     mean = ideal_mean_pressures(cycle, rooms.compression_ratio)
-    swept = rooms.limits.largest - rooms.limits.smallest
-    return ((mean.net if rooms.cycle > 3 * np.pi else mean.gross) * swept)[..., 0]
+    return ((mean.net if rooms.n_turns > 1 else mean.gross) * rooms.swept_volume)[..., 0]

@@ -5,15 +5,14 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from cranktrain.fluids.dual.pressure import IdealCycle
-from cranktrain.fluids.fluid import FluidSpec
+from cranktrain.fluids.exchange import Exponent, GasExchangeSpec
 from cranktrain.language import N_, _
 from cranktrain.motion import single
-from cranktrain.quantities import Dimension, Given, PositivePressure, Quantity, shown
+from cranktrain.quantities import Dimension, Given, Quantity, shown
 
 _LEAST_EXPONENT, _MOST_EXPONENT = 1.0, 5 / 3
 """Of an isotherm, and of a gas of single atoms."""
 
-Exponent = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=2.0)]
 HeatRatio = Annotated[Given, Quantity(Dimension.RATIO, at_least=1.0)]
 
 _ONE = Given(1.0, "1")
@@ -21,22 +20,11 @@ _LOWEST_USUAL = 0.5e5
 """Absolute pressure at which no engine breathes in; below it, a gauge pressure may be meant. [Pa]"""
 
 
-class IdealCycleSpec(FluidSpec, frozen=True):
+class IdealCycleSpec(GasExchangeSpec, frozen=True):
     """Ideal cycle with gas exchange: pressures, which are absolute, and exponents of the polytropes."""
 
-    start_pressure: PositivePressure = Field(
-        description=N_("Absolute pressure at the start of compression, at the bottom dead centre.")
-    )
     compression_exponent: Exponent = Field(description=N_("Exponent n of the compression, p·Vⁿ = const."))
     expansion_exponent: Exponent = Field(description=N_("Exponent n of the expansion, p·Vⁿ = const."))
-    inlet_pressure: PositivePressure | None = Field(
-        default=None,
-        description=N_("Absolute pressure in the cylinder on the inlet stroke; start_pressure unless given."),
-    )
-    exhaust_pressure: PositivePressure | None = Field(
-        default=None,
-        description=N_("Absolute pressure in the cylinder on the exhaust stroke; inlet_pressure unless given."),
-    )
 
 
 class DualSpec(IdealCycleSpec, frozen=True):
@@ -51,11 +39,10 @@ class DualSpec(IdealCycleSpec, frozen=True):
 
 def ideal_cycle(spec: IdealCycleSpec) -> IdealCycle:
     """Give the numbers of any of the three cycles in SI; the ratio that it has not is 1."""
-    inlet = spec.inlet_pressure or spec.start_pressure
-    exhaust = spec.exhaust_pressure or inlet
     ratios: list[Given] = [getattr(spec, name, _ONE) for name in ("pressure_ratio", "cut_off_ratio")]
-    exponents = (spec.compression_exponent, spec.expansion_exponent)
-    return IdealCycle(*(single(given.si) for given in (spec.start_pressure, inlet, exhaust, *exponents, *ratios)))
+    given = (spec.compression_exponent, spec.expansion_exponent, *ratios)
+    pressures = (spec.start_pressure.si, *spec.exchange_pressures)
+    return IdealCycle(*map(single, (*pressures, *(one.si for one in given))))
 
 
 def cycle_flags(spec: IdealCycleSpec) -> tuple[str, ...]:

@@ -1,23 +1,15 @@
 """Otto cycle: heat at constant volume."""
 
-from cranktrain.fluids.dual.chamber import ideal_work, suitable
-from cranktrain.fluids.dual.pressure import ideal_pressure
-from cranktrain.fluids.dual.spec import cycle_flags, ideal_cycle
-from cranktrain.fluids.fluid import Fluid
+from cranktrain.fluids.dual.ideal import ideal_fluid
 from cranktrain.fluids.otto.spec import OttoSpec
 from cranktrain.language import N_
 
 __all__ = ["KIND", "OttoSpec"]
 
-KIND = Fluid(
+KIND = ideal_fluid(
     name="otto",
     title=N_("Otto cycle, heat at constant volume"),
     spec=OttoSpec,
-    numbers=ideal_cycle,
-    prepared=suitable,
-    pressure=ideal_pressure,
-    flags=cycle_flags,
-    work=ideal_work,
     example="""\
 [gas]
 kind = "otto"

@@ -107,6 +107,5 @@ def chamber_pressure(state: ChamberState, chambers: BurningChambers) -> Array:
 
 def chamber_work(chambers: BurningChambers, rooms: Rooms) -> Array:
     """∮ p dV over the cycle, shape (design, chamber). [J]"""
-    swept = rooms.limits.largest - rooms.limits.smallest
-    exchange = (chambers.inlet - chambers.exhaust) * swept if rooms.cycle > 3 * np.pi else 0.0
+    exchange = (chambers.inlet - chambers.exhaust) * rooms.swept_volume if rooms.n_turns > 1 else 0.0
     return (chambers.work + exchange)[..., 0]

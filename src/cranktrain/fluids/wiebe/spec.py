@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from cranktrain.errors import Problem
-from cranktrain.fluids.fluid import FluidSpec
+from cranktrain.fluids.exchange import GasExchangeSpec
 from cranktrain.fluids.wiebe.chamber import WiebeNumbers
 from cranktrain.language import N_, _
 from cranktrain.quantities import (
@@ -15,7 +15,6 @@ from cranktrain.quantities import (
     Given,
     HeatTransfer,
     PositiveEnergy,
-    PositivePressure,
     Quantity,
     Temperature,
     TurnedAngle,
@@ -29,13 +28,10 @@ Duration = Annotated[Given, Quantity(Dimension.ANGLE, above=0.0, at_most=pi)]
 _WALLS = ("start_temperature", "wall_temperature")
 
 
-class WiebeSpec(FluidSpec, frozen=True):
+class WiebeSpec(GasExchangeSpec, frozen=True):
     """Heat by Wiebe's law in one zone, between the bottom dead centres, and gas exchange at constant pressures."""
 
     kind: Literal["wiebe"] = Field(description=N_("Kind of gas model."))
-    start_pressure: PositivePressure = Field(
-        description=N_("Absolute pressure at the start of compression, at the bottom dead centre.")
-    )
     heat: PositiveEnergy = Field(description=N_("That one cylinder gets in a cycle, if all burns."))
     heat_start: TurnedAngle = Field(description=N_("Where it begins to burn, from the firing dead centre."))
     heat_duration: Duration = Field(description=N_("Through which angle it burns."))
@@ -45,14 +41,6 @@ class WiebeSpec(FluidSpec, frozen=True):
         description=N_("a of Wiebe's law: 6.908 burns 99.9 % of the heat, 5 only 99.3 %."),
     )
     heat_capacity_ratio: HeatRatio = Field(description=N_("γ of the gas, constant over the cycle."))
-    inlet_pressure: PositivePressure | None = Field(
-        default=None,
-        description=N_("Absolute pressure in the cylinder on the inlet stroke; start_pressure unless given."),
-    )
-    exhaust_pressure: PositivePressure | None = Field(
-        default=None,
-        description=N_("Absolute pressure in the cylinder on the exhaust stroke; inlet_pressure unless given."),
-    )
     heat_transfer: HeatTransfer | None = Field(
         default=None, description=N_("Coefficient h of the walls; they take nothing unless it is given.")
     )
@@ -74,7 +62,7 @@ class WiebeSpec(FluidSpec, frozen=True):
 
 def wiebe_numbers(spec: WiebeSpec) -> WiebeNumbers:
     """Give the numbers in SI; without heat transfer any temperature will do."""
-    inlet = spec.inlet_pressure or spec.start_pressure
+    inlet, exhaust = spec.exchange_pressures
     walls = (spec.start_temperature, spec.wall_temperature)
     return WiebeNumbers(
         start_pressure=spec.start_pressure.si,
@@ -87,6 +75,6 @@ def wiebe_numbers(spec: WiebeSpec) -> WiebeNumbers:
         transfer=0.0 if spec.heat_transfer is None else spec.heat_transfer.si,
         start_temperature=1.0 if walls[0] is None else walls[0].si,
         wall_temperature=1.0 if walls[1] is None else walls[1].si,
-        inlet_pressure=inlet.si,
-        exhaust_pressure=(spec.exhaust_pressure or inlet).si,
+        inlet_pressure=inlet,
+        exhaust_pressure=exhaust,
     )

@@ -1,6 +1,6 @@
 """Gas in the chambers: pressure over the cycle by the declared model, its work, and its force on every piston."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -112,6 +112,17 @@ class GasInChambers(StageResult):
         state = chamber_state(volume, limits, angle, single(self.cycle))
         filling = next(one for one in self.fillings if place in one.places)
         return filling.fluid.pressure(state, filling.of_chamber(design, place))
+
+    def filled_with(self, ready: type) -> list[Filling]:
+        """Fillings whose fluid makes numbers of that type ready for its pressure."""
+        return [one for one in self.fillings if isinstance(one.ready, ready)]
+
+    def by_chamber(self, found: Iterable[tuple[Filling, Array]]) -> Array:
+        """What some fillings have, of shape (design, own chamber), for every chamber: NaN of the others."""
+        whole = np.full(self.origin.shape, np.nan)
+        for filling, own in found:
+            whole[:, filling.places] = own
+        return whole
 
     def dead_centres(self, travel: CylinderTravel) -> tuple[Array, Array]:
         """φ of every chamber's least volume at its firing, and of its greatest, shape (design, chamber). [rad]"""

@@ -1,9 +1,12 @@
 """What compressors take in and deliver: between which pressures, how much of the swept volume, how much in a second."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 from cranktrain.catalogue import quantity
 from cranktrain.checks import StageResult
+from cranktrain.fluids import VolumeLimits
 from cranktrain.fluids.compressor import Compressor, capacity, suction_heating
 from cranktrain.fluids.compressor.chamber import steady_exponents
 from cranktrain.language import N_, _
@@ -54,37 +57,26 @@ def has_compressors(gas: DeclaredGas) -> bool:
 
 def compressor_capacity(gas: GasInChambers) -> CompressorCapacity:
     """Capacity by the exponent of re-expansion; docs/theory/gas, eqs. (14.18) and (14.20)."""
-    shape = gas.firing.shape[:2]
-    found = {name: np.full(shape, np.nan) for name in ("suction", "discharge", "part", "temperature")}
-    flags: list[str] = []
-    for one in compressors(gas):
-        compressor, limits = one.ready, one.rooms.limits
-        of_chamber = {
-            "suction": compressor.line_pressure,
-            "discharge": compressor.discharge_line,
-            "part": capacity(compressor, limits),
-            "temperature": compressor.temperature * suction_heating(compressor, limits),
-        }
-        for name, values in of_chamber.items():
-            found[name][:, one.places] = np.broadcast_to(values, one.rooms.limits.largest.shape)[..., 0]
-        flags += _flags(gas, one, of_chamber["part"])
+    compressors = gas.filled_with(Compressor)
+
+    def by_chamber(value: Callable[[Compressor, VolumeLimits], Array]) -> Array:
+        return gas.by_chamber((one, value(one.ready, one.rooms.limits)[..., 0]) for one in compressors)
+
+    part = by_chamber(capacity)
     return CompressorCapacity(
-        suction_line_pressure=found["suction"],
-        discharge_line_pressure=found["discharge"],
-        volumetric_efficiency=found["part"],
-        suction_end_temperature=found["temperature"],
-        flags=tuple(flags),
+        suction_line_pressure=by_chamber(lambda compressor, limits: compressor.line_pressure),
+        discharge_line_pressure=by_chamber(lambda compressor, limits: compressor.discharge_line),
+        volumetric_efficiency=part,
+        suction_end_temperature=by_chamber(
+            lambda compressor, limits: compressor.temperature * suction_heating(compressor, limits)
+        ),
+        flags=tuple(flag for one in compressors for flag in _flags(gas, one, part[:, one.places])),
     )
-
-
-def compressors(gas: GasInChambers) -> list[Filling]:
-    """Fillings whose fluid is a compressor."""
-    return [one for one in gas.fillings if isinstance(one.ready, Compressor)]
 
 
 def _flags(gas: GasInChambers, one: Filling, part: Array) -> list[str]:
     """Flag chambers that deliver nothing, and exponents with which no cycle is steady."""
-    idle = one.places[np.any(part[..., 0] == 0.0, axis=0)].tolist()
+    idle = one.places[np.any(part == 0.0, axis=0)].tolist()
     unsteady = one.places[np.any(~steady_exponents(one.ready, one.rooms.limits)[..., 0], axis=0)].tolist()
     said = {
         _("The discharge valve of {chambers} stays shut: the clearance takes up all that is compressed."): idle,
@@ -109,10 +101,10 @@ class CompressorFlow:
 
 def compressor_flow(gas: GasInChambers, capacities: CompressorCapacity, speed: Speed) -> CompressorFlow:
     """Volume as it is in the line: with a loss δ, λ_v (1 − δ) of the swept volume a turn."""
-    flow = np.full(gas.firing.shape[:2], np.nan)
-    for one in compressors(gas):
-        swept = one.rooms.limits.largest - one.rooms.limits.smallest
+
+    def of_stage(one: Filling) -> Array:
         thinner = one.ready.suction_pressure / one.ready.line_pressure
-        taken = capacities.volumetric_efficiency[:, one.places, np.newaxis] * swept * thinner
-        flow[:, one.places] = (taken * speed.mean / TURN)[..., 0]
-    return CompressorFlow(flow)
+        taken = capacities.volumetric_efficiency[:, one.places, np.newaxis] * one.rooms.swept_volume * thinner
+        return (taken * speed.mean / TURN)[..., 0]
+
+    return CompressorFlow(gas.by_chamber((one, of_stage(one)) for one in gas.filled_with(Compressor)))

@@ -1,10 +1,5 @@
 """What becomes of the heat that comes in by Wiebe's law."""
 
-from collections.abc import Iterator
-
-import numpy as np
-from numpy.typing import NDArray
-
 from cranktrain.catalogue import quantity
 from cranktrain.fluids.wiebe.chamber import BurningChambers
 from cranktrain.language import N_, _
@@ -46,15 +41,8 @@ def has_heat(gas: DeclaredGas) -> bool:
 
 def heat_balance(gas: GasInChambers) -> HeatBalance:
     """Heat, loss and work of the working turn; docs/theory/gas, eq. (14.22)."""
-    heat, loss, work = np.full((3, *gas.firing.shape[:2]), np.nan)
-    for places, burning in _burning(gas):
-        for whole, own in ((heat, burning.heat), (loss, burning.loss), (work, burning.work)):
-            whole[:, places] = own[..., 0]
+    burning = gas.filled_with(BurningChambers)
+    heat, loss, work = (
+        gas.by_chamber((one, getattr(one.ready, name)[..., 0]) for one in burning) for name in ("heat", "loss", "work")
+    )
     return HeatBalance(released_heat=heat, wall_loss=loss, working_turn_efficiency=work / heat)
-
-
-def _burning(gas: GasInChambers) -> Iterator[tuple[NDArray[np.intp], BurningChambers]]:
-    """Chambers in which heat comes in."""
-    for one in gas.fillings:
-        if isinstance(one.ready, BurningChambers):
-            yield one.places, one.ready

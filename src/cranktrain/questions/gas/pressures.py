@@ -81,7 +81,8 @@ def gas_pressures(
     displacement = motion.piston_displacement
     volume = gas.volume_by(Coefficient(gas.tops - displacement.value, -displacement.first, -displacement.second))
     pressure = gas.pressure(phi, volume)
-    work = _works(gas)
+    # In closed form, or exactly over what was laid through samples.
+    work = gas.by_chamber((one, one.fluid.work(one.ready, one.rooms)) for one in gas.fillings)
     firing, _opposite = gas.dead_centres(travel)
     after, peak = _peaks(gas, events, firing, crank_angle, pressure)
     return GasPressures(
@@ -101,14 +102,6 @@ def _unlikely_pressures(gas: GasInChambers, fires: NDArray[np.bool_], peak: Arra
     # What no machine at all has is flagged where the ratio is found.
     yield from flagged(_ENGINE_RATIO, ratio[fires & (ratio <= RATIO.most)])
     yield from flagged(_PEAK_PRESSURE, peak[fires])
-
-
-def _works(gas: GasInChambers) -> Array:
-    """∮ p dV in closed form, or exactly over what was laid through samples, shape (design, chamber). [J]"""
-    works = np.empty(gas.firing.shape[:2])
-    for fluid, places, rooms, ready in gas.fillings:
-        works[:, places] = fluid.work(ready, rooms)
-    return works
 
 
 def _peaks(
