@@ -1,6 +1,7 @@
 import mpmath
 import numpy as np
 import pytest
+from tests.machines import as_columns
 
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.geometry import stacked
@@ -116,7 +117,7 @@ def test_own_top_is_the_curves_highest_point_for_every_phase(ratio):
 
 
 def test_designs_broadcast():
-    rods = stacked([[V2], [WIDE]])
+    rods = stacked([as_columns(V2, WIDE)], 2)
     harmonics = articulated_rod.derived(rods)
     together = articulated_rod.slave_displacement(
         ANGLES, rods, harmonics, articulated_rod.own_top_distance(rods, harmonics)
