@@ -17,10 +17,10 @@ from cranktrain.grouping import places_of_equal
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
-from cranktrain.motion import Array, single
 from cranktrain.plans.constructions import Construction, construction
 from cranktrain.references import REFERENCES
 from cranktrain.textbook.comparison import FORMS
+from cranktrain.textbook.percents import percent
 from cranktrain.textbook.ranges import RANGES, Range
 from cranktrain.wording import around_turn, figure, number, ranged
 
@@ -145,18 +145,21 @@ def _method(machine: Machine, result: Result, one: Range, width: int) -> Iterato
     places = [place for place in machine.places if place.kind.name in FORMS[one.method]]
     names = [place.name for place in places]
     yield _("range: {condition}").format(condition=_(one.condition))
-    if one.outside(single(np.inf), single(1.0)):  # some sources give no limits
-        said = [
-            (_("outside, λ = {ratio:.3f}") if one.outside(ratio, offset) else _("inside, λ = {ratio:.3f}")).format(
-                ratio=float(ratio)
-            )
-            for ratio, offset in map(_sizes, places)
-        ]
+    if one.most_ratio is not None:
+        said = [_inside(one, place) for place in places]
         yield "; ".join(f"{ranged(names, members)}: {words}" for words, members in places_of_equal(said).items())
     groups = places_of_equal([tuple(_errors(result, one.method, name)) for name in names])
     heads = [head for symbol in _ERRORS for head in ((symbol, "%"), ("φ", "deg"))]
     columns = [Column(*head, texts) for head, texts in zip(heads, zip(*groups, strict=True), strict=True)]
     yield from column_tables(columns, [ranged(names, members) for members in groups.values()], width)
+
+
+def _inside(one: Range, place: PlacedMechanism) -> str:
+    """Say whether a mechanism is inside a method's range; outside, for what."""
+    ratio, offset = _sizes(place)
+    if reasons := list(one.reasons(ratio, offset)):
+        return _("outside, as {reasons}").format(reasons=_(" and ").join(reasons))
+    return _("inside, λ = {ratio:.4g}").format(ratio=ratio)
 
 
 def _errors(result: Result, method: str, piston: str) -> Iterator[str]:
@@ -165,7 +168,7 @@ def _errors(result: Result, method: str, piston: str) -> Iterator[str]:
     zero = result.top_dead_centre[place] - result.top_shift[place]
     for name in _ERRORS.values():
         angle = around_turn(np.deg2rad(getattr(result, f"{name}_at")[row, place] - zero))
-        yield figure(float(getattr(result, name)[row, place]), "%")
+        yield percent(float(getattr(result, name)[row, place]))
         yield figure(float(angle), "deg")
 
 
@@ -199,7 +202,7 @@ def _alike(places: Sequence[PlacedMechanism]) -> list[list[PlacedMechanism]]:
     return [[spoken_of[i] for i in members] for members in groups.values()]
 
 
-def _sizes(place: PlacedMechanism) -> tuple[Array, Array]:
+def _sizes(place: PlacedMechanism) -> tuple[float, float]:
     """Crank radius by rod and offset of the line of stroke [m], of a slave its master's, as ranges have them."""
     geometry = getattr(place.geometry, "master", place.geometry)
-    return single(geometry.crank_radius / geometry.rod_length), single(geometry.offset)
+    return float(geometry.crank_radius / geometry.rod_length), float(geometry.offset)
