@@ -1,7 +1,7 @@
 """`textbook`: the sources' own formulas for a machine, with their ranges and errors; the sources' own errors."""
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 from rich.console import Console
@@ -11,12 +11,17 @@ from cranktrain.analysis import Result, run
 from cranktrain.cli.screen.columns import Column, column_tables, section_of_columns
 from cranktrain.cli.screen.report import title
 from cranktrain.cli.screen.text import INDENT, page, section, table
+from cranktrain.cli.textbook.crank_side import show_from_crank_side
 from cranktrain.cli.textbook.errata import show_source_example
+from cranktrain.cli.textbook.opposed import NEEDED as OPPOSED_NEEDED
+from cranktrain.cli.textbook.opposed import opposed_pairs, show_opposed
+from cranktrain.cli.textbook.slaves import show_constants
 from cranktrain.cli.textbook.source import machine_file
 from cranktrain.grouping import places_of_equal
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
+from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.plans.constructions import Construction, construction
 from cranktrain.references import REFERENCES
 from cranktrain.textbook.comparison import FORMS
@@ -66,7 +71,7 @@ def show_textbook(source: str, settings: Sequence[str], *, with_table: bool, wit
             show_source_example(console)
         return
     machine = machine_file(source, settings, "cranktrain textbook 3d12").machine
-    result = run(machine, step_degrees=_STEP, quantities=_NEEDED)
+    result = run(machine, step_degrees=_STEP, quantities=(*_NEEDED, *OPPOSED_NEEDED))
     with page(title(machine)) as console:
         _show_methods(console, machine, result, with_table=with_table)
         if with_errata:
@@ -92,7 +97,13 @@ def _show_methods(console: Console, machine: Machine, result: Result, *, with_ta
         "points along the cylinder. λ is crank radius by rod, of a slave its master's."
     )
     section(console, _("Largest errors over the turn"), [explained])
-    _show_constructions(console, machine, with_table=with_table)
+    cranks = [place for place in machine.places if place.kind.name == "slider_crank"]
+    if cranks:
+        groups = places_of_equal([place.geometry for place in cranks])
+        show_from_crank_side(console, cranks, groups, with_table=with_table)
+        _show_constructions(console, machine, cranks, groups, with_table=with_table)
+    show_constants(console, machine.places)
+    show_opposed(console, opposed_pairs(machine.places), result, with_table=with_table)
     if with_table:
         for places in _alike(machine.places):
             _show_motion(console, result, places)
@@ -100,12 +111,15 @@ def _show_methods(console: Console, machine: Machine, result: Result, *, with_ta
     section(console, _("Sources"), table(("", ""), rows, fold=width))
 
 
-def _show_constructions(console: Console, machine: Machine, *, with_table: bool) -> None:
+def _show_constructions(
+    console: Console,
+    machine: Machine,
+    cranks: Sequence[PlacedMechanism],
+    groups: Mapping[SliderCrank, Sequence[int]],
+    *,
+    with_table: bool,
+) -> None:
     """Show what is constructed and no curve of the turn: arc, Brix's pole, Brix read backwards."""
-    cranks = [place for place in machine.places if place.kind.name == "slider_crank"]
-    if not cranks:
-        return
-    groups = places_of_equal([place.geometry for place in cranks])
     names = [place.name for place in cranks]
     said = [ranged(names, members) for members in groups.values()]
     firsts = [cranks[members[0]] for members in groups.values()]
