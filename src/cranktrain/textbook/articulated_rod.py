@@ -1,7 +1,8 @@
 """Piston on an articulated rod by the two-harmonic form (I.13) of [bolotin].
 
-The constants are illegible in the source. Two sets stand in for them: `derived` anew, and `reconstructed` as the
-source most likely had them; beside them stand those of the exact motion. Derivation, errors and what the source still shows: docs/theory/textbook-forms.
+The constants are illegible in the source. Two sets stand in for them: `derived` anew, and `reconstructed` as the source
+most likely had them; beside them stand those of the exact motion. Derivation, errors and what the source still shows:
+docs/theory/textbook-forms.
 """
 
 from typing import NamedTuple

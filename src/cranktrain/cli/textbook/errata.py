@@ -1,9 +1,9 @@
 """The sources' errors: each step that is wrong, what it gives, what is right, and how we know."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 
 from rich.console import Console
-from rich.text import Text
+from rich.text import Text as Line
 
 from cranktrain.cli.screen.columns import Column, column_tables
 from cranktrain.cli.screen.text import INDENT, section, table
@@ -11,6 +11,7 @@ from cranktrain.language import _
 from cranktrain.quantities import shown
 from cranktrain.references import REFERENCES
 from cranktrain.synthesis.proposal import quantity_text
+from cranktrain.textbook.bolotin_errata import bolotin_errata
 from cranktrain.textbook.slider_crank_synthesis import (
     PIN_SPEED,
     REQUIREMENTS,
@@ -18,8 +19,11 @@ from cranktrain.textbook.slider_crank_synthesis import (
     velocity_table,
     wrong_steps,
 )
+from cranktrain.textbook.steam_engine_errata import steam_engine_errata
+from cranktrain.textbook.texts import TEXTS, Text
+from cranktrain.textbook.wrong_step import WrongStep
 
-SOURCE = "slider-crank-synthesis"
+SYNTHESIS = "slider-crank-synthesis"
 
 SOURCE_EXAMPLE = {
     "stroke": quantity_text(REQUIREMENTS.stroke, "mm"),
@@ -28,38 +32,72 @@ SOURCE_EXAMPLE = {
 }
 """What the source of the slider-crank's synthesis wants, as it would be typed."""
 
+_FIGURES = {"mm": 5}
+"""Where a source has more than four."""
 
-def show_source_example(console: Console) -> None:
-    """Show the wrong steps of the slider-crank's synthesis, and its table of velocities beside the right one."""
+ERRATA: Mapping[str, Callable[[], tuple[WrongStep, ...]]] = {
+    "steam-engine": steam_engine_errata,
+    SYNTHESIS: wrong_steps,
+    "bolotin": bolotin_errata,
+}
+"""Errors by the name of the text, of those texts whose formulas are computed."""
+
+
+def show_errata(console: Console, text: Text | None = None) -> None:
+    """Show the errors of every text, or of one."""
+    for name in [one.name for one in TEXTS if text is None or one is text]:
+        if name in ERRATA:
+            show_errors_of(console, name)
+        else:
+            section(console, f"[{name}]", [REFERENCES[name].text, _not_computed(name)])
+
+
+def show_errors_of(console: Console, name: str) -> None:
+    """Show the errors of one text; of the slider-crank's synthesis its table of velocities beside the right one."""
     width = console.width - INDENT
-    requirements = _("stroke {stroke}, mean slider speed {speed}, permissible pressure angle {angle}").format(
+    about = [REFERENCES[name].text]
+    if name == SYNTHESIS:
+        about.append(_("Its example: {requirements}.").format(requirements=_requirements()))
+    section(console, f"[{name}]", about)
+    for place, step in enumerate(ERRATA[name](), start=1):
+        words = _(step.step)
+        section(console, f"{place}. {words[:1].upper()}{words[1:]}", table(("", ""), list(_rows(step)), fold=width))
+    if name == SYNTHESIS:
+        section(console, _("Its table of slider velocities, m/s"), _velocities(width))
+
+
+def _not_computed(name: str) -> str:
+    """Say of a text that no numbers stand beside its errors, if it has any."""
+    return _("No formula that is wrong in it is computed; `{command}` says of each what is right.").format(
+        command=f"cranktrain textbook --source {name}"
+    )
+
+
+def _requirements() -> str:
+    """What the synthesis's example wants."""
+    return _("stroke {stroke}, mean slider speed {speed}, permissible pressure angle {angle}").format(
         stroke=SOURCE_EXAMPLE["stroke"], speed=SOURCE_EXAMPLE["mean_speed"], angle=SOURCE_EXAMPLE["pressure_angle"]
     )
-    section(
-        console,
-        f"[{SOURCE}]",
-        [REFERENCES[SOURCE].text, _("Its example: {requirements}.").format(requirements=requirements)],
-    )
-    for place, step in enumerate(wrong_steps(), start=1):
-        words = _(step.step)
-        rows = [
-            (_("printed"), step.printed),
-            (_("gives"), _figure(step.got, step.unit)),
-            (_("right"), _figure(step.right, step.unit)),
-            (_("because"), _(step.why)),
-        ]
-        section(console, f"{place}. {words[:1].upper()}{words[1:]}", table(("", ""), rows, fold=width))
-    section(console, _("Its table of slider velocities, m/s"), _velocities(width))
+
+
+def _rows(step: WrongStep) -> Iterator[tuple[str, str]]:
+    """What is said of a wrong step, as far as it has numbers."""
+    yield _("printed"), step.printed
+    if step.got is not None:
+        yield _("gives"), _figure(step.got, step.unit)
+    if step.right is not None:
+        yield _("right"), _figure(step.right, step.unit)
+    yield _("because"), _(step.why)
 
 
 def _figure(value: float, unit: str) -> str:
-    """Write a number with the four figures that the source has at most; an angle in degrees."""
+    """Write a number with the figures that the sources have at most; an angle in degrees."""
     if unit == "rad":
         return f"{shown(value, 'deg'):.4g} deg"
-    return f"{value:.4g} {unit}".removesuffix(" 1")
+    return f"{value:.{_FIGURES.get(unit, 4)}g} {unit}".removesuffix(" 1")
 
 
-def _velocities(width: int) -> Iterator[str | Text]:
+def _velocities(width: int) -> Iterator[str | Line]:
     """The source's table, and the same columns as they should be."""
     velocities = velocity_table()
     heads = (_("printed"), _("its formula"), _("exact"))
