@@ -4,7 +4,7 @@ from cranktrain.language import N_
 from cranktrain.textbook.texts.text import Formula, Text
 
 _CENTRES = "cranktrain plot pumping_unit_c57 --plan centres --at 60,150 -o centres.svg"
-_LOAD = "cranktrain run pumping_unit_c57 --quantities largest_torque_factor"
+_RATIO = "cranktrain textbook pumping_unit_c57 --source gandzha --table"
 _LOSSES = N_("η stands in the denominator always; where the mechanism drives the motor losses help it")
 
 TEXT = Text(
@@ -26,16 +26,16 @@ TEXT = Text(
             "(4)",
             N_("the same from the load, T = Q sin(α − β)/sin(α₁ − β)"),
             "right",
-            _LOAD,
+            _RATIO,
             N_("no losses, no inertia"),
-            N_("as torque factor: the crank's torque for each newton of load, exact"),
+            N_("exact; with the length of the load's arm it is the torque factor of `run`"),
         ),
         Formula("(5)", N_("velocities of the pins by the instant centre C"), "right", _CENTRES),
-        Formula("(6)", N_("equal powers, Q v_A = T v_B"), "right", _LOAD, N_("no losses, no inertia")),
+        Formula("(6)", N_("equal powers, Q v_A = T v_B"), "right", _RATIO, N_("no losses, no inertia")),
         Formula("(7)", N_("ratio of the pins' velocities, v_A/v_B = AC/BC"), "right", _CENTRES),
-        Formula("(8)", N_("T = Q v_A/v_B"), "right", _LOAD, N_("no losses, no inertia")),
-        Formula("(9)", N_("T = Q AC/BC"), "right", _LOAD, N_("no losses, no inertia")),
-        Formula("(10)", N_("AC/BC = sin(α − β)/sin(α₁ − β)"), "right", _CENTRES, note=N_("exact")),
+        Formula("(8)", N_("T = Q v_A/v_B"), "right", _RATIO, N_("no losses, no inertia")),
+        Formula("(9)", N_("T = Q AC/BC"), "right", _RATIO, N_("no losses, no inertia")),
+        Formula("(10)", N_("AC/BC = sin(α − β)/sin(α₁ − β)"), "right", _RATIO, note=N_("exact")),
         Formula("(11)", N_("sine of the angle BAC, proof of (10)"), "right", _CENTRES),
         Formula("(12)", N_("static torque on the crank's shaft, T r/η"), "right in a range", valid=_LOSSES),
         Formula(
@@ -81,7 +81,14 @@ TEXT = Text(
         ),
         Formula(
             "after (20)",
-            N_("Kunitsky's and Popov's formulas, which it refutes: products for quotients of sines"),
+            N_("AC/BC of Kunitsky and Popov, the product of both sines, which the text refutes"),
+            "wrong",
+            _RATIO,
+            note=N_("(10) is right, by the sine rule in the triangle ABC"),
+        ),
+        Formula(
+            "after (20)",
+            N_("their force in the rod, torque and flywheel moment at the motor, with products for quotients"),
             "wrong",
             note=N_("as the text shows: Q′ = Q sin(α₁ − β) put into (1) gives sin²(α₁ − β) = 1"),
         ),
