@@ -1,6 +1,6 @@
 """The sources' errors: each step that is wrong, what it gives, what is right, and how we know."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator
 
 from rich.console import Console
 from rich.text import Text as Line
@@ -11,19 +11,9 @@ from cranktrain.language import _
 from cranktrain.quantities import shown
 from cranktrain.references import REFERENCES
 from cranktrain.synthesis.proposal import quantity_text
-from cranktrain.textbook.bolotin_errata import bolotin_errata
-from cranktrain.textbook.slider_crank_synthesis import (
-    PIN_SPEED,
-    REQUIREMENTS,
-    ROD_LENGTH,
-    velocity_table,
-    wrong_steps,
-)
-from cranktrain.textbook.steam_engine_errata import steam_engine_errata
+from cranktrain.textbook.errata import ERRATA, SYNTHESIS
+from cranktrain.textbook.slider_crank_synthesis import PIN_SPEED, REQUIREMENTS, ROD_LENGTH, velocity_table
 from cranktrain.textbook.texts import TEXTS, Text
-from cranktrain.textbook.wrong_step import WrongStep
-
-SYNTHESIS = "slider-crank-synthesis"
 
 SOURCE_EXAMPLE = {
     "stroke": quantity_text(REQUIREMENTS.stroke, "mm"),
@@ -31,16 +21,6 @@ SOURCE_EXAMPLE = {
     "mean_speed": f"{REQUIREMENTS.mean_speed} m/s",
 }
 """What the source of the slider-crank's synthesis wants, as it would be typed."""
-
-_FIGURES = {"mm": 5}
-"""Where a source has more than four."""
-
-ERRATA: Mapping[str, Callable[[], tuple[WrongStep, ...]]] = {
-    "steam-engine": steam_engine_errata,
-    SYNTHESIS: wrong_steps,
-    "bolotin": bolotin_errata,
-}
-"""Errors by the name of the text, of those texts whose formulas are computed."""
 
 
 def show_errata(console: Console, text: Text | None = None) -> None:
@@ -61,7 +41,7 @@ def show_errors_of(console: Console, name: str) -> None:
     section(console, f"[{name}]", about)
     for place, step in enumerate(ERRATA[name](), start=1):
         words = _(step.step)
-        section(console, f"{place}. {words[:1].upper()}{words[1:]}", table(("", ""), list(_rows(step)), fold=width))
+        section(console, f"{place}. {words[:1].upper()}{words[1:]}", table(("", ""), list(step.said()), fold=width))
     if name == SYNTHESIS:
         section(console, _("Its table of slider velocities, m/s"), _velocities(width))
 
@@ -78,23 +58,6 @@ def _requirements() -> str:
     return _("stroke {stroke}, mean slider speed {speed}, permissible pressure angle {angle}").format(
         stroke=SOURCE_EXAMPLE["stroke"], speed=SOURCE_EXAMPLE["mean_speed"], angle=SOURCE_EXAMPLE["pressure_angle"]
     )
-
-
-def _rows(step: WrongStep) -> Iterator[tuple[str, str]]:
-    """What is said of a wrong step, as far as it has numbers."""
-    yield _("printed"), step.printed
-    if step.got is not None:
-        yield _("gives"), _figure(step.got, step.unit)
-    if step.right is not None:
-        yield _("right"), _figure(step.right, step.unit)
-    yield _("because"), _(step.why)
-
-
-def _figure(value: float, unit: str) -> str:
-    """Write a number with the figures that the sources have at most; an angle in degrees."""
-    if unit == "rad":
-        return f"{shown(value, 'deg'):.4g} deg"
-    return f"{value:.{_FIGURES.get(unit, 4)}g} {unit}".removesuffix(" 1")
 
 
 def _velocities(width: int) -> Iterator[str | Line]:
