@@ -3,7 +3,7 @@
 from cranktrain.language import N_
 from cranktrain.textbook.texts.text import Formula, Text
 
-_CENTRES = "cranktrain plot pumping_unit_c57 --plan centres --at 60,150 -o centres.svg"
+_CENTRES = "cranktrain plot pumping_unit_c57 --plan centres --at 60,150 -o unit.svg"
 _RATIO = "cranktrain textbook pumping_unit_c57 --source gandzha --table"
 _LOSSES = N_("η stands in the denominator always; where the mechanism drives the motor losses help it")
 
