@@ -4,13 +4,13 @@ from collections.abc import Callable, Mapping
 
 from cranktrain.textbook.bolotin_errata import bolotin_errata
 from cranktrain.textbook.slider_crank_synthesis import wrong_steps
-from cranktrain.textbook.steam_engine_errata import steam_engine_errata
+from cranktrain.textbook.steam_engine_errata import steam_errata
 from cranktrain.textbook.wrong_step import WrongStep
 
 SYNTHESIS = "slider-crank-synthesis"
 
 ERRATA: Mapping[str, Callable[[], tuple[WrongStep, ...]]] = {
-    "steam-engine": steam_engine_errata,
+    "steam-engine": steam_errata,
     SYNTHESIS: wrong_steps,
     "bolotin": bolotin_errata,
 }

@@ -9,7 +9,7 @@ _LARGEST = 0.3
 _OF_PROJECTION = 0.1
 
 
-def steam_engine_errata() -> tuple[WrongStep, ...]:
+def steam_errata() -> tuple[WrongStep, ...]:
     """Name what the source says of its formulas and is not so, each with its largest error.
 
     Returns

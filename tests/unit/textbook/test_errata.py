@@ -5,11 +5,11 @@ import pytest
 
 from cranktrain.textbook.bolotin_errata import bolotin_errata
 from cranktrain.textbook.errata import ERRATA
-from cranktrain.textbook.steam_engine_errata import steam_engine_errata
+from cranktrain.textbook.steam_engine_errata import steam_errata
 from cranktrain.textbook.texts import text_called
 
 BOLOTIN = {step.step: step for step in bolotin_errata()}
-STEAM = {step.step.partition(",")[0]: step for step in steam_engine_errata()}
+STEAM = {step.step.partition(",")[0]: step for step in steam_errata()}
 LEAD = mp.pi / 15
 
 

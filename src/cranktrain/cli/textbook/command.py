@@ -123,7 +123,7 @@ def _unspoken(machine: Machine, file: str, text: Text | None) -> Iterator[str]:
     )
 
 
-def _steam_engine(console: Console, machine: Machine, result: Result, *, with_table: bool) -> bool:
+def _steam(console: Console, machine: Machine, result: Result, *, with_table: bool) -> bool:
     """Show the steam engine's forms and constructions; whether there are slider-cranks."""
     is_spoken_of = show_forms(console, machine, result, "steam-engine")
     cranks = [place for place in machine.places if place.kind.name == "slider_crank"]
@@ -148,5 +148,5 @@ def _gandzha(console: Console, machine: Machine, result: Result, *, with_table: 
     return show_crank_rockers(console, machine.places, with_table=with_table)
 
 
-_SHOWN = {"steam-engine": _steam_engine, _OF_CRANK_ROCKERS: _gandzha, "bolotin": _bolotin}
+_SHOWN = {"steam-engine": _steam, _OF_CRANK_ROCKERS: _gandzha, "bolotin": _bolotin}
 """What each text has for a machine, by its name."""

@@ -25,11 +25,11 @@ SOURCE_EXAMPLE = {
 
 def show_errata(console: Console, text: Text | None = None) -> None:
     """Show the errors of every text, or of one."""
-    for name in [one.name for one in TEXTS if text is None or one is text]:
-        if name in ERRATA:
-            show_errors_of(console, name)
+    for one in TEXTS if text is None else (text,):
+        if one.name in ERRATA:
+            show_errors_of(console, one.name)
         else:
-            section(console, f"[{name}]", [REFERENCES[name].text, _not_computed(name)])
+            section(console, f"[{one.name}]", [REFERENCES[one.name].text, _without_numbers(one)])
 
 
 def show_errors_of(console: Console, name: str) -> None:
@@ -46,11 +46,14 @@ def show_errors_of(console: Console, name: str) -> None:
         section(console, _("Its table of slider velocities, m/s"), _velocities(width))
 
 
-def _not_computed(name: str) -> str:
-    """Say of a text that no numbers stand beside its errors, if it has any."""
-    return _("No formula that is wrong in it is computed; `{command}` says of each what is right.").format(
-        command=f"cranktrain textbook --source {name}"
+def _without_numbers(text: Text) -> str:
+    """Say of a text that no numbers stand beside its errors, or that it has none."""
+    words = (
+        _("Its wrong formulas are not computed; `{command}` says of each what is right.")
+        if any(one.verdict == "wrong" for one in text.formulas)
+        else _("No error of its formulas is known; `{command}` lists them.")
     )
+    return words.format(command=f"cranktrain textbook --source {text.name}")
 
 
 def _requirements() -> str:

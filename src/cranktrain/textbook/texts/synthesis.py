@@ -7,7 +7,7 @@ _STEPS = "cranktrain synthesise slider-crank --textbook"
 
 TEXT = Text(
     name="slider-crank-synthesis",
-    title=N_("a slider-crank from its stroke and permissible pressure angle"),
+    title=N_("a slider-crank from stroke and pressure angle"),
     said_of=N_("dimensions that are sought, not a machine that there is"),
     formulas=(
         Formula("r = S/2", N_("crank radius from the stroke"), "right", _STEPS, N_("central mechanism")),
