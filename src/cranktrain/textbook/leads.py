@@ -38,12 +38,13 @@ REVERSING = LeadRange(np.radians(5.0), np.radians(10.0), N_("engines that revers
 
 
 def verdict(lead: float) -> str:
-    """Say which engines a lead suits by the source's rule; one astern, less than 0, is of an engine that reverses.
+    """Say which engines a lead suits by the source's rule.
 
     Parameters
     ----------
     lead : float
-        Δ of the exhaust crank, in the sense in which the engine runs. [rad]
+        Δ of the exhaust crank, in the sense in which the engine runs; less than 0 it is behind, as of an engine that
+        reverses and runs astern. [rad]
 
     Returns
     -------
@@ -54,9 +55,18 @@ def verdict(lead: float) -> str:
     >>> print(verdict(np.radians(12.0)))
     suits engines that turn one way (10–15°), too much for engines that reverse (5–10°)
     """
-    size = abs(lead)
-    said = [_one_verdict(one, size) for one in ((REVERSING,) if lead < 0 else (ONE_WAY, REVERSING))]
-    return ", ".join(said)
+    said = ", ".join(_one_verdict(one, abs(lead)) for one in _ranges(lead))
+    return _("behind, as only astern: {verdict}").format(verdict=said) if lead < 0 else said
+
+
+def is_unsuited(lead: float) -> bool:
+    """Tell whether a lead [rad] is in none of the ranges that the engine may belong to; NaN is no lead."""
+    return isfinite(lead) and not any(one.holds(abs(lead)) for one in _ranges(lead))
+
+
+def _ranges(lead: float) -> tuple[LeadRange, ...]:
+    """Ranges that an engine may belong to: one that runs astern reverses."""
+    return (REVERSING,) if lead < 0 else (ONE_WAY, REVERSING)
 
 
 def _one_verdict(one: LeadRange, size: float) -> str:
@@ -71,16 +81,10 @@ def _one_verdict(one: LeadRange, size: float) -> str:
     return words.format(engines=_(one.engines), range=one.condition)
 
 
-def is_unsuited(lead: float) -> bool:
-    """Tell whether a lead [rad] is in none of the ranges that the engine may belong to; NaN is no lead."""
-    return isfinite(lead) and not any(
-        one.holds(abs(lead)) for one in ((REVERSING,) if lead < 0 else (ONE_WAY, REVERSING))
-    )
-
-
 def lead_flags(cylinders: Sequence[str], leads: Array) -> Iterator[str]:
     """Flag leads [rad], shape (design, cylinder), that are outside the source's ranges; NaN is no lead."""
-    firsts = [next(filter(is_unsuited, column), None) for column in leads.T.tolist()]
+    columns: list[list[float]] = leads.T.tolist()
+    firsts = [next(filter(is_unsuited, column), None) for column in columns]
     for (lead, said), members in places_of_equal(
         ("", "") if lead is None else (number(lead, "deg"), verdict(lead)) for lead in firsts
     ).items():

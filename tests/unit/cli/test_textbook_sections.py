@@ -90,7 +90,7 @@ def test_opposed_pistons_of_unequal_rods(typed, written):
     assert centres["inner"] == [6.0, pytest.approx(6.24, abs=0.006), 6.24]
     assert centres["outer"] == [186.0, pytest.approx(185.6, abs=0.006), 185.6]
     assert "Cranks or rods differ: half the lead is no dead centre." in " ".join(answer.output.split())
-    table = rows(found["Travel of the pistons of 1 by the exhaust crank's angle"])
+    table = rows(found["Travel S of the pistons of 1 by the exhaust crank's angle"])
     for label, values in table.items():
         alpha = np.radians(float(label.rstrip("°")))
         exhaust, scavenge = (
@@ -98,6 +98,9 @@ def test_opposed_pistons_of_unequal_rods(typed, written):
             for lam, theta in ((0.2, alpha), (0.3, alpha - np.radians(12)))
         )
         assert values[::2] == [pytest.approx(value, abs=0.0051) for value in (exhaust, scavenge, exhaust + scavenge)]
+    # j/ω² at α = 0: R(1 + λ) of the exhaust, R(cos Δ + λ cos 2Δ) of the scavenge piston, by (337)
+    second = 100 * (np.cos(np.radians(12)) + 0.3 * np.cos(np.radians(24)))
+    assert rows(found["Their j/ω²"])["0°"][::2] == pytest.approx([120, second, 120 + second], abs=0.0051)
 
 
 def test_lead_of_the_10d100_ahead_and_astern(typed):

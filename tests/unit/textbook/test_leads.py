@@ -23,6 +23,7 @@ def test_verdict(degrees, one_way, reversing):
 
 
 def test_an_engine_that_runs_astern_reverses():
+    assert verdict(np.radians(-12.0)).startswith("behind, as only astern: too much for engines that reverse")
     assert "one way" not in verdict(np.radians(-12.0))
     assert is_unsuited(np.radians(-12.0))
     assert not is_unsuited(np.radians(-7.0))

@@ -71,24 +71,30 @@ def show_opposed(console: Console, pairs: Pairs, result: Result, *, with_table: 
         about = _("each piston from its own inner dead centre, outward; φ after the exhaust crank's")
         section(console, heading, [about, *error_columns(opposed_errors(pair), labels, width)])
         if with_table:
-            _show_travel(console, pair, said)
+            _show_motion(console, pair, said)
         place = result.labels["cylinder"].index(cylinders[0])
         section(console, _("Volumetric dead centres [bolotin]"), _dead_centres(pair, result, place, width))
         section(console, _("Lead of the exhaust crank [bolotin]"), _lead(pair, result, place))
 
 
-def _show_travel(console: Console, pair: OpposedPair, cylinders: str) -> None:
-    """Show the travel of each piston and of both together by the source and exact."""
+def _show_motion(console: Console, pair: OpposedPair, cylinders: str) -> None:
+    """Show travel, velocity and acceleration of each piston and of both together by the source and exact."""
     angle = np.deg2rad(np.arange(0, 360, _STEP, dtype=float))
     source, exact = opposed_pistons(angle, pair.size), exact_pair(angle, pair)
-    heads = ("S_e (I.11)", "S_s (I.12)", _("both"))
-    columns = [
-        Column(text, "mm", tuple(figure(value, "mm") for value in values.value))
-        for head, own, true in zip(heads, source, exact, strict=True)
-        for text, values in ((head, own), (_("exact"), true))
-    ]
-    heading = _("Travel of the pistons of {cylinders} by the exhaust crank's angle").format(cylinders=cylinders)
-    section_of_columns(console, heading, columns, [f"{step}°" for step in range(0, 360, _STEP)])
+    for order, (heading, unit) in enumerate(
+        (
+            (_("Travel S of the pistons of {cylinders} by the exhaust crank's angle"), "mm"),
+            (_("Their v/ω"), "mm/rad"),
+            (_("Their j/ω²"), "mm/rad^2"),
+        )
+    ):
+        columns = [
+            Column(text, unit, tuple(figure(value, "mm") for value in values[order]))
+            for head, own, true in zip(("(I.11)", "(I.12)", _("both")), source, exact, strict=True)
+            for text, values in ((head, own), (_("exact"), true))
+        ]
+        labels = [f"{step}°" for step in range(0, 360, _STEP)]
+        section_of_columns(console, heading.format(cylinders=cylinders), columns, labels)
 
 
 def _dead_centres(pair: OpposedPair, result: Result, place: int, width: int) -> Iterator[str | Text]:

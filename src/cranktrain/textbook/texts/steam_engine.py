@@ -24,7 +24,7 @@ TEXT = Text(
             "right in a range",
             _MOTION,
             _CENTRAL,
-            N_("off by 0.10 % of the stroke at λ = 0.25, 0.18 % at 0.3"),
+            N_("off by 0.10 % of the stroke at λ = 0.25, which steam engines have at most, 0.18 % at 0.3"),
         ),
         Formula(
             "(334)",
