@@ -12,6 +12,15 @@ crank_radius = "50 mm"
 rod_length = "200 mm"
 """
 
+CRANK_ROCKER = """
+[mechanism]
+kind = "crank_rocker"
+crank_radius = "100 mm"
+rod_length = "360 mm"
+rocker_length = "280 mm"
+ground_length = "400 mm"
+"""
+
 OPPOSED = """
 [shaft.upper]
 
@@ -131,13 +140,38 @@ def test_constants_of_an_articulated_rod(typed):
     assert cells["reconstructed"][:5] == [1.038409, 1.2162, 0.246656, 20.927, 310.749]
 
 
-def test_pins_of_a_crank_rocker(typed):
-    """At α = 0 the crank lies along the ground line, and the joint is where two circles meet."""
-    output = typed("textbook", "pumping_unit_c57", "--table").output
-    table = rows(parts(output)["v_A/v_B by the crank's angle α from the line of the fixed pivots"])
-    assert all(exact == by_sines for exact, by_sines, _refuted in table.values())
-    assert any(exact != refuted for exact, _by_sines, refuted in table.values())
-    assert "Largest errors over the turn" not in output
+def rocker_directions(alpha):
+    """Directions of crank, rod and rocker of 100, 360, 280 and 400 mm, by the cosine rule; joint on the left."""
+    pin = 100 * np.exp(1j * alpha)
+    diagonal = 400 - pin
+    along = (360**2 - 280**2 + abs(diagonal) ** 2) / (2 * abs(diagonal))
+    joint = pin + diagonal / abs(diagonal) * (along + 1j * np.sqrt(360**2 - along**2))
+    return alpha, np.angle(joint - pin), np.angle(joint - 400)
+
+
+def test_pins_of_a_crank_rocker(typed, written):
+    """(10) by hand, its exactness by a difference of the rocker's angle over 2·10⁻⁶ rad."""
+    written(CRANK_ROCKER)
+    answer = typed("textbook", "machine.toml", "--table")
+    assert (answer.status, answer.errors) == (0, "")
+    assert all(len(line) <= 80 for line in answer.output.splitlines())
+    table = rows(parts(answer.output)["v_A/v_B by the crank's angle α from the line of the fixed pivots"])
+    for label, (exact, by_sines, refuted, square, torque) in table.items():
+        alpha, beta, rocker = rocker_directions(np.radians(float(label.rstrip("°"))))
+        ratio = np.sin(alpha - beta) / np.sin(rocker - beta)
+        turned = rocker_directions(alpha + 1e-6)[2] - rocker_directions(alpha - 1e-6)[2]
+        assert exact == pytest.approx(turned / 2e-6 * 280 / 100, abs=6e-5)
+        assert by_sines == pytest.approx(ratio, abs=6e-5)
+        assert refuted == pytest.approx(np.sin(alpha - beta) * np.sin(rocker - beta), abs=6e-5)
+        assert square == pytest.approx(ratio**2, abs=6e-5)
+        assert torque == pytest.approx(100 * ratio, abs=6e-3)
+    grid = np.radians(np.arange(0, 360, 0.1))
+    _crank, beta, rocker = rocker_directions(grid)
+    ratio = np.sin(grid - beta) / np.sin(rocker - beta)
+    said = " ".join(answer.output.split())
+    assert f"from {ratio.min():.4f} to {ratio.max():.4f}, where" in said
+    assert "(13) prints r₁ = 280.00 mm where by (12) and (4) it must be r = 100.00 mm" in said
+    assert "Largest errors over the turn" not in said
 
 
 def test_small_errors_have_two_figures(typed, written):

@@ -38,8 +38,7 @@ def test_every_command_shows_its_formula(typed, command):
     (text,) = (text for text in TEXTS if text.name == COMMANDS[command])
     for one in text.formulas:
         if one.command == command and one.number.startswith("("):
-            # (333), (336), (337) stand in one heading; (6), (8) and (9) are (4) and (10) in other words
-            assert one.number in answer.output or one.number in ("(6)", "(8)", "(9)")
+            assert one.number in answer.output or one.number in ("(6)", "(8)", "(9)")  # (4) and (10) in other words
 
 
 @pytest.mark.parametrize(
