@@ -46,6 +46,10 @@ def test_every_command_shows_its_formula(typed, command):
     [
         (["--source", "bolotni"], '; write "bolotin"\n'),
         (["--source", "3d12"], "; a machine stands before it: cranktrain textbook 3d12\n"),
+        (
+            ["bolotin"],
+            "bolotin  is a text, and no machine file is called so; such as: cranktrain textbook --source bol",
+        ),
         (["--source", "bolotin", "--table"], "--table: is for a machine: name FILE\n"),
         (["--source", "bolotin", "--set", "a=1"], "--set  a=1: is for a machine: name FILE\n"),
         (["3d12", "--source", "bolotin", "--harmonics"], "--source  bolotin: is for the motion or its forces"),

@@ -21,14 +21,14 @@ from cranktrain.cli.textbook.opposed import opposed_pairs, show_opposed
 from cranktrain.cli.textbook.slaves import show_constants
 from cranktrain.cli.textbook.source import machine_file
 from cranktrain.cli.textbook.texts import show_text, show_texts
-from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.errors import InputError, Position, Problem, refuse
 from cranktrain.grouping import places_of_equal
 from cranktrain.io.examples import example_names
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
 from cranktrain.references import REFERENCES
-from cranktrain.textbook.texts import Text, text_called
+from cranktrain.textbook.texts import Text, text_called, text_named
 
 _ERRATA = "errata"
 _OF_CRANK_ROCKERS = "gandzha"
@@ -64,14 +64,23 @@ def show_textbook(
         with page(_("Errors of the sources, each with what is right")) as console:
             show_errata(console, text)
     elif source is not None and not file:
-        refuse(
-            Problem(name, value, _("is for a machine: name FILE"))
-            for name, value in (("--table", None if with_table else ""), ("--set", settings[0] if settings else ""))
-            if value != ""
-        )
+        refuse(_without_machine(settings, with_table=with_table))
         show_texts() if text is None else show_text(text, has_forms=text.name in _SHOWN)
     else:
+        if text_named(file) and not os.path.exists(file):  # noqa: PTH110 - takes a NUL byte
+            allowed = _("is a text, and no machine file is called so")
+            repair = _("such as: {example}").format(example=f"cranktrain textbook --source {file}")
+            raise InputError([Problem("", None, allowed, repair, Position(file))])
         _show_machine(file, settings, text, with_table=with_table, with_errata=with_errata)
+
+
+def _without_machine(settings: Sequence[str], *, with_table: bool) -> Iterator[Problem]:
+    """Refuse what means nothing where no machine is named."""
+    allowed = _("is for a machine: name FILE")
+    if with_table:
+        yield Problem("--table", None, allowed)
+    if settings:
+        yield Problem("--set", settings[0], allowed)
 
 
 def _text(name: str) -> Text:

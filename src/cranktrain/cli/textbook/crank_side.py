@@ -11,6 +11,7 @@ from cranktrain.cli.textbook.error_columns import error_columns
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.slider_crank import SliderCrank
+from cranktrain.motion import Array, Coefficient
 from cranktrain.textbook.largest_errors import from_bottom, largest_errors
 from cranktrain.textbook.percents import percent
 from cranktrain.textbook.steam_engine import largest_difference, two_harmonics_from_crank_side
@@ -18,6 +19,7 @@ from cranktrain.wording import figure, ranged
 
 _STEP = 30
 """Of the crank angle in tables. [deg]"""
+_UNITS = ("mm", "mm/rad", "mm/rad^2")
 
 
 def show_from_crank_side(
@@ -42,7 +44,7 @@ def show_from_crank_side(
     section(console, _("Z = λR/2: (335) [steam-engine]"), [about, *column_tables(_differences(groups), said, width)])
 
 
-def _minus(angle: np.ndarray, one: SliderCrank):
+def _minus(angle: Array, one: SliderCrank) -> Coefficient:
     """The forms from the crank-side dead centre."""
     return two_harmonics_from_crank_side(angle, one.crank_radius, one.crank_radius / one.rod_length)
 
@@ -73,6 +75,3 @@ def _show_table(console: Console, piston: str, one: SliderCrank) -> None:
     ]
     heading = _("S, v/ω and j/ω² of piston {piston} from the crank-side dead centre").format(piston=piston)
     section_of_columns(console, heading, columns, [f"{step}°" for step in range(0, 360, _STEP)])
-
-
-_UNITS = ("mm", "mm/rad", "mm/rad^2")

@@ -2,10 +2,10 @@
 
 from collections.abc import Iterator, Sequence
 
-import numpy as np
 from rich.text import Text
 
 from cranktrain.cli.screen.columns import Column, column_tables
+from cranktrain.motion import Array
 from cranktrain.textbook.largest_errors import LargestErrors
 from cranktrain.textbook.percents import percent
 from cranktrain.wording import around_turn, figure
@@ -21,6 +21,6 @@ def error_columns(errors: Sequence[LargestErrors], labels: Sequence[str], width:
     yield from column_tables(columns, labels, width)
 
 
-def _written(error: np.ndarray, angle: np.ndarray) -> tuple[str, str]:
+def _written(error: Array, angle: Array) -> tuple[str, str]:
     """An error and where it is."""
     return percent(float(error)), figure(float(around_turn(angle)), "deg")

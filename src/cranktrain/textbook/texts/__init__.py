@@ -6,10 +6,15 @@ from cranktrain.quantities import nearest
 from cranktrain.textbook.texts import bolotin, crankshaft, gandzha, steam_engine, synthesis
 from cranktrain.textbook.texts.text import Formula, Text
 
-__all__ = ["TEXTS", "Formula", "Text", "text_called"]
+__all__ = ["TEXTS", "Formula", "Text", "text_called", "text_named"]
 
 TEXTS: tuple[Text, ...] = (steam_engine.TEXT, gandzha.TEXT, synthesis.TEXT, bolotin.TEXT, crankshaft.TEXT)
 """Every text, in the order in which the project came by them."""
+
+
+def text_named(name: str) -> list[Text]:
+    """Give the text of that very name, in any case; none if there is none."""
+    return [text for text in TEXTS if text.name == _as_named(name)]
 
 
 def text_called(name: str) -> Text:
@@ -25,8 +30,8 @@ def text_called(name: str) -> Text:
     >>> text_called("Bolotin").name, text_called("synthesis").name
     ('bolotin', 'slider-crank-synthesis')
     """
-    asked = name.strip().casefold().replace("_", "-").replace(" ", "-")
-    found = [text for text in TEXTS if text.name == asked] or [text for text in TEXTS if asked and asked in text.name]
+    asked = _as_named(name)
+    found = text_named(name) or [text for text in TEXTS if asked and asked in text.name]
     if len(found) == 1:
         return found[0]
     names = [text.name for text in found or TEXTS]
@@ -34,3 +39,8 @@ def text_called(name: str) -> Text:
     allowed = _("must be the name of a text: {names}").format(names=", ".join(names))
     repair = _('write "{text}"').format(text=meant) if meant else None
     raise InputError([Problem("--source", name, allowed, repair)])
+
+
+def _as_named(name: str) -> str:
+    """Write a name as the texts' are."""
+    return name.strip().casefold().replace("_", "-").replace(" ", "-")
