@@ -49,7 +49,7 @@ def show_errors_of(console: Console, name: str) -> None:
 def _without_numbers(text: Text) -> str:
     """Say of a text that no numbers stand beside its errors, or that it has none."""
     words = (
-        _("Its wrong formulas are not computed; `{command}` says of each what is right.")
+        _("No numbers stand beside its errors; `{command}` says of each wrong formula what is right.")
         if any(one.verdict == "wrong" for one in text.formulas)
         else _("No error of its formulas is known; `{command}` lists them.")
     )
