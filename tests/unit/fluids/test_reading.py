@@ -152,3 +152,48 @@ def test_a_file_with_one_wrong_number_among_thousands():
     with pytest.raises(InputError) as refusal:
         read_trace("angle [deg];p abs [bar]\n" + "\n".join(rows), "trace.csv")
     assert str(refusal.value).startswith(f"trace.csv:7001:8  -2.5: an absolute pressure {NOT_POSITIVE} (1 values")
+
+
+AT, STANDARD = 98066.5, 101325.0
+
+
+@pytest.mark.parametrize(
+    ("heads", "axis", "step", "first"),
+    [
+        ("φ, град;р, кгс/см2 изб.", "angle", np.radians(10), 1.5 * AT + STANDARD),
+        ("φ,град.;р,кгс/см² (изб.)", "angle", np.radians(10), 1.5 * AT + STANDARD),
+        ("угол, гр;р, кг/см2 абс.", "angle", np.radians(10), 1.5 * AT),
+        ("град. п.к.в.;р, кГ/см^2", "angle", np.radians(10), 1.5 * AT),
+        ("град.;ата", "angle", np.radians(10), 1.5 * AT),
+        ("Grad KW;p, atü", "angle", np.radians(10), 1.5 * AT + STANDARD),
+        ("Winkel [°KW];p [barg]", "angle", np.radians(10), 1.5e5 + STANDARD),
+        ("Grad KW;Druck (bar)", "angle", np.radians(10), 1.5e5),
+        ("Grad KW;Zylinderdruck in bar (Überdruck)", "angle", np.radians(10), 1.5e5 + STANDARD),
+        ("°CA;bar g", "angle", np.radians(10), 1.5e5 + STANDARD),
+        ("alpha (deg);P (psi g)", "angle", np.radians(10), 1.5 * 6894.757293168361 + STANDARD),
+        ("crank angle / deg;pressure / bar(a)", "angle", np.radians(10), 1.5e5),
+        ("θ [deg];p_cyl [bar abs]", "angle", np.radians(10), 1.5e5),
+        ("V, см3;р, МПа", "volume", 1e-5, 1.5e6),
+        ("х, мм;р изб., бар", "displacement", 0.01, 1.5e5 + STANDARD),
+    ],
+)
+def test_heads_as_they_are_written(heads, axis, step, first):
+    """1 at = 1 kgf/cm² = 98 066.5 Pa and 1 psi = 6894.757… Pa by definition; gauge counts from 101 325 Pa."""
+    trace = read_trace(f"{heads}\n0;1,5\n10;2,5\n20;40,0\n", "card.csv")
+    assert trace.axis == axis
+    assert trace.places[1] == pytest.approx(step, rel=1e-12)
+    assert trace.pressures[0] == pytest.approx(first, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        '"φ, град","р, кгс/см2 изб."\n0,1.5\n10,2.5\n',
+        "φ, град   р, кгс/см2 изб.\n0  1,5\n10  2,5\n",
+        "φ, град\tр, кгс/см2 изб.\n0\t1,5\n10\t2,5\n",
+    ],
+    ids=["quoted", "blanks", "tabs"],
+)
+def test_a_comma_or_a_blank_in_a_head_divides_no_columns(text):
+    trace = read_trace(text, "card.csv")
+    assert trace.pressures == pytest.approx(np.array([1.5, 2.5]) * AT + STANDARD, rel=1e-12)

@@ -1,40 +1,22 @@
 """An indicator file as text, read: which columns it has, in which units, absolute or gauge."""
 
-import re
 from collections.abc import Iterator, Sequence
-from typing import Literal, NamedTuple, TypeAlias
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.errors import InputError, Position, Problem
+from cranktrain.fluids.indicator.heads import AXES, Axis, axis_of, is_gauge, is_pressure, unit_in
 from cranktrain.fluids.indicator.table import NumberTable, read_table
 from cranktrain.language import _
 from cranktrain.motion import Array
-from cranktrain.quantities import Dimension, is_unit, read, shown, unit_names
+from cranktrain.one_line import short
+from cranktrain.quantities import Dimension, read, shown, unit_names
 from cranktrain.record import record
-
-Axis: TypeAlias = Literal["angle", "displacement", "volume"]
 
 STANDARD_ATMOSPHERE = 101325.0
 """What gauge pressures count from, unless said. [Pa]"""
-
-AXES: dict[Axis, Dimension] = {
-    "angle": Dimension.ANGLE,
-    "displacement": Dimension.LENGTH,
-    "volume": Dimension.VOLUME,
-}
-"""What pressures may be given over."""
-_ANGLE_UNITS = r"(?:°|deg|grad|град)?\.?\s*(?:ca|cad|kw|atdc|п\.?\s?к\.?\s?в\.?|пкв)|degrees?|градус\w*"
-"""Degrees of crank angle as programs write them."""
-_WORDS = {
-    "angle": r"angle|\bcad?\b|crank|winkel|угол|угла|\bphi\b|φ|\bалфа\b|пкв",
-    "volume": r"vol|\bv\b|объ[её]м",
-    "displacement": r"displacement|stroke|travel|\bs\b|\bx\b|hub|ход|перемещ",
-    "pressure": r"press|\bp\b|druck|давлен",
-}
-_GAUGE = r"gauge|\bgage\b|\brel\b|relative|избыт|изб"
-_ABSOLUTE = r"\babs|абс"
 
 _PAIR = 2
 """Columns of a diagram."""
@@ -127,7 +109,8 @@ def read_trace(text: str, name: str, said: Columns | None = None) -> Trace:
     unit = said.pressure_unit or unit_in(labels[level], Dimension.PRESSURE)
     if unit is None:
         repair = _('write pressure_unit = "bar" (or {units})')
-        raise _without_unit("pressure_unit", _("the file names no unit of pressure"), repair, Dimension.PRESSURE)
+        said_of = _("the file names no unit of pressure{where}").format(where=_in_head(labels[level]))
+        raise _without_unit("pressure_unit", said_of, repair, Dimension.PRESSURE)
     pressures, sentences = _absolute(table.rows[:, level], unit, labels[level], said)
     _refuse_negative(pressures, table, level)
     return Trace(
@@ -154,11 +137,11 @@ def _columns(table: NumberTable, said: Columns, name: str) -> tuple[Axis, int, i
         where, level = (column - 1 for column in said.columns)
         if where == level:
             raise InputError([Problem("columns", None, _("must be two columns, of the axis and of the pressure"))])
-        meant = _axis_of(table.labels[where]) if table.labels else None
+        meant = axis_of(table.labels[where]) if table.labels else None
         return said.axis or meant or "angle", where, level
-    axes = {place: axis for place, label in enumerate(table.labels) if (axis := _axis_of(label)) is not None}
+    axes = {place: axis for place, label in enumerate(table.labels) if (axis := axis_of(label)) is not None}
     wanted: Sequence[Axis] = (said.axis,) if said.axis else ("angle", "volume", "displacement")
-    levels = [place for place, label in enumerate(table.labels) if place not in axes and _is_pressure(label)]
+    levels = [place for place, label in enumerate(table.labels) if place not in axes and is_pressure(label)]
     for axis in wanted:
         found = [place for place in axes if axes[place] == axis]
         if found and levels:
@@ -176,42 +159,6 @@ def _columns_taken(table: NumberTable, said: Columns, level: int) -> Iterator[st
         yield sentence.format(n=table.rows.shape[1], column=level + 1, label=f", {label}" if label else "")
 
 
-def _axis_of(label: str) -> Axis | None:
-    """Tell what a column's header says that it is; None for pressures and what is not known."""
-    if _is_pressure(label):
-        return None
-    words = _spaced(label)
-    for axis in ("angle", "volume", "displacement"):
-        if re.search(_WORDS[axis], words, re.IGNORECASE):
-            return axis
-    for axis, dimension in AXES.items():
-        if unit_in(label, dimension):
-            return axis
-    return None
-
-
-def _is_pressure(label: str) -> bool:
-    """Whether a column's header means a pressure."""
-    return bool(unit_in(label, Dimension.PRESSURE) or re.search(_WORDS["pressure"], _spaced(label), re.IGNORECASE))
-
-
-def _spaced(label: str) -> str:
-    """A header's words with blanks between them: `p_abs_Pa` as `p abs Pa`."""
-    return re.sub(r"[_,;:/()\[\]]+", " ", label)
-
-
-def unit_in(label: str, dimension: Dimension) -> str | None:
-    """Find a unit in a column's header: in brackets, after a comma or an underscore, or its last word; None if none."""
-    bracketed = re.findall(r"[\[(]([^\])]*)[\])]", label)
-    pieces = [*bracketed, *re.split(r",\s*", label)[1:], label, *reversed(_spaced(label).split())]
-    for piece in map(str.strip, pieces):
-        if dimension is Dimension.ANGLE and re.fullmatch(_ANGLE_UNITS, piece, re.IGNORECASE):
-            return "deg"
-        if is_unit(piece, dimension):
-            return piece
-    return None
-
-
 def _place_scale(
     axis: Axis, label: str, said: Columns, table: NumberTable, column: int
 ) -> tuple[float, tuple[str, ...]]:
@@ -223,11 +170,17 @@ def _place_scale(
         return 1.0, ()
     if axis == "volume":
         repair = _('write axis_unit = "cm³" (or {units})')
-        raise _without_unit("axis_unit", _("the file names no unit of volume"), repair, Dimension.VOLUME)
+        said_of = _("the file names no unit of volume{where}").format(where=_in_head(label))
+        raise _without_unit("axis_unit", said_of, repair, Dimension.VOLUME)
     farthest = float(np.ptp(table.rows[:, column]))
     unit = "deg" if farthest > _DEGREES_BEYOND else "rad"
     said_so = _("The file does not say the unit of its angles; they reach over {span:.6g}, so {unit} is taken.")
     return read(f"1 {unit}", Dimension.ANGLE), (said_so.format(span=farthest, unit=unit),)
+
+
+def _in_head(label: str) -> str:
+    """Say which head was read, where there is one."""
+    return _(", in the head “{head}”").format(head=short(label)) if label else ""
 
 
 def _without_unit(key: str, allowed: str, repair: str, dimension: Dimension) -> InputError:
@@ -239,19 +192,14 @@ def _absolute(numbers: Array, unit: str, label: str, said: Columns) -> tuple[Arr
     """Give absolute pressures in SI, and say how they were taken."""
     offset = read(f"0 {unit}", Dimension.PRESSURE)
     scale = read(f"1 {unit}", Dimension.PRESSURE) - offset
-    words = _spaced(label)
     if offset:  # barg, ati, psig say it themselves
-        is_gauge: bool | None = True
-    elif said.is_gauge is not None:
-        is_gauge = said.is_gauge
-    elif re.search(_GAUGE, words, re.IGNORECASE):
-        is_gauge = True
+        gauge: bool | None = True
     else:
-        is_gauge = False if re.search(_ABSOLUTE, words, re.IGNORECASE) else None
-    if is_gauge:
+        gauge = said.is_gauge if said.is_gauge is not None else is_gauge(label)
+    if gauge:
         sentence = _("Gauge pressures: {ambient} kPa added.").format(ambient=f"{shown(said.ambient, 'kPa'):.6g}")
         return numbers * scale + said.ambient, (sentence,)
-    if is_gauge is None:
+    if gauge is None:
         return numbers * scale, (_("The file does not say absolute or gauge; its pressures are taken as absolute."),)
     return numbers * scale, ()
 

@@ -1,5 +1,6 @@
 """Any table of numbers as text: its separator, its decimal sign, its header, each number with its place."""
 
+import csv
 import re
 from collections.abc import Iterator, Sequence
 from itertools import accumulate, islice, pairwise
@@ -165,9 +166,18 @@ def _numbers(texts: Sequence[str], separator: str, n_columns: int) -> Array | No
 
 def _labels(head: Sequence[str], separator: str, n_columns: int) -> tuple[str, ...]:
     """Join the header's lines column by column; lines with another number of columns are titles."""
-    split = [_cells(_COMMENT.sub("", line, count=1), separator) for line in head]
+    split = [_head_cells(_COMMENT.sub("", line, count=1), separator, n_columns) for line in head]
     of_columns = [cells for cells in split if len(cells) == n_columns]
     return tuple(" ".join(cells).strip() for cells in zip(*of_columns, strict=True))
+
+
+def _head_cells(line: str, separator: str, n_columns: int) -> list[str]:
+    """Divide a line of the header: words of one head have single blanks between them, commas of a head are quoted."""
+    cells = _cells(line, separator)
+    if len(cells) == n_columns or separator not in " ,":
+        return cells
+    others = re.split(r"\s{2,}", line.strip()) if separator == " " else next(csv.reader([line], skipinitialspace=True))
+    return others if len(others) == n_columns else cells
 
 
 def _plain(text: str, separator: str) -> str:
