@@ -12,8 +12,33 @@ from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.cylinders.firing import FiringOrder, firing_angles, within_turn
 from cranktrain.questions.cylinders.given_firing import given_firing
+from cranktrain.questions.cylinders.makers_numbers import are_makers_numbers, numbers_line
+from cranktrain.questions.cylinders.possible_orders import likest_orders
 from cranktrain.questions.cylinders.spec import CylindersSpec
+from cranktrain.record import record
 from cranktrain.wording import number
+
+
+@record
+class _Asked:
+    """An order as it is asked for: the table that has it, each cylinder by its leading piston, the sense of running."""
+
+    common: CylindersSpec
+    leading: Sequence[PlacedMechanism]
+    astern: bool
+
+    def repair(self, order: Sequence[str]) -> str | None:
+        """Give the most even orders that the crank pins allow, as the file writes them; `order` is ahead."""
+        length = self.common.cycle_length
+        names = [place.cylinder for place in self.leading]
+        if length is None or 2 * sum(name in names for name in order) < len(order):
+            return None
+        running = _backwards(order) if self.astern else order
+        wanted = [names.index(name) if name in names else -1 for name in running]
+        found = [[names[i] for i in one] for one in likest_orders(_tops(self.leading), length, wanted)]
+        ahead = list(map(_backwards, found)) if self.astern else found
+        said = [f'"{"-".join(self.common.makers_numbers(one) or one)}"' for one in ahead]
+        return _("write {orders}").format(orders=_(" or ").join(said)) if said else None
 
 
 def firing_order_of(
@@ -33,15 +58,21 @@ def firing_order_of(
         own = _own_order(common, leading) if not problems else None
         return own, problems
     order = [common.numbers.get(word, word) for word in re.split(r"[\s,–-]+", common.firing_order.strip()) if word]
-    problems = _order_problems(common, order, names)
+    asked = _Asked(common, leading, astern)
+    problems = _order_problems(asked, order, names)
     if problems:
         return None, problems
     if astern:
-        order = [order[0], *order[:0:-1]]
+        order = _backwards(order)
     index = [names.index(name) for name in order]
-    problems = _throw_problems(common, order, _tops([leading[i] for i in index]))
+    problems = _throw_problems(asked, order, _tops([leading[i] for i in index]))
     found = FiringOrder(np.array(index, dtype=np.intp), common.makers_numbers(order))
     return (None if problems else found), problems
+
+
+def _backwards(order: Sequence[str]) -> list[str]:
+    """Read an order backwards from the same cylinder."""
+    return [*order[:1], *order[:0:-1]]
 
 
 def _own_order(common: CylindersSpec, leading: Sequence[PlacedMechanism]) -> FiringOrder | None:
@@ -69,7 +100,7 @@ def _number_problems(common: CylindersSpec, names: Sequence[str]) -> Iterator[Pr
             yield Problem(f"cylinder.numbers.{word}", name, allowed)
 
 
-def _order_problems(common: CylindersSpec, order: Sequence[str], names: Sequence[str]) -> tuple[Problem, ...]:
+def _order_problems(asked: _Asked, order: Sequence[str], names: Sequence[str]) -> tuple[Problem, ...]:
     """Find cylinders that the order does not name once."""
     unknown = [name for name in order if name not in names]
     twice = sorted({name for name in order if order.count(name) > 1})
@@ -88,12 +119,15 @@ def _order_problems(common: CylindersSpec, order: Sequence[str], names: Sequence
     allowed = _("must name each cylinder once ({cylinders}); {wrong}").format(
         cylinders=", ".join(names), wrong="; ".join(wrong)
     )
-    return (Problem("cylinder.firing_order", common.firing_order, allowed),)
+    if not asked.common.numbers and are_makers_numbers(order, names):
+        line = numbers_line(order, asked.leading, _tops(asked.leading), asked.common.cycle_length)
+        return (Problem("cylinder.firing_order", asked.common.firing_order, allowed, line),)
+    return (Problem("cylinder.firing_order", asked.common.firing_order, allowed, asked.repair(order)),)
 
 
-def _throw_problems(common: CylindersSpec, order: Sequence[str], tops: Array) -> tuple[Problem, ...]:
+def _throw_problems(asked: _Asked, order: Sequence[str], tops: Array) -> tuple[Problem, ...]:
     """Find an order in which the crank pins do not bring the pistons to their tops."""
-    length = common.cycle_length
+    length = asked.common.cycle_length
     if length is None or firing_angles(tops, length) is not None:
         return ()
     turns = [TURN * turn for turn in range(round(length / TURN))]
@@ -102,4 +136,6 @@ def _throw_problems(common: CylindersSpec, order: Sequence[str], tops: Array) ->
         for name, top in zip(order, tops, strict=True)
     )
     allowed = _("cannot fire so: as the crank pins stand, the pistons are at their tops at {possible}")
-    return (Problem("cylinder.firing_order", common.firing_order, allowed.format(possible=possible)),)
+    ahead = _backwards(order) if asked.astern else order
+    said = allowed.format(possible=possible)
+    return (Problem("cylinder.firing_order", asked.common.firing_order, said, asked.repair(ahead)),)

@@ -1,6 +1,7 @@
 """When pistons fire: even and uneven engines, and orders that cannot be."""
 
 import itertools
+import tomllib
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ from tests.machines import V12, banks, slave, slider, throws
 
 import cranktrain as ct
 from cranktrain.questions.cylinders.firing import firing_angles, firing_choices, within_turn
+from cranktrain.questions.cylinders.possible_orders import likest_orders
 
 RATIOS = np.radians(15.0)
 
@@ -300,3 +302,62 @@ def test_that_the_most_even_turns_are_taken_is_said():
         shaft=throws(0, 180, 180, 0), bank=banks(A=0), cylinder={"cycle": "four-stroke", "firing_order": "1-3-4-2"}
     )
     assert "choices of turns" not in " ".join(ct.run(four).summary().split())
+
+
+IN_LINE_FOUR = throws(0, 180, 180, 0), banks(A=0)
+
+
+@pytest.mark.parametrize("running", ["ahead", "astern"])
+@pytest.mark.parametrize(
+    ("order", "possible"),
+    [
+        ("1-2-3-4", 'write "1-2-4-3" or "1-3-4-2"'),
+        ("1-3-4", 'write "1-3-4-2" or "1-2-4-3"'),
+        ("4-2-1-2", 'write "4-2-1-3" or "4-3-1-2"'),
+        ("", 'write "1-2-4-3" or "1-3-4-2"'),
+        ("1-x-y-z", None),
+    ],
+)
+def test_wrong_orders_are_answered_with_the_two_that_a_flat_shaft_allows(order, possible, running):
+    """1-3-4-2 and 1-2-4-3 are the two of every in-line four; read backwards the one is the other."""
+    with pytest.raises(ct.InputError) as caught:
+        shaft, bank = IN_LINE_FOUR
+        cylinder = {"cycle": "four-stroke", "firing_order": order}
+        ct.run(ct.Machine(shaft=shaft, bank=bank, cylinder=cylinder, running=running))
+    (problem,) = caught.value.problems
+    if running == "ahead":
+        assert problem.repair == possible
+    else:
+        assert (problem.repair is None) == (possible is None)
+        assert possible is None or set(problem.repair.split('"')[1::2]) == set(possible.split('"')[1::2])
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_likest_orders_are_even_and_can_be(seed):
+    """Each is taken by `firing_angles`, at equal steps, of every order of a six by the pins of pairs."""
+    random = np.random.default_rng(seed)
+    tops = np.radians(random.permutation([0, 120, 240, 240, 120, 0]))
+    wanted = random.permutation(6).tolist()
+    found = likest_orders(tops, 4 * np.pi, wanted)
+    even = [
+        order
+        for order in itertools.permutations(range(6))
+        if order[0] == wanted[0]
+        and (angles := firing_angles(tops[list(order)], 4 * np.pi)) is not None
+        and np.ptp(np.diff(angles)) < 1e-9
+    ]
+    agree = sorted((sum(a == b for a, b in zip(order, wanted, strict=True)) for order in even), reverse=True)
+    assert set(found) <= set(even)
+    assert [sum(a == b for a, b in zip(order, wanted, strict=True)) for order in found] == agree[:3]
+
+
+def test_the_makers_numbers_of_a_v8_are_offered_as_the_line_to_paste():
+    """KamAZ counts 1 to 4 on the right, 5 to 8 on the left: with the left first its order could not be."""
+    bank = {"L": {"angle": "45 deg", "mechanism": slider()}, "R": {"angle": "-45 deg", "mechanism": slider()}}
+    given = {"cycle": "four-stroke", "firing_order": "1-5-4-2-6-3-7-8"}
+    shaft = throws(0, 90, 270, 180)
+    problem = refusal(shaft, bank, **given)
+    line = 'numbers = { 1 = "1R", 2 = "2R", 3 = "3R", 4 = "4R", 5 = "1L", 6 = "2L", 7 = "3L", 8 = "4L" }'
+    assert problem.repair == f"where these are the maker's numbers, write in [cylinder]: {line}"
+    numbers = tomllib.loads(line)["numbers"]
+    assert "evenly every 90.00 deg" in fired(shaft, bank, **given, numbers=numbers)[2].summary()
