@@ -14,7 +14,7 @@ from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.paths import path_text, value_at
-from cranktrain.quantities import Given, Quantity, expected, nearest, one_of, unknown_key, unlisted, written
+from cranktrain.quantities import Given, Quantity, nearest, one_of, unknown_key, unlisted, written
 
 
 class Spec(BaseModel, frozen=True):
@@ -276,7 +276,7 @@ def _problems_of(detail: ErrorDetails, where: _Location) -> Iterator[Problem]:
     elif kind.startswith("union_tag") and bare(where.annotation).tag:
         yield _wrong_kind(detail, where)
     elif kind == "missing":
-        yield Problem(where.path, None, missing(where.annotation))
+        yield Problem(where.path, None, missing(where.annotation, str(detail["loc"][-1])))
     elif kind == "literal_error" and (words := words_of(where.annotation)):
         yield unlisted(where.path, detail["input"], words)
     elif isinstance(cause, Exception):
@@ -302,12 +302,12 @@ def _wrong_kind(detail: ErrorDetails, where: _Location) -> Problem:
     return Problem(path, None, _("is missing; {expected}").format(expected=one_of(kinds)), repair)
 
 
-def missing(annotation: object) -> str:
-    """Say that a value is missing, and what it could be."""
+def missing(annotation: object, key: str | None = None) -> str:
+    """Say that a value is missing, and what it could be; the key in the file, where it is known, gives the example."""
     quantity, words = quantity_of(annotation), words_of(annotation)
     if quantity is None and not words:
         return _("is missing")
-    wanted = expected(quantity.dimension) if quantity else one_of(words)
+    wanted = quantity.of_field(key).expected if quantity else one_of(words)
     return _("is missing; {expected}").format(expected=wanted)
 
 

@@ -216,7 +216,7 @@ def test_specs_are_made_in_python_too() -> None:
         ),
         ({"spacing": "Auto"}, ("spacing", "Auto", f"must be one of: auto, or {A_LENGTH}", 'write "auto"')),
         ({"spacing": ["180 mm", "-1 mm"]}, ("spacing[1]", "-1 mm", f"{NOT_POSITIVE} mm", None)),
-        ({"plain": {**SLIDER, "rod_length": 1}}, ("plain.rod_length", "1", A_LENGTH, 'write "1 mm"')),
+        ({"plain": {**SLIDER, "rod_length": 1}}, ("plain.rod_length", "1", A_LENGTH, 'write "1 m" or "1 mm"')),
         ({"plain": [{**SLAVE, "slave": 1}]}, ("plain[0].slave", "1", AN_ANGLE, 'write "1 deg"')),
         ({"plain": [{"kind": "slave"}]}, ("plain[0].slave", None, f"is missing; {AN_ANGLE}", None)),
         (

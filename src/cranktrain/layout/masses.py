@@ -125,7 +125,11 @@ def _body_problems(where: str, name: str, body: BodySpec, places: Sequence[Place
     lengths = dict.fromkeys(float(length) for place in places if (length := _length(place, name)) is not None)
     if name != PISTON and body.big_end is None:
         yield from (
-            Problem(f"{where}.{field}", None, _("is missing"))
+            Problem(
+                f"{where}.{field}",
+                None,
+                _("is missing; give it, or big_end and small_end") if lengths else _("is missing"),
+            )
             for field in ("along", "inertia")
             if getattr(body, field) is None and not (field == "inertia" and lengths)
         )

@@ -218,13 +218,13 @@ def unit_names(dimension: Dimension) -> tuple[str, ...]:
     return tuple(unit.name for unit in dimension.units)
 
 
-def expected(dimension: Dimension) -> str:
-    """Say what is allowed: "must be a length in mm, cm, m, in, ft, such as 90 mm"."""
+def expected(dimension: Dimension, example: str | None = None) -> str:
+    """Say what is allowed: "must be a length in mm, cm, m, in, ft, such as 90 mm"; with the dimension's own example."""
+    words = _("must be {noun} in {units}, such as {example}")
     if not dimension.needs_unit:
         words = _("must be {noun} or in {units}, such as {example}")
-        return words.format(noun=_(dimension.noun), units=", ".join(unit_names(dimension)), example=dimension.example)
-    return _("must be {noun} in {units}, such as {example}").format(
-        noun=_(dimension.noun), units=", ".join(unit_names(dimension)), example=dimension.example
+    return words.format(
+        noun=_(dimension.noun), units=", ".join(unit_names(dimension)), example=example or dimension.example
     )
 
 

@@ -14,6 +14,7 @@ from cranktrain.language import _
 from cranktrain.motion import Array, single
 from cranktrain.quantities.conversion import shown
 from cranktrain.quantities.dimensions import Dimension, expected
+from cranktrain.quantities.examples import EXAMPLES
 from cranktrain.quantities.pattern import pattern
 from cranktrain.quantities.reading import Reading, reading
 from cranktrain.quantities.refusal import QuantityError, unknown_key, unlisted, written
@@ -59,6 +60,8 @@ class Given:
 class Quantity:
     """Annotation of a `Given` field: its dimension, the range that is allowed, in SI; a direction counts no turns.
 
+    An example is of use where that of the dimension says little and `EXAMPLES` has none for the key.
+
     `Annotated[Given, Quantity(Dimension.LENGTH, above=0.0)]` takes "180 mm", a table
     {value = "180 mm", status = "published", note = "...", source = "..."}, or a `Given`.
     """
@@ -69,6 +72,16 @@ class Quantity:
     below: float | None = None
     at_most: float | None = None
     is_direction: bool = False
+    example: str | None = None
+
+    @property
+    def expected(self) -> str:
+        """What is allowed, with an example that suits."""
+        return expected(self.dimension, self.example)
+
+    def of_field(self, name: str | None) -> "Quantity":
+        """Give it the example that suits a key of the machine file."""
+        return replace(self, example=self.example or EXAMPLES.get(name or ""))
 
     def given(self, data: object) -> Given:
         """Read what was given.
@@ -92,7 +105,7 @@ class Quantity:
         read, problems = None, list(_table_problems(table))
         try:
             if "value" not in table:
-                raise QuantityError(None, _("is missing; {expected}").format(expected=expected(self.dimension)))
+                raise QuantityError(None, _("is missing; {expected}").format(expected=self.expected))
             read = self._in_range(table["value"])
         except QuantityError as error:
             problems.insert(0, replace(error.problems[0], path="value"))
@@ -102,7 +115,7 @@ class Quantity:
         return Given(read.si, read.text, **about)
 
     def _in_range(self, data: object) -> Reading:
-        read = reading(data, self.dimension, is_direction=self.is_direction)
+        read = self._reading(data)
         if not (read.si == 0.0 or 1 / _LARGEST < abs(read.si) < _LARGEST):
             raise QuantityError(read.text, _("is beyond the size of any machine"))
         for limit, holds, allowed in self._limits():
@@ -111,6 +124,15 @@ class Quantity:
                 size = shown(limit, name) if name else limit
                 raise QuantityError(read.text, allowed.format(limit=f"{size:.6g} {name}".strip()))
         return read
+
+    def _reading(self, data: object) -> Reading:
+        """Read it; what is refused is told with the example that suits."""
+        try:
+            return reading(data, self.dimension, is_direction=self.is_direction)
+        except QuantityError as error:
+            (problem,) = error.problems
+            allowed = problem.allowed.replace(expected(self.dimension), self.expected)
+            raise QuantityError(problem.given, allowed, problem.repair) from None
 
     def _limits(self) -> Iterator[tuple[float, Callable[[float, float], bool], str]]:
         """Limits that are set, what must hold between a value and each, and how to say so."""
@@ -126,7 +148,8 @@ class Quantity:
     def __get_pydantic_core_schema__(self, source: object, handler: GetCoreSchemaHandler) -> CoreSchema:
         """Let pydantic read with `given` and write what a machine file may hold."""
         return core_schema.no_info_plain_validator_function(
-            self.given, serialization=core_schema.plain_serializer_function_ser_schema(_in_file)
+            self.of_field(handler.field_name).given,
+            serialization=core_schema.plain_serializer_function_ser_schema(_in_file),
         )
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
@@ -135,7 +158,7 @@ class Quantity:
 
     def schema(self) -> dict[str, Any]:
         """Describe text with its unit, or a table that also says where the number is from, as a JSON schema."""
-        example = [self.dimension.example]
+        example = [self.example or self.dimension.example]
         least = max((limit for limit in (self.above, self.at_least) if limit is not None), default=-1.0)
         text = {"type": "string", "pattern": pattern(self.dimension, is_signed=least < 0), "examples": example}
         value = text if self.dimension.needs_unit else {"anyOf": [{"type": "number"}, text]}
@@ -151,7 +174,7 @@ class Quantity:
             "additionalProperties": False,
         }
         limits = [allowed.format(limit=f"{limit:g} (SI)") for limit, _holds, allowed in self._limits()]
-        sentence = "; ".join([expected(self.dimension), *limits])
+        sentence = "; ".join([self.expected, *limits])
         return {"description": sentence, "anyOf": [value, table], "examples": example}
 
 

@@ -22,6 +22,9 @@ _BASE = re.compile(r"^[GMkhdcmµμnГМкгдсмн](\D.*)")
 _THOUSANDS = re.compile(r"^[+-]?\d{1,3}(?:,\d{3})+(?![\d,])", re.ASCII)
 
 
+_METRES = 10
+"""A length below this without a unit may be meant in metres as well as in millimetres."""
+
 _MANY_TURNS = TURN / 360 * 10**5
 """Directions of so much and more count no turns. [rad]"""
 
@@ -107,9 +110,13 @@ def _unit(parts: Measured, text: str, dimension: Dimension) -> Unit | None:
 
 
 def _no_unit(text: str, dimension: Dimension) -> QuantityError:
-    if measured(text) is None:  # a bare nan or inf
+    parts = measured(text)
+    if parts is None:  # a bare nan or inf
         return _no_number(text, dimension)
-    return QuantityError(text, expected(dimension), _write(f"{text} {dimension.units[0].name}"))
+    repair = _write(f"{text} {dimension.units[0].name}")
+    if dimension is Dimension.LENGTH and abs(parts.number) < _METRES:
+        repair = _('write "{one}" or "{other}"').format(one=f"{text} m", other=f"{text} mm")
+    return QuantityError(text, expected(dimension), repair)
 
 
 def _no_number(text: str, dimension: Dimension) -> QuantityError:

@@ -184,7 +184,7 @@ RANGE = "must be within what a computer number holds, in SI units 5e-324 to 1.8e
         (90, D.LENGTH, "90", A_LENGTH, 'write "90 mm"'),
         (90.5, D.LENGTH, "90.5", A_LENGTH, 'write "90.5 mm"'),
         ("90", D.LENGTH, "90", A_LENGTH, 'write "90 mm"'),
-        ("1/3", D.LENGTH, "1/3", A_LENGTH, 'write "1/3 mm"'),
+        ("1/3", D.LENGTH, "1/3", A_LENGTH, 'write "1/3 m" or "1/3 mm"'),
         (
             "1500 1/min",
             D.SPEED,

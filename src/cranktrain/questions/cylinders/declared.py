@@ -95,7 +95,9 @@ def cylinder_problems(
     ]
     without = [cylinder.name for cylinder in cylinders if cylinder.spec.bore is None]
     if without and len(without) < len(cylinders):
-        allowed = _("is missing for {cylinders}, while others have one").format(cylinders=", ".join(without))
+        allowed = _(
+            "is missing for {cylinders}, while others have one; give it in [cylinder], or in [cylinder.{first}]"
+        ).format(cylinders=", ".join(without), first=without[0])
         problems.append(Problem("cylinder.bore", None, allowed))
     for cylinder in cylinders:
         bore, rod = cylinder.spec.bore, cylinder.spec.piston_rod

@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.numerics.harmonics import TURN
-from cranktrain.quantities import Angle, Dimension, Given, PositiveLength, Pressure, Quantity
+from cranktrain.quantities import Angle, Dimension, Given, PositiveLength, Pressure, Quantity, one_of
 from cranktrain.spec import Spec
 
 _GAUGE = ("barg", "бари", "ati", "ати", "psig")
@@ -132,7 +132,8 @@ class CylindersSpec(CylinderSpec, frozen=True):
         if self.firing_angles is not None and self.firing_order is not None:
             yield Problem("firing_order", None, _("must not stand beside firing_angles, which say it"))
         if self.firing_angles is not None and self.cycle is None:
-            yield Problem("cycle", None, _("is missing; firing_angles count over a cycle"))
+            allowed = _("is missing; firing_angles count over a cycle: {expected}").format(expected=one_of(CYCLES))
+            yield Problem("cycle", None, allowed)
         if self.friction_pressure is not None and self.mechanical_efficiency is not None:
             yield Problem("friction_pressure", None, _("must not stand beside mechanical_efficiency, which says it"))
         if self.friction_pressure is not None and self.friction_pressure.text.endswith(_GAUGE):
