@@ -1,21 +1,22 @@
 """The JSON schema of the machine file as it is written: what editors complete and check while one types."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Annotated, Any, Literal, cast, get_args, get_origin
 
 from pydantic import BeforeValidator, TypeAdapter
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
+from cranktrain.io.choices import Schema, by_type, by_word
 from cranktrain.language import _
 from cranktrain.layout.specs import BankSpec
 from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS
+from cranktrain.mechanisms.spec import MechanismSpec
 from cranktrain.quantities import Given, Quantity
-from cranktrain.spec import Spec, bare
-
-Schema = dict[str, Any]
+from cranktrain.quantities.examples import EXAMPLES
+from cranktrain.spec import Spec, bare, words_of
 
 _ONCE = ("kind", "points", "output", "fixed", "crank", "part")
 """Keys of a mechanism that are the same for all angles of a bank."""
@@ -71,22 +72,27 @@ class _Writer:
         """Describe a key: its sentence, what may stand there, and what stands there unless given."""
         field = spec.model_fields[name]
         if spec is BankSpec and name == "mechanism":
-            allowed: Schema = {"oneOf": [self._in_bank(kind.spec) for kind in KINDS]}
+            tables = {kind.name: self._in_bank(kind.spec) for kind in KINDS}
+            allowed: Schema = by_word("kind", tables, described(MechanismSpec, "kind"))
         else:
             allowed = self.of(Annotated[field.annotation, *field.metadata] if field.metadata else field.annotation)
-        schema: Schema = {"description": described(spec, name), **allowed}
+        schema: Schema = {"description": described(spec, name), **allowed, **_example(field.alias or name, allowed)}
         default = _default(field)
         return schema if default is None else schema | {"default": default}
 
     def of(self, annotation: object) -> Schema:
         """Describe what an annotation allows."""
-        inner, marks, alternatives = declared = bare(annotation)
+        inner, marks, alternatives = bare(annotation)
         quantity = next((mark for mark in marks if isinstance(mark, Quantity)), None)
         if quantity is not None:
             return self._reference(_quantity_name(quantity), quantity.schema())
         origin, arguments = get_origin(inner), get_args(inner)
         if alternatives:
-            return {"anyOf" if declared.tag is None else "oneOf": [self.of(part) for part in alternatives]}
+            specs = [spec for part in alternatives if (spec := _spec(part)) is not None]
+            if len(specs) == len(alternatives) and (key := _telling(specs)) is not None:
+                tables = {_word(spec, key): self.of(part) for spec, part in zip(specs, alternatives, strict=True)}
+                return by_word(key, tables, described(specs[0], key))
+            return by_type([self.of(part) for part in alternatives], self.definitions)
         if origin is tuple:
             return self._list(arguments[0], marks)
         if origin is not None and isinstance(origin, type) and issubclass(origin, Mapping):
@@ -95,7 +101,8 @@ class _Writer:
             return {"enum": list(arguments)}
         if isinstance(inner, type) and issubclass(inner, Spec):
             return self._reference(inner.__name__.removesuffix("Spec"), self.table(inner))
-        return TypeAdapter[Any](cast("Any", annotation)).json_schema()
+        schema = TypeAdapter[Any](cast("Any", annotation)).json_schema()
+        return by_type(schema["anyOf"], self.definitions) if "anyOf" in schema else schema  # a file has no null
 
     def _list(self, item: object, marks: tuple[object, ...]) -> Schema:
         """Describe a list, or one value or a list where that may stand instead."""
@@ -104,14 +111,21 @@ class _Writer:
         for mark in marks:
             limits = {"minItems": getattr(mark, "min_length", None), "maxItems": getattr(mark, "max_length", None)}
             listed |= {key: limit for key, limit in limits.items() if limit is not None}
-        return {"anyOf": [one, listed]} if any(isinstance(mark, BeforeValidator) for mark in marks) else listed
+        is_either = any(isinstance(mark, BeforeValidator) for mark in marks)
+        return by_type([one, listed], self.definitions) if is_either else listed
 
     def _in_bank(self, spec: type[Spec]) -> Schema:
         """Describe a mechanism in a bank, whose fields may be lists with one value for each angle of the bank."""
         table = self.table(spec)
         fields: dict[str, Schema] = table["properties"]
-        several = {name: field if name in _ONCE else _one_or_many(field) for name, field in fields.items()}
+        several = {name: field if name in _ONCE else self._one_or_many(field) for name, field in fields.items()}
         return self._reference(f"{spec.__name__.removesuffix('Spec')}InBank", table | {"properties": several})
+
+    def _one_or_many(self, field: Schema) -> Schema:
+        """Allow a list of what a key of a mechanism may hold."""
+        about = {key: part for key, part in field.items() if key in ("description", "default", "examples")}
+        one = {key: part for key, part in field.items() if key not in about}
+        return {**about, **by_type([{"type": "array", "items": one, "minItems": 1}, one], self.definitions)}
 
     def _reference(self, name: str, schema: Schema) -> Schema:
         """Put a schema among the definitions and refer to it."""
@@ -119,11 +133,26 @@ class _Writer:
         return {"$ref": f"#/$defs/{name}"}
 
 
-def _one_or_many(field: Schema) -> Schema:
-    """Allow a list of what a key of a mechanism may hold."""
-    about = {key: part for key, part in field.items() if key in ("description", "default")}
-    one = {key: part for key, part in field.items() if key not in about}
-    return {**about, "anyOf": [one, {"type": "array", "items": one, "minItems": 1}]}
+def _spec(annotation: object) -> type[Spec] | None:
+    """Take a declared type for a table, if it is one."""
+    inner = bare(annotation).annotation
+    return inner if isinstance(inner, type) and issubclass(inner, Spec) else None
+
+
+def _telling(specs: Sequence[type[Spec]]) -> str | None:
+    """Find the key whose one word tells which of some tables it is."""
+    return next((key for key in ("kind", "type") if all(_word(spec, key) for spec in specs)), None)
+
+
+def _word(spec: type[Spec], key: str) -> str:
+    """Give the one word that a key of a table may have; empty where it has none or several."""
+    words = words_of(spec.model_fields[key].annotation) if key in spec.model_fields else []
+    return str(words[0]) if len(words) == 1 else ""
+
+
+def _example(key: str, allowed: Schema) -> Schema:
+    """Give the example that suits a key better than that of its dimension."""
+    return {"examples": [EXAMPLES[key]]} if key in EXAMPLES and "$ref" in allowed else {}
 
 
 def _quantity_name(quantity: Quantity) -> str:

@@ -161,7 +161,7 @@ class Quantity:
         example = [self.example or self.dimension.example]
         least = max((limit for limit in (self.above, self.at_least) if limit is not None), default=-1.0)
         text = {"type": "string", "pattern": pattern(self.dimension, is_signed=least < 0), "examples": example}
-        value = text if self.dimension.needs_unit else {"anyOf": [{"type": "number"}, text]}
+        value = text if self.dimension.needs_unit else text | {"type": ["number", "string"]}
         table = {
             "type": "object",
             "properties": {
@@ -175,7 +175,8 @@ class Quantity:
         }
         limits = [allowed.format(limit=f"{limit:g} (SI)") for limit, _holds, allowed in self._limits()]
         sentence = "; ".join([self.expected, *limits])
-        return {"description": sentence, "anyOf": [value, table], "examples": example}
+        # not anyOf: a slip would then be one of every alternative
+        return {"description": sentence, "if": {"type": "object"}, "then": table, "else": value, "examples": example}
 
 
 def _table_problems(table: Mapping[str, object]) -> Iterator[Problem]:

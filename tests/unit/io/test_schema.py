@@ -110,7 +110,7 @@ def test_every_key_says_what_it_is():
     assert len(tables) > len(KINDS)
     for table in tables:
         for name, field in table["properties"].items():
-            assert re.fullmatch(r"\S.*[.)}]", field["description"]), name
+            assert "const" in field or re.fullmatch(r"\S.*[.)}]", field["description"]), name
 
 
 def test_quantities_have_examples_that_fit():
@@ -131,3 +131,70 @@ def test_every_spelling_of_a_unit_fits_and_no_other_dimension(dimension):
     for other in Dimension:
         for unit in other.units if other is not dimension else ():
             assert not validator.is_valid(f"3 {unit.name}"), unit.name
+
+
+GAS = {"kind": "otto", "start_pressure": "95 kPa", "compression_exponent": 1.35, "expansion_exponent": 1.28}
+CHAIN = tomllib.loads(next(kind.example for kind in KINDS if kind.name == "chain"))["mechanism"]
+
+
+def chain(**part):
+    """A right chain but for one key of its first part."""
+    return {**CHAIN, "part": [{**CHAIN["part"][0], **part}, *CHAIN["part"][1:]]}
+
+
+def with_slip(path, value):
+    """A right machine with one slip."""
+    data = copy.deepcopy(EXAMPLES["3d12.toml"])
+    data["gas"] = {**GAS, "pressure_ratio": 3.5}
+    *above, key = path.split(".")
+    table = data
+    for name in above:
+        table = table.setdefault(name, {})
+    table[key] = value
+    return data
+
+
+SLIPS = [
+    ("rotation", "backwards", "rotation"),
+    ("shaft.main.speed", 1500, "shaft.main.speed"),
+    ("shaft.main.speed", "1500 mm", "shaft.main.speed"),
+    ("shaft.main.speed", {"value": "1500 mm"}, "shaft.main.speed.value"),
+    ("shaft.main.speed", {"value": "1500 rpm", "status": "guessed"}, "shaft.main.speed.status"),
+    ("shaft.main.throws", ["0 deg", 120], "shaft.main.throws.1"),
+    ("shaft.main.spacing", ["180 mm", "30 deg"], "shaft.main.spacing.1"),
+    ("shaft.main.spacing", 180, "shaft.main.spacing"),
+    ("crank_zero", "Z", "crank_zero"),
+    ("crank_zero", {"value": "3 mm"}, "crank_zero.value"),
+    ("gravity", "yes", "gravity"),
+    ("gravity", {"acceleration": "9.81 m"}, "gravity.acceleration"),
+    ("bank.L.mechanism.kind", "slidercrank", "bank.L.mechanism.kind"),
+    ("bank.L.mechanism.strok", "180 mm", "bank.L.mechanism"),
+    ("bank.L.mechanism.stroke", "180", "bank.L.mechanism.stroke"),
+    ("bank.L.mechanism.rod_length", ["180,5 mm"], "bank.L.mechanism.rod_length.0"),
+    ("bank.L.angle", ["-30"], "bank.L.angle.0"),
+    ("bank.R.mechanism.master", 1, "bank.R.mechanism.master"),
+    ("gas.kind", "oto", "gas.kind"),
+    ("gas.start_pressure", "95", "gas.start_pressure"),
+    ("gas.start_pressur", "95 kPa", "gas"),
+    ("gas.compression_exponent", True, "gas.compression_exponent"),
+    ("gas", {"A": GAS | {"kind": "oto"}}, "gas.A.kind"),
+    ("gas", {"A": {**GAS, "pressure_ratio": "3,5"}}, "gas.A.pressure_ratio"),
+    ("gas", GAS, "gas"),
+    ("gas", {name: value for name, value in GAS.items() if name != "kind"}, "gas"),
+    ("cylinder.firing_angles", ["0"], "cylinder.firing_angles.0"),
+    ("cylinder.firing_angles", {"1L": 0}, "cylinder.firing_angles.1L"),
+    ("cylinder.R.bor", "150 mm", "cylinder.R"),
+    ("cylinder.clearance", "8 mm", "cylinder.clearance"),
+    ("mechanism", chain(type="slid"), "mechanism.part.0.type"),
+    ("mechanism", chain(side=1), "mechanism.part.0.side"),
+    ("bank.L.opposed", 1, "bank.L"),
+]
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "where"), SLIPS, ids=[f"{path} {number}" for number, (path, *_) in enumerate(SLIPS)]
+)
+def test_one_slip_is_one_error_where_it_was_made(path, value, where):
+    errors = list(VALIDATOR.iter_errors(with_slip(path, value)))
+    assert [".".join(map(str, error.absolute_path)) for error in errors] == [where]
+    assert errors[0].context == []  # nothing is said of other alternatives
