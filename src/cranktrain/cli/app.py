@@ -77,18 +77,22 @@ def _list(
         "`cranktrain list kinds` names the kinds.\n\n"
         "\b\n"
         "  cranktrain new slider_crank\n"
-        "  cranktrain new crank_rocker -o mine.toml"
+        "  cranktrain new crank_rocker -o mine.toml\n"
+        "  cranktrain new walschaerts --full -o locomotive.toml"
     ),
 )
 @put_off
 def _new(
     kind: Annotated[str, typer.Argument(metavar="KIND", show_default=False)],
+    full: Annotated[
+        bool, typer.Option("--full", help=_("With every table that suits the kind, behind comment marks."))
+    ] = False,
     output: Output = None,
     force: Force = False,
 ) -> None:
     from cranktrain.cli.start import write_new
 
-    write_new(kind, output, force=force)
+    write_new(kind, output, full=full, force=force)
 
 
 @_app.command(

@@ -1,4 +1,5 @@
 import json
+import re
 import tomllib
 
 import jsonschema
@@ -57,3 +58,49 @@ def test_schema(typed, tmp_path):
     jsonschema.Draft202012Validator.check_schema(schema)
     for kind in KINDS:
         jsonschema.Draft202012Validator(schema).validate(tomllib.loads(typed("new", kind.name).output))
+
+
+def without_marks(text):
+    """A file whose optional keys and tables have lost their comment marks."""
+    return re.sub(r"^# (?=\[|[\w.]+ = )", "", text, flags=re.MULTILINE)
+
+
+@pytest.mark.parametrize("kind", [kind.name for kind in KINDS])
+def test_full_file_runs_as_it_is_and_without_its_comment_marks(typed, written, kind):
+    text = typed("new", kind, "--full").output
+    assert tomllib.loads(text) == tomllib.loads(typed("new", kind).output)
+    bare = without_marks(text)
+    assert not re.search(r"^# ?(\[|[\w.]+ = )", bare, flags=re.MULTILINE)
+    path = written(bare)
+    answer = typed("check", path.name)
+    assert (answer.status, answer.errors) == (0, "")
+    assert not re.search("^!", answer.output, flags=re.MULTILINE), "a table that nothing rests on"
+    answer = typed("run", path.name, "--step", "10")
+    assert (answer.status, answer.errors) == (0, "")
+    assert "NOT" not in answer.output
+
+
+@pytest.mark.parametrize("kind", [kind.name for kind in KINDS])
+def test_every_table_of_a_full_file_works_alone(typed, written, kind):
+    """But for a rim, whose flywheel the table above it wants, and a shaft, whose disc the table below it has."""
+    text = typed("new", kind, "--full").output
+    heads = re.findall(r"^# (\[.*?\])", text, flags=re.MULTILINE)
+    assert heads
+    for head in heads:
+        if head not in ("[evenness.rim]", "[torsion]"):
+            one = re.sub(rf"^# {re.escape(head)}(?:.*\n# .*)*", lambda found: without_marks(found[0]), text, flags=re.M)
+            assert tomllib.loads(one) != tomllib.loads(text), head
+            answer = typed("check", written(one).name)
+            assert (answer.status, answer.errors) == (0, ""), head
+
+
+@pytest.mark.parametrize(
+    ("kind", "speed"),
+    [("walschaerts", "280 rpm"), ("crank_rocker", "10 rpm"), ("chain", "40 rpm"), ("slotted_lever", "30 rpm")],
+)
+def test_numbers_suit_the_kind(typed, kind, speed):
+    """A locomotive, a pumping unit, a press and a shaper: none compresses."""
+    text = typed("new", kind, "--full").output
+    assert tomllib.loads(text)["shaft"]["main"]["speed"] == speed
+    assert "compression_ratio" not in text
+    assert "[gas]" not in text
