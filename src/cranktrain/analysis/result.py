@@ -1,17 +1,18 @@
 """The result: every quantity by name, its facts, checks, what is missing, and sentences that answer."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 import numpy as np
 
 from cranktrain.all_questions import QUESTIONS
-from cranktrain.analysis.dimensions import DIMENSIONS
 from cranktrain.analysis.stages import Missing
 from cranktrain.analysis.unused import Unused, sentences
+from cranktrain.brief import brief
 from cranktrain.catalogue import Entry, entries, values
 from cranktrain.checks import Check
+from cranktrain.faces import face
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
@@ -29,6 +30,11 @@ class Fact(NamedTuple):
 
     entry: Entry
     value: Array
+
+    def __repr__(self) -> str:
+        """Show name, symbol and unit, and one value, or how many there are."""
+        value = f"{self.value:.6g}" if np.ndim(self.value) == 0 else brief(self.value)
+        return f"<{self.entry.name} {self.entry.symbol} = {value} {self.entry.unit}>"
 
 
 @record
@@ -54,6 +60,8 @@ class Result:
         What is to be said of curves for which the steps asked for are too wide.
     unused : tuple of Unused
         Tables that the file has and no result could rest on, with what is missing for them.
+    asked : tuple of str, or None
+        The quantities that were asked for, which the dataset has; None for all.
     """
 
     machines: tuple[Machine, ...]
@@ -64,6 +72,7 @@ class Result:
     missing: tuple[Missing, ...]
     coarse: tuple[str, ...] = ()
     unused: tuple[Unused, ...] = ()
+    asked: tuple[str, ...] | None = None
 
     @cached_property
     def _homes(self) -> dict[str, tuple[Entry, object]]:
@@ -87,7 +96,7 @@ class Result:
         if name.startswith("_"):
             raise AttributeError(name)
         if name not in self._homes:
-            raise AttributeError(self._absence(name, self.needs_of(name), self._homes))
+            raise AttributeError(self._absence(name, self.needs_of(name), self._public_names))
         entry, outcome = self._homes[name]
         inside: Array = values(outcome, entry)
         given = _read_only(shown(inside, "deg")) if entry.unit == "deg" else inside
@@ -102,17 +111,26 @@ class Result:
         found = self.get(kind)
         if found is None:
             needs = self.needs_of(*(entry.name for entry in entries(kind)))
-            raise KeyError(self._absence(kind.__name__, needs, (type(outcome).__name__ for outcome in self.outcomes)))
+            raise KeyError(self._absence(kind.__name__, needs, [type(outcome).__name__ for outcome in self.outcomes]))
         return found
 
     def needs_of(self, *quantities: str) -> tuple[str, ...]:
         """What the machine file would have to say for quantities that are missing; nothing of others."""
         return next((one.needs for one in self.missing if not set(quantities).isdisjoint(one.results)), ())
 
-    def _absence(self, wanted: str, needs: Sequence[str], there: Iterable[str]) -> str:
+    @property
+    def _public_names(self) -> tuple[str, ...]:
+        """Quantities, and what else a result has."""
+        return (*self._homes, *(name for name in object.__dir__(self) if not name.startswith("_")))
+
+    def _absence(self, wanted: str, needs: Sequence[str], there: Collection[str]) -> str:
         """Say why there is no such quantity, or stage's result."""
         if needs:
             return f"this result has no {wanted}, which needs {', '.join(needs)}"
+        from cranktrain.quantities import nearest  # only after a mistake
+
+        if (meant := nearest(wanted, there)) is not None:
+            return f"this result has no {wanted}; did you mean {meant}?"
         return f"this result has no {wanted}; it has {', '.join(there)}"
 
     def __dir__(self) -> list[str]:
@@ -148,9 +166,21 @@ class Result:
             if sentence:
                 yield sentence
 
-    def summary(self, design: int = 0) -> str:
-        """Say in sentences what is not used of the file, and what was found."""
-        return "\n".join([*sentences(self.unused), *self.answers(design)])
+    def summary(self, design: int | None = None) -> str:
+        """Say in sentences what is not used of the file, and what was found.
+
+        Parameters
+        ----------
+        design : int, optional
+            Which of several, from 0; between which values they all are unless given.
+
+        Returns
+        -------
+        str
+        """
+        is_of_all = self.has_designs and design is None
+        found = face("analysis.designs_summary:summary_of_designs")(self) if is_of_all else self.answers(design or 0)
+        return "\n".join([*sentences(self.unused), *found])
 
     def labels_of(self, entry: Entry) -> dict[str, tuple[str, ...]]:
         """Names along each dimension of a quantity, but for the crank angle."""
@@ -158,32 +188,63 @@ class Result:
 
     @cached_property
     def dataset(self) -> "xarray.Dataset":
-        """All quantities as an xarray dataset, with units, symbols, sentences and sources as attributes."""
-        import xarray
+        """Give the quantities that were asked for, or all, as an xarray dataset with units, symbols and sources."""
+        return face("analysis.dataset:dataset_of")(self)
 
-        design = ("design",) if self.has_designs else ()
-        variables: dict[str, Any] = {
-            name: (
-                (*design, *entry.dimensions),
-                getattr(self, name),
-                {
-                    "units": entry.unit,
-                    "symbol": entry.symbol,
-                    "long_name": entry.sentence,
-                    "source": entry.source,
-                },
-            )
-            for name, entry in self.catalogue.items()
-        }
-        used = {dimension for dimensions, *_rest in variables.values() for dimension in dimensions}
-        coordinates: dict[str, Any] = {
-            name: list(map(float, words)) if DIMENSIONS[name].is_number else list(words)
-            for name, words in self.labels.items()
-            if name in used
-        }
-        coordinates["crank_angle"] = ("crank_angle", self.crank_angle, {"units": "deg", "symbol": "φ"})
-        about = {"name": self.machines[0].name, "unused": sentences(self.unused)}
-        return xarray.Dataset(variables, coordinates, about)
+    def plot(self, *quantities: str, design: int = 0, **members: "str | Sequence[str]") -> Any:
+        """Draw curves over the crank angle.
+
+        Parameters
+        ----------
+        *quantities : str
+            Names of curves; the main ones of the machine unless given.
+        design : int
+            Which of the result's machines.
+        **members : str or sequence of str
+            Whose, by dimension: `piston="1R"`, `joint=["1L.guide", "1R.guide"]`; the first few unless given.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+
+        Raises
+        ------
+        InputError
+            Where there is no such curve, or member.
+        """
+        return face("viz.curves:plot_result")(self, *quantities, design=design, **members)
+
+    def sheet(self, name: str = "machine", *, size: str = "A4", design: int = 0) -> Any:
+        """Draw a sheet of paper.
+
+        Parameters
+        ----------
+        name : str
+            `machine`, `forces` or `torsion`.
+        size : "A4" or "A3"
+        design : int
+            Which of the result's machines.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+
+        Raises
+        ------
+        InputError
+            Where there is no such sheet, or the result lacks what it needs.
+        """
+        return face("viz.curves:sheet_called")(self, name, size=size, design=design)
+
+    def __repr__(self) -> str:
+        """Say in one line whose result it is."""
+        line: str = face("analysis.representations:result_line")(self)
+        return line
+
+    def _repr_html_(self) -> str:
+        """Give the answer for a notebook."""
+        words: str = face("analysis.representations:result_html")(self)
+        return words
 
 
 def _read_only(values: Array) -> Array:

@@ -11,6 +11,7 @@ from pydantic_core import CoreSchema, core_schema
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
+from cranktrain.one_line import short
 from cranktrain.quantities.conversion import shown
 from cranktrain.quantities.dimensions import Dimension, expected
 from cranktrain.quantities.pattern import pattern
@@ -44,6 +45,10 @@ class Given:
     status: Status | None = None
     note: str | None = None
     source: str | None = None
+
+    def __repr__(self) -> str:
+        """Show the text, and its status."""
+        return f"<{short(self.text)}{f', {self.status}' if self.status else ''}>"
 
 
 @dataclass(frozen=True)

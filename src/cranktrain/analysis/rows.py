@@ -1,0 +1,254 @@
+"""The answer as rows: of each fact the values of one machine or of several, for what stands alike in all of them."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from string import digits
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from cranktrain.all_questions import QUESTIONS
+from cranktrain.analysis.dimensions import DIMENSIONS
+from cranktrain.analysis.figures import shown_in, significant
+from cranktrain.analysis.result import Result
+from cranktrain.catalogue import Entry, entries
+from cranktrain.grouping import grouped
+from cranktrain.language import N_, _
+from cranktrain.motion import Array
+from cranktrain.record import record
+from cranktrain.wording import ranged
+
+_MOST_GROUPS = 3
+"""Members that differ among themselves have a row each up to here; of more the smallest and the largest has."""
+
+_MOST_NUMBERED = 3
+"""Of members that are numbers, as modes, so many have rows."""
+
+_EXACT = "exact"
+"""The first of several methods, beside which the others are approximations."""
+
+_SMALLEST, _LARGEST = N_("min"), N_("max")
+
+_MOST_LETTERS = 24
+"""Of the names of members; of more the smallest and the largest stands."""
+
+
+@record
+class AnswerRow:
+    """A fact of one machine or several.
+
+    Attributes
+    ----------
+    question : str
+        Whose fact it is.
+    entry : Entry
+    of : str
+        Whose of the machine's parts, or which of them: `L`, `mode 1`, `largest`; empty where there is one alone.
+    values : tuple of float
+        Of each machine, in the entry's unit; NaN where it has none.
+    """
+
+    question: str
+    entry: Entry
+    of: str
+    values: tuple[float, ...]
+
+    @property
+    def name(self) -> str:
+        """The fact in words, with whose it is."""
+        words = self.entry.name.replace("_", " ")
+        return f"{words}, {self.of}" if self.of else words
+
+    @property
+    def texts(self) -> tuple[tuple[str, ...], str]:
+        """The values as they are shown, and their unit."""
+        shown = shown_in(self.entry.unit, np.array(self.values))
+        return tuple(significant(float(shown.converted(np.array(value)))) for value in self.values), shown.unit
+
+
+class OneMachine(NamedTuple):
+    """A result and which of its designs."""
+
+    result: Result
+    design: int = 0
+
+    def fact(self, name: str) -> "Labelled | None":
+        """Give a fact with the labels of its dimensions, or None where it has none; of a curve its values."""
+        entry = self.result.catalogue.get(name)
+        if entry is None:
+            return None
+        values = np.asarray(getattr(self.result, name), dtype=np.float64)
+        return Labelled(values[self.design] if self.result.has_designs else values, self.result.labels_of(entry))
+
+
+class Labelled(NamedTuple):
+    """Values with the names along their dimensions."""
+
+    values: Array
+    labels: Mapping[str, Sequence[str]]
+
+
+def headline_names(results: Sequence[Result]) -> tuple[str, ...]:
+    """Name the facts that say most, question by question, which at least one of some results has."""
+    named = (name for question in QUESTIONS for name in question.headline)
+    return tuple(name for name in named if any(name in result.catalogue for result in results))
+
+
+def question_of(name: str) -> str:
+    """Question whose stage gives a quantity; empty for what a kind of mechanism or a textbook gives."""
+    return next(
+        (one.name for one in QUESTIONS if any(name in _given_by(stage.gives) for stage in one.stages)),
+        "",
+    )
+
+
+def answer_rows(machines: Sequence[OneMachine], names: Sequence[str]) -> Iterator[AnswerRow]:
+    """Give the rows of some quantities.
+
+    Parameters
+    ----------
+    machines : sequence of OneMachine
+    names : sequence of str
+        Of facts, or of curves: of these the smallest and the largest value.
+
+    Yields
+    ------
+    AnswerRow
+        In the order of the questions. Where machines have the same members, those that are equal in all of them share a
+        row; where they have others, or many that differ, the smallest and the largest stand beside each other.
+    """
+    place = {question.name: i for i, question in enumerate(QUESTIONS)}
+    by_question = grouped((question_of(name), name) for name in names)
+    for question in sorted(by_question, key=lambda one: place.get(one, len(place))):
+        for name in by_question[question]:
+            found = [one.fact(name) for one in machines]
+            entry = next((one.result.catalogue[name] for one in machines if name in one.result.catalogue), None)
+            if entry is not None:
+                rows = (AnswerRow(question, entry, of, values) for of, values in _rows_of(entry, found))
+                yield from (row for row in rows if np.any(np.isfinite(row.values)))
+
+
+def _given_by(outcome: type) -> set[str]:
+    return {entry.name for entry in entries(outcome)}
+
+
+def _rows_of(entry: Entry, found: Sequence[Labelled | None]) -> Iterator[tuple[str, tuple[float, ...]]]:
+    """Give the rows of one quantity: whose, and its values."""
+    outer = _outer_labels(found)
+    for label in outer:
+        flat = [None if one is None else _at(one, label) for one in found]
+        words = "" if len(outer) == 1 or label == _EXACT else label
+        for of, values in _flat_rows(entry, flat):
+            yield ", ".join(filter(None, (words, of))), values
+
+
+def _outer_labels(found: Sequence[Labelled | None]) -> list[str]:
+    """Labels of the first of two dimensions, or of methods, of which the exact one alone; else one without words."""
+    for one in found:
+        first = next(iter(one.labels.values()), ()) if one is not None else ()
+        if one is not None and first and first[0] == _EXACT:
+            return [_EXACT]
+    several = [list(one.labels.values())[0] for one in found if one is not None and len(one.labels) > 1]
+    return list(dict.fromkeys(label for labels in several for label in labels)) or [""]
+
+
+def _at(one: Labelled, label: str) -> Labelled | None:
+    """Values at a label of the first dimension, where it has that; else as they are."""
+    (dimension, labels), *rest = list(one.labels.items()) or [("", ())]
+    if not label:
+        return one
+    if label not in labels:
+        return None
+    return Labelled(one.values[list(labels).index(label)], dict(rest)) if dimension else one
+
+
+def _flat_rows(entry: Entry, found: Sequence[Labelled | None]) -> Iterator[tuple[str, tuple[float, ...]]]:
+    """Rows of a quantity that has members along one dimension, or none."""
+    there = [one for one in found if one is not None]
+    members = [_members(one) for one in there]
+    if not entry.is_fact:
+        sides: Sequence[str] = (_SMALLEST, _LARGEST)
+    elif all(len(one) <= 1 or len(set(_texts(entry, part.values))) == 1 for one, part in zip(members, there, strict=True)):
+        yield "", tuple(_first(one) for one in found)
+        return
+    elif rows := list(_same_members(entry, found, members)):
+        yield from rows
+        return
+    else:
+        sides = [side for side in (_SMALLEST, _LARGEST) if not _is_other(entry.name, side)]
+    for side in sides:
+        said = "" if len(sides) == 1 else _(side)
+        yield said, tuple(_extreme(one, side) for one in found)
+
+
+def _members(one: Labelled) -> tuple[str, ...]:
+    """Names along the last dimension."""
+    return tuple(list(one.labels.values())[-1]) if one.labels else ()
+
+
+def _same_members(
+    entry: Entry, found: Sequence[Labelled | None], members: Sequence[tuple[str, ...]]
+) -> Iterator[tuple[str, tuple[float, ...]]]:
+    """Rows of members that all machines have: of numbers the first few, of others those together that are equal."""
+    there = [one for one in found if one is not None]
+    dimension = entry.dimensions[-1]
+    if DIMENSIONS[dimension].is_number and _is_side(entry.name) is None:
+        for member in members[0][:_MOST_NUMBERED]:
+            title = _(DIMENSIONS[dimension].title)
+            yield f"{title} {member}", tuple(_of_member(one, member) for one in found)
+        return
+    if any(one != members[0] for one in members) or any(one.values.ndim != 1 for one in there):
+        return
+    texts = zip(*(_texts(entry, one.values) for one in there), strict=True)
+    groups = grouped((text, place) for place, text in enumerate(texts))
+    whose = [_whose(members[0], places) for places in groups.values()]
+    if len(groups) <= _MOST_GROUPS and len(set(whose)) == len(whose) and max(map(len, whose)) <= _MOST_LETTERS:
+        for of, places in zip(whose, groups.values(), strict=True):
+            yield of, tuple(np.nan if one is None else float(one.values[places[0]]) for one in found)
+
+
+def _whose(members: Sequence[str], places: Sequence[int]) -> str:
+    """Name some members: all of a bank by it, all mechanisms' joints of one sort by that, `wrist_pin` for `1.wrist_pin`."""
+    parts = [members[place].partition(".") for place in places]
+    if all(dot for _mechanism, dot, _part in parts):
+        return ", ".join(dict.fromkeys(part for _mechanism, _dot, part in parts))
+    banks = {members[place].lstrip(digits) for place in places}
+    bank = next(iter(banks))
+    of_bank = [place for place, member in enumerate(members) if member.lstrip(digits) == bank]
+    return bank if len(banks) == 1 and bank and of_bank == list(places) else ranged(members, places)
+
+
+def _texts(entry: Entry, values: Array) -> tuple[str, ...]:
+    """Values as they are shown, by which they are one or differ."""
+    shown = shown_in(entry.unit, values)
+    return tuple(significant(float(value)) for value in np.ravel(shown.converted(values)))
+
+
+def _first(one: Labelled | None) -> float:
+    return np.nan if one is None or not one.values.size else float(np.ravel(one.values)[0])
+
+
+def _of_member(one: Labelled | None, member: str) -> float:
+    """Value of a member, where there is one."""
+    if one is None or member not in _members(one):
+        return np.nan
+    return float(one.values[..., _members(one).index(member)].ravel()[0])
+
+
+def _extreme(one: Labelled | None, side: str) -> float:
+    """Smallest or largest of all members; NaN where none has a value."""
+    if one is None or not np.any(np.isfinite(one.values)):
+        return np.nan
+    least: Any = np.nanmin if side == _SMALLEST else np.nanmax
+    return float(least(one.values))
+
+
+def _is_side(name: str) -> str | None:
+    """Which side a fact is of by its name: of the largest forces of many joints the smallest says nothing."""
+    words = name.split("_")
+    if "smallest" in words:
+        return _SMALLEST
+    return _LARGEST if {"largest", "peak"} & set(words) else None
+
+
+def _is_other(name: str, side: str) -> bool:
+    return _is_side(name) not in (None, side)

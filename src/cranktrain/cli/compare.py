@@ -1,0 +1,119 @@
+"""`compare`: two machines side by side, or one with itself where some values are others."""
+
+from pathlib import Path, PurePath
+
+from cranktrain.analysis import Result
+from cranktrain.analysis.comparison import compared
+from cranktrain.cli.screen.report import title
+from cranktrain.cli.screen.text import page, paragraph
+from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.io.examples import example_called
+from cranktrain.io.machine_file import MachineFile, computed, read_machine
+from cranktrain.language import _
+from cranktrain.one_line import one_line
+from cranktrain.record import record
+from cranktrain.viz import save
+from cranktrain.viz.output import FORMATS
+
+
+@record
+class CompareRequest:
+    """What is asked of `compare`, as typed; `quantities` is None for the headlines."""
+
+    first: str
+    second: str | None = None
+    settings: tuple[str, ...] = ()
+    quantities: tuple[str, ...] | None = None
+    is_partial: bool = False
+    output: str | None = None
+    force: bool = False
+
+
+def show_comparison(request: CompareRequest) -> None:
+    """Compute both, compare, draw where asked, and show.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong with the request, else with both machines.
+    """
+    _check(request)
+    files = _read(request)
+    results = _computed(files, request)
+    comparison = compared(results, _names(request), request.quantities)
+    if request.output is not None:
+        save(comparison.plot, request.output, force=request.force)
+        print(_("written: {name}").format(name=one_line(request.output)))
+        return
+    with page("") as console:
+        for name, file in zip(comparison.names, files, strict=True):
+            for line in paragraph(console, f"{one_line(name)}: {title(file.machine)}"):
+                console.print(line, soft_wrap=True)
+        console.print()
+        for line in comparison.lines(console.width):
+            console.print(line, soft_wrap=True)
+        flags = [(name, flag) for name, one in zip(comparison.names, results, strict=True) for flag in one.flags]
+        if flags:
+            console.print()
+        for name, flag in flags:
+            for line in paragraph(console, f"! {one_line(name)}: {flag}"):
+                console.print(line, soft_wrap=True)
+
+
+def _check(request: CompareRequest) -> None:
+    """Refuse what cannot be compared, and a picture that cannot be written."""
+    if request.output is not None and PurePath(request.output).suffix.lower() not in FORMATS:
+        allowed = _("must end in one of: {suffixes}").format(suffixes=", ".join(FORMATS))
+        raise InputError([Problem("-o", request.output, allowed)])
+    if request.quantities == ():
+        allowed = _("must be names of results, with commas between; `cranktrain list results` names them")
+        raise InputError([Problem("--quantities", '""', allowed)])
+    if request.second is None and not request.settings:
+        allowed = _("must be compared with something: another machine, or itself with --set PATH=VALUE")
+        repair = _("write cranktrain compare {first} kamaz_740, or --set shaft.main.speed=1500rpm").format(
+            first=request.first
+        )
+        raise InputError([Problem("compare", request.first, allowed, repair)])
+    if request.second is not None and _is_same(request.first, request.second):
+        allowed = _("is named twice, and differs in nothing from itself")
+        repair = _("name another, or name it once and set a value: --set PATH=VALUE")
+        raise InputError([Problem("compare", request.second, allowed, repair)])
+
+
+def _is_same(first: str, second: str) -> bool:
+    """Whether two names mean one file, or one example."""
+    if Path(first).is_file() or Path(second).is_file():
+        return Path(first).exists() and Path(second).exists() and Path(first).samefile(second)
+    return first == second or (example_called(first) is not None and example_called(first) == example_called(second))
+
+
+def _read(request: CompareRequest) -> tuple[MachineFile, MachineFile]:
+    """Read both machines; what is wrong with either is told."""
+    asked = (
+        (request.first, () if request.second is None else request.settings),
+        (request.second or request.first, request.settings),
+    )
+    found: list[MachineFile] = []
+    problems: list[Problem] = []
+    for source, settings in asked:
+        try:
+            found.append(read_machine(source, settings, partial=request.is_partial))
+        except InputError as error:
+            problems += [problem for problem in error.problems if problem not in problems]
+    refuse(problems)
+    return found[0], found[1]
+
+
+def _computed(files: tuple[MachineFile, MachineFile], request: CompareRequest) -> tuple[Result, Result]:
+    """Compute both."""
+    one, other = (computed(file, partial=request.is_partial, quantities=request.quantities) for file in files)
+    return one, other
+
+
+def _names(request: CompareRequest) -> tuple[str, str]:
+    """Name both machines as they were typed; of one with other values, these."""
+    if request.second is None:
+        values = ", ".join(setting.replace("=", " = ", 1) for setting in request.settings)
+        return request.first, _("{name} with {values}").format(name=request.first, values=values)
+    return request.first, request.second
+
