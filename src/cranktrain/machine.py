@@ -34,7 +34,6 @@ from cranktrain.questions.gas.spec import GasTables
 from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.spec import Spec, problems, with_tuples
 
-
 FileReader: TypeAlias = Callable[[Mapping[str, object]], tuple[dict[str, Any], tuple[Problem, ...]]]
 """Gives tables with what the files hold that they name, and what is wrong with these."""
 

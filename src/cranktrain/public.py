@@ -9,7 +9,7 @@ from cranktrain import analysis
 from cranktrain.analysis import Result
 from cranktrain.analysis.comparison import Comparison, compared
 from cranktrain.errors import InputError, Problem, problems_as
-from cranktrain.io.any_machine import source_of, sources_of
+from cranktrain.io.any_machine import sources_of
 from cranktrain.io.examples import example_names
 from cranktrain.language import _
 
@@ -66,6 +66,8 @@ def run(
     sources, has_designs = sources_of(machine, set, partial=partial)
     names = (quantities,) if isinstance(quantities, str) else quantities
     asked = None if names is None else tuple(names)
+    if asked == ():
+        raise InputError([Problem("quantities", "[]", _("must be names of results; result.catalogue has them"))])
     machines = tuple(source.machine for source in sources)
     found = with_arguments(analysis.run, speed=speed, step_degrees=step_degrees, partial=partial, quantities=asked)
     if has_designs:
@@ -108,12 +110,12 @@ def compare(
     ...     print(row.quantity, round(row.first, 4), round(row.second, 4), round(row.percent, 1))
     displacement 0.0389 0.0109 -72.1
     >>> compare("vaz_21213", set={"shaft.main.speed": "3000 rpm"})
-    <Comparison of vaz_21213 and vaz_21213 with shaft.main.speed = 3000 rpm: 25 rows>
+    <Comparison of vaz_21213 and vaz_21213 with shaft.main.speed = 3000 rpm: ... rows>
     """
     values = set or {}
     if second is None and not values:
         allowed = _("is missing: name a second machine, or what is to be another value")
-        raise InputError([Problem("second", None, allowed, _('write set={example}').format(example=_EXAMPLE))])
+        raise InputError([Problem("second", None, allowed, _("write set={example}").format(example=_EXAMPLE))])
     said = ", ".join(f"{path} = {value}" for path, value in values.items())
     named = first if second is None else second
     names = [_name_of(first), _name_of(named)]

@@ -37,8 +37,13 @@ class Spec(BaseModel, frozen=True):
     __str__ = __repr__
 
     @classmethod
+    def __pydantic_init_subclass__(cls, **_options: object) -> None:
+        """Give the class its signature."""
+        type.__setattr__(cls, "__signature__", BriefSignature())
+
+    @classmethod
     def __pydantic_on_complete__(cls) -> None:
-        """Replace the signature that pydantic made just before."""
+        """Give it once more, over the one that pydantic makes with what it reads by."""
         type.__setattr__(cls, "__signature__", BriefSignature())
 
     @model_validator(mode="before")

@@ -27,8 +27,8 @@ _POSITIONS = ("_at", "dead_centre", "angle")
 class ComparedRow(NamedTuple):
     """A fact of two machines.
 
-    question, quantity: whose it is and its name in the catalogue; of: which of its members; unit: that of the catalogue,
-    in which first, second and difference are; NaN where a machine has none. percent: of the first.
+    question, quantity: whose it is and its name in the catalogue; of: which of its members; unit: the catalogue's, in
+    which first, second and difference are; NaN where a machine has none. percent: of the first.
     """
 
     question: str
@@ -64,9 +64,7 @@ def compared(
     InputError
         With every quantity that neither has, and what it needs.
     """
-    refuse(
-        _absence(name, results) for name in asked or () if not any(name in result.catalogue for result in results)
-    )
+    refuse(_absence(name, results) for name in asked or () if not any(name in result.catalogue for result in results))
     return Comparison(results, names, asked)
 
 
@@ -134,7 +132,9 @@ class Comparison:
             yield _("Neither machine has a result that could be compared.")
             return
         heads = ("", *(short(name, _LONGEST_HEAD) for name in self._heads()), "", _("difference"), "%")
-        widths = [max(len(text) for text in column) for column in zip(heads[1:], *(texts for _r, texts in cells), strict=True)]
+        widths = [
+            max(len(text) for text in column) for column in zip(heads[1:], *(texts for _r, texts in cells), strict=True)
+        ]
         first = max(12, min(max(len(row.name) + 2 for row, _texts in cells), width - sum(widths) - 2 * len(widths)))
         yield _line(heads, first, widths)
         for question, rows in grouped((row.question, (row, texts)) for row, texts in cells).items():
@@ -149,6 +149,8 @@ class Comparison:
     def _heads(self) -> tuple[str, str]:
         """Names short enough for a column: of a machine with other values, these are named above."""
         first, second = (one_line(name) for name in self.names)
+        if first == second or not (first and second):
+            return _("first"), _("second")
         return (first, _("changed")) if second.startswith(f"{first} ") else (first, second)
 
     def __repr__(self) -> str:
@@ -218,4 +220,3 @@ def _line(texts: tuple[str, ...], first: int, widths: list[int]) -> str:
         for number, (text, width) in enumerate(zip(cells, widths, strict=True))
     ]
     return "  ".join([name.ljust(first), *parts]).rstrip()
-

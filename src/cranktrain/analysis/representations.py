@@ -13,7 +13,7 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.one_line import one_line, short
 
-_LONGEST_NAME = 70
+_LONGEST_NAME, _FEW = 70, 3
 
 
 def machine_line(machine: Machine) -> str:
@@ -33,10 +33,10 @@ def result_line(result: Result) -> str:
     if result.has_designs:
         name = _("{n} designs of {name}").format(n=len(result.machines), name=name)
     n_quantities = len(result.catalogue)
-    words = [
-        _("1 quantity") if n_quantities == 1 else _("{n} quantities").format(n=n_quantities),
-        *_trust(result),
-    ]
+    held = _("1 quantity") if n_quantities == 1 else _("{n} quantities").format(n=n_quantities)
+    if result.asked is not None:
+        held = ", ".join(result.asked) if len(result.asked) <= _FEW else _("{n} quantities").format(n=len(result.asked))
+    words = [held, *_trust(result)]
     return f"<Result of {name}: {', '.join(words)}>"
 
 
@@ -44,14 +44,22 @@ def result_html(result: Result) -> str:
     """Give the answer: what to mind, the facts that say most, and how far it can be trusted."""
     machine = result.machines[0]
     parts = [f"<b>{_name(machine)}</b>", _paragraph(_about(machine))]
-    parts += [_paragraph(f"! {sentence}") for sentence in (*sentences(result.unused), *result.flags)]
+    parts += [_paragraph(f"! {sentence}") for sentence in sentences(result.unused)]
+    if result.flags:
+        flagged = _("! 1 flag") if len(result.flags) == 1 else _("! {n} flags").format(n=len(result.flags))
+        parts.append(_folded(flagged, result.flags))
     if result.has_designs:
         parts.append(f"<ul>{''.join(f'<li>{escape(line)}</li>' for line in summary_of_designs(result))}</ul>")
     else:
         rows = answer_rows([OneMachine(result)], headline_names([result]))
         parts += ["<table><tbody>", *_table(rows), "</tbody></table>"]
-        said = "".join(f"<li>{escape(sentence)}</li>" for sentence in result.answers())
-        parts.append(f"<details><summary>{escape(_('In words'))}</summary><ul>{said}</ul></details>")
+        parts.append(_folded(_("In words"), result.answers()))
+        if result.missing:
+            lacking = (
+                _("{needs}: gives {results}").format(needs=_(" and ").join(one.needs), results=", ".join(one.results))
+                for one in result.missing
+            )
+            parts.append(_folded(_("To learn more"), lacking))
     parts.append(_paragraph(" · ".join([*_trust(result), _("result.plot(), result.sheet(), result.dataset")])))
     return "".join(parts)
 
@@ -89,6 +97,12 @@ def _table(rows: Iterable[AnswerRow]) -> Iterator[str]:
             (text,), unit = row.texts
             cells = f"<td>{escape(text)}</td><td style='text-align:left'>{escape(unit)}</td>"
             yield f'<tr><td style="text-align:left">{escape(row.name)}</td>{cells}</tr>'
+
+
+def _folded(head: str, sentences: Iterable[str]) -> str:
+    """Sentences that open below their head."""
+    items = "".join(f"<li>{escape(sentence)}</li>" for sentence in sentences)
+    return f"<details><summary>{escape(head)}</summary><ul>{items}</ul></details>"
 
 
 def _paragraph(text: str) -> str:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 import numpy as np
 
 from cranktrain.all_questions import QUESTIONS
-from cranktrain.analysis.stages import Missing
+from cranktrain.analysis.stages import STAGES, Missing
 from cranktrain.analysis.unused import Unused, sentences
 from cranktrain.brief import brief
 from cranktrain.catalogue import Entry, entries, values
@@ -129,6 +129,8 @@ class Result:
             return f"this result has no {wanted}, which needs {', '.join(needs)}"
         from cranktrain.quantities import nearest  # only after a mistake
 
+        if any(wanted == entry.name for stage in STAGES for entry in entries(stage.gives)):
+            return f"this result has no {wanted}, which other machines have, or other `quantities` would give"
         if (meant := nearest(wanted, there)) is not None:
             return f"this result has no {wanted}; did you mean {meant}?"
         return f"this result has no {wanted}; it has {', '.join(there)}"

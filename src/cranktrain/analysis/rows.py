@@ -26,7 +26,7 @@ _MOST_NUMBERED = 3
 _EXACT = "exact"
 """The first of several methods, beside which the others are approximations."""
 
-_SMALLEST, _LARGEST = N_("min"), N_("max")
+SMALLEST, LARGEST = N_("min"), N_("max")
 
 _MOST_LETTERS = 24
 """Of the names of members; of more the smallest and the largest stands."""
@@ -147,7 +147,7 @@ def _outer_labels(found: Sequence[Labelled | None]) -> list[str]:
         first = next(iter(one.labels.values()), ()) if one is not None else ()
         if one is not None and first and first[0] == _EXACT:
             return [_EXACT]
-    several = [list(one.labels.values())[0] for one in found if one is not None and len(one.labels) > 1]
+    several = [next(iter(one.labels.values())) for one in found if one is not None and len(one.labels) > 1]
     return list(dict.fromkeys(label for labels in several for label in labels)) or [""]
 
 
@@ -166,15 +166,17 @@ def _flat_rows(entry: Entry, found: Sequence[Labelled | None]) -> Iterator[tuple
     there = [one for one in found if one is not None]
     members = [_members(one) for one in there]
     if not entry.is_fact:
-        sides: Sequence[str] = (_SMALLEST, _LARGEST)
-    elif all(len(one) <= 1 or len(set(_texts(entry, part.values))) == 1 for one, part in zip(members, there, strict=True)):
+        sides: Sequence[str] = (SMALLEST, LARGEST)
+    elif all(
+        len(one) <= 1 or len(set(_texts(entry, part.values))) == 1 for one, part in zip(members, there, strict=True)
+    ):
         yield "", tuple(_first(one) for one in found)
         return
     elif rows := list(_same_members(entry, found, members)):
         yield from rows
         return
     else:
-        sides = [side for side in (_SMALLEST, _LARGEST) if not _is_other(entry.name, side)]
+        sides = [side for side in (SMALLEST, LARGEST) if not _is_other(entry.name, side)]
     for side in sides:
         said = "" if len(sides) == 1 else _(side)
         yield said, tuple(_extreme(one, side) for one in found)
@@ -191,7 +193,7 @@ def _same_members(
     """Rows of members that all machines have: of numbers the first few, of others those together that are equal."""
     there = [one for one in found if one is not None]
     dimension = entry.dimensions[-1]
-    if DIMENSIONS[dimension].is_number and _is_side(entry.name) is None:
+    if DIMENSIONS[dimension].is_number and side_of(entry.name) is None:
         for member in members[0][:_MOST_NUMBERED]:
             title = _(DIMENSIONS[dimension].title)
             yield f"{title} {member}", tuple(_of_member(one, member) for one in found)
@@ -200,14 +202,14 @@ def _same_members(
         return
     texts = zip(*(_texts(entry, one.values) for one in there), strict=True)
     groups = grouped((text, place) for place, text in enumerate(texts))
-    whose = [_whose(members[0], places) for places in groups.values()]
+    whose = [whose_of(members[0], places) for places in groups.values()]
     if len(groups) <= _MOST_GROUPS and len(set(whose)) == len(whose) and max(map(len, whose)) <= _MOST_LETTERS:
         for of, places in zip(whose, groups.values(), strict=True):
             yield of, tuple(np.nan if one is None else float(one.values[places[0]]) for one in found)
 
 
-def _whose(members: Sequence[str], places: Sequence[int]) -> str:
-    """Name some members: all of a bank by it, all mechanisms' joints of one sort by that, `wrist_pin` for `1.wrist_pin`."""
+def whose_of(members: Sequence[str], places: Sequence[int]) -> str:
+    """Name some of many members: all of a bank by it, joints of one sort by that, `wrist_pin` for `1.wrist_pin`."""
     parts = [members[place].partition(".") for place in places]
     if all(dot for _mechanism, dot, _part in parts):
         return ", ".join(dict.fromkeys(part for _mechanism, _dot, part in parts))
@@ -238,17 +240,17 @@ def _extreme(one: Labelled | None, side: str) -> float:
     """Smallest or largest of all members; NaN where none has a value."""
     if one is None or not np.any(np.isfinite(one.values)):
         return np.nan
-    least: Any = np.nanmin if side == _SMALLEST else np.nanmax
+    least: Any = np.nanmin if side == SMALLEST else np.nanmax
     return float(least(one.values))
 
 
-def _is_side(name: str) -> str | None:
-    """Which side a fact is of by its name: of the largest forces of many joints the smallest says nothing."""
+def side_of(name: str) -> str | None:
+    """Say which side a fact is of by its name: of the largest forces of many joints the smallest says nothing."""
     words = name.split("_")
     if "smallest" in words:
-        return _SMALLEST
-    return _LARGEST if {"largest", "peak"} & set(words) else None
+        return SMALLEST
+    return LARGEST if {"largest", "peak"} & set(words) else None
 
 
 def _is_other(name: str, side: str) -> bool:
-    return _is_side(name) not in (None, side)
+    return side_of(name) not in (None, side)

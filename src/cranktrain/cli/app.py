@@ -5,11 +5,12 @@ from typing import Annotated
 
 import typer
 
-from cranktrain import __version__
+from cranktrain.cli.comparing import add_compare
 from cranktrain.cli.naming_pictures import NamingPictures
 from cranktrain.cli.options import File, Force, Output, Partial, RunningSpeed, Settings, SpeedCurve, degrees
 from cranktrain.cli.task import Task, put_off, task_of
 from cranktrain.language import _
+from cranktrain.version import VERSION
 
 # Typer's own handlers would swallow Ctrl-C and closed pipes, so that nothing runs before it has returned; its Rich help
 # costs as much time as a run.
@@ -28,7 +29,7 @@ def task(arguments: Sequence[str]) -> Task:
 
 def _version(asked: bool) -> None:
     if asked:
-        typer.echo(f"cranktrain {__version__}")
+        typer.echo(f"cranktrain {VERSION}")
         raise typer.Exit
 
 
@@ -163,54 +164,7 @@ def _run(
     show_run(request, with_inputs=inputs)
 
 
-@_app.command(
-    "compare",
-    help=_(
-        "Put two machines side by side, or one and itself with other values: rows with their difference.\n\n"
-        "With two machines --set goes for both; with one the second is that one with the values set.\n\n"
-        "\b\n"
-        "  cranktrain compare 3d12 kamaz_740\n"
-        "  cranktrain compare 3d12 kamaz_740 -o both.png\n"
-        '  cranktrain compare vaz_21213 --set "shaft.main.speed=3000 rpm"\n'
-        "  cranktrain compare jumo_205 jumo_205e --quantities combined_stroke,peak_pressure"
-    ),
-)
-@put_off
-def _compare(
-    file: File,
-    other: Annotated[
-        str | None, typer.Argument(metavar="[OTHER]", help=_("The second machine."), show_default=False)
-    ] = None,
-    settings: Settings = None,
-    quantities: Annotated[
-        str | None,
-        typer.Option(metavar="A,B,…", help=_("Only these results; `cranktrain list results` names all.")),
-    ] = None,
-    output: Annotated[
-        str | None,
-        typer.Option(
-            "-o",
-            "--output",
-            metavar="FILE",
-            help=_("Draw the curves of both over each other instead: .png, .svg or .pdf."),
-        ),
-    ] = None,
-    partial_turn: Partial = False,
-    force: Force = False,
-) -> None:
-    from cranktrain.cli.compare import CompareRequest, show_comparison
-
-    names = None if quantities is None else tuple(name.strip() for name in quantities.split(",") if name.strip())
-    request = CompareRequest(
-        first=file,
-        second=other,
-        settings=tuple(settings or ()),
-        quantities=names,
-        is_partial=partial_turn,
-        output=output,
-        force=force,
-    )
-    show_comparison(request)
+add_compare(_app)
 
 
 @_app.command(

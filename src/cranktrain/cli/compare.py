@@ -1,11 +1,14 @@
 """`compare`: two machines side by side, or one with itself where some values are others."""
 
+from collections.abc import Iterator
 from pathlib import Path, PurePath
 
-from cranktrain.analysis import Result
-from cranktrain.analysis.comparison import compared
+from rich.text import Text
+
+from cranktrain.analysis import Result, sentences
+from cranktrain.analysis.comparison import Comparison, compared
 from cranktrain.cli.screen.report import title
-from cranktrain.cli.screen.text import page, paragraph
+from cranktrain.cli.screen.text import page
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.io.examples import example_called
 from cranktrain.io.machine_file import MachineFile, computed, read_machine
@@ -45,19 +48,28 @@ def show_comparison(request: CompareRequest) -> None:
         save(comparison.plot, request.output, force=request.force)
         print(_("written: {name}").format(name=one_line(request.output)))
         return
-    with page("") as console:
-        for name, file in zip(comparison.names, files, strict=True):
-            for line in paragraph(console, f"{one_line(name)}: {title(file.machine)}"):
-                console.print(line, soft_wrap=True)
+    heads = [f"{one_line(name)}: {title(file.machine)}" for name, file in zip(comparison.names, files, strict=True)]
+    with page(heads[0]) as console:
+        console.print(Text(heads[1], style="bold"))
         console.print()
-        for line in comparison.lines(console.width):
-            console.print(line, soft_wrap=True)
-        flags = [(name, flag) for name, one in zip(comparison.names, results, strict=True) for flag in one.flags]
-        if flags:
-            console.print()
-        for name, flag in flags:
-            for line in paragraph(console, f"! {one_line(name)}: {flag}"):
-                console.print(line, soft_wrap=True)
+        for line in (*comparison.lines(console.width), "", *_minded(comparison)):
+            console.print(Text(line), soft_wrap=len(line) <= console.width)
+
+
+def _minded(comparison: Comparison) -> Iterator[str]:
+    """Say what of a machine's tables is not used, and where to read what else is to be minded."""
+    for name, result in zip(comparison.names, comparison.results, strict=True):
+        said = sentences(result.unused)
+        yield from (f"! {one_line(name)}: {sentence}" for sentence in said)
+        n_failed = sum(bool((check.judged & ~check.passed).any()) for check in result.checks)
+        if n_failed:
+            yield _("! {name}: checks that do not hold: {n}").format(name=one_line(name), n=n_failed)
+    flagged = [len(result.flags) for result in comparison.results]
+    if any(flagged):
+        first, second = (one_line(name) for name in comparison.names)
+        yield _("Flags: {n_first} of {first}, {n_second} of {second}; `cranktrain run` says them.").format(
+            n_first=flagged[0], first=first, n_second=flagged[1], second=second
+        )
 
 
 def _check(request: CompareRequest) -> None:
@@ -116,4 +128,3 @@ def _names(request: CompareRequest) -> tuple[str, str]:
         values = ", ".join(setting.replace("=", " = ", 1) for setting in request.settings)
         return request.first, _("{name} with {values}").format(name=request.first, values=values)
     return request.first, request.second
-

@@ -88,7 +88,8 @@ def source_of(machine: MachineLike, values: Mapping[str, object] | None = None, 
     changed: Mapping[str, object] = {} if values is None else values
     if not isinstance(cast("object", changed), Mapping):
         allowed = _("must be a mapping of paths to values")
-        raise InputError([Problem("set", str(changed), allowed, _EXAMPLE)])
+        repair = _("write set={example}").format(example='{"mechanism.rod_length": "140 mm"}')
+        raise InputError([Problem("set", str(changed), allowed, repair)])
     if isinstance(machine, Machine):
         return Source(_with_files(machine, changed), _as_it_is)
     if isinstance(machine, str | os.PathLike):
@@ -102,7 +103,10 @@ def source_of(machine: MachineLike, values: Mapping[str, object] | None = None, 
 
 
 def sources_of(
-    machines: "MachineLike | Iterable[MachineLike]", values: Mapping[str, object] | None = None, *, partial: bool = False
+    machines: "MachineLike | Iterable[MachineLike]",
+    values: Mapping[str, object] | None = None,
+    *,
+    partial: bool = False,
 ) -> tuple[Sequence[Source], bool]:
     """Read a machine, or several, and say whether they are several."""
     if isinstance(machines, Machine | str | os.PathLike | Mapping) or not isinstance(
@@ -111,9 +115,6 @@ def sources_of(
         return (source_of(cast("MachineLike", machines), values, partial=partial),), False
     each = cast("Iterable[MachineLike]", machines)
     return tuple(source_of(one, values, partial=partial) for one in each), True
-
-
-_EXAMPLE = '{"mechanism.rod_length": "140 mm"}'
 
 
 def _as_it_is(problem: Problem) -> Problem:

@@ -117,7 +117,11 @@ class _Said(NamedTuple):
     def found(self, problem: Problem) -> Problem:
         """Place a problem that the computation found, if it is one of the file."""
         parts = parts_of(problem.path)
-        return self.placed(problem) if parts and parts[0] in {*self.typed.data, *(path[0] for path in self.paths)} else problem
+        return (
+            self.placed(problem)
+            if parts and parts[0] in {*self.typed.data, *(path[0] for path in self.paths)}
+            else problem
+        )
 
     def placed(self, problem: Problem) -> Problem:
         """Place a problem at the setting that it comes from, or in the file."""

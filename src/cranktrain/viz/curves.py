@@ -79,9 +79,7 @@ class _Panel:
     lines: tuple[_Line, ...]
 
 
-def plot_result(
-    result: Result, *quantities: str, design: int = 0, **members: "str | Sequence[str]"
-) -> Figure:
+def plot_result(result: Result, *quantities: str, design: int = 0, **members: "str | Sequence[str]") -> Figure:
     """Draw curves of a result.
 
     Parameters
@@ -171,6 +169,9 @@ def sheet_called(result: Result, name: str = "machine", *, size: str = "A4", des
     sheets = {one.name: one for one in PICTURES if one.kind == "sheet"}
     if name not in sheets:
         raise InputError([_unknown("sheet", name, sheets)])
+    if result.asked is not None and not set(sheets[name].quantities or ("",)) <= set(result.asked):
+        allowed = _("needs more than the quantities that were asked for: run the machine without `quantities`")
+        raise InputError([Problem("sheet", name, allowed)])
     return in_notebook(sheets[name].function(result, size=size, design=design))
 
 
@@ -189,7 +190,9 @@ def in_notebook(figure: Figure) -> Figure:
 
 def _main_names(results: Sequence[Result]) -> tuple[str, ...]:
     """Curves that say most and that one of the machines has."""
-    found: list[str] = []
+    found = [name for one in results for name in one.asked or () if not one.catalogue[name].is_fact]
+    if found:
+        return tuple(dict.fromkeys(found))
     for alternatives in _MAIN:
         for result in results:
             first = next((name for name in alternatives if name in result.catalogue), None)
