@@ -114,14 +114,14 @@ _HOMES = {
     "examples": "public",
     "load": "io.any_machine",
     "run": "public",
+    "viz": "viz",
 }
 
 
 def __getattr__(name: str) -> object:
-    if name == "viz":
-        return import_module("cranktrain.viz")
     if name in _HOMES:
-        return getattr(import_module(f"cranktrain.{_HOMES[name]}"), name)
+        home = import_module(f"{__name__}.{_HOMES[name]}")
+        return home if name == _HOMES[name] else getattr(home, name)
     if name.startswith("_"):
         raise AttributeError(f"cranktrain has no {name}")
     from cranktrain.quantities import nearest  # only after a mistake

@@ -62,12 +62,9 @@ class BriefSignature:
         """Give it of the class; an instance has none."""
         if instance is not None:
             raise AttributeError("__signature__")
-        return Signature(
-            Parameter(
-                name, Parameter.KEYWORD_ONLY, default=Parameter.empty if field.is_required() else field.get_default()
-            )
-            for name, field in spec.model_fields.items()
-        )
+        fields: Mapping[str, Any] = spec.model_fields
+        usual = {name: Parameter.empty if one.is_required() else one.get_default() for name, one in fields.items()}
+        return Signature([Parameter(name, Parameter.KEYWORD_ONLY, default=value) for name, value in usual.items()])
 
 
 _BRACKETS: dict[type[Any], str] = {tuple: "()", list: "[]", set: "{}", frozenset: "{}"}

@@ -324,14 +324,14 @@ class Machine(Spec, frozen=True):
 
     def __repr__(self) -> str:
         """Say in one line what it is."""
-        line: str = face("analysis.representations:machine_line")(self)
+        line: str = face("machine_line")(self)
         return line
 
     __str__ = __repr__
 
     def _repr_html_(self) -> str:
         """Say what it is, for a notebook."""
-        words: str = face("analysis.representations:machine_html")(self)
+        words: str = face("machine_html")(self)
         return words
 
     def __copy__(self) -> Self:

@@ -58,9 +58,9 @@ def run(
     Examples
     --------
     >>> result = run("3d12", quantities="stroke")
-    >>> float(result.stroke[0])
+    >>> round(float(result.stroke[0]), 6)
     0.18
-    >>> float(run("3d12", set={"bank.L.mechanism.crank_radius": "95 mm"}).stroke[0])
+    >>> round(float(run("3d12", set={"bank.L.mechanism.stroke": "190 mm"}).stroke[0]), 6)
     0.19
     """
     sources, has_designs = sources_of(machine, set, partial=partial)

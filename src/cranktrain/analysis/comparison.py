@@ -113,7 +113,7 @@ class Comparison:
         InputError
             Where neither machine has such a curve.
         """
-        return face("viz.curves:plot_comparison")(self, *quantities)
+        return face("plot_comparison")(self, *quantities)
 
     def lines(self, width: int = 80) -> Iterator[str]:
         """Write it as a table.

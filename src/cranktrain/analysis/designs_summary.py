@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.analysis.figures import Shown, shown_in, significant
+from cranktrain.analysis.figures import ShownUnit, shown_in
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.rows import SMALLEST, side_of, whose_of
 from cranktrain.catalogue import Entry
@@ -93,6 +93,5 @@ def _named(places: NDArray[np.intp], n_designs: int) -> str:
     return words.format(designs=ranged(names, places.tolist()))
 
 
-def _number(value: float, shown: Shown) -> str:
-    text = significant(float(shown.converted(np.array(value))))
-    return f"{text} {shown.unit}".rstrip()
+def _number(value: float, shown: ShownUnit) -> str:
+    return f"{shown.text(value)} {shown.unit}".rstrip()

@@ -1,6 +1,5 @@
 """Numbers of results as tables in Python and comparisons write them: in units of the drawing office, four digits."""
 
-from collections.abc import Callable
 from math import floor, log10
 from typing import NamedTuple
 
@@ -43,14 +42,22 @@ _FACTORS = {"deg": 1.0, "m/rad": 1e3, "m/rad^2": 1e3}
 """Of what is no unit of an input."""
 
 
-class Shown(NamedTuple):
-    """The unit in which values are shown, and what turns them into it."""
+class ShownUnit(NamedTuple):
+    """The unit in which values are shown, and the factor to it; None where the list of units has that."""
 
     unit: str
-    converted: Callable[[Array], Array]
+    factor: float | None
+
+    def converted(self, values: Array) -> Array:
+        """Give values of the catalogue in the unit."""
+        return shown(values, self.unit) if self.factor is None else self.factor * values
+
+    def text(self, value: float) -> str:
+        """Write one value."""
+        return significant(float(self.converted(np.array(value))))
 
 
-def shown_in(unit: str, values: Array) -> Shown:
+def shown_in(unit: str, values: Array) -> ShownUnit:
     """Choose the unit for values.
 
     Parameters
@@ -62,7 +69,7 @@ def shown_in(unit: str, values: Array) -> Shown:
 
     Returns
     -------
-    Shown
+    ShownUnit
 
     Examples
     --------
@@ -71,14 +78,13 @@ def shown_in(unit: str, values: Array) -> Shown:
     """
     sizes = np.abs(values[np.isfinite(values)])
     if unit == "1":
-        is_part = bool(sizes.size) and bool(np.all(sizes < 1)) and bool(np.any(sizes > 0))
-        return Shown("%", lambda part: 100.0 * part) if is_part else Shown("", lambda part: part)
-    name = "cm³" if unit == "m^3" and np.all(sizes < _SMALL_VOLUME) else _UNITS.get(unit) or _plain(unit)
-    if unit in _FACTORS:
-        return Shown(name, lambda value: _FACTORS[unit] * value)
-    if unit not in _UNITS:
-        return Shown(name, lambda value: value)
-    return Shown(name, lambda value: shown(value, name))
+        is_part = np.all(sizes < 1) and np.any(sizes > 0)
+        return ShownUnit("%", 100.0) if is_part else ShownUnit("", 1.0)
+    if unit == "m^3" and np.all(sizes < _SMALL_VOLUME):
+        return ShownUnit("cm³", None)
+    if unit in _UNITS:
+        return ShownUnit(_UNITS[unit], _FACTORS.get(unit))
+    return ShownUnit(_plain(unit), 1.0)
 
 
 def significant(value: float, digits: int = _DIGITS) -> str:

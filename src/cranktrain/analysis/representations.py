@@ -66,7 +66,7 @@ def result_html(result: Result) -> str:
 
 def _about(machine: Machine) -> str:
     """Say what a machine is and how fast it turns."""
-    words: str = face("io.description:layout_words")(machine)
+    words: str = face("layout_words")(machine)
     speed = machine.main_shaft.speed
     return one_line(words if speed is None else f"{words}; {speed.text}")
 

@@ -1,6 +1,6 @@
 """The result: every quantity by name, its facts, checks, what is missing, and sentences that answer."""
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
@@ -96,7 +96,7 @@ class Result:
         if name.startswith("_"):
             raise AttributeError(name)
         if name not in self._homes:
-            raise AttributeError(self._absence(name, self.needs_of(name), self._public_names))
+            raise AttributeError(self._unknown(name))
         entry, outcome = self._homes[name]
         inside: Array = values(outcome, entry)
         given = _read_only(shown(inside, "deg")) if entry.unit == "deg" else inside
@@ -111,29 +111,30 @@ class Result:
         found = self.get(kind)
         if found is None:
             needs = self.needs_of(*(entry.name for entry in entries(kind)))
-            raise KeyError(self._absence(kind.__name__, needs, [type(outcome).__name__ for outcome in self.outcomes]))
+            raise KeyError(self._absence(kind.__name__, needs, (type(outcome).__name__ for outcome in self.outcomes)))
         return found
 
     def needs_of(self, *quantities: str) -> tuple[str, ...]:
         """What the machine file would have to say for quantities that are missing; nothing of others."""
         return next((one.needs for one in self.missing if not set(quantities).isdisjoint(one.results)), ())
 
-    @property
-    def _public_names(self) -> tuple[str, ...]:
-        """Quantities, and what else a result has."""
-        return (*self._homes, *(name for name in object.__dir__(self) if not name.startswith("_")))
-
-    def _absence(self, wanted: str, needs: Sequence[str], there: Collection[str]) -> str:
+    def _absence(self, wanted: str, needs: Sequence[str], there: Iterable[str]) -> str:
         """Say why there is no such quantity, or stage's result."""
         if needs:
             return f"this result has no {wanted}, which needs {', '.join(needs)}"
+        return f"this result has no {wanted}; it has {', '.join(there)}"
+
+    def _unknown(self, wanted: str) -> str:
+        """Say why there is no such attribute, and which was probably meant."""
         from cranktrain.quantities import nearest  # only after a mistake
 
+        if needs := self.needs_of(wanted):
+            return self._absence(wanted, needs, ())
         if any(wanted == entry.name for stage in STAGES for entry in entries(stage.gives)):
             return f"this result has no {wanted}, which other machines have, or other `quantities` would give"
-        if (meant := nearest(wanted, there)) is not None:
-            return f"this result has no {wanted}; did you mean {meant}?"
-        return f"this result has no {wanted}; it has {', '.join(there)}"
+        others = (name for name in object.__dir__(self) if not name.startswith("_"))
+        meant = nearest(wanted, (*self._homes, *others))
+        return f"this result has no {wanted}; " + (f"did you mean {meant}?" if meant else "its `catalogue` names all")
 
     def __dir__(self) -> list[str]:
         """List the quantities too, for completion in a notebook."""
@@ -181,7 +182,7 @@ class Result:
         str
         """
         is_of_all = self.has_designs and design is None
-        found = face("analysis.designs_summary:summary_of_designs")(self) if is_of_all else self.answers(design or 0)
+        found = face("summary_of_designs")(self) if is_of_all else self.answers(design or 0)
         return "\n".join([*sentences(self.unused), *found])
 
     def labels_of(self, entry: Entry) -> dict[str, tuple[str, ...]]:
@@ -191,7 +192,7 @@ class Result:
     @cached_property
     def dataset(self) -> "xarray.Dataset":
         """Give the quantities that were asked for, or all, as an xarray dataset with units, symbols and sources."""
-        return face("analysis.dataset:dataset_of")(self)
+        return face("dataset_of")(self)
 
     def plot(self, *quantities: str, design: int = 0, **members: "str | Sequence[str]") -> Any:
         """Draw curves over the crank angle.
@@ -214,7 +215,7 @@ class Result:
         InputError
             Where there is no such curve, or member.
         """
-        return face("viz.curves:plot_result")(self, *quantities, design=design, **members)
+        return face("plot_result")(self, *quantities, design=design, **members)
 
     def sheet(self, name: str = "machine", *, size: str = "A4", design: int = 0) -> Any:
         """Draw a sheet of paper.
@@ -236,16 +237,16 @@ class Result:
         InputError
             Where there is no such sheet, or the result lacks what it needs.
         """
-        return face("viz.curves:sheet_called")(self, name, size=size, design=design)
+        return face("sheet_called")(self, name, size=size, design=design)
 
     def __repr__(self) -> str:
         """Say in one line whose result it is."""
-        line: str = face("analysis.representations:result_line")(self)
+        line: str = face("result_line")(self)
         return line
 
     def _repr_html_(self) -> str:
         """Give the answer for a notebook."""
-        words: str = face("analysis.representations:result_html")(self)
+        words: str = face("result_html")(self)
         return words
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis.dimensions import DIMENSIONS
-from cranktrain.analysis.figures import shown_in, significant
+from cranktrain.analysis.figures import shown_in
 from cranktrain.analysis.result import Result
 from cranktrain.catalogue import Entry, entries
 from cranktrain.grouping import grouped
@@ -62,7 +62,7 @@ class AnswerRow:
     def texts(self) -> tuple[tuple[str, ...], str]:
         """The values as they are shown, and their unit."""
         shown = shown_in(self.entry.unit, np.array(self.values))
-        return tuple(significant(float(shown.converted(np.array(value)))) for value in self.values), shown.unit
+        return tuple(map(shown.text, self.values)), shown.unit
 
 
 class OneMachine(NamedTuple):
@@ -222,7 +222,7 @@ def whose_of(members: Sequence[str], places: Sequence[int]) -> str:
 def _texts(entry: Entry, values: Array) -> tuple[str, ...]:
     """Values as they are shown, by which they are one or differ."""
     shown = shown_in(entry.unit, values)
-    return tuple(significant(float(value)) for value in np.ravel(shown.converted(values)))
+    return tuple(shown.text(float(value)) for value in np.ravel(values))
 
 
 def _first(one: Labelled | None) -> float:

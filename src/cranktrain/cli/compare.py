@@ -15,8 +15,6 @@ from cranktrain.io.machine_file import MachineFile, computed, read_machine
 from cranktrain.language import _
 from cranktrain.one_line import one_line
 from cranktrain.record import record
-from cranktrain.viz import save
-from cranktrain.viz.output import FORMATS
 
 
 @record
@@ -45,6 +43,8 @@ def show_comparison(request: CompareRequest) -> None:
     results = _computed(files, request)
     comparison = compared(results, _names(request), request.quantities)
     if request.output is not None:
+        from cranktrain.viz import save
+
         save(comparison.plot, request.output, force=request.force)
         print(_("written: {name}").format(name=one_line(request.output)))
         return
@@ -74,9 +74,12 @@ def _minded(comparison: Comparison) -> Iterator[str]:
 
 def _check(request: CompareRequest) -> None:
     """Refuse what cannot be compared, and a picture that cannot be written."""
-    if request.output is not None and PurePath(request.output).suffix.lower() not in FORMATS:
-        allowed = _("must end in one of: {suffixes}").format(suffixes=", ".join(FORMATS))
-        raise InputError([Problem("-o", request.output, allowed)])
+    if request.output is not None:
+        from cranktrain.viz.output import FORMATS
+
+        if PurePath(request.output).suffix.lower() not in FORMATS:
+            allowed = _("must end in one of: {suffixes}").format(suffixes=", ".join(FORMATS))
+            raise InputError([Problem("-o", request.output, allowed)])
     if request.quantities == ():
         allowed = _("must be names of results, with commas between; `cranktrain list results` names them")
         raise InputError([Problem("--quantities", '""', allowed)])

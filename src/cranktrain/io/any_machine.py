@@ -19,7 +19,7 @@ MachineLike: TypeAlias = "Machine | str | os.PathLike[str] | Mapping[str, object
 
 
 @record
-class Source:
+class GivenMachine:
     """A machine, and where what is wrong with it would be said."""
 
     machine: Machine
@@ -63,7 +63,9 @@ def load(
     return source_of(source, set, partial=partial).machine
 
 
-def source_of(machine: MachineLike, values: Mapping[str, object] | None = None, *, partial: bool = False) -> Source:
+def source_of(
+    machine: MachineLike, values: Mapping[str, object] | None = None, *, partial: bool = False
+) -> GivenMachine:
     """Read a machine.
 
     Parameters
@@ -78,7 +80,7 @@ def source_of(machine: MachineLike, values: Mapping[str, object] | None = None, 
 
     Returns
     -------
-    Source
+    GivenMachine
 
     Raises
     ------
@@ -91,12 +93,12 @@ def source_of(machine: MachineLike, values: Mapping[str, object] | None = None, 
         repair = _("write set={example}").format(example='{"mechanism.rod_length": "140 mm"}')
         raise InputError([Problem("set", str(changed), allowed, repair)])
     if isinstance(machine, Machine):
-        return Source(_with_files(machine, changed), _as_it_is)
+        return GivenMachine(_with_files(machine, changed), _as_it_is)
     if isinstance(machine, str | os.PathLike):
         file, said = load_with(machine, changed, partial=partial)
-        return Source(file.machine, said.found)
+        return GivenMachine(file.machine, said.found)
     if isinstance(cast("object", machine), Mapping):
-        return Source(_of_tables(machine, changed), _as_it_is)
+        return GivenMachine(_of_tables(machine, changed), _as_it_is)
     kind = type(cast("object", machine)).__name__
     allowed = _("must be a machine, a machine file, the name of an example, or the tables of a file as a dict")
     raise InputError([Problem("machine", kind, allowed)])
@@ -107,14 +109,13 @@ def sources_of(
     values: Mapping[str, object] | None = None,
     *,
     partial: bool = False,
-) -> tuple[Sequence[Source], bool]:
+) -> tuple[Sequence[GivenMachine], bool]:
     """Read a machine, or several, and say whether they are several."""
     if isinstance(machines, Machine | str | os.PathLike | Mapping) or not isinstance(
         cast("object", machines), Iterable
     ):
         return (source_of(cast("MachineLike", machines), values, partial=partial),), False
-    each = cast("Iterable[MachineLike]", machines)
-    return tuple(source_of(one, values, partial=partial) for one in each), True
+    return tuple(source_of(one, values, partial=partial) for one in machines), True
 
 
 def _as_it_is(problem: Problem) -> Problem:

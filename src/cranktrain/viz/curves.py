@@ -277,10 +277,10 @@ def _curves(
     usual = _usual(result.machines[design])
     chosen = [_chosen(dimension, names, members.get(dimension), usual) for dimension, names in labels.items()]
     found = values[np.ix_(*chosen)] if chosen else values[np.newaxis]
-    words = [""]
+    words: list[str] = [""]
     for (dimension, names), places in zip(labels.items(), chosen, strict=True):
         is_said = len(names) > 1 and (dimension in members or names[0] != _EXACT)
-        each = [names[place] if is_said else "" for place in places]
+        each = [names[int(place)] if is_said else "" for place in places]
         words = [", ".join(filter(None, (before, word))) for before in words for word in each]
     curves = list(zip(words, found.reshape(-1, values.shape[-1]), strict=True))
     return curves if members else curves[:_MOST_CURVES]
@@ -298,7 +298,7 @@ def _chosen(
     if wanted is None:
         first = [place for place, name in enumerate(names) if name.partition(".")[0] in usual or name in usual]
         return np.array(first[:_MOST_CURVES] or range(1 if names[0] == _EXACT else len(names)), dtype=np.intp)
-    each = [str(one) for one in ([wanted] if isinstance(wanted, str) or not isinstance(wanted, Sequence) else wanted)]
+    each = [wanted] if isinstance(wanted, str) else [str(one) for one in np.atleast_1d(np.array(wanted))]
     unknown = [name for name in each if name not in names]
     if unknown:
         raise InputError(_unknown(dimension, name, names) for name in unknown)
