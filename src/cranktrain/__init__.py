@@ -4,7 +4,7 @@ Machines
     An example by its name, a machine file, or its tables as a dict; quantities are texts with units.
 
     >>> import cranktrain as ct
-    >>> ct.examples()[:3]
+    >>> ct.example_names()[:3]
     ('10d100', '38d8', '3d12')
     >>> ct.load("3d12")
     <Machine 3D12 marine diesel, 60° V12 with articulated rods: 12 pistons, 6 throws, banks L, R; 1500 rpm>
@@ -84,8 +84,9 @@ if TYPE_CHECKING:
     from cranktrain.analysis.comparison import Comparison
     from cranktrain.errors import InputError, Problem
     from cranktrain.io.any_machine import load
+    from cranktrain.io.examples import example_names
     from cranktrain.machine import Machine
-    from cranktrain.public import compare, examples, run
+    from cranktrain.public import compare, run
 
 __all__ = [
     "Comparison",
@@ -95,7 +96,7 @@ __all__ = [
     "Result",
     "__version__",
     "compare",
-    "examples",
+    "example_names",
     "load",
     "run",
     "viz",
@@ -111,7 +112,7 @@ _HOMES = {
     "Problem": "errors",
     "Result": "analysis",
     "compare": "public",
-    "examples": "public",
+    "example_names": "io.examples",
     "load": "io.any_machine",
     "run": "public",
     "viz": "viz",

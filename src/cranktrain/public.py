@@ -1,4 +1,4 @@
-"""What Python users call: run and compare whatever one has of a machine; names of the examples."""
+"""What Python users call: run and compare whatever one has of a machine."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
@@ -10,7 +10,6 @@ from cranktrain.analysis import Result
 from cranktrain.analysis.comparison import Comparison, compared
 from cranktrain.errors import InputError, Problem, problems_as
 from cranktrain.io.any_machine import sources_of
-from cranktrain.io.examples import example_names
 from cranktrain.language import _
 
 if TYPE_CHECKING:
@@ -124,21 +123,6 @@ def compare(
     asked = (quantities,) if isinstance(quantities, str) else None if quantities is None else tuple(quantities)
     one = _result(first, {} if second is None else values, asked)
     return compared((one, _result(named, values, asked)), (names[0], names[1]), asked)
-
-
-def examples() -> tuple[str, ...]:
-    """Name the machines that come with the program; `run`, `load` and `compare` take these names.
-
-    Returns
-    -------
-    tuple of str
-
-    Examples
-    --------
-    >>> "3d12" in examples()
-    True
-    """
-    return example_names()
 
 
 _EXAMPLE = '{"mechanism.rod_length": "140 mm"}'

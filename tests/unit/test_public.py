@@ -229,8 +229,8 @@ class TestModule:
         assert len(str(inspect.signature(shown))) < 320
 
     def test_examples_are_loaded_by_name(self):
-        assert "3d12" in ct.examples()
-        assert ct.load(ct.examples()[0]).name
+        assert "3d12" in ct.example_names()
+        assert ct.load(ct.example_names()[0]).name
 
 
 @pytest.fixture(scope="module")
