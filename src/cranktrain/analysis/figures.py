@@ -123,7 +123,7 @@ def percent(value: float) -> str:
         return "0 %"
     if abs(value) < 0.005:
         return "< 0.01 %"
-    decimals = 2 if abs(value) < 1 else 1 if abs(value) < 999.5 else 0
+    decimals = 2 if abs(value) < 9.995 else 1 if abs(value) < 999.5 else 0
     return _signed(value, f"{value:.{decimals}f}".replace("-", "−") + " %")
 
 
