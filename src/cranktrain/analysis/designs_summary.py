@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.analysis.figures import ShownUnit, shown_in
+from cranktrain.analysis.members import SMALLEST, side_of, whose_of
 from cranktrain.analysis.result import Result
-from cranktrain.analysis.rows import SMALLEST, side_of, whose_of
 from cranktrain.catalogue import Entry
 from cranktrain.language import _
 from cranktrain.motion import Array

@@ -1,35 +1,17 @@
 """The answer as rows: of each fact the values of one machine or of several, for what stands alike in all of them."""
 
-from collections.abc import Iterator, Mapping, Sequence
-from string import digits
-from typing import Any, NamedTuple
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
 from cranktrain.all_questions import QUESTIONS
-from cranktrain.analysis.dimensions import DIMENSIONS
 from cranktrain.analysis.figures import shown_in
+from cranktrain.analysis.members import Labelled, rows_of
 from cranktrain.analysis.result import Result
 from cranktrain.catalogue import Entry, entries
 from cranktrain.grouping import grouped
-from cranktrain.language import N_, _
-from cranktrain.motion import Array
 from cranktrain.record import record
-from cranktrain.wording import ranged
-
-_MOST_GROUPS = 3
-"""Members that differ among themselves have a row each up to here; of more the smallest and the largest has."""
-
-_MOST_NUMBERED = 3
-"""Of members that are numbers, as modes, so many have rows."""
-
-_EXACT = "exact"
-"""The first of several methods, beside which the others are approximations."""
-
-SMALLEST, LARGEST = N_("min"), N_("max")
-
-_MOST_LETTERS = 24
-"""Of the names of members; of more the smallest and the largest stands."""
 
 
 @record
@@ -71,20 +53,13 @@ class OneMachine(NamedTuple):
     result: Result
     design: int = 0
 
-    def fact(self, name: str) -> "Labelled | None":
+    def fact(self, name: str) -> Labelled | None:
         """Give a fact with the labels of its dimensions, or None where it has none; of a curve its values."""
         entry = self.result.catalogue.get(name)
         if entry is None:
             return None
         values = np.asarray(getattr(self.result, name), dtype=np.float64)
         return Labelled(values[self.design] if self.result.has_designs else values, self.result.labels_of(entry))
-
-
-class Labelled(NamedTuple):
-    """Values with the names along their dimensions."""
-
-    values: Array
-    labels: Mapping[str, Sequence[str]]
 
 
 def headline_names(results: Sequence[Result]) -> tuple[str, ...]:
@@ -123,134 +98,9 @@ def answer_rows(machines: Sequence[OneMachine], names: Sequence[str]) -> Iterato
             found = [one.fact(name) for one in machines]
             entry = next((one.result.catalogue[name] for one in machines if name in one.result.catalogue), None)
             if entry is not None:
-                rows = (AnswerRow(question, entry, of, values) for of, values in _rows_of(entry, found))
+                rows = (AnswerRow(question, entry, of, values) for of, values in rows_of(entry, found))
                 yield from (row for row in rows if np.any(np.isfinite(row.values)))
 
 
 def _given_by(outcome: type) -> set[str]:
     return {entry.name for entry in entries(outcome)}
-
-
-def _rows_of(entry: Entry, found: Sequence[Labelled | None]) -> Iterator[tuple[str, tuple[float, ...]]]:
-    """Give the rows of one quantity: whose, and its values."""
-    outer = _outer_labels(found)
-    for label in outer:
-        flat = [None if one is None else _at(one, label) for one in found]
-        words = "" if len(outer) == 1 or label == _EXACT else label
-        for of, values in _flat_rows(entry, flat):
-            yield ", ".join(filter(None, (words, of))), values
-
-
-def _outer_labels(found: Sequence[Labelled | None]) -> list[str]:
-    """Labels of the first of two dimensions, or of methods, of which the exact one alone; else one without words."""
-    for one in found:
-        first = next(iter(one.labels.values()), ()) if one is not None else ()
-        if one is not None and first and first[0] == _EXACT:
-            return [_EXACT]
-    several = [next(iter(one.labels.values())) for one in found if one is not None and len(one.labels) > 1]
-    return list(dict.fromkeys(label for labels in several for label in labels)) or [""]
-
-
-def _at(one: Labelled, label: str) -> Labelled | None:
-    """Values at a label of the first dimension, where it has that; else as they are."""
-    (dimension, labels), *rest = list(one.labels.items()) or [("", ())]
-    if not label:
-        return one
-    if label not in labels:
-        return None
-    return Labelled(one.values[list(labels).index(label)], dict(rest)) if dimension else one
-
-
-def _flat_rows(entry: Entry, found: Sequence[Labelled | None]) -> Iterator[tuple[str, tuple[float, ...]]]:
-    """Rows of a quantity that has members along one dimension, or none."""
-    there = [one for one in found if one is not None]
-    members = [_members(one) for one in there]
-    if not entry.is_fact:
-        sides: Sequence[str] = (SMALLEST, LARGEST)
-    elif all(
-        len(one) <= 1 or len(set(_texts(entry, part.values))) == 1 for one, part in zip(members, there, strict=True)
-    ):
-        yield "", tuple(_first(one) for one in found)
-        return
-    elif rows := list(_same_members(entry, found, members)):
-        yield from rows
-        return
-    else:
-        sides = [side for side in (SMALLEST, LARGEST) if not _is_other(entry.name, side)]
-    for side in sides:
-        said = "" if len(sides) == 1 else _(side)
-        yield said, tuple(_extreme(one, side) for one in found)
-
-
-def _members(one: Labelled) -> tuple[str, ...]:
-    """Names along the last dimension."""
-    return tuple(list(one.labels.values())[-1]) if one.labels else ()
-
-
-def _same_members(
-    entry: Entry, found: Sequence[Labelled | None], members: Sequence[tuple[str, ...]]
-) -> Iterator[tuple[str, tuple[float, ...]]]:
-    """Rows of members that all machines have: of numbers the first few, of others those together that are equal."""
-    there = [one for one in found if one is not None]
-    dimension = entry.dimensions[-1]
-    if DIMENSIONS[dimension].is_number and side_of(entry.name) is None:
-        for member in members[0][:_MOST_NUMBERED]:
-            title = _(DIMENSIONS[dimension].title)
-            yield f"{title} {member}", tuple(_of_member(one, member) for one in found)
-        return
-    if any(one != members[0] for one in members) or any(one.values.ndim != 1 for one in there):
-        return
-    texts = zip(*(_texts(entry, one.values) for one in there), strict=True)
-    groups = grouped((text, place) for place, text in enumerate(texts))
-    whose = [whose_of(members[0], places) for places in groups.values()]
-    if len(groups) <= _MOST_GROUPS and len(set(whose)) == len(whose) and max(map(len, whose)) <= _MOST_LETTERS:
-        for of, places in zip(whose, groups.values(), strict=True):
-            yield of, tuple(np.nan if one is None else float(one.values[places[0]]) for one in found)
-
-
-def whose_of(members: Sequence[str], places: Sequence[int]) -> str:
-    """Name some of many members: all of a bank by it, joints of one sort by that, `wrist_pin` for `1.wrist_pin`."""
-    parts = [members[place].partition(".") for place in places]
-    if all(dot for _mechanism, dot, _part in parts):
-        return ", ".join(dict.fromkeys(part for _mechanism, _dot, part in parts))
-    banks = {members[place].lstrip(digits) for place in places}
-    bank = next(iter(banks))
-    of_bank = [place for place, member in enumerate(members) if member.lstrip(digits) == bank]
-    return bank if len(banks) == 1 and bank and of_bank == list(places) else ranged(members, places)
-
-
-def _texts(entry: Entry, values: Array) -> tuple[str, ...]:
-    """Values as they are shown, by which they are one or differ."""
-    shown = shown_in(entry.unit, values)
-    return tuple(shown.text(float(value)) for value in np.ravel(values))
-
-
-def _first(one: Labelled | None) -> float:
-    return np.nan if one is None or not one.values.size else float(np.ravel(one.values)[0])
-
-
-def _of_member(one: Labelled | None, member: str) -> float:
-    """Value of a member, where there is one."""
-    if one is None or member not in _members(one):
-        return np.nan
-    return float(one.values[..., _members(one).index(member)].ravel()[0])
-
-
-def _extreme(one: Labelled | None, side: str) -> float:
-    """Smallest or largest of all members; NaN where none has a value."""
-    if one is None or not np.any(np.isfinite(one.values)):
-        return np.nan
-    least: Any = np.nanmin if side == SMALLEST else np.nanmax
-    return float(least(one.values))
-
-
-def side_of(name: str) -> str | None:
-    """Say which side a fact is of by its name: of the largest forces of many joints the smallest says nothing."""
-    words = name.split("_")
-    if "smallest" in words:
-        return SMALLEST
-    return LARGEST if {"largest", "peak"} & set(words) else None
-
-
-def _is_other(name: str, side: str) -> bool:
-    return side_of(name) not in (None, side)

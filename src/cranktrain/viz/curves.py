@@ -1,8 +1,6 @@
-"""Curves of results by name over the crank angle, of one machine or two; figures that a notebook shows."""
+"""Curves of results by name over the crank angle, of one machine or of two, and sheets by name."""
 
 from collections.abc import Collection, Mapping, Sequence
-from io import BytesIO
-from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,12 +13,12 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.one_line import short, visible
+from cranktrain.one_line import short
 from cranktrain.plans.placement import first_throw
 from cranktrain.quantities import nearest
-from cranktrain.record import record
-from cranktrain.viz.paper.page import Axes, Figure, drawing_settings
-from cranktrain.viz.paper.style import COLOURS, GRID, HEADING, INK, MUTED, TEXT
+from cranktrain.viz.drawn_curves import LOOKS, CurveLine, CurvePanel, drawn_panels, in_notebook
+from cranktrain.viz.paper.page import Figure
+from cranktrain.viz.paper.style import COLOURS, INK, MUTED
 from cranktrain.viz.sheets import PICTURES
 
 _MAIN = (
@@ -41,42 +39,13 @@ _LETTERS = {"m": "s", "m/s": "v", "m/s^2": "j", "Pa": "p", "N*m": "T", "N": "F"}
 _MOST_CURVES = 4
 """Of one quantity, unless members are named."""
 
-_LOOKS = ((1.8, ()), (1.2, (6.0, 2.0)), (1.2, (1.5, 1.5)), (1.1, (8.0, 2.0, 1.5, 2.0)), (0.6, ()), (0.6, (4.0, 4.0)))
-"""Width and dashes of the first, second, … curve of a panel [pt]: told apart in grey, too."""
-
-_OF_FIRST, _OF_SECOND = (2.2, ()), (1.1, (5.0, 2.0))
-"""The same of the first and the second machine."""
-
 _LONGEST_KEY = 60
 """Characters of a machine's name in the key."""
 
-_KEY: Mapping[str, Any] = {"fontsize": TEXT, "frameon": False, "handlelength": 4.0, "ncols": 1}
+_OF_FIRST, _OF_SECOND = (2.2, ()), (1.1, (5.0, 2.0))
+"""Width [pt] and dashes of the first and the second machine's curves: told apart in grey."""
 
 _EXACT = "exact"
-_WIDTH, _HEIGHT, _HEAD = 8.0, 2.1, 0.7
-"""Of a figure, of a panel, and of what stands above and below [in]."""
-
-_TURN = 360.0
-_DOTS_PER_INCH = 110
-
-
-class _Line(NamedTuple):
-    """A curve: its angles [deg] and values, what it is called, its look and its colour."""
-
-    across: Array
-    values: Array
-    name: str
-    look: tuple[float, tuple[float, ...]]
-    colour: str
-
-
-@record
-class _Panel:
-    """Curves of one quantity, with title and unit."""
-
-    title: str
-    unit: str
-    lines: tuple[_Line, ...]
 
 
 def plot_result(result: Result, *quantities: str, design: int = 0, **members: "str | Sequence[str]") -> Figure:
@@ -108,7 +77,7 @@ def plot_result(result: Result, *quantities: str, design: int = 0, **members: "s
     title = short(machine.name, 100) or _("Machine without a name")
     if result.has_designs:
         title = _("{name}, design {design}").format(name=title, design=design + 1)
-    return _drawn(panels, title, has_keys=True)
+    return drawn_panels(panels, title)
 
 
 def plot_comparison(comparison: Comparison, *quantities: str) -> Figure:
@@ -137,14 +106,11 @@ def plot_comparison(comparison: Comparison, *quantities: str) -> Figure:
     ]
     names = quantities or asked or _main_names(results)
     panels = [_panel_of_both(comparison, _curve_called(name, results)) for name in names]
-    figure = _drawn(panels, "", has_keys=False)
-    key = (
-        _Line(np.zeros(1), np.zeros(1), short(name, _LONGEST_KEY), look, colour)
+    keys = (
+        CurveLine(np.zeros(1), np.zeros(1), short(name, _LONGEST_KEY), look, colour)
         for name, look, colour in zip(comparison.names, (_OF_FIRST, _OF_SECOND), (MUTED, INK), strict=True)
     )
-    with drawing_settings():
-        figure.legend(handles=[_drawn_line(line) for line in key], loc="outside upper center", **{**_KEY, "ncols": 2})
-    return figure
+    return drawn_panels(panels, keys=tuple(keys))
 
 
 def sheet_called(result: Result, name: str = "machine", *, size: str = "A4", design: int = 0) -> Figure:
@@ -173,19 +139,6 @@ def sheet_called(result: Result, name: str = "machine", *, size: str = "A4", des
         allowed = _("needs more than the quantities that were asked for: run the machine without `quantities`")
         raise InputError([Problem("sheet", name, allowed)])
     return in_notebook(sheets[name].function(result, size=size, design=design))
-
-
-def in_notebook(figure: Figure) -> Figure:
-    """Let a notebook show a figure, which the plotting library's own windows know nothing of."""
-
-    def picture() -> bytes:
-        content = BytesIO()
-        with drawing_settings():
-            figure.savefig(content, format="png", dpi=_DOTS_PER_INCH)
-        return content.getvalue()
-
-    figure._repr_png_ = picture
-    return figure
 
 
 def _main_names(results: Sequence[Result]) -> tuple[str, ...]:
@@ -235,19 +188,19 @@ def _refuse_members(members: Mapping[str, object], dimensions: Sequence[str]) ->
         raise InputError(_unknown("plot", name, there) for name in wrong)
 
 
-def _panel_of(result: Result, entry: Entry, design: int, members: Mapping[str, "str | Sequence[str]"]) -> _Panel:
+def _panel_of(result: Result, entry: Entry, design: int, members: Mapping[str, "str | Sequence[str]"]) -> CurvePanel:
     """Curves of some members of one machine."""
     curves = _curves(result, entry, design, members)
     shown = shown_in(entry.unit, np.concatenate([values for _name, values in curves]))
     colour = COLOURS[_LETTERS.get(entry.unit, "F")]
     lines = (
-        _Line(_closed_angle(result), shown.converted(_closed(values)), name, _LOOKS[i % len(_LOOKS)], colour)
+        CurveLine(_closed_angle(result), shown.converted(_closed(values)), name, LOOKS[i % len(LOOKS)], colour)
         for i, (name, values) in enumerate(curves)
     )
-    return _Panel(entry.sentence, shown.unit, tuple(lines))
+    return CurvePanel(entry.sentence, shown.unit, tuple(lines))
 
 
-def _panel_of_both(comparison: Comparison, entry: Entry) -> _Panel:
+def _panel_of_both(comparison: Comparison, entry: Entry) -> CurvePanel:
     """The first member's curve of both machines, the shorter cycle repeated."""
     found = [
         (_curves(result, entry, 0, {})[0] if entry.name in result.catalogue else None) for result in comparison.results
@@ -255,16 +208,18 @@ def _panel_of_both(comparison: Comparison, entry: Entry) -> _Panel:
     shown = shown_in(entry.unit, np.concatenate([one[1] for one in found if one is not None]))
     end = max(_closed_angle(result)[-1] for result in comparison.results)
     colours = (COLOURS[_LETTERS.get(entry.unit, "F")], INK)
-    lines: list[_Line] = []
+    lines: list[CurveLine] = []
     for result, one, look, colour in zip(comparison.results, found, (_OF_FIRST, _OF_SECOND), colours, strict=True):
         if one is None:
             continue
         _member, values = one
         times = round(end / _closed_angle(result)[-1])
         angle = np.concatenate([result.crank_angle + k * _closed_angle(result)[-1] for k in range(times)])
-        lines.append(_Line(np.append(angle, end), shown.converted(_closed(np.tile(values, times))), "", look, colour))
+        lines.append(
+            CurveLine(np.append(angle, end), shown.converted(_closed(np.tile(values, times))), "", look, colour)
+        )
     of = " / ".join(one[0] for one in found if one is not None and one[0])
-    return _Panel(f"{entry.sentence} ({of})" if of else entry.sentence, shown.unit, tuple(lines))
+    return CurvePanel(f"{entry.sentence} ({of})" if of else entry.sentence, shown.unit, tuple(lines))
 
 
 def _curves(
@@ -313,57 +268,3 @@ def _closed_angle(result: Result) -> Array:
 
 def _closed(values: Array) -> Array:
     return np.append(values, values[0])
-
-
-def _drawn(panels: Sequence[_Panel], title: str, *, has_keys: bool) -> Figure:
-    """Draw panels one above the other over one crank angle, with a key beside each where that is wanted."""
-    with drawing_settings():
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
-        from matplotlib.figure import Figure as NewFigure
-
-        figure: Figure = NewFigure(
-            figsize=(_WIDTH, _HEAD + _HEIGHT * len(panels)), facecolor="white", layout="constrained"
-        )
-        FigureCanvasAgg(figure)
-        if title:
-            figure.suptitle(visible(title), fontsize=HEADING + 1.5, fontweight="bold", parse_math=False)
-        rooms = figure.subplots(len(panels), sharex=True, squeeze=False)[:, 0]
-        for axes, panel in zip(rooms, panels, strict=True):
-            _draw_panel(axes, panel)
-            if has_keys and any(line.name for line in panel.lines):
-                axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), **_KEY)
-        rooms[-1].set_xlabel(_("Crank angle φ, °"))
-    return in_notebook(figure)
-
-
-def _draw_panel(axes: Axes, panel: _Panel) -> None:
-    """Draw the curves of one quantity, and a line at zero where they come there."""
-    end = max(float(line.across[-1]) for line in panel.lines)
-    every = np.concatenate([line.values for line in panel.lines])
-    axes.grid(color=GRID, linewidth=0.5)
-    if np.nanmin(every, initial=0.0) < 0.0 < np.nanmax(every, initial=0.0):
-        axes.axhline(0.0, color=MUTED, linewidth=0.5, zorder=1)
-    for place, line in enumerate(panel.lines):
-        axes.add_line(_drawn_line(line, layer=2 + place))
-    axes.autoscale_view()
-    axes.set(xlim=(0.0, end), xticks=np.arange(0.0, end + 1.0, 30.0 if end <= _TURN else 60.0))
-    title = visible(f"{panel.title}, {panel.unit}" if panel.unit else panel.title)
-    axes.set_title(title, loc="left", fontsize=HEADING, parse_math=False)
-    axes.spines[["top", "right"]].set_visible(False)
-
-
-def _drawn_line(line: _Line, layer: float = 2.0) -> Any:
-    """What draws a curve, or stands for it in a key."""
-    from matplotlib.lines import Line2D
-
-    width, dashes = line.look
-    style: Any = (0, dashes) if dashes else "-"
-    return Line2D(
-        line.across,
-        line.values,
-        color=line.colour,
-        linewidth=width,
-        linestyle=style,
-        label=visible(line.name),
-        zorder=layer,
-    )
