@@ -17,8 +17,15 @@ from cranktrain.language import _
 from cranktrain.one_line import one_line, short
 from cranktrain.record import record
 
-_LONGEST_HEAD = 14
+_LONGEST_HEAD = 10
 """Characters of a column's head; the machines' whole names stand above."""
+
+_LEAST_WORDS = 12
+"""Columns of the screen for the names of rows."""
+
+_GAP = "  "
+_UNIT = 2
+"""Which of a row's texts is its unit."""
 
 _POSITIONS = ("_at", "dead_centre", "angle")
 """Ends of names of crank angles that are places, of which a part in percent would say nothing."""
@@ -131,20 +138,24 @@ class Comparison:
         if not cells:
             yield _("Neither machine has a result that could be compared.")
             return
-        heads = ("", *(short(name, _LONGEST_HEAD) for name in self._heads()), "", _("difference"), "%")
-        widths = [
-            max(len(text) for text in column) for column in zip(heads[1:], *(texts for _r, texts in cells), strict=True)
-        ]
-        first = max(12, min(max(len(row.name) + 2 for row, _texts in cells), width - sum(widths) - 2 * len(widths)))
-        yield _line(heads, first, widths)
+        first, second = (short(name, _LONGEST_HEAD) for name in self._heads())
+        widths = [max(map(len, column)) for column in zip(*(texts for _row, texts in cells), strict=True)]
+        widths[:2] = max(widths[0], len(first)), max(widths[1], len(second))
+        said = _("difference")
+        widths[3] = max(widths[3], len(said) - widths[2] - 1)  # it stands over the unit, too
+        room = width - sum(widths) - len(_GAP) * (len(widths) - 1) - 1
+        room = max(_LEAST_WORDS, min(max(len(row.name) + 2 for row, _texts in cells), room))
+        difference_head = said.rjust(widths[2] + widths[3] + 1)
+        heads = (first.rjust(widths[0]), second.rjust(widths[1]), difference_head, "%".rjust(widths[4]))
+        yield _GAP.join(("".ljust(room), *heads)).rstrip()
         for question, rows in grouped((row.question, (row, texts)) for row, texts in cells).items():
             yield question.capitalize() or _("Kind of mechanism")
             for row, texts in rows:
                 name = f"  {row.name}"
-                if len(name) > first:
+                if len(name) > room:
                     yield name
                     name = ""
-                yield _line((name, *texts), first, widths)
+                yield _line(name.ljust(room), texts, widths)
 
     def _heads(self) -> tuple[str, str]:
         """Names short enough for a column: of a machine with other values, these are named above."""
@@ -212,11 +223,10 @@ def _texts(row: AnswerRow) -> tuple[str, ...]:
     return significant(first), significant(second), shown.unit, difference(first, second), percent(share)
 
 
-def _line(texts: tuple[str, ...], first: int, widths: list[int]) -> str:
-    """Put cells in a line: the first and the units to the left, the rest to the right."""
-    name, *cells = texts
-    parts = [
-        text.ljust(width) if number == 2 else text.rjust(width)
-        for number, (text, width) in enumerate(zip(cells, widths, strict=True))
-    ]
-    return "  ".join([name.ljust(first), *parts]).rstrip()
+def _line(name: str, texts: tuple[str, ...], widths: list[int]) -> str:
+    """Put a row in a line: units close behind their values, numbers to the right."""
+    first, second, unit, *rest = (
+        text.ljust(width) if number == _UNIT else text.rjust(width)
+        for number, (text, width) in enumerate(zip(texts, widths, strict=True))
+    )
+    return _GAP.join((name, first, f"{second} {unit}", *rest)).rstrip()

@@ -25,7 +25,7 @@ _EXACT = "exact"
 
 SMALLEST, LARGEST = N_("min"), N_("max")
 
-_MOST_LETTERS = 24
+_MOST_LETTERS = 16
 """Of the names of members; of more the smallest and the largest stands."""
 
 
@@ -115,7 +115,8 @@ def _same_members(
             title = _(DIMENSIONS[dimension].title)
             yield f"{title} {member}", tuple(_of_member(one, member) for one in found)
         return
-    if any(one != members[0] for one in members) or any(one.values.ndim != 1 for one in there):
+    is_alike = all(one == members[0] for one in members) and all(one.values.ndim == 1 for one in there)
+    if not is_alike or DIMENSIONS[dimension].is_number:
         return
     texts = zip(*(_texts(entry, one.values) for one in there), strict=True)
     groups = grouped((text, place) for place, text in enumerate(texts))

@@ -49,6 +49,8 @@ def show_comparison(request: CompareRequest) -> None:
         print(_("written: {name}").format(name=one_line(request.output)))
         return
     heads = [f"{one_line(name)}: {title(file.machine)}" for name, file in zip(comparison.names, files, strict=True)]
+    if request.second is None:
+        heads[1] = _("changed: {values}").format(values=one_line(", ".join(request.settings)))
     with page(heads[0]) as console:
         console.print(Text(heads[1], style="bold"))
         console.print()

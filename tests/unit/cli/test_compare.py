@@ -21,7 +21,7 @@ def test_rows_with_their_difference(typed, machines):
     assert (answer.status, answer.errors) == (0, "")
     lines = answer.output.splitlines()
     assert lines[0].startswith("small.toml: ")
-    assert "  stroke                     80.00       100.0  mm        +20.0  +25.0 %" in lines
+    assert ["stroke", "80.00", "100.0", "mm", "+20.0", "+25.0", "%"] in [line.split() for line in lines]
     assert "Motion" in lines
 
 
@@ -36,7 +36,7 @@ def test_itself_with_other_values(typed, machines):
     answer = typed("compare", machines[0], "--set", "shaft.main.speed=3000 rpm", "--quantities", "mean_piston_speed")
     row = next(line.split() for line in answer.output.splitlines() if line.startswith("  mean piston speed"))
     assert row[3:5] == ["4.000", "8.000"]  # 2 S n
-    assert "with shaft.main.speed = 3000 rpm" in answer.output
+    assert "changed: shaft.main.speed=3000 rpm" in answer.output.splitlines()
 
 
 def test_a_value_goes_for_both(typed, machines):
