@@ -164,7 +164,7 @@ class Machine(Spec, frozen=True):
         values : mapping of str
             By path, as `--set` takes it: `mechanism.rod_length`, `shaft.main.throws[2]`, `balance`; quantities as texts
             with their units, tables as mappings, lists as lists. What was said of where an old value is from does not
-            hold of the new one, and goes with it.
+            hold of the new one, and goes with it. A file that is named is read relative to the machine file.
 
         Returns
         -------

@@ -9,7 +9,7 @@ from cranktrain import analysis
 from cranktrain.analysis import Result
 from cranktrain.analysis.comparison import Comparison, compared
 from cranktrain.errors import InputError, Problem, problems_as
-from cranktrain.io.any_machine import sources_of
+from cranktrain.io.any_machine import sources_of, values_of
 from cranktrain.language import _
 
 if TYPE_CHECKING:
@@ -111,7 +111,7 @@ def compare(
     >>> compare("vaz_21213", set={"shaft.main.speed": "3000 rpm"})
     <Comparison of vaz_21213 and vaz_21213 with shaft.main.speed = 3000 rpm: ... rows>
     """
-    values = set or {}
+    values = values_of(set)
     if second is None and not values:
         allowed = _("is missing: name a second machine, or what is to be another value")
         raise InputError([Problem("second", None, allowed, _("write set={example}").format(example=_EXAMPLE))])

@@ -138,7 +138,7 @@ class Comparison:
         if not cells:
             yield _("Neither machine has a result that could be compared.")
             return
-        first, second = (short(name, _LONGEST_HEAD) for name in self._heads())
+        first, second = self._heads()
         widths = [max(map(len, column)) for column in zip(*(texts for _row, texts in cells), strict=True)]
         widths[:2] = max(widths[0], len(first)), max(widths[1], len(second))
         said = _("difference")
@@ -160,9 +160,10 @@ class Comparison:
     def _heads(self) -> tuple[str, str]:
         """Names short enough for a column: of a machine with other values, these are named above."""
         first, second = (one_line(name) for name in self.names)
-        if first == second or not (first and second):
-            return _("first"), _("second")
-        return (first, _("changed")) if second.startswith(f"{first} ") else (first, second)
+        if second.startswith(f"{first} ") and first:
+            return _brief_name(first), _("changed")
+        one, other = _brief_name(first), _brief_name(second)
+        return (one, other) if one and other and one != other else (_("first"), _("second"))
 
     def __repr__(self) -> str:
         """Say in one line what it is."""
@@ -186,6 +187,11 @@ class Comparison:
                 texts = "".join(f"<td>{escape(text)}</td>" for text in _texts(row))
                 parts.append(f'<tr><td style="text-align:left">{escape(row.name)}</td>{texts}</tr>')
         return "".join([*parts, "</tbody></table>"])
+
+
+def _brief_name(name: str) -> str:
+    """Name a machine in the head of a column: of a file without its folder."""
+    return short(name.removesuffix(".toml").rpartition("/")[2], _LONGEST_HEAD)
 
 
 def _absence(name: str, results: tuple[Result, Result]) -> Problem:

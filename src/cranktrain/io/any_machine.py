@@ -87,21 +87,26 @@ def source_of(
     InputError
         With everything that is wrong.
     """
-    changed: Mapping[str, object] = {} if values is None else values
-    if not isinstance(cast("object", changed), Mapping):
-        allowed = _("must be a mapping of paths to values")
-        repair = _("write set={example}").format(example='{"mechanism.rod_length": "140 mm"}')
-        raise InputError([Problem("set", str(changed), allowed, repair)])
+    changed = values_of(values)
     if isinstance(machine, Machine):
         return GivenMachine(_with_files(machine, changed), _as_it_is)
     if isinstance(machine, str | os.PathLike):
-        file, said = load_with(machine, changed, partial=partial)
-        return GivenMachine(file.machine, said.found)
+        file, origin = load_with(machine, changed, partial=partial)
+        return GivenMachine(file.machine, origin.found)
     if isinstance(cast("object", machine), Mapping):
         return GivenMachine(_of_tables(machine, changed), _as_it_is)
     kind = type(cast("object", machine)).__name__
     allowed = _("must be a machine, a machine file, the name of an example, or the tables of a file as a dict")
     raise InputError([Problem("machine", kind, allowed)])
+
+
+def values_of(values: Mapping[str, object] | None) -> Mapping[str, object]:
+    """Take what is to be set; refuse what is no mapping."""
+    if values is None or isinstance(cast("object", values), Mapping):
+        return values or {}
+    allowed = _("must be a mapping of paths to values")
+    repair = _("write set={example}").format(example='{"mechanism.rod_length": "140 mm"}')
+    raise InputError([Problem("set", str(values), allowed, repair)])
 
 
 def sources_of(

@@ -45,6 +45,28 @@ class Input(NamedTuple):
     given: Given
 
 
+class Origin(NamedTuple):
+    """Where values are from: the text of a file; of those that were set the paths, where that was, and in words."""
+
+    typed: Document
+    paths: tuple[PathParts, ...]
+    position: Position
+    words: str
+
+    def found(self, problem: Problem) -> Problem:
+        """Place a problem that the computation found, if it is one of the file."""
+        parts = parts_of(problem.path)
+        declared = {*self.typed.data, *(path[0] for path in self.paths)}
+        return self.placed(problem) if parts and parts[0] in declared else problem
+
+    def placed(self, problem: Problem) -> Problem:
+        """Place a problem at the setting that it comes from, or in the file."""
+        parts = parts_of(problem.path)
+        if any(parts[: len(setting)] == setting for setting in self.paths):
+            return replace(problem, position=self.position)
+        return self.typed.located(problem)
+
+
 def read_machine(
     source: "str | os.PathLike[str]", settings: Sequence[str] = (), *, partial: bool = False
 ) -> MachineFile:
@@ -70,13 +92,13 @@ def read_machine(
     """
     typed = document_of(source)
     document, paths = _with_settings(typed, settings)
-    said = _Said(typed, paths, _SETTING, ", ".join(settings))
-    return MachineFile(document, _checked(document.data, _folder_of(source), said, partial=partial))
+    origin = Origin(typed, paths, _SETTING, ", ".join(settings))
+    return MachineFile(document, _checked(document.data, _folder_of(source), origin, partial=partial))
 
 
 def load_with(
     source: "str | os.PathLike[str]", values: Mapping[str, object], *, partial: bool = False
-) -> tuple[MachineFile, "_Said"]:
+) -> tuple[MachineFile, Origin]:
     """Read a machine with other values at some paths, as `Machine.with_` takes them.
 
     Parameters
@@ -91,8 +113,7 @@ def load_with(
     -------
     file : MachineFile
         Its document is as typed, without the values.
-    said : object
-        Its `found` says of a problem of the computation where it stands.
+    origin : Origin
 
     Raises
     ------
@@ -102,36 +123,11 @@ def load_with(
     typed = document_of(source)
     with problems_as(lambda problem: replace(problem, position=SET)):
         data, paths = with_values(typed.data, values)
-    said = _Said(typed, paths, SET, ", ".join(values))
-    return MachineFile(typed, _checked(data, _folder_of(source), said, partial=partial)), said
+    origin = Origin(typed, paths, SET, ", ".join(values))
+    return MachineFile(typed, _checked(data, _folder_of(source), origin, partial=partial)), origin
 
 
-class _Said(NamedTuple):
-    """Who said what of a machine: the text of its file, and what was set beside that: paths, where, and in words."""
-
-    typed: Document
-    paths: tuple[PathParts, ...]
-    position: Position
-    words: str
-
-    def found(self, problem: Problem) -> Problem:
-        """Place a problem that the computation found, if it is one of the file."""
-        parts = parts_of(problem.path)
-        return (
-            self.placed(problem)
-            if parts and parts[0] in {*self.typed.data, *(path[0] for path in self.paths)}
-            else problem
-        )
-
-    def placed(self, problem: Problem) -> Problem:
-        """Place a problem at the setting that it comes from, or in the file."""
-        parts = parts_of(problem.path)
-        if any(parts[: len(setting)] == setting for setting in self.paths):
-            return replace(problem, position=self.position)
-        return self.typed.located(problem)
-
-
-def _checked(data: Mapping[str, object], folder: Path, said: _Said, *, partial: bool) -> Machine:
+def _checked(data: Mapping[str, object], folder: Path, origin: Origin, *, partial: bool) -> Machine:
     """Make a machine of its tables, with all that is wrong at its place."""
     # A curve that cannot be read is one problem among the others.
     read = with_arguments(with_curves, folder=folder)
@@ -143,12 +139,12 @@ def _checked(data: Mapping[str, object], folder: Path, said: _Said, *, partial: 
             return machine
     except InputError as error:
         found = (*found, *error.problems)
-    problems = tuple(map(said.placed, found))
-    if said.paths and not any(problem.position == said.position for problem in problems):
+    problems = tuple(map(origin.placed, found))
+    if origin.paths and not any(problem.position == origin.position for problem in problems):
         allowed = _("was set for this run; the file alone may be right")
-        meant = next((near for path in said.paths if (near := _deeper(said.typed.data, path)) is not None), None)
+        meant = next((near for path in origin.paths if (near := _deeper(origin.typed.data, path)) is not None), None)
         repair = None if meant is None else _("did you mean {path}?").format(path=meant)
-        problems = (*problems, Problem("", said.words, allowed, repair, said.position))
+        problems = (*problems, Problem("", origin.words, allowed, repair, origin.position))
     raise InputError(problems)
 
 

@@ -91,6 +91,7 @@ def test_numbers_that_are_counted_have_a_row_each():
     ("arguments", "options", "path", "said"),
     [
         ((SMALL,), {}, "second", "is missing"),
+        ((SMALL,), {"set": "shaft.main.speed=1 rpm"}, "set", "must be a mapping"),
         ((SMALL, LARGE), {"quantities": "swing"}, "quantities", "is a result of neither machine"),
         ((SMALL, LARGE), {"quantities": "gas_pressure"}, "quantities", "it needs [cylinder] bore"),
         ((SMALL, LARGE), {"quantities": "strok"}, "quantities", "is not a quantity"),
@@ -112,6 +113,14 @@ def test_table():
     assert lines[3].split() == ["mean", "piston", "speed", "5.000", "6.000", "m/s", "+1.00", "+20.0", "%"]
     assert all(len(line) <= 80 for line in str(ct.compare("3d12", "kamaz_740")).splitlines())
     assert "<td" in ct.compare(SMALL, LARGE)._repr_html_()
+
+
+def test_files_are_called_without_their_folder(tmp_path):
+    for name in ("long_name_of_a_file.toml", "b.toml"):
+        text = '[mechanism]\nkind = "slider_crank"\nstroke = "80 mm"\nrod_length = "136 mm"\n'
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    first, second = (str(tmp_path / name) for name in ("long_name_of_a_file.toml", "b.toml"))
+    assert str(ct.compare(first, second)).split()[:2] == ["long_name…", "b"]
 
 
 def test_machines_of_one_name_are_told_apart():
