@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from cranktrain.analysis.dimensions import DIMENSIONS
-from cranktrain.analysis.figures import shown_in
+from cranktrain.analysis.figures import ABSENT, shown_in
 from cranktrain.catalogue import Entry
 from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
@@ -18,7 +18,7 @@ _MOST_GROUPS = 3
 """Members that differ among themselves have a row each up to here; of more the smallest and the largest has."""
 
 _MOST_NUMBERED = 3
-"""Of members that are numbers, as modes, so many have rows."""
+"""Of members that are numbers, as modes or orders, so many have rows."""
 
 _EXACT = "exact"
 """The first of several methods, beside which the others are approximations."""
@@ -61,12 +61,17 @@ def rows_of(entry: Entry, found: Sequence[Labelled | None]) -> Iterator[tuple[st
 
 
 def _outer_labels(found: Sequence[Labelled | None]) -> list[str]:
-    """Labels of the first of two dimensions, or of methods, of which the exact one alone; else one without words."""
-    for one in found:
-        first = next(iter(one.labels.values()), ()) if one is not None else ()
-        if one is not None and first and first[0] == _EXACT:
-            return [_EXACT]
-    several = [next(iter(one.labels.values())) for one in found if one is not None and len(one.labels) > 1]
+    """Labels of the first of two dimensions, or of methods, of which the exact one alone; else one without words.
+
+    Where exact is what errors are counted from, those of the other methods.
+    """
+    there = [one for one in found if one is not None]
+    firsts = [list(next(iter(one.labels.values()), ())) for one in there]
+    if any(labels[:1] == [_EXACT] for labels in firsts):
+        is_error = all(not np.any(np.nan_to_num(one.values[0])) for one in there)
+        others = dict.fromkeys(label for labels in firsts for label in labels[1:])
+        return list(others) if is_error and others else [_EXACT]
+    several = [labels for one, labels in zip(there, firsts, strict=True) if len(one.labels) > 1]
     return list(dict.fromkeys(label for labels in several for label in labels)) or [""]
 
 
@@ -84,9 +89,7 @@ def _flat_rows(entry: Entry, found: Sequence[Labelled | None]) -> Iterator[tuple
     members = [_members(one) for one in there]
     if not entry.is_fact:
         sides: Sequence[str] = (SMALLEST, LARGEST)
-    elif all(
-        len(one) <= 1 or len(set(_texts(entry, part.values))) == 1 for one, part in zip(members, there, strict=True)
-    ):
+    elif all(len({*_texts(entry, one.values)} - {ABSENT}) <= 1 for one in there):
         yield "", tuple(_first(one) for one in found)
         return
     elif rows := list(_same_members(entry, found, members)):
@@ -111,7 +114,7 @@ def _same_members(
     there = [one for one in found if one is not None]
     dimension = entry.dimensions[-1]
     if DIMENSIONS[dimension].is_number and side_of(entry.name) is None:
-        for member in members[0][:_MOST_NUMBERED]:
+        for member in _counted(there[0], members[0]):
             title = _(DIMENSIONS[dimension].title)
             yield f"{title} {member}", tuple(_of_member(one, member) for one in found)
         return
@@ -124,6 +127,14 @@ def _same_members(
     if len(groups) <= _MOST_GROUPS and len(set(whose)) == len(whose) and max(map(len, whose)) <= _MOST_LETTERS:
         for of, places in zip(whose, groups.values(), strict=True):
             yield of, tuple(np.nan if one is None else float(one.values[places[0]]) for one in found)
+
+
+def _counted(one: Labelled, members: tuple[str, ...]) -> Sequence[str]:
+    """Which of many members that are numbers have rows: of modes, whose values rise, the first, else the largest."""
+    sizes = np.nan_to_num(np.abs(one.values.reshape(-1, len(members))[0]))
+    if np.all(np.diff(sizes) >= 0.0):
+        return members[:_MOST_NUMBERED]
+    return [members[place] for place in np.argsort(-sizes, kind="stable")[:_MOST_NUMBERED].tolist()]
 
 
 def whose_of(members: Sequence[str], places: Sequence[int]) -> str:
@@ -144,7 +155,9 @@ def _texts(entry: Entry, values: Array) -> tuple[str, ...]:
 
 
 def _first(one: Labelled | None) -> float:
-    return np.nan if one is None or not one.values.size else float(np.ravel(one.values)[0])
+    """The first value that there is."""
+    known = np.array([]) if one is None else one.values[np.isfinite(one.values)]
+    return float(known[0]) if known.size else np.nan
 
 
 def _of_member(one: Labelled | None, member: str) -> float:

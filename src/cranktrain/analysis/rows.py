@@ -37,8 +37,8 @@ class AnswerRow:
     @property
     def name(self) -> str:
         """The fact in words, with whose it is."""
-        words = self.entry.name.replace("_", " ")
-        return f"{words}, {self.of}" if self.of else words
+        words = f"{self.entry.name}, {self.of}" if self.of else self.entry.name
+        return words.replace("_", " ")
 
     @property
     def texts(self) -> tuple[tuple[str, ...], str]:

@@ -108,7 +108,7 @@ def _read(request: CompareRequest) -> tuple[MachineFile, MachineFile]:
     """Read both machines; what is wrong with either is told."""
     asked = (
         (request.first, () if request.second is None else request.settings),
-        (request.second or request.first, request.settings),
+        (request.first if request.second is None else request.second, request.settings),
     )
     found: list[MachineFile] = []
     problems: list[Problem] = []

@@ -87,6 +87,22 @@ def test_numbers_that_are_counted_have_a_row_each():
     np.testing.assert_allclose([one.percent for one in compared.rows], 100.0, rtol=1e-6)
 
 
+def test_the_largest_orders_have_rows():
+    """Of an even four-stroke in-line four they are two periods to a turn, and multiples of that."""
+    compared = ct.compare("vaz_21213", set={"shaft.main.speed": "4000 rpm"}, quantities="torque_order_amplitude")
+    assert {one.of for one in compared.rows} <= {f"order {order}" for order in (2, 4, 6, 8, 10, 12)}
+    assert compared.rows[0].of == "order 2"
+
+
+def test_errors_are_those_of_the_other_methods():
+    compared = ct.compare(SMALL, set={"mechanism.rod_length": "360 mm"}, quantities="displacement_error")
+    rods = {one.of: one for one in compared.rows}
+    assert "exact" not in rods
+    # Without a rod the pin's projection misses by r λ sin² φ / 2 of a stroke of 2 r, in first approximation.
+    for value, ratio in ((rods["infinite_rod"].first, 50 / 180), (rods["infinite_rod"].second, 50 / 360)):
+        assert value == pytest.approx(ratio / 4, rel=0.03)
+
+
 @pytest.mark.parametrize(
     ("arguments", "options", "path", "said"),
     [

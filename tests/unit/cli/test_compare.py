@@ -51,6 +51,7 @@ def test_a_value_goes_for_both(typed, machines):
         (["small.toml"], "must be compared with something: another machine, or itself with --set"),
         (["small.toml", "small.toml"], "is named twice"),
         (["3d12", "3D12"], "is named twice"),
+        (["3d12", ""], "must be the name of a machine file"),
         (["small.toml", "./small.toml"], "is named twice"),
         (["small.toml", "smal.toml"], NO_FILE),
         (["smal.toml", "larg.toml"], "larg.toml"),
