@@ -20,6 +20,9 @@ _MOST_GROUPS = 3
 _MOST_NUMBERED = 3
 """Of members that are numbers, as modes or orders, so many have rows."""
 
+_MOST_OF_EACH = 2
+"""Of the orders of each of several machines."""
+
 _EXACT = "exact"
 """The first of several methods, beside which the others are approximations."""
 
@@ -114,7 +117,7 @@ def _same_members(
     there = [one for one in found if one is not None]
     dimension = entry.dimensions[-1]
     if DIMENSIONS[dimension].is_number and side_of(entry.name) is None:
-        for member in _counted(there[0], members[0]):
+        for member in _counted(there):
             title = _(DIMENSIONS[dimension].title)
             yield f"{title} {member}", tuple(_of_member(one, member) for one in found)
         return
@@ -129,12 +132,17 @@ def _same_members(
             yield of, tuple(np.nan if one is None else float(one.values[places[0]]) for one in found)
 
 
-def _counted(one: Labelled, members: tuple[str, ...]) -> Sequence[str]:
+def _counted(there: Sequence[Labelled]) -> Sequence[str]:
     """Which of many members that are numbers have rows: of modes, whose values rise, the first, else the largest."""
-    sizes = np.nan_to_num(np.abs(one.values.reshape(-1, len(members))[0]))
-    if np.all(np.diff(sizes) >= 0.0):
-        return members[:_MOST_NUMBERED]
-    return [members[place] for place in np.argsort(-sizes, kind="stable")[:_MOST_NUMBERED].tolist()]
+    largest: list[str] = []
+    for one in there:
+        members = _members(one)
+        sizes = np.nan_to_num(np.abs(one.values.reshape(-1, len(members))[0]))
+        if np.all(np.diff(sizes) >= 0.0):
+            return members[:_MOST_NUMBERED]
+        most = _MOST_NUMBERED if len(there) == 1 else _MOST_OF_EACH
+        largest += [members[place] for place in np.argsort(-sizes, kind="stable")[:most].tolist()]
+    return list(dict.fromkeys(largest))
 
 
 def whose_of(members: Sequence[str], places: Sequence[int]) -> str:
