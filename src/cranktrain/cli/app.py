@@ -121,6 +121,7 @@ def _check(file: File) -> None:
         '  cranktrain run 3d12 --set "shaft.main.speed=1800 rpm"\n'
         "  cranktrain run 3d12 --quantities stroke,piston_displacement\n"
         "  cranktrain run 3d12 -o 3d12.csv --step 0.5\n"
+        "  cranktrain run 3d12 -o facts.csv --facts --decimal comma\n"
         "  cranktrain run 3d12 --running-speed"
     ),
 )
@@ -133,7 +134,7 @@ def _run(
             "-o",
             "--output",
             metavar="FILE",
-            help=_("Write curves to .csv, or all results to .json; by each method only if named."),
+            help=_("Write curves to .csv, or all results to .json or .xlsx; by each method only if named."),
         ),
     ] = None,
     settings: Settings = None,
@@ -147,6 +148,11 @@ def _run(
     running_speed: RunningSpeed = False,
     speed_curve: SpeedCurve = None,
     partial_turn: Partial = False,
+    decimal: Annotated[
+        str,
+        typer.Option(metavar="point|comma", help=_("In a .csv; a comma as spreadsheets take it, with semicolons.")),
+    ] = "point",
+    facts: Annotated[bool, typer.Option("--facts", help=_("Into a .csv facts instead of curves."))] = False,
     inputs: Annotated[
         bool, typer.Option("--inputs", help=_("Show every number of the file and where it is from."))
     ] = False,
@@ -165,6 +171,8 @@ def _run(
         speed_curve=speed_curve,
         output=output,
         force=force,
+        decimal=decimal,
+        facts=facts,
     )
     show_run(request, with_inputs=inputs)
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from pathlib import PurePath
+from typing import TYPE_CHECKING
 
 from cranktrain.analysis import Result
 from cranktrain.cli.asked import Asked, at_running_speed
@@ -13,6 +14,9 @@ from cranktrain.language import _
 from cranktrain.one_line import one_line
 from cranktrain.record import record
 
+if TYPE_CHECKING:
+    from cranktrain.io.writers import Form
+
 
 @record
 class RunRequest(Asked):
@@ -20,21 +24,23 @@ class RunRequest(Asked):
 
     quantities: tuple[str, ...] | None = None
     step_degrees: float = 1.0
+    decimal: str = "point"
+    facts: bool = False
 
 
 def show_run(request: RunRequest, *, with_inputs: bool = False) -> None:
     """Compute, write and show."""
     from cranktrain.cli.screen.report import show_result, title
 
-    suffix = None if request.output is None else _suffix(request.output)
+    form = _form(request)
     if request.quantities == ():
         allowed = _("must be names of results, with commas between; `cranktrain list results` names them")
         raise InputError([Problem("--quantities", '""', allowed)])
     file = request.read()
-    if request.output is None or suffix is None:
+    if request.output is None or form is None:
         result = _computed(file, request)
     else:
-        result = _written(file, request, request.output, suffix)
+        result = _written(file, request, request.output, form)
     with page(title(file.machine)) as console:
         names = _chosen(result, request)
         show_result(console, file, result, names, is_all=request.quantities is None, with_inputs=with_inputs)
@@ -43,15 +49,24 @@ def show_run(request: RunRequest, *, with_inputs: bool = False) -> None:
             console.print(_("written: {name}").format(name=one_line(request.output)), soft_wrap=True)
 
 
-def _suffix(output: str) -> str:
-    """Suffix of the output's name, by which its form is known."""
-    from cranktrain.io.tables import WRITERS
+def _form(request: RunRequest) -> "Form | None":
+    """How the output is to be written, by its suffix and what was asked besides; None where there is none."""
+    from cranktrain.io.writers import DECIMALS, SUFFIXES, Form
+    from cranktrain.quantities import unlisted
 
-    suffix = PurePath(output).suffix.lower()
-    if suffix not in WRITERS:
-        allowed = _("must end in one of: {suffixes}").format(suffixes=", ".join(WRITERS))
-        raise InputError([Problem("-o", output, allowed)])
-    return suffix
+    if request.decimal not in DECIMALS:
+        raise InputError([unlisted("--decimal", request.decimal, DECIMALS)])
+    if request.output is None:
+        given = {"--decimal": request.decimal != "point", "--facts": request.facts}
+        needs = _("is for a file: name one with -o, such as -o {name}").format(name="facts.csv")
+        refuse(Problem(option, None, needs) for option, is_given in given.items() if is_given)
+        return None
+    form = Form(PurePath(request.output).suffix.lower(), request.decimal, request.facts)
+    if form.suffix not in SUFFIXES:
+        allowed = _("must end in one of: {suffixes}").format(suffixes=", ".join(SUFFIXES))
+        raise InputError([Problem("-o", request.output, allowed)])
+    refuse(form.problems())
+    return form
 
 
 def _computed(file: MachineFile, request: RunRequest) -> Result:
@@ -71,25 +86,19 @@ def _absence(name: str, result: Result, file: str) -> Problem:
     return Problem("quantities", name, allowed)
 
 
-def _written(file: MachineFile, request: RunRequest, output: str, suffix: str) -> Result:
-    """Compute once the output is known to be possible, and write it; a table without what is given by each method."""
-    from cranktrain.io.tables import WRITERS
+def _written(file: MachineFile, request: RunRequest, output: str, form: "Form") -> Result:
+    """Compute once the output is known to be possible, and write it."""
+    from cranktrain.io.writers import written
 
     made: list[Result] = []
 
-    def text() -> Iterator[str]:
+    def pieces() -> Iterator[str | bytes]:
         result = _computed(file, request)
-        names = _chosen(result, request)
-        if suffix == ".csv" and request.quantities is None:
-            names = tuple(name for name in names if len(result.labels_of(result.catalogue[name])) <= 1)
-        facts = [name for name in request.quantities or () if result.catalogue[name].is_fact]
-        if suffix == ".csv" and facts:
-            allowed = _("has one value for the whole cycle, and a .csv holds curves")
-            raise InputError(Problem("quantities", name, allowed, _("write a .json")) for name in facts)
         made.append(result)
-        yield from WRITERS[suffix](result, file.document.data, names)
+        is_all = request.quantities is None
+        yield from written(form, result, file.document.data, _chosen(result, request), is_all=is_all)
 
-    write_whole(output, text(), force=request.force)
+    write_whole(output, pieces(), force=request.force)
     return made[0]
 
 

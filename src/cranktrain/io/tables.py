@@ -4,7 +4,7 @@ import csv
 import io
 import itertools
 import json
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 import numpy as np
 
@@ -14,11 +14,10 @@ from cranktrain.io.conventions import conventions
 from cranktrain.motion import Array
 from cranktrain.version import VERSION
 
-Writer = Callable[[Result, Mapping[str, object], Collection[str]], Iterator[str]]
-"""Writes a result, the data of its machine file, and those of its quantities that are named, as pieces of text."""
 
-
-def csv_text(result: Result, machine: Mapping[str, object], names: Collection[str]) -> Iterator[str]:
+def csv_text(
+    result: Result, machine: Mapping[str, object], names: Collection[str], *, comma: bool = False
+) -> Iterator[str]:
     """Write curves as a table with one row for each crank angle.
 
     Parameters
@@ -29,6 +28,8 @@ def csv_text(result: Result, machine: Mapping[str, object], names: Collection[st
         The data of its file; a table has no place for them.
     names : collection of str
         Quantities to write; facts, which have no crank angle, are left out.
+    comma : bool
+        As spreadsheets take it where a comma divides decimals: semicolons between, a byte-order mark before.
 
     Yields
     ------
@@ -36,23 +37,35 @@ def csv_text(result: Result, machine: Mapping[str, object], names: Collection[st
         Lines: `#` lines with the conventions, a head `name(index) [unit]`, then the numbers; NaN is written `nan`.
     """
     del machine
-    about = {"cranktrain": VERSION, "machine": result.machines[0].name, **conventions(result)}
-    left_out = [name for name, entry in result.catalogue.items() if name not in names and not entry.is_fact]
-    if left_out:
-        about["left out"] = ", ".join(left_out)
-    for word, sentence in about.items():
+    if comma:
+        yield "\ufeff"
+    for word, sentence in about(result, names).items():
         yield f"# {word}: {' '.join(sentence.split())}\n"
-    written = [entry for name, entry in result.catalogue.items() if name in names and not entry.is_fact]
-    columns = {"crank_angle [deg]": result.crank_angle}
-    columns.update(column for entry in written for column in _columns(result, entry))
+    columns = curve_columns(result, names)
     row = io.StringIO()
-    writer = csv.writer(row, lineterminator="\n")
+    writer = csv.writer(row, delimiter=";" if comma else ",", lineterminator="\n")
     writer.writerow(columns)
     for numbers in zip(*(column.tolist() for column in columns.values()), strict=True):
-        writer.writerow(map(repr, numbers))
+        digits = map(repr, numbers)
+        writer.writerow([number.replace(".", ",") for number in digits] if comma else digits)
         yield row.getvalue()
         row.seek(0)
         row.truncate()
+
+
+def about(result: Result, names: Collection[str]) -> dict[str, str]:
+    """Say what a table of curves is of, what its numbers count from, and which curves are left out."""
+    said = {"cranktrain": VERSION, "machine": result.machines[0].name, **conventions(result)}
+    left_out = [name for name, entry in result.catalogue.items() if name not in names and not entry.is_fact]
+    return said | ({"left out": ", ".join(left_out)} if left_out else {})
+
+
+def curve_columns(result: Result, names: Collection[str]) -> dict[str, Array]:
+    """Give the crank angle and every column of the named curves by its head, `name(index) [unit]`."""
+    written = [entry for name, entry in result.catalogue.items() if name in names and not entry.is_fact]
+    columns = {"crank_angle [deg]": result.crank_angle}
+    columns.update(column for entry in written for column in _columns(result, entry))
+    return columns
 
 
 def json_text(result: Result, machine: Mapping[str, object], names: Collection[str]) -> Iterator[str]:
@@ -102,10 +115,6 @@ def json_text(result: Result, machine: Mapping[str, object], names: Collection[s
         yield f"{start}{_json(name)}: {_json(part)}"
         start = ",\n"
     yield "\n}\n"
-
-
-WRITERS: Mapping[str, Writer] = {".csv": csv_text, ".json": json_text}
-"""What a file's suffix means."""
 
 
 def _columns(result: Result, entry: Entry) -> Iterator[tuple[str, Array]]:

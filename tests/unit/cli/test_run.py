@@ -242,10 +242,10 @@ def test_partial_turn(typed, written):
     assert "– needs a full turn: " in answer.output
 
 
-@pytest.mark.parametrize("name", ["out", "out.txt", "out.xlsx", "out.csv.gz"])
+@pytest.mark.parametrize("name", ["out", "out.txt", "out.xls", "out.csv.gz"])
 def test_unknown_suffix_is_refused_before_anything_else(typed, name):
     answer = typed("run", "no-such-file.toml", "-o", name)
-    assert answer == (2, "", f"-o = {name}: {ENDS_IN}.csv, .json\n")
+    assert answer == (2, "", f"-o = {name}: {ENDS_IN}.csv, .json, .xlsx\n")
 
 
 @pytest.mark.parametrize("name", ["out.csv", "OUT.JSON"])
@@ -272,8 +272,8 @@ def test_unwritable_output(typed, tmp_path):
 def test_a_table_holds_no_facts(typed, tmp_path):
     answer = typed("run", "3d12", "-o", "out.csv", "--quantities", "stroke,piston_displacement")
     assert (
-        answer.errors
-        == "quantities = stroke: has one value for the whole cycle, and a .csv holds curves; write a .json\n"
+        answer.errors == "quantities = stroke: has one value for the whole cycle, and a .csv holds curves; "
+        "write a .json or .xlsx, or with --facts a .csv of facts alone\n"
     )
     assert list(tmp_path.iterdir()) == []
 

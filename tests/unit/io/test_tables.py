@@ -7,8 +7,10 @@ import numpy as np
 import pytest
 
 import cranktrain as ct
+from cranktrain.io.fact_table import HEADS, fact_csv
 from cranktrain.io.machine_file import read_machine
 from cranktrain.io.tables import csv_text, json_text
+from cranktrain.io.workbook import workbook_bytes
 
 SHORT_ROD = {"kind": "slider_crank", "crank_radius": "40 mm", "rod_length": "30 mm"}
 
@@ -117,3 +119,67 @@ def test_what_is_not_a_number():
     text = "".join(json_text(result, {}, ["rod_angle"]))
     assert "NaN" not in text
     assert [value is None for value in json.loads(text)["quantities"]["rod_angle"]["values"][0]] == open_at.tolist()
+
+
+def test_csv_with_commas_reads_back_to_the_same_numbers(example):
+    """As a spreadsheet reads it where a comma divides decimals: by semicolons, the byte-order mark taken off."""
+    file, result = example
+    points = "".join(csv_text(result, file.document.data, result.catalogue))
+    commas = "".join(csv_text(result, file.document.data, result.catalogue, comma=True))
+    assert commas.startswith("\ufeff#")
+    rows = list(csv.reader(io.StringIO(commas.removeprefix("\ufeff")), delimiter=";"))
+    expected = list(csv.reader(io.StringIO(points)))
+    numbers = [row for row in rows if not row[0].startswith("#")]
+    wanted = [row for row in expected if not row[0].startswith("#")]
+    assert numbers[0] == wanted[0]
+    assert [[cell.replace(",", ".") for cell in row] for row in numbers[1:]] == wanted[1:]
+    assert not any("." in cell for row in numbers[1:] for cell in row)
+
+
+@pytest.mark.parametrize("comma", [False, True])
+def test_facts_as_csv(example, comma):
+    _file, result = example
+    text = "".join(fact_csv(result, result.catalogue, comma=comma))
+    assert text.startswith("\ufeff") == comma
+    reader = csv.reader(io.StringIO(text.removeprefix("\ufeff")), delimiter=";" if comma else ",")
+    heads, *rows = reader
+    assert tuple(heads) == HEADS
+    found = {
+        (name, of): (value.replace(",", ".") if comma else value, unit) for name, of, value, unit, _meaning in rows
+    }
+    for name, entry in result.catalogue.items():
+        if entry.is_fact:
+            values = np.asarray(getattr(result, name))
+            of = [key for key in found if key[0] == name]
+            assert len(of) == values.size
+            np.testing.assert_array_equal([float(found[key][0]) for key in of], values.ravel())
+            assert {found[key][1] for key in of} <= {entry.unit}
+
+
+def test_workbook_reads_back_to_the_same_numbers(example):
+    openpyxl = pytest.importorskip("openpyxl")
+    file, result = example
+    names = ["rod_angle", "stroke", "crank_radius"]
+    content = b"".join(workbook_bytes(result, file.document.data, names))
+    curves, facts, about = openpyxl.load_workbook(io.BytesIO(content)).worksheets
+    heads, *rows = curves.iter_rows(values_only=True)
+    _comments, columns = table_of("".join(csv_text(result, file.document.data, names)))
+    assert list(heads) == list(columns)
+    np.testing.assert_array_equal(rows, np.transpose([list(map(float, column)) for column in columns.values()]))
+    assert facts["A1"].value == "quantity"
+    assert facts.max_row == 1 + sum(
+        np.size(getattr(result, name)) for name in names if name in result.catalogue and result.catalogue[name].is_fact
+    )
+    assert about["A1"].value == "cranktrain"
+
+
+def test_workbook_has_no_formulas_of_the_users_and_empty_cells_for_no_number():
+    openpyxl = pytest.importorskip("openpyxl")
+    machine = ct.Machine(mechanism=SHORT_ROD, name="=1+\x07" + 40_000 * "1")
+    result = ct.run(machine, partial=True, step_degrees=30)
+    content = b"".join(workbook_bytes(result, {}, ["rod_angle"]))
+    curves, _facts, about = openpyxl.load_workbook(io.BytesIO(content)).worksheets
+    assert "B2" in curves.freeze_panes
+    assert {type(row[1]) for row in curves.iter_rows(min_row=2, values_only=True)} <= {int, float, type(None)}
+    named = next(row for row in about.iter_rows() if row[0].value == "machine")[1]
+    assert (named.data_type, named.value[:4]) == ("s", "'=1+")

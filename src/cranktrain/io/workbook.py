@@ -1,0 +1,81 @@
+"""A result as a workbook for spreadsheets: a sheet of curves, one of facts, and what the numbers count from."""
+
+import io
+import math
+from collections.abc import Collection, Iterator, Mapping
+from importlib import import_module
+from typing import Any
+
+from cranktrain.analysis import Result
+from cranktrain.errors import InputError, Position, Problem
+from cranktrain.io.fact_table import HEADS, fact_rows
+from cranktrain.io.tables import about, curve_columns
+from cranktrain.language import _
+
+_LONGEST_CELL = 32_767
+"""Characters that a cell of a spreadsheet holds."""
+
+
+def workbook_bytes(result: Result, machine: Mapping[str, object], names: Collection[str]) -> Iterator[bytes]:
+    """Write curves, facts and conventions as sheets of an .xlsx.
+
+    Parameters
+    ----------
+    result : Result
+        Of one machine.
+    machine : mapping
+        The data of its file; a workbook has no place for them.
+    names : collection of str
+        Quantities to write.
+
+    Yields
+    ------
+    bytes
+        Of the whole file; NaN is an empty cell.
+
+    Raises
+    ------
+    InputError
+        If openpyxl is not installed.
+    """
+    del machine
+    book = _openpyxl().Workbook(write_only=True)
+    columns = curve_columns(result, names)
+    curves = book.create_sheet(_("curves"))
+    curves.freeze_panes = "B2"
+    curves.append(list(map(_text, columns)))
+    for numbers in zip(*(column.tolist() for column in columns.values()), strict=True):
+        curves.append(list(map(_cell, numbers)))
+    facts = book.create_sheet(_("facts"))
+    facts.freeze_panes = "A2"
+    facts.append(HEADS)
+    for name, of, value, unit, meaning in fact_rows(result, names):
+        facts.append((name, _text(of), _cell(value), unit, meaning))
+    head = book.create_sheet(_("about"))
+    for word, sentence in about(result, names).items():
+        head.append((word, _text(sentence)))
+    content = io.BytesIO()
+    book.save(content)
+    yield content.getvalue()
+
+
+def _openpyxl() -> Any:
+    """Import what writes workbooks, or say how to have it."""
+    try:
+        return import_module("openpyxl")
+    except ModuleNotFoundError:
+        repair = _("pip install 'cranktrain[xlsx]', or write a .csv, with --decimal comma where spreadsheets have one")
+        raise InputError(
+            [Problem("", ".xlsx", _("needs the package openpyxl"), repair, position=Position("-o"))]
+        ) from None
+
+
+def _cell(number: float) -> float | None:
+    """Leave a cell empty where there is no number."""
+    return number if math.isfinite(number) else None
+
+
+def _text(sentence: str) -> str:
+    """Write what no spreadsheet takes for a formula, and no cell is too small for."""
+    plain = "".join(character for character in " ".join(sentence.split()) if character.isprintable())[:_LONGEST_CELL]
+    return f"'{plain}" if plain.startswith("=") else plain

@@ -1,0 +1,102 @@
+"""How a result is written: by the suffix of the file, and what was asked of its numbers."""
+
+from collections.abc import Collection, Iterator, Mapping
+
+from cranktrain.analysis import Result
+from cranktrain.errors import Problem, refuse
+from cranktrain.io.fact_table import fact_csv
+from cranktrain.io.tables import csv_text, json_text
+from cranktrain.io.workbook import workbook_bytes
+from cranktrain.language import _
+from cranktrain.record import record
+
+SUFFIXES = (".csv", ".json", ".xlsx")
+DECIMALS = ("point", "comma")
+
+
+@record
+class Form:
+    """How a result is to be written.
+
+    Attributes
+    ----------
+    suffix : str
+        One of `SUFFIXES`.
+    decimal : "point" or "comma"
+        In a .csv. With a comma semicolons stand between columns, and a byte-order mark before all: as spreadsheets
+        take it where a comma divides decimals.
+    facts : bool
+        Write into a .csv what holds for the whole cycle, instead of curves.
+    """
+
+    suffix: str
+    decimal: str = "point"
+    facts: bool = False
+
+    def problems(self) -> Iterator[Problem]:
+        """Find what the form of the file has no place for."""
+        if self.suffix not in SUFFIXES:
+            return
+        if self.suffix != ".csv" and self.decimal == "comma":
+            said = _("is for a .csv; {suffix} has numbers, which each program shows as its user has them")
+            yield Problem("--decimal", self.decimal, said.format(suffix=self.suffix))
+        if self.suffix != ".csv" and self.facts:
+            allowed = _("is for a .csv; {suffix} has facts and curves").format(suffix=self.suffix)
+            yield Problem("--facts", None, allowed, _("leave --facts out"))
+
+
+def written(
+    form: Form, result: Result, machine: Mapping[str, object], names: Collection[str], *, is_all: bool
+) -> Iterator[str | bytes]:
+    """Write a result.
+
+    Parameters
+    ----------
+    form : Form
+    result : Result
+        Of one machine.
+    machine : mapping
+        The data of its file.
+    names : collection of str
+        Quantities to write.
+    is_all : bool
+        Whether these are all that there are, and not chosen: a table is then without what is given by each method.
+
+    Yields
+    ------
+    str or bytes
+
+    Raises
+    ------
+    InputError
+        If the file has no place for a quantity that was chosen, or needs a package that is not installed.
+    """
+    if form.suffix != ".json" and is_all:
+        names = [name for name in names if len(result.labels_of(result.catalogue[name])) <= 1 or _is_fact(result, name)]
+    comma = form.decimal == "comma"
+    if form.suffix == ".json":
+        yield from json_text(result, machine, names)
+    elif form.suffix == ".xlsx":
+        yield from workbook_bytes(result, machine, names)
+    elif form.facts:
+        refuse(_is_curve(name) for name in names if not is_all and not _is_fact(result, name))
+        yield from fact_csv(result, names, comma=comma)
+    else:
+        refuse(_is_one_value(name) for name in names if not is_all and _is_fact(result, name))
+        yield from csv_text(result, machine, names, comma=comma)
+
+
+def _is_fact(result: Result, name: str) -> bool:
+    """Whether a quantity has no crank angle."""
+    return result.catalogue[name].is_fact
+
+
+def _is_curve(name: str) -> Problem:
+    """Refuse a curve among facts."""
+    return Problem("quantities", name, _("is a curve, and --facts writes facts"), _("leave --facts out"))
+
+
+def _is_one_value(name: str) -> Problem:
+    """Refuse a fact among curves."""
+    allowed = _("has one value for the whole cycle, and a .csv holds curves")
+    return Problem("quantities", name, allowed, _("write a .json or .xlsx, or with --facts a .csv of facts alone"))
