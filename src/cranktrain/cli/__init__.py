@@ -16,6 +16,9 @@ from cranktrain.one_line import visible
 __all__ = ["main"]
 
 _BAD_INPUT, _BUG, _STOPPED, _NOBODY_READS = 2, 70, 130, 141
+_COMPLETING = "_CRANKTRAIN_COMPLETE"
+"""Set by a shell that asks what may be typed."""
+
 _SIGNALLED = 128
 """And the number of the signal that ended the program."""
 
@@ -44,6 +47,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # for systems of a few unknowns more threads only wait
     try:
         _look_at_streams()
+        if _COMPLETING in os.environ and arguments is None:
+            from cranktrain.cli.completing.shells import show_candidates
+
+            show_candidates(sys.argv[1:])
+            return 0
         from cranktrain.cli.app import task  # inside, so that Ctrl-C is answered from the start
 
         task(sys.argv[1:] if arguments is None else arguments)()

@@ -1,9 +1,10 @@
 """What may be typed: the commands with their arguments, options and help. A command is done when Typer has returned."""
 
 from collections.abc import Sequence
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
+from typer.main import get_command
 
 from cranktrain.cli.comparing import add_compare
 from cranktrain.cli.naming_pictures import NamingPictures
@@ -26,6 +27,11 @@ _app = typer.Typer(
 def task(arguments: Sequence[str]) -> Task:
     """What a command line asks for; errors of usage are `InputError`."""
     return task_of(_app, arguments, "cranktrain")
+
+
+def commands() -> Any:
+    """All commands with their arguments and options, as Typer's group of them."""
+    return get_command(_app)
 
 
 def _version(asked: bool) -> None:
@@ -362,6 +368,22 @@ def _textbook(
         return
     refuse_without_forces(of_forces)
     show_textbook(file, values, source=source, with_table=table, with_errata=errata)
+
+
+@_app.command(
+    "completion",
+    help=_(
+        "Give the script by which a shell completes commands, examples, kinds, results and paths.\n\n"
+        "\b\n"
+        '  eval "$(cranktrain completion bash)"          in ~/.bashrc; zsh likewise in ~/.zshrc\n'
+        "  cranktrain completion fish | source            in config.fish"
+    ),
+)
+@put_off
+def _completion(shell: Annotated[str, typer.Argument(metavar="[bash|zsh|fish]", show_default=False)]) -> None:
+    from cranktrain.cli.completing.shells import show_script
+
+    show_script(shell)
 
 
 @_app.command(

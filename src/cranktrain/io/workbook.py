@@ -31,7 +31,7 @@ def workbook_bytes(result: Result, machine: Mapping[str, object], names: Collect
     Yields
     ------
     bytes
-        Of the whole file; NaN is an empty cell.
+        Of the whole file; numbers of 16 digits, NaN an empty cell.
 
     Raises
     ------

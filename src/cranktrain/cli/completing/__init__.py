@@ -1,0 +1,1 @@
+"""What a shell completes: commands, options, examples, kinds, results and paths, without what computes."""

@@ -1,0 +1,66 @@
+"""Makes the list of names that are completed: `python -m cranktrain.cli.completing.making`."""
+
+import json
+from collections.abc import Iterator, Mapping
+from typing import Any, get_args, get_origin
+
+from cranktrain import fluids, mechanisms
+from cranktrain.analysis import STAGES
+from cranktrain.catalogue import entries
+from cranktrain.cli.completing.names import LIST
+from cranktrain.machine import Machine
+from cranktrain.spec import Spec, bare
+
+
+def made() -> dict[str, Any]:
+    """Give the list: names of results and kinds, and the keys of tables by the patterns of their paths."""
+    keys = dict(_tables(Machine, ()))
+    for home in (("mechanism",), ("bank", "*", "mechanism")):
+        for kind in mechanisms.KINDS:
+            keys |= dict(_tables(kind.spec, (*home, f":{kind.name}")))
+    for home in (("gas",), ("gas", "*")):
+        for fluid in fluids.KINDS:
+            keys |= dict(_tables(fluid.spec, (*home, f":{fluid.name}")))
+    keys["shaft", "main"] = [key for key in keys["shaft", "*"] if key not in ("ratio", "phase", "place")]
+    return {
+        "results": list(dict.fromkeys(entry.name for stage in STAGES for entry in entries(stage.gives))),
+        "kinds": [kind.name for kind in mechanisms.KINDS],
+        "keys": {".".join(pattern): names for pattern, names in keys.items() if names},
+    }
+
+
+def _tables(spec: type[Spec], above: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], list[str]]]:
+    """Give the keys of a table that have values, and those of the tables in it."""
+    values: list[str] = []
+    for name, field in spec.model_fields.items():
+        annotation = bare(field.annotation)
+        kinds = annotation.alternatives or (annotation.annotation,)
+        tables = [kind for each in kinds if isinstance(kind := bare(each).annotation, type) and issubclass(kind, Spec)]
+        named = _named(annotation.annotation)
+        if name == spec.others:
+            continue
+        if len(tables) == 1:
+            yield from _tables(tables[0], (*above, name))
+        if named is not None:
+            yield from _tables(named, (*above, name, "*"))
+        if not tables and named is None and "Spec" not in str(field.annotation):
+            values.append(field.alias or name)
+    yield above, values
+
+
+def _named(annotation: object) -> type[Spec] | None:
+    """Give the table that a mapping holds by names; None for anything else."""
+    origin, arguments = get_origin(annotation), get_args(annotation)
+    if isinstance(origin, type) and issubclass(origin, Mapping):
+        inner = bare(arguments[1]).annotation
+        return inner if isinstance(inner, type) and issubclass(inner, Spec) else None
+    return None
+
+
+def text() -> str:
+    """Give the list as the text of its file."""
+    return json.dumps(made(), indent=1) + "\n"
+
+
+if __name__ == "__main__":
+    LIST.write_text(text(), encoding="utf-8")
