@@ -27,7 +27,7 @@ def imported() -> set[str]:
 def test_declared_packages_are_those_imported():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     optional = project["optional-dependencies"]
-    needed = [*project["dependencies"], *optional["fast"], *optional["cad"]]
+    needed = [*project["dependencies"], *optional["fast"], *optional["cad"], *optional["xlsx"]]
     names = [re.match(r"[\w-]+", each)[0] for each in needed]
     installed_with_pydantic = {"pydantic_core"}
     assert {CALLED.get(name, name.replace("-", "_")) for name in names} == imported() - installed_with_pydantic

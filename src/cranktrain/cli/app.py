@@ -9,7 +9,18 @@ from typer.main import get_command
 from cranktrain.cli.comparing import add_compare
 from cranktrain.cli.naming_pictures import NamingPictures
 from cranktrain.cli.optional_source import OptionalSource
-from cranktrain.cli.options import File, Force, Output, Partial, RunningSpeed, Settings, SpeedCurve, degrees
+from cranktrain.cli.options import (
+    Decimal,
+    Facts,
+    File,
+    Force,
+    Output,
+    Partial,
+    RunningSpeed,
+    Settings,
+    SpeedCurve,
+    degrees,
+)
 from cranktrain.cli.task import Task, put_off, task_of
 from cranktrain.language import _
 from cranktrain.version import VERSION
@@ -154,11 +165,8 @@ def _run(
     running_speed: RunningSpeed = False,
     speed_curve: SpeedCurve = None,
     partial_turn: Partial = False,
-    decimal: Annotated[
-        str,
-        typer.Option(metavar="point|comma", help=_("In a .csv; a comma as spreadsheets take it, with semicolons.")),
-    ] = "point",
-    facts: Annotated[bool, typer.Option("--facts", help=_("Into a .csv facts instead of curves."))] = False,
+    decimal: Decimal = "point",
+    facts: Facts = False,
     inputs: Annotated[
         bool, typer.Option("--inputs", help=_("Show every number of the file and where it is from."))
     ] = False,

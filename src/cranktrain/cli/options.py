@@ -17,6 +17,11 @@ Settings = Annotated[
 ]
 Partial = Annotated[bool, typer.Option("--partial", help=_("Accept links that do not close all round: NaN there."))]
 
+Decimal = Annotated[
+    str, typer.Option(metavar="point|comma", help=_("In a .csv; a comma as spreadsheets take it, with semicolons."))
+]
+Facts = Annotated[bool, typer.Option("--facts", help=_("Into a .csv facts instead of curves."))]
+
 RunningSpeed = Annotated[
     bool,
     typer.Option(

@@ -3,7 +3,7 @@
 import sys
 
 import pytest
-from tests.sentences import ALREADY_THERE, ENDS_IN
+from tests.sentences import ALREADY_THERE, ENDS_IN, FOLDER_NOT_THERE
 
 CURVES = ("--quantities", "piston_displacement", "--step", "90")
 
@@ -65,7 +65,7 @@ def test_workbook_without_its_package(typed, tmp_path, monkeypatch):
         (["-o", "a.xls"], f"-o = a.xls: {ENDS_IN}.csv, .json, .xlsx"),
         (["-o", "a.csv", "--facts", "--quantities", "rod_angle"], "quantities = rod_angle: is a curve, and --facts"),
         (["-o", "a.csv", "--quantities", "stroke"], "quantities = stroke: has one value for the whole cycle, and a"),
-        (["-o", "no/a.csv", "--facts"], "the folder is not there"),
+        (["-o", "no/a.csv", "--facts"], FOLDER_NOT_THERE),
     ],
 )
 def test_what_no_file_has_a_place_for(typed, tmp_path, options, said):

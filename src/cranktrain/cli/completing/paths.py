@@ -54,7 +54,7 @@ def _homes(data: object, above: tuple[str, ...], pattern: list[str]) -> Iterator
         yield above
         return
     part, *rest = pattern
-    table = cast("Mapping[str, object]", data) if isinstance(data, Mapping) else {}
+    table = cast("Mapping[str, object]", data if isinstance(data, Mapping) else {})
     if part.startswith(":"):
         if table.get("kind") == part[1:]:
             yield from _homes(table, above, rest)

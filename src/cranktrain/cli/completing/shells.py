@@ -1,13 +1,8 @@
-"""The scripts by which shells ask for completions, and the answer to one."""
+"""The scripts by which shells ask for completions."""
 
-import os
-from collections.abc import Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Mapping
 
 from cranktrain.errors import InputError
-
-ASKED = "_CRANKTRAIN_COMPLETE"
-"""Variable with which a shell asks: the place of the word that is typed, counted from the program's name."""
 
 SCRIPTS: Mapping[str, str] = {
     "bash": """\
@@ -53,16 +48,3 @@ def show_script(shell: str) -> None:
 
         raise InputError([unlisted("SHELL", shell, list(SCRIPTS))])
     print(SCRIPTS[shell], end="")
-
-
-def show_candidates(arguments: Sequence[str]) -> None:
-    """Print what may stand where the shell says, one in a line; nothing where that is unknown or goes wrong."""
-    with suppress(ValueError):
-        place = int(os.environ[ASKED])
-        typed = [*arguments, ""][:place]
-        if place > 0 and len(typed) == place:
-            from cranktrain.cli.app import commands
-            from cranktrain.cli.completing.candidates import candidates
-
-            for word in candidates(typed, commands()):
-                print(word)
