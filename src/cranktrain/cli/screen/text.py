@@ -5,6 +5,7 @@ import sys
 import textwrap
 from collections.abc import Container, Generator, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from itertools import dropwhile
 from typing import Any
 
 from rich.cells import cell_len
@@ -27,13 +28,24 @@ _LEAST_FOLDED = 9
 
 
 @contextmanager
-def page(head: str) -> Generator[Console]:
-    """Collect a page for the standard output below its head, and show it without blanks at line ends."""
+def page(head: str = "") -> Generator[Console]:
+    """Collect a page for the standard output below its head, if any, and show it without blanks at line ends.
+
+    Without a head it begins with its first line that is not empty.
+    """
     console = _screen()
     with console.capture() as shown:
-        console.print(Text(head, style="bold"))
+        if head:
+            console.print(Text(head, style="bold"))
         yield console
-    sys.stdout.writelines(f"{line.rstrip()}\n" for line in shown.get().splitlines())
+    lines = shown.get().splitlines()
+    sys.stdout.writelines(f"{line.rstrip()}\n" for line in (lines if head else dropwhile(lambda line: not line, lines)))
+
+
+def show_lines(console: Console, lines: Iterable[Text]) -> None:
+    """Show lines that are laid out."""
+    for line in lines:
+        console.print(line, soft_wrap=True)
 
 
 def _screen() -> Console:

@@ -66,9 +66,9 @@ _MEAN_SPEED = Limit(
 
 @record
 class PistonSpeeds(StageResult):
-    """Velocities and accelerations of pistons; is_valve: which are valves, shape (piston,)."""
+    """Velocities and accelerations of pistons; sort: as of `DeadCentres`."""
 
-    is_valve: NDArray[np.bool_]
+    sort: NDArray[np.intp]
     piston_velocity: Array = quantity("v", "m/s", _CURVE, N_("Piston velocity toward the shaft"), _THEORY)
     piston_acceleration: Array = quantity("j", "m/s^2", _CURVE, N_("Piston acceleration toward the shaft"), _THEORY)
     mean_piston_speed: Array = quantity("c_m", "m/s", _PISTON, N_("Mean piston speed, 2 S n"), _THEORY)
@@ -114,9 +114,10 @@ class PistonSpeeds(StageResult):
     )
 
     def answer(self, names: Names, design: int) -> str:
-        """Say mean and largest speeds of pistons, and of valves."""
+        """Say mean and largest speeds of pistons, of other sliders and of valves."""
         words = (
             _("Mean piston speed {mean}, largest {largest}; largest acceleration {acceleration}."),
+            _("Mean speed {mean}, largest {largest}; largest acceleration {acceleration}."),
             _("Mean valve speed {mean}, largest {largest}; largest acceleration {acceleration}."),
         )
         of_either_sense = np.fmax(self.largest_piston_acceleration.value, -self.smallest_piston_acceleration.value)
@@ -128,7 +129,7 @@ class PistonSpeeds(StageResult):
                 acceleration=shared(own, acceleration, "m/s^2"),
             )
             for said, own, (mean, largest, acceleration) in by_sort(
-                words, names["piston"], self.is_valve, [curve[design] for curve in curves]
+                words, names["piston"], self.sort, [curve[design] for curve in curves]
             )
         )
 
@@ -156,7 +157,7 @@ def piston_speeds(
     is_away = -slowest.value > fastest.value * (1 + _ALIKE)
     mean_speed = dead_centres.stroke * (speed.mean / np.pi)[..., 0]
     return PistonSpeeds(
-        is_valve=pistons.is_valve,
+        sort=dead_centres.sort,
         piston_velocity=velocity,
         piston_acceleration=acceleration,
         mean_piston_speed=mean_speed,

@@ -1,0 +1,127 @@
+"""Values on the one screen: which unit a quantity is shown in, and with how many digits. Here alone a unit is chosen."""
+
+from collections.abc import Mapping
+from math import floor, log10
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.language import _
+from cranktrain.motion import Array
+from cranktrain.quantities import shown
+from cranktrain.rows import Amount, Piece, Span
+from cranktrain.wording import ABSENT, signless
+
+KEPT = "\N{NO-BREAK SPACE}"
+"""Stands between a value and its unit until lines are folded."""
+_FIGURES = 4
+_MOST_DECIMALS = 8
+
+
+class _Scale(NamedTuple):
+    """A unit: what is written behind a value, and from which size on, in SI, it is taken."""
+
+    label: str
+    least: float = 0.0
+
+
+_SCALES: Mapping[str, tuple[_Scale, ...]] = {
+    "m": (_Scale("mm"),),
+    "m/s": (_Scale("m/s"),),
+    "m/s^2": (_Scale("m/s²"),),
+    "m^3": (_Scale("L", 1e-4), _Scale("cm³")),
+    "m^3/s": (_Scale("m³/h"),),
+    "rad": (_Scale("°"),),
+    "position": (_Scale("°"),),
+    "rpm": (_Scale("rpm"),),
+    "Hz": (_Scale("Hz"),),
+    "N": (_Scale("kN", 1e3), _Scale("N")),
+    "N*m": (_Scale("N·m"),),
+    "Pa": (_Scale("bar"),),
+    "W": (_Scale("kW", 1e2), _Scale("W")),
+    "J": (_Scale("kJ", 1e5), _Scale("J")),
+    "kg": (_Scale("kg"),),
+    "kg*m^2": (_Scale("kg·m²"),),
+    "%": (_Scale("%"),),
+    "error": (_Scale("%"),),
+    "1": (_Scale(""),),
+}
+"""Units by what is to be shown, as `Row` names it, the largest first."""
+
+_FACTORS = {"": 1.0, "%": 100.0, "Hz": 1 / (2 * np.pi), "m³/h": 3600.0, "kW": 1e-3, "W": 1.0}
+"""Units that no machine file has, and how many of them one in SI is."""
+
+_DECIMALS = {"rad": 2, "position": 1}
+"""Of angles, whatever their size."""
+
+_FEW_FIGURES = {"error": 2}
+"""Of errors, that say how far off something is."""
+
+
+class Written(NamedTuple):
+    """Values as text, and the label of their unit."""
+
+    texts: tuple[str, ...]
+    label: str
+
+    def whole(self, text: str) -> str:
+        """One of the texts with its unit."""
+        return f"{text}{'' if self.label in ('', '°') else KEPT}{self.label}"
+
+
+def written(values: Array, unit: str, *, apart: bool = False) -> Written:
+    """Write values of one quantity with as many decimals for all as give the largest four figures.
+
+    Parameters
+    ----------
+    values : Array, shape (n,)
+        In SI. What is not finite is absent.
+    unit : str
+        As `Row` has it.
+    apart : bool
+        Whether there are to be digits enough to tell them apart.
+    """
+    sizes = np.abs(values[np.isfinite(values)])
+    most = float(np.max(sizes, initial=0.0))
+    label = next((one.label for one in _SCALES[unit] if most >= one.least), _SCALES[unit][-1].label)
+    sized = np.asarray([_in(label, float(value)) for value in values])
+    decimals = _DECIMALS.get(unit, _decimals(abs(_in(label, most)), _FEW_FIGURES.get(unit, _FIGURES)))
+    if apart and (differs := float(np.ptp(sized))) > 0:
+        decimals = max(decimals, 1 - floor(log10(differs)))
+    return Written(tuple(_text(value, min(decimals, _MOST_DECIMALS)) for value in sized.tolist()), label)
+
+
+def filled(words: str, pieces: Mapping[str, Piece]) -> str:
+    """Put values into words."""
+    return words.format(**{name: _piece(one) for name, one in pieces.items()})
+
+
+def _piece(piece: Piece) -> str:
+    if isinstance(piece, str):
+        return piece
+    if isinstance(piece, Amount):
+        return _one(np.array([piece.value]), piece.unit)
+    least, most = (both := written(np.array([piece.least, piece.most]), piece.unit, apart=True)).texts
+    return both.whole(most) if least == most else _("{least} to {most}").format(least=least, most=both.whole(most))
+
+
+def _one(values: Array, unit: str) -> str:
+    found = written(values, unit)
+    return found.whole(found.texts[0])
+
+
+def _in(label: str, si: float) -> float:
+    """Express an SI value in a unit."""
+    return si * _FACTORS[label] if label in _FACTORS else float(shown(si, label))
+
+
+def _decimals(size: float, figures: int) -> int:
+    """How many decimals so many figures take; less than none where there are more before the point."""
+    return figures - 1 - floor(log10(float(f"{size:.{figures - 1}e}"))) if size > 0 else 0
+
+
+def _text(value: float, decimals: int) -> str:
+    """Write a number, with a minus sign that is one."""
+    if not np.isfinite(value):
+        return ABSENT
+    return signless(f"{round(value, decimals):.{max(decimals, 0)}f}").replace("-", "−")

@@ -1,0 +1,58 @@
+"""What is to be minded, before all numbers: tables that are not used, flags, checks that do not hold; like ones joined."""
+
+import textwrap
+from collections.abc import Iterator, Sequence
+
+from cranktrain.analysis import Result, sentences
+from cranktrain.grouping import grouped
+from cranktrain.language import _
+from cranktrain.one_line import visible
+from cranktrain.textbook.comparison import TextbookMotion
+
+_MOST_LINES = 3
+"""Of one flag; `--full` has the rest."""
+_MARK = "! "
+
+
+def minded(result: Result) -> list[str]:
+    """Give sentences to mind; ranges of textbook forms stand with these."""
+    book = result.get(TextbookMotion)
+    of_books = set() if book is None else set(book.flags)
+    failed = [
+        _("A check does not hold: {sentence}").format(sentence=check.sentence)
+        for check in result.checks
+        if check.judged[0] and not check.passed[0]
+    ]
+    return [*sentences(result.unused), *failed, *joined([one for one in result.flags if one not in of_books])]
+
+
+def joined(flags: Sequence[str]) -> Iterator[str]:
+    """Join flags that say the same of several: `a: x.` and `a: y.` to `a: x; y.`
+
+    Examples
+    --------
+    >>> list(joined(["Far off: 1L.", "Near.", "Far off: 2L."]))
+    ['Far off: 1L; 2L.', 'Near.']
+    """
+    for head, ends in grouped((one.partition(": ")[0], one) for one in flags).items():
+        if len(ends) == 1:
+            yield ends[0]
+        else:
+            parts = dict.fromkeys(end.removeprefix(f"{head}: ").rstrip(".") for end in ends)
+            yield _("{head}: {parts}.").format(head=head, parts="; ".join(parts))
+
+
+def minded_lines(result: Result, width: int) -> Iterator[str]:
+    """Lay them out, each behind a mark, in a width of columns."""
+    for sentence in minded(result):
+        lines = textwrap.wrap(visible(sentence), width - len(_MARK), break_on_hyphens=False)
+        if len(lines) > _MOST_LINES:
+            lines = textwrap.wrap(
+                visible(sentence),
+                width - len(_MARK),
+                break_on_hyphens=False,
+                max_lines=_MOST_LINES,
+                placeholder=_(" … (--full)"),
+            )
+        for i, line in enumerate(lines):
+            yield f"{_MARK if i == 0 else ' ' * len(_MARK)}{line}"

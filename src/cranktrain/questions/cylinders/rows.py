@@ -1,0 +1,87 @@
+"""What cylinders say in the answer: volumes, ratios, ports, opposed pistons, and in which order they fire."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from cranktrain.language import _
+from cranktrain.questions.cylinders.firing import Firing
+from cranktrain.questions.cylinders.opposed import VolumetricDeadCentres
+from cranktrain.questions.cylinders.ports import EffectiveCompression, PortTiming
+from cranktrain.questions.cylinders.volumes import ChamberVolumes, SweptVolumes
+from cranktrain.rows import Amount, Piece, Row, alike, valued, worded
+from cranktrain.wording import Names
+
+_SAME = 1e-9
+"""Intervals that differ by less are even. [rad]"""
+
+
+def volume_rows(
+    labels: Names,
+    design: int,
+    swept: SweptVolumes,
+    chambers: ChamberVolumes | None,
+    effective: EffectiveCompression | None,
+) -> Iterator[Row]:
+    """Swept volume, by bank or in all, and the compression ratios."""
+    total = Amount(float(swept.displacement[design]), "m^3")
+    each = alike(swept.swept_volume[design], "m^3")
+    name = _("swept volume")
+    if len(labels["bank"]) > 1:
+        yield valued(name, swept.bank_swept_volume[design], "m^3", labels["bank"], _(", {total} in all"), total=total)
+    elif len(labels["chamber"]) > 1 and each is not None:
+        yield valued(name, total.value, "m^3", words=_(", {each} each"), each=each)
+    else:
+        yield valued(name, swept.swept_volume[design], "m^3", labels["chamber"])
+    if chambers is not None:
+        yield valued(_("compression ratio"), chambers.compression_ratio[design], "1", labels["chamber"])
+    if effective is not None:
+        ratio = effective.effective_compression_ratio[design]
+        yield valued(_("effective ratio"), ratio, "1", labels["chamber"], _("from where the last port closes"))
+
+
+def opposed_rows(labels: Names, design: int, found: VolumetricDeadCentres) -> Iterator[Row]:
+    """Lead of the exhaust crank, and by how much both pistons part."""
+    cylinders = labels["cylinder"]
+    lead = found.lead[design]
+    ahead = np.nanmax(lead) >= 0
+    name = _("exhaust crank ahead by") if ahead else _("exhaust crank behind by")
+    yield valued(name, np.abs(lead), "rad", cylinders)
+    inner, outer = (alike(one[design], "rad") for one in (found.inner_volumetric_shift, found.outer_volumetric_shift))
+    if inner is not None and outer is not None:
+        said = _("{inner} and {outer} after the exhaust crank's own")
+        yield worded(_("dead centres by volume"), said, inner=inner, outer=outer)
+    nominal = alike(found.nominal_stroke[design], "m")
+    words, pieces = ("", dict[str, Piece]()) if nominal is None else (_("of {nominal}"), {"nominal": nominal})
+    yield valued(_("both pistons part by"), found.combined_stroke[design], "m", cylinders, words, **pieces)
+
+
+def port_rows(labels: Names, design: int, found: PortTiming) -> Iterator[Row]:
+    """By how much the exhaust ports open and close before the scavenge ports."""
+    opens, closes = found.exhaust_opens_before[design], found.exhaust_closes_before[design]
+    for name, before in ((_("exhaust ports open"), opens), (_("exhaust ports close"), closes)):
+        is_after = np.all(before < 0)
+        words = _("after the scavenge ports") if is_after else _("before the scavenge ports")
+        yield valued(name, -before if is_after else before, "rad", labels["cylinder"], words)
+
+
+def firing_rows(labels: Names, design: int, found: Firing) -> Iterator[Row]:
+    """The firing order, by the maker's numbers where there are any, and its intervals."""
+    names = labels["cylinder"]
+    if len(names) == 1:
+        return
+    order = "-".join(found.numbers or [names[i] for i in found.order])
+    intervals = found.firing_interval[design]
+    if np.ptp(intervals) < _SAME:
+        said, pieces = _("{order}, every {interval}"), {"interval": _degrees(float(intervals[0]))}
+    else:
+        turns = dict.fromkeys(_degrees(float(intervals[i])) for i in found.order)
+        said, pieces = _("{order}, by turns after {intervals}"), {"intervals": ", ".join(turns)}
+    if found.n_choices[design] > 1:
+        said = _("{said}; the most even of {n} choices").format(said=said, n=found.n_choices[design])
+    yield worded(_("firing order"), said, order=order, **pieces)
+
+
+def _degrees(angle: float) -> str:
+    """Write an interval, of which the texts give whole degrees."""
+    return f"{round(float(np.degrees(angle)), 2):g}°"

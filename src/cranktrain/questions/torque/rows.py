@@ -1,0 +1,72 @@
+"""What torque says in the answer: on the shaft, its orders, and through gears."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from cranktrain.language import _
+from cranktrain.questions.torque.orders import PhaseStarSums, TorqueOrders
+from cranktrain.questions.torque.torques import GearTorques, ShaftTorques
+from cranktrain.rows import Amount, Row, Span, valued, worded
+from cranktrain.wording import Names
+
+_NAMED = 4
+"""How many major orders are named."""
+
+
+def torque_rows(
+    labels: Names, design: int, torques: ShaftTorques, orders: TorqueOrders, stars: PhaseStarSums | None
+) -> Iterator[Row]:
+    """Mean and range of the torque: what the machine gives, or what drives it; and its largest orders."""
+    mean, most, least = float(torques.mean_torque[design]), torques.largest_torque, torques.smallest_torque
+    if torques.is_none[design]:
+        yield worded(_("on the shaft"), _("none"))
+        return
+    low, high = (most, least) if mean < 0 else (least, most)
+    sense = -1.0 if mean < 0 else 1.0
+    yield valued(
+        _("needed, on the mean") if mean < 0 else _("on the shaft, mean"),
+        sense * mean,
+        "N*m",
+        words=_(", from {least} at {low} to {most} at {high}"),
+        least=Amount(sense * float(low.value[design]), "N*m"),
+        low=Amount(float(low.angle[design]), "position"),
+        most=Amount(sense * float(high.value[design]), "N*m"),
+        high=Amount(float(high.angle[design]), "position"),
+    )
+    if largest := orders.largest(design):
+        said = [(labels["order"][i], Amount(float(orders.torque_order_amplitude[design, i]), "N*m")) for i in largest]
+        words = ", ".join(f"{order}: {{amount{i}}}" for i, (order, _amount) in enumerate(said))
+        yield worded(_("orders"), words, **{f"amount{i}": amount for i, (_order, amount) in enumerate(said)})
+    yield from () if stars is None else major_rows(labels, design, stars)
+
+
+def major_rows(labels: Names, design: int, stars: PhaseStarSums) -> Iterator[Row]:
+    """Orders in which all cylinders add up, where not all do."""
+    major = [name for name, is_major in zip(labels["order"], stars.is_major[design], strict=True) if is_major]
+    if major and len(major) < len(labels["order"]):
+        named = ", ".join([*major[:_NAMED], *["…"] * (len(major) > _NAMED)])
+        yield worded(_("all add up in orders"), "{orders}", orders=named)
+
+
+def star_rows(labels: Names, design: int, stars: PhaseStarSums, torques: ShaftTorques | None) -> Iterator[Row]:
+    """Orders in which all cylinders add up, of a machine of which no torque is known."""
+    if torques is None:
+        yield from major_rows(labels, design, stars)
+
+
+def gear_rows(labels: Names, design: int, gear: GearTorques) -> Iterator[Row]:
+    """What each shaft passes to the main one, and its share of the work."""
+    for i, shaft in enumerate(labels["shaft"]):
+        if np.isnan(gear.gear_reversals[design, i]):
+            continue
+        passed = gear.gear_torque[design, i]
+        yield worded(
+            _("gear from {shaft}").format(shaft=shaft),
+            _("{passed}, {share} of the work")
+            if gear.gear_reversals[design, i] == 0
+            else _("{passed}, {share} of the work, reversing {n} times a cycle"),
+            passed=Span(float(np.min(passed)), float(np.max(passed)), "N*m"),
+            share=Amount(float(gear.work_share[design, i]), "%"),
+            n=f"{gear.gear_reversals[design, i]:.0f}",
+        )
