@@ -50,7 +50,8 @@ class Row:
         In SI; none where words say all. NaN is no value.
     unit : str
         What the values are: a unit of SI as the catalogue has it, or of those that say more, "rpm", "Hz" (both in
-        rad/s), "position" (an angle where something stands, in rad), "%" (of 1).
+        rad/s), "position" (an angle where something stands, in rad), "%" (of 1), "error" and "off" (of 1, the latter
+        with its sign).
     members : tuple of str
         Whose each value is; none of one value.
     words : str
@@ -74,13 +75,13 @@ class Row:
 
 
 def valued(
-    name: str, values: Array | float, unit: str, members: Sequence[str] = (), words: str = "", **pieces: Piece
+    name: str, values: Array | float, unit: str, members: Sequence[str] = (), words: str = "", /, **pieces: Piece
 ) -> Row:
     """Give a row of values, with words behind them."""
     return Row(name, np.atleast_1d(np.asarray(values, dtype=float)), unit, tuple(members), words, pieces)
 
 
-def worded(name: str, words: str, **pieces: Piece) -> Row:
+def worded(name: str, words: str, /, **pieces: Piece) -> Row:
     """Give a row of words alone."""
     return Row(name, words=words, pieces=pieces)
 

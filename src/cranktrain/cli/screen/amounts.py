@@ -1,4 +1,4 @@
-"""Values on the one screen: which unit a quantity is shown in, and with how many digits. Here alone a unit is chosen."""
+"""Values on the one screen: which unit a quantity is shown in, with how many digits. Here alone a unit is chosen."""
 
 from collections.abc import Mapping
 from math import floor, log10
@@ -9,7 +9,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.quantities import shown
-from cranktrain.rows import Amount, Piece, Span
+from cranktrain.rows import Amount, Piece
 from cranktrain.wording import ABSENT, signless
 
 KEPT = "\N{NO-BREAK SPACE}"
@@ -36,7 +36,7 @@ _SCALES: Mapping[str, tuple[_Scale, ...]] = {
     "rpm": (_Scale("rpm"),),
     "Hz": (_Scale("Hz"),),
     "N": (_Scale("kN", 1e3), _Scale("N")),
-    "N*m": (_Scale("N·m"),),
+    "N*m": (_Scale("kN·m", 1e4), _Scale("N·m")),
     "Pa": (_Scale("bar"),),
     "W": (_Scale("kW", 1e2), _Scale("W")),
     "J": (_Scale("kJ", 1e5), _Scale("J")),
@@ -44,15 +44,16 @@ _SCALES: Mapping[str, tuple[_Scale, ...]] = {
     "kg*m^2": (_Scale("kg·m²"),),
     "%": (_Scale("%"),),
     "error": (_Scale("%"),),
+    "off": (_Scale("%"),),
     "1": (_Scale(""),),
 }
 """Units by what is to be shown, as `Row` names it, the largest first."""
 
-_FACTORS = {"": 1.0, "%": 100.0, "Hz": 1 / (2 * np.pi), "m³/h": 3600.0, "kW": 1e-3, "W": 1.0}
+_FACTORS = {"": 1.0, "%": 100.0, "Hz": 1 / (2 * np.pi), "m³/h": 3600.0, "kW": 1e-3, "W": 1.0, "kN·m": 1e-3}
 """Units that no machine file has, and how many of them one in SI is."""
 
-_DECIMALS = {"rad": 2, "position": 1}
-"""Of angles, whatever their size."""
+_DECIMALS = {"rad": 2, "position": 1, "off": 0}
+"""Of these, whatever their size."""
 
 _FEW_FIGURES = {"error": 2}
 """Of errors, that say how far off something is."""
@@ -88,7 +89,8 @@ def written(values: Array, unit: str, *, apart: bool = False) -> Written:
     decimals = _DECIMALS.get(unit, _decimals(abs(_in(label, most)), _FEW_FIGURES.get(unit, _FIGURES)))
     if apart and (differs := float(np.ptp(sized))) > 0:
         decimals = max(decimals, 1 - floor(log10(differs)))
-    return Written(tuple(_text(value, min(decimals, _MOST_DECIMALS)) for value in sized.tolist()), label)
+    sign = "+" if unit == "off" else ""
+    return Written(tuple(_text(value, min(decimals, _MOST_DECIMALS), sign) for value in sized.tolist()), label)
 
 
 def filled(words: str, pieces: Mapping[str, Piece]) -> str:
@@ -120,8 +122,8 @@ def _decimals(size: float, figures: int) -> int:
     return figures - 1 - floor(log10(float(f"{size:.{figures - 1}e}"))) if size > 0 else 0
 
 
-def _text(value: float, decimals: int) -> str:
+def _text(value: float, decimals: int, sign: str = "") -> str:
     """Write a number, with a minus sign that is one."""
     if not np.isfinite(value):
         return ABSENT
-    return signless(f"{round(value, decimals):.{max(decimals, 0)}f}").replace("-", "−")
+    return signless(f"{round(value, decimals):{sign}.{max(decimals, 0)}f}").replace("-", "−")

@@ -1,6 +1,5 @@
 """The answer on one screen: what it is, what to mind, the questions' rows, how far it can be trusted, what next."""
 
-import textwrap
 from collections.abc import Iterator
 
 from rich.text import Text
@@ -9,6 +8,7 @@ from cranktrain.analysis import STAGES, Result
 from cranktrain.cli.screen.foot import foot_lines
 from cranktrain.cli.screen.groups import Group, group_lines
 from cranktrain.cli.screen.minded import minded_lines
+from cranktrain.cli.screen.text import folded
 from cranktrain.cli.screen.title import title_lines
 from cranktrain.io.machine_file import MachineFile
 from cranktrain.one_line import visible
@@ -51,4 +51,4 @@ def _conditions(result: Result, width: int) -> Iterator[str]:
     stages = {stage.gives for stage in STAGES}
     for outcome in result.outcomes:
         if type(outcome) not in stages and (answer := getattr(outcome, "answer", None)) is not None:
-            yield from textwrap.wrap(answer(result.labels, 0), width)
+            yield from folded(answer(result.labels, 0), width)

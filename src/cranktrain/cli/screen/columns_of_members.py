@@ -52,7 +52,7 @@ def name_of(some: Sequence[str], members: Sequence[str]) -> str:
     >>> name_of(["1S", "3S"], ["1S", "2S", "3S"])
     '1S, 3S'
     """
-    for common in (_ending, _side):
+    for common in (_side, _ending):
         named = dict.fromkeys(map(common, some))
         if len(named) == 1 and "" not in named and len(members) > 1:
             (name,) = named

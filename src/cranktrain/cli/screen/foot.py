@@ -1,7 +1,6 @@
 """Below the answer: how far it can be trusted, and what to ask next."""
 
 import shlex
-import textwrap
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -9,15 +8,23 @@ from rich.cells import cell_len
 
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import Missing, Result
-from cranktrain.cli.screen.amounts import filled
+from cranktrain.cli.screen.amounts import KEPT, filled
+from cranktrain.cli.screen.text import folded
 from cranktrain.io.description import counted_by_status
 from cranktrain.io.machine_file import MachineFile, inputs_of
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.rows import Amount
 from cranktrain.textbook.comparison import TextbookMotion
 
 _MOST_NEEDS, _MOST_OFFERS = 2, 3
-_GAP = "   "
+_GAP, _BETWEEN = "   ", " · "
+_ALL = {
+    "published": N_("{n} inputs, all published"),
+    "derived": N_("{n} inputs, all derived"),
+    "assumed": N_("{n} inputs, all assumed"),
+    "fitted": N_("{n} inputs, all fitted"),
+    None: N_("{n} inputs without a status"),
+}
 
 
 def foot_lines(file: MachineFile, result: Result, name: str, width: int) -> Iterator[str]:
@@ -37,19 +44,16 @@ def foot_lines(file: MachineFile, result: Result, name: str, width: int) -> Iter
     if book:
         yield from _with_end(book, f"cranktrain textbook {typed}", width)
     yield from _with_end(f"{_checks(result)} · {_inputs(file)}", "--checks --inputs", width)
-    offers = list(_offers(result.missing))
+    offers = list(_offers(file, result.missing))
     label = _("Next: ")
-    ends = _("--full everything · plot {file} -o sheet.pdf · -o curves.csv").format(file=typed)
-    lines = [" · ".join(offers), ends] if offers else [ends]
+    ends = _BETWEEN.join(
+        one.replace(" ", KEPT) for one in (_("--full everything"), f"plot {typed} -o sheet.pdf", "-o curves.csv")
+    )
+    lines = [_BETWEEN.join(offers), ends] if offers else [ends]
     for i, line in enumerate(lines):
-        yield from textwrap.wrap(
-            line,
-            width,
-            initial_indent=label if i == 0 else " " * len(label),
-            subsequent_indent=" " * len(label),
-            break_on_hyphens=False,
-            break_long_words=False,
-        )
+        begin = label if i == 0 else " " * len(label)
+        for part in folded(line, width, begin, " " * len(label)):
+            yield part.replace(KEPT, " ")
 
 
 def _with_end(text: str, end: str, width: int) -> Iterator[str]:
@@ -57,7 +61,7 @@ def _with_end(text: str, end: str, width: int) -> Iterator[str]:
     if cell_len(text) + len(_GAP) + cell_len(end) <= width:
         yield f"{text}{_GAP}{end}"
     else:
-        yield from textwrap.wrap(text, width, break_on_hyphens=False)
+        yield from folded(text, width)
         yield f"  {end}"
 
 
@@ -68,11 +72,11 @@ def _textbook(result: Result) -> str:
         return ""
     errors = found.acceleration_error.value[0]
     said: list[str] = []
-    for method, words in (("two_harmonics", _("two harmonics {off}")), ("reconstructed", _("(I.13) of slaves {off}"))):
+    for method, words in (("two_harmonics", _("up to {off} off")), ("reconstructed", _("of slaves {off}"))):
         own = errors[result.labels["method"].index(method)]
         if np.any(np.isfinite(own)):
             said.append(filled(words, {"off": Amount(float(np.nanmax(own)), "error")}))
-    return _("Textbook forms are off by up to: {forms}").format(forms=", ".join(said)) if said else ""
+    return _("Textbook forms: {forms}").format(forms=", ".join(said)) if said else ""
 
 
 def _checks(result: Result) -> str:
@@ -93,20 +97,40 @@ def _inputs(file: MachineFile) -> str:
     """Count the numbers of the file, and those that nobody measured."""
     inputs = inputs_of(file)
     soft = [one.given for one in inputs if one.given.status in ("assumed", "fitted")]
+    if len({one.given.status for one in inputs}) == 1:
+        return _(_ALL[inputs[0].given.status]).format(n=len(inputs))
     if soft:
         return _("{n} inputs, of which {counted}").format(n=len(inputs), counted=counted_by_status(soft))
     return _("{n} inputs: {counted}").format(n=len(inputs), counted=counted_by_status(one.given for one in inputs))
 
 
-def _offers(missing: Sequence[Missing]) -> Iterator[str]:
-    """Say what the file could say next and what that gives: what needs least first."""
-    offers = [(name, words) for question in QUESTIONS for name, words in question.offers.items()]
-    found = [
-        (one.needs, _(words))
-        for name, words in offers
+def _offers(file: MachineFile, missing: Sequence[Missing]) -> Iterator[str]:
+    """Say what the file could say next and what that gives: what needs least first, then what a question offers first.
+
+    Where several keys are missing, only of a table that the file has: a press is not asked for a compression ratio.
+    """
+    ranked = sorted(
+        (len(one.needs), rank, -place if rank else place, one.needs, words)
+        for place, question in enumerate(QUESTIONS)
+        for rank, (name, words) in enumerate(question.offers.items())
         for one in missing
         if name in one.results and len(one.needs) <= _MOST_NEEDS
-    ]
-    ranked = dict(sorted(found, key=lambda one: len(one[0])))
-    for needs, words in list(ranked.items())[:_MOST_OFFERS]:
-        yield f"{_(' and ').join(needs)} {words}"
+    )
+    first: dict[tuple[str, ...], str] = {}
+    for n_needs, _rank, _place, needs, words in ranked:
+        if n_needs == 1 or all(_has_table(file, need) for need in needs):
+            first.setdefault(needs, words)
+    for needs, words in list(first.items())[:_MOST_OFFERS]:
+        yield f"{_(' and ').join(map(_shortly, needs))} {_(words)}".replace(" ", KEPT)
+
+
+def _has_table(file: MachineFile, need: str) -> bool:
+    """Whether the table of a key is in the file; one that is missing as a whole has no key."""
+    table, _bracket, key = need.removeprefix("[").partition("]")
+    return not key or table.partition(".")[0] in file.document.data
+
+
+def _shortly(need: str) -> str:
+    """Give a table with its one key; of several keys the table, of alternatives the first."""
+    table, key = need.partition("] ")[::2]
+    return f"{table.removesuffix(']')}]" if not key or "," in key else f"{table}] {key.partition(' ')[0]}"

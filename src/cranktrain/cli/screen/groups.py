@@ -1,6 +1,5 @@
 """Rows in groups, aligned: names, a column for each lot of members that are alike, units, words."""
 
-import textwrap
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
@@ -10,15 +9,15 @@ from rich.text import Text
 
 from cranktrain.cli.screen.amounts import KEPT, Written, filled, written
 from cranktrain.cli.screen.columns_of_members import MemberColumns, member_columns, name_of
-from cranktrain.cli.screen.text import GAP, INDENT
+from cranktrain.cli.screen.text import GAP, INDENT, folded
 from cranktrain.grouping import places_of_equal
 from cranktrain.language import _
 from cranktrain.one_line import visible
 from cranktrain.rows import Row
 from cranktrain.wording import ABSENT
 
-_NAMED = 3
-"""How many values that differ are named one by one; of more there is a range."""
+_NAMED, _LONGEST = 3, 48
+"""How many values that differ are named one by one, in how many characters; of more there is a range."""
 
 
 class Group(NamedTuple):
@@ -104,20 +103,20 @@ def _line(row: Row, found: Written, columns: MemberColumns) -> _Line:
     for chosen in (columns.first, columns.names):
         if chosen and set(chosen) <= set(of):
             return _Line(row.name, tuple(of[member] for member in chosen), found.label, words)
-    return _Line(row.name, (), "", "".join([_by_name(row, found), words]))
+    gap = "" if words[:1] in ("", ",", ";") else " "
+    return _Line(row.name, (), "", f"{_by_name(row, found)}{gap}{words}")
 
 
 def _by_name(row: Row, found: Written) -> str:
     """Say who has what, or from what to what they go."""
     alike = places_of_equal(found.texts)
-    if len(alike) <= _NAMED:
-        return ", ".join(
-            _("{value} ({who})").format(
-                value=found.whole(text), who=name_of([row.members[i] for i in places], row.members)
-            )
-            for text, places in alike.items()
-            if text != ABSENT
-        )
+    each = ", ".join(
+        _("{value} ({who})").format(value=found.whole(text), who=name_of([row.members[i] for i in places], row.members))
+        for text, places in alike.items()
+        if text != ABSENT
+    )
+    if len(alike) <= _NAMED and len(each) <= _LONGEST:
+        return each
     least, most = (row.members[pick(row.values)] for pick in (np.nanargmin, np.nanargmax))
     texts = dict(zip(row.members, found.texts, strict=True))
     return _("{least} ({one}) to {most} ({other})").format(
@@ -135,12 +134,5 @@ def _folded(line: _Line, names: int, each: int, shift: int, width: int) -> Itera
         start += "" if not line.words or line.words[0] in ",;" else " "
     else:
         start += " " * GAP
-    whole = textwrap.wrap(
-        start + line.words,
-        width,
-        subsequent_indent=" " * min(indent, width // 2),
-        break_on_hyphens=False,
-        break_long_words=False,
-    )
-    for part in whole:
+    for part in folded(start + line.words, width, indent=" " * min(indent, width // 2), at_hyphens=True):
         yield Text(visible(part.replace(KEPT, " ")))

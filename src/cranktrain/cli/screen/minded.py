@@ -1,9 +1,10 @@
-"""What is to be minded, before all numbers: tables that are not used, flags, checks that do not hold; like ones joined."""
+"""What is to be minded, before all numbers: tables not used, flags, checks that do not hold; like ones joined."""
 
-import textwrap
 from collections.abc import Iterator, Sequence
 
 from cranktrain.analysis import Result, sentences
+from cranktrain.cli.screen.amounts import KEPT
+from cranktrain.cli.screen.text import folded
 from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.one_line import visible
@@ -27,32 +28,27 @@ def minded(result: Result) -> list[str]:
 
 
 def joined(flags: Sequence[str]) -> Iterator[str]:
-    """Join flags that say the same of several: `a: x.` and `a: y.` to `a: x; y.`
+    """Join flags that say the same of several: of each the first that it names.
 
     Examples
     --------
-    >>> list(joined(["Far off: 1L.", "Near.", "Far off: 2L."]))
-    ['Far off: 1L; 2L.', 'Near.']
+    >>> list(joined(["Far off: 1L; 3L.", "Near.", "Far off: 2L."]))
+    ['Far off: 1L; 2L; … (--full)', 'Near.']
     """
     for head, ends in grouped((one.partition(": ")[0], one) for one in flags).items():
         if len(ends) == 1:
             yield ends[0]
         else:
-            parts = dict.fromkeys(end.removeprefix(f"{head}: ").rstrip(".") for end in ends)
-            yield _("{head}: {parts}.").format(head=head, parts="; ".join(parts))
+            firsts = dict.fromkeys(end.removeprefix(f"{head}: ").partition(";")[0].rstrip(".") for end in ends)
+            yield _("{head}: {parts}; … (--full)").format(head=head, parts="; ".join(firsts))
 
 
 def minded_lines(result: Result, width: int) -> Iterator[str]:
     """Lay them out, each behind a mark, in a width of columns."""
     for sentence in minded(result):
-        lines = textwrap.wrap(visible(sentence), width - len(_MARK), break_on_hyphens=False)
+        said = visible(sentence).replace(" %", f"{KEPT}%")
+        lines = folded(said, width, _MARK, " " * len(_MARK))
         if len(lines) > _MOST_LINES:
-            lines = textwrap.wrap(
-                visible(sentence),
-                width - len(_MARK),
-                break_on_hyphens=False,
-                max_lines=_MOST_LINES,
-                placeholder=_(" … (--full)"),
-            )
-        for i, line in enumerate(lines):
-            yield f"{_MARK if i == 0 else ' ' * len(_MARK)}{line}"
+            lines = folded(said, width, _MARK, " " * len(_MARK), at_most=_MOST_LINES)
+        for line in lines:
+            yield line.replace(KEPT, " ")

@@ -12,6 +12,7 @@ from rich.cells import cell_len
 from rich.console import Console
 from rich.text import Text
 
+from cranktrain.language import _
 from cranktrain.one_line import visible
 
 INDENT = 2
@@ -69,6 +70,38 @@ def paragraph(console: Console, text: str, style: str = "") -> list[Text]:
     """Fold a text to the width of the screen less the indent; an empty one is an empty line."""
     lines = textwrap.wrap(visible(text), console.width - INDENT, break_on_hyphens=False)
     return [Text(line, style) for line in lines] or [Text()]
+
+
+def folded(
+    text: str, width: int, begin: str = "", indent: str = "", *, at_hyphens: bool = False, at_most: int | None = None
+) -> list[str]:
+    """Fold a text to a width between its words.
+
+    Parameters
+    ----------
+    text : str
+    width : int
+    begin, indent : str
+        What stands before the first line, and before the others.
+    at_hyphens : bool
+        Whether it may be folded after hyphens, too.
+    at_most : int, optional
+        So many lines, the last of which says that there is more; all unless given.
+
+    Returns
+    -------
+    list of str
+    """
+    return textwrap.wrap(
+        text,
+        width,
+        initial_indent=begin,
+        subsequent_indent=indent,
+        break_on_hyphens=at_hyphens,
+        break_long_words=False,
+        max_lines=at_most,
+        placeholder=_(" … (--full)"),
+    )
 
 
 def table(

@@ -1,8 +1,7 @@
 """Which machine this is: in one line, or in two with what it is made of."""
 
-import textwrap
-
 from cranktrain.analysis import Result
+from cranktrain.cli.screen.text import folded
 from cranktrain.grouping import places_of_equal
 from cranktrain.io.description import counted_parts, kind_words, layout_words
 from cranktrain.language import _
@@ -41,11 +40,11 @@ def _shafts(machine: Machine) -> str:
 
 
 def title_lines(result: Result, width: int) -> list[str]:
-    """Say which machine this is: its name, then what it is made of, its cycle, speed and sense, in a width of columns."""
+    """Say which machine this is: its name; what it is made of, its cycle, speed and sense. In a width of columns."""
     machine = result.machines[0]
     name = one_line(machine.name.strip())
     said = one_line(_BETWEEN.join(filter(None, (_made_of(machine), _cycle(result), _turning(machine)))))
-    return [line for part in (name, said) if part for line in textwrap.wrap(part, width, break_on_hyphens=False)]
+    return [line for part in (name, said) if part for line in folded(part, width)]
 
 
 def _made_of(machine: Machine) -> str:

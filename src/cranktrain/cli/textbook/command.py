@@ -9,8 +9,8 @@ from rich.text import Text
 
 from cranktrain.analysis import Result, run
 from cranktrain.cli.screen.columns import Column, column_tables, section_of_columns
-from cranktrain.cli.screen.title import title
 from cranktrain.cli.screen.text import INDENT, page, section, table
+from cranktrain.cli.screen.title import title
 from cranktrain.cli.textbook.errata import show_source_example
 from cranktrain.cli.textbook.source import machine_file
 from cranktrain.grouping import places_of_equal

@@ -46,6 +46,10 @@ QUESTION = Question(
         rows.force_rows,
         rows.couple_rows,
     ),
+    offers={
+        "balance_weight_moment": N_("counterweights"),
+        "shaking_couple_largest": N_("couples"),
+    },
     uses=(
         Use(table("balance"), (weights.BalanceWeights,)),
         # Weights are felt in the torque, where anything has one.

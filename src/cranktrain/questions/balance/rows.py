@@ -9,6 +9,9 @@ from cranktrain.questions.balance.shaking import ShakingCouples, ShakingForces
 from cranktrain.rows import Amount, Row, worded
 from cranktrain.wording import Names
 
+_LITTLE = 1e-2
+"""Orders that are less than this part of the largest are not named."""
+
 
 def force_rows(labels: Names, design: int, forces: ShakingForces) -> Iterator[Row]:
     """Orders of the shaking force."""
@@ -26,13 +29,17 @@ def _by_order(
     labels: Names, design: int, found: Shaken, largest: Array, unit: str, names: tuple[str, str]
 ) -> Iterator[Row]:
     """Largest orders, without weights and, where there are any, with them."""
-    for name, left in zip(names, found.left(largest, design), strict=False):
+    sizes = found.left(largest, design)
+    for name, left in zip(names, sizes, strict=False):
         if left is None:
             yield worded(name, _("not known, as the links do not close all round"))
-            continue
-        said = {f"amount{i}": Amount(float(size), unit) for i, (_order, size) in enumerate(left)}
-        words = ", ".join(
-            _("order {order}: {amount}").format(order=labels["order"][order], amount=f"{{amount{i}}}")
-            for i, (order, _size) in enumerate(left)
-        )
-        yield worded(name, words or _("none"), **said)
+        elif left or left is sizes[0]:
+            named = [one for one in left if one[1] > _LITTLE * left[0][1]]
+            said = {f"amount{i}": Amount(size, unit) for i, (_order, size) in enumerate(named)}
+            words = ", ".join(
+                _("order {order}: {amount}").format(order=labels["order"][order], amount=f"{{amount{i}}}")
+                for i, (order, _size) in enumerate(named)
+            )
+            yield worded(name, words or _("none"), **said)
+        elif sizes[0]:
+            yield worded(name, _("nothing"))

@@ -46,6 +46,9 @@ QUESTION = Question(
         rows.port_rows,
         rows.firing_rows,
     ),
+    offers={
+        "compression_ratio": N_("volumes over the cycle"),
+    },
     uses=(
         Use(keys("cylinder", "compression_ratio"), (volumes.ChamberVolumes,)),
         Use(keys("cylinder", "chambers", "piston_rod"), (volumes.SweptVolumes,)),

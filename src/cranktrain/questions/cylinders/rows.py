@@ -27,10 +27,10 @@ def volume_rows(
     total = Amount(float(swept.displacement[design]), "m^3")
     each = alike(swept.swept_volume[design], "m^3")
     name = _("swept volume")
-    if len(labels["bank"]) > 1:
+    if len(labels["chamber"]) > 1 and each is not None:
+        yield valued(name, total.value, "m^3", (), _(", {each} each"), each=each)
+    elif len(labels["bank"]) > 1:
         yield valued(name, swept.bank_swept_volume[design], "m^3", labels["bank"], _(", {total} in all"), total=total)
-    elif len(labels["chamber"]) > 1 and each is not None:
-        yield valued(name, total.value, "m^3", words=_(", {each} each"), each=each)
     else:
         yield valued(name, swept.swept_volume[design], "m^3", labels["chamber"])
     if chambers is not None:

@@ -47,6 +47,12 @@ QUESTION = Question(
         rows.load_rows,
         rows.flywheel_rows,
     ),
+    offers={
+        "excess_work": N_("excess work"),
+        "crank_speed": N_("the speed over the cycle"),
+        "flywheel_inertia": N_("the flywheel"),
+        "rim_height": N_("its rim"),
+    },
     uses=(
         Use(table("evenness"), (shaft_work.ShaftWork,)),
         Use(keys("evenness", "load", "flywheel", "flywheel_moment"), (running_speed.RunningSpeed,)),

@@ -15,7 +15,7 @@ from cranktrain.wording import Names
 
 def running_rows(labels: Names, design: int, work: ShaftWork, running: RunningSpeed | None) -> Iterator[Row]:
     """Work that the flywheel takes up and gives back, and the speed that comes of it."""
-    yield valued(_("excess work"), work.largest_excess_work[design], "J", words=_("within a cycle"))
+    yield valued(_("excess work"), work.largest_excess_work[design], "J", (), _("within a cycle"))
     if running is not None:
         least, most = running.smallest_crank_speed.value[design], running.largest_crank_speed.value[design]
         fluctuation = Amount(float(running.coefficient_of_fluctuation[design]), "1")
@@ -48,15 +48,15 @@ def flywheel_rows(labels: Names, design: int, found: FlywheelSize, rim: RimSize 
     if size <= 0:
         yield worded(name, _("none: the moving parts alone suffice"))
     else:
-        _exact, mertsalov, textbook = (f"{100 * float(one):+.0f} %" for one in found.flywheel_inertia_error[design])
+        _exact, mertsalov, textbook = (Amount(float(one), "off") for one in found.flywheel_inertia_error[design])
         yield valued(
             name,
             size,
             "kg*m^2",
-            words=_("(GD² {moment}; Mertsalov {mertsalov}, textbooks {textbook})"),
-            moment=Amount(4 * size, "1"),
-            mertsalov=mertsalov.replace("-", "−"),
-            textbook=textbook.replace("-", "−"),
+            (),
+            _(", Mertsalov {mertsalov}, books {textbook}"),
+            mertsalov=mertsalov,
+            textbook=textbook,
         )
     if rim is not None:
         yield worded(

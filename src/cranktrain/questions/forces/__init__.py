@@ -77,6 +77,10 @@ QUESTION = Question(
     headline=("largest_crankpin_load", "largest_joint_force"),
     title=N_("Largest forces"),
     rows=(rows.force_rows,),
+    offers={
+        "joint_force_x": N_("forces and torque"),
+        "guide_pressing": N_("edge forces"),
+    },
     uses=(
         # Gas that presses on nothing is missed by the forces.
         Use(

@@ -23,6 +23,8 @@ from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.wording import ranged
 
 _JOINT = ("joint", "crank_angle")
+_FEW = 3
+"""So many parts are named one by one."""
 _NO_ARM = 1e-9
 """Moment over force of which a guide is said to bear none. [m]"""
 
@@ -109,8 +111,16 @@ def _flags(masses: Masses) -> Iterator[str]:
         ).format(parts=", ".join(masses.doubtful))
     if masses.assumed:
         yield _(
-            "Inertia of two masses at its ends is taken for {parts}; of measured rods it is from 3 % less to 22 % more."
-        ).format(parts=", ".join(masses.assumed))
+            "The inertia of {parts} is taken for that of two masses at the ends: of measured rods that is from 3 % too"
+            " little to 22 % too much."
+        ).format(parts=_counted(masses.assumed))
+
+
+def _counted(parts: Sequence[str]) -> str:
+    """Name parts; of many say how many, and the first and the last."""
+    if len(parts) <= _FEW:
+        return ", ".join(parts)
+    return _("{n} parts, {first} to {last},").format(n=len(parts), first=parts[0], last=parts[-1])
 
 
 def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:

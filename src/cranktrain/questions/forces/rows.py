@@ -1,16 +1,16 @@
 """What forces say in the answer: the largest ones."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from cranktrain.language import _
+from cranktrain.motion import Array
 from cranktrain.questions.forces.crank_pins import CrankPinLoads
 from cranktrain.questions.forces.guides import GuideEdges
 from cranktrain.questions.forces.joint_forces import JointForces
 from cranktrain.questions.forces.largest_forces import LargestForces
 from cranktrain.rows import Amount, Row, valued
-from cranktrain.motion import Array
 from cranktrain.wording import Names
 
 _ALIKE = 1e-9
@@ -28,11 +28,13 @@ def force_rows(
     """Of rods, against guides, on crank pins and edges; of a machine without such rods in its joints."""
     if largest is not None:
         pistons = labels["piston"]
-        yield valued(_("along the rod"), largest.largest_rod_force.value[design], "N", pistons)
-        yield valued(_("to the side"), largest.largest_side_force.value[design], "N", pistons)
+        yield valued(_("in the rod"), largest.largest_rod_force.value[design], "N", pistons)
+        yield valued(_("side force"), largest.largest_side_force.value[design], "N", pistons)
     if pins is not None:
         load = pins.largest_crankpin_load
-        yield from _largest(_("on a crank pin"), load.value[design], load.angle[design], labels["mechanism"])
+        yield from _largest(
+            _("on a crank pin"), load.value[design], load.angle[design], labels["mechanism"], _("rod of {member}")
+        )
     if edges is not None:
         edge = edges.largest_guide_edge_force
         yield from _largest(_("on an edge of a guide"), edge.value[design], edge.angle[design], labels["guide"])
@@ -41,7 +43,7 @@ def force_rows(
         yield from _largest(_("in a joint"), joint.value[design], joint.angle[design], labels["joint"])
 
 
-def _largest(name: str, values: Array, angles: Array, members: tuple[str, ...]) -> Iterator[Row]:
+def _largest(name: str, values: Array, angles: Array, members: Sequence[str], whose: str = "{member}") -> Iterator[Row]:
     """Say the largest of some values, and where and of whom it is."""
     if not np.any(np.isfinite(values)):
         return
@@ -50,7 +52,8 @@ def _largest(name: str, values: Array, angles: Array, members: tuple[str, ...]) 
         name,
         values[worst],
         "N",
-        words=_("at {angle}, {member}") if len(members) > 1 else _("at {angle}"),
+        (),
+        _("at {angle}, {whose}").format(angle="{angle}", whose=whose) if len(members) > 1 else _("at {angle}"),
         angle=Amount(float(angles[worst]), "position"),
         member=members[worst],
     )

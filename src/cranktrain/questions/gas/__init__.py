@@ -65,6 +65,10 @@ QUESTION = Question(
         rows.power_rows,
         rows.heat_rows,
     ),
+    offers={
+        "gas_pressure": N_("pressures and power"),
+        "brake_power": N_("friction"),
+    },
     uses=(Use(keys("cylinder", "mechanical_efficiency", "friction_pressure"), (powers.BrakePowers,)),),
     files=(TableFile(("gas",), "indicator", N_("an indicator diagram")),),
 )

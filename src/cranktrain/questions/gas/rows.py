@@ -1,4 +1,4 @@
-"""What gas says in the answer: pressures, powers, heat, and what compressors take in; of a driven machine what it takes."""
+"""What gas says in the answer: pressures, powers, heat, what compressors take in, what driven machines take."""
 
 from collections.abc import Iterator
 
@@ -68,16 +68,14 @@ def power_rows(labels: Names, design: int, indicated: IndicatedPowers, brake: Br
     sense = -1.0 if total < 0 else 1.0
     name = _("indicated power taken") if total < 0 else _("indicated power")
     banks = labels["bank"]
-    pressure = Amount(sense * float(indicated.mean_indicated_pressure[design]), "Pa")
-    if len(banks) > 1:
+    if len(banks) > 1 and alike(indicated.bank_indicated_power[design], "W") is None:
         yield valued(
             name,
             sense * indicated.bank_indicated_power[design],
             "W",
             banks,
-            _(", {total} in all, {pressure}"),
+            _(", {total} in all"),
             total=Amount(sense * total, "W"),
-            pressure=pressure,
         )
     else:
         yield valued(name, sense * total, "W")
@@ -87,10 +85,10 @@ def power_rows(labels: Names, design: int, indicated: IndicatedPowers, brake: Br
             _("driven with") if power < 0 else _("brake power"),
             abs(power),
             "W",
-            words=_(", {torque}, {pressure}; friction {friction}"),
+            (),
+            _(", {torque}, {pressure}"),
             torque=Amount(abs(float(brake.brake_torque[design])), "N*m"),
             pressure=Amount(abs(float(brake.mean_brake_pressure[design])), "Pa"),
-            friction=Amount(float(brake.friction_power[design]), "W"),
         )
 
 

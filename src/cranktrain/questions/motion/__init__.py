@@ -60,4 +60,8 @@ QUESTION = Question(
     headline=("stroke", "mean_piston_speed", "largest_piston_speed", "swing", "time_ratio", "closing_margin"),
     title=N_("Motion"),
     rows=(rows.slider_rows, rows.rocker_rows, rows.closing_rows),
+    offers={
+        "piston_velocity": N_("speeds and accelerations"),
+        "point_x": N_("curves of points"),
+    },
 )

@@ -123,7 +123,7 @@ _DISTANCE = Limit(
 
 @record
 class DeadCentres(StageResult):
-    """Where each piston truly turns back, and how far it travels; sort: what each is, as in `sorts`, shape (piston,)."""
+    """Where each piston truly turns back, and how far it travels; sort, shape (piston,): as in `sorts`."""
 
     sort: NDArray[np.intp]
     stroke: Array = quantity("S", "m", _PISTON, N_("Stroke, between the true dead centres"), _THEORY)

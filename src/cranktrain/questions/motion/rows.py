@@ -1,4 +1,4 @@
-"""What motion says in the answer: strokes and dead centres, speeds, the swing of rockers, how near links are to parting."""
+"""What motion says in the answer: strokes, dead centres, speeds, swings of rockers, how near links are to parting."""
 
 from collections.abc import Iterator
 
@@ -38,7 +38,7 @@ def slider_rows(
             if sort != VALVE:
                 yield valued(_(words[2]), shifts[1], "rad", names)
         if speeds is not None:
-            yield from _speed_rows(names, design, speeds, own, is_valve=sort == VALVE)
+            yield from _speed_rows(names, design, speeds, own, sort)
         if rods is not None and sort != VALVE:
             largest = np.fmax(
                 np.abs(rods.largest_pressure_angle.value[design, own]),
@@ -55,23 +55,23 @@ _TURNS = {
     ),
     False: (
         N_("farthest from the shaft"),
-        N_("after the crank along its line"),
+        N_("after the crank on its line"),
         N_("nearest to the shaft"),
     ),
 }
 """By whether it is a piston: words for where sliders turn back."""
 
 
-def _speed_rows(
-    names: list[str], design: int, speeds: PistonSpeeds, own: np.ndarray, *, is_valve: bool
-) -> Iterator[Row]:
+def _speed_rows(names: list[str], design: int, speeds: PistonSpeeds, own: np.ndarray, sort: int) -> Iterator[Row]:
     """Mean and largest speed, and largest acceleration of either sense; of a valve the largest speed."""
     fastest = speeds.largest_piston_speed.value[design, own]
-    if is_valve:
+    if sort == VALVE:
         yield valued(_("largest valve speed"), fastest, "m/s", names)
         return
-    yield valued(_("mean speed"), speeds.mean_piston_speed[design, own], "m/s", names)
-    yield valued(_("largest speed"), fastest, "m/s", names)
+    words = {PISTON: (_("mean piston speed"), _("largest piston speed")), SLIDER: (_("mean speed"), _("largest speed"))}
+    mean, largest = words[sort]
+    yield valued(mean, speeds.mean_piston_speed[design, own], "m/s", names)
+    yield valued(largest, fastest, "m/s", names)
     acceleration = np.fmax(
         speeds.largest_piston_acceleration.value[design, own], -speeds.smallest_piston_acceleration.value[design, own]
     )
@@ -123,7 +123,8 @@ def closing_rows(labels: Names, design: int, closing: Closing) -> Iterator[Row]:
         _("closing margin"),
         margins[least],
         "%",
-        words=_("of {length}, at {angle}") if len(margins) == 1 else _("of {name} {length}, at {angle}"),
+        (),
+        _("of {length}, at {angle}") if len(margins) == 1 else _("of {name} {length}, at {angle}"),
         name=name,
         length=closing.length_names[design][least],
         angle=Amount(float(around_turn(closing.closing_angle[design, least])), "position"),

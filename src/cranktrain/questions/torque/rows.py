@@ -10,6 +10,8 @@ from cranktrain.questions.torque.torques import GearTorques, ShaftTorques
 from cranktrain.rows import Amount, Row, Span, valued, worded
 from cranktrain.wording import Names
 
+_LITTLE = 1e-2
+"""Orders that are less than this part of the largest are not named."""
 _NAMED = 4
 """How many major orders are named."""
 
@@ -20,24 +22,25 @@ def torque_rows(
     """Mean and range of the torque: what the machine gives, or what drives it; and its largest orders."""
     mean, most, least = float(torques.mean_torque[design]), torques.largest_torque, torques.smallest_torque
     if torques.is_none[design]:
-        yield worded(_("on the shaft"), _("none"))
+        yield worded(_("torque on the shaft"), _("none"))
         return
     low, high = (most, least) if mean < 0 else (least, most)
     sense = -1.0 if mean < 0 else 1.0
-    yield valued(
-        _("needed, on the mean") if mean < 0 else _("on the shaft, mean"),
-        sense * mean,
-        "N*m",
-        words=_(", from {least} at {low} to {most} at {high}"),
+    if mean:
+        yield valued(_("torque needed, mean") if mean < 0 else _("mean torque"), sense * mean, "N*m")
+    yield worded(
+        _("least and largest"),
+        _("{least} at {low}, {most} at {high}"),
         least=Amount(sense * float(low.value[design]), "N*m"),
         low=Amount(float(low.angle[design]), "position"),
         most=Amount(sense * float(high.value[design]), "N*m"),
         high=Amount(float(high.angle[design]), "position"),
     )
-    if largest := orders.largest(design):
-        said = [(labels["order"][i], Amount(float(orders.torque_order_amplitude[design, i]), "N*m")) for i in largest]
+    amplitude = orders.torque_order_amplitude[design]
+    if largest := [i for i in orders.largest(design) if amplitude[i] > _LITTLE * np.nanmax(amplitude)]:
+        said = [(labels["order"][i], Amount(float(amplitude[i]), "N*m")) for i in largest]
         words = ", ".join(f"{order}: {{amount{i}}}" for i, (order, _amount) in enumerate(said))
-        yield worded(_("orders"), words, **{f"amount{i}": amount for i, (_order, amount) in enumerate(said)})
+        yield worded(_("largest orders"), words, **{f"amount{i}": amount for i, (_order, amount) in enumerate(said)})
     yield from () if stars is None else major_rows(labels, design, stars)
 
 
@@ -46,7 +49,7 @@ def major_rows(labels: Names, design: int, stars: PhaseStarSums) -> Iterator[Row
     major = [name for name, is_major in zip(labels["order"], stars.is_major[design], strict=True) if is_major]
     if major and len(major) < len(labels["order"]):
         named = ", ".join([*major[:_NAMED], *["…"] * (len(major) > _NAMED)])
-        yield worded(_("all add up in orders"), "{orders}", orders=named)
+        yield worded(_("major orders"), "{orders}", orders=named)
 
 
 def star_rows(labels: Names, design: int, stars: PhaseStarSums, torques: ShaftTorques | None) -> Iterator[Row]:

@@ -45,5 +45,8 @@ QUESTION = Question(
         rows.frequency_rows,
         rows.critical_rows,
     ),
+    offers={
+        "natural_frequency": N_("natural frequencies"),
+    },
     uses=(Use(table("torsion"), (TorsionalModes,)),),
 )
