@@ -28,11 +28,15 @@ class Amount:
 
 @record
 class Span:
-    """A range in words: from `least` to `most`, both as in `Amount`, with as many digits as tell them apart."""
+    """A range in words: from `least` to `most`, both as in `Amount`, with as many digits as tell them apart.
+
+    positions: the angles where each stands, if that is to be said. [rad]
+    """
 
     least: float
     most: float
     unit: str
+    positions: tuple[float, float] | None = None
 
 
 Piece: TypeAlias = "Amount | Span | str"

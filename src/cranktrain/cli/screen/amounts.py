@@ -1,5 +1,6 @@
 """Values on the one screen: which unit a quantity is shown in, with how many digits. Here alone a unit is chosen."""
 
+import re
 from collections.abc import Mapping
 from math import floor, log10
 from typing import NamedTuple
@@ -9,7 +10,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.quantities import shown
-from cranktrain.rows import Amount, Piece
+from cranktrain.rows import Amount, Piece, Span
 from cranktrain.wording import ABSENT, signless
 
 KEPT = "\N{NO-BREAK SPACE}"
@@ -70,7 +71,7 @@ class Written(NamedTuple):
         return f"{text}{'' if self.label in ('', '°') else KEPT}{self.label}"
 
 
-def written(values: Array, unit: str, *, apart: bool = False) -> Written:
+def written(values: Array, unit: str, *, apart: bool = False, beside: float = 0.0) -> Written:
     """Write values of one quantity with as many decimals for all as give the largest four figures.
 
     Parameters
@@ -81,10 +82,12 @@ def written(values: Array, unit: str, *, apart: bool = False) -> Written:
         As `Row` has it.
     apart : bool
         Whether there are to be digits enough to tell them apart.
+    beside : float
+        Size of the largest value beside which these stand, and whose unit they have.
     """
     sizes = np.abs(values[np.isfinite(values)])
     most = float(np.max(sizes, initial=0.0))
-    label = next((one.label for one in _SCALES[unit] if most >= one.least), _SCALES[unit][-1].label)
+    label = next((one.label for one in _SCALES[unit] if max(most, beside) >= one.least), _SCALES[unit][-1].label)
     sized = np.asarray([_in(label, float(value)) for value in values])
     decimals = _DECIMALS.get(unit, _decimals(abs(_in(label, most)), _FEW_FIGURES.get(unit, _FIGURES)))
     if apart and (differs := float(np.ptp(sized))) > 0:
@@ -94,22 +97,32 @@ def written(values: Array, unit: str, *, apart: bool = False) -> Written:
 
 
 def filled(words: str, pieces: Mapping[str, Piece]) -> str:
-    """Put values into words."""
-    return words.format(**{name: _piece(one) for name, one in pieces.items()})
+    """Put values into words; those of one quantity have one unit."""
+    beside: dict[str, float] = {}
+    for one in pieces.values():
+        if not isinstance(one, str):
+            beside[one.unit] = max(beside.get(one.unit, 0.0), *np.abs(np.nan_to_num(_values(one))).tolist())
+    return words.format(**{name: _piece(one, beside) for name, one in pieces.items()})
 
 
-def _piece(piece: Piece) -> str:
+def _values(piece: Amount | Span) -> Array:
+    return np.array([piece.value] if isinstance(piece, Amount) else [piece.least, piece.most])
+
+
+def _piece(piece: Piece, beside: Mapping[str, float]) -> str:
+    """Write what stands in words."""
     if isinstance(piece, str):
         return piece
-    if isinstance(piece, Amount):
-        return _one(np.array([piece.value]), piece.unit)
-    least, most = (both := written(np.array([piece.least, piece.most]), piece.unit, apart=True)).texts
-    return both.whole(most) if least == most else _("{least} to {most}").format(least=least, most=both.whole(most))
-
-
-def _one(values: Array, unit: str) -> str:
-    found = written(values, unit)
-    return found.whole(found.texts[0])
+    is_span = isinstance(piece, Span)
+    found = written(_values(piece), piece.unit, apart=is_span and piece.positions is None, beside=beside[piece.unit])
+    last = found.whole(found.texts[-1])
+    if not is_span or (found.texts[0] == found.texts[-1] and piece.positions is None):
+        return last
+    if piece.positions is None:
+        return _("{least} to {most}").format(least=found.texts[0], most=last)
+    at = written(np.array(piece.positions), "position")
+    low, high = map(at.whole, at.texts)
+    return _("{least} at {low} to {most} at {high}").format(least=found.texts[0], low=low, most=last, high=high)
 
 
 def _in(label: str, si: float) -> float:
@@ -127,3 +140,27 @@ def _text(value: float, decimals: int, sign: str = "") -> str:
     if not np.isfinite(value):
         return ABSENT
     return signless(f"{round(value, decimals):{sign}.{max(decimals, 0)}f}").replace("-", "−")
+
+
+def typeset(sentence: str) -> str:
+    """Write the units and signs of a stage's sentence as they stand in rows.
+
+    Examples
+    --------
+    >>> typeset("at -4.50 deg, 3 N*m").replace(KEPT, " ")
+    'at −4.50°, 3 N·m'
+    """
+    for pattern, instead in _TYPESET:
+        sentence = re.sub(pattern, instead, sentence)
+    return sentence
+
+
+_TYPESET = (
+    (r"(?<=\d) deg\b", "°"),
+    (r"(?<![\w.)-])-(?=\d)", "−"),
+    (r"\bN\*m\b", "N·m"),
+    (r"\bkg\*m\^2\b", "kg·m²"),
+    (r"(?<=\d) m/s\^2", " m/s²"),
+    (r"(?<=\d) (?=%|[a-zA-Z]+[/·²³]|[kM]?[NWJ]\b|bar\b|mm\b|m\b|L\b|rpm\b)", KEPT),
+)
+"""Patterns of how sentences write units and signs, and what they are here."""

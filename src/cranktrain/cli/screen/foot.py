@@ -44,15 +44,16 @@ def foot_lines(file: MachineFile, result: Result, name: str, width: int) -> Iter
     if book:
         yield from _with_end(book, f"cranktrain textbook {typed}", width)
     yield from _with_end(f"{_checks(result)} · {_inputs(file)}", "--checks --inputs", width)
-    offers = list(_offers(file, result.missing))
     label = _("Next: ")
-    ends = _BETWEEN.join(
+    offers = ""
+    for offer in _offers(file, result.missing):
+        longer = f"{offers}{_BETWEEN if offers else ''}{offer}"
+        offers = longer if cell_len(label + longer) <= width else offers
+    surfaces = _BETWEEN.join(
         one.replace(" ", KEPT) for one in (_("--full everything"), f"plot {typed} -o sheet.pdf", "-o curves.csv")
     )
-    lines = [_BETWEEN.join(offers), ends] if offers else [ends]
-    for i, line in enumerate(lines):
-        begin = label if i == 0 else " " * len(label)
-        for part in folded(line, width, begin, " " * len(label)):
+    for i, line in enumerate([offers, surfaces] if offers else [surfaces]):
+        for part in folded(line, width, label if i == 0 else " " * len(label), " " * len(label)):
             yield part.replace(KEPT, " ")
 
 
@@ -118,7 +119,8 @@ def _offers(file: MachineFile, missing: Sequence[Missing]) -> Iterator[str]:
     )
     first: dict[tuple[str, ...], str] = {}
     for n_needs, _rank, _place, needs, words in ranked:
-        if n_needs == 1 or all(_has_table(file, need) for need in needs):
+        is_more = any(set(needs) > set(fewer) for fewer in first)
+        if n_needs == 1 or (not is_more and all(_has_table(file, need) for need in needs)):
             first.setdefault(needs, words)
     for needs, words in list(first.items())[:_MOST_OFFERS]:
         yield f"{_(' and ').join(map(_shortly, needs))} {_(words)}".replace(" ", KEPT)

@@ -16,6 +16,8 @@ from cranktrain.one_line import visible
 from cranktrain.rows import Row
 from cranktrain.wording import ABSENT
 
+_WIDEST = 9
+"""Columns that are wider leave no room for words."""
 _NAMED, _LONGEST = 3, 48
 """How many values that differ are named one by one, in how many characters; of more there is a range."""
 
@@ -60,7 +62,7 @@ def group_lines(groups: Sequence[Group], width: int) -> Iterator[Text]:
     """
     laid = [_laid(group) for group in groups]
     lines = [line for one in laid for line in one.lines]
-    names = GAP + max((cell_len(line.name) for line in lines), default=0)
+    names = max((cell_len(line.name) for line in lines), default=0)
     cells = [
         cell
         for one in laid
@@ -70,7 +72,7 @@ def group_lines(groups: Sequence[Group], width: int) -> Iterator[Text]:
     ]
     each = GAP + max(map(cell_len, cells), default=0)
     # Where some group has two columns, single values stand in the second one, so that units stand below each other.
-    shift = each if max((len(one.heads) for one in laid), default=0) == 2 else 0
+    shift = each if max((len(one.heads) for one in laid), default=0) == 2 and each <= _WIDEST else 0
     for one in laid:
         indent = INDENT + names
         heads = "".join(f"{head:>{each}}" for head in one.heads)

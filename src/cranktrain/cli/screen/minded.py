@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from cranktrain.analysis import Result, sentences
-from cranktrain.cli.screen.amounts import KEPT
+from cranktrain.cli.screen.amounts import KEPT, typeset
 from cranktrain.cli.screen.text import folded
 from cranktrain.grouping import grouped
 from cranktrain.language import _
@@ -28,25 +28,21 @@ def minded(result: Result) -> list[str]:
 
 
 def joined(flags: Sequence[str]) -> Iterator[str]:
-    """Join flags that say the same of several: of each the first that it names.
+    """Join flags that say the same of several: what they have in common stands for all.
 
     Examples
     --------
     >>> list(joined(["Far off: 1L; 3L.", "Near.", "Far off: 2L."]))
-    ['Far off: 1L; 2L; … (--full)', 'Near.']
+    ['Far off … (--full)', 'Near.']
     """
     for head, ends in grouped((one.partition(": ")[0], one) for one in flags).items():
-        if len(ends) == 1:
-            yield ends[0]
-        else:
-            firsts = dict.fromkeys(end.removeprefix(f"{head}: ").partition(";")[0].rstrip(".") for end in ends)
-            yield _("{head}: {parts}; … (--full)").format(head=head, parts="; ".join(firsts))
+        yield ends[0] if len(ends) == 1 else _("{said} … (--full)").format(said=head)
 
 
 def minded_lines(result: Result, width: int) -> Iterator[str]:
     """Lay them out, each behind a mark, in a width of columns."""
     for sentence in minded(result):
-        said = visible(sentence).replace(" %", f"{KEPT}%")
+        said = typeset(visible(sentence))
         lines = folded(said, width, _MARK, " " * len(_MARK))
         if len(lines) > _MOST_LINES:
             lines = folded(said, width, _MARK, " " * len(_MARK), at_most=_MOST_LINES)

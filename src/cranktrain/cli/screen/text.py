@@ -92,8 +92,7 @@ def folded(
     -------
     list of str
     """
-    return textwrap.wrap(
-        text,
+    return _Wrapper(
         width,
         initial_indent=begin,
         subsequent_indent=indent,
@@ -101,7 +100,13 @@ def folded(
         break_long_words=False,
         max_lines=at_most,
         placeholder=_(" … (--full)"),
-    )
+    ).wrap(text)
+
+
+class _Wrapper(textwrap.TextWrapper):
+    """Folds after any hyphen, where it may: Python's own has letters on both sides, and a firing order has not."""
+
+    wordsep_re = re.compile(r"(\s+|[^\s-]+-(?=\S))")
 
 
 def table(

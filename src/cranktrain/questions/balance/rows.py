@@ -9,6 +9,8 @@ from cranktrain.questions.balance.shaking import ShakingCouples, ShakingForces
 from cranktrain.rows import Amount, Row, worded
 from cranktrain.wording import Names
 
+_NOTHING = 1e-6
+"""Of what all parts would do if they added up; less shakes nothing."""
 _LITTLE = 1e-2
 """Orders that are less than this part of the largest are not named."""
 
@@ -29,7 +31,11 @@ def _by_order(
     labels: Names, design: int, found: Shaken, largest: Array, unit: str, names: tuple[str, str]
 ) -> Iterator[Row]:
     """Largest orders, without weights and, where there are any, with them."""
-    sizes = found.left(largest, design)
+    least = _NOTHING * float(found.gross[design])
+    sizes = [
+        None if one is None else [(order, size) for order, size in one if size > least]
+        for one in found.left(largest, design)
+    ]
     for name, left in zip(names, sizes, strict=False):
         if left is None:
             yield worded(name, _("not known, as the links do not close all round"))

@@ -28,29 +28,36 @@ def volume_rows(
     each = alike(swept.swept_volume[design], "m^3")
     name = _("swept volume")
     if len(labels["chamber"]) > 1 and each is not None:
-        yield valued(name, total.value, "m^3", (), _(", {each} each"), each=each)
+        yield valued(name, total.value, "m^3", (), "; {n} × {each}", n=str(len(labels["chamber"])), each=each)
     elif len(labels["bank"]) > 1:
         yield valued(name, swept.bank_swept_volume[design], "m^3", labels["bank"], _(", {total} in all"), total=total)
     else:
         yield valued(name, swept.swept_volume[design], "m^3", labels["chamber"])
     if chambers is not None:
-        yield valued(_("compression ratio"), chambers.compression_ratio[design], "1", labels["chamber"])
-    if effective is not None:
+        last = None if effective is None else alike(effective.effective_compression_ratio[design], "1")
+        words, pieces = (
+            ("", dict[str, Piece]()) if last is None else (_("; {last} from the last port on"), {"last": last})
+        )
+        yield valued(
+            _("compression ratio"), chambers.compression_ratio[design], "1", labels["chamber"], words, **pieces
+        )
+    if effective is not None and alike(effective.effective_compression_ratio[design], "1") is None:
         ratio = effective.effective_compression_ratio[design]
-        yield valued(_("effective ratio"), ratio, "1", labels["chamber"], _("from where the last port closes"))
+        yield valued(_("ratio from the last port"), ratio, "1", labels["chamber"])
 
 
 def opposed_rows(labels: Names, design: int, found: VolumetricDeadCentres) -> Iterator[Row]:
-    """Lead of the exhaust crank, and by how much both pistons part."""
+    """Lead of the exhaust crank, where the volume is least, and by how much both pistons part."""
     cylinders = labels["cylinder"]
     lead = found.lead[design]
-    ahead = np.nanmax(lead) >= 0
-    name = _("exhaust crank ahead by") if ahead else _("exhaust crank behind by")
-    yield valued(name, np.abs(lead), "rad", cylinders)
-    inner, outer = (alike(one[design], "rad") for one in (found.inner_volumetric_shift, found.outer_volumetric_shift))
-    if inner is not None and outer is not None:
-        said = _("{inner} and {outer} after the exhaust crank's own")
-        yield worded(_("dead centres by volume"), said, inner=inner, outer=outer)
+    name = _("exhaust crank ahead by") if np.nanmax(lead) >= 0 else _("exhaust crank behind by")
+    inner = alike(found.inner_volumetric_shift[design], "rad")
+    words, pieces = (
+        ("", dict[str, Piece]())
+        if inner is None
+        else (_(", least volume {inner} after its dead centre"), {"inner": inner})
+    )
+    yield valued(name, np.abs(lead), "rad", cylinders, words, **pieces)
     nominal = alike(found.nominal_stroke[design], "m")
     words, pieces = ("", dict[str, Piece]()) if nominal is None else (_("of {nominal}"), {"nominal": nominal})
     yield valued(_("both pistons part by"), found.combined_stroke[design], "m", cylinders, words, **pieces)
@@ -59,10 +66,13 @@ def opposed_rows(labels: Names, design: int, found: VolumetricDeadCentres) -> It
 def port_rows(labels: Names, design: int, found: PortTiming) -> Iterator[Row]:
     """By how much the exhaust ports open and close before the scavenge ports."""
     opens, closes = found.exhaust_opens_before[design], found.exhaust_closes_before[design]
-    for name, before in ((_("exhaust ports open"), opens), (_("exhaust ports close"), closes)):
-        is_after = np.all(before < 0)
-        words = _("after the scavenge ports") if is_after else _("before the scavenge ports")
-        yield valued(name, -before if is_after else before, "rad", labels["cylinder"], words)
+    first, last = alike(opens, "rad"), alike(closes, "rad")
+    if first is not None and last is not None:
+        said = _("open {first} and close {last} before the scavenge ports")
+        yield worded(_("exhaust ports"), said, first=first, last=last)
+        return
+    yield valued(_("exhaust ports open by"), opens, "rad", labels["cylinder"], _("before the scavenge ports"))
+    yield valued(_("exhaust ports close by"), closes, "rad", labels["cylinder"], _("before the scavenge ports"))
 
 
 def firing_rows(labels: Names, design: int, found: Firing) -> Iterator[Row]:

@@ -24,7 +24,7 @@ from cranktrain.wording import ranged
 
 _JOINT = ("joint", "crank_angle")
 _FEW = 3
-"""So many parts are named one by one."""
+"""So many rods are named one by one."""
 _NO_ARM = 1e-9
 """Moment over force of which a guide is said to bear none. [m]"""
 
@@ -110,17 +110,13 @@ def _flags(masses: Masses) -> Iterator[str]:
             " is it in kg·m², about the centroid?"
         ).format(parts=", ".join(masses.doubtful))
     if masses.assumed:
-        yield _(
-            "The inertia of {parts} is taken for that of two masses at the ends: of measured rods that is from 3 % too"
-            " little to 22 % too much."
-        ).format(parts=_counted(masses.assumed))
-
-
-def _counted(parts: Sequence[str]) -> str:
-    """Name parts; of many say how many, and the first and the last."""
-    if len(parts) <= _FEW:
-        return ", ".join(parts)
-    return _("{n} parts, {first} to {last},").format(n=len(parts), first=parts[0], last=parts[-1])
+        rods = masses.assumed
+        said = (
+            _("{rods} has the inertia of two masses at its ends")
+            if len(rods) == 1
+            else _("{rods} have the inertia of two masses at their ends")
+        ).format(rods=", ".join(rods) if len(rods) <= _FEW else _("{n} rods").format(n=len(rods)))
+        yield _("{said}: of measured rods that is from 3 % too little to 22 % too much.").format(said=said)
 
 
 def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:

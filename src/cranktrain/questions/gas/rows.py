@@ -17,30 +17,35 @@ _AT_DEAD_CENTRE = np.radians(0.005)
 
 
 def pressure_rows(
-    labels: Names, design: int, pressures: GasPressures, lines: CompressorCapacity | None
+    labels: Names,
+    design: int,
+    pressures: GasPressures,
+    lines: CompressorCapacity | None,
+    powers: IndicatedPowers | None,
 ) -> Iterator[Row]:
-    """Largest pressure, unless it is that of a compressor's line, and the mean indicated one."""
+    """Largest pressure, unless a compressor's line has it, and the mean indicated one, unless the power has it."""
     chambers = labels["chamber"]
     peak = pressures.peak_pressure.value[design]
     if lines is None or np.any(np.isnan(lines.discharge_line_pressure[design])):
         words, pieces = _after(pressures.peak_pressure_after[design])
         yield valued(_("peak pressure"), peak, "Pa", chambers, words, **pieces)
     mean = pressures.indicated_mean_pressure[design]
-    is_driven = np.sum(pressures.indicated_work[design]) < 0
-    yield valued(_("mean indicated pressure"), -mean if is_driven else mean, "Pa", chambers)
+    if powers is None or alike(mean, "Pa") is None:
+        is_driven = np.sum(pressures.indicated_work[design]) < 0
+        yield valued(_("mean indicated pressure"), -mean if is_driven else mean, "Pa", chambers)
 
 
 def _after(after: np.ndarray) -> tuple[str, dict[str, Piece]]:
     """Words for where pressures are largest, if it is at the same angle in all chambers."""
     angle = alike(after, "rad")
     if np.all(np.abs(after) < _AT_DEAD_CENTRE):
-        return _("at the dead centre"), {}
+        return _(", at the dead centre"), {}
     if angle is None:
         return "", {}
     return (
-        (_("{angle} after the dead centre"), {"angle": angle})
+        (_(", {angle} after the dead centre"), {"angle": angle})
         if angle.value > 0
-        else (_("{angle} before the dead centre"), {"angle": Amount(-angle.value, "rad")})
+        else (_(", {angle} before the dead centre"), {"angle": Amount(-angle.value, "rad")})
     )
 
 
@@ -62,23 +67,28 @@ def compressor_rows(
         yield valued(_("flow at the inlet"), flow.inlet_flow[design], "m^3/s", chambers)
 
 
-def power_rows(labels: Names, design: int, indicated: IndicatedPowers, brake: BrakePowers | None) -> Iterator[Row]:
-    """Indicated power, by bank where there are several, and what the shaft gives or takes."""
+def power_rows(
+    labels: Names, design: int, indicated: IndicatedPowers, pressures: GasPressures, brake: BrakePowers | None
+) -> Iterator[Row]:
+    """Indicated power, by bank where there are several, with its mean pressure; and what the shaft gives or takes."""
     total = float(indicated.indicated_power[design])
     sense = -1.0 if total < 0 else 1.0
     name = _("indicated power taken") if total < 0 else _("indicated power")
     banks = labels["bank"]
+    pressure = Amount(sense * float(indicated.mean_indicated_pressure[design]), "Pa")
+    is_one = alike(pressures.indicated_mean_pressure[design], "Pa") is not None
     if len(banks) > 1 and alike(indicated.bank_indicated_power[design], "W") is None:
         yield valued(
             name,
             sense * indicated.bank_indicated_power[design],
             "W",
             banks,
-            _(", {total} in all"),
+            _(", {total} in all, {pressure}") if is_one else _(", {total} in all"),
             total=Amount(sense * total, "W"),
+            pressure=pressure,
         )
     else:
-        yield valued(name, sense * total, "W")
+        yield valued(name, sense * total, "W", (), _(", {pressure}") if is_one else "", pressure=pressure)
     if brake is not None:
         power = float(brake.brake_power[design])
         yield valued(
@@ -95,6 +105,6 @@ def power_rows(labels: Names, design: int, indicated: IndicatedPowers, brake: Br
 def heat_rows(labels: Names, design: int, heat: HeatBalance) -> Iterator[Row]:
     """Heat that comes in, what becomes of it."""
     loss, part = alike(heat.wall_loss[design], "J"), alike(heat.working_turn_efficiency[design], "%")
-    said = _("a cycle; {part} becomes work, the walls take {loss}")
+    said = _("a cycle: {part} work, {loss} to the walls")
     words, pieces = ("", dict[str, Piece]()) if loss is None or part is None else (said, {"part": part, "loss": loss})
     yield valued(_("heat"), heat.released_heat[design], "J", labels["chamber"], words, **pieces)

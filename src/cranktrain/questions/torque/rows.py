@@ -4,10 +4,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.questions.torque.orders import PhaseStarSums, TorqueOrders
 from cranktrain.questions.torque.torques import GearTorques, ShaftTorques
-from cranktrain.rows import Amount, Row, Span, valued, worded
+from cranktrain.rows import Amount, Row, Span, worded
 from cranktrain.wording import Names
 
 _LITTLE = 1e-2
@@ -22,20 +23,18 @@ def torque_rows(
     """Mean and range of the torque: what the machine gives, or what drives it; and its largest orders."""
     mean, most, least = float(torques.mean_torque[design]), torques.largest_torque, torques.smallest_torque
     if torques.is_none[design]:
-        yield worded(_("torque on the shaft"), _("none"))
+        yield worded(_("on the shaft"), _("none"))
         return
     low, high = (most, least) if mean < 0 else (least, most)
     sense = -1.0 if mean < 0 else 1.0
-    if mean:
-        yield valued(_("torque needed, mean") if mean < 0 else _("mean torque"), sense * mean, "N*m")
-    yield worded(
-        _("least and largest"),
-        _("{least} at {low}, {most} at {high}"),
-        least=Amount(sense * float(low.value[design]), "N*m"),
-        low=Amount(float(low.angle[design]), "position"),
-        most=Amount(sense * float(high.value[design]), "N*m"),
-        high=Amount(float(high.angle[design]), "position"),
+    span = Span(
+        sense * float(low.value[design]),
+        sense * float(high.value[design]),
+        "N*m",
+        (float(low.angle[design]), float(high.angle[design])),
     )
+    name = _("needed at the shaft") if mean < 0 else _("on the shaft")
+    yield worded(name, _("mean {mean}, {span}") if mean else "{span}", mean=Amount(sense * mean, "N*m"), span=span)
     amplitude = orders.torque_order_amplitude[design]
     if largest := [i for i in orders.largest(design) if amplitude[i] > _LITTLE * np.nanmax(amplitude)]:
         said = [(labels["order"][i], Amount(float(amplitude[i]), "N*m")) for i in largest]
@@ -60,16 +59,24 @@ def star_rows(labels: Names, design: int, stars: PhaseStarSums, torques: ShaftTo
 
 def gear_rows(labels: Names, design: int, gear: GearTorques) -> Iterator[Row]:
     """What each shaft passes to the main one, and its share of the work."""
-    for i, shaft in enumerate(labels["shaft"]):
-        if np.isnan(gear.gear_reversals[design, i]):
-            continue
-        passed = gear.gear_torque[design, i]
+    shares = gear.work_share[design]
+    spans = {
+        shaft: Span(float(np.min(passed)), float(np.max(passed)), "N*m")
+        for shaft, passed, reversals in zip(
+            labels["shaft"], gear.gear_torque[design], gear.gear_reversals[design], strict=True
+        )
+        if not np.isnan(reversals)
+    }
+    alike = grouped(((f"{span.least:.6g} {span.most:.6g}"), shaft) for shaft, span in spans.items())
+    for shafts in alike.values():
+        place = list(labels["shaft"]).index(shafts[0])
+        n = gear.gear_reversals[design, place]
         yield worded(
-            _("gear from {shaft}").format(shaft=shaft),
+            _("gear from {shafts}").format(shafts=", ".join(shafts)),
             _("{passed}, {share} of the work")
-            if gear.gear_reversals[design, i] == 0
+            if n == 0
             else _("{passed}, {share} of the work, reversing {n} times a cycle"),
-            passed=Span(float(np.min(passed)), float(np.max(passed)), "N*m"),
-            share=Amount(float(gear.work_share[design, i]), "%"),
-            n=f"{gear.gear_reversals[design, i]:.0f}",
+            passed=spans[shafts[0]],
+            share=Amount(float(shares[place]), "%"),
+            n=f"{n:.0f}",
         )
