@@ -19,7 +19,7 @@ class Amount:
     value : float
         In SI; a speed of rotation, a frequency and an angle in radians.
     unit : str
-        As in `Row`.
+        As in `AnswerRow`.
     """
 
     value: float
@@ -27,7 +27,7 @@ class Amount:
 
 
 @record
-class Span:
+class Range:
     """A range in words: from `least` to `most`, both as in `Amount`, with as many digits as tell them apart.
 
     positions: the angles where each stands, if that is to be said. [rad]
@@ -39,11 +39,11 @@ class Span:
     positions: tuple[float, float] | None = None
 
 
-Piece: TypeAlias = "Amount | Span | str"
+Piece: TypeAlias = "Amount | Range | str"
 
 
 @record
-class Row:
+class AnswerRow:
     """One line of the answer.
 
     Attributes
@@ -60,7 +60,7 @@ class Row:
         Whose each value is; none of one value.
     words : str
         Behind the values, or instead of them; `{name}` stands for one of `pieces`.
-    pieces : mapping of str to Amount, Span or str
+    pieces : mapping of str to Amount, Range or str
     """
 
     name: str
@@ -80,14 +80,14 @@ class Row:
 
 def valued(
     name: str, values: Array | float, unit: str, members: Sequence[str] = (), words: str = "", /, **pieces: Piece
-) -> Row:
+) -> AnswerRow:
     """Give a row of values, with words behind them."""
-    return Row(name, np.atleast_1d(np.asarray(values, dtype=float)), unit, tuple(members), words, pieces)
+    return AnswerRow(name, np.atleast_1d(np.asarray(values, dtype=float)), unit, tuple(members), words, pieces)
 
 
-def worded(name: str, words: str, /, **pieces: Piece) -> Row:
+def worded(name: str, words: str, /, **pieces: Piece) -> AnswerRow:
     """Give a row of words alone."""
-    return Row(name, words=words, pieces=pieces)
+    return AnswerRow(name, words=words, pieces=pieces)
 
 
 def alike(values: Array, unit: str) -> Amount | None:

@@ -161,7 +161,7 @@ def _run(
     missing: Missing = False,
     force: Force = False,
 ) -> None:
-    from cranktrain.cli.run import Parts, RunRequest, show_run
+    from cranktrain.cli.run import RunRequest, Shown, show_run
 
     names = None if quantities is None else tuple(name.strip() for name in quantities.split(",") if name.strip())
     request = RunRequest(
@@ -175,7 +175,7 @@ def _run(
         output=output,
         force=force,
     )
-    show_run(request, Parts(full=full, checks=checks, inputs=inputs, missing=missing))
+    show_run(request, Shown(full=full, checks=checks, inputs=inputs, missing=missing))
 
 
 @_app.command(

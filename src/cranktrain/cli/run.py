@@ -25,8 +25,8 @@ class RunRequest(Asked):
 
 
 @record
-class Parts:
-    """Which parts are shown instead of the answer."""
+class Shown:
+    """What is shown instead of the answer."""
 
     full: bool = False
     checks: bool = False
@@ -38,7 +38,7 @@ class Parts:
         return self.full or self.checks or self.inputs or self.missing
 
 
-def show_run(request: RunRequest, parts: Parts | None = None) -> None:
+def show_run(request: RunRequest, shown: Shown | None = None) -> None:
     """Compute, write and show."""
     suffix = None if request.output is None else _suffix(request.output)
     if request.quantities == ():
@@ -49,8 +49,8 @@ def show_run(request: RunRequest, parts: Parts | None = None) -> None:
         result = _computed(file, request)
     else:
         result = _written(file, request, request.output, suffix)
-    if parts:
-        _show_parts(file, result, request, parts)
+    if shown:
+        _show_parts(file, result, request, shown)
     elif request.output is not None:
         _show_minded(result)
     elif request.quantities is not None:
@@ -61,19 +61,19 @@ def show_run(request: RunRequest, parts: Parts | None = None) -> None:
         print(_("written: {name}").format(name=one_line(request.output)))
 
 
-def _show_parts(file: MachineFile, result: Result, request: RunRequest, parts: Parts) -> None:
+def _show_parts(file: MachineFile, result: Result, request: RunRequest, shown: Shown) -> None:
     """Show what was asked for by options."""
     from cranktrain.cli.screen.report import show_checks, show_full, show_inputs, show_missing
     from cranktrain.cli.screen.title import title
 
     with page(title(file.machine)) as console:
-        if parts.full:
+        if shown.full:
             show_full(console, file, result, _chosen(result, request), is_all=request.quantities is None)
-        if parts.checks and not parts.full:
+        if shown.checks and not shown.full:
             show_checks(console, result)
-        if parts.inputs:
+        if shown.inputs:
             show_inputs(console, file)
-        if parts.missing and not parts.full:
+        if shown.missing and not shown.full:
             show_missing(console, result)
 
 

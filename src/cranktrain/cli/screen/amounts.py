@@ -7,14 +7,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cranktrain.cli.screen.text import KEPT
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.quantities import shown
-from cranktrain.rows import Amount, Piece, Span
+from cranktrain.rows import Amount, Piece, Range
 from cranktrain.wording import ABSENT, signless
 
-KEPT = "\N{NO-BREAK SPACE}"
-"""Stands between a value and its unit until lines are folded."""
 _FIGURES = 4
 _MOST_DECIMALS = 8
 
@@ -48,7 +47,7 @@ _SCALES: Mapping[str, tuple[_Scale, ...]] = {
     "off": (_Scale("%"),),
     "1": (_Scale(""),),
 }
-"""Units by what is to be shown, as `Row` names it, the largest first."""
+"""Units by what is to be shown, as `AnswerRow` names it, the largest first."""
 
 _FACTORS = {"": 1.0, "%": 100.0, "Hz": 1 / (2 * np.pi), "m³/h": 3600.0, "kW": 1e-3, "W": 1.0, "kN·m": 1e-3}
 """Units that no machine file has, and how many of them one in SI is."""
@@ -79,7 +78,7 @@ def written(values: Array, unit: str, *, apart: bool = False, beside: float = 0.
     values : Array, shape (n,)
         In SI. What is not finite is absent.
     unit : str
-        As `Row` has it.
+        As `AnswerRow` has it.
     apart : bool
         Whether there are to be digits enough to tell them apart.
     beside : float
@@ -105,7 +104,7 @@ def filled(words: str, pieces: Mapping[str, Piece]) -> str:
     return words.format(**{name: _piece(one, beside) for name, one in pieces.items()})
 
 
-def _values(piece: Amount | Span) -> Array:
+def _values(piece: Amount | Range) -> Array:
     return np.array([piece.value] if isinstance(piece, Amount) else [piece.least, piece.most])
 
 
@@ -113,7 +112,7 @@ def _piece(piece: Piece, beside: Mapping[str, float]) -> str:
     """Write what stands in words."""
     if isinstance(piece, str):
         return piece
-    is_span = isinstance(piece, Span)
+    is_span = isinstance(piece, Range)
     found = written(_values(piece), piece.unit, apart=is_span and piece.positions is None, beside=beside[piece.unit])
     last = found.whole(found.texts[-1])
     if not is_span or (found.texts[0] == found.texts[-1] and piece.positions is None):

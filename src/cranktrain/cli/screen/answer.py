@@ -6,7 +6,7 @@ from rich.text import Text
 
 from cranktrain.analysis import STAGES, Result
 from cranktrain.cli.screen.foot import foot_lines
-from cranktrain.cli.screen.groups import Group, group_lines
+from cranktrain.cli.screen.groups import RowGroup, group_lines
 from cranktrain.cli.screen.minded import minded_lines
 from cranktrain.cli.screen.text import folded
 from cranktrain.cli.screen.title import title_lines
@@ -36,7 +36,7 @@ def answer_lines(file: MachineFile, result: Result, name: str, width: int) -> It
     blocks = (
         [Text(first, style="bold"), *map(Text, more), *map(Text, _conditions(result, width))],
         map(Text, minded_lines(result, width)),
-        group_lines([Group(title, rows) for title, rows in result.rows()], width),
+        group_lines([RowGroup(title, rows) for title, rows in result.rows()], width),
         (Text(visible(line)) for line in foot_lines(file, result, name, width)),
     )
     for number, block in enumerate(blocks):

@@ -8,8 +8,8 @@ from rich.cells import cell_len
 
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import Missing, Result
-from cranktrain.cli.screen.amounts import KEPT, filled
-from cranktrain.cli.screen.text import folded
+from cranktrain.cli.screen.amounts import filled
+from cranktrain.cli.screen.text import KEPT, folded
 from cranktrain.io.description import counted_by_status
 from cranktrain.io.machine_file import MachineFile, inputs_of
 from cranktrain.language import N_, _
@@ -53,14 +53,13 @@ def foot_lines(file: MachineFile, result: Result, name: str, width: int) -> Iter
         one.replace(" ", KEPT) for one in (_("--full everything"), f"plot {typed} -o sheet.pdf", "-o curves.csv")
     )
     for i, line in enumerate([offers, surfaces] if offers else [surfaces]):
-        for part in folded(line, width, label if i == 0 else " " * len(label), " " * len(label)):
-            yield part.replace(KEPT, " ")
+        yield from folded(line, width, label if i == 0 else " " * len(label), " " * len(label))
 
 
 def _with_end(text: str, end: str, width: int) -> Iterator[str]:
     """Put what to type for more behind a text, or below where there is no room."""
     if cell_len(text) + len(_GAP) + cell_len(end) <= width:
-        yield f"{text}{_GAP}{end}"
+        yield f"{text}{_GAP}{end}".replace(KEPT, " ")
     else:
         yield from folded(text, width)
         yield f"  {end}"

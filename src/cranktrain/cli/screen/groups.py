@@ -7,13 +7,13 @@ import numpy as np
 from rich.cells import cell_len
 from rich.text import Text
 
-from cranktrain.cli.screen.amounts import KEPT, Written, filled, written
+from cranktrain.cli.screen.amounts import Written, filled, written
 from cranktrain.cli.screen.columns_of_members import MemberColumns, member_columns, name_of
 from cranktrain.cli.screen.text import GAP, INDENT, folded
 from cranktrain.grouping import places_of_equal
 from cranktrain.language import _
 from cranktrain.one_line import visible
-from cranktrain.rows import Row
+from cranktrain.rows import AnswerRow
 from cranktrain.wording import ABSENT
 
 _WIDEST = 9
@@ -22,11 +22,11 @@ _NAMED, _LONGEST = 3, 48
 """How many values that differ are named one by one, in how many characters; of more there is a range."""
 
 
-class Group(NamedTuple):
+class RowGroup(NamedTuple):
     """Rows of one question under its title."""
 
     title: str
-    rows: Sequence[Row]
+    rows: Sequence[AnswerRow]
 
 
 class _Line(NamedTuple):
@@ -46,12 +46,12 @@ class _Lines(NamedTuple):
     lines: list[_Line]
 
 
-def group_lines(groups: Sequence[Group], width: int) -> Iterator[Text]:
+def group_lines(groups: Sequence[RowGroup], width: int) -> Iterator[Text]:
     """Lay out groups of rows.
 
     Parameters
     ----------
-    groups : sequence of Group
+    groups : sequence of RowGroup
     width : int
         Columns of the screen.
 
@@ -81,7 +81,7 @@ def group_lines(groups: Sequence[Group], width: int) -> Iterator[Text]:
             yield from _folded(line, names, each, shift, width)
 
 
-def _laid(group: Group) -> _Lines:
+def _laid(group: RowGroup) -> _Lines:
     """Write the rows of a group."""
     texts = [written(row.values, row.unit) if row.values.size else Written((), "") for row in group.rows]
     unlike = [
@@ -95,7 +95,7 @@ def _laid(group: Group) -> _Lines:
     )
 
 
-def _line(row: Row, found: Written, columns: MemberColumns) -> _Line:
+def _line(row: AnswerRow, found: Written, columns: MemberColumns) -> _Line:
     """Write a row: in the columns, or in one where all are alike, or who has what in words."""
     words = filled(row.words, row.pieces)
     of = dict(zip(row.members or ("",), found.texts, strict=False))
@@ -109,7 +109,7 @@ def _line(row: Row, found: Written, columns: MemberColumns) -> _Line:
     return _Line(row.name, (), "", f"{_by_name(row, found)}{gap}{words}")
 
 
-def _by_name(row: Row, found: Written) -> str:
+def _by_name(row: AnswerRow, found: Written) -> str:
     """Say who has what, or from what to what they go."""
     alike = places_of_equal(found.texts)
     each = ", ".join(
@@ -137,4 +137,4 @@ def _folded(line: _Line, names: int, each: int, shift: int, width: int) -> Itera
     else:
         start += " " * GAP
     for part in folded(start + line.words, width, indent=" " * min(indent, width // 2), at_hyphens=True):
-        yield Text(visible(part.replace(KEPT, " ")))
+        yield Text(visible(part))

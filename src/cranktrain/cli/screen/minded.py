@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from cranktrain.analysis import Result, sentences
-from cranktrain.cli.screen.amounts import KEPT, typeset
+from cranktrain.cli.screen.amounts import typeset
 from cranktrain.cli.screen.text import folded
 from cranktrain.grouping import grouped
 from cranktrain.language import _
@@ -46,5 +46,4 @@ def minded_lines(result: Result, width: int) -> Iterator[str]:
         lines = folded(said, width, _MARK, " " * len(_MARK))
         if len(lines) > _MOST_LINES:
             lines = folded(said, width, _MARK, " " * len(_MARK), at_most=_MOST_LINES)
-        for line in lines:
-            yield line.replace(KEPT, " ")
+        yield from lines

@@ -24,6 +24,9 @@ GAP = 2
 _WIDTH = 80
 """Where there is no terminal."""
 
+KEPT = "\N{NO-BREAK SPACE}"
+"""Stands where a line is not to be folded, as between a value and its unit, until it is."""
+
 _LEAST_FOLDED = 9
 """A cell is not folded narrower than this, however narrow the screen."""
 
@@ -92,7 +95,7 @@ def folded(
     -------
     list of str
     """
-    return _Wrapper(
+    lines = _Wrapper(
         width,
         initial_indent=begin,
         subsequent_indent=indent,
@@ -101,6 +104,7 @@ def folded(
         max_lines=at_most,
         placeholder=_(" … (--full)"),
     ).wrap(text)
+    return [line.replace(KEPT, " ") for line in lines]
 
 
 class _Wrapper(textwrap.TextWrapper):

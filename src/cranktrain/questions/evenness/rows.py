@@ -9,11 +9,11 @@ from cranktrain.questions.evenness.flywheel import FlywheelSize, RimSize
 from cranktrain.questions.evenness.load_curve import LoadTorque
 from cranktrain.questions.evenness.running_speed import RunningSpeed
 from cranktrain.questions.evenness.shaft_work import ShaftWork
-from cranktrain.rows import Amount, Row, Span, valued, worded
+from cranktrain.rows import Amount, AnswerRow, Range, valued, worded
 from cranktrain.wording import Names
 
 
-def running_rows(labels: Names, design: int, work: ShaftWork, running: RunningSpeed | None) -> Iterator[Row]:
+def running_rows(labels: Names, design: int, work: ShaftWork, running: RunningSpeed | None) -> Iterator[AnswerRow]:
     """Work that the flywheel takes up and gives back, and the speed that comes of it."""
     yield valued(_("excess work"), work.largest_excess_work[design], "J", (), _("within a cycle"))
     if running is not None:
@@ -22,12 +22,12 @@ def running_rows(labels: Names, design: int, work: ShaftWork, running: RunningSp
         yield worded(
             _("speed"),
             _("{speed}, δ = {fluctuation}"),
-            speed=Span(float(least), float(most), "rpm"),
+            speed=Range(float(least), float(most), "rpm"),
             fluctuation=fluctuation,
         )
 
 
-def load_rows(labels: Names, design: int, load: LoadTorque) -> Iterator[Row]:
+def load_rows(labels: Names, design: int, load: LoadTorque) -> Iterator[AnswerRow]:
     """The given load, with its factor where it was fitted to the machine."""
     factor = float(load.load_factor[design])
     if not np.isfinite(factor):
@@ -41,7 +41,7 @@ def load_rows(labels: Names, design: int, load: LoadTorque) -> Iterator[Row]:
     yield valued(_("load, on the mean"), load.mean[design], "N*m", words=said, **pieces)
 
 
-def flywheel_rows(labels: Names, design: int, found: FlywheelSize, rim: RimSize | None) -> Iterator[Row]:
+def flywheel_rows(labels: Names, design: int, found: FlywheelSize, rim: RimSize | None) -> Iterator[AnswerRow]:
     """The flywheel for the evenness that is wanted, exact and as others reckon it, and its rim."""
     size = float(found.flywheel_inertia[design, 0])
     name = _("flywheel for δ {wanted}").format(wanted=f"{float(found.wanted[design]):.4g}")

@@ -12,7 +12,7 @@ from cranktrain.questions.motion.rocker_load import LoadMotion
 from cranktrain.questions.motion.rockers import DeadPositions
 from cranktrain.questions.motion.rods import RodMotion
 from cranktrain.questions.motion.sorts import PISTON, SLIDER, VALVE
-from cranktrain.rows import Amount, Row, Span, valued, worded
+from cranktrain.rows import Amount, AnswerRow, Range, valued, worded
 from cranktrain.wording import Names, around_turn
 
 _ON_AXIS = np.radians(0.005)
@@ -23,7 +23,7 @@ _NEAR = 0.2
 
 def slider_rows(
     labels: Names, design: int, centres: DeadCentres, speeds: PistonSpeeds | None, rods: RodMotion | None
-) -> Iterator[Row]:
+) -> Iterator[AnswerRow]:
     """Strokes, dead centres and speeds: of pistons, of other sliders, of valves."""
     for sort in (PISTON, SLIDER, VALVE):
         own = np.flatnonzero(centres.sort == sort)
@@ -62,7 +62,7 @@ _TURNS = {
 """By whether it is a piston: words for where sliders turn back."""
 
 
-def _speed_rows(names: list[str], design: int, speeds: PistonSpeeds, own: np.ndarray, sort: int) -> Iterator[Row]:
+def _speed_rows(names: list[str], design: int, speeds: PistonSpeeds, own: np.ndarray, sort: int) -> Iterator[AnswerRow]:
     """Mean and largest speed, and largest acceleration of either sense; of a valve the largest speed."""
     fastest = speeds.largest_piston_speed.value[design, own]
     if sort == VALVE:
@@ -78,7 +78,7 @@ def _speed_rows(names: list[str], design: int, speeds: PistonSpeeds, own: np.nda
     yield valued(_("largest acceleration"), acceleration, "m/s^2", names)
 
 
-def rocker_rows(labels: Names, design: int, dead: DeadPositions, load: LoadMotion | None) -> Iterator[Row]:
+def rocker_rows(labels: Names, design: int, dead: DeadPositions, load: LoadMotion | None) -> Iterator[AnswerRow]:
     """Swing and dead positions of rockers, and the travel of what hangs on them."""
     names = labels["rocker"]
     least, most = dead.smallest_rocker_angle, dead.largest_rocker_angle
@@ -100,7 +100,7 @@ def rocker_rows(labels: Names, design: int, dead: DeadPositions, load: LoadMotio
     yield valued(_("time ratio"), dead.time_ratio[design], "1", names)
     if load is not None:
         yield valued(_("stroke of the load"), load.load_stroke[design], "m", names)
-        factor = Span(
+        factor = Range(
             float(np.nanmin(load.smallest_torque_factor[design])),
             float(np.nanmax(load.largest_torque_factor[design])),
             "m",
@@ -112,7 +112,7 @@ _FEW = 2
 """So many rockers have a line each."""
 
 
-def closing_rows(labels: Names, design: int, closing: Closing) -> Iterator[Row]:
+def closing_rows(labels: Names, design: int, closing: Closing) -> Iterator[AnswerRow]:
     """The least margin before links part, where it is a small one."""
     margins = closing.closing_margin[design]
     if np.all(np.isnan(margins)) or np.nanmin(margins) > _NEAR:

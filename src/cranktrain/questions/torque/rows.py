@@ -8,7 +8,7 @@ from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.questions.torque.orders import PhaseStarSums, TorqueOrders
 from cranktrain.questions.torque.torques import GearTorques, ShaftTorques
-from cranktrain.rows import Amount, Row, Span, worded
+from cranktrain.rows import Amount, AnswerRow, Range, worded
 from cranktrain.wording import Names
 
 _LITTLE = 1e-2
@@ -19,7 +19,7 @@ _NAMED = 4
 
 def torque_rows(
     labels: Names, design: int, torques: ShaftTorques, orders: TorqueOrders, stars: PhaseStarSums | None
-) -> Iterator[Row]:
+) -> Iterator[AnswerRow]:
     """Mean and range of the torque: what the machine gives, or what drives it; and its largest orders."""
     mean, most, least = float(torques.mean_torque[design]), torques.largest_torque, torques.smallest_torque
     if torques.is_none[design]:
@@ -27,7 +27,7 @@ def torque_rows(
         return
     low, high = (most, least) if mean < 0 else (least, most)
     sense = -1.0 if mean < 0 else 1.0
-    span = Span(
+    span = Range(
         sense * float(low.value[design]),
         sense * float(high.value[design]),
         "N*m",
@@ -43,7 +43,7 @@ def torque_rows(
     yield from () if stars is None else major_rows(labels, design, stars)
 
 
-def major_rows(labels: Names, design: int, stars: PhaseStarSums) -> Iterator[Row]:
+def major_rows(labels: Names, design: int, stars: PhaseStarSums) -> Iterator[AnswerRow]:
     """Orders in which all cylinders add up, where not all do."""
     major = [name for name, is_major in zip(labels["order"], stars.is_major[design], strict=True) if is_major]
     if major and len(major) < len(labels["order"]):
@@ -51,17 +51,17 @@ def major_rows(labels: Names, design: int, stars: PhaseStarSums) -> Iterator[Row
         yield worded(_("major orders"), "{orders}", orders=named)
 
 
-def star_rows(labels: Names, design: int, stars: PhaseStarSums, torques: ShaftTorques | None) -> Iterator[Row]:
+def star_rows(labels: Names, design: int, stars: PhaseStarSums, torques: ShaftTorques | None) -> Iterator[AnswerRow]:
     """Orders in which all cylinders add up, of a machine of which no torque is known."""
     if torques is None:
         yield from major_rows(labels, design, stars)
 
 
-def gear_rows(labels: Names, design: int, gear: GearTorques) -> Iterator[Row]:
+def gear_rows(labels: Names, design: int, gear: GearTorques) -> Iterator[AnswerRow]:
     """What each shaft passes to the main one, and its share of the work."""
     shares = gear.work_share[design]
     spans = {
-        shaft: Span(float(np.min(passed)), float(np.max(passed)), "N*m")
+        shaft: Range(float(np.min(passed)), float(np.max(passed)), "N*m")
         for shaft, passed, reversals in zip(
             labels["shaft"], gear.gear_torque[design], gear.gear_reversals[design], strict=True
         )
