@@ -27,7 +27,7 @@ class Amount:
 
 
 @record
-class Range:
+class Extent:
     """A range in words: from `least` to `most`, both as in `Amount`, with as many digits as tell them apart.
 
     positions: the angles where each stands, if that is to be said. [rad]
@@ -39,7 +39,7 @@ class Range:
     positions: tuple[float, float] | None = None
 
 
-Piece: TypeAlias = "Amount | Range | str"
+Piece: TypeAlias = "Amount | Extent | str"
 
 
 @record
@@ -60,7 +60,7 @@ class AnswerRow:
         Whose each value is; none of one value.
     words : str
         Behind the values, or instead of them; `{name}` stands for one of `pieces`.
-    pieces : mapping of str to Amount, Range or str
+    pieces : mapping of str to Amount, Extent or str
     """
 
     name: str

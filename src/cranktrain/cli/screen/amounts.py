@@ -11,7 +11,7 @@ from cranktrain.cli.screen.text import KEPT
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.quantities import shown
-from cranktrain.rows import Amount, Piece, Range
+from cranktrain.rows import Amount, Extent, Piece
 from cranktrain.wording import ABSENT, signless
 
 _FIGURES = 4
@@ -104,7 +104,7 @@ def filled(words: str, pieces: Mapping[str, Piece]) -> str:
     return words.format(**{name: _piece(one, beside) for name, one in pieces.items()})
 
 
-def _values(piece: Amount | Range) -> Array:
+def _values(piece: Amount | Extent) -> Array:
     return np.array([piece.value] if isinstance(piece, Amount) else [piece.least, piece.most])
 
 
@@ -112,7 +112,7 @@ def _piece(piece: Piece, beside: Mapping[str, float]) -> str:
     """Write what stands in words."""
     if isinstance(piece, str):
         return piece
-    is_span = isinstance(piece, Range)
+    is_span = isinstance(piece, Extent)
     found = written(_values(piece), piece.unit, apart=is_span and piece.positions is None, beside=beside[piece.unit])
     last = found.whole(found.texts[-1])
     if not is_span or (found.texts[0] == found.texts[-1] and piece.positions is None):

@@ -9,7 +9,7 @@ from cranktrain.questions.evenness.flywheel import FlywheelSize, RimSize
 from cranktrain.questions.evenness.load_curve import LoadTorque
 from cranktrain.questions.evenness.running_speed import RunningSpeed
 from cranktrain.questions.evenness.shaft_work import ShaftWork
-from cranktrain.rows import Amount, AnswerRow, Range, valued, worded
+from cranktrain.rows import Amount, AnswerRow, Extent, valued, worded
 from cranktrain.wording import Names
 
 
@@ -22,7 +22,7 @@ def running_rows(labels: Names, design: int, work: ShaftWork, running: RunningSp
         yield worded(
             _("speed"),
             _("{speed}, δ = {fluctuation}"),
-            speed=Range(float(least), float(most), "rpm"),
+            speed=Extent(float(least), float(most), "rpm"),
             fluctuation=fluctuation,
         )
 

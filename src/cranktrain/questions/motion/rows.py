@@ -12,7 +12,7 @@ from cranktrain.questions.motion.rocker_load import LoadMotion
 from cranktrain.questions.motion.rockers import DeadPositions
 from cranktrain.questions.motion.rods import RodMotion
 from cranktrain.questions.motion.sorts import PISTON, SLIDER, VALVE
-from cranktrain.rows import Amount, AnswerRow, Range, valued, worded
+from cranktrain.rows import Amount, AnswerRow, Extent, valued, worded
 from cranktrain.wording import Names, around_turn
 
 _ON_AXIS = np.radians(0.005)
@@ -100,7 +100,7 @@ def rocker_rows(labels: Names, design: int, dead: DeadPositions, load: LoadMotio
     yield valued(_("time ratio"), dead.time_ratio[design], "1", names)
     if load is not None:
         yield valued(_("stroke of the load"), load.load_stroke[design], "m", names)
-        factor = Range(
+        factor = Extent(
             float(np.nanmin(load.smallest_torque_factor[design])),
             float(np.nanmax(load.largest_torque_factor[design])),
             "m",

@@ -8,7 +8,7 @@ from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.questions.torque.orders import PhaseStarSums, TorqueOrders
 from cranktrain.questions.torque.torques import GearTorques, ShaftTorques
-from cranktrain.rows import Amount, AnswerRow, Range, worded
+from cranktrain.rows import Amount, AnswerRow, Extent, worded
 from cranktrain.wording import Names
 
 _LITTLE = 1e-2
@@ -27,7 +27,7 @@ def torque_rows(
         return
     low, high = (most, least) if mean < 0 else (least, most)
     sense = -1.0 if mean < 0 else 1.0
-    span = Range(
+    span = Extent(
         sense * float(low.value[design]),
         sense * float(high.value[design]),
         "N*m",
@@ -61,7 +61,7 @@ def gear_rows(labels: Names, design: int, gear: GearTorques) -> Iterator[AnswerR
     """What each shaft passes to the main one, and its share of the work."""
     shares = gear.work_share[design]
     spans = {
-        shaft: Range(float(np.min(passed)), float(np.max(passed)), "N*m")
+        shaft: Extent(float(np.min(passed)), float(np.max(passed)), "N*m")
         for shaft, passed, reversals in zip(
             labels["shaft"], gear.gear_torque[design], gear.gear_reversals[design], strict=True
         )
