@@ -159,7 +159,7 @@ class Result:
     def _rows(self, function: Callable[..., Iterable[AnswerRow]], design: int) -> Iterable[AnswerRow]:
         """Rows of one function; none where a result that it asks for is not there."""
         needs = needs_of(function)
-        found = {name: self.get(kind) for name, kind in needs.types.items()}
+        found: dict[str, object] = {name: self.get(kind) for name, kind in needs.types.items()}
         if any(outcome is None and name not in needs.optional for name, outcome in found.items()):
             return ()
         return function(self.labels, design, **found)

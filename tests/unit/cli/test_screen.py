@@ -39,11 +39,9 @@ def file_of(typed, name: str) -> str:
 
 def sentences(output: str) -> str:
     """What is said of the machine: without the table of results, whose names are not in words, and what it lacks."""
-    kept: list[str] = []
-    for part in re.split(r"\n\n(?=\S)", output):
-        if not part.startswith(("Results", "By each method", "Largest values", "Checks", "What this", "To learn")):
-            kept.append(re.sub(r"(?m)^Textbook.*|^.*\[steam-engine\].*", "", part))
-    return "\n\n".join(kept)
+    others = ("Results", "By each method", "Largest values", "Checks", "What this", "To learn")
+    parts = [part for part in re.split(r"\n\n(?=\S)", output) if not part.startswith(others)]
+    return re.sub(r"(?m)^Textbook.*|^.*\[steam-engine\].*", "", "\n\n".join(parts))
 
 
 @pytest.mark.parametrize("name", [*EXAMPLES, *(kind.name for kind in KINDS)])
@@ -81,6 +79,27 @@ def test_a_question_has_few_rows(question):
         for title, rows in ct.run(ct.load(name), step_degrees=5).rows():
             if title == question.title:
                 assert len(rows) <= TODAY.get(question.name, MOST_ROWS), name
+
+
+def test_all_questions_together_are_little_more_than_a_screen(typed, written):
+    text = (EXAMPLES_FOLDER / "r_1340.toml").read_text(encoding="utf-8")
+    answer = typed("run", str(written(text + EVERY_QUESTION)))
+    assert "Torsion" in answer.output and "its rim" in answer.output and "edge of a guide" in answer.output
+    assert len(answer.output.splitlines()) <= 60
+
+
+EVERY_QUESTION = """
+[evenness.rim]
+mean_diameter = "500 mm"
+[guide.piston]
+length = "60 mm"
+[torsion]
+throw_inertia = "0.1 kg·m²"
+[torsion.disc.propeller]
+inertia = "12 kg·m²"
+beside = 1
+stiffness = "1 MN·m/rad"
+"""
 
 
 def test_all_numbers_are_behind_one_option(typed):

@@ -159,7 +159,7 @@ _TYPESET = (
     (r"(?<![\w.)-])-(?=\d)", "−"),
     (r"\bN\*m\b", "N·m"),
     (r"\bkg\*m\^2\b", "kg·m²"),
-    (r"(?<=\d) m/s\^2", " m/s²"),
+    (r"/s\^2\b", "/s²"),
     (r"(?<=\d) (?=%|[a-zA-Z]+[/·²³]|[kM]?[NWJ]\b|bar\b|mm\b|m\b|L\b|rpm\b)", KEPT),
 )
 """Patterns of how sentences write units and signs, and what they are here."""

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from rich.text import Text
 
 from cranktrain.analysis import STAGES, Result
+from cranktrain.cli.screen.amounts import typeset
 from cranktrain.cli.screen.foot import foot_lines
 from cranktrain.cli.screen.groups import RowGroup, group_lines
 from cranktrain.cli.screen.minded import minded_lines
@@ -51,4 +52,4 @@ def _conditions(result: Result, width: int) -> Iterator[str]:
     stages = {stage.gives for stage in STAGES}
     for outcome in result.outcomes:
         if type(outcome) not in stages and (answer := getattr(outcome, "answer", None)) is not None:
-            yield from folded(answer(result.labels, 0), width)
+            yield from folded(typeset(answer(result.labels, 0)), width)

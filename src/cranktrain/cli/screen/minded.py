@@ -18,7 +18,7 @@ _MARK = "! "
 def minded(result: Result) -> list[str]:
     """Give sentences to mind; ranges of textbook forms stand with these."""
     book = result.get(TextbookMotion)
-    of_books = set() if book is None else set(book.flags)
+    of_books = () if book is None else book.flags
     failed = [
         _("A check does not hold: {sentence}").format(sentence=check.sentence)
         for check in result.checks

@@ -110,7 +110,7 @@ def folded(
 class _Wrapper(textwrap.TextWrapper):
     """Folds after any hyphen, where it may: Python's own has letters on both sides, and a firing order has not."""
 
-    wordsep_re = re.compile(r"(\s+|[^\s-]+-(?=\S))")
+    wordsep_re = re.compile(r"([ \t\n]+|[^ \t\n-]+-(?=[^ \t\n]))")
 
 
 def table(

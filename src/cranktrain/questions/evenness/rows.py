@@ -54,7 +54,7 @@ def flywheel_rows(labels: Names, design: int, found: FlywheelSize, rim: RimSize 
             size,
             "kg*m^2",
             (),
-            _(", Mertsalov {mertsalov}, books {textbook}"),
+            _(", Mertsalov {mertsalov}, textbooks {textbook}"),
             mertsalov=mertsalov,
             textbook=textbook,
         )

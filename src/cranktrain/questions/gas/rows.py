@@ -60,7 +60,7 @@ def compressor_rows(
         yield valued(_("suction pressure"), lines.suction_line_pressure[design], "Pa", chambers)
         yield valued(_("discharge pressure"), discharge, "Pa", chambers)
     else:
-        yield valued(_("discharge pressure"), discharge, "Pa", chambers, _("from {suction}"), suction=suction)
+        yield valued(_("discharge pressure"), discharge, "Pa", chambers, _(", suction {suction}"), suction=suction)
     part = lines.volumetric_efficiency[design]
     yield valued(_("takes in"), part, "%", chambers, _("of the swept volume"))
     if flow is not None:

@@ -31,6 +31,9 @@ def slider_rows(
             continue
         names = [labels["piston"][i] for i in own.tolist()]
         yield valued(_("valve travel") if sort == VALVE else _("stroke"), centres.stroke[design, own], "m", names)
+        if not np.any(np.isfinite(centres.stroke[design, own])):
+            yield worded(_("stroke"), _("none: the links do not close all round"))
+            continue
         shifts = (centres.top_shift[design, own], centres.bottom_shift[design, own])
         if any(np.any(np.abs(shift) > _ON_AXIS) for shift in shifts):
             words = _TURNS[sort == PISTON]
@@ -72,7 +75,7 @@ def _speed_rows(names: list[str], design: int, speeds: PistonSpeeds, own: np.nda
     mean, largest = words[sort]
     yield valued(mean, speeds.mean_piston_speed[design, own], "m/s", names)
     yield valued(largest, fastest, "m/s", names)
-    acceleration = np.fmax(
+    acceleration = np.maximum(
         speeds.largest_piston_acceleration.value[design, own], -speeds.smallest_piston_acceleration.value[design, own]
     )
     yield valued(_("largest acceleration"), acceleration, "m/s^2", names)

@@ -34,4 +34,4 @@ def critical_rows(labels: Names, design: int, found: CriticalSpeeds) -> Iterator
         _("{speed} (order {order})").format(speed=f"{{speed{place}}}", order=labels["order"][place]) for place in beside
     )
     speeds = {f"speed{place}": Amount(float(found.critical_speed[design, 0, place]), "rpm") for place in beside}
-    yield worded(_("critical near it"), words, **speeds)
+    yield worded(_("next critical speeds"), words, **speeds)
