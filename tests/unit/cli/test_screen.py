@@ -148,7 +148,8 @@ class TestAmounts:
             ([5.678e5], "Pa", ("5.678",), "bar"),
             ([666.6], "N", ("666.6",), "N"),
             ([71310.0], "N", ("71.31",), "kN"),
-            ([12.0, 71310.0], "N", ("0.01", "71.31"), "kN"),
+            ([12.0, 71310.0], "N", ("0.012", "71.31"), "kN"),
+            ([2.451, 19.632], "1", ("2.451", "19.63"), ""),
             ([-261e3], "W", ("−261.0",), "kW"),
             ([5e-5], "m^3", ("50.00",), "cm³"),
             ([17235.0], "m/s^2", ("17240",), "m/s²"),
@@ -171,7 +172,7 @@ class TestAmounts:
         speed = Extent(1497.5 * np.pi / 30, 1502.8 * np.pi / 30, "rpm")
         assert filled("{speed}", {"speed": speed}).replace("\xa0", " ") == "1497.5 to 1502.8 rpm"
         where = Extent(-581.6, 6256.0, "N*m", (1.0, 2.0))
-        assert filled("{it}", {"it": where}).replace("\xa0", " ") == "−582 at 57.3° to 6256 N·m at 114.6°"
+        assert filled("{it}", {"it": where}).replace("\xa0", " ") == "−581.6 at 57.3° to 6256 N·m at 114.6°"
 
     def test_values_in_words_have_one_unit(self):
         pieces = {"mean": Amount(9642.0, "N*m"), "most": Amount(10190.0, "N*m")}

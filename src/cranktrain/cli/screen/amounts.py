@@ -16,6 +16,8 @@ from cranktrain.wording import ABSENT, signless
 
 _FIGURES = 4
 _MOST_DECIMALS = 8
+_ROUNDING = 1e-9
+"""Of the largest value; what is less is nothing beside it."""
 
 
 class _Scale(NamedTuple):
@@ -71,7 +73,7 @@ class Written(NamedTuple):
 
 
 def written(values: Array, unit: str, *, apart: bool = False, beside: float = 0.0) -> Written:
-    """Write values of one quantity with as many decimals for all as give the largest four figures.
+    """Write values of one quantity with four figures each, but hardly more decimals than the largest has.
 
     Parameters
     ----------
@@ -87,12 +89,21 @@ def written(values: Array, unit: str, *, apart: bool = False, beside: float = 0.
     sizes = np.abs(values[np.isfinite(values)])
     most = float(np.max(sizes, initial=0.0))
     label = next((one.label for one in _SCALES[unit] if max(most, beside) >= one.least), _SCALES[unit][-1].label)
-    sized = np.asarray([_in(label, float(value)) for value in values])
-    decimals = _DECIMALS.get(unit, _decimals(abs(_in(label, most)), _FEW_FIGURES.get(unit, _FIGURES)))
+    sized = [_in(label, float(value)) for value in values]
+    figures = _FEW_FIGURES.get(unit, _FIGURES)
+    decimals = _DECIMALS.get(unit, _decimals(abs(_in(label, most)), figures))
+    own = [decimals] * len(sized)
     if apart and (differs := float(np.ptp(sized))) > 0:
-        decimals = max(decimals, 1 - floor(log10(differs)))
+        own = [max(decimals, 1 - floor(log10(differs)))] * len(sized)
+    elif unit not in _DECIMALS:
+        least = _ROUNDING * abs(_in(label, most))
+        own = [
+            min(max(decimals, _decimals(abs(one), figures)), decimals + 1) if abs(one) > least else decimals
+            for one in sized
+        ]
     sign = "+" if unit == "off" else ""
-    return Written(tuple(_text(value, min(decimals, _MOST_DECIMALS), sign) for value in sized.tolist()), label)
+    texts = (_text(one, min(of, _MOST_DECIMALS), sign) for one, of in zip(sized, own, strict=True))
+    return Written(tuple(texts), label)
 
 
 def filled(words: str, pieces: Mapping[str, Piece]) -> str:
@@ -131,7 +142,7 @@ def _in(label: str, si: float) -> float:
 
 def _decimals(size: float, figures: int) -> int:
     """How many decimals so many figures take; less than none where there are more before the point."""
-    return figures - 1 - floor(log10(float(f"{size:.{figures - 1}e}"))) if size > 0 else 0
+    return figures - 1 - floor(log10(float(f"{size:.{figures - 1}e}"))) if 0 < size < np.inf else 0
 
 
 def _text(value: float, decimals: int, sign: str = "") -> str:

@@ -10,7 +10,7 @@ from rich.text import Text
 from cranktrain.cli.screen.amounts import Written, filled, written
 from cranktrain.cli.screen.columns_of_members import MemberColumns, member_columns, name_of
 from cranktrain.cli.screen.text import GAP, INDENT, folded
-from cranktrain.grouping import places_of_equal
+from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.one_line import visible
 from cranktrain.rows import AnswerRow
@@ -102,19 +102,25 @@ def _line(row: AnswerRow, found: Written, columns: MemberColumns) -> _Line:
     different = dict.fromkeys(found.texts)
     if len(different) <= 1:
         return _Line(row.name, tuple(different), found.label, words)
-    for chosen in (columns.first, columns.names):
-        if chosen and set(chosen) <= set(of):
-            return _Line(row.name, tuple(of[member] for member in chosen), found.label, words)
+    by_name = {name_of(members, row.members): text for text, members in _holders(row, found).items()}
+    for chosen, texts in ((columns.first, of), (columns.names, by_name)):
+        if chosen and set(chosen) <= set(texts):
+            return _Line(row.name, tuple(texts[one] for one in chosen), found.label, words)
     gap = "" if words[:1] in ("", ",", ";") else " "
     return _Line(row.name, (), "", f"{_by_name(row, found)}{gap}{words}")
 
 
+def _holders(row: AnswerRow, found: Written) -> dict[str, list[str]]:
+    """Members by what is written of them."""
+    return grouped(zip(found.texts, row.members, strict=True))
+
+
 def _by_name(row: AnswerRow, found: Written) -> str:
     """Say who has what, or from what to what they go."""
-    alike = places_of_equal(found.texts)
+    alike = _holders(row, found)
     each = ", ".join(
-        _("{value} ({who})").format(value=found.whole(text), who=name_of([row.members[i] for i in places], row.members))
-        for text, places in alike.items()
+        _("{value} ({who})").format(value=found.whole(text), who=name_of(members, row.members))
+        for text, members in alike.items()
         if text != ABSENT
     )
     if len(alike) <= _NAMED and len(each) <= _LONGEST:

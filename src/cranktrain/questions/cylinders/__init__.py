@@ -47,7 +47,7 @@ QUESTION = Question(
         rows.firing_rows,
     ),
     offers={
-        "compression_ratio": N_("volumes over the cycle"),
+        "compression_ratio": N_("volumes"),
     },
     uses=(
         Use(keys("cylinder", "compression_ratio"), (volumes.ChamberVolumes,)),

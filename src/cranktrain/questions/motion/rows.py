@@ -81,34 +81,32 @@ def _speed_rows(names: list[str], design: int, speeds: PistonSpeeds, own: np.nda
     yield valued(_("largest acceleration"), acceleration, "m/s^2", names)
 
 
-def rocker_rows(labels: Names, design: int, dead: DeadPositions, load: LoadMotion | None) -> Iterator[AnswerRow]:
+def rocker_rows(
+    labels: Names, design: int, dead: DeadPositions, load: LoadMotion | None, closing: Closing | None
+) -> Iterator[AnswerRow]:
     """Swing and dead positions of rockers, and the travel of what hangs on them."""
     names = labels["rocker"]
-    least, most = dead.smallest_rocker_angle, dead.largest_rocker_angle
-    ends = ""
-    pieces = {}
-    if len(names) == 1:
-        ends = _(", from {least} to {most}")
-        pieces = {
-            "least": Amount(float(least.value[design, 0]), "rad"),
-            "most": Amount(float(most.value[design, 0]), "rad"),
-        }
-    yield valued(_("swing of the rocker"), dead.swing[design], "rad", names, ends, **pieces)
-    for i, name in enumerate(names if len(names) <= _FEW else ()):
-        first, second = around_turn(np.array([least.angle[design, i], most.angle[design, i]])).tolist()
-        said = _("{first} and {second} of the crank") if len(names) == 1 else _("{first} and {second} ({name})")
-        yield worded(
-            _("dead positions"), said, first=Amount(first, "position"), second=Amount(second, "position"), name=name
-        )
+    if closing is not None and np.all(np.isnan(dead.swing[design])) and np.all(closing.closing_margin[design] > 0):
+        yield worded(_("rocker"), _("turns all round"))
+        return
+    lowest, highest = dead.smallest_rocker_angle.value[design], dead.largest_rocker_angle.value[design]
+    ends = {"least": Amount(float(lowest[0]), "rad"), "most": Amount(float(highest[0]), "rad")}
+    words = _(", from {least} to {most}") if len(names) == 1 else ""
+    yield valued(_("swing of the rocker"), dead.swing[design], "rad", names, words, **ends)
+    least, most = dead.smallest_rocker_angle.angle[design], dead.largest_rocker_angle.angle[design]
+    for name, *angles in zip(names[:_FEW], least, most, strict=False):
+        first, second = (Amount(float(one), "position") for one in around_turn(np.array(angles)))
+        said = _("{first} and {second} of the crank") if len(names) == 1 else _("{first} and {second} ({rocker})")
+        yield worded(_("dead positions"), said, first=first, second=second, rocker=name)
     yield valued(_("time ratio"), dead.time_ratio[design], "1", names)
     if load is not None:
+        factors = load.smallest_torque_factor[design], load.largest_torque_factor[design]
         yield valued(_("stroke of the load"), load.load_stroke[design], "m", names)
-        factor = Extent(
-            float(np.nanmin(load.smallest_torque_factor[design])),
-            float(np.nanmax(load.largest_torque_factor[design])),
-            "m",
+        yield worded(
+            _("torque factor"),
+            "{factor}",
+            factor=Extent(float(np.nanmin(factors[0])), float(np.nanmax(factors[1])), "m"),
         )
-        yield worded(_("torque factor"), "{factor}", factor=factor)
 
 
 _FEW = 2
