@@ -9,6 +9,9 @@ import numpy as np
 from cranktrain.motion import Array
 from cranktrain.record import record
 
+_SAME = 1e-6
+"""Values are one where they differ by less than this part of the largest."""
+
 
 @record
 class Amount:
@@ -96,7 +99,3 @@ def alike(values: Array, unit: str) -> Amount | None:
     if known.size == 0 or np.ptp(known) > _SAME * max(float(np.max(np.abs(known))), _SAME):
         return None
     return Amount(float(known[0]), unit)
-
-
-_SAME = 1e-6
-"""Values are one where they differ by less than this part of the largest."""

@@ -1,11 +1,13 @@
 """The answer on one screen: how long and wide, in which words, and how rows become columns."""
 
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import cranktrain as ct
+from cranktrain import cli
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.cli.screen.amounts import filled, typeset, written
 from cranktrain.cli.screen.columns_of_members import member_columns, name_of
@@ -71,6 +73,17 @@ def test_every_example_is_an_engine_or_none():
     with_firing = {name for name in EXAMPLES if ct.load(name).cylinder.cycle or "locomotive" in ct.load(name).name}
     steam = {"great_northern", "lms_class5", "traction_engine", "m_503"}  # of the last no firing order is known
     assert sorted(with_firing | steam) == sorted(set(EXAMPLES) - {*DRIVEN, *WITHOUT_CYLINDERS})
+
+
+def test_the_screen_knows_no_question():
+    """It asks of firing alone, whether a machine has strokes to a cycle: a new question changes nothing here."""
+    screen = Path(cli.__file__).parent / "screen"
+    named = {
+        name
+        for path in screen.glob("*.py")
+        for name in re.findall(r"cranktrain\.questions\.[\w.]+", path.read_text("utf-8"))
+    }
+    assert named == {"cranktrain.questions.cylinders.firing"}
 
 
 @pytest.mark.parametrize("question", QUESTIONS, ids=lambda question: question.name)

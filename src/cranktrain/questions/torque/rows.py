@@ -58,25 +58,18 @@ def star_rows(labels: Names, design: int, stars: PhaseStarSums, torques: ShaftTo
 
 
 def gear_rows(labels: Names, design: int, gear: GearTorques) -> Iterator[AnswerRow]:
-    """What each shaft passes to the main one, and its share of the work."""
-    shares = gear.work_share[design]
-    spans = {
-        shaft: Extent(float(np.min(passed)), float(np.max(passed)), "N*m")
-        for shaft, passed, reversals in zip(
-            labels["shaft"], gear.gear_torque[design], gear.gear_reversals[design], strict=True
-        )
-        if not np.isnan(reversals)
+    """What each shaft passes to the main one, and its share of the work; shafts that pass alike together."""
+    shafts, reversals, shares = labels["shaft"], gear.gear_reversals[design], gear.work_share[design]
+    passed = {
+        i: Extent(float(np.min(torque)), float(np.max(torque)), "N*m")
+        for i, torque in enumerate(gear.gear_torque[design])
+        if not np.isnan(reversals[i])
     }
-    alike = grouped(((f"{span.least:.6g} {span.most:.6g}"), shaft) for shaft, span in spans.items())
-    for shafts in alike.values():
-        place = list(labels["shaft"]).index(shafts[0])
-        n = gear.gear_reversals[design, place]
-        yield worded(
-            _("gear from {shafts}").format(shafts=", ".join(shafts)),
-            _("{passed}, {share} of the work")
-            if n == 0
-            else _("{passed}, {share} of the work, reversing {n} times a cycle"),
-            passed=spans[shafts[0]],
-            share=Amount(float(shares[place]), "%"),
-            n=f"{n:.0f}",
-        )
+    same = grouped((f"{one.least:.6g} to {one.most:.6g}", i) for i, one in passed.items())
+    for first, *others in same.values():
+        said = "{passed}" if np.isnan(shares[first]) else _("{passed}, {share} of the work")
+        if reversals[first]:
+            said = _("{said}, reversing {n} times a cycle").format(said=said, n=f"{reversals[first]:.0f}")
+        share = {} if np.isnan(shares[first]) else {"share": Amount(float(shares[first]), "%")}
+        name = _("gear from {shafts}").format(shafts=", ".join(shafts[i] for i in (first, *others)))
+        yield worded(name, said, passed=passed[first], **share)
