@@ -1,7 +1,7 @@
 """Values on the one screen: which unit a quantity is shown in, with how many digits. Here alone a unit is chosen."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import floor, log10
 from typing import NamedTuple
 
@@ -90,20 +90,21 @@ def written(values: Array, unit: str, *, apart: bool = False, beside: float = 0.
     most = float(np.max(sizes, initial=0.0))
     label = next((one.label for one in _SCALES[unit] if max(most, beside) >= one.least), _SCALES[unit][-1].label)
     sized = [_in(label, float(value)) for value in values]
-    figures = _FEW_FIGURES.get(unit, _FIGURES)
-    decimals = _DECIMALS.get(unit, _decimals(abs(_in(label, most)), figures))
-    own = [decimals] * len(sized)
-    if apart and (differs := float(np.ptp(sized))) > 0:
-        own = [max(decimals, 1 - floor(log10(differs)))] * len(sized)
-    elif unit not in _DECIMALS:
-        least = _ROUNDING * abs(_in(label, most))
-        own = [
-            min(max(decimals, _decimals(abs(one), figures)), decimals + 1) if abs(one) > least else decimals
-            for one in sized
-        ]
+    decimals = _decimals_of(sized, abs(_in(label, most)), unit, apart=apart)
     sign = "+" if unit == "off" else ""
-    texts = (_text(one, min(of, _MOST_DECIMALS), sign) for one, of in zip(sized, own, strict=True))
-    return Written(tuple(texts), label)
+    return Written(tuple(_text(*one, sign) for one in zip(sized, decimals, strict=True)), label)
+
+
+def _decimals_of(sized: Sequence[float], most: float, unit: str, *, apart: bool) -> list[int]:
+    """How many decimals each of some values has, the largest of which is `most`; what is rounding beside it has its."""
+    figures = _FEW_FIGURES.get(unit, _FIGURES)
+    usual = _DECIMALS.get(unit, _decimals(most, figures))
+    differs = float(np.ptp(sized)) if apart else 0.0
+    needed = max(usual, 1 - floor(log10(differs))) if differs > 0 else usual
+    if unit in _DECIMALS:
+        return [needed] * len(sized)
+    own = [_decimals(abs(one), figures) if abs(one) > _ROUNDING * most else usual for one in sized]
+    return [min(max(needed, min(one, usual + 1)), _MOST_DECIMALS) for one in own]
 
 
 def filled(words: str, pieces: Mapping[str, Piece]) -> str:
@@ -145,7 +146,7 @@ def _decimals(size: float, figures: int) -> int:
     return figures - 1 - floor(log10(float(f"{size:.{figures - 1}e}"))) if 0 < size < np.inf else 0
 
 
-def _text(value: float, decimals: int, sign: str = "") -> str:
+def _text(value: float, decimals: int, sign: str) -> str:
     """Write a number, with a minus sign that is one."""
     if not np.isfinite(value):
         return ABSENT

@@ -13,6 +13,7 @@ from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, Extremes, derivatives_residual, extremes
 from cranktrain.numerics.tops import chosen
 from cranktrain.questions.motion.dead_centres import DeadCentres, PistonGrid, PistonTurn, slider_motion
+from cranktrain.questions.motion.sorts import PISTON, SLIDER
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_SLIDER_CRANKS as _THEORY
 from cranktrain.wording import Names, by_sort, shared
@@ -61,6 +62,9 @@ def _derivatives_check(turn: PistonTurn) -> Check:
 # are 32 m/s, for four seconds.
 _MEAN_SPEED = Limit(
     30.0, "m/s", N_("A mean piston speed of {value} is more than any piston bears: are speed and stroke right?")
+)
+_SLIDER_SPEED = Limit(
+    _MEAN_SPEED.most, "m/s", N_("A mean speed of {value} is more than sliders bear: are speed and stroke right?")
 )
 
 
@@ -166,7 +170,10 @@ def piston_speeds(
         smallest_piston_velocity=slowest,
         largest_piston_acceleration=most,
         smallest_piston_acceleration=least,
-        flags=tuple(flagged(_MEAN_SPEED, mean_speed[:, ~pistons.is_valve])),
+        flags=(
+            *flagged(_MEAN_SPEED, mean_speed[:, dead_centres.sort == PISTON]),
+            *flagged(_SLIDER_SPEED, mean_speed[:, dead_centres.sort == SLIDER]),
+        ),
     )
 
 
