@@ -13,8 +13,8 @@ from cranktrain.questions.motion.sorts import InCylinders
 
 def _parts(designs: Designs, known: Parts) -> Iterator[object | None]:
     yield from parts(designs, known)
-    declared = designs.tables(spec.CylindersSpec)
-    yield InCylinders() if any(one.model_fields_set for one in declared) else None
+    declared = designs.together.table(spec.CylindersSpec)
+    yield InCylinders() if declared is not None and declared.model_fields_set else None
 
 
 QUESTION = Question(
@@ -50,7 +50,7 @@ QUESTION = Question(
         "compression_ratio": N_("volumes"),
     },
     uses=(
-        Use(keys("cylinder", "compression_ratio"), (volumes.ChamberVolumes,)),
+        Use(keys("cylinder", "compression_ratio", "clearance"), (volumes.ChamberVolumes,)),
         Use(keys("cylinder", "chambers", "piston_rod"), (volumes.SweptVolumes,)),
         Use(keys("cylinder", "exhaust_port", "scavenge_port"), (ports.PortTiming,)),
         Use(keys("cylinder", "firing_order", "numbers"), (firing.Firing,)),

@@ -10,6 +10,8 @@ from cranktrain.motion import Array
 from cranktrain.plans.constructions import Construction, Method, construction
 from cranktrain.plans.positions import fitting
 from cranktrain.plans.vectors import angle_of
+from cranktrain.textbook.largest_errors import errors_by_ratio
+from cranktrain.textbook.percents import percent
 from cranktrain.viz.figures import figure, rounded
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels
@@ -193,13 +195,24 @@ def _notes(found: Construction) -> Iterator[str]:
     if found.method.startswith("brix"):
         distance = f"OP = λR/2 = {figure(-1e3 * found.pole)} mm"
         yield _("{distance}, away from the cylinder").format(distance=distance)
-    limits = found.limits
-    if limits is not None:
-        is_outside = limits.outside(found.geometry.crank_radius / found.geometry.rod_length, found.geometry.offset)
-        verdict = _("outside, {ratio}") if is_outside else _("inside, {ratio}")
-        yield _("Range of the source: {condition}.").format(condition=_(limits.condition))
-        yield _("This mechanism: {verdict} [{source}].").format(
-            verdict=verdict.format(ratio=f"λ = {found.ratio:.4g}"), source=limits.source
-        )
+    yield from _range(found)
     yield _("φ from where the crank points along the cylinder, S from the top;")
     yield _("drawn in the mechanism's own axes, the shaft at the left.")
+
+
+def _range(found: Construction) -> Iterator[str]:
+    """The source's range, whether this mechanism is inside, and how exact Brix's construction is beside (333)."""
+    limits = found.limits
+    if limits is None:
+        return
+    reasons = list(limits.reasons(found.ratio, float(found.geometry.offset)))
+    yield _("Range of the source: {condition} [{source}].").format(condition=_(limits.condition), source=limits.source)
+    for reason in reasons:
+        yield _("This mechanism is outside: {reason}.").format(reason=reason)
+    if not reasons:
+        yield _("This mechanism is inside, λ = {ratio:.4g}.").format(ratio=found.ratio)
+    if found.method == "brix" and found.geometry.offset == 0:
+        errors = (errors_by_ratio(method, found.ratio).displacement.value for method in ("brix", "two_harmonics"))
+        said = [f"{percent(float(error))} %" for error in errors]
+        yield _("Less exact than (333): off by {brix} of the stroke,").format(brix=said[0])
+        yield _("not {harmonics}; arcs are exact.").format(harmonics=said[1])
