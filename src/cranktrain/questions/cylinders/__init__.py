@@ -13,7 +13,7 @@ from cranktrain.questions.motion.sorts import InCylinders
 
 def _parts(designs: Designs, known: Parts) -> Iterator[object | None]:
     yield from parts(designs, known)
-    declared = designs.together.table(spec.CylindersSpec)
+    declared = designs.each[0].table(spec.CylindersSpec)  # together they say every field
     yield InCylinders() if declared is not None and declared.model_fields_set else None
 
 
