@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from cranktrain import __version__
+from cranktrain.cli.comparing import add_compare
 from cranktrain.cli.naming_pictures import NamingPictures
 from cranktrain.cli.optional_source import OptionalSource
 from cranktrain.cli.options import (
@@ -24,6 +24,7 @@ from cranktrain.cli.options import (
 )
 from cranktrain.cli.task import Task, put_off, task_of
 from cranktrain.language import _
+from cranktrain.version import VERSION
 
 # Typer's own handlers would swallow Ctrl-C and closed pipes, so that nothing runs before it has returned; its Rich help
 # costs as much time as a run.
@@ -42,7 +43,7 @@ def task(arguments: Sequence[str]) -> Task:
 
 def _version(asked: bool) -> None:
     if asked:
-        typer.echo(f"cranktrain {__version__}")
+        typer.echo(f"cranktrain {VERSION}")
         raise typer.Exit
 
 
@@ -177,6 +178,9 @@ def _run(
         force=force,
     )
     show_run(request, Shown(full=full, checks=checks, inputs=inputs, missing=missing))
+
+
+add_compare(_app)
 
 
 @_app.command(
