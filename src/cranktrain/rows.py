@@ -22,7 +22,7 @@ class Amount:
     value : float
         In SI; a speed of rotation, a frequency and an angle in radians.
     unit : str
-        As in `AnswerRow`.
+        As in `AnswerLine`.
     """
 
     value: float
@@ -46,7 +46,7 @@ Piece: TypeAlias = "Amount | Extent | str"
 
 
 @record
-class AnswerRow:
+class AnswerLine:
     """One line of the answer.
 
     Attributes
@@ -83,14 +83,14 @@ class AnswerRow:
 
 def valued(
     name: str, values: Array | float, unit: str, members: Sequence[str] = (), words: str = "", /, **pieces: Piece
-) -> AnswerRow:
+) -> AnswerLine:
     """Give a row of values, with words behind them."""
-    return AnswerRow(name, np.atleast_1d(np.asarray(values, dtype=float)), unit, tuple(members), words, pieces)
+    return AnswerLine(name, np.atleast_1d(np.asarray(values, dtype=float)), unit, tuple(members), words, pieces)
 
 
-def worded(name: str, words: str, /, **pieces: Piece) -> AnswerRow:
+def worded(name: str, words: str, /, **pieces: Piece) -> AnswerLine:
     """Give a row of words alone."""
-    return AnswerRow(name, words=words, pieces=pieces)
+    return AnswerLine(name, words=words, pieces=pieces)
 
 
 def alike(values: Array, unit: str) -> Amount | None:

@@ -21,7 +21,7 @@ from cranktrain.mechanisms import KINDS
 from cranktrain.motion import Array
 from cranktrain.quantities import shown
 from cranktrain.record import record
-from cranktrain.rows import AnswerRow
+from cranktrain.rows import AnswerLine
 
 if TYPE_CHECKING:
     import xarray
@@ -165,7 +165,7 @@ class Result:
         """Warnings of the stages: a textbook form outside its source's range, and the like."""
         return (*self.coarse, *(flag for outcome in self.outcomes for flag in getattr(outcome, "flags", ())))
 
-    def rows(self, design: int = 0) -> Iterator[tuple[str, list[AnswerRow]]]:
+    def rows(self, design: int = 0) -> Iterator[tuple[str, list[AnswerLine]]]:
         """Give the lines of the answer for one design: question by question its title and rows, if it has any.
 
         What kinds of mechanisms have of their own stands with the first question.
@@ -177,7 +177,7 @@ class Result:
             if rows:
                 yield _(question.title), rows
 
-    def _rows(self, function: Callable[..., Iterable[AnswerRow]], design: int) -> Iterable[AnswerRow]:
+    def _rows(self, function: Callable[..., Iterable[AnswerLine]], design: int) -> Iterable[AnswerLine]:
         """Rows of one function; none where a result that it asks for is not there."""
         needs = needs_of(function)
         found: dict[str, object] = {name: self.get(kind) for name, kind in needs.types.items()}

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple, TypeAlias, get_args, get_type_hints
 from cranktrain.errors import Problem
 from cranktrain.layout.design import Design, Designs
 from cranktrain.record import record
-from cranktrain.rows import AnswerRow
+from cranktrain.rows import AnswerLine
 
 Parts: TypeAlias = dict[type, object]
 """What machines declare, as SI arrays with a leading design axis: one object of each type."""
@@ -174,7 +174,7 @@ class Question:
     dimensions: tuple[ResultDimension, ...] = ()
     headline: tuple[str, ...] = ()
     title: str = ""
-    rows: tuple[Callable[..., Iterable[AnswerRow]], ...] = ()
+    rows: tuple[Callable[..., Iterable[AnswerLine]], ...] = ()
     offers: Mapping[str, str] = field(default_factory=dict[str, str])
     uses: tuple[Use, ...] = ()
     files: tuple[TableFile, ...] = ()

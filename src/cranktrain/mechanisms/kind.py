@@ -13,7 +13,7 @@ from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
 from cranktrain.record import record
-from cranktrain.rows import AnswerRow
+from cranktrain.rows import AnswerLine
 
 Motion = TypeVar("Motion", bound=tuple[object, ...])
 
@@ -131,7 +131,7 @@ class Kind(Generic[Motion, Geometry]):
     least_gap: Callable[[Geometry], Extreme] | None = None
     openings: Callable[[Geometry], Openings] | None = None
     has_chambers: bool = True
-    rows: tuple[Callable[..., Iterable[AnswerRow]], ...] = ()
+    rows: tuple[Callable[..., Iterable[AnswerLine]], ...] = ()
 
     @property
     def followed_links(self) -> tuple[str, ...]:

@@ -15,7 +15,7 @@ from cranktrain.cli.screen.groups import RowGroup, group_lines
 from cranktrain.cli.screen.minded import joined
 from cranktrain.io.examples import EXAMPLES_FOLDER
 from cranktrain.mechanisms import KINDS
-from cranktrain.rows import Amount, AnswerRow, Extent, valued, worded
+from cranktrain.rows import Amount, AnswerLine, Extent, valued, worded
 
 EXAMPLES = sorted(path.stem for path in EXAMPLES_FOLDER.glob("*.toml"))
 MOST_LINES, MOST_ROWS = 45, 5
@@ -221,7 +221,7 @@ class TestColumns:
 
 
 class TestGroups:
-    def lines(self, *rows: AnswerRow, width: int = 80) -> list[str]:
+    def lines(self, *rows: AnswerLine, width: int = 80) -> list[str]:
         return [line.plain for line in group_lines([RowGroup("Motion", rows)], width)]
 
     def test_alike_members_share_a_value(self):

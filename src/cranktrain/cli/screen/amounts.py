@@ -49,7 +49,7 @@ _SCALES: Mapping[str, tuple[_Scale, ...]] = {
     "off": (_Scale("%"),),
     "1": (_Scale(""),),
 }
-"""Units by what is to be shown, as `AnswerRow` names it, the largest first."""
+"""Units by what is to be shown, as `AnswerLine` names it, the largest first."""
 
 _FACTORS = {"": 1.0, "%": 100.0, "Hz": 1 / (2 * np.pi), "m³/h": 3600.0, "kW": 1e-3, "W": 1.0, "kN·m": 1e-3}
 """Units that no machine file has, and how many of them one in SI is."""
@@ -80,7 +80,7 @@ def written(values: Array, unit: str, *, apart: bool = False, beside: float = 0.
     values : Array, shape (n,)
         In SI. What is not finite is absent.
     unit : str
-        As `AnswerRow` has it.
+        As `AnswerLine` has it.
     apart : bool
         Whether there are to be digits enough to tell them apart.
     beside : float

@@ -13,7 +13,7 @@ from cranktrain.cli.screen.text import GAP, INDENT, folded
 from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.one_line import visible
-from cranktrain.rows import AnswerRow
+from cranktrain.rows import AnswerLine
 from cranktrain.wording import ABSENT
 
 _WIDEST = 9
@@ -26,7 +26,7 @@ class RowGroup(NamedTuple):
     """Rows of one question under its title."""
 
     title: str
-    rows: Sequence[AnswerRow]
+    rows: Sequence[AnswerLine]
 
 
 class _Line(NamedTuple):
@@ -95,7 +95,7 @@ def _laid(group: RowGroup) -> _Lines:
     )
 
 
-def _line(row: AnswerRow, found: Written, columns: MemberColumns) -> _Line:
+def _line(row: AnswerLine, found: Written, columns: MemberColumns) -> _Line:
     """Write a row: in the columns, or in one where all are alike, or who has what in words."""
     words = filled(row.words, row.pieces)
     of = dict(zip(row.members or ("",), found.texts, strict=False))
@@ -110,12 +110,12 @@ def _line(row: AnswerRow, found: Written, columns: MemberColumns) -> _Line:
     return _Line(row.name, (), "", f"{_by_name(row, found)}{gap}{words}")
 
 
-def _holders(row: AnswerRow, found: Written) -> dict[str, list[str]]:
+def _holders(row: AnswerLine, found: Written) -> dict[str, list[str]]:
     """Members by what is written of them."""
     return grouped(zip(found.texts, row.members, strict=True))
 
 
-def _by_name(row: AnswerRow, found: Written) -> str:
+def _by_name(row: AnswerLine, found: Written) -> str:
     """Say who has what, or from what to what they go."""
     alike = _holders(row, found)
     each = ", ".join(

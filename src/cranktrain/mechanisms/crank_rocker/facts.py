@@ -13,7 +13,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics import extremes
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
-from cranktrain.rows import Amount, AnswerRow, valued, worded
+from cranktrain.rows import Amount, AnswerLine, valued, worded
 from cranktrain.wording import Names, shared
 
 _LINKAGE = ("crank_rocker",)
@@ -82,7 +82,7 @@ def transmission(linkages: CrankRockers) -> Transmission:
     )
 
 
-def transmission_rows(labels: Names, design: int, found: Transmission) -> Iterator[AnswerRow]:
+def transmission_rows(labels: Names, design: int, found: Transmission) -> Iterator[AnswerLine]:
     """Say the least transmission angle, and the class where it is none with a crank and a rocker."""
     least = found.smallest_transmission_angle[design]
     yield valued(

@@ -6,7 +6,7 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.questions.balance.shaken import Shaken
 from cranktrain.questions.balance.shaking import ShakingCouples, ShakingForces
-from cranktrain.rows import Amount, AnswerRow, worded
+from cranktrain.rows import Amount, AnswerLine, worded
 from cranktrain.wording import Names
 
 _NOTHING = 1e-6
@@ -15,13 +15,13 @@ _LITTLE = 1e-2
 """Orders that are less than this part of the largest are not named."""
 
 
-def force_rows(labels: Names, design: int, forces: ShakingForces) -> Iterator[AnswerRow]:
+def force_rows(labels: Names, design: int, forces: ShakingForces) -> Iterator[AnswerLine]:
     """Orders of the shaking force."""
     names = (_("shaking force"), _("left with [balance]"))
     return _by_order(labels, design, forces, forces.shaking_force_largest, "N", names)
 
 
-def couple_rows(labels: Names, design: int, couples: ShakingCouples) -> Iterator[AnswerRow]:
+def couple_rows(labels: Names, design: int, couples: ShakingCouples) -> Iterator[AnswerLine]:
     """Orders of the shaking couple."""
     names = (_("shaking couple"), _("left with [balance]"))
     return _by_order(labels, design, couples, couples.shaking_couple_largest, "N*m", names)
@@ -29,7 +29,7 @@ def couple_rows(labels: Names, design: int, couples: ShakingCouples) -> Iterator
 
 def _by_order(
     labels: Names, design: int, found: Shaken, largest: Array, unit: str, names: tuple[str, str]
-) -> Iterator[AnswerRow]:
+) -> Iterator[AnswerLine]:
     """Largest orders, without weights and, where there are any, with them."""
     least = _NOTHING * float(found.gross[design])
     sizes = [

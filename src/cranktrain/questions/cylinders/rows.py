@@ -9,7 +9,7 @@ from cranktrain.questions.cylinders.firing import Firing
 from cranktrain.questions.cylinders.opposed import VolumetricDeadCentres
 from cranktrain.questions.cylinders.ports import EffectiveCompression, PortTiming
 from cranktrain.questions.cylinders.volumes import ChamberVolumes, SweptVolumes
-from cranktrain.rows import Amount, AnswerRow, Piece, alike, valued, worded
+from cranktrain.rows import Amount, AnswerLine, Piece, alike, valued, worded
 from cranktrain.wording import Names
 
 _SAME = 1e-9
@@ -22,7 +22,7 @@ def volume_rows(
     swept: SweptVolumes,
     chambers: ChamberVolumes | None,
     effective: EffectiveCompression | None,
-) -> Iterator[AnswerRow]:
+) -> Iterator[AnswerLine]:
     """Swept volume, by bank or in all, and the compression ratios."""
     total = Amount(float(swept.displacement[design]), "m^3")
     each = alike(swept.swept_volume[design], "m^3")
@@ -46,7 +46,7 @@ def volume_rows(
         yield valued(_("ratio from the last port"), ratio, "1", labels["chamber"])
 
 
-def opposed_rows(labels: Names, design: int, found: VolumetricDeadCentres) -> Iterator[AnswerRow]:
+def opposed_rows(labels: Names, design: int, found: VolumetricDeadCentres) -> Iterator[AnswerLine]:
     """Lead of the exhaust crank, where the volume is least, and by how much both pistons part."""
     cylinders = labels["cylinder"]
     lead = found.lead[design]
@@ -63,7 +63,7 @@ def opposed_rows(labels: Names, design: int, found: VolumetricDeadCentres) -> It
     yield valued(_("both pistons part by"), found.combined_stroke[design], "m", cylinders, words, **pieces)
 
 
-def port_rows(labels: Names, design: int, found: PortTiming) -> Iterator[AnswerRow]:
+def port_rows(labels: Names, design: int, found: PortTiming) -> Iterator[AnswerLine]:
     """By how much the exhaust ports open and close before the scavenge ports."""
     opens, closes = found.exhaust_opens_before[design], found.exhaust_closes_before[design]
     first, last = alike(opens, "rad"), alike(closes, "rad")
@@ -75,7 +75,7 @@ def port_rows(labels: Names, design: int, found: PortTiming) -> Iterator[AnswerR
     yield valued(_("exhaust ports close by"), closes, "rad", labels["cylinder"], _("before the scavenge ports"))
 
 
-def firing_rows(labels: Names, design: int, found: Firing) -> Iterator[AnswerRow]:
+def firing_rows(labels: Names, design: int, found: Firing) -> Iterator[AnswerLine]:
     """The firing order, by the maker's numbers where there are any, and its intervals."""
     names = labels["cylinder"]
     if len(names) == 1:

@@ -9,11 +9,11 @@ from cranktrain.questions.evenness.flywheel import FlywheelSize, RimSize
 from cranktrain.questions.evenness.load_curve import LoadTorque
 from cranktrain.questions.evenness.running_speed import RunningSpeed
 from cranktrain.questions.evenness.shaft_work import ShaftWork
-from cranktrain.rows import Amount, AnswerRow, Extent, valued, worded
+from cranktrain.rows import Amount, AnswerLine, Extent, valued, worded
 from cranktrain.wording import Names
 
 
-def running_rows(labels: Names, design: int, work: ShaftWork, running: RunningSpeed | None) -> Iterator[AnswerRow]:
+def running_rows(labels: Names, design: int, work: ShaftWork, running: RunningSpeed | None) -> Iterator[AnswerLine]:
     """Work that the flywheel takes up and gives back, and the speed that comes of it."""
     yield valued(_("excess work"), work.largest_excess_work[design], "J", (), _("within a cycle"))
     if running is not None:
@@ -27,7 +27,7 @@ def running_rows(labels: Names, design: int, work: ShaftWork, running: RunningSp
         )
 
 
-def load_rows(labels: Names, design: int, load: LoadTorque) -> Iterator[AnswerRow]:
+def load_rows(labels: Names, design: int, load: LoadTorque) -> Iterator[AnswerLine]:
     """The given load, with its factor where it was fitted to the machine."""
     factor = float(load.load_factor[design])
     if not np.isfinite(factor):
@@ -41,7 +41,7 @@ def load_rows(labels: Names, design: int, load: LoadTorque) -> Iterator[AnswerRo
     yield valued(_("load, on the mean"), load.mean[design], "N*m", words=said, **pieces)
 
 
-def flywheel_rows(labels: Names, design: int, found: FlywheelSize, rim: RimSize | None) -> Iterator[AnswerRow]:
+def flywheel_rows(labels: Names, design: int, found: FlywheelSize, rim: RimSize | None) -> Iterator[AnswerLine]:
     """The flywheel for the evenness that is wanted, exact and as others reckon it, and its rim."""
     size = float(found.flywheel_inertia[design, 0])
     name = _("flywheel for δ {wanted}").format(wanted=f"{float(found.wanted[design]):.4g}")

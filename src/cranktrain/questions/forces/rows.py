@@ -10,7 +10,7 @@ from cranktrain.questions.forces.crank_pins import CrankPinLoads
 from cranktrain.questions.forces.guides import GuideEdges
 from cranktrain.questions.forces.joint_forces import JointForces
 from cranktrain.questions.forces.largest_forces import LargestForces
-from cranktrain.rows import Amount, AnswerRow, valued
+from cranktrain.rows import Amount, AnswerLine, valued
 from cranktrain.wording import Names
 
 _ALIKE = 1e-9
@@ -24,7 +24,7 @@ def force_rows(
     largest: LargestForces | None,
     pins: CrankPinLoads | None,
     edges: GuideEdges | None,
-) -> Iterator[AnswerRow]:
+) -> Iterator[AnswerLine]:
     """Of rods, against guides, on crank pins and edges; of a machine without such rods in its joints."""
     if largest is not None:
         pistons = labels["piston"]
@@ -45,7 +45,7 @@ def force_rows(
 
 def _largest(
     name: str, values: Array, angles: Array, members: Sequence[str], whose: str = "{member}"
-) -> Iterator[AnswerRow]:
+) -> Iterator[AnswerLine]:
     """Say the largest of some values, and where and of whom it is."""
     if not np.any(np.isfinite(values)):
         return

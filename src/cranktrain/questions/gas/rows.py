@@ -9,7 +9,7 @@ from cranktrain.questions.gas.flows import CompressorCapacity, CompressorFlow
 from cranktrain.questions.gas.heat import HeatBalance
 from cranktrain.questions.gas.powers import BrakePowers, IndicatedPowers
 from cranktrain.questions.gas.pressures import GasPressures
-from cranktrain.rows import Amount, AnswerRow, Piece, alike, valued
+from cranktrain.rows import Amount, AnswerLine, Piece, alike, valued
 from cranktrain.wording import Names
 
 _AT_DEAD_CENTRE = np.radians(0.005)
@@ -22,7 +22,7 @@ def pressure_rows(
     pressures: GasPressures,
     lines: CompressorCapacity | None,
     powers: IndicatedPowers | None,
-) -> Iterator[AnswerRow]:
+) -> Iterator[AnswerLine]:
     """Largest pressure, unless a compressor's line has it, and the mean indicated one, unless the power has it."""
     chambers = labels["chamber"]
     peak = pressures.peak_pressure.value[design]
@@ -51,7 +51,7 @@ def _after(after: np.ndarray) -> tuple[str, dict[str, Piece]]:
 
 def compressor_rows(
     labels: Names, design: int, lines: CompressorCapacity, flow: CompressorFlow | None
-) -> Iterator[AnswerRow]:
+) -> Iterator[AnswerLine]:
     """Between which pressures a compressor works, what it takes in and what flows."""
     chambers = labels["chamber"]
     suction = alike(lines.suction_line_pressure[design], "Pa")
@@ -69,7 +69,7 @@ def compressor_rows(
 
 def power_rows(
     labels: Names, design: int, indicated: IndicatedPowers, pressures: GasPressures, brake: BrakePowers | None
-) -> Iterator[AnswerRow]:
+) -> Iterator[AnswerLine]:
     """Indicated power, by bank where there are several, with its mean pressure; and what the shaft gives or takes."""
     total = float(indicated.indicated_power[design])
     sense = -1.0 if total < 0 else 1.0
@@ -102,7 +102,7 @@ def power_rows(
         )
 
 
-def heat_rows(labels: Names, design: int, heat: HeatBalance) -> Iterator[AnswerRow]:
+def heat_rows(labels: Names, design: int, heat: HeatBalance) -> Iterator[AnswerLine]:
     """Heat that comes in, what becomes of it."""
     loss, part = alike(heat.wall_loss[design], "J"), alike(heat.working_turn_efficiency[design], "%")
     said = _("a cycle: {part} work, {loss} to the walls")

@@ -12,7 +12,7 @@ from cranktrain.questions.motion.rocker_load import LoadMotion
 from cranktrain.questions.motion.rockers import DeadPositions
 from cranktrain.questions.motion.rods import RodMotion
 from cranktrain.questions.motion.sorts import PISTON, SLIDER, VALVE
-from cranktrain.rows import Amount, AnswerRow, Extent, valued, worded
+from cranktrain.rows import Amount, AnswerLine, Extent, valued, worded
 from cranktrain.wording import Names, around_turn
 
 _ON_AXIS = np.radians(0.005)
@@ -23,7 +23,7 @@ _NEAR = 0.2
 
 def slider_rows(
     labels: Names, design: int, centres: DeadCentres, speeds: PistonSpeeds | None, rods: RodMotion | None
-) -> Iterator[AnswerRow]:
+) -> Iterator[AnswerLine]:
     """Strokes, dead centres and speeds: of pistons, of other sliders, of valves."""
     for sort in (PISTON, SLIDER, VALVE):
         own = np.flatnonzero(centres.sort == sort)
@@ -65,7 +65,9 @@ _TURNS = {
 """By whether it is a piston: words for where sliders turn back."""
 
 
-def _speed_rows(names: list[str], design: int, speeds: PistonSpeeds, own: np.ndarray, sort: int) -> Iterator[AnswerRow]:
+def _speed_rows(
+    names: list[str], design: int, speeds: PistonSpeeds, own: np.ndarray, sort: int
+) -> Iterator[AnswerLine]:
     """Mean and largest speed, and largest acceleration of either sense; of a valve the largest speed."""
     fastest = speeds.largest_piston_speed.value[design, own]
     if sort == VALVE:
@@ -83,7 +85,7 @@ def _speed_rows(names: list[str], design: int, speeds: PistonSpeeds, own: np.nda
 
 def rocker_rows(
     labels: Names, design: int, dead: DeadPositions, load: LoadMotion | None, closing: Closing | None
-) -> Iterator[AnswerRow]:
+) -> Iterator[AnswerLine]:
     """Swing and dead positions of rockers, and the travel of what hangs on them."""
     names = labels["rocker"]
     if closing is not None and np.all(np.isnan(dead.swing[design])) and np.all(closing.closing_margin[design] > 0):
@@ -113,7 +115,7 @@ _FEW = 2
 """So many rockers have a line each."""
 
 
-def closing_rows(labels: Names, design: int, closing: Closing) -> Iterator[AnswerRow]:
+def closing_rows(labels: Names, design: int, closing: Closing) -> Iterator[AnswerLine]:
     """The least margin before links part, where it is a small one."""
     margins = closing.closing_margin[design]
     if np.all(np.isnan(margins)) or np.nanmin(margins) > _NEAR:

@@ -8,7 +8,7 @@ from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.questions.torque.orders import PhaseStarSums, TorqueOrders
 from cranktrain.questions.torque.torques import GearTorques, ShaftTorques
-from cranktrain.rows import Amount, AnswerRow, Extent, worded
+from cranktrain.rows import Amount, AnswerLine, Extent, worded
 from cranktrain.wording import Names
 
 _LITTLE = 1e-2
@@ -19,7 +19,7 @@ _NAMED = 4
 
 def torque_rows(
     labels: Names, design: int, torques: ShaftTorques, orders: TorqueOrders, stars: PhaseStarSums | None
-) -> Iterator[AnswerRow]:
+) -> Iterator[AnswerLine]:
     """Mean and range of the torque: what the machine gives, or what drives it; and its largest orders."""
     mean, most, least = float(torques.mean_torque[design]), torques.largest_torque, torques.smallest_torque
     if torques.is_none[design]:
@@ -43,7 +43,7 @@ def torque_rows(
     yield from () if stars is None else major_rows(labels, design, stars)
 
 
-def major_rows(labels: Names, design: int, stars: PhaseStarSums) -> Iterator[AnswerRow]:
+def major_rows(labels: Names, design: int, stars: PhaseStarSums) -> Iterator[AnswerLine]:
     """Orders in which all cylinders add up, where not all do."""
     major = [name for name, is_major in zip(labels["order"], stars.is_major[design], strict=True) if is_major]
     if major and len(major) < len(labels["order"]):
@@ -51,13 +51,13 @@ def major_rows(labels: Names, design: int, stars: PhaseStarSums) -> Iterator[Ans
         yield worded(_("major orders"), "{orders}", orders=named)
 
 
-def star_rows(labels: Names, design: int, stars: PhaseStarSums, torques: ShaftTorques | None) -> Iterator[AnswerRow]:
+def star_rows(labels: Names, design: int, stars: PhaseStarSums, torques: ShaftTorques | None) -> Iterator[AnswerLine]:
     """Orders in which all cylinders add up, of a machine of which no torque is known."""
     if torques is None:
         yield from major_rows(labels, design, stars)
 
 
-def gear_rows(labels: Names, design: int, gear: GearTorques) -> Iterator[AnswerRow]:
+def gear_rows(labels: Names, design: int, gear: GearTorques) -> Iterator[AnswerLine]:
     """What each shaft passes to the main one, and its share of the work; shafts that pass alike together."""
     shafts, reversals, shares = labels["shaft"], gear.gear_reversals[design], gear.work_share[design]
     passed = {

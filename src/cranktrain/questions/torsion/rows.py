@@ -7,13 +7,13 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.questions.torsion.critical import CriticalSpeeds
 from cranktrain.questions.torsion.modes import TorsionalModes
-from cranktrain.rows import Amount, AnswerRow, worded
+from cranktrain.rows import Amount, AnswerLine, worded
 from cranktrain.wording import Names
 
 _NAMED = 3
 
 
-def frequency_rows(labels: Names, design: int, modes: TorsionalModes) -> Iterator[AnswerRow]:
+def frequency_rows(labels: Names, design: int, modes: TorsionalModes) -> Iterator[AnswerLine]:
     """The lowest natural frequencies."""
     lowest = modes.natural_frequency[design, :_NAMED]
     more = modes.natural_frequency.shape[1] - lowest.size
@@ -27,7 +27,7 @@ def frequency_rows(labels: Names, design: int, modes: TorsionalModes) -> Iterato
     )
 
 
-def critical_rows(labels: Names, design: int, found: CriticalSpeeds) -> Iterator[AnswerRow]:
+def critical_rows(labels: Names, design: int, found: CriticalSpeeds) -> Iterator[AnswerLine]:
     """The critical speeds of the first mode on both sides of the machine's."""
     beside = found.beside(design)
     words = ", ".join(
