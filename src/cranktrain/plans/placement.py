@@ -17,6 +17,7 @@ from cranktrain.machine import Machine
 from cranktrain.mechanisms.drawing import Drawing, Guide
 from cranktrain.motion import Array, Coefficient, Point, single
 from cranktrain.numerics import turn_grid
+from cranktrain.plans.link_points import with_points
 from cranktrain.questions.cylinders.declared import cylinders_of
 
 
@@ -159,7 +160,8 @@ def placed(machine: Machine, place: PlacedMechanism, angle: Array) -> Drawing:
     """
     axes = frame(machine, place)
     with np.errstate(all="ignore"):  # what cannot close is NaN, and where it just closes velocities have no bound
-        own = place.kind.drawing(angle + place.phase, place.geometry)
+        turned = angle + place.phase
+        own = with_points(place.kind.drawing(turned, place.geometry), place, turned)
         pins = {name: _in_machine_axes(pin, axes, np.zeros(np.shape(angle))) for name, pin in own.pins.items()}
     guides = [
         Guide(guide.pin, np.arctan2(*in_machine_axes(np.cos(guide.direction), np.sin(guide.direction), axes)[::-1]))

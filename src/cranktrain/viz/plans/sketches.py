@@ -1,11 +1,11 @@
 """Sketches of plans: a mechanism in positions, polygons of velocities and accelerations, Klein's construction."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from cranktrain.grouping import grouped
-from cranktrain.mechanisms.drawing import Drawing
+from cranktrain.mechanisms.drawing import Drawing, DrawnLink
 from cranktrain.motion import Array
 from cranktrain.plans.klein import Klein
 from cranktrain.plans.polygons import Polygon
@@ -75,15 +75,25 @@ def line_drawing(plan: PositionPlan, track: Drawing | None = None) -> tuple[Sket
     sketch.add(_blocks(plan.drawing, pins, scale))
     if track is not None:
         paths = track.positions
-        sketch.add(Line(scale * paths[name], "PATHS", "dotted", 1) for name in track.paths)
+        sketch.add(
+            Line(scale * paths[name], "PATHS", "curve" if name in track.points else "dotted", 1) for name in track.paths
+        )
     for i in range(len(plan.angles)):
         habit = "outline" if i == 0 else "thin"
         for link in plan.drawing.links:
-            for name in link.pins[1:]:
-                ends = np.stack([pins[link.pins[0]][:, i], pins[name][:, i]], axis=1)
+            for names in sides_of(link, plan.drawing.points):
+                ends = np.stack([pins[name][:, i] for name in names], axis=1)
                 sketch.add([Line(ends, "LINKS", habit, 4 if i == 0 else 3)])
         sketch.add(Circle(pin[:, i], 0.6 * scale, "LINKS", habit, 5, "paper") for pin in pins.values())
     return sketch, pins
+
+
+def sides_of(link: DrawnLink, points: Sequence[str]) -> Iterator[tuple[str, str]]:
+    """Pins two by two between which a link is drawn: from its first to each; to a point on it from its second too."""
+    for name in link.pins[1:]:
+        yield link.pins[0], name
+        if name in points:
+            yield link.pins[1], name
 
 
 def pin_wishes(drawing: Drawing, pins: dict[str, Array]) -> list[Wish]:

@@ -82,6 +82,11 @@ class DrawnMechanism:
         return self.turn.links[0].pins[1]
 
     @property
+    def metal(self) -> tuple[str, ...]:
+        """Names of its pins without the points that are only followed."""
+        return tuple(name for name in self.turn.pins if name not in self.turn.points)
+
+    @property
     def is_plain(self) -> bool:
         """Whether it is drawn link by link: a mechanism that is not one of the engine's."""
         return self.place.kind.name not in _OUTLINED
@@ -276,7 +281,7 @@ def _broken(members: tuple[DrawnMechanism, ...]) -> tuple[DrawnMechanism, ...]:
     least = min(reaches.values())
     found: list[DrawnMechanism] = []
     for member in members:
-        is_long = reaches.get(member.place.name, 0.0) > _BREAK * least and len(member.turn.pins) == _PINS_OF_A_ROD
+        is_long = reaches.get(member.place.name, 0.0) > _BREAK * least and len(member.metal) == _PINS_OF_A_ROD
         cut = member.travel[0] - _BROKEN * least if is_long else 0.0
         found.append(replace(member, cut=cut, turn=_standing(member.turn, np.zeros(2), cut)))
     return tuple(found)
