@@ -1,22 +1,23 @@
 """Sheets of plans: positions, polygons of velocities and accelerations, Klein's construction, each with its numbers."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+import itertools
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
 from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
-from cranktrain.layout.speed import rates
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.plans.klein import Klein, klein
 from cranktrain.plans.lettering import lettered
-from cranktrain.plans.placement import output_motion
+from cranktrain.plans.position_table import Column, output_columns
 from cranktrain.plans.polygons import Polygon, acceleration_polygons, velocity_polygons
 from cranktrain.plans.positions import (
     PositionPlan,
+    chosen_scale,
     closed_angles,
     fitting,
     plan_angles,
@@ -26,12 +27,13 @@ from cranktrain.plans.positions import (
     track,
 )
 from cranktrain.plans.together import places_called
-from cranktrain.plans.turning import turning
-from cranktrain.plans.vectors import PolygonVector
-from cranktrain.quantities import shown
+from cranktrain.plans.vectors import PolygonVector, spoken_name
 from cranktrain.viz.figures import figure
-from cranktrain.viz.paper.page import INDICES, Box, Figure, Page, drawing_settings, mathematics
+from cranktrain.viz.paper.detail import draw_detail, is_too_small
+from cranktrain.viz.paper.page import LINE, Box, Figure, Page, drawing_settings, mathematics
+from cranktrain.viz.paper.sketch import Sketch
 from cranktrain.viz.paper.tables import LEAST_ROW, ROW
+from cranktrain.viz.plans.position_rows import N_HEADS, every, point_tables, position_rows
 from cranktrain.viz.plans.sheet import (
     VECTOR_COLUMNS,
     WITH_TABLE,
@@ -40,6 +42,7 @@ from cranktrain.viz.plans.sheet import (
     centre_at_angle,
     few_angles,
     plan_page,
+    row_height,
     scale_of,
     unit_words,
     write_beside,
@@ -47,13 +50,17 @@ from cranktrain.viz.plans.sheet import (
 )
 from cranktrain.viz.plans.sketches import klein_sketch, polygon_sketch, positions_sketch
 
-_OUTPUT: Mapping[tuple[bool, bool], Mapping[str, float]] = {
-    (True, True): {"x, mm": 1e3, "v, m/s": 1.0, "a, m/s²": 1.0},
-    (True, False): {"x, mm": 1e3, "x′, mm/rad": 1e3, "x″, mm/rad²": 1e3},
-    (False, True): {"θ, °": shown(1.0, "deg"), "ω₃, rad/s": 1.0, "ε₃, rad/s²": 1.0},
-    (False, False): {"θ, °": shown(1.0, "deg"), "θ′": 1.0, "θ″": 1.0},
-}
-"""Columns of the motion of an output, with factors from SI: whether it is a slider, and whether a speed is known."""
+_STRIP = 104.0
+"""Width of the mechanism and its table beside many polygons. [mm]"""
+
+_ROOM_FOR_WORDS = 66.0
+"""Height of a room from which positions have numbers and a small crank a detail. [mm]"""
+
+_NAMED = 12
+"""Of more polygons the corners between parts of a vector have no names."""
+
+_COLUMNS = 5
+"""Beside number and angle in a table of that width."""
 
 
 @drawing_settings()
@@ -64,8 +71,9 @@ def plan_positions(
     mechanism: str | None = None,
     size: str = "A4",
     speed: SpeedWanted = "constant",
+    scale: float | None = None,
 ) -> Figure:
-    """Draw a mechanism in several positions, to scale, beside a table of its output.
+    """Draw a mechanism in several positions, to scale, beside a table of its output, and of points that are followed.
 
     Parameters
     ----------
@@ -77,30 +85,75 @@ def plan_positions(
     size : "A4" or "A3"
     speed : SpeedWanted
         As `cranktrain.run` takes it.
+    scale : float, optional
+        Millimetres of metal in one of paper, 4 for 1:4; the largest round one that fits, unless given.
 
     Returns
     -------
     Figure
     """
     curve = speed_over_cycle(machine, speed)
-    is_single = len(plan_angles(angles)) == 1  # pins of several positions have numbers instead of letters
-    page, box = plan_page(machine, angles, size, _("Plan of positions"), mechanism, has_key=is_single, curve=curve)
+    page, box = plan_page(machine, angles, size, _("Plan of positions"), mechanism, curve=curve)
     places = places_called(machine, mechanism)
-    wide = (0.62 if len(places) == 1 else 0.42) * box.width
+    wide = 0.62 * box.width
     left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
     room = (left.width - 22.0, left.height - 22.0)
-    scale = position_plan(machine, 180, mechanism=mechanism, room=room).scale
-    plan = rescaled(position_plan(machine, angles, mechanism=mechanism, room=room, is_lettered=True), scale)
-    centre(page, positions_sketch(plan, lettered(track(machine, scale, mechanism=mechanism))), left)
-    write_scales(page, box, [scale_of("l", scale, "m")], 1e3 * scale)
-    counted = (
-        _("from the shaft along the line of stroke, positive away from it")
-        if plan.drawing.guides
-        else _("in the cylinder, positive toward its head")
-    )
-    notes = [counted] if places[0].kind.output == "slider" else []
-    write_beside(page, box, box.left + wide + 8.0, _positions_table(machine, plan, curve), notes)
+    metre = chosen_scale(position_plan(machine, 180, mechanism=mechanism, room=room).scale, scale)
+    plan = rescaled(position_plan(machine, angles, mechanism=mechanism, room=room, is_lettered=True), metre)
+    _draw_positions(page, machine, plan, mechanism, left)
+    write_scales(page, box, [scale_of("l", metre, "m")], 1e3 * metre)
+    start = box.left + wide + 6.0
+    rows = list(position_rows(machine, places, plan.angles, curve))
+    tables = [] if len(places) > 1 else list(point_tables(machine, places[0], plan.angles, curve))
+    room_for_points = box.height - 20.0 - ROW * len(rows)
+    step = next(step for step in itertools.count(1) if _height_of(tables, step) <= room_for_points or step == len(rows))
+    tables = [(name, every(table, step)) for name, table in tables]
+    manner = {"line": row_height([len(rows), *(len(table) + 1 for _name, table in tables)], box.height - 8.0)}
+    below = write_beside(page, box, start, rows, _output_notes(machine, plan, places), n_heads=N_HEADS, **manner)
+    for name, table in tables:
+        page.heading(start, below - 3.0, _("Point {name}").format(name=spoken_name(name)))
+        notes = [_("x, y in the mechanism's own axes; sizes of velocity and acceleration")]
+        rest = box._replace(height=below - 5.0 - box.bottom)
+        below = write_beside(page, rest, start, table, notes, n_heads=N_HEADS, **manner)
     return page.figure
+
+
+def _height_of(tables: Sequence[tuple[str, list[tuple[str, ...]]]], step: int) -> float:
+    """How high tables of points are with every so manyth of their rows. [mm]"""
+    return sum(16.0 + ROW * len(every(table, step)) for _name, table in tables)
+
+
+def _output_notes(machine: Machine, plan: PositionPlan, places: Sequence[PlacedMechanism]) -> list[str]:
+    """Say from where the output counts."""
+    if places[0].kind.output != "slider":
+        return []
+    if not plan.drawing.guides:
+        return [_("x in the cylinder, positive toward its head; s from the top")]
+    has_speed = machine.main_shaft.speed is not None
+    rates = _("s, v, a") if has_speed else _("s and its derivatives")
+    if len(places) > 1:
+        return [_("{rates} from each piston's own top toward its shaft").format(rates=rates)]
+    return [_("x from the shaft along the line of stroke;"), _("{rates} from the top toward it").format(rates=rates)]
+
+
+def _draw_positions(page: Page, machine: Machine, plan: PositionPlan, mechanism: str | None, room: Box) -> None:
+    """Draw the positions with their paths; where the crank is too small to be seen, the shaft once more, larger."""
+    metal = 1e3 * plan.scale
+    crank = plan.drawing.links[0].pins
+    pins = plan.drawing.positions
+    radius = metal * float(np.hypot(*(pins[crank[1]] - pins[crank[0]])[:, 0]))
+    is_large = room.height > _ROOM_FOR_WORDS
+    is_small = is_too_small(radius, metal) and len(plan.angles) > 1 and is_large
+
+    def drawn(scale: float, hidden: Sequence[str] = ()) -> Sketch:
+        paths = lettered(track(machine, 1e-3 * scale, mechanism=mechanism))
+        return positions_sketch(rescaled(plan, 1e-3 * scale), paths, hidden=hidden, is_lettered=True)
+
+    whole = drawn(metal, crank if is_small else () if is_large else tuple(pins))
+    origin = centre(page, whole, room)
+    if is_small:
+        others = [pin for pin in pins if pin not in crank]
+        draw_detail(page, lambda scale: drawn(scale, others), 1.2 * radius, whole, origin, room)
 
 
 def plan_velocities(
@@ -141,8 +194,9 @@ def _polygon_sheet(
     curve = speed_over_cycle(machine, speed)
     page, box = plan_page(machine, angles, size, title, mechanism, curve=curve)
     n = len(closed_angles(machine, places_called(machine, mechanism), angles))
-    cells = cells_of(box, n)
     has_table = n <= WITH_TABLE
+    right = box if has_table else box._replace(left=box.left + _STRIP + 4.0, width=box.width - _STRIP - 4.0)
+    cells = cells_of(right, n)
     cell = cells[0]
     width = 0.38 * cell.width if has_table else cell.width
     room = (width - 22.0, cell.height - (18.0 if has_table else 16.0))
@@ -151,8 +205,10 @@ def _polygon_sheet(
     if has_table:
         scales.append(_beside(page, machine, polygons, cells, mechanism))
     else:
-        for polygon, place in zip(polygons, cells, strict=True):
-            centre_at_angle(page, polygon.angle, polygon_sketch(polygon, with_symbols=False), place, 6.0)
+        for number, (polygon, place) in enumerate(zip(polygons, cells, strict=True)):
+            sketch = polygon_sketch(polygon, with_symbols=False, with_corners=n <= _NAMED)
+            centre_at_angle(page, polygon.angle, sketch, place, 6.0, f"{number}:  ")
+        scales.append(_strip(page, machine, polygons, box, mechanism, curve))
     write_scales(page, box, scales, None)
     return page.figure
 
@@ -174,6 +230,46 @@ def _beside(
         start = middle.left + middle.width + 4.0
         write_beside(page, cell, start, rows, notes, shares=VECTOR_COLUMNS, line=line, gap=0.0)
     return scale_of("l", plans[0].scale, "m")
+
+
+def _strip(
+    page: Page,
+    machine: Machine,
+    polygons: Sequence[Polygon],
+    box: Box,
+    mechanism: str | None,
+    curve: SpeedCurve | None,
+) -> str:
+    """Draw the mechanism in all positions above a table of its motion, left of many polygons; say its scale."""
+    angles = np.array([polygon.angle for polygon in polygons])
+    places = places_called(machine, mechanism)
+    more = [] if len(places) > 1 else list(_link_columns(polygons))[: _COLUMNS - len(output_columns(machine, places[0], angles))]
+    rows = list(position_rows(machine, places, angles, curve, more))
+    line = row_height([len(rows)], 0.66 * box.height)
+    high = line * len(rows) + 8.0 + LINE * 3
+    upper = Box(box.left, box.bottom + high, _STRIP, box.height - high)
+    room = (upper.width - 18.0, upper.height - 18.0)
+    whole = position_plan(machine, 180, mechanism=mechanism, room=room).scale
+    plan = rescaled(position_plan(machine, angles.tolist(), mechanism=mechanism, room=room, is_lettered=True), whole)
+    _draw_positions(page, machine, plan, mechanism, upper)
+    notes = [words for words in _output_notes(machine, plan, places)]
+    lower = Box(box.left, box.bottom, _STRIP, high)
+    write_beside(page, lower, box.left, rows, notes, line=line, n_heads=N_HEADS)
+    return scale_of("l", whole, "m")
+
+
+def _link_columns(polygons: Sequence[Polygon]) -> Iterator[Column]:
+    """Sizes of the vectors between pins that every polygon has; of accelerations their parts."""
+    parts = ("relative",) if polygons[0].quantity == "velocity" else ("normal", "tangential", "coriolis")
+    for number, vector in enumerate(polygons[0].vectors):
+        if vector.part in parts and all(_symbol_at(polygon, number) == vector.symbol for polygon in polygons):
+            sizes = np.array([polygon.vectors[number].size for polygon in polygons])
+            yield Column(mathematics(vector.symbol), polygons[0].unit, sizes)
+
+
+def _symbol_at(polygon: Polygon, number: int) -> str:
+    """Symbol of a polygon's vector by its number."""
+    return polygon.vectors[number].symbol if number < len(polygon.vectors) else ""
 
 
 @drawing_settings()
@@ -198,38 +294,6 @@ def plan_klein(
     scales = [scale_of("l", metre, "m"), *(scale_of(letter, rate * metre, unit) for letter, (rate, unit) in rates)]
     write_scales(page, box, scales, scale)
     return page.figure
-
-
-def _positions_table(machine: Machine, plan: PositionPlan, curve: SpeedCurve | None) -> Iterator[tuple[str, ...]]:
-    """Number, crank angle and motion of the output in each position; of opposed pistons both."""
-    places = places_called(machine, plan.mechanism)
-    columns = [
-        (_indexed(name, i) if len(places) > 1 else name, values)
-        for i, place in enumerate(places)
-        for name, values in _output_columns(machine, place, plan, curve)
-    ]
-    yield (_("no."), "φ, °", *(name for name, _values in columns))
-    for i, angle in enumerate(plan.angles):
-        yield (f"{i}", f"{angle:g}", *(figure(float(values[i])) for _name, values in columns))
-
-
-def _indexed(head: str, i: int) -> str:
-    """Head of a column of one of several mechanisms: x₂, mm."""
-    symbol, comma, unit = head.partition(",")
-    return f"{symbol}{str(i + 1).translate(INDICES)}{comma}{unit}"
-
-
-def _output_columns(
-    machine: Machine, place: PlacedMechanism, plan: PositionPlan, curve: SpeedCurve | None
-) -> Iterator[tuple[str, Array]]:
-    """Heads and values of the motion of a place's output."""
-    has_speed = machine.main_shaft.speed is not None or curve is not None
-    angle = np.deg2rad(plan.angles)
-    drive = turning(machine, curve, angle + machine.zero)
-    moving = output_motion(machine, place, angle)
-    motion = (moving.value, *rates(moving, drive))
-    columns = _OUTPUT[place.kind.output == "slider", has_speed]
-    yield from ((head, factor * part) for (head, factor), part in zip(columns.items(), motion, strict=True))
 
 
 def _fitting_rows(polygon: Polygon, height: float) -> tuple[list[tuple[str, ...]], float]:

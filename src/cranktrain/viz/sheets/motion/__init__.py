@@ -32,7 +32,7 @@ PICTURES = (
         quantities=SHEET_QUANTITIES,
         refused={"mechanism": _ONE_THROW},
     ),
-    Picture("plan", "positions", f"{_MOTION}:plan_positions", "angles", source_angles="shown"),
+    Picture("plan", "positions", f"{_MOTION}:plan_positions", "angles", source_angles="shown", takes=("scale",)),
     Picture("plan", "velocities", f"{_MOTION}:plan_velocities", "angles"),
     Picture("plan", "accelerations", f"{_MOTION}:plan_accelerations", "angles"),
     Picture("plan", "klein", f"{_MOTION}:plan_klein", "angles", refused={"speed": _EVENLY}),

@@ -15,7 +15,7 @@ from cranktrain.viz.paper.words import first_that_holds
 from cranktrain.viz.sheets.motion.dead_centres import Mark, ruler_of
 from cranktrain.viz.sheets.motion.panels import panels
 from cranktrain.viz.sheets.motion.ruler import draw_ruler
-from cranktrain.viz.throw.detail import draw_detail, needs_detail
+from cranktrain.viz.throw.detail import draw_throw_detail, needs_detail
 from cranktrain.viz.throw.mechanism import mechanism_sketch
 from cranktrain.viz.throw.scene import Scene, scene_of
 
@@ -76,7 +76,7 @@ def _draw_mechanism(page: Page, machine: Machine, found: Sequence[Mark], at: flo
     origin = pair(room.middle - (low + high) / 2)
     page.draw(sketch, origin)
     if needs_detail(scene, sketch.scale):
-        draw_detail(page, scene, (at, dead), sketch, origin, room)
+        draw_throw_detail(page, scene, (at, dead), sketch, origin, room)
     page.scale_bar(room.left, room.bottom - 5.0, sketch.scale)
     for number, note in enumerate(reversed(notes)):
         page.text(box.left, box.bottom - 0.4 + _NOTE * number, note, color=MUTED)
