@@ -259,9 +259,7 @@ def _of_machine(file: MachineFile, choice: Choice, request: PlotRequest) -> dict
     angles, mechanism = choice.angles, request.mechanism
     if angles == "source":
         is_shown = choice.picture.source_angles == "shown"
-        angles = source_angles(
-            file.machine, mechanism=mechanism, is_shown=is_shown, permissible=choice.permissible
-        )
+        angles = source_angles(file.machine, mechanism=mechanism, is_shown=is_shown, permissible=choice.permissible)
     options: dict[str, Any] = {"mechanism": mechanism} | ({} if angles is None else {"angles": angles})
     if "speed" not in choice.picture.refused:
         options["speed"] = request.speed

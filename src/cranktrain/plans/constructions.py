@@ -16,10 +16,10 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.slider_crank import SliderCrank, slider_crank
 from cranktrain.motion import Array
-from cranktrain.plans.placement import slider_crank_called
+from cranktrain.plans.placement import frame, slider_crank_called
 from cranktrain.plans.positions import plan_angles
 from cranktrain.textbook.ranges import RANGES, Range
-from cranktrain.textbook.steam_engine import brix, infinite_rod, largest_difference
+from cranktrain.textbook.steam_engine import brix, infinite_rod, largest_difference, two_harmonics
 
 Method = Literal["arc", "projection", "brix", "brix_backward"]
 
@@ -63,6 +63,8 @@ class Construction(Readings):
         x of Brix's pole. [m]
     limits : Range or None
         The source's range; None where it needs none.
+    sense : float
+        +1 where the crank turns clockwise as seen from the free end, −1 where it turns anticlockwise.
     """
 
     mechanism: str
@@ -70,6 +72,30 @@ class Construction(Readings):
     geometry: SliderCrank
     pole: float
     limits: Range | None
+    sense: float
+
+    def seen(self, points: Array) -> Array:
+        """Give points as seen from the free end, the line of stroke lying, its end away from the shaft at the right.
+
+        Shapes (2, ...).
+        """
+        return np.stack([points[0], -self.sense * points[1]])
+
+    @property
+    def start(self) -> Array:
+        """Where readings of the displacement begin on paper: where the top dead centre is read, shape (2,). [m]"""
+        if self.method != "arc":
+            return np.array([self.geometry.crank_radius, 0.0])
+        return np.array([_end(self.geometry) - self.geometry.rod_length, self.geometry.offset])
+
+    @property
+    def dead_pins(self) -> tuple[Array, Array]:
+        """Crank pin and piston's pin at the top and at the bottom, shape (2, 2) each: point, top and bottom. [m]"""
+        radius, rod, offset = self.geometry[:3]
+        ends = np.array([_end(self.geometry), _end(self.geometry, -1.0)])
+        pistons = np.stack([ends, np.full(2, offset)])
+        share = np.array([radius / (rod + radius), -radius / (rod - radius)])
+        return share * pistons, pistons
 
     @property
     def stroke(self) -> float:
@@ -135,7 +161,27 @@ def construction(
         geometry=geometry,
         pole=-float(largest_difference(geometry.crank_radius, ratio)),
         limits=next((one for one in RANGES if one.method == _RANGES.get(method)), None),
+        sense=frame(machine, place).sense,
     )
+
+
+def largest_errors(geometry: SliderCrank) -> tuple[float, float]:
+    """Largest errors over a turn of Brix's readings, and of (333), in parts of the stroke.
+
+    Examples
+    --------
+    The source calls the construction as exact as "so-called exact computations", by which it means (333).
+
+    >>> [round(error, 5) for error in largest_errors(SliderCrank(0.1, 0.4, 0.0))]
+    [0.00204, 0.00101]
+    """
+    phi = np.linspace(0.0, 2 * np.pi, 721)
+    exact = _end(geometry) - _exact(phi, geometry)
+    stroke = _end(geometry) - _end(geometry, -1.0)
+    ratio = geometry.crank_radius / geometry.rod_length
+    found = [form(phi, geometry.crank_radius, ratio).value for form in (brix, two_harmonics)]
+    errors = [float(np.max(np.abs(one - exact)) / stroke) for one in found]
+    return errors[0], errors[1]
 
 
 def exact_crank_angle(displacement: Array, geometry: SliderCrank) -> Array:

@@ -243,7 +243,11 @@ def _strip(
     """Draw the mechanism in all positions above a table of its motion, left of many polygons; say its scale."""
     angles = np.array([polygon.angle for polygon in polygons])
     places = places_called(machine, mechanism)
-    more = [] if len(places) > 1 else list(_link_columns(polygons))[: _COLUMNS - len(output_columns(machine, places[0], angles))]
+    more = (
+        []
+        if len(places) > 1
+        else list(_link_columns(polygons))[: _COLUMNS - len(output_columns(machine, places[0], angles))]
+    )
     rows = list(position_rows(machine, places, angles, curve, more))
     line = row_height([len(rows)], 0.66 * box.height)
     high = line * len(rows) + 8.0 + LINE * 3

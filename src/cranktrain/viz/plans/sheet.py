@@ -93,9 +93,7 @@ def centre(page: Page, sketch: Sketch, box: Box) -> tuple[float, float]:
     return origin
 
 
-def centre_at_angle(
-    page: Page, angle: float, sketch: Sketch, box: Box, head: float = 5.0, before: str = ""
-) -> None:
+def centre_at_angle(page: Page, angle: float, sketch: Sketch, box: Box, head: float = 5.0, before: str = "") -> None:
     """Draw a sketch in the middle of a room, below a heading with the crank angle [deg] so high. [mm]"""
     page.heading(box.left, box.bottom + box.height - 4.0, f"{before}φ = {angle:g}°")
     centre(page, sketch, box._replace(height=box.height - head))

@@ -130,9 +130,7 @@ def pin_wishes(drawing: Drawing, pins: dict[str, Array]) -> list[Wish]:
     ]
 
 
-def _numbers(
-    name: str, pins: dict[str, Array], drawing: Drawing, scale: float, letter: str = ""
-) -> Iterator[Wish]:
+def _numbers(name: str, pins: dict[str, Array], drawing: Drawing, scale: float, letter: str = "") -> Iterator[Wish]:
     """Numbers of a pin's positions; where it passes a place twice, both stand together; the first with its letter."""
     pin = pins[name]
     bases = [link.pins[0] for link in drawing.links if name in link.pins[1:] and link.pins[0] in drawing.fixed]
@@ -207,9 +205,7 @@ def polygon_sketch(polygon: Polygon, *, with_symbols: bool = True, with_corners:
         *(vector.end for vector in short if vector.part == "normal"),
         *(vector.start for vector in short if vector.part == "tangential"),
     }
-    named = {
-        name: point for name, point in points.items() if name not in corners and (with_corners or "_" not in name)
-    }
+    named = {name: point for name, point in points.items() if name not in corners and (with_corners or "_" not in name)}
     wishes = [Wish(point, name, angle_of(point - middle)) for name, point in _separate(named)]
     is_crowded = len(polygon.vectors) > _MANY
     for vector in polygon.vectors:

@@ -38,10 +38,20 @@ PICTURES = (
     Picture("plan", "klein", f"{_MOTION}:plan_klein", "angles", refused={"speed": _EVENLY}),
     Picture("plan", "centres", "cranktrain.viz.plans.centres:plan_centres", "angles", refused=_ALIKE),
     *(
-        Picture("plan", name, f"{_CONSTRUCTIONS}:plan_{name}", "angles", refused=_ALIKE, source_angles="cylinder")
+        Picture(
+            "plan",
+            name,
+            f"{_CONSTRUCTIONS}:plan_{name}",
+            "angles",
+            refused=_ALIKE,
+            source_angles="cylinder",
+            takes=("scale",),
+        )
         for name in ("arc", "projection", "brix")
     ),
-    Picture("plan", "brix-backward", f"{_CONSTRUCTIONS}:plan_brix_backward", "angles", refused=_ALIKE),
+    Picture(
+        "plan", "brix-backward", f"{_CONSTRUCTIONS}:plan_brix_backward", "angles", refused=_ALIKE, takes=("scale",)
+    ),
     Picture(
         "file",
         ".gif",
