@@ -236,7 +236,8 @@ def _draw(file: MachineFile, choice: Choice, request: PlotRequest) -> None:
     """Draw once the file is known to be possible, and write it."""
     picture, name, force = choice.picture, request.output or "", request.force
     if picture.name == ".gif":
-        save_animation(request.result(file, quantities=picture.quantities), name, force=force)
+        result = request.result(file, quantities=picture.quantities)
+        save_animation(result, name, force=force, piston=request.mechanism)
     elif picture.name == ".dxf":
         options = {"angles": _POSITIONS} | _of_machine(file, choice, request)
         picture.function(file.machine, path=name, **options, force=force)
@@ -246,7 +247,7 @@ def _draw(file: MachineFile, choice: Choice, request: PlotRequest) -> None:
     else:
         angle = {"at": choice.angles[0]} if isinstance(choice.angles, list) else {}
         whose = {"piston": request.mechanism} if request.mechanism is not None else {}
-        options = angle | whose | {"size": choice.size}
+        options = angle | whose | {"size": choice.size} | _chosen(choice)
         save(
             lambda: picture.function(request.result(file, quantities=picture.quantities), **options), name, force=force
         )

@@ -29,8 +29,19 @@ def first_throw(machine: Machine) -> tuple[PlacedMechanism, ...]:
     """
     places = [place for place in machine.places if place.shaft == MAIN] or machine.places
     first = min((place.throw for place in places), default=0)
+    return _with_shared(machine, {place.name for place in places if place.throw == first})
+
+
+def throw_of(machine: Machine, place: PlacedMechanism) -> tuple[PlacedMechanism, ...]:
+    """Give the places on a place's throw, and all that share cylinders with these, as `first_throw` does."""
+    return _with_shared(
+        machine, {one.name for one in machine.places if (one.shaft, one.throw) == (place.shaft, place.throw)}
+    )
+
+
+def _with_shared(machine: Machine, found: set[str]) -> tuple[PlacedMechanism, ...]:
+    """Add to places, by their names, all that share throws and cylinders with them."""
     centres = shaft_places(machine).centres
-    found = {place.name for place in places if place.throw == first}
     n_found = 0
     while n_found < len(found):
         n_found = len(found)

@@ -10,17 +10,15 @@ from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
-from cranktrain.motion import Array
 from cranktrain.plans.klein import Klein, klein
 from cranktrain.plans.lettering import lettered
-from cranktrain.plans.position_table import Column, output_columns
 from cranktrain.plans.polygons import Polygon, acceleration_polygons, velocity_polygons
+from cranktrain.plans.position_table import Column, output_columns
 from cranktrain.plans.positions import (
     PositionPlan,
     chosen_scale,
     closed_angles,
     fitting,
-    plan_angles,
     position_plan,
     rescaled,
     single_plans,

@@ -12,8 +12,8 @@ from cranktrain.plans.polygons import Polygon
 from cranktrain.plans.positions import PositionPlan
 from cranktrain.plans.vectors import POLE, Part, angle_of, spoken_name
 from cranktrain.viz.paper import shapes
-from cranktrain.viz.paper.page import INDICES
 from cranktrain.viz.paper.labels import Wish, placed_labels, together
+from cranktrain.viz.paper.page import INDICES
 from cranktrain.viz.paper.sketch import Circle, Habit, Layer, Line, Sketch
 
 _ONE_PLACE = 0.4

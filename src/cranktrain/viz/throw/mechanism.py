@@ -11,8 +11,8 @@ from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
 from cranktrain.viz.throw.angle_marks import degree_ring, rotations
 from cranktrain.viz.throw.cylinders import common_cylinder, cylinder, skirt
-from cranktrain.viz.throw.names import bank_angle, piston_names
 from cranktrain.viz.throw.followed import followed_points, point_names
+from cranktrain.viz.throw.names import bank_angle, piston_names
 from cranktrain.viz.throw.scene import BIG_EYE, SMALL_EYE, DrawnMechanism, Scene
 
 _FEW = 2

@@ -126,12 +126,15 @@ class Scene:
         Heights of ports. [mm]
     assumed : tuple of str
         Shafts whose place the file does not give.
+    is_alone : bool
+        Whether no other throw is drawn beside it.
     """
 
     machine: Machine
     members: tuple[DrawnMechanism, ...]
     ports: Mapping[str, Mapping[str, float]]
     assumed: tuple[str, ...]
+    is_alone: bool = True
 
     @cached_property
     def leading(self) -> DrawnMechanism:
@@ -236,9 +239,9 @@ class Scene:
         return max(found)
 
 
-def scene_of(machine: Machine) -> Scene:
-    """Collect what there is to draw of a machine's first throw, and of all that shares its cylinders."""
-    places = first_throw(machine)
+def scene_of(machine: Machine, throw: tuple[PlacedMechanism, ...] | None = None, *, is_alone: bool = True) -> Scene:
+    """Collect what there is to draw of a throw, the first unless given, and of all that shares its cylinders."""
+    places = first_throw(machine) if throw is None else throw
     pistons = [place for place in places if place.kind.output == "slider"]
     cylinders = cylinders_of(machine.cylinder, pistons)
     bored = ((pistons[i].name, one.spec.bore) for one in cylinders for i in one.pistons)
@@ -257,7 +260,7 @@ def scene_of(machine: Machine) -> Scene:
         }
         for cylinder in cylinders
     }
-    return Scene(machine, _broken(tuple(members)), ports, shafts.assumed)
+    return Scene(machine, _broken(tuple(members)), ports, shafts.assumed, is_alone)
 
 
 def _standing(drawing: Drawing, centre: Array, cut: float) -> Drawing:
