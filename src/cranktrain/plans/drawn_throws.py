@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.numerics.nested import leaves
-from cranktrain.plans.placement import first_throw, place_called, throw_of
+from cranktrain.plans.placement import first_throw, place_called, shaft_places, throw_of
 from cranktrain.questions.cylinders.declared import cylinders_of
 
 MOST = 4
@@ -26,7 +26,8 @@ def drawn_throws(machine: Machine, mechanism: str | None = None) -> tuple[Throw,
     machine : Machine
     mechanism : str, optional
         Whose throw alone is drawn, by the mechanism's name or its cylinder's; unless given, one of each sort: throws
-        are alike where their mechanisms have the same kinds, lengths, directions, bores and piston rods.
+        are alike where their mechanisms have the same kinds, lengths, directions, bores and piston rods. What is on a
+        shaft whose place is not known is left out.
 
     Returns
     -------
@@ -46,8 +47,9 @@ def drawn_throws(machine: Machine, mechanism: str | None = None) -> tuple[Throw,
     first = first_throw(machine)
     found = [first]
     seen, sorts = {place.name for place in first}, {_sort(machine, first)}
+    centres = shaft_places(machine).centres
     for place in machine.places:
-        if place.name in seen or len(found) == MOST:
+        if place.name in seen or place.shaft not in centres or len(found) == MOST:
             continue
         throw = throw_of(machine, place)
         seen |= {one.name for one in throw}

@@ -24,7 +24,7 @@ def followed_points(scene: Scene, member: DrawnMechanism, angle: float, scale: f
         for name in link.pins:
             if name in member.turn.points:
                 corners = [pins[one] for one in (*link.pins[:2], name)]
-                yield Line(np.stack(corners, axis=1), "LINKS", "rod", 4, is_closed=True, fill="light")
+                yield Line(np.stack(corners, axis=1), "LINKS", "rod", 4, is_closed=True)
     if not member.turn.points:
         return
     marks = scene.turned(member, _MARKS)
