@@ -1,7 +1,6 @@
 """Points that the machine file asks to follow, such as a coupler's, as pins of a drawing."""
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -64,9 +63,9 @@ def _drawn_as(links: list[DrawnLink], drawing: Drawing, name: str, link: Link) -
     return None
 
 
-def _place(pin: Point) -> Any:
+def _place(pin: Point) -> Array:
     """Where a pin is, shape (2, n)."""
-    return np.stack(np.broadcast_arrays(pin.x.value, pin.y.value))
+    return np.stack(np.broadcast_arrays(np.atleast_1d(pin.x.value), np.atleast_1d(pin.y.value)))
 
 
 def _is_small(gap: Array, far: float) -> bool:

@@ -117,7 +117,10 @@ def test_crank_angles_as_typed(plan, at, output, angles):
             ["3d12", "-o", "a.svg", "--plan", "positions", "--count", "12", "--at", "30", "--scale", "4"],
             ["--count = 12: must be left out beside --at", "--scale = 4: must be a scale, such as 1:4"],
         ),
-        (["3d12", "-o", "a.svg", "--count", "12"], ["--count = 12: must be left out: only a plan or a .dxf is at several"]),
+        (
+            ["3d12", "-o", "a.svg", "--count", "12"],
+            ["--count = 12: must be left out: only a plan or a .dxf is at several"],
+        ),
         (
             ["3d12", "-o", "a.svg", "--plan", "klein", "--scale", "1:4", "--at", "source"],
             [

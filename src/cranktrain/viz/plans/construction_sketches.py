@@ -105,7 +105,7 @@ def _constructed(found: Construction, scale: float, chosen: Sequence[int]) -> It
 
 
 def _ruler(found: Construction, low: float, scale: float, chosen: Sequence[int]) -> Iterator[Line | Label]:
-    """Readings below the circle: leaders to a line, bars where the exact ones are, numbers, displacements by letters."""
+    """Readings below the circle on a line, bars where the exact ones are, numbers, displacements by letters."""
     feet = 1e3 * found.seen(found.foot)
     start = 1e3 * found.seen(found.start)
     shift = start[0] - 1e3 * found.exact_displacement

@@ -1,6 +1,6 @@
 """Sheets of the sources' constructions: arc, orthogonal projection, Brix's ray forward and backward."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -9,24 +9,18 @@ from cranktrain.machine import Machine
 from cranktrain.plans.constructions import Construction, Method, construction, largest_errors
 from cranktrain.plans.placement import slider_crank_called
 from cranktrain.plans.positions import chosen_scale, scale_words
-from cranktrain.plans.vectors import pair
 from cranktrain.questions.cylinders.declared import cylinders_of
 from cranktrain.viz.figures import figure, rounded
-from cranktrain.viz.paper.labels import labelled_bounds
-from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings, fitting_scale
-from cranktrain.viz.paper.sketch import Sketch
+from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings
 from cranktrain.viz.paper.style import MUTED
 from cranktrain.viz.paper.tables import ROW
 from cranktrain.viz.plans.construction_sketches import construction_sketch, scheme_sketch
-from cranktrain.viz.plans.sheet import centre, plan_page, scale_of, write_beside, write_scales
+from cranktrain.viz.plans.sheet import centre, fitted_scale, plan_page, scale_of, write_beside, write_scales
 
 _PARTS = 10
 """Into which the stroke is divided where a construction is read backwards."""
 
-_SOURCE = "steam-engine-kinematics"
-
-_PASSES = 3
-"""How often a scale is corrected."""
+_SOURCE = "steam-engine"
 
 _COLUMNS = (0.20, 0.40, 0.60, 0.82, 1.0)
 """Where the columns of a table of readings end, in parts of its width."""
@@ -118,11 +112,11 @@ def _sheet(
     lower = Box(box.left, box.bottom + 7.0, wide, 0.68 * (box.height - 7.0))
     upper = Box(box.left, lower.bottom + lower.height, wide, box.height - 7.0 - lower.height)
     bore = _bore(machine, found)
-    small = _fitting(lambda one: scheme_sketch(found, one, bore), (upper.width - 4.0, upper.height - 12.0))
+    small = fitted_scale(lambda one: scheme_sketch(found, one, bore), (upper.width - 4.0, upper.height - 12.0))
     centre(page, scheme_sketch(found, small, bore), upper._replace(height=upper.height - 4.0))
     words = _("The mechanism, scale {scale}").format(scale=scale_words(small))
     page.text(upper.left, upper.bottom + upper.height - 4.0, words, color=MUTED)
-    least = _fitting(lambda one: construction_sketch(found, one), (lower.width - 8.0, lower.height - 8.0))
+    least = fitted_scale(lambda one: construction_sketch(found, one), (lower.width - 8.0, lower.height - 8.0))
     metal = 1e3 * chosen_scale(1e-3 * least, scale)
     centre(page, construction_sketch(found, metal), lower)
     write_scales(page, box, [scale_of("l", 1e-3 * metal, "m")], metal)
@@ -131,15 +125,6 @@ def _sheet(
     line = min(ROW, (box.height - LINE * len(notes) - 9.0) / len(rows))
     write_beside(page, box, box.left + wide + 8.0, rows, notes, shares=_COLUMNS, gap=1.0, line=line)
     return page.figure
-
-
-def _fitting(drawn: Callable[[float], Sketch], room: tuple[float, float]) -> float:
-    """Choose a round scale at which a sketch with its words fits a room: what has a size on paper keeps it."""
-    scale = 1.0
-    for _pass in range(_PASSES):
-        low, high = labelled_bounds(drawn(scale))
-        scale = fitting_scale(*pair(high - low), room)
-    return scale
 
 
 def _bore(machine: Machine, found: Construction) -> float | None:

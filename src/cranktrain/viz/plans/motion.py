@@ -254,7 +254,7 @@ def _strip(
     whole = position_plan(machine, 180, mechanism=mechanism, room=room).scale
     plan = rescaled(position_plan(machine, angles.tolist(), mechanism=mechanism, room=room, is_lettered=True), whole)
     _draw_positions(page, machine, plan, mechanism, upper)
-    notes = [words for words in _output_notes(machine, plan, places)]
+    notes = _output_notes(machine, plan, places)
     lower = Box(box.left, box.bottom, _STRIP, high)
     write_beside(page, lower, box.left, rows, notes, line=line, n_heads=N_HEADS)
     return scale_of("l", whole, "m")

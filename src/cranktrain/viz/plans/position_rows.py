@@ -56,7 +56,10 @@ def rows_of(angles: Array, columns: Sequence[Column]) -> Iterator[tuple[str, ...
     yield ("", "°", *(_UNITS.get(one.unit, (unit_words(one.unit),))[0] for one in columns))
     factors = [shown(1.0, _UNITS[one.unit][1]) if one.unit in _UNITS else 1.0 for one in columns]
     cells = [aligned(factor * one.values) for factor, one in zip(factors, columns, strict=True)]
-    yield from ((f"{i}", f"{angle:g}", *row) for i, (angle, row) in enumerate(zip(angles, zip(*cells), strict=True)))
+    yield from (
+        (f"{i}", f"{angle:g}", *row)
+        for i, (angle, row) in enumerate(zip(angles, zip(*cells, strict=True), strict=True))
+    )
 
 
 def _index(i: int) -> str:

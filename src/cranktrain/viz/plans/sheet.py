@@ -1,6 +1,6 @@
 """What sheets of plans have in common: their head, rooms for pictures, tables, scale factors at the foot."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 import numpy as np
 
@@ -14,7 +14,8 @@ from cranktrain.plans.positions import plan_angles, scale_words
 from cranktrain.plans.together import placed_together, places_called, together_name
 from cranktrain.plans.vectors import pair, spoken_name
 from cranktrain.viz.paper.head import title_block
-from cranktrain.viz.paper.page import LINE, MARGIN, Box, Page, formula, paper
+from cranktrain.viz.paper.labels import labelled_bounds
+from cranktrain.viz.paper.page import LINE, MARGIN, Box, Page, fitting_scale, formula, paper
 from cranktrain.viz.paper.sketch import Sketch, bounds_of
 from cranktrain.viz.paper.style import MUTED
 from cranktrain.viz.paper.tables import ROW, write_table
@@ -28,6 +29,9 @@ WITH_TABLE = 2
 
 _LOWEST = 4.0
 """How low rows of positions may be made. [mm]"""
+
+_PASSES = 3
+"""How often a scale is corrected."""
 
 VECTOR_COLUMNS = (0.53, 0.74, 1.0)
 """Where the columns of a table of vectors end: names of a chain's pins are words."""
@@ -126,6 +130,15 @@ def row_height(n_rows: Sequence[int], height: float) -> float:
     """How high the rows of tables below each other may be, each with a head and a note, in a room so high. [mm]"""
     free = height - len(n_rows) * (2 * LINE + 3.0)
     return max(_LOWEST, min(ROW, free / sum(n_rows)))
+
+
+def fitted_scale(drawn: Callable[[float], Sketch], room: tuple[float, float]) -> float:
+    """Choose a round scale at which a sketch with its words fits a room: what has a size on paper keeps it."""
+    scale = 1.0
+    for _pass in range(_PASSES):
+        low, high = labelled_bounds(drawn(scale))
+        scale = fitting_scale(*pair(high - low), room)
+    return scale
 
 
 def scale_of(letter: str, scale: float, unit: str) -> str:

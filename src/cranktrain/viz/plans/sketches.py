@@ -95,7 +95,7 @@ def line_drawing(plan: PositionPlan, track: Drawing | None = None) -> tuple[Sket
     scale = 1e3 * plan.scale
     sketch = Sketch(scale)
     pins = {name: scale * pin for name, pin in plan.drawing.positions.items()}
-    sketch.add(_frame(plan.drawing, pins, scale))
+    sketch.add(frame_lines(plan.drawing, pins, scale))
     sketch.add(_blocks(plan.drawing, pins, scale))
     if track is not None:
         paths = track.positions
@@ -153,7 +153,7 @@ def alike(points: Array, scale: float) -> list[list[int]]:
     return list(grouped((tuple(np.round(points[:, i] / (0.5 * scale))), i) for i in drawn).values())
 
 
-def _frame(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[Line | Circle]:
+def frame_lines(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[Line | Circle]:
     """Guides and fixed pivots."""
     for guide in drawing.guides:
         line = shapes.guide_line(guide.direction, pins[guide.pin][:, 0])

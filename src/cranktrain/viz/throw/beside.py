@@ -1,6 +1,7 @@
 """Throws that are drawn beside each other: one sketch of several, each about its own shaft."""
 
 from collections.abc import Callable, Iterator, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -68,7 +69,7 @@ def arranged(bounds: Sequence[Bounds], gap: float, *, is_row: bool) -> tuple[tup
     """Give where the shafts go so that throws stand in a row or a column, and the bounds of all; the first stays."""
     axis = 0 if is_row else 1
     places = [np.zeros(2)]
-    for before, own in zip(bounds[:-1], bounds[1:], strict=True):
+    for before, own in pairwise(bounds):
         step = np.zeros(2)
         step[axis] = before.high[axis] - own.low[axis] + gap if is_row else before.low[axis] - own.high[axis] - gap
         places.append(places[-1] + step)

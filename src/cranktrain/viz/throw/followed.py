@@ -1,4 +1,4 @@
-"""Points on links that the machine file asks to follow: the plate that carries each, marks along its curve, its name."""
+"""Points on links that the machine file asks to follow: the plate that carries each, its curve's marks, its name."""
 
 from collections.abc import Iterator
 

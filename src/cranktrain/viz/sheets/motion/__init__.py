@@ -32,6 +32,7 @@ PICTURES = (
         takes=("scale",),
     ),
     Picture("plan", "positions", f"{_MOTION}:plan_positions", "angles", source_angles="shown", takes=("scale",)),
+    Picture("plan", "scheme", "cranktrain.viz.plans.scheme:plan_scheme", "angles", refused=_ALIKE, takes=("letters",)),
     Picture("plan", "velocities", f"{_MOTION}:plan_velocities", "angles"),
     Picture("plan", "accelerations", f"{_MOTION}:plan_accelerations", "angles"),
     Picture("plan", "klein", f"{_MOTION}:plan_klein", "angles", refused={"speed": _EVENLY}),
