@@ -162,7 +162,8 @@ def scheme(
     """
     places = places_called(machine, mechanism)
     closed_angles(machine, places, [angle])
-    sort = "opposed" if len(places) > 1 else places[0].kind.name
+    first, *others = places
+    sort = "opposed" if others else first.kind.name
     source, figure, marked = _figure(sort, letters, together_name(places))
     phi = float(np.deg2rad(angle)) + machine.zero
     drawing = placed_together(machine, places, np.array([phi]))

@@ -1,37 +1,30 @@
-"""Sheets of plans: positions, polygons of velocities and accelerations, Klein's construction, each with its numbers."""
+"""Sheets of plans: polygons of velocities and accelerations, Klein's construction, each with its numbers."""
 
-import itertools
 from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
 from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.language import _
-from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.plans.klein import Klein, klein
-from cranktrain.plans.lettering import lettered
 from cranktrain.plans.polygons import Polygon, acceleration_polygons, velocity_polygons
 from cranktrain.plans.position_table import Column, output_columns
 from cranktrain.plans.positions import (
-    PositionPlan,
-    chosen_scale,
     closed_angles,
     fitting,
     position_plan,
     rescaled,
     single_plans,
-    track,
 )
 from cranktrain.plans.together import places_called
-from cranktrain.plans.vectors import PolygonVector, spoken_name
+from cranktrain.plans.vectors import PolygonVector
 from cranktrain.viz.figures import figure
-from cranktrain.viz.paper.detail import draw_detail, is_too_small
 from cranktrain.viz.paper.page import LINE, Box, Figure, Page, drawing_settings, mathematics
-from cranktrain.viz.paper.sketch import Sketch
 from cranktrain.viz.paper.tables import LEAST_ROW, ROW
-from cranktrain.viz.plans.position_rows import N_HEADS, every, point_tables, position_rows
+from cranktrain.viz.plans.position_rows import N_HEADS, position_rows
+from cranktrain.viz.plans.positions import draw_positions, output_notes
 from cranktrain.viz.plans.sheet import (
     VECTOR_COLUMNS,
     WITH_TABLE,
@@ -51,107 +44,11 @@ from cranktrain.viz.plans.sketches import klein_sketch, polygon_sketch, position
 _STRIP = 104.0
 """Width of the mechanism and its table beside many polygons. [mm]"""
 
-_ROOM_FOR_WORDS = 66.0
-"""Height of a room from which positions have numbers and a small crank a detail. [mm]"""
-
 _NAMED = 12
 """Of more polygons the corners between parts of a vector have no names."""
 
 _COLUMNS = 5
 """Beside number and angle in a table of that width."""
-
-
-@drawing_settings()
-def plan_positions(
-    machine: Machine,
-    angles: int | Sequence[float] = 12,
-    *,
-    mechanism: str | None = None,
-    size: str = "A4",
-    speed: SpeedWanted = "constant",
-    scale: float | None = None,
-) -> Figure:
-    """Draw a mechanism in several positions, to scale, beside a table of its output, and of points that are followed.
-
-    Parameters
-    ----------
-    machine : Machine
-    angles : int or sequence of float
-        How many, evenly over a turn, or which crank angles; 24 at most. [deg]
-    mechanism : str, optional
-        Its name; the first slave of throw 1, or the first mechanism, unless given.
-    size : "A4" or "A3"
-    speed : SpeedWanted
-        As `cranktrain.run` takes it.
-    scale : float, optional
-        Millimetres of metal in one of paper, 4 for 1:4; the largest round one that fits, unless given.
-
-    Returns
-    -------
-    Figure
-    """
-    curve = speed_over_cycle(machine, speed)
-    page, box = plan_page(machine, angles, size, _("Plan of positions"), mechanism, curve=curve)
-    places = places_called(machine, mechanism)
-    wide = 0.62 * box.width
-    left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
-    room = (left.width - 22.0, left.height - 22.0)
-    metre = chosen_scale(position_plan(machine, 180, mechanism=mechanism, room=room).scale, scale)
-    plan = rescaled(position_plan(machine, angles, mechanism=mechanism, room=room, is_lettered=True), metre)
-    _draw_positions(page, machine, plan, mechanism, left)
-    write_scales(page, box, [scale_of("l", metre, "m")], 1e3 * metre)
-    start = box.left + wide + 6.0
-    rows = list(position_rows(machine, places, plan.angles, curve))
-    tables = [] if len(places) > 1 else list(point_tables(machine, places[0], plan.angles, curve))
-    room_for_points = box.height - 20.0 - ROW * len(rows)
-    step = next(step for step in itertools.count(1) if _height_of(tables, step) <= room_for_points or step == len(rows))
-    tables = [(name, every(table, step)) for name, table in tables]
-    manner = {"line": row_height([len(rows), *(len(table) + 1 for _name, table in tables)], box.height - 8.0)}
-    below = write_beside(page, box, start, rows, _output_notes(machine, plan, places), n_heads=N_HEADS, **manner)
-    for name, table in tables:
-        page.heading(start, below - 3.0, _("Point {name}").format(name=spoken_name(name)))
-        notes = [_("x, y in the mechanism's own axes; sizes of velocity and acceleration")]
-        rest = box._replace(height=below - 5.0 - box.bottom)
-        below = write_beside(page, rest, start, table, notes, n_heads=N_HEADS, **manner)
-    return page.figure
-
-
-def _height_of(tables: Sequence[tuple[str, list[tuple[str, ...]]]], step: int) -> float:
-    """How high tables of points are with every so manyth of their rows. [mm]"""
-    return sum(16.0 + ROW * len(every(table, step)) for _name, table in tables)
-
-
-def _output_notes(machine: Machine, plan: PositionPlan, places: Sequence[PlacedMechanism]) -> list[str]:
-    """Say from where the output counts."""
-    if places[0].kind.output != "slider":
-        return []
-    if not plan.drawing.guides:
-        return [_("x in the cylinder, positive toward its head; s from the top")]
-    has_speed = machine.main_shaft.speed is not None
-    rates = _("s, v, a") if has_speed else _("s and its derivatives")
-    if len(places) > 1:
-        return [_("{rates} from each piston's own top toward its shaft").format(rates=rates)]
-    return [_("x from the shaft along the line of stroke;"), _("{rates} from the top toward it").format(rates=rates)]
-
-
-def _draw_positions(page: Page, machine: Machine, plan: PositionPlan, mechanism: str | None, room: Box) -> None:
-    """Draw the positions with their paths; where the crank is too small to be seen, the shaft once more, larger."""
-    metal = 1e3 * plan.scale
-    crank = plan.drawing.links[0].pins
-    pins = plan.drawing.positions
-    radius = metal * float(np.hypot(*(pins[crank[1]] - pins[crank[0]])[:, 0]))
-    is_large = room.height > _ROOM_FOR_WORDS
-    is_small = is_too_small(radius, metal) and len(plan.angles) > 1 and is_large
-
-    def drawn(scale: float, hidden: Sequence[str] = ()) -> Sketch:
-        paths = lettered(track(machine, 1e-3 * scale, mechanism=mechanism))
-        return positions_sketch(rescaled(plan, 1e-3 * scale), paths, hidden=hidden, is_lettered=True)
-
-    whole = drawn(metal, crank if is_small else () if is_large else tuple(pins))
-    origin = centre(page, whole, room)
-    if is_small:
-        others = [pin for pin in pins if pin not in crank]
-        draw_detail(page, lambda scale: drawn(scale, others), 1.2 * radius, whole, origin, room)
 
 
 def plan_velocities(
@@ -241,11 +138,9 @@ def _strip(
     """Draw the mechanism in all positions above a table of its motion, left of many polygons; say its scale."""
     angles = np.array([polygon.angle for polygon in polygons])
     places = places_called(machine, mechanism)
-    more = (
-        []
-        if len(places) > 1
-        else list(_link_columns(polygons))[: _COLUMNS - len(output_columns(machine, places[0], angles))]
-    )
+    first, *others = places
+    n_more = 0 if others else _COLUMNS - len(output_columns(machine, first, angles))
+    more = list(_link_columns(polygons))[:n_more]
     rows = list(position_rows(machine, places, angles, curve, more))
     line = row_height([len(rows)], 0.66 * box.height)
     high = line * len(rows) + 8.0 + LINE * 3
@@ -253,8 +148,8 @@ def _strip(
     room = (upper.width - 18.0, upper.height - 18.0)
     whole = position_plan(machine, 180, mechanism=mechanism, room=room).scale
     plan = rescaled(position_plan(machine, angles.tolist(), mechanism=mechanism, room=room, is_lettered=True), whole)
-    _draw_positions(page, machine, plan, mechanism, upper)
-    notes = _output_notes(machine, plan, places)
+    draw_positions(page, machine, plan, mechanism, upper)
+    notes = output_notes(machine, plan, places)
     lower = Box(box.left, box.bottom, _STRIP, high)
     write_beside(page, lower, box.left, rows, notes, line=line, n_heads=N_HEADS)
     return scale_of("l", whole, "m")

@@ -3,6 +3,8 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from cranktrain.analysis import Result
 from cranktrain.language import _
 from cranktrain.machine import Machine
@@ -38,8 +40,8 @@ _ANGLE = 50.0
 """Crank angle at which the throw is drawn, unless given. [deg]"""
 
 
-_WIDE = 1.4
-"""By how much larger the throws must come out over the page's whole width to take it."""
+_WIDE, _LARGER = 2.0, 1.2
+"""How wide throws are for their height that take the page's whole width, and by how much larger they come out then."""
 
 _LINE_FOOT = 10.0
 """Below such throws for scale and notes. [mm]"""
@@ -94,7 +96,8 @@ def sheet(
     narrow, wide = (
         fitted(throws.drawn, throws.rough, (room.width - 1.0, room.height - 6.0)) for room in (beside, above)
     )
-    is_wide = narrow.scale >= _WIDE * wide.scale
+    width, height = pair(np.subtract(*reversed(labelled_bounds(narrow.sketch))))
+    is_wide = narrow.scale >= _LARGER * wide.scale and width >= _WIDE * height
     notes = ("; ".join(throws.notes),) if is_wide else throws.notes
     _draw_throws(page, replace(throws, notes=notes), wide if is_wide else narrow, above if is_wide else beside, scale)
     curves = panels(result, design, piston)
