@@ -9,17 +9,22 @@ from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
-from cranktrain.plans.lettering import lettered
+from cranktrain.plans.lettering import lettered, pin_letters
 from cranktrain.plans.positions import PositionPlan, chosen_scale, position_plan, rescaled, track
-from cranktrain.plans.together import places_called
+from cranktrain.plans.together import placed_together, places_called
 from cranktrain.plans.vectors import spoken_name
 from cranktrain.viz.paper.detail import draw_detail, is_too_small
 from cranktrain.viz.paper.page import Box, Figure, Page, drawing_settings
 from cranktrain.viz.paper.sketch import Sketch
-from cranktrain.viz.paper.tables import ROW
 from cranktrain.viz.plans.position_rows import N_HEADS, every, point_tables, position_rows
-from cranktrain.viz.plans.sheet import centre, plan_page, row_height, scale_of, write_beside, write_scales
+from cranktrain.viz.plans.sheet import LOWEST, centre, plan_page, row_height, scale_of, write_beside, write_scales
 from cranktrain.viz.plans.sketches import positions_sketch
+
+_ONE, _BOTH = 0.62, 0.48
+"""Width of the drawing in parts of the room's: of one mechanism, and of opposed pistons, whose table is wider."""
+
+_BESIDE_ROWS = 15.0
+"""Height of a table beside its rows: heading, rule and note. [mm]"""
 
 ROOM_FOR_WORDS = 66.0
 """Height of a room from which positions have numbers and a small crank a detail. [mm]"""
@@ -56,7 +61,8 @@ def plan_positions(
     """
     curve = speed_over_cycle(machine, speed)
     page, box = plan_page(machine, angles, size, _("Plan of positions"), mechanism, curve=curve)
-    wide = 0.62 * box.width
+    is_one = len(places_called(machine, mechanism)) == 1
+    wide = (_ONE if is_one else _BOTH) * box.width
     left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
     room = (left.width - 22.0, left.height - 22.0)
     metre = chosen_scale(position_plan(machine, 180, mechanism=mechanism, room=room).scale, scale)
@@ -64,7 +70,7 @@ def plan_positions(
     draw_positions(page, machine, plan, mechanism, left)
     write_scales(page, box, [scale_of("l", metre, "m")], 1e3 * metre)
     _write_tables(
-        page, machine, plan, curve, mechanism, box._replace(left=box.left + wide + 6.0, width=0.38 * box.width - 6.0)
+        page, machine, plan, curve, mechanism, box._replace(left=box.left + wide + 6.0, width=box.width - wide - 6.0)
     )
     return page.figure
 
@@ -76,22 +82,26 @@ def _write_tables(
     first, *others = places_called(machine, mechanism)
     rows = list(position_rows(machine, (first, *others), plan.angles, curve))
     tables = [] if others else list(point_tables(machine, first, plan.angles, curve))
-    free = room.height - 20.0 - ROW * len(rows)
-    step = next((step for step in range(1, len(rows)) if _height_of(tables, step) <= free), len(rows))
+    step = next((step for step in range(1, len(rows)) if _least_height(rows, tables, step) <= room.height), len(rows))
     tables = [(name, every(table, step)) for name, table in tables]
     line = row_height([len(rows), *(len(table) + 1 for _name, table in tables)], room.height - 8.0)
+    letters = pin_letters(placed_together(machine, (first, *others), np.zeros(1)))
     notes = output_notes(machine, plan, (first, *others))
     below = write_beside(page, room, room.left, rows, notes, line=line, n_heads=N_HEADS)
     for name, table in tables:
-        page.heading(room.left, below - 3.0, _("Point {name}").format(name=spoken_name(name)))
+        words = f"{letters[name]}, {spoken_name(name).replace('_', ' ')}" if name in letters else spoken_name(name)
+        page.heading(room.left, below - 3.0, _("Point {name}").format(name=words))
         notes = [_("x, y in the mechanism's own axes; sizes of velocity and acceleration")]
         rest = room._replace(height=below - 5.0 - room.bottom)
         below = write_beside(page, rest, room.left, table, notes, line=line, n_heads=N_HEADS)
 
 
-def _height_of(tables: Sequence[tuple[str, list[tuple[str, ...]]]], step: int) -> float:
-    """How high tables of points are with every so manyth of their rows. [mm]"""
-    return sum(16.0 + ROW * len(every(table, step)) for _name, table in tables)
+def _least_height(
+    rows: Sequence[tuple[str, ...]], tables: Sequence[tuple[str, list[tuple[str, ...]]]], step: int
+) -> float:
+    """How high the tables are at least with every so manyth row of the points'. [mm]"""
+    n_rows = len(rows) + sum(len(every(table, step)) for _name, table in tables)
+    return LOWEST * n_rows + _BESIDE_ROWS * (len(tables) + 1)
 
 
 def output_notes(machine: Machine, plan: PositionPlan, places: Sequence[PlacedMechanism]) -> list[str]:

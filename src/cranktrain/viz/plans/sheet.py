@@ -27,7 +27,7 @@ MOST = 24
 WITH_TABLE = 2
 """Up to so many polygons stand beside the mechanism and a table of their vectors."""
 
-_LOWEST = 4.0
+LOWEST = 4.0
 """How low rows of positions may be made. [mm]"""
 
 _PASSES = 3
@@ -129,7 +129,7 @@ def write_beside(
 def row_height(n_rows: Sequence[int], height: float) -> float:
     """How high the rows of tables below each other may be, each with a head and a note, in a room so high. [mm]"""
     free = height - len(n_rows) * (2 * LINE + 3.0)
-    return max(_LOWEST, min(ROW, free / sum(n_rows)))
+    return max(LOWEST, min(ROW, free / sum(n_rows)))
 
 
 def fitted_scale(drawn: Callable[[float], Sketch], room: tuple[float, float]) -> float:

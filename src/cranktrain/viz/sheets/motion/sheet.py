@@ -49,7 +49,7 @@ _LINE_FOOT = 10.0
 _NARROW = MOTION._replace(reach=11.5, sample=(8.5, 3.0))
 """Look of curves in two columns."""
 
-_UPPER = 0.46
+_UPPER = 0.5
 """Height of such throws, in parts of the room."""
 
 
