@@ -16,7 +16,7 @@ from cranktrain.plans.placement import output_motion
 from cranktrain.plans.turning import turning
 
 
-class Column(NamedTuple):
+class PositionColumn(NamedTuple):
     """A column: symbol, unit in SI (rad for angles), values of shape (n,)."""
 
     symbol: str
@@ -26,7 +26,7 @@ class Column(NamedTuple):
 
 def output_columns(
     machine: Machine, place: PlacedMechanism, angles: Array, curve: SpeedCurve | None = None
-) -> tuple[Column, ...]:
+) -> tuple[PositionColumn, ...]:
     """Motion of a place's output in each position.
 
     Parameters
@@ -40,7 +40,7 @@ def output_columns(
 
     Returns
     -------
-    tuple of Column
+    tuple of PositionColumn
         Of a slider x from the shaft along the line of stroke, s from its true top toward the shaft, and the velocity
         and acceleration of s, as results have them; of a rocker its angle and that one's rates. Without a speed,
         derivatives by the crank angle.
@@ -59,21 +59,21 @@ def output_columns(
         symbols = ("ω₃", "ε₃") if has_speed else ("θ′", "θ″")
         units = ("rad/s", "rad/s^2") if has_speed else ("rad/rad", "rad/rad^2")
         return (
-            Column("θ", "rad", motion.value),
-            *(Column(*parts) for parts in zip(symbols, units, (first, second), strict=True)),
+            PositionColumn("θ", "rad", motion.value),
+            *(PositionColumn(*parts) for parts in zip(symbols, units, (first, second), strict=True)),
         )
     top = largest(lambda at: output_motion(machine, place, at).value).value
     symbols, units = (("v", "a"), ("m/s", "m/s^2")) if has_speed else (("s′", "s″"), ("m/rad", "m/rad^2"))
     return (
-        Column("x", "m", motion.value),
-        Column("s", "m", top - motion.value),
-        *(Column(*parts) for parts in zip(symbols, units, (0.0 - first, 0.0 - second), strict=True)),
+        PositionColumn("x", "m", motion.value),
+        PositionColumn("s", "m", top - motion.value),
+        *(PositionColumn(*parts) for parts in zip(symbols, units, (0.0 - first, 0.0 - second), strict=True)),
     )
 
 
 def point_columns(
     machine: Machine, place: PlacedMechanism, angles: Array, curve: SpeedCurve | None = None
-) -> Iterator[tuple[str, tuple[Column, ...]]]:
+) -> Iterator[tuple[str, tuple[PositionColumn, ...]]]:
     """Path, speed and size of the acceleration of every point that is followed, by its name; x, y as results have them.
 
     Parameters as of `output_columns`.
@@ -94,8 +94,8 @@ def point_columns(
         yield (
             name,
             (
-                Column("x", "m", pin.x.value),
-                Column("y", "m", pin.y.value),
-                *(Column(*parts) for parts in rest),
+                PositionColumn("x", "m", pin.x.value),
+                PositionColumn("y", "m", pin.y.value),
+                *(PositionColumn(*parts) for parts in rest),
             ),
         )

@@ -10,7 +10,7 @@ from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.plans.klein import Klein, klein
 from cranktrain.plans.polygons import Polygon, acceleration_polygons, velocity_polygons
-from cranktrain.plans.position_table import Column, output_columns
+from cranktrain.plans.position_table import PositionColumn, output_columns
 from cranktrain.plans.positions import (
     closed_angles,
     fitting,
@@ -155,13 +155,13 @@ def _strip(
     return scale_of("l", whole, "m")
 
 
-def _link_columns(polygons: Sequence[Polygon]) -> Iterator[Column]:
+def _link_columns(polygons: Sequence[Polygon]) -> Iterator[PositionColumn]:
     """Sizes of the vectors between pins that every polygon has; of accelerations their parts."""
     parts = ("relative",) if polygons[0].quantity == "velocity" else ("normal", "tangential", "coriolis")
     for number, vector in enumerate(polygons[0].vectors):
         if vector.part in parts and all(_symbol_at(polygon, number) == vector.symbol for polygon in polygons):
             sizes = np.array([polygon.vectors[number].size for polygon in polygons])
-            yield Column(mathematics(vector.symbol), polygons[0].unit, sizes)
+            yield PositionColumn(mathematics(vector.symbol), polygons[0].unit, sizes)
 
 
 def _symbol_at(polygon: Polygon, number: int) -> str:

@@ -7,7 +7,7 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.plans.position_table import Column, output_columns, point_columns
+from cranktrain.plans.position_table import PositionColumn, output_columns, point_columns
 from cranktrain.quantities import shown
 from cranktrain.viz.figures import aligned
 from cranktrain.viz.paper.page import INDICES
@@ -25,7 +25,7 @@ def position_rows(
     places: Sequence[PlacedMechanism],
     angles: Array,
     curve: SpeedCurve | None,
-    more: Sequence[Column] = (),
+    more: Sequence[PositionColumn] = (),
 ) -> Iterator[tuple[str, ...]]:
     """Head and rows of a table: number, crank angle and motion of the output; of opposed pistons both, without x."""
     columns = [
@@ -50,7 +50,7 @@ def every(table: Sequence[tuple[str, ...]], step: int) -> list[tuple[str, ...]]:
     return [*table[:N_HEADS], *table[N_HEADS::step]]
 
 
-def rows_of(angles: Array, columns: Sequence[Column]) -> Iterator[tuple[str, ...]]:
+def rows_of(angles: Array, columns: Sequence[PositionColumn]) -> Iterator[tuple[str, ...]]:
     """Two rows of a head, symbols and units, and rows: number, crank angle, columns in the units of drawings."""
     yield (_("no."), "φ", *(one.symbol for one in columns))
     yield ("", "°", *(_UNITS.get(one.unit, (unit_words(one.unit),))[0] for one in columns))
