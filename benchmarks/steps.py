@@ -5,7 +5,7 @@ import numpy as np
 from comparison import Comparison
 
 from cranktrain.analysis import STAGES
-from cranktrain.analysis.parts import designs_of, parts_of
+from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.stages import lacking, run_stages
 from cranktrain.io.machine_file import load
 
@@ -52,7 +52,7 @@ def in_turn(stages):
 def ready_stages(example):
     """Stages of an example by name, without arguments: what they need is there."""
     machine = load(example)
-    parts = parts_of(designs_of((machine,)), machine.cycle, step=np.radians(1.0))
+    parts = parts_of((machine,), step=np.radians(1.0))
     outcomes = run_stages(STAGES, parts, lacking(STAGES, parts))
     known = {**parts, **outcomes}
 

@@ -64,7 +64,7 @@ class Engine:
     def filled(self, spec, cycle=FOUR_STROKE, speed=None):
         """The fluid of a table, and what its pressure takes in this cylinder."""
         fluid = fluid_of(spec)
-        return fluid, fluid.prepared(of_designs([fluid.numbers(spec)]), self.rooms(cycle, speed))
+        return fluid, fluid.prepared(of_designs(fluid.numbers(spec)), self.rooms(cycle, speed))
 
 
 def indicated_work(pressure, volume_slope, cycle):

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 import cranktrain as ct
-from cranktrain.numerics.nested import mapped
+from cranktrain.numerics.nested import filled, leaves, mapped
 
 RADIUS, ROD = 0.05, 0.18
 """Of `slider`. [m]"""
@@ -127,3 +127,8 @@ def turned(angle: Any) -> Any:
 def scaled(geometry, length, factor):
     """Geometry with one length, named by its dotted path, multiplied by a factor."""
     return mapped(lambda name, value: value * factor if name == length else value, geometry)
+
+
+def as_columns(*designs):
+    """Geometry of one member in several designs: arrays of shape (design,)."""
+    return filled(designs[0], iter(np.array([leaves(design) for design in designs]).T))

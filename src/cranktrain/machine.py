@@ -23,6 +23,7 @@ from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPist
 from cranktrain.layout.standing import standing_problems
 from cranktrain.mechanisms import AnyMechanism
 from cranktrain.mechanisms.spec import LISTS
+from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.paths import PathParts, path_text, quantity_path, replaced, value_at
 from cranktrain.quantities import Angle, Given
@@ -252,9 +253,9 @@ class Machine(Spec, frozen=True):
         return self.running == "astern"
 
     @property
-    def zero(self) -> float:
+    def zero(self) -> Array:
         """φ where the shown crank angle is 0: as given, or where the crank of throw 1 points along Y. [rad]"""
-        zero = -self.orientation.first_angle if self.crank_zero == "Y" else self.crank_zero.si
+        zero = -self.orientation.first_angle if self.crank_zero == "Y" else self.crank_zero.array
         return -zero if self.is_astern else zero
 
     @property

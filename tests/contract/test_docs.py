@@ -1,5 +1,6 @@
 """The documentation: it builds without a warning, its equations are numbered as labelled, and its blocks are run."""
 
+import importlib.util
 import re
 import shutil
 import subprocess
@@ -134,3 +135,12 @@ def test_blocks_that_hold_pass(blocks_run):
 @pytest.mark.parametrize("reason", BLOCKS_THAT_FAIL)
 def test_blocks_that_do_not_hold_fail(blocks_run, reason):
     assert outcomes(blocks_run, f"docs/{reason}.md") == ["FAILED"], blocks_run
+
+
+def test_pages_of_the_texts_are_made_of_what_the_program_knows():
+    """Where this fails: `python docs/text_pages.py` makes them anew."""
+    spec = importlib.util.spec_from_file_location("text_pages", DOCS / "text_pages.py")
+    text_pages = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(text_pages)
+    written = {path.name: path.read_text(encoding="utf-8") for path in (DOCS / "texts").glob("*.md")}
+    assert written == text_pages.pages()

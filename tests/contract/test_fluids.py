@@ -11,6 +11,7 @@ from tests.gas_engines import FOUR_STROKE, TWO_STROKE, Engine, csv
 
 import cranktrain.fluids as gas
 from cranktrain.io.schema import described
+from cranktrain.numerics.nested import mapped
 from cranktrain.spec import validated
 
 ROOT = Path(__file__).parents[2]
@@ -87,7 +88,7 @@ def test_pressure_of_the_states_shape(kind, cycle):
     assert pressure.shape == (2, 1, 1, len(ANGLE))
     assert np.all(pressure > 0)
     np.testing.assert_allclose(pressure[1], pressure[0], rtol=1e-9)
-    alone = type(ready)(*(part[0, 0] for part in ready))
+    alone = mapped(lambda _name, part: part[0, 0], ready)
     of_one = gas.chamber_state(ENGINE.volume(ANGLE), ENGINE.limits, ANGLE, cycle)
     np.testing.assert_array_equal(kind.pressure(of_one, alone), pressure[0, 0, 0])
     for sentence in (*kind.flags(spec), *kind.notes(ready)):
@@ -122,9 +123,42 @@ def test_work_is_the_pressures_over_the_volume(kind, cycle):
     angle = (edges[:-1, np.newaxis] + half * (1 + node)).ravel()
     volume = ENGINE.volume(angle)
     state = gas.chamber_state(volume, ENGINE.limits, angle, cycle)
-    pressure = kind.pressure(state, type(ready)(*(part[0, 0] for part in ready)))
+    pressure = kind.pressure(state, mapped(lambda _name, part: part[0, 0], ready))
     work = float(np.sum(pressure * volume.first * (half * weight).ravel()))
     assert kind.work(ready, rooms)[0, 0] == pytest.approx(work, rel=1e-11, abs=1e-9)
+
+
+@every_kind
+def test_slope_is_the_pressures(kind):
+    """By a central difference of the pressure, wherever that stays on one piece of its curve."""
+    rooms = ENGINE.rooms()
+    _kind, ready = ENGINE.filled(example_of(kind, kind.example))
+    own = mapped(lambda _name, part: part[0, 0], ready)
+    angle = np.radians(np.arange(0.37, 720.0, 1.0))
+    step = np.radians(0.02) * np.array([-2, -1, 1, 2])
+
+    def at(angle):
+        volume = ENGINE.volume(angle)
+        state = gas.chamber_state(volume, ENGINE.limits, angle, FOUR_STROKE)
+        return state, volume.first
+
+    state, volume_slope = at(angle)
+    found = kind.slope(state, volume_slope, own)
+    assert found.shape == angle.shape
+    near = np.array([kind.pressure(at(angle + one)[0], own) for one in step])
+    expected = np.array([1.0, -8.0, 8.0, -1.0]) @ near / (12 * np.radians(0.02))
+    off = np.abs(found - expected) > 1e-6 * np.max(np.abs(found))
+    # where pieces meet: dead centres, valves, where heat ends, samples of a card
+    assert np.count_nonzero(off) <= 4 * (1 + len(kind.kinks(ready, rooms.limits)))
+    ends = angle[off]
+    others = {0: ENGINE.top_angle, 1: ENGINE.bottom}
+    edges = [place + turn for place in others.values() for turn in 2 * np.pi * np.arange(-1, 3)]
+    if kind.breaks is not None:
+        edges += list(kind.breaks(ready)[0, 0])
+    for kink in kind.kinks(ready, rooms.limits):
+        edges += list(angle[np.argsort(np.abs(state.volume - kink.volume[0, 0, 0]))[:8]])
+    assert all(np.min(np.abs(np.array(edges) - end)) < np.radians(1.0) for end in ends)
+    assert np.ptp(found) > 0
 
 
 @every_kind

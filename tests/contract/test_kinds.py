@@ -116,7 +116,7 @@ def test_margin_of_the_example_opens_its_links(kind):
     """The length that is named opens the links when changed by a little more than the margin, not by a little less."""
     place = place_of(kind)
     kind = place.kind
-    found = closing_margin(kind, stacked([[place.geometry]]))
+    found = closing_margin(kind, stacked([place.geometry]))
     if np.isnan(found.margin[0, 0, 0]):
         return  # it closes whatever its lengths are
     margin, name = found.margin[0, 0, 0], kind.lengths[found.length[0, 0, 0]]
@@ -233,7 +233,7 @@ def test_drawing_agrees_with_the_motion(kind):
 def test_drawing_of_many_mechanisms_at_once(kind):
     place = place_of(kind)
     kind = place.kind
-    columns = stacked([[place.geometry, place.geometry], [place.geometry, place.geometry]])
+    columns = stacked([place.geometry, place.geometry], 2)
     many, one = kind.drawing(PHI, columns), kind.drawing(PHI, place.geometry)
     for name, parts in many.positions.items():
         for part, single in zip(parts, one.positions[name], strict=True):

@@ -81,7 +81,7 @@ def drawn(random: np.random.Generator) -> ChainSize:
 @pytest.fixture(scope="module")
 def turning() -> Turning:
     random = np.random.default_rng(11)
-    size = rows(stacked([[drawn(random) for _ in range(8 * N)]]), np.arange(8 * N))
+    size = rows(stacked([drawn(random) for _ in range(8 * N)]), np.arange(8 * N))
     keeps = np.min(chain_gap(STRUCTURE, TURN[::5], size), axis=-1) > 0
     size = rows(size, np.flatnonzero(keeps))
     for name in LENGTHS:

@@ -39,6 +39,9 @@ def step_printed(printed):
         # 10.048·(π/3 + 0.15·√3/2) = 11.8275
         ("v = rω[φ + (r/2l) sin 2φ]", "11.828", "10.007"),
         ("v = 10,048 м/с", "10.048", "-10.048"),
+        # 0.08/0.54 = 0.148148
+        ("r/2l ≈ 0,15", "0.15", "0.1481"),
+        ("v = −9,99 м/с", "-9.99", "-10.01"),
     ],
 )
 def test_wrong_step(printed, got, right):
@@ -55,8 +58,14 @@ def test_true_pressure_angles_of_its_rods(printed, degrees):
     assert np.degrees(step.right) == pytest.approx(30, rel=1e-15)
 
 
+def test_plans_for_the_limit_do_not_show_it():
+    """At φ = [α] = 30° sin α = 0.08·½/0.27; its largest angle, at 90°, has sin α = 0.08/0.27."""
+    step = step_printed("φ₁, равном [α] и 180° + [α]")
+    assert np.sin([step.got, step.right]) == pytest.approx([0.04 / 0.27, 0.08 / 0.27], rel=1e-14)
+
+
 def test_every_wrong_step_is_wrong_and_named_once():
-    assert len(STEPS) == len(source.wrong_steps()) == 13
+    assert len(STEPS) == len(source.wrong_steps()) == 16
     for step in STEPS.values():
         assert abs(step.got - step.right) > 1e-3 * abs(step.right)
 

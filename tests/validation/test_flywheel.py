@@ -13,7 +13,7 @@ import pytest
 from tests.excess import excess_work
 
 import cranktrain as ct
-from cranktrain.analysis.parts import designs_of, parts_of
+from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.stages import STAGES, lacking, run_stages
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.speed import Speed
@@ -116,7 +116,7 @@ def whole_machine(torque, speed, **evenness: Any) -> dict[type, Any]:
         masses={"piston": {"mass": "9 kg"}},
         evenness=evenness,
     )
-    parts = parts_of(designs_of([machine]), machine.cycle, step=np.radians(0.5))
+    parts = parts_of([machine], step=np.radians(0.5))
     known: dict[type, Any] = {**parts, **run_stages(STAGES, parts, lacking(STAGES, parts))}
     torques = known[MechanismTorques]
     square = known[Speed].value[0] ** 2

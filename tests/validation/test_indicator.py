@@ -27,7 +27,7 @@ DEGREE = np.radians(1.0)
 
 def diagram_of(text, engine, cycle=FOUR_STROKE, **more):
     spec = validated(IndicatorSpec, {"kind": "indicator", "file": "trace.csv", "text": text, **more})
-    return indicator_diagram(card_of(spec).card, engine.chamber(cycle))
+    return indicator_diagram(card_of(spec).card[0], engine.chamber(cycle))
 
 
 def golden_text(path):

@@ -65,7 +65,7 @@ def test_geared_rotors_of_sarkar():
             },
         },
     )
-    declared = declared_train([spec], 1)
+    declared = declared_train(spec, 1)
     found = natural_modes(Train(declared.inertia, declared.stiffness, declared.following)).speed[0, 0] / (2 * np.pi)
     assert found == pytest.approx(case["exact"]["frequency_Hz"], rel=1e-8)
     assert found == pytest.approx(case["book"]["frequency_Hz"], rel=PRINTED)

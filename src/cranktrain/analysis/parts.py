@@ -5,9 +5,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import cast
 
 from cranktrain.all_questions import QUESTIONS
+from cranktrain.columns import in_columns
 from cranktrain.errors import Problem, refuse
 from cranktrain.language import _
-from cranktrain.layout.design import Design
 from cranktrain.layout.parts import laid_out, layout_parts
 from cranktrain.layout.question import Parts
 from cranktrain.machine import Machine, machine_problems
@@ -15,14 +15,13 @@ from cranktrain.quantities import Given
 from cranktrain.spec import Spec
 
 
-def parts_of(designs: Sequence[Design], cycle: float, *, step: float) -> Parts:
+def parts_of(machines: Sequence[Machine], *, step: float) -> Parts:
     """Lay out designs of one machine.
 
     Parameters
     ----------
-    designs : sequence of Design
-    cycle : float
-        [rad]
+    machines : sequence of Machine
+        With nothing wrong; they differ in numbers alone.
     step : float
         Of the crank-angle grid, a whole part of the cycle. [rad]
 
@@ -31,15 +30,16 @@ def parts_of(designs: Sequence[Design], cycle: float, *, step: float) -> Parts:
     Parts
         By type: those of the layout, then those of every question; what the machines do not declare is left out.
     """
-    laid = laid_out(designs, cycle=cycle, step=step)
+    together = machines[0] if len(machines) == 1 else in_columns(machines)
+    laid = laid_out([one.design for one in machines], together.design, cycle=together.cycle, step=step)
     parts: Parts = {type(part): part for part in layout_parts(laid) if part is not None}
     for question in QUESTIONS:
         parts |= {type(part): part for part in question.parts(laid, parts) if part is not None}
     return parts
 
 
-def designs_of(machines: Sequence[Machine], *, partial: bool = False) -> list[Design]:
-    """Arrange every design.
+def refuse_wrong(machines: Sequence[Machine], *, partial: bool = False) -> None:
+    """Refuse designs with which anything is wrong.
 
     Parameters
     ----------
@@ -48,10 +48,6 @@ def designs_of(machines: Sequence[Machine], *, partial: bool = False) -> list[De
     partial : bool
         Accept links that cannot close over the whole turn: NaN there.
 
-    Returns
-    -------
-    list of Design
-
     Raises
     ------
     InputError
@@ -59,7 +55,6 @@ def designs_of(machines: Sequence[Machine], *, partial: bool = False) -> list[De
     """
     wrong = (problem for machine in machines for problem in machine_problems(machine, partial=partial))
     refuse(dict.fromkeys((*_differences(machines), *wrong)))
-    return [machine.design for machine in machines]
 
 
 def _differences(machines: Sequence[Machine]) -> Iterator[Problem]:

@@ -8,7 +8,7 @@ import numpy as np
 
 from cranktrain.analysis.blocks import MOST_AT_ONCE, block_sizes, is_kept, joined
 from cranktrain.analysis.grids import FACTS_STEP, coarse_curves, has_curves, on_grid, with_curves
-from cranktrain.analysis.parts import designs_of, parts_of
+from cranktrain.analysis.parts import parts_of, refuse_wrong
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.second_run import SpeedWanted, with_speed
 from cranktrain.analysis.stages import STAGES, lacking, leading_to, missing_results, run_stages
@@ -17,7 +17,6 @@ from cranktrain.catalogue import entries
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.design import Design
 from cranktrain.layout.question import Parts, Stage
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
@@ -76,19 +75,19 @@ def run(
     if not machines:
         raise InputError([Problem("", None, _("there must be at least one machine"))])
     step = _step(step_degrees)
-    designs = designs_of(machines, partial=partial)
+    refuse_wrong(machines, partial=partial)
     asked = (quantities,) if isinstance(quantities, str) else quantities
     names = None if asked is None else tuple(asked)
     chosen = stages if names is None else _needed(stages, names)
     if len(machines) <= MOST_AT_ONCE or isinstance(speed, SpeedCurve):
-        return _run(machines, designs, speed, step, stages, chosen, has_designs=not isinstance(machine, Machine))
+        return _run(machines, speed, step, stages, chosen, has_designs=not isinstance(machine, Machine))
     sizes = block_sizes(len(machines))
     ends = np.cumsum(sizes).tolist()
     own = np.asarray(speed)
     each: list[Result] = []
     for start, end in zip([0, *ends], ends, strict=False):
         of_block = own[start:end] if own.ndim == _BY_DESIGN else speed
-        block = _run(machines[start:end], designs[start:end], of_block, step, stages, chosen, has_designs=True)
+        block = _run(machines[start:end], of_block, step, stages, chosen, has_designs=True)
         kept = tuple(outcome for outcome in block.outcomes if is_kept(outcome, names))
         each.append(replace(block, outcomes=kept))
     first = each[0]
@@ -103,7 +102,6 @@ def run(
 
 def _run(
     machines: tuple[Machine, ...],
-    designs: Sequence[Design],
     speed: SpeedWanted,
     step: float,
     stages: Sequence[Stage],
@@ -112,7 +110,7 @@ def _run(
     has_designs: bool,
 ) -> Result:
     """Compute all designs at once."""
-    parts = with_speed(parts_of(designs, machines[0].cycle, step=FACTS_STEP), speed, stages, step)
+    parts = with_speed(parts_of(machines, step=FACTS_STEP), speed, stages, step)
     absent = lacking(stages, parts)
     outcomes = run_stages(chosen, parts, absent)
     # Curves want points as close as facts, or closer: of these a coarser step takes some.
@@ -159,7 +157,8 @@ def speed_over_cycle(machine: Machine, speed: SpeedWanted) -> SpeedCurve | None:
         return speed
     if isinstance(speed, str) and speed == "constant" and not machine.main_shaft.turns_unevenly:
         return None
-    declared = parts_of(designs_of((machine,)), machine.cycle, step=FACTS_STEP)
+    refuse_wrong((machine,))
+    declared = parts_of((machine,), step=FACTS_STEP)
     parts: dict[type, Any] = with_speed(declared, speed, STAGES, FACTS_STEP)
     return parts[SpeedCurve]
 

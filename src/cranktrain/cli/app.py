@@ -7,6 +7,7 @@ import typer
 
 from cranktrain import __version__
 from cranktrain.cli.naming_pictures import NamingPictures
+from cranktrain.cli.optional_source import OptionalSource
 from cranktrain.cli.options import File, Force, Output, Partial, RunningSpeed, Settings, SpeedCurve, degrees
 from cranktrain.cli.task import Task, put_off, task_of
 from cranktrain.language import _
@@ -272,13 +273,17 @@ def _synthesise(context: typer.Context) -> None:
     "textbook",
     help=_(
         "Compare the sources' own formulas with the exact motion: ranges and largest errors.\n\n"
+        "Or list the formulas of a source, with what is right and which command shows each.\n\n"
         "\b\n"
         "  cranktrain textbook 3d12\n"
         "  cranktrain textbook 3d12 --table\n"
+        "  cranktrain textbook --source\n"
+        "  cranktrain textbook --source bolotin\n"
         "  cranktrain textbook 3d12 --forces kgf/cm2 --step 10\n"
         "  cranktrain textbook 3d12 --harmonics\n"
         "  cranktrain textbook errata"
     ),
+    cls=OptionalSource,
 )
 @put_off
 def _textbook(
@@ -291,6 +296,13 @@ def _textbook(
         ),
     ] = "",
     settings: Settings = None,
+    source: Annotated[
+        str | None,
+        typer.Option(
+            metavar="[NAME]",
+            help=_("Of one source alone; without FILE its formulas one by one, without NAME a list of the sources."),
+        ),
+    ] = None,
     table: Annotated[
         bool, typer.Option("--table", help=_("Show the motion by each method, too, in steps of 30°."))
     ] = False,
@@ -333,19 +345,21 @@ def _textbook(
         others = {
             "--table": "" if table else None,
             "--errata": "" if errata else None,
+            "--source": source,
             "--forces": forces,
             **of_forces,
         }
         show_harmonics(file, values, ratio=crank_to_rod_ratio, others=others)
         return
     from cranktrain.cli.textbook.command import show_textbook
-    from cranktrain.cli.textbook.forces import refuse_without_forces, show_force_tables
+    from cranktrain.cli.textbook.forces import refuse_with_forces, refuse_without_forces, show_force_tables
 
     if forces is not None:
+        refuse_with_forces({"--source": source})
         show_force_tables(file, values, unit=forces, step=30.0 if step is None else step, piston=piston)
         return
     refuse_without_forces(of_forces)
-    show_textbook(file, values, with_table=table, with_errata=errata)
+    show_textbook(file, values, source=source, with_table=table, with_errata=errata)
 
 
 @_app.command(

@@ -4,7 +4,7 @@ A fluid takes its numbers and the chambers that it fills, and then gives the pre
 it knows nothing else:
 
     fluid = fluid_of(spec)
-    ready = fluid.prepared(of_designs([fluid.numbers(spec)]), rooms)
+    ready = fluid.prepared(of_designs(fluid.numbers(spec)), rooms)
     pressure = fluid.pressure(chamber_state(volume, limits, angle_from_firing, cycle), ready)
 """
 

@@ -6,6 +6,7 @@ from pydantic import Field
 
 from cranktrain.fluids.fluid import FluidSpec
 from cranktrain.language import N_
+from cranktrain.motion import Array
 from cranktrain.quantities import Dimension, Given, PositivePressure, Quantity
 
 Exponent = Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=2.0)]
@@ -27,7 +28,7 @@ class GasExchangeSpec(FluidSpec, frozen=True):
     )
 
     @property
-    def exchange_pressures(self) -> tuple[float, float]:
+    def exchange_pressures(self) -> tuple[Array, Array]:
         """On the inlet stroke and on the exhaust stroke. [Pa]"""
         inlet = self.inlet_pressure or self.start_pressure
-        return inlet.si, (self.exhaust_pressure or inlet).si
+        return inlet.array, (self.exhaust_pressure or inlet).array

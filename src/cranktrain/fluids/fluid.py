@@ -114,13 +114,15 @@ class Fluid(Generic[_Table, _Numbers, _Ready]):
         Name in the machine file; title for people.
     spec : type of FluidSpec
         Its table of the machine file.
-    numbers : callable (spec) → NamedTuple of floats or objects
-        In SI.
+    numbers : callable (spec) → NamedTuple of numbers or objects
+        In SI; of several designs together, arrays of shape (design,).
     prepared : callable (numbers, Rooms) → NamedTuple of arrays
         What `pressure` takes, each of shape (design, chamber, …), of numbers of shape (design, 1, 1). Raises
         `InputError` where they do not suit the chambers.
     pressure : callable (ChamberState, prepared) → Array
         Absolute pressure at each crank angle, of the state's shape; of one chamber of one design too. [Pa]
+    slope : callable (ChamberState, V′, prepared) → Array
+        Derivative of the pressure by the crank angle, where it does not jump, for the volume's. [Pa/rad, m³/rad]
     work : callable (prepared, Rooms) → Array, shape (design, chamber)
         ∮ p dV over a cycle, exactly. [J]
     example : str
@@ -147,6 +149,7 @@ class Fluid(Generic[_Table, _Numbers, _Ready]):
     numbers: Callable[[_Table], _Numbers]
     prepared: Callable[[_Numbers, Rooms], _Ready]
     pressure: Callable[[ChamberState, _Ready], Array]
+    slope: Callable[[ChamberState, Array, _Ready], Array]
     work: Callable[[_Ready, Rooms], Array]
     example: str
     flags: Callable[[_Table], tuple[str, ...]] = lambda spec: ()
@@ -162,13 +165,12 @@ AnyFluid: TypeAlias = Fluid[Any, Any, Any]
 """A fluid that is known only when it runs."""
 
 
-def of_designs(numbers: Sequence[_Numbers]) -> _Numbers:
-    """Put the numbers of several designs side by side, each an array of shape (design, 1, 1)."""
+def of_designs(numbers: _Numbers, n_designs: int = 1) -> _Numbers:
+    """Put numbers, or what has shape (design,), into arrays of shape (design, 1, 1)."""
     columns: list[NDArray[Any]] = []
-    for values in zip(*numbers, strict=True):
-        column = np.empty(
-            (len(values), 1, 1), dtype=np.float64 if isinstance(values[0], float | np.ndarray) else np.object_
-        )
-        column[:, 0, 0] = values
+    for value in numbers:
+        own = np.asarray(value)
+        column = np.empty((n_designs, 1, 1), dtype=own.dtype if own.dtype == np.float64 else np.object_)
+        column[:, 0, 0] = own
         columns.append(column)
-    return type(numbers[0])(*columns)
+    return type(numbers)(*columns)

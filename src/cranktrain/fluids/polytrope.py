@@ -36,3 +36,8 @@ def polytropic_work(pressure_volume: Array, ratio: Array, exponent: Array) -> Ar
     x = (exponent - 1) * log
     growth = chosen(x == 0.0, 1.0, np.expm1(x) / chosen(x == 0.0, 1.0, x))
     return -pressure_volume * log * growth
+
+
+def polytropic_slope(pressure: Array, exponent: Array, volume: Array, volume_slope: Array) -> Array:
+    """Derivative of the pressure along a polytrope: −n p V′/V, by whatever V′ is the derivative. [Pa/rad]"""
+    return -exponent * pressure * volume_slope / volume

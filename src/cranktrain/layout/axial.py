@@ -1,14 +1,14 @@
 """Places along the shaft: where each mechanism stands between throw 1 and the flywheel."""
 
 from collections.abc import Mapping, Sequence
+from itertools import accumulate
 from typing import ClassVar
-
-import numpy as np
 
 from cranktrain.language import N_
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import MAIN, ShaftSpec
-from cranktrain.motion import Array
+from cranktrain.motion import ZERO, Array
+from cranktrain.numerics.nested import by_design
 from cranktrain.record import record
 
 
@@ -27,33 +27,24 @@ class AxialPlaces:
 
 
 def axial_places_of(
-    shafts: Sequence[Mapping[str, ShaftSpec]], designs: Sequence[Sequence[PlacedMechanism]]
+    shafts: Mapping[str, ShaftSpec], places: Sequence[PlacedMechanism], n_designs: int
 ) -> AxialPlaces | None:
     """Add up the gaps between throws, and the banks' stagger; None where several throws have no spacing."""
-    throws = [{name: throw_positions(shaft) for name, shaft in design.items()} for design in shafts]
-    if any(along is None for positions in throws for along in positions.values()):
+    positions = {name: along for name, shaft in shafts.items() if (along := throw_positions(shaft)) is not None}
+    if len(positions) < len(shafts):
         return None
     return AxialPlaces(
-        np.array(
-            [
-                [
-                    along[place.throw] + place.stagger
-                    for place in design
-                    if (along := positions[place.shaft]) is not None
-                ]
-                for positions, design in zip(throws, designs, strict=True)
-            ]
-        ),
-        np.array([0.0 if (along := positions[MAIN]) is None else along[-1] / 2 for positions in throws]),
+        by_design([positions[place.shaft][place.throw] + place.stagger for place in places], n_designs),
+        by_design([positions[MAIN][-1] / 2], n_designs)[:, 0],
     )
 
 
-def throw_positions(shaft: ShaftSpec) -> Array | None:
-    """Distance of every throw from throw 1, shape (throw,); None where it is not given. [m]"""
+def throw_positions(shaft: ShaftSpec) -> list[Array] | None:
+    """Distance of every throw from throw 1; None where it is not given. [m]"""
     n_gaps = len(shaft.throws) - 1
     if n_gaps == 0:
-        return np.zeros(1)
+        return [ZERO]
     if shaft.spacing is None:
         return None
-    gaps = [gap.si for gap in shaft.spacing]
-    return np.cumsum([0.0, *(gaps * n_gaps if len(gaps) == 1 else gaps)])
+    gaps = [gap.array for gap in shaft.spacing]
+    return list(accumulate(gaps * n_gaps if len(gaps) == 1 else gaps, initial=ZERO))

@@ -9,17 +9,18 @@ from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.closing import OpenRange, open_ranges
+from cranktrain.motion import Array
 from cranktrain.quantities import Given
 from cranktrain.wording import around_turn, number
 
 
-def closing_problems(places: Sequence[PlacedMechanism], zero: float) -> tuple[Problem, ...]:
+def closing_problems(places: Sequence[PlacedMechanism], zero: Array) -> tuple[Problem, ...]:
     """Over which crank angles a mechanism cannot close, once for each geometry.
 
     Parameters
     ----------
     places : sequence of PlacedMechanism
-    zero : float
+    zero : Array
         Crank angle that is shown as 0. [rad]
 
     Returns
@@ -38,7 +39,7 @@ def closing_problems(places: Sequence[PlacedMechanism], zero: float) -> tuple[Pr
         )
 
 
-def _closing_problem(place: PlacedMechanism, ranges: Sequence[OpenRange], zero: float) -> Problem:
+def _closing_problem(place: PlacedMechanism, ranges: Sequence[OpenRange], zero: Array) -> Problem:
     """Say where one mechanism cannot close, by how much, and what would help."""
     short = number(max(one.short for one in ranges), "mm")
     if ranges[0].end - ranges[0].start >= 2 * np.pi:
@@ -63,7 +64,7 @@ def _closing_problem(place: PlacedMechanism, ranges: Sequence[OpenRange], zero: 
     )
 
 
-def _span(start: float, end: float) -> str:
+def _span(start: Array, end: Array) -> str:
     """Say from where to where the crank angle runs; one angle where both are alike."""
     first, last = (number(float(angle), "deg") for angle in around_turn(np.array([start, end])))
     return first if first == last else _("{start} to {end}").format(start=first, end=last)

@@ -10,6 +10,8 @@ from cranktrain.layout.masses import Weighed
 from cranktrain.layout.mechanisms import Mechanisms, Pistons, Rockers
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import ShaftSpec
+from cranktrain.motion import Array
+from cranktrain.numerics.nested import by_design
 from cranktrain.record import record
 
 Table = TypeVar("Table")
@@ -18,7 +20,7 @@ Found = TypeVar("Found")
 
 @record
 class Design:
-    """One machine as its file declares it.
+    """One machine as its file declares it, or several designs of it together: numbers are then columns of them.
 
     Attributes
     ----------
@@ -26,7 +28,7 @@ class Design:
         Its mechanisms, arranged on shafts and banks.
     shafts : mapping of str to ShaftSpec
     orientation : Orientation
-    zero : float
+    zero : Array
         φ where the shown crank angle is 0. [rad]
     weighed : Weighed
         What it says of masses.
@@ -37,7 +39,7 @@ class Design:
     places: tuple[PlacedMechanism, ...]
     shafts: Mapping[str, ShaftSpec]
     orientation: Orientation
-    zero: float
+    zero: Array
     weighed: Weighed
     tables: Mapping[str, Any]
 
@@ -72,7 +74,10 @@ class Designs:
     Attributes
     ----------
     each : tuple of Design
-        The first speaks for all where numbers do not matter.
+        As their files declare them: for what a file of its own holds.
+    together : Design
+        All of them as one, in which numbers are arrays of shape (design,), or one number; of what is no number, the
+        first.
     crank_angle : CrankAngle
     mechanisms : Mechanisms
     pistons, rockers : Pistons, Rockers or None
@@ -80,16 +85,22 @@ class Designs:
     """
 
     each: tuple[Design, ...]
+    together: Design
     crank_angle: CrankAngle
     mechanisms: Mechanisms
     pistons: Pistons | None
     rockers: Rockers | None
 
     @property
-    def places(self) -> Sequence[tuple[PlacedMechanism, ...]]:
-        """Mechanisms of each design."""
-        return [design.places for design in self.each]
+    def n_designs(self) -> int:
+        """How many they are."""
+        return len(self.each)
 
-    def tables(self, kind: type[Table]) -> tuple[Table, ...]:
-        """The table of that class of each design; none where the file has none."""
-        return tuple(table for design in self.each if (table := design.table(kind)) is not None)
+    @property
+    def places(self) -> tuple[PlacedMechanism, ...]:
+        """Mechanisms, with the numbers of all designs."""
+        return self.together.places
+
+    def by_design(self, numbers: Sequence[Array | float]) -> Array:
+        """Put numbers, each one or shape (design,), into an array of shape (design, number)."""
+        return by_design(numbers, self.n_designs)

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import ComplexArray, phasor
+from cranktrain.numerics.nested import by_design
 from cranktrain.record import record
 
 
@@ -19,14 +20,14 @@ class Frame(NamedTuple):
     90°, and −1 where it runs anticlockwise.
     """
 
-    direction: float
+    direction: Array
     sense: float
 
 
 class Orientation(NamedTuple):
     """How a machine stands: direction of the first bank's axis from Y in its normal sense [rad], that sense, astern."""
 
-    first_angle: float
+    first_angle: Array
     is_clockwise: bool
     is_astern: bool
 
@@ -105,18 +106,15 @@ class Frames:
         return np.asarray((x + 1j * self.sense[index, np.newaxis] * y) * turn)
 
 
-def frames_of(designs: Sequence[Sequence[PlacedMechanism]], orientations: Sequence[Orientation]) -> Frames:
-    """Lay out the axes of several designs of one machine, [design][place]."""
-    running = -1.0 if orientations[0].is_astern else 1.0
-    sense = running if orientations[0].is_clockwise else -running
-    frames = [
-        [frame_of(place, orientation) for place in design]
-        for design, orientation in zip(designs, orientations, strict=True)
-    ]
+def frames_of(places: Sequence[PlacedMechanism], orientation: Orientation, n_designs: int) -> Frames:
+    """Lay out the axes of designs of one machine."""
+    running = -1.0 if orientation.is_astern else 1.0
+    sense = running if orientation.is_clockwise else -running
+    frames = [frame_of(place, orientation) for place in places]
     return Frames(
-        direction=sense * np.array([[frame.direction for frame in design] for design in frames]),
-        sense=sense * np.array([frame.sense for frame in frames[0]]),
-        first=running * np.array([orientation.first_angle for orientation in orientations]),
+        direction=sense * by_design([frame.direction for frame in frames], n_designs),
+        sense=sense * np.array([frame.sense for frame in frames]),
+        first=running * by_design([orientation.first_angle], n_designs)[:, 0],
         running=running,
         clockwise=sense > 0,
     )

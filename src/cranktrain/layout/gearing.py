@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.errors import Problem
 from cranktrain.language import _
 from cranktrain.layout.specs import MAIN, BankSpec, ShaftSpec, throws_of
-from cranktrain.motion import single
+from cranktrain.motion import ZERO, Array
 from cranktrain.numerics import around_zero
 from cranktrain.wording import precise
 
@@ -21,7 +21,7 @@ class _Crank(NamedTuple):
 
     shaft: str
     sense: float
-    ahead: float
+    ahead: Array
 
 
 class _Pair(NamedTuple):
@@ -33,29 +33,29 @@ class _Pair(NamedTuple):
     bank: str
     exhaust: _Crank
     scavenge: _Crank
-    lead: float
+    lead: Array
     given: str
 
 
-def opposed_angle(bank: BankSpec, end: str) -> float:
+def opposed_angle(bank: BankSpec, end: str) -> Array:
     """Direction from the shaft of one of two opposed pistons to their cylinder, from Y in the file's sense. [rad]"""
     faces = end == "scavenge" and len(set(bank.shafts)) == 2
-    return bank.angle[0].si + (np.pi if faces else 0.0)
+    return bank.angle[0].array + (np.pi if faces else 0.0)
 
 
-def first_axis(banks: Mapping[str, BankSpec]) -> float:
+def first_axis(banks: Mapping[str, BankSpec]) -> Array:
     """Direction from which the crank angle counts, from Y in the normal sense of rotation. [rad]
 
     It is the first bank's; of opposed pistons that of the one that works on the main shaft, or else the exhaust's.
     """
     bank = next(iter(banks.values()))
     on_main = (opposed_angle(bank, end) for end, side in bank.sides.items() if side.shaft == MAIN)
-    return next(on_main, bank.angle[0].si)
+    return next(on_main, bank.angle[0].array)
 
 
 def shaft_phases(
     shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec]
-) -> tuple[dict[str, float], tuple[Problem, ...]]:
+) -> tuple[dict[str, Array], tuple[Problem, ...]]:
     """Find how far throw 1 of every shaft stands ahead of throw 1 of `main` when the crank angle is 0.
 
     Parameters
@@ -66,7 +66,7 @@ def shaft_phases(
 
     Returns
     -------
-    phases : dict of float
+    phases : dict of Array
         In the normal sense of rotation. [rad]
     problems : tuple of Problem
         Leads that do not close round the shafts.
@@ -83,38 +83,38 @@ def shaft_phases(
             name,
             _crank(shafts, bank, "exhaust", first),
             _crank(shafts, bank, "scavenge", first),
-            bank.lead.si,
+            bank.lead.array,
             bank.lead.text,
         )
         for name, bank in banks.items()
         if bank.lead is not None
     ]
-    given = {name: shaft.phase.si for name, shaft in shafts.items() if shaft.phase is not None}
-    phases, excess = _propagated(tuple(shafts), {MAIN: 0.0, **given}, pairs)
+    given = {name: shaft.phase.array for name, shaft in shafts.items() if shaft.phase is not None}
+    phases, excess = _propagated(tuple(shafts), {MAIN: ZERO, **given}, pairs)
     return phases, tuple(
         Problem(f"bank.{pair.bank}.lead", pair.given, _allowed(shafts, given, pairs, pair, over))
         for pair, over in excess
-        if abs(over) > _CLOSED
+        if np.any(np.abs(over) > _CLOSED)
     )
 
 
-def _crank(shafts: Mapping[str, ShaftSpec], bank: BankSpec, end: str, first: float) -> _Crank:
+def _crank(shafts: Mapping[str, ShaftSpec], bank: BankSpec, end: str, first: Array) -> _Crank:
     """Find the crank of the first cylinder's exhaust or scavenge piston."""
     piston = bank.opposed[end]
     shaft = shafts[piston.shaft]
-    throw = shaft.throws[throws_of(piston, shafts)[0] - 1].si - shaft.throws[0].si
+    throw = shaft.throws[throws_of(piston, shafts)[0] - 1].array - shaft.throws[0].array
     return _Crank(piston.shaft, float(shaft.ratio), first + throw - opposed_angle(bank, end))
 
 
 def _propagated(
-    shafts: tuple[str, ...], known: Mapping[str, float], pairs: list[_Pair]
-) -> tuple[dict[str, float], list[tuple[_Pair, float]]]:
+    shafts: tuple[str, ...], known: Mapping[str, Array], pairs: list[_Pair]
+) -> tuple[dict[str, Array], list[tuple[_Pair, Array]]]:
     """Go from shaft to shaft along the pairs; a pair between shafts that stand already leaves an excess of lead."""
     phases = dict(known)
     rest = list(pairs)
-    excess: list[tuple[_Pair, float]] = []
+    excess: list[tuple[_Pair, Array]] = []
 
-    def angle(crank: _Crank) -> float:
+    def angle(crank: _Crank) -> Array:
         """Of a crank on a shaft that stands, from its cylinder's axis, in its own sense. [rad]"""
         return crank.sense * (phases[crank.shaft] + crank.ahead)
 
@@ -122,36 +122,31 @@ def _propagated(
         reached = next((pair for pair in rest if {pair.exhaust.shaft, pair.scavenge.shaft} & phases.keys()), None)
         if reached is None:
             # Shafts that nothing ties to `main`: one of them stands as if it were it.
-            phases[rest[0].exhaust.shaft] = 0.0
+            phases[rest[0].exhaust.shaft] = ZERO
             continue
         rest.remove(reached)
         exhaust, scavenge, lead = reached.exhaust, reached.scavenge, reached.lead
         if {exhaust.shaft, scavenge.shaft} <= phases.keys():
-            excess.append((reached, _around_zero(lead - (angle(exhaust) - angle(scavenge)))))
+            excess.append((reached, around_zero(lead - (angle(exhaust) - angle(scavenge)))))
             continue
         standing, other, ahead = (exhaust, scavenge, -lead) if exhaust.shaft in phases else (scavenge, exhaust, lead)
-        phases[other.shaft] = _around_zero(other.sense * (angle(standing) + ahead) - other.ahead)
-    return {name: phases.get(name, 0.0) for name in shafts}, excess
-
-
-def _around_zero(angle: float) -> float:
-    """Bring an angle into [−π, π)."""
-    return float(around_zero(single(angle)))
+        phases[other.shaft] = around_zero(other.sense * (angle(standing) + ahead) - other.ahead)
+    return {name: phases.get(name, ZERO) for name in shafts}, excess
 
 
 def _allowed(
-    shafts: Mapping[str, ShaftSpec], given: Mapping[str, float], pairs: list[_Pair], pair: _Pair, excess: float
+    shafts: Mapping[str, ShaftSpec], given: Mapping[str, Array], pairs: list[_Pair], pair: _Pair, excess: Array
 ) -> str:
     """Say which lead would close the ring of shafts: here alone, or everywhere where all leads are alike."""
-    here = precise(_around_zero(pair.lead - excess), "deg")
+    here = precise(float(around_zero(pair.lead - excess)), "deg")
     allowed = _("must be {lead}, as the other phases and leads already place both of its shafts").format(lead=here)
     step = 1e-3
     moved = [one._replace(lead=one.lead + step) for one in pairs]
-    shifted = dict(_propagated(tuple(shafts), {MAIN: 0.0, **given}, moved)[1])[pair._replace(lead=pair.lead + step)]
-    turns = round(_around_zero(shifted - excess) / step)
-    if turns < 2 or len({one.lead for one in pairs}) > 1:
+    shifted = dict(_propagated(tuple(shafts), {MAIN: ZERO, **given}, moved)[1])[pair._replace(lead=pair.lead + step)]
+    turns = round(float(around_zero(shifted - excess)) / step)
+    if turns < 2 or len({float(one.lead) for one in pairs}) > 1:
         return allowed
-    everywhere = precise(_around_zero(pair.lead - excess / turns), "deg")
+    everywhere = precise(float(around_zero(pair.lead - excess / turns)), "deg")
     return _("{allowed}; or {lead} for each of the {n} banks round these shafts").format(
         allowed=allowed, lead=everywhere, n=turns
     )

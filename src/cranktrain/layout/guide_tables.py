@@ -32,8 +32,8 @@ def edges_of(place: PlacedMechanism, sliding: str, guides: Guides) -> Edges:
         return NO_EDGES
     middle = spec.middle if spec.at is None else spec.at
     return Edges(
-        single(1.0 / spec.length.si),
-        single(0.0 if middle is None else middle.si),
+        1.0 / spec.length.array,
+        ZERO if middle is None else middle.array,
         single(0.0 if spec.at is None else 1.0),
     )
 

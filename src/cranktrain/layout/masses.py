@@ -1,7 +1,6 @@
 """Masses: the rigid bodies of a machine file, put to the links of every mechanism."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from math import cos, sin
 from typing import ClassVar, NamedTuple
 
 import numpy as np
@@ -15,7 +14,7 @@ from cranktrain.layout.part_tables import PISTON, SLIDER, nearest_item, part_nam
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage.forces import Body, Gravity
 from cranktrain.mechanisms.geometry import stacked
-from cranktrain.motion import Array, single
+from cranktrain.motion import ZERO, Array
 from cranktrain.quantities import Given
 from cranktrain.record import record
 from cranktrain.wording import precise
@@ -95,10 +94,9 @@ class Weighed(NamedTuple):
     orientation: Orientation
 
 
-def _length(place: PlacedMechanism, part: str) -> float | None:
+def _length(place: PlacedMechanism, part: str) -> Array | None:
     """Length of a link between its pins, where the mechanism's geometry names it. [m]"""
-    length = getattr(place.geometry, f"{part}_length", None)
-    return None if length is None else float(length)
+    return getattr(place.geometry, f"{part}_length", None)
 
 
 def mass_problems(places: Sequence[PlacedMechanism], given: Weighed) -> Iterator[Problem]:
@@ -124,7 +122,7 @@ def mass_problems(places: Sequence[PlacedMechanism], given: Weighed) -> Iterator
 
 def _body_problems(where: str, name: str, body: BodySpec, places: Sequence[PlacedMechanism]) -> Iterator[Problem]:
     """Find what a body lacks, and a centroid that lies far outside its link."""
-    lengths = dict.fromkeys(length for place in places if (length := _length(place, name)) is not None)
+    lengths = dict.fromkeys(float(length) for place in places if (length := _length(place, name)) is not None)
     if name != PISTON and body.big_end is None:
         yield from (
             Problem(f"{where}.{field}", None, _("is missing"))
@@ -146,31 +144,28 @@ def _body_problems(where: str, name: str, body: BodySpec, places: Sequence[Place
             yield Problem(f"{where}.across", body.across.text, allowed)
 
 
-def masses_of(designs: Sequence[Sequence[PlacedMechanism]], given: Sequence[Weighed]) -> Masses:
-    """Stack the bodies of several designs of one machine, [design][place], by kind as `mechanisms_of` does."""
-    first = designs[0]
+def masses_of(places: Sequence[PlacedMechanism], given: Weighed, n_designs: int) -> Masses:
+    """Stack the bodies of designs of one machine by kind, as `mechanisms_of` does."""
     batches = [
         stacked(
             [
-                [
-                    _place_masses(design[i], of, has_crank=_carries_crank(design, i))
-                    for i, p in enumerate(first)
-                    if p.kind == kind
-                ]
-                for design, of in zip(designs, given, strict=True)
-            ]
+                _place_masses(place, given, has_crank=_carries_crank(places, i))
+                for i, place in enumerate(places)
+                if place.kind == kind
+            ],
+            n_designs,
         )
-        for kind in dict.fromkeys(place.kind for place in first)
+        for kind in dict.fromkeys(place.kind for place in places)
     ]
     moving = [
-        (place, part, nearest_item(place, part, _TABLE, given[0].bodies))
-        for place in first
+        (place, part, nearest_item(place, part, _TABLE, given.bodies))
+        for place in places
         for part in place.kind.dynamics.moving
         if part != _CRANK
     ]
     return Masses(
         tuple(batches),
-        are_given=bool(given[0].bodies),
+        are_given=bool(given.bodies),
         weightless=tuple(f"{place.name}.{part_name(part)}" for place, part, spec in moving if spec is None),
         assumed=tuple(
             f"{place.name}.{part}"
@@ -186,13 +181,14 @@ def masses_of(designs: Sequence[Sequence[PlacedMechanism]], given: Sequence[Weig
 
 
 def _has_likely_inertia(place: PlacedMechanism, part: str, spec: BodySpec) -> bool:
-    """Whether a given inertia that is not 0 is one that a link of its mass and length can have."""
+    """Whether a given inertia that is not 0 is one that a link of its mass and length can have, in all designs."""
     length = _length(place, part)
-    if length is None or spec.inertia is None or spec.inertia.si == 0:
+    if length is None or spec.inertia is None:
         return True
     body = _body(place, part, spec)
-    square = float(body.inertia) / float(body.mass)
-    return (_LEAST_GYRATION * length) ** 2 <= square <= (_MOST_GYRATION * length) ** 2
+    gyration = np.sqrt(body.inertia / body.mass)
+    is_likely = (gyration >= _LEAST_GYRATION * length) & (gyration <= _MOST_GYRATION * length)
+    return bool(np.all((body.inertia == 0) | is_likely))
 
 
 def _carries_crank(places: Sequence[PlacedMechanism], index: int) -> bool:
@@ -209,7 +205,7 @@ def _carries_crank(places: Sequence[PlacedMechanism], index: int) -> bool:
 def _place_masses(place: PlacedMechanism, given: Weighed, *, has_crank: bool) -> MechanismMasses:
     """Bodies, gravity, friction and guides of one mechanism."""
     dynamics = place.kind.dynamics
-    nothing = Body(*map(single, (0.0, 0.0, 0.0, 0.0)))
+    nothing = Body(ZERO, ZERO, ZERO, ZERO)
     bodies = tuple(
         nothing
         if (part == _CRANK and not has_crank) or (spec := nearest_item(place, part, _TABLE, given.bodies)) is None
@@ -220,7 +216,7 @@ def _place_masses(place: PlacedMechanism, given: Weighed, *, has_crank: bool) ->
         bodies,
         _gravity(place, given),
         tuple(
-            single(given.friction[part_name(name)].si if part_name(name) in given.friction else 0.0)
+            given.friction[part_name(name)].array if part_name(name) in given.friction else ZERO
             for name in dynamics.sliding
         ),
         tuple(edges_of(place, name, given.guides) for name in dynamics.sliding),
@@ -230,21 +226,21 @@ def _place_masses(place: PlacedMechanism, given: Weighed, *, has_crank: bool) ->
 def _gravity(place: PlacedMechanism, given: Weighed) -> Gravity:
     """Gravity in the mechanism's axes. [m/s²]"""
     if given.gravity is None:
-        return Gravity(single(0.0), single(0.0))
+        return Gravity(ZERO, ZERO)
     direction, sense = frame_of(place, given.orientation)
-    tilt = given.gravity.direction.si if given.orientation.is_clockwise else -given.gravity.direction.si
-    up, pull = direction - tilt, given.gravity.acceleration.si
-    return Gravity(single(-pull * cos(up)), single(pull * sense * sin(up)))
+    tilt, pull = given.gravity.direction.array, given.gravity.acceleration.array
+    up = direction - tilt if given.orientation.is_clockwise else direction + tilt
+    return Gravity(-pull * np.cos(up), pull * sense * np.sin(up))
 
 
 def _body(place: PlacedMechanism, part: str, spec: BodySpec) -> Body:
     """One body in SI; what is across counts to the left in the mechanism's own axes."""
     length = _length(place, part)
-    along = 0.0 if spec.along is None else spec.along.si
-    mass = 0.0 if spec.mass is None else spec.mass.si
+    along = ZERO if spec.along is None else spec.along.array
+    mass = ZERO if spec.mass is None else spec.mass.array
     if spec.big_end is not None and spec.small_end is not None and length is not None:
-        mass = spec.big_end.si + spec.small_end.si
-        along = length * spec.small_end.si / mass
-    inertia = 0.0 if length is None else mass * along * (length - along)
-    inertia = inertia if spec.inertia is None else spec.inertia.si
-    return Body(single(mass), single(along), single(place.sense * spec.across.si), single(inertia))
+        mass = spec.big_end.array + spec.small_end.array
+        along = length * spec.small_end.array / mass
+    inertia = ZERO if length is None else mass * along * (length - along)
+    inertia = inertia if spec.inertia is None else spec.inertia.array
+    return Body(mass, along, place.sense * spec.across.array, inertia)

@@ -11,7 +11,7 @@ from cranktrain.linkage import in_blocks
 from cranktrain.mechanisms.geometry import rows, stacked
 from cranktrain.mechanisms.kind import AnyGeometry, AnyKind, AnyMotion, Members
 from cranktrain.motion import Array
-from cranktrain.numerics.nested import side_by_side
+from cranktrain.numerics.nested import by_design, side_by_side
 from cranktrain.record import record
 
 Outcome = TypeVar("Outcome", bound=tuple[object, ...])
@@ -119,21 +119,20 @@ class Rockers(Mechanisms):
 MechanismsLike = TypeVar("MechanismsLike", bound=Mechanisms)
 
 
-def mechanisms_of(result: type[MechanismsLike], designs: Sequence[Sequence[PlacedMechanism]]) -> MechanismsLike:
-    """Stack the places of several designs of one machine, [design][place], by kind."""
-    first = designs[0]
+def mechanisms_of(result: type[MechanismsLike], places: Sequence[PlacedMechanism], n_designs: int) -> MechanismsLike:
+    """Stack the places of designs of one machine by kind."""
     batches: list[Batch] = []
-    for chosen in dict.fromkeys(place.kind for place in first):
-        index = [i for i, place in enumerate(first) if place.kind == chosen]
+    for chosen in dict.fromkeys(place.kind for place in places):
+        index = [i for i, place in enumerate(places) if place.kind == chosen]
         members = chosen.members(
-            names=tuple(first[i].name for i in index),
-            geometry=stacked([[design[i].geometry for i in index] for design in designs]),
-            phase=np.array([[[design[i].phase] for i in index] for design in designs]),
+            names=tuple(places[i].name for i in index),
+            geometry=stacked([places[i].geometry for i in index], n_designs),
+            phase=by_design([places[i].phase for i in index], n_designs)[..., np.newaxis],
         )
         batches.append(Batch(chosen, np.array(index, dtype=np.intp), members))
     return result(
-        names=tuple(place.name for place in first),
-        banks=tuple(place.bank for place in first),
+        names=tuple(place.name for place in places),
+        banks=tuple(place.bank for place in places),
         batches=tuple(batches),
-        nominal_top=np.array([[[place.nominal_top] for place in design] for design in designs]),
+        nominal_top=by_design([place.nominal_top for place in places], n_designs)[..., np.newaxis],
     )

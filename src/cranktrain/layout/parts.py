@@ -18,6 +18,7 @@ from cranktrain.layout.speed_curve import speed_at_moment
 from cranktrain.layout.speed_table import tabled_speed
 from cranktrain.layout.throws import shaft_centres_of, throws_of
 from cranktrain.mechanisms import KINDS
+from cranktrain.numerics.nested import by_design
 
 _OF_MECHANISMS = "mechanism"
 
@@ -38,54 +39,55 @@ DIMENSIONS = (
 FILES = (TableFile(("shaft", "main", "speed_curve"), None, N_("a speed curve")),)
 
 
-def laid_out(designs: Sequence[Design], *, cycle: float, step: float) -> Designs:
+def laid_out(each: Sequence[Design], together: Design, *, cycle: float, step: float) -> Designs:
     """Lay out designs of one machine on a grid of crank angles; cycle and step in radians."""
-    n_angles = round(cycle / step)
+    n_angles, n_designs = round(cycle / step), len(each)
     grid = CrankAngle(
         shown=np.arange(n_angles, dtype=np.float64) * cycle / n_angles,
-        zero=np.array([[[design.zero]] for design in designs]),
+        zero=by_design([together.zero], n_designs)[..., np.newaxis],
         cycle=cycle,
     )
-    pistons, rockers = ([design.driving(output) for design in designs] for output in ("slider", "rocker"))
+    pistons, rockers = (together.driving(output) for output in ("slider", "rocker"))
     return Designs(
-        each=tuple(designs),
+        each=tuple(each),
+        together=together,
         crank_angle=grid,
-        mechanisms=mechanisms_of(Mechanisms, [design.places for design in designs]),
-        pistons=mechanisms_of(Pistons, pistons) if any(pistons) else None,
-        rockers=mechanisms_of(Rockers, rockers) if any(rockers) else None,
+        mechanisms=mechanisms_of(Mechanisms, together.places, n_designs),
+        pistons=mechanisms_of(Pistons, pistons, n_designs) if pistons else None,
+        rockers=mechanisms_of(Rockers, rockers, n_designs) if rockers else None,
     )
 
 
 def layout_parts(designs: Designs) -> Iterator[object | None]:
     """Parts of every machine; None stands for what is not declared."""
-    places, shafts = designs.places, [design.shafts for design in designs.each]
+    places, shafts, n_designs = designs.places, designs.together.shafts, designs.n_designs
     yield designs.crank_angle
     yield designs.mechanisms
     yield from (batch.members for batch in designs.mechanisms.batches)
     yield designs.pistons
     yield designs.rockers
-    yield axial_places_of(shafts, places)
-    yield frames_of(places, [design.orientation for design in designs.each])
-    yield throws_of(places[0])
-    yield shaft_centres_of(shafts, places)
-    yield shafts_of(shafts[0], places[0])
+    yield axial_places_of(shafts, places, n_designs)
+    yield frames_of(places, designs.together.orientation, n_designs)
+    yield throws_of(places)
+    yield shaft_centres_of(shafts, places, n_designs)
+    yield shafts_of(shafts, places)
     yield from _speed_parts(designs)
 
 
 def _speed_parts(designs: Designs) -> Iterator[object | None]:
     """What the file says of how the main shaft turns; None stands for a curve that it has not."""
-    shafts = [design.shafts[MAIN] for design in designs.each]
-    grid = designs.crank_angle
-    speeds = np.array([shaft.speed.si for shaft in shafts if shaft.speed is not None])
-    accelerations = np.array([shaft.acceleration.si for shaft in shafts if shaft.acceleration is not None])
-    curves = [shaft.speed_curve for shaft in shafts if shaft.speed_curve is not None]
+    main, grid = designs.together.shafts[MAIN], designs.crank_angle
+    speed = None if main.speed is None else designs.by_design([main.speed.array])
     curve = None
-    if accelerations.size:
-        curve = speed_at_moment(speeds, accelerations, grid.cycle, zero=grid.zero)
-    elif curves:
+    if speed is not None and main.acceleration is not None:
+        acceleration = designs.by_design([main.acceleration.array])
+        curve = speed_at_moment(speed[:, 0], acceleration[:, 0], grid.cycle, zero=grid.zero)
+    elif main.speed_curve is not None:
+        tables = (design.shafts[MAIN].speed_curve for design in designs.each)
+        curves = [table for table in tables if table is not None]
         curve = tabled_speed(curves, grid.shown.size, grid.cycle, zero=grid.zero)
-    if speeds.size:
-        yield Speed(speeds[:, np.newaxis, np.newaxis], curve)
+    if speed is not None:
+        yield Speed(speed[..., np.newaxis], curve)
     elif curve is not None:
         yield Speed(curve.mean, curve)
     yield curve

@@ -3,6 +3,8 @@
 from collections.abc import Mapping, Sequence
 from itertools import product
 
+import numpy as np
+
 from cranktrain.errors import Problem
 from cranktrain.language import _
 from cranktrain.layout.gearing import first_axis, opposed_angle, shaft_phases
@@ -12,6 +14,8 @@ from cranktrain.mechanisms import MechanismSpec, kind_of
 from cranktrain.mechanisms.geometry import mirrored
 from cranktrain.mechanisms.kind import AnyGeometry, AnyKind
 from cranktrain.mechanisms.spec import Master
+from cranktrain.motion import Array, single
+from cranktrain.numerics.nested import mapped
 from cranktrain.record import record
 
 
@@ -29,9 +33,9 @@ class _Slot:
         The shaft that it works on.
     throw : int
         Which throw of the shaft, from 0.
-    stagger : float
+    stagger : Array
         Of its bank along the shaft, toward the flywheel. [m]
-    file_axis : float
+    file_axis : Array
         Direction of the mechanism's x from Y, in the file's sense. [rad]
     spec : MechanismSpec
     path : str
@@ -46,8 +50,8 @@ class _Slot:
     is_far: bool
     shaft: str
     throw: int
-    stagger: float
-    file_axis: float
+    stagger: Array
+    file_axis: Array
     spec: MechanismSpec
     path: str
     lists: Mapping[str, str]
@@ -66,26 +70,31 @@ class PlacedMechanism(_Slot):
     sense : float
         +1 where its crank turns in the machine's normal sense, −1 where it turns against it: astern, or on a shaft that
         is geared the other way.
-    axis : float
+    axis : Array
         Direction of the mechanism's x from the first bank's, in the sense of its crank. [rad]
-    throw_angle : float
+    throw_angle : Array
         Of its throw at φ = 0, ahead of where throw 1 of the main shaft stands, in the sense of its crank. [rad]
-    phase : float
+    phase : Array
         Angle of the kernel's crank where φ is 0; a slave's kernel counts from its master's axis. [rad]
     kind : Kind
-    geometry : NamedTuple of floats
+    geometry : NamedTuple of numbers
         Mirrored where its crank turns against the normal sense.
+
+    Notes
+    -----
+    Numbers of one machine; of several designs laid out together they are arrays of shape (design,), or one number where
+    all have the same.
     """
 
     sense: float
-    axis: float
-    throw_angle: float
-    phase: float
+    axis: Array
+    throw_angle: Array
+    phase: Array
     kind: AnyKind
     geometry: AnyGeometry
 
     @property
-    def nominal_top(self) -> float:
+    def nominal_top(self) -> Array:
         """φ at which the crank points along the mechanism's x. [rad]"""
         return self.axis - self.throw_angle
 
@@ -126,10 +135,10 @@ def places_of(
         if master is not None:
             master_kind = kind_of(master.spec)
             hung = Master(master_kind.geometry(master.spec, None), slot.file_axis - master.file_axis)
-        geometry = kind.geometry(slot.spec, hung)
+        geometry = mapped(_plain, kind.geometry(slot.spec, hung))
         kernel_axis = (master or slot).file_axis - first
         shaft = shafts[slot.shaft]
-        throw_angle = phases[slot.shaft] + shaft.throws[slot.throw].si - shaft.throws[0].si
+        throw_angle = phases[slot.shaft] + shaft.throws[slot.throw].array - shaft.throws[0].array
         # A crank that turns the other way is the same metal seen with y reversed, at the same φ.
         sense = -float(shaft.ratio) if astern else float(shaft.ratio)
         places.append(
@@ -144,6 +153,11 @@ def places_of(
             )
         )
     return (() if problems else tuple(places)), tuple(dict.fromkeys(problems))
+
+
+def _plain(_name: str, value: Array) -> Array:
+    """Take what is one number as a number, so that geometries can be compared."""
+    return single(float(value)) if np.ndim(value) == 0 else value
 
 
 def _slots(
@@ -169,7 +183,7 @@ def _slots(
                     is_far=end in spec.opposed and spec.opposed[end].side_rods,
                     shaft=side.shaft,
                     throw=throw - 1,
-                    stagger=spec.stagger.si,
+                    stagger=spec.stagger.array,
                     file_axis=axis,
                     spec=mechanism,
                     path=f"{path}mechanism",
@@ -202,7 +216,7 @@ def _throws(
     ]
 
 
-def _mechanisms(bank: BankSpec, end: str) -> list[tuple[MechanismSpec, float, dict[str, str]]]:
+def _mechanisms(bank: BankSpec, end: str) -> list[tuple[MechanismSpec, Array, dict[str, str]]]:
     """Mechanisms on each throw, with their axes from Y [rad], and their places in what are lists in the file."""
     if end:
         return [(bank.opposed[end].mechanism, opposed_angle(bank, end), {})]
@@ -213,7 +227,7 @@ def _mechanisms(bank: BankSpec, end: str) -> list[tuple[MechanismSpec, float, di
         if any(getattr(other, field, None) != getattr(first, field) for other in bank.mechanism)
     ]
     return [
-        (mechanism, angle.si, dict.fromkeys(lists, f"[{k}]"))
+        (mechanism, angle.array, dict.fromkeys(lists, f"[{k}]"))
         for k, (mechanism, angle) in enumerate(zip(bank.mechanism, bank.angle, strict=True))
     ]
 

@@ -19,8 +19,8 @@ _IN_LINE = 1e-3
 
 
 def shaft_centres(shafts: Mapping[str, ShaftSpec]) -> dict[str, Array]:
-    """Give the centre of every shaft whose place is known, from that of `main`: X to the right, Y up. [m]"""
-    known = {name: np.array([part.si for part in shaft.place]) for name, shaft in shafts.items() if shaft.place}
+    """Give the centre X, Y of every shaft whose place is known, from that of `main`: to the right, and up. [m]"""
+    known = {name: np.array([part.array for part in shaft.place]) for name, shaft in shafts.items() if shaft.place}
     return {MAIN: np.zeros(2), **known}
 
 

@@ -12,6 +12,7 @@ from cranktrain.layout.specs import MAIN, ShaftSpec
 from cranktrain.layout.standing import shaft_centres
 from cranktrain.numerics.gathering import gathered
 from cranktrain.numerics.harmonics import ComplexArray
+from cranktrain.numerics.nested import by_design
 from cranktrain.record import record
 
 
@@ -63,14 +64,11 @@ class ShaftCentres:
 
 
 def shaft_centres_of(
-    shafts: Sequence[Mapping[str, ShaftSpec]], designs: Sequence[Sequence[PlacedMechanism]]
+    shafts: Mapping[str, ShaftSpec], places: Sequence[PlacedMechanism], n_designs: int
 ) -> ShaftCentres | None:
     """Find the centres; None where a shaft that carries a mechanism has no place."""
-    centres = [shaft_centres(design) for design in shafts]
-    if any(place.shaft not in centres[0] for place in designs[0]):
+    centres = shaft_centres(shafts)
+    if any(place.shaft not in centres for place in places):
         return None
-    return ShaftCentres(
-        np.array(
-            [[complex(*known[place.shaft]) for place in design] for known, design in zip(centres, designs, strict=True)]
-        )
-    )
+    across, up = (by_design([centres[place.shaft][axis] for place in places], n_designs) for axis in (0, 1))
+    return ShaftCentres(across + 1j * up)

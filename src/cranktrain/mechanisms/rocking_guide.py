@@ -5,7 +5,7 @@ from pydantic import Field
 from cranktrain.language import N_
 from cranktrain.linkage import CrankAndPivot
 from cranktrain.mechanisms.spec import Master, MechanismSpec
-from cranktrain.motion import single
+from cranktrain.motion import chosen
 from cranktrain.quantities import Given, Length, PositiveLength
 
 
@@ -19,7 +19,5 @@ class RockingGuideSpec(MechanismSpec, frozen=True):
 
 def rocking_guide_geometry(spec: RockingGuideSpec, _master: Master | None = None) -> CrankAndPivot:
     """Lengths in SI."""
-    radius, ground = spec.crank_radius.si, spec.ground_length.si
-    return CrankAndPivot(
-        single(radius), single(ground), single(spec.offset.si), single(1.0 if ground >= radius else -1.0)
-    )
+    radius, ground = spec.crank_radius.array, spec.ground_length.array
+    return CrankAndPivot(radius, ground, spec.offset.array, chosen(ground >= radius, 1.0, -1.0))

@@ -6,6 +6,7 @@ from typing import Any, ClassVar, NamedTuple
 from pydantic import Field
 
 from cranktrain.language import N_
+from cranktrain.motion import Array
 from cranktrain.quantities import Length
 from cranktrain.spec import Spec
 
@@ -37,4 +38,4 @@ class Master(NamedTuple):
     """What a slave mechanism hangs on: the master's geometry, and the slave's axis ahead of the master's. [rad]"""
 
     geometry: Any
-    bank_angle: float
+    bank_angle: Array

@@ -3,6 +3,7 @@
 from math import pi
 from typing import Annotated, Literal, TypeAlias
 
+from cranktrain.motion import Array
 from cranktrain.quantities import Dimension, Given, Quantity
 
 Admission: TypeAlias = Literal["outside", "inside"]
@@ -12,6 +13,6 @@ Notch: TypeAlias = Annotated[Given, Quantity(Dimension.RATIO, at_least=-1.0, at_
 """Position of the reverser: +1 full gear ahead, 0 mid gear, −1 full gear astern."""
 
 
-def set_ahead(angle_of_advance: float, admission: Admission) -> float:
+def set_ahead(angle_of_advance: Array, admission: Admission) -> Array:
     """How far ahead of the crank an eccentric for running ahead stands; docs/theory/eccentric, eq. (20.2). [rad]"""
     return angle_of_advance + (pi / 2 if admission == "outside" else -pi / 2)

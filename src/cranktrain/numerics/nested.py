@@ -54,6 +54,25 @@ def leaves(parts: tuple[object, ...]) -> list[Array]:
     return found
 
 
+def by_design(numbers: Sequence[Array | float], n_designs: int) -> Array:
+    """Put numbers of members into one array.
+
+    Parameters
+    ----------
+    numbers : sequence
+        Of each member one number, or an array of shape (design,).
+    n_designs : int
+
+    Returns
+    -------
+    Array, shape (design, member)
+    """
+    found = np.empty((n_designs, len(numbers)))
+    for member, number in enumerate(numbers):
+        found[:, member] = number
+    return found
+
+
 def side_by_side(found: Sequence[tuple[NDArray[np.intp], Nested]], shape: tuple[int, ...]) -> Nested:
     """Join nested tuples of arrays, each at its places along the axis after the design's, to arrays of that shape."""
     columns = [np.empty(shape) for _leaf in leaves(found[0][1])]

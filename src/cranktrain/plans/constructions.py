@@ -19,7 +19,7 @@ from cranktrain.motion import Array
 from cranktrain.plans.placement import frame, slider_crank_called
 from cranktrain.plans.positions import plan_angles
 from cranktrain.textbook.ranges import RANGES, Range
-from cranktrain.textbook.steam_engine import brix, infinite_rod, largest_difference, two_harmonics
+from cranktrain.textbook.steam_engine import brix, infinite_rod, largest_difference
 
 Method = Literal["arc", "projection", "brix", "brix_backward"]
 
@@ -163,25 +163,6 @@ def construction(
         limits=next((one for one in RANGES if one.method == _RANGES.get(method)), None),
         sense=frame(machine, place).sense,
     )
-
-
-def largest_errors(geometry: SliderCrank) -> tuple[float, float]:
-    """Largest errors over a turn of Brix's readings, and of (333), in parts of the stroke.
-
-    Examples
-    --------
-    The source calls the construction as exact as "so-called exact computations", by which it means (333).
-
-    >>> [round(error, 5) for error in largest_errors(SliderCrank(0.1, 0.4, 0.0))]
-    [0.00204, 0.00101]
-    """
-    phi = np.linspace(0.0, 2 * np.pi, 721)
-    exact = _end(geometry) - _exact(phi, geometry)
-    stroke = _end(geometry) - _end(geometry, -1.0)
-    ratio = geometry.crank_radius / geometry.rod_length
-    found = [form(phi, geometry.crank_radius, ratio).value for form in (brix, two_harmonics)]
-    errors = [float(np.max(np.abs(one - exact)) / stroke) for one in found]
-    return errors[0], errors[1]
 
 
 def exact_crank_angle(displacement: Array, geometry: SliderCrank) -> Array:

@@ -42,7 +42,7 @@ _FREEZING = "273.15"
 class Dimension(Enum):
     """A kind of quantity: what it is called, an example, and its units, the usual one first."""
 
-    RATIO = (N_("a number without a unit"), "0.25", ())
+    RATIO = (N_("a number without a unit"), "0.25", (_unit("%", si="0.01"),))
     LENGTH = (
         N_("a length"),
         "90 mm",
@@ -207,16 +207,22 @@ class Dimension(Enum):
         self.example = example
         self.units = units
 
+    @property
+    def needs_unit(self) -> bool:
+        """Whether a number alone says nothing."""
+        return self is not Dimension.RATIO
+
 
 def unit_names(dimension: Dimension) -> tuple[str, ...]:
-    """Names of the units of a dimension, the usual one first; none for a plain number."""
+    """Names of the units of a dimension, the usual one first."""
     return tuple(unit.name for unit in dimension.units)
 
 
 def expected(dimension: Dimension) -> str:
     """Say what is allowed: "must be a length in mm, cm, m, in, ft, such as 90 mm"."""
-    if not dimension.units:
-        return _("must be {noun}, such as {example}").format(noun=_(dimension.noun), example=dimension.example)
+    if not dimension.needs_unit:
+        words = _("must be {noun} or in {units}, such as {example}")
+        return words.format(noun=_(dimension.noun), units=", ".join(unit_names(dimension)), example=dimension.example)
     return _("must be {noun} in {units}, such as {example}").format(
         noun=_(dimension.noun), units=", ".join(unit_names(dimension)), example=dimension.example
     )

@@ -2,7 +2,7 @@
 
 import operator
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal, TypeAlias, cast, get_args
 
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
@@ -11,6 +11,7 @@ from pydantic_core import CoreSchema, core_schema
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
+from cranktrain.motion import Array, single
 from cranktrain.quantities.conversion import shown
 from cranktrain.quantities.dimensions import Dimension, expected
 from cranktrain.quantities.pattern import pattern
@@ -37,6 +38,8 @@ class Given:
         What was written, e.g. "180 mm" or "7 1/16 in".
     status, note, source : str or None
         How the number came about, in which sense, and from where.
+    column : Array, shape (design,), optional
+        Its values in SI in several designs that are laid out together, of which all else is the first one's.
     """
 
     si: float
@@ -44,6 +47,12 @@ class Given:
     status: Status | None = None
     note: str | None = None
     source: str | None = None
+    column: Array | None = field(default=None, compare=False, repr=False)
+
+    @property
+    def array(self) -> Array:
+        """Its value as the layout takes it: one number, or that of each design laid out together, shape (design,)."""
+        return single(self.si) if self.column is None else self.column
 
 
 @dataclass(frozen=True)
@@ -129,7 +138,7 @@ class Quantity:
         example = [self.dimension.example]
         least = max((limit for limit in (self.above, self.at_least) if limit is not None), default=-1.0)
         text = {"type": "string", "pattern": pattern(self.dimension, is_signed=least < 0), "examples": example}
-        value = text if self.dimension.units else {"anyOf": [{"type": "number"}, text]}
+        value = text if self.dimension.needs_unit else {"anyOf": [{"type": "number"}, text]}
         table = {
             "type": "object",
             "properties": {

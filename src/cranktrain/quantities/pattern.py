@@ -24,7 +24,8 @@ def pattern(dimension: Dimension, *, is_signed: bool) -> str:
     """
     units = "|".join(dict.fromkeys(_unit_patterns(dimension)))
     signed = PATTERN if is_signed else PATTERN.replace("^", r"^(?!\s*-)", 1)
-    return rf"{signed}\s*(?:{units})\s*$"
+    optional = "" if dimension.needs_unit else "?"
+    return rf"{signed}\s*(?:{units}){optional}\s*$"
 
 
 def _unit_patterns(dimension: Dimension) -> Iterator[str]:

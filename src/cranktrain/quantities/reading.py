@@ -40,7 +40,7 @@ def read(text: object, dimension: Dimension) -> float:
     Parameters
     ----------
     text : str, or int or float for a plain number
-        As in a machine file: "180 mm", "7 1/16 in", "15 кгс·м"; for `Dimension.RATIO` also 14.5.
+        As in a machine file: "180 mm", "7 1/16 in", "15 кгс·м"; for `Dimension.RATIO` also 14.5 or "8 %".
     dimension : Dimension
 
     Returns
@@ -89,14 +89,14 @@ def _text(given: object, dimension: Dimension) -> str:
         return " ".join(given.split())
     if isinstance(given, bool) or not isinstance(given, int | float):
         raise QuantityError(written(given), expected(dimension))
-    if not dimension.units:
+    if not dimension.needs_unit:
         return str(given)
     raise _no_unit(str(given), dimension)
 
 
 def _unit(parts: Measured, text: str, dimension: Dimension) -> Unit | None:
     """Find the unit in the list of the dimension."""
-    if not dimension.units and not parts.unit:
+    if not dimension.needs_unit and not parts.unit:
         return None
     if not parts.unit:
         raise _no_unit(text, dimension)

@@ -13,3 +13,6 @@ Count: TypeAlias = Annotated[int, Quantity(Dimension.RATIO)]
 TimeRatio: TypeAlias = Annotated[Ratio, N_("Time of the slow stroke over that of the quick one.")]
 Bore: TypeAlias = Annotated[float, Quantity(Dimension.LENGTH, above=0.0), N_("For the machine file.")]
 Speed: TypeAlias = Annotated[float, Quantity(Dimension.SPEED, above=0.0), N_("Of the crank.")]
+Friction: TypeAlias = Annotated[
+    float, Quantity(Dimension.RATIO, above=0.0, at_most=2.0), N_("Coefficient of friction of the slider on its guide.")
+]

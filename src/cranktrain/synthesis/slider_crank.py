@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.synthesis.four_bars import time_ratio_of
+from cranktrain.synthesis.guide_friction import friction_numbers, friction_remark, locking_problems
 from cranktrain.synthesis.positive import not_positive, plain
 from cranktrain.synthesis.proposal import (
     Alternative,
@@ -17,7 +18,7 @@ from cranktrain.synthesis.proposal import (
     shaft_table,
     wanted,
 )
-from cranktrain.synthesis.quantities import Angle, Length, Speed, Velocity
+from cranktrain.synthesis.quantities import Angle, Friction, Length, Speed, Velocity
 from cranktrain.synthesis.slider_crank_lengths import (
     Lengths,
     Limits,
@@ -50,6 +51,7 @@ def slider_crank_from_stroke(
     offset: Annotated[Length | None, N_("Of the line of stroke toward +y; 0 unless given.")] = 0.0,
     mean_speed: Annotated[Velocity | None, N_("Of the slider over the turn, instead of --speed.")] = None,
     speed: Speed | None = None,
+    friction: Friction | None = None,
 ) -> Proposal:
     """Propose a slider-crank.
 
@@ -70,12 +72,15 @@ def slider_crank_from_stroke(
         that allows the shortest rod. [m]
     mean_speed, speed : float, optional
         Mean slider speed over the turn [m/s], or crank speed [rad/s]; at most one.
+    friction : float, optional
+        Coefficient of friction of the slider on its guide. [1]
 
     Returns
     -------
     Proposal
         With the numbers `crank_radius`, `rod_length`, `offset`, `stroke`, `working_pressure_angle`,
-        `return_pressure_angle`, `time_ratio`, `side_force_share`, and with a speed `speed` and `mean_speed`.
+        `return_pressure_angle`, `time_ratio`, `side_force_share`, with a speed `speed` and `mean_speed`, and with
+        friction `locking_angle`, `side_force_with_friction` and `friction_share`.
 
     Raises
     ------
@@ -98,12 +103,17 @@ def slider_crank_from_stroke(
     lengths = _chosen(stroke, rod_length, offset, working_stroke, (sin(working), sin(back)))
     if rod_length is not None:
         _refuse_over_limits(lengths, working_stroke, working, return_pressure_angle)
+    if friction is not None:
+        refuse(locking_problems(max(pressure_angles_of(lengths)), friction))
     omega = mean_speed * pi / stroke if mean_speed is not None else speed
     return Proposal(
         title=_("Slider-crank of {stroke} stroke").format(stroke=number(stroke, "mm")),
-        numbers=slider_crank_numbers(lengths, working_stroke, omega),
+        numbers=(
+            *slider_crank_numbers(lengths, working_stroke, omega),
+            *friction_numbers(_by_stroke(lengths, working_stroke)[0], friction),
+        ),
         alternatives=_alternatives(stroke, lengths, working_stroke, (working, back)) if pressure_angle else (),
-        remarks=_remarks(lengths, working_stroke),
+        remarks=(*_remarks(lengths, working_stroke), friction_remark(_by_stroke(lengths, working_stroke)[0], friction)),
         tables=(
             *shaft_table(omega, None if mean_speed is None else _("π v/S")),
             _mechanism(lengths, rod_length, offset),

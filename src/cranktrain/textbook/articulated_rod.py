@@ -1,15 +1,17 @@
 """Piston on an articulated rod by the two-harmonic form (I.13) of [bolotin].
 
-The constants are illegible in the source. Two sets stand in for them: `derived` anew, and `reconstructed` as the
-source most likely had them. Derivation, errors and what the source still shows: docs/theory/textbook-forms.
+The constants are illegible in the source. Two sets stand in for them: `derived` anew, and `reconstructed` as the source
+most likely had them; beside them stand those of the exact motion. Derivation, errors and what the source still shows:
+docs/theory/textbook-forms.
 """
 
 from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.mechanisms.articulated_rod import ArticulatedRod
+from cranktrain.mechanisms.articulated_rod import ArticulatedRod, articulated_rod
 from cranktrain.motion import Array, Coefficient
+from cranktrain.numerics import turn_grid
 
 _NEWTON_STEPS, _SETTLED = 8, 1e-9
 """Digits double with each step; from the first harmonic's top, enough for a second harmonic up to 0.6 of the first. And
@@ -106,6 +108,33 @@ def reconstructed(rod: ArticulatedRod) -> SlaveHarmonics:
             2 * rho * R / l * np.sin(gamma) * (1 - reach * l / L * np.cos(gamma)),
         ),
         mean_distance=l + r * cos_psi - R / 4 * (own_rod + master_rod),
+    )
+
+
+def of_exact_motion(rod: ArticulatedRod) -> SlaveHarmonics:
+    """Constants of (I.13) of the exact motion itself: its mean and its first two harmonics.
+
+    Parameters
+    ----------
+    rod : ArticulatedRod
+        Numbers.
+
+    Returns
+    -------
+    SlaveHarmonics, numbers
+        In the mean square the best that two harmonics can do for position.
+
+    Notes
+    -----
+    With α_l = α − γ the distance K + R[E cos(α_l + Φ) + ¼F cos(2α_l − Θ)] has the harmonics R E e^{i(Φ − γ)} and
+    ¼R F e^{−i(2γ + Θ)}.
+    """
+    distance = articulated_rod(turn_grid(), rod).slider.value
+    found = 2 * np.fft.rfft(distance) / distance.size
+    R, gamma = rod.master.crank_radius, rod.bank_angle  # noqa: N806 - the letters of the equation
+    first, second = found[1] * np.exp(1j * gamma), np.conj(found[2] * np.exp(2j * gamma))
+    return SlaveHarmonics(
+        np.abs(first) / R, np.angle(first), 4 * np.abs(second) / R, np.angle(second), found[0].real / 2
     )
 
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from cranktrain.catalogue import coefficients, extreme
 from cranktrain.checks import StageResult
+from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Batch, Pistons
@@ -15,6 +16,8 @@ from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extreme, Extremes, largest, turn_grid
+from cranktrain.questions.cylinders.opposed import VolumetricDeadCentres
+from cranktrain.questions.cylinders.travel import CylinderPistons
 from cranktrain.questions.motion.dead_centres import PistonTurn
 from cranktrain.questions.motion.pistons import PistonMotion
 from cranktrain.record import record
@@ -25,9 +28,11 @@ from cranktrain.textbook.articulated_rod import (
     reconstructed,
     slave_displacement,
 )
-from cranktrain.textbook.ranges import RANGES
+from cranktrain.textbook.leads import lead_flags
+from cranktrain.textbook.percents import percent
+from cranktrain.textbook.ranges import RANGES, Range
 from cranktrain.textbook.steam_engine import brix, infinite_rod, two_harmonics
-from cranktrain.wording import Names, number, ranged
+from cranktrain.wording import ABSENT, Names, ranged
 
 _FACT = ("method", "piston")
 _THEORY = "docs/theory/textbook-forms"
@@ -131,11 +136,16 @@ class TextbookMotion(StageResult):
 def _in_percent(errors: Array) -> str:
     """Write the largest of the errors that there are."""
     known = errors[np.isfinite(errors)]
-    return number(float(np.max(known)) if known.size else np.nan, "%")
+    return f"{percent(float(np.max(known)))} %" if known.size else ABSENT
 
 
 def textbook_motion(
-    pistons: Pistons, crank_angle: CrankAngle, turn: PistonTurn, motion: PistonMotion
+    pistons: Pistons,
+    crank_angle: CrankAngle,
+    turn: PistonTurn,
+    motion: PistonMotion,
+    cylinders: CylinderPistons | None,
+    opposed: VolumetricDeadCentres | None,
 ) -> TextbookMotion:
     """Motion of every piston by every method, and each method's largest errors, refined on the kernels."""
     exact = motion.piston_displacement
@@ -166,7 +176,7 @@ def textbook_motion(
         Coefficient(*curves.reshape(3, n_designs, n_methods, n_pistons, n_angles)),
         *(Extreme(*one) for one in zip(angles, errors, strict=True)),
         labels={"method": ("exact", *FORMS)},
-        flags=tuple(_flags(pistons)),
+        flags=(*_flags(pistons), *(lead_flags(cylinders.names, opposed.lead) if cylinders and opposed else ())),
     )
 
 
@@ -206,20 +216,34 @@ def _own_rows(motion: Coefficient) -> Array:
 
 
 def _flags(pistons: Pistons) -> Iterator[str]:
-    """Say which methods are outside their source's range, for which pistons, and what the source says."""
+    """Say which methods are outside their source's range, for which pistons and why, and what the source says."""
     for one, batch in product(RANGES, pistons.batches):
         if batch.kind.name in FORMS[one.method]:
-            geometry = batch.members.geometry
-            plain = getattr(geometry, "master", geometry)
-            outside = one.outside(plain.crank_radius / plain.rod_length, plain.offset)[..., 0]
-            members = np.flatnonzero(np.any(outside, axis=0)).tolist()
-            if members:
+            reasons = _reasons(one, batch)
+            if reasons:
+                outside = (
+                    _("{pistons}, as {reason}").format(pistons=ranged(batch.members.names, alike), reason=reason)
+                    for reason, alike in reasons.items()
+                )
                 yield _(
                     "{method} {equations} is outside its source's range ({condition}) for {pistons} [{source}]"
                 ).format(
                     method=_(one.name),
                     equations=", ".join(one.equations),
                     condition=_(one.condition),
-                    pistons=ranged(batch.members.names, members),
+                    pistons="; ".join(outside),
                     source=one.source,
                 )
+
+
+def _reasons(one: Range, batch: Batch) -> dict[str, list[int]]:
+    """Members of a batch that are outside a range, by the reason: that of the first design that is."""
+    plain = getattr(batch.members.geometry, "master", batch.members.geometry)
+    ratio, offset = (part[..., 0] for part in np.broadcast_arrays(plain.crank_radius / plain.rod_length, plain.offset))
+    outside = one.outside(ratio, offset)
+    first = np.argmax(outside, axis=0)
+    return grouped(
+        (_(" and ").join(one.reasons(float(ratio[design, member]), float(offset[design, member]))), member)
+        for member, design in enumerate(first.tolist())
+        if outside[design, member]
+    )

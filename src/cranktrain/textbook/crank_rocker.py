@@ -32,3 +32,25 @@ def pin_velocity_ratio(crank: Array, rod: Array, rocker: Array) -> Array:
     1.0
     """
     return np.sin(crank - rod) / np.sin(rocker - rod)
+
+
+def product_of_sines(crank: Array, rod: Array, rocker: Array) -> Array:
+    """What [kunitsky-1938] and [popov-1945] have for AC/BC, sin(α₁ − β) sin(α − β), which [gandzha] refutes.
+
+    Parameters
+    ----------
+    crank, rod, rocker : Array, that broadcast
+        α, β and α₁, as of `pin_velocity_ratio`. [rad]
+
+    Returns
+    -------
+    Array, of the broadcast shape. [1]
+
+    Examples
+    --------
+    Of a parallelogram, whose pins are equally fast, it is the square of a sine.
+
+    >>> round(float(product_of_sines(1.1, 0.2, 1.1)), 6)
+    0.613601
+    """
+    return np.sin(rocker - rod) * np.sin(crank - rod)

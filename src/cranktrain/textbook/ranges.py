@@ -1,14 +1,15 @@
 """Where each source says that its formula may be used, as data: outside, a flag is shown with its source."""
 
-from collections.abc import Callable
+from collections.abc import Iterator
 from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.language import N_
-from cranktrain.motion import Array
+from cranktrain.language import N_, _
+from cranktrain.motion import Array, single
 from cranktrain.record import record
+from cranktrain.wording import number
 
 Flags: TypeAlias = NDArray[np.bool_]
 
@@ -32,9 +33,11 @@ class Range:
         Citation key, see `cranktrain.references`.
     condition : str
         The range in words, or what to know of a method for which the source gives none.
-    outside : callable
-        From λ = R/L of a rod and the offset of its line of stroke [m], arrays that broadcast, to flags of the broadcast
-        shape: true outside the range. For an articulated rod λ is the master's.
+    most_ratio : float or None
+        Largest λ = R/L of a mechanism, which has to be central, too; of an articulated rod λ is the master's. None
+        where the source gives no range.
+    is_below : bool
+        Whether λ must be less than that.
     """
 
     name: str
@@ -42,17 +45,36 @@ class Range:
     equations: tuple[str, ...]
     source: str
     condition: str
-    outside: Callable[[Array, Array], Flags]
+    most_ratio: float | None = None
+    is_below: bool = False
 
+    def outside(self, ratio: Array, offset: Array) -> Flags:
+        """Tell what is outside, from λ of a rod and the offset of its line of stroke [m], arrays that broadcast."""
+        return self._is_beyond(ratio) | self._is_offset(offset)
 
-def _outside_central(most: float) -> Callable[[Array, Array], Flags]:
-    """Outside λ up to the most, or not central."""
-    return lambda ratio, offset: (ratio > most) | (offset != 0)
+    def reasons(self, ratio: float, offset: float) -> Iterator[str]:
+        """Say what a mechanism is outside for: its λ, the offset of its line of stroke [m], or both.
 
+        Examples
+        --------
+        >>> list(RANGES[0].reasons(0.2, 0.01)), list(RANGES[0].reasons(0.31, 0.0))
+        (['the line of stroke is offset by 10.00 mm'], ['λ = 0.31'])
+        """
+        if self._is_beyond(single(ratio)):
+            yield f"λ = {ratio:.4g}"
+        if self._is_offset(single(offset)):
+            yield _("the line of stroke is offset by {offset}").format(offset=number(abs(offset), "mm"))
 
-def _never_outside(ratio: Array, offset: Array) -> Flags:
-    """No range is given."""
-    return np.zeros(np.broadcast_shapes(np.shape(ratio), np.shape(offset)), dtype=np.bool_)
+    def _is_beyond(self, ratio: Array) -> Flags:
+        """Whether λ is too large."""
+        if self.most_ratio is None:
+            return np.zeros(np.shape(ratio), dtype=np.bool_)
+        rounding = -_ROUNDING if self.is_below else _ROUNDING
+        return np.asarray(ratio) > self.most_ratio * (1 + rounding)
+
+    def _is_offset(self, offset: Array) -> Flags:
+        """Whether a line of stroke is offset, which the forms do not know."""
+        return (np.asarray(offset) != 0) & (self.most_ratio is not None)
 
 
 RANGES: tuple[Range, ...] = (
@@ -62,7 +84,7 @@ RANGES: tuple[Range, ...] = (
         ("(333)", "(336)", "(337)"),
         "steam-engine",
         N_("central mechanism, λ ≤ 0.3"),
-        _outside_central(0.3 * (1 + _ROUNDING)),
+        most_ratio=0.3,
     ),
     Range(
         N_("infinitely long rod (orthogonal projection of the crank pin)"),
@@ -70,7 +92,8 @@ RANGES: tuple[Range, ...] = (
         ("(334)",),
         "steam-engine",
         N_("central mechanism, λ < 0.1"),
-        _outside_central(0.1 * (1 - _ROUNDING)),
+        most_ratio=0.1,
+        is_below=True,
     ),
     Range(
         N_("Brix's construction"),
@@ -78,7 +101,7 @@ RANGES: tuple[Range, ...] = (
         ("fig. 147",),
         "steam-engine",
         N_("central mechanism, λ ≤ 0.3"),
-        _outside_central(0.3 * (1 + _ROUNDING)),
+        most_ratio=0.3,
     ),
     Range(
         N_("two harmonics of an articulated rod, derived anew"),
@@ -86,7 +109,6 @@ RANGES: tuple[Range, ...] = (
         ("(I.13)",),
         "bolotin",
         N_("the source gives no range; constants exact in the offset angle, to second order in the crank radius"),
-        _never_outside,
     ),
     Range(
         N_("two harmonics of an articulated rod, reconstructed"),
@@ -94,7 +116,6 @@ RANGES: tuple[Range, ...] = (
         ("(I.13)",),
         "bolotin",
         N_("the source gives no range; its constants are illegible and reconstructed here"),
-        _never_outside,
     ),
 )
 """The ranges of all textbook methods."""

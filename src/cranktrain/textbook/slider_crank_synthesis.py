@@ -12,6 +12,7 @@ import numpy as np
 from cranktrain.language import N_
 from cranktrain.motion import Array, single
 from cranktrain.textbook.steam_engine import two_harmonics
+from cranktrain.textbook.wrong_step import WrongStep
 
 
 class SliderCrankRequirements(NamedTuple):
@@ -20,20 +21,6 @@ class SliderCrankRequirements(NamedTuple):
     stroke: float
     mean_speed: float
     pressure_angle: float
-
-
-class WrongStep(NamedTuple):
-    """A step of the source that is wrong: the number that it got, the right one, and why.
-
-    step, why: in words, translated where they are shown; printed: as the source writes it; got, right: in `unit`.
-    """
-
-    step: str
-    printed: str
-    got: float
-    right: float
-    unit: str
-    why: str
 
 
 class VelocityTable(NamedTuple):
@@ -166,6 +153,17 @@ def wrong_steps() -> tuple[WrongStep, ...]:
             N_("two errors that nearly cancel leave a rod 1.7 times longer than the limit needs"),
         ),
         WrongStep(
+            N_("pressure angle in the plans at φ = [α] and 180° + [α]"),
+            "φ₁, равном [α] и 180° + [α]",
+            asin(CRANK_RADIUS * sin(limit) / ROD_LENGTH),
+            largest_pressure_angle(CRANK_RADIUS, ROD_LENGTH),
+            "rad",
+            N_(
+                "the text says that the limit is reached at 60°, and draws 30° and 210° beside the dead centres and "
+                "the middle; the largest angle of its rod stands at 90° and 270°"
+            ),
+        ),
+        WrongStep(
             N_("period of a turn"),
             "Tц = 2S/v ≈ 0,05 с",
             0.05,
@@ -198,6 +196,14 @@ def wrong_steps() -> tuple[WrongStep, ...]:
             N_("φ is printed for sin φ; the table is computed with sin φ"),
         ),
         WrongStep(
+            N_("half the ratio of crank and rod, r/2l"),
+            "r/2l ≈ 0,15",
+            HALF_RATIO,
+            CRANK_RADIUS / (2 * ROD_LENGTH),
+            "1",
+            N_("0.08/0.54 is 0.148; with it the second harmonic is 1.2 % smaller"),
+        ),
+        WrongStep(
             N_("sign of the velocity, at 90°"),
             "v = 10,048 м/с",
             PRINTED_VELOCITY[3],
@@ -223,4 +229,12 @@ def wrong_steps() -> tuple[WrongStep, ...]:
             N_("it is positive; the velocity 3.7 m/s beside it has the right sign"),
         ),
         WrongStep(N_("sin 2φ at 210°"), "−0,9", -0.9, sin(2 * 7 * pi / 6), "1", N_("sin 420° is positive")),
+        WrongStep(
+            N_("velocity at 300°"),
+            "v = −9,99 м/с",
+            PRINTED_VELOCITY[10],
+            float(table.approximate[10]),
+            "m/s",
+            N_("the slip of 60° again: both are 10.01 m/s with its own numbers"),
+        ),
     )

@@ -43,11 +43,11 @@ def told(**machine: Any) -> list[str]:
         ({"gas": DUAL_CYCLE, "cylinder": CYLINDER}, []),
         (
             {"gas": DUAL_CYCLE, "cylinder": without(CYLINDER, "compression_ratio"), "masses": PISTON},
-            ["[gas] is not used: [cylinder] compression_ratio is missing" + ALONE],
+            ["[gas] is not used: [cylinder] compression_ratio or clearance is missing" + ALONE],
         ),
         (
             {"gas": DUAL_CYCLE, "cylinder": without(CYLINDER, "compression_ratio", "cycle"), "masses": PISTON},
-            ["[gas] is not used: [cylinder] compression_ratio and [cylinder] cycle are missing" + ALONE],
+            ["[gas] is not used: [cylinder] compression_ratio or clearance and [cylinder] cycle are missing" + ALONE],
         ),
         (
             {"gas": DUAL_CYCLE, "cylinder": CYLINDER, "masses": PISTON, "mechanism": None}
@@ -56,7 +56,7 @@ def told(**machine: Any) -> list[str]:
         ),
         (
             {"gas": DUAL_CYCLE, "cylinder": without(CYLINDER, "compression_ratio")},
-            ["[gas] is not used: [cylinder] compression_ratio is missing."],
+            ["[gas] is not used: [cylinder] compression_ratio or clearance is missing."],
         ),
         (
             {"shaft": {}, "masses": PISTON, "gravity": True, "friction": {"piston": 0.1}}
@@ -111,7 +111,7 @@ def test_it_is_told_whatever_is_asked_for():
         mechanism=slider(), shaft=AT, gas=DUAL_CYCLE, cylinder=without(CYLINDER, "compression_ratio"), masses=PISTON
     )
     (one,) = ct.run(machine, quantities="stroke").unused
-    assert (one.table, one.needs) == ("[gas]", ("[cylinder] compression_ratio",))
+    assert (one.table, one.needs) == ("[gas]", ("[cylinder] compression_ratio or clearance",))
     result = ct.run(machine)
     (said,) = sentences(result.unused)
     assert result.summary().splitlines()[0] == said
@@ -121,7 +121,7 @@ def test_it_is_told_whatever_is_asked_for():
     assert read["unused"] == [
         {
             "table": "[gas]",
-            "needs": ["[cylinder] compression_ratio"],
+            "needs": ["[cylinder] compression_ratio or clearance"],
             "consequence": "forces and torque are of inertia alone",
         }
     ]

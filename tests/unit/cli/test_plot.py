@@ -134,6 +134,14 @@ def test_crank_angles_as_typed(plan, at, output, angles):
             ["--scale = 1:1: is too large for the paper: at most 1:2"],
         ),
         (
+            ["3d12", "-o", "a.svg", "--plan", "scheme", "--letters", "gandzha"],
+            ["--letters = gandzha: has no figure of such a mechanism as 1R"],
+        ),
+        (
+            ["3d12", "-o", "a.svg", "--plan", "scheme", "--letters", "bolotin", "--at", "30,60"],
+            ["--at  2 crank angles: must be one for a scheme"],
+        ),
+        (
             ["textbook_78x78", "-o", "a.svg", "--plan", "positions", "--at", "source 95"],
             ["--at = source 95: must be `source` with one angle from 0 to 90°: source 30"],
         ),

@@ -11,6 +11,7 @@ from tests.sentences import (
     KEEP_ONE,
     NO_PATH,
     NOT_A_KEY,
+    OF_INERTIA_ALONE,
     RUNNING_SPEED_NEEDS,
     SET_TWICE,
     STEADY_RUNNING,
@@ -334,8 +335,8 @@ cut_off_ratio = 1.3
 def test_a_table_that_is_not_used_stands_after_the_title(typed, written):
     written(CENTRAL + UNUSED)
     said = [
-        "! [gas] is not used: [cylinder] compression_ratio is missing; forces and torque",
-        "  are of inertia alone.",
+        "! [gas] is not used: [cylinder] compression_ratio or clearance is missing;",
+        f"  {OF_INERTIA_ALONE}",
     ]
     lines = typed("run", "machine.toml").output.splitlines()
     assert lines[0] == "small: slider-crank, central or offset; 1500 rpm; clockwise, ahead"

@@ -34,7 +34,7 @@ PRESSURES = wiebe_cycle(ENGINE, CASE, np.radians(DEGREES))
 
 def diagram_of(text, engine=ENGINE, cycle=FOUR_STROKE, **more):
     spec = validated(IndicatorSpec, {"kind": "indicator", "file": "trace.csv", "text": text, **more})
-    return indicator_diagram(card_of(spec).card, engine.chamber(cycle))
+    return indicator_diagram(card_of(spec).card[0], engine.chamber(cycle))
 
 
 PLAIN = diagram_of(csv(DEGREES, PRESSURES))
@@ -331,7 +331,7 @@ def test_an_offset_machine_takes_the_file_at_its_true_dead_centre():
 def test_the_file_must_have_been_read():
     spec = validated(IndicatorSpec, {"kind": "indicator", "file": "trace.csv"})
     with pytest.raises(InputError, match="has not been read"):
-        indicator_diagram(card_of(spec).card, ENGINE.chamber())
+        indicator_diagram(card_of(spec).card[0], ENGINE.chamber())
 
 
 @pytest.mark.parametrize(

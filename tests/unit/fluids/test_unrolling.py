@@ -31,7 +31,7 @@ def two_stroke_pressure(angle):
 
 def diagram_of(text, engine=ENGINE, cycle=FOUR_STROKE, chamber=None, **more):
     spec = validated(IndicatorSpec, {"kind": "indicator", "file": "card.csv", "text": text, **more})
-    return indicator_diagram(card_of(spec).card, chamber or engine.chamber(cycle))
+    return indicator_diagram(card_of(spec).card[0], chamber or engine.chamber(cycle))
 
 
 def strokes_of(engine, angle):

@@ -5,14 +5,14 @@ import pytest
 from tests.machines import ROCKER, V12, banks, slave, slider, throws
 
 import cranktrain as ct
-from cranktrain.analysis.parts import designs_of, parts_of
+from cranktrain.analysis.parts import parts_of
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.distinct import distinct
 from cranktrain.layout.mechanisms import Mechanisms
 
 
 def mechanisms(*machines):
-    return parts_of(designs_of(machines), machines[0].cycle, step=np.radians(1))[Mechanisms]
+    return parts_of(machines, step=np.radians(1))[Mechanisms]
 
 
 def test_angles_are_counted_within_the_period():

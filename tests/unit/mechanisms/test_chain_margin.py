@@ -43,7 +43,7 @@ def drawn(example, seed):
     """The valve gear of an example with all its lengths changed at random."""
     place = next(place for place in read_machine(example, ()).machine.places if place.kind.openings is not None)
     random = np.random.default_rng(seed)
-    geometry = rows(stacked([[place.geometry]]), np.zeros(N_DESIGNS, dtype=int))
+    geometry = rows(stacked([place.geometry]), np.zeros(N_DESIGNS, dtype=int))
     for name in place.kind.lengths:
         geometry = scaled(geometry, name, random.uniform(0.9, 1.1, (N_DESIGNS, 1)))
     return place.kind, geometry

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from tests.machines import scaled
+from tests.machines import as_columns, scaled
 
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.crank_rocker import CrankRocker
@@ -20,7 +20,7 @@ def test_mirrored_changes_what_counts_in_the_sense_of_rotation():
 
 
 def test_stacked_puts_designs_first():
-    found = stacked([[ROD, mirrored(ROD)], [ROD, ROD], [ROD, ROD]])
+    found = stacked([ROD, as_columns(mirrored(ROD), ROD, ROD)], 3)
     assert found.master.offset.shape == (3, 2, 1)
     assert found.master.offset[..., 0].tolist() == [[3, -3], [3, 3], [3, 3]]
     assert found.bank_angle[0, :, 0].tolist() == [6, -6]
@@ -34,7 +34,7 @@ def test_named_parts():
 
 
 def test_leaves_and_rows():
-    found = stacked([[ROD, mirrored(ROD)], [ROD, ROD]])
+    found = stacked([ROD, as_columns(mirrored(ROD), ROD)], 2)
     assert [leaf[0, 0, 0] for leaf in leaves(found)] == [1, 2, 3, 4, 5, 6, 7, 8]
     some = rows(found, np.array([1, 2]))
     assert some.master.offset.tolist() == [[-3.0], [3.0]]

@@ -6,8 +6,7 @@ import pytest
 
 import cranktrain as ct
 from cranktrain.errors import InputError
-from cranktrain.mechanisms.slider_crank import SliderCrank
-from cranktrain.plans.constructions import construction, exact_crank_angle, largest_errors
+from cranktrain.plans.constructions import construction, exact_crank_angle
 from cranktrain.plans.positions import source_angles
 
 R, L, E = 0.05, 0.18, 0.012
@@ -130,11 +129,3 @@ def test_readings_of_arcs_begin_where_the_top_is_read(offset):
     """The displacement on paper is the distance from there to the foot, in every position."""
     found = construction(crank(offset), "arc", ANGLES)
     np.testing.assert_allclose(found.start[0] - found.foot[0], found.exact_displacement, rtol=0, atol=1e-15)
-
-
-@pytest.mark.parametrize(
-    ("ratio", "formula", "drawn"), [(0.1, 6.3e-5, 2.7e-4), (0.2, 5.1e-4, 1.23e-3), (0.3, 1.77e-3, 3.14e-3)]
-)
-def test_brix_is_less_exact_than_333(ratio, formula, drawn):
-    """Largest errors in parts of the stroke, as found beside the source."""
-    assert largest_errors(SliderCrank(0.1, 0.1 / ratio, 0.0)) == pytest.approx((drawn, formula), rel=0.01)

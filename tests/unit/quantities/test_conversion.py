@@ -13,6 +13,7 @@ from cranktrain.quantities.dimensions import Unit, spellings
 
 L, M, T = "[length]", "[mass]", "[time]"
 DIMENSIONALITY = {
+    Dimension.RATIO: {},
     Dimension.LENGTH: {L: 1},
     Dimension.AREA: {L: 2},
     Dimension.VOLUME: {L: 3},
@@ -122,5 +123,5 @@ def test_decimal_units_are_shown_with_one_rounding() -> None:
 
 
 def test_unit_outside_the_list_is_refused_with_the_list() -> None:
-    with pytest.raises(QuantityError, match=r"furlong: must be one of the units mm, cm, m, in, ft, .*°C, K$"):
+    with pytest.raises(QuantityError, match=r"furlong: must be one of the units %, mm, cm, m, in, ft, .*°C, K$"):
         shown(1.0, "furlong")

@@ -1,6 +1,7 @@
 import mpmath
 import numpy as np
 import pytest
+from tests.machines import as_columns
 
 from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.geometry import stacked
@@ -116,7 +117,7 @@ def test_own_top_is_the_curves_highest_point_for_every_phase(ratio):
 
 
 def test_designs_broadcast():
-    rods = stacked([[V2], [WIDE]])
+    rods = stacked([as_columns(V2, WIDE)], 2)
     harmonics = articulated_rod.derived(rods)
     together = articulated_rod.slave_displacement(
         ANGLES, rods, harmonics, articulated_rod.own_top_distance(rods, harmonics)
@@ -127,3 +128,28 @@ def test_designs_broadcast():
         for found, expected in zip(together, alone, strict=True):
             assert found.shape == (2, 1, ANGLES.size)
             np.testing.assert_allclose(found[design, 0], expected, rtol=0, atol=3e-16)
+
+
+def test_constants_of_the_exact_motion_are_its_fourier_constants():
+    """By quadrature in 30 digits; docs/theory/textbook-forms has them in six."""
+    found = articulated_rod.of_exact_motion(V2)
+    with mpmath.workdps(30):
+
+        def harmonic(order):
+            samples = [
+                distance(2 * mpmath.pi * step / 120, mpmath.mpf(V2.master.crank_radius), V2)
+                * mpmath.expjpi(-mpmath.mpf(2) * order * step / 120)
+                for step in range(120)  # the sum of a periodic curve converges with every power
+            ]
+            return sum(samples) / 120
+
+        gamma, radius = mpmath.mpf(V2.bank_angle), mpmath.mpf(V2.master.crank_radius)
+        first, second = (2 * harmonic(order) * mpmath.expj(order * gamma) for order in (1, 2))
+        expected = SlaveHarmonics(
+            abs(first) / radius, mpmath.arg(first), 4 * abs(second) / radius, -mpmath.arg(second), harmonic(0).real
+        )
+    np.testing.assert_allclose(found, [float(part) for part in expected], rtol=1e-12)
+    shown = [found[0], np.degrees(found[1]), found[2], np.degrees(found[3]), 1e3 * found[4]]
+    assert [round(float(a), n) for a, n in zip(shown, (6, 4, 6, 3, 3), strict=True)] == [
+        1.038943, 1.2938, 0.257358, 20.929, 310.325,
+    ]  # fmt: skip

@@ -151,7 +151,7 @@ def test_flags_name_pistons_source_and_condition():
     (flag,) = [flag for flag in result.flags if flag.startswith("two harmonics")]
     assert flag == (
         "two harmonics (333), (336), (337) is outside its source's range (central mechanism, λ ≤ 0.3) "
-        "for 1B–3B [steam-engine]"
+        "for 1B–3B, as λ = 0.3125 [steam-engine]"
     )
 
 

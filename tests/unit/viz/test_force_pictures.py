@@ -303,6 +303,6 @@ def test_a_table_that_is_not_used_is_told_in_the_head(draw):
         gas=DUAL_CYCLE,
     )
     figure = draw(ct.run(machine))
-    said = f"[gas] is not used: [cylinder] compression_ratio is missing; {OF_INERTIA_ALONE}"
+    said = f"[gas] is not used: [cylinder] compression_ratio or clearance is missing; {OF_INERTIA_ALONE}"
     assert said in [text for text, _box in words_of(figure)]
     assert_words_are_readable(figure)

@@ -10,12 +10,13 @@ from rich.text import Text
 from cranktrain.cli.screen.columns import Column, column_tables, worded_tables
 from cranktrain.cli.screen.text import INDENT, page, section, table
 from cranktrain.cli.synthesis.requirements import Typed, proposed
-from cranktrain.cli.textbook.errata import SOURCE_EXAMPLE, show_source_example
+from cranktrain.cli.textbook.errata import SOURCE_EXAMPLE, show_errors_of
 from cranktrain.grouping import grouped
 from cranktrain.io.output import STANDARD_OUTPUT, write_whole
 from cranktrain.language import _
 from cranktrain.one_line import one_line
 from cranktrain.synthesis.proposal import Number, Proposal
+from cranktrain.textbook.errata import SYNTHESIS
 from cranktrain.wording import figure
 
 _OF_MEMBER = re.compile(r"(?P<name>.+)\((?P<member>\d+)\)$")
@@ -45,7 +46,7 @@ def give_proposal(problem: str, typed: Typed, output: str | None, *, force: bool
     with page(one_line(proposal.title)) as console:
         show_proposal(console, proposal)
         if with_source:
-            show_source_example(console)
+            show_errors_of(console, SYNTHESIS)
         console.print()
         if output is None:
             said = _("-o FILE.toml writes it as a machine file, for: cranktrain run FILE.toml")

@@ -2,53 +2,52 @@
 
 import os
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
-import numpy as np
 from rich.console import Console
-from rich.text import Text
+from rich.text import Text as Line
 
 from cranktrain.analysis import Result, run
-from cranktrain.cli.screen.columns import Column, column_tables, section_of_columns
 from cranktrain.cli.screen.report import title
 from cranktrain.cli.screen.text import INDENT, page, section, table
-from cranktrain.cli.textbook.errata import show_source_example
+from cranktrain.cli.textbook.constructions import show_constructions
+from cranktrain.cli.textbook.crank_rockers import show_crank_rockers
+from cranktrain.cli.textbook.crank_side import show_from_crank_side
+from cranktrain.cli.textbook.errata import show_errata
+from cranktrain.cli.textbook.forms import NEEDED as FORMS_NEEDED
+from cranktrain.cli.textbook.forms import STEP, explain_forms, show_forms, show_motion
+from cranktrain.cli.textbook.opposed import NEEDED as OPPOSED_NEEDED
+from cranktrain.cli.textbook.opposed import opposed_pairs, show_opposed
+from cranktrain.cli.textbook.slaves import show_constants
 from cranktrain.cli.textbook.source import machine_file
+from cranktrain.cli.textbook.texts import show_text, show_texts
+from cranktrain.errors import InputError, Position, Problem, refuse
 from cranktrain.grouping import places_of_equal
+from cranktrain.io.examples import example_names
 from cranktrain.language import _
-from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
-from cranktrain.motion import Array, single
-from cranktrain.plans.constructions import Construction, construction
+from cranktrain.one_line import one_line
 from cranktrain.references import REFERENCES
-from cranktrain.textbook.comparison import FORMS
-from cranktrain.textbook.ranges import RANGES, Range
-from cranktrain.wording import around_turn, figure, number, ranged
+from cranktrain.textbook.texts import Text, text_called, text_named
 
 _ERRATA = "errata"
-_STEP = 30.0
-"""Of the crank angle in tables. [deg]"""
-_TURN = 360.0
-_PARTS, _FINE = 10, 720
-"""Of the stroke or turn: where a table of a construction is shown, and where its largest error is sought."""
-
-_ERRORS = {"Δx": "displacement_error", "Δv": "velocity_error", "Δj": "acceleration_error"}
-_CURVES = (
-    ("displacement_by_method", "mm"),
-    ("velocity_coefficient_by_method", "mm/rad"),
-    ("acceleration_coefficient_by_method", "mm/rad^2"),
-)
-_NEEDED = (*_ERRORS.values(), *(name for name, _unit in _CURVES), "top_dead_centre", "top_shift")
+_OF_CRANK_ROCKERS = "gandzha"
 
 
-def show_textbook(source: str, settings: Sequence[str], *, with_table: bool, with_errata: bool) -> None:
-    """Show each source's forms for a machine with their ranges and largest errors.
+def show_textbook(
+    file: str, settings: Sequence[str], *, source: str | None = None, with_table: bool, with_errata: bool
+) -> None:
+    """Show the texts, one of them, their errors, or their forms for a machine with ranges and largest errors.
 
     Parameters
     ----------
-    source : str
-        A machine file or an example; `errata`, if no file is called so, for the sources' errors alone.
+    file : str
+        A machine file or an example; `errata`, if no file is called so, for the sources' errors alone; none for what
+        the texts hold.
     settings : sequence of str
         `PATH=VALUE`
+    source : str, optional
+        Name of the one text that is to be shown; with no name in it, all texts are listed.
     with_table : bool
         Whether to show the motion by each method.
     with_errata : bool
@@ -57,149 +56,106 @@ def show_textbook(source: str, settings: Sequence[str], *, with_table: bool, wit
     Raises
     ------
     InputError
-        With everything that is wrong with the machine.
+        With everything that is wrong with the machine or the name.
     """
-    is_errata = source.casefold() == _ERRATA and not os.path.isfile(source)  # noqa: PTH113 - takes a NUL byte
-    errors = _("Errors of the sources, each with what is right")
-    if is_errata or (with_errata and not source):
-        with page(errors) as console:
-            show_source_example(console)
-        return
-    machine = machine_file(source, settings, "cranktrain textbook 3d12").machine
-    result = run(machine, step_degrees=_STEP, quantities=_NEEDED)
+    text = _text(source) if source else None
+    is_errata = file.casefold() == _ERRATA and not os.path.isfile(file)  # noqa: PTH113 - takes a NUL byte
+    if is_errata or (with_errata and not file):
+        with page(_("Errors of the sources, each with what is right")) as console:
+            show_errata(console, text)
+    elif source is not None and not file:
+        refuse(_without_machine(settings, with_table=with_table))
+        show_texts() if text is None else show_text(text, has_forms=text.name in _SHOWN)
+    else:
+        if text_named(file) and not os.path.exists(file):  # noqa: PTH110 - takes a NUL byte
+            allowed = _("is a text, and no machine file is called so")
+            repair = _("such as: {example}").format(example=f"cranktrain textbook --source {file}")
+            raise InputError([Problem("", None, allowed, repair, Position(file))])
+        _show_machine(file, settings, text, with_table=with_table, with_errata=with_errata)
+
+
+def _without_machine(settings: Sequence[str], *, with_table: bool) -> Iterator[Problem]:
+    """Refuse what means nothing where no machine is named."""
+    allowed = _("is for a machine: name FILE")
+    if with_table:
+        yield Problem("--table", None, allowed)
+    if settings:
+        yield Problem("--set", settings[0], allowed)
+
+
+def _text(name: str) -> Text:
+    """Find a text; of a machine say where its name belongs."""
+    try:
+        return text_called(name)
+    except InputError as error:
+        if os.path.isfile(name) or name in example_names():  # noqa: PTH113 - takes a NUL byte
+            repair = _("a machine stands before it: cranktrain textbook {file}").format(file=one_line(name))
+            raise InputError([replace(one, repair=repair) for one in error.problems]) from None
+        raise
+
+
+def _show_machine(
+    file: str, settings: Sequence[str], text: Text | None, *, with_table: bool, with_errata: bool
+) -> None:
+    """Show what the texts, or one of them, have for a machine."""
+    machine = machine_file(file, settings, "cranktrain textbook 3d12, or cranktrain textbook --source").machine
+    result = run(machine, step_degrees=STEP, quantities=(*FORMS_NEEDED, *OPPOSED_NEEDED))
+    shown = {name: show for name, show in _SHOWN.items() if text is None or name == text.name}
     with page(title(machine)) as console:
-        _show_methods(console, machine, result, with_table=with_table)
+        spoken = [name for name, show in shown.items() if show(console, machine, result, with_table=with_table)]
+        if spoken:
+            if spoken != [_OF_CRANK_ROCKERS]:
+                explain_forms(console)
+            if with_table:
+                show_motion(console, machine, result, spoken)
+            rows = [(f"[{name}]", REFERENCES[name].text) for name in spoken]
+            section(console, _("Sources"), table(("", ""), rows, fold=console.width - INDENT))
+        else:
+            section(console, _("Textbook forms"), _unspoken(machine, file, text))
         if with_errata:
             console.print()
-            console.print(Text(errors, style="bold"))
-            show_source_example(console)
+            console.print(Line(_("Errors of the sources, each with what is right"), style="bold"))
+            show_errata(console, text)
 
 
-def _show_methods(console: Console, machine: Machine, result: Result, *, with_table: bool) -> None:
-    """Show every method that speaks of one of the machine's mechanisms."""
-    kinds = dict.fromkeys(place.kind.name for place in machine.places)
-    ranges = [one for one in RANGES if set(FORMS[one.method]) & set(kinds)]
-    if not ranges:
-        said = _("None of the sources has a form of its own for the motion of: {kinds}.").format(kinds=", ".join(kinds))
-        section(console, _("Textbook forms"), [said])
+def _unspoken(machine: Machine, file: str, text: Text | None) -> Iterator[str]:
+    """Say that no text, or not this one, has anything for a machine."""
+    kinds = ", ".join(dict.fromkeys(place.kind.name for place in machine.places))
+    if text is None:
+        yield _("None of the texts has a form of its own for the motion of: {kinds}.").format(kinds=kinds)
         return
-    width = console.width - INDENT
-    for one in ranges:
-        heading = f"{_(one.name)}: {', '.join(one.equations)} [{one.source}]"
-        section(console, heading[:1].upper() + heading[1:], _method(machine, result, one, width))
-    explained = _(
-        "Δx in parts of the stroke, Δv and Δj of their exact peaks, each curve from its own top; φ after the crank "
-        "points along the cylinder. λ is crank radius by rod, of a slave its master's."
+    yield _("[{name}] speaks of {subject}; the mechanisms of this machine are: {kinds}.").format(
+        name=text.name, subject=_(text.said_of), kinds=kinds
     )
-    section(console, _("Largest errors over the turn"), [explained])
-    _show_constructions(console, machine, with_table=with_table)
-    if with_table:
-        for places in _alike(machine.places):
-            _show_motion(console, result, places)
-    rows = [(f"[{key}]", REFERENCES[key].text) for key in dict.fromkeys(one.source for one in ranges)]
-    section(console, _("Sources"), table(("", ""), rows, fold=width))
+    yield _("`{command}` shows what the texts have for it, `{list}` what this one holds.").format(
+        command=f"cranktrain textbook {one_line(file)}", list=f"cranktrain textbook --source {text.name}"
+    )
 
 
-def _show_constructions(console: Console, machine: Machine, *, with_table: bool) -> None:
-    """Show what is constructed and no curve of the turn: arc, Brix's pole, Brix read backwards."""
+def _steam(console: Console, machine: Machine, result: Result, *, with_table: bool) -> bool:
+    """Show the steam engine's forms and constructions; whether there are slider-cranks."""
+    is_spoken_of = show_forms(console, machine, result, "steam-engine")
     cranks = [place for place in machine.places if place.kind.name == "slider_crank"]
-    if not cranks:
-        return
-    groups = places_of_equal([place.geometry for place in cranks])
-    names = [place.name for place in cranks]
-    said = [ranged(names, members) for members in groups.values()]
-    firsts = [cranks[members[0]] for members in groups.values()]
-    arcs = [construction(machine, "arc", _FINE, mechanism=first.name) for first in firsts]
-    off = max(float(np.max(np.abs(arc.displacement - arc.exact_displacement) / arc.stroke)) for arc in arcs)
-    words = _("exact, for an offset line of stroke too; largest error {off:.0e} of the stroke, from rounding")
-    section(console, _("Arcs of the rod's length about the piston's pin"), [words.format(off=off)])
-    read = [construction(machine, "brix_backward", _FINE, mechanism=first.name) for first in firsts]
-    errors = [np.rad2deg(one.angle - one.exact_angle) for one in read]
-    worst = [int(np.nanargmax(np.abs(error))) for error in errors]
-    columns = [
-        Column("OP = λR/2", "mm", tuple(figure(-one.pole, "mm") for one in read)),
-        Column("Δφ", "deg", tuple(f"{error[at]:.2f}" for error, at in zip(errors, worst, strict=True))),
-        Column("S", "mm", tuple(figure(one.displacement[at], "mm") for one, at in zip(read, worst, strict=True))),
-    ]
-    about = _("crank angle from the displacement: largest error, and where; the pole P lies away from the cylinder")
-    lines = [about, *column_tables(columns, said, console.width - INDENT)]
-    section(console, _("Brix's construction backwards: fig. 147 [steam-engine]"), lines)
-    if with_table:
-        _show_backwards(console, construction(machine, "brix_backward", _PARTS, mechanism=firsts[0].name))
+    if cranks:
+        groups = places_of_equal([place.geometry for place in cranks])
+        show_from_crank_side(console, cranks, groups, with_table=with_table)
+        show_constructions(console, machine, cranks, groups, with_table=with_table)
+    return is_spoken_of
 
 
-def _show_backwards(console: Console, read: Construction) -> None:
-    """Show the angles that Brix's construction gives for tenths of the stroke, beside the exact ones."""
-    labels = [number(value, "mm") for value in read.displacement]
-    angles = (read.angle, read.exact_angle, read.angle - read.exact_angle)
-    columns = [
-        Column(head, "deg", tuple(f"{np.rad2deg(value):.2f}" for value in values))
-        for head, values in zip(("brix", "exact", "Δφ"), angles, strict=True)
-    ]
-    heading = _("φ of piston {piston} by the displacement S, on the way to the shaft").format(piston=read.mechanism)
-    section_of_columns(console, heading, columns, labels)
+def _bolotin(console: Console, machine: Machine, result: Result, *, with_table: bool) -> bool:
+    """Show slaves on articulated rods and opposed pistons; whether there are any."""
+    is_spoken_of = show_forms(console, machine, result, "bolotin")
+    show_constants(console, machine.places)
+    pairs = opposed_pairs(machine.places)
+    show_opposed(console, pairs, result, with_table=with_table)
+    return is_spoken_of or bool(pairs)
 
 
-def _method(machine: Machine, result: Result, one: Range, width: int) -> Iterator[str | Text]:
-    """Range of a method, which pistons are inside, and the largest errors."""
-    places = [place for place in machine.places if place.kind.name in FORMS[one.method]]
-    names = [place.name for place in places]
-    yield _("range: {condition}").format(condition=_(one.condition))
-    if one.outside(single(np.inf), single(1.0)):  # some sources give no limits
-        said = [
-            (_("outside, λ = {ratio:.3f}") if one.outside(ratio, offset) else _("inside, λ = {ratio:.3f}")).format(
-                ratio=float(ratio)
-            )
-            for ratio, offset in map(_sizes, places)
-        ]
-        yield "; ".join(f"{ranged(names, members)}: {words}" for words, members in places_of_equal(said).items())
-    groups = places_of_equal([tuple(_errors(result, one.method, name)) for name in names])
-    heads = [head for symbol in _ERRORS for head in ((symbol, "%"), ("φ", "deg"))]
-    columns = [Column(*head, texts) for head, texts in zip(heads, zip(*groups, strict=True), strict=True)]
-    yield from column_tables(columns, [ranged(names, members) for members in groups.values()], width)
+def _gandzha(console: Console, machine: Machine, result: Result, *, with_table: bool) -> bool:
+    """Show the pins' velocities of crank-rockers; whether there are any."""
+    return show_crank_rockers(console, machine.places, with_table=with_table)
 
 
-def _errors(result: Result, method: str, piston: str) -> Iterator[str]:
-    """Largest error of each order and where it is, as text."""
-    row, place = result.labels["method"].index(method), result.labels["piston"].index(piston)
-    zero = result.top_dead_centre[place] - result.top_shift[place]
-    for name in _ERRORS.values():
-        angle = around_turn(np.deg2rad(getattr(result, f"{name}_at")[row, place] - zero))
-        yield figure(float(getattr(result, name)[row, place]), "%")
-        yield figure(float(angle), "deg")
-
-
-def _show_motion(console: Console, result: Result, places: Sequence[PlacedMechanism]) -> None:
-    """Show the motion of the first of several pistons by each method."""
-    first = places[0]
-    piston = result.labels["piston"].index(first.name)
-    methods = ["exact", *(method for method, form in FORMS.items() if first.kind.name in form)]
-    turn = result.crank_angle < _TURN
-    labels = [f"{angle:g}°" for angle in result.crank_angle[turn]]
-    for name, unit in _CURVES:
-        entry = result.catalogue[name]
-        curves = getattr(result, name)[:, piston][:, turn]
-        columns = [
-            Column(method, unit, tuple(figure(value, "mm") for value in curves[result.labels["method"].index(method)]))
-            for method in methods
-        ]
-        heading = _("{symbol} of piston {piston} by the crank angle").format(symbol=entry.symbol, piston=first.name)
-        section_of_columns(console, heading, columns, labels)
-    if len(places) > 1:
-        names = [place.name for place in places]
-        alike = ranged(names, range(1, len(names)))
-        console.print()
-        console.print(_("Alike, each from its own top: {pistons}.").format(pistons=alike))
-
-
-def _alike(places: Sequence[PlacedMechanism]) -> list[list[PlacedMechanism]]:
-    """Put pistons together that move alike, as far as any source has a form for them."""
-    spoken_of = [place for place in places if any(place.kind.name in form for form in FORMS.values())]
-    groups = places_of_equal([(place.kind.name, place.geometry) for place in spoken_of])
-    return [[spoken_of[i] for i in members] for members in groups.values()]
-
-
-def _sizes(place: PlacedMechanism) -> tuple[Array, Array]:
-    """Crank radius by rod and offset of the line of stroke [m], of a slave its master's, as ranges have them."""
-    geometry = getattr(place.geometry, "master", place.geometry)
-    return single(geometry.crank_radius / geometry.rod_length), single(geometry.offset)
+_SHOWN = {"steam-engine": _steam, _OF_CRANK_ROCKERS: _gandzha, "bolotin": _bolotin}
+"""What each text has for a machine, by its name."""

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from rich.console import Console
-from rich.text import Text
+from rich.text import Text as Line
 
 from cranktrain.cli.screen.columns import Column, column_tables
 from cranktrain.cli.screen.text import INDENT, section, table
@@ -11,15 +11,9 @@ from cranktrain.language import _
 from cranktrain.quantities import shown
 from cranktrain.references import REFERENCES
 from cranktrain.synthesis.proposal import quantity_text
-from cranktrain.textbook.slider_crank_synthesis import (
-    PIN_SPEED,
-    REQUIREMENTS,
-    ROD_LENGTH,
-    velocity_table,
-    wrong_steps,
-)
-
-SOURCE = "slider-crank-synthesis"
+from cranktrain.textbook.errata import ERRATA, SYNTHESIS
+from cranktrain.textbook.slider_crank_synthesis import PIN_SPEED, REQUIREMENTS, ROD_LENGTH, velocity_table
+from cranktrain.textbook.texts import TEXTS, Text
 
 SOURCE_EXAMPLE = {
     "stroke": quantity_text(REQUIREMENTS.stroke, "mm"),
@@ -29,37 +23,47 @@ SOURCE_EXAMPLE = {
 """What the source of the slider-crank's synthesis wants, as it would be typed."""
 
 
-def show_source_example(console: Console) -> None:
-    """Show the wrong steps of the slider-crank's synthesis, and its table of velocities beside the right one."""
+def show_errata(console: Console, text: Text | None = None) -> None:
+    """Show the errors of every text, or of one."""
+    for one in TEXTS if text is None else (text,):
+        if one.name in ERRATA:
+            show_errors_of(console, one.name)
+        else:
+            section(console, f"[{one.name}]", [REFERENCES[one.name].text, _without_numbers(one)])
+
+
+def show_errors_of(console: Console, name: str) -> None:
+    """Show the errors of one text; of the slider-crank's synthesis its table of velocities beside the right one."""
     width = console.width - INDENT
-    requirements = _("stroke {stroke}, mean slider speed {speed}, permissible pressure angle {angle}").format(
+    about = [REFERENCES[name].text]
+    if name == SYNTHESIS:
+        about.append(_("Its example: {requirements}.").format(requirements=_requirements()))
+    section(console, f"[{name}]", about)
+    for place, step in enumerate(ERRATA[name](), start=1):
+        words = _(step.step)
+        section(console, f"{place}. {words[:1].upper()}{words[1:]}", table(("", ""), list(step.said()), fold=width))
+    if name == SYNTHESIS:
+        section(console, _("Its table of slider velocities, m/s"), _velocities(width))
+
+
+def _without_numbers(text: Text) -> str:
+    """Say of a text that no numbers stand beside its errors, or that it has none."""
+    words = (
+        _("No numbers stand beside its errors; `{command}` says of each wrong formula what is right.")
+        if any(one.verdict == "wrong" for one in text.formulas)
+        else _("No error of its formulas is known; `{command}` lists them.")
+    )
+    return words.format(command=f"cranktrain textbook --source {text.name}")
+
+
+def _requirements() -> str:
+    """What the synthesis's example wants."""
+    return _("stroke {stroke}, mean slider speed {speed}, permissible pressure angle {angle}").format(
         stroke=SOURCE_EXAMPLE["stroke"], speed=SOURCE_EXAMPLE["mean_speed"], angle=SOURCE_EXAMPLE["pressure_angle"]
     )
-    section(
-        console,
-        f"[{SOURCE}]",
-        [REFERENCES[SOURCE].text, _("Its example: {requirements}.").format(requirements=requirements)],
-    )
-    for place, step in enumerate(wrong_steps(), start=1):
-        words = _(step.step)
-        rows = [
-            (_("printed"), step.printed),
-            (_("gives"), _figure(step.got, step.unit)),
-            (_("right"), _figure(step.right, step.unit)),
-            (_("because"), _(step.why)),
-        ]
-        section(console, f"{place}. {words[:1].upper()}{words[1:]}", table(("", ""), rows, fold=width))
-    section(console, _("Its table of slider velocities, m/s"), _velocities(width))
 
 
-def _figure(value: float, unit: str) -> str:
-    """Write a number with the four figures that the source has at most; an angle in degrees."""
-    if unit == "rad":
-        return f"{shown(value, 'deg'):.4g} deg"
-    return f"{value:.4g} {unit}".removesuffix(" 1")
-
-
-def _velocities(width: int) -> Iterator[str | Text]:
+def _velocities(width: int) -> Iterator[str | Line]:
     """The source's table, and the same columns as they should be."""
     velocities = velocity_table()
     heads = (_("printed"), _("its formula"), _("exact"))

@@ -13,6 +13,7 @@ from cranktrain.errors import Problem, problems_as, refuse
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.plans.force_table import ForceColumn, ForceTable, force_table
+from cranktrain.textbook.percents import percent
 from cranktrain.wording import signless
 
 _FIGURES = 5
@@ -56,6 +57,12 @@ def refuse_without_forces(given: Mapping[str, str | None]) -> None:
     refuse(Problem(name, value, allowed) for name, value in given.items() if value is not None)
 
 
+def refuse_with_forces(given: Mapping[str, str | None]) -> None:
+    """Refuse options that mean nothing for tables of forces."""
+    allowed = _("is for the motion: ask for it without forces")
+    refuse(Problem(name, value or None, allowed) for name, value in given.items() if value is not None)
+
+
 def _show(console: Console, table: ForceTable) -> None:
     """Show forces by the reactions, and what the textbook makes of them."""
     labels = [f"{angle:g}°" for angle in table.angle]
@@ -83,10 +90,7 @@ def _show_method(
         return
     forces = [Column(one.symbol, one.unit, _written(values, one.exact)) for one, values, _error in columns]
     section_of_columns(console, heading, forces, labels)
-    errors = [
-        Column(f"Δ{one.symbol}", "%", tuple(signless(f"{100 * value:.2f}") for value in error))
-        for one, _values, error in columns
-    ]
+    errors = [Column(f"Δ{one.symbol}", "%", tuple(map(percent, error.tolist()))) for one, _values, error in columns]
     section_of_columns(console, _("Their errors, of the exact peaks"), errors, labels)
 
 

@@ -5,6 +5,7 @@ from cranktrain.fluids.compressor.pressure import (
     Compressor,
     capacity,
     compressor_pressure,
+    compressor_slope,
     compressor_work,
     suction_heating,
 )
@@ -24,6 +25,7 @@ KIND = Fluid(
     together=staged,
     prepared=in_chamber,
     pressure=compressor_pressure,
+    slope=compressor_slope,
     work=turn_work,
     kinks=valve_kinks,
     fires=False,

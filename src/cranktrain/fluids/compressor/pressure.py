@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.fluids.polytrope import polytropic_work
+from cranktrain.fluids.polytrope import polytropic_slope, polytropic_work
 from cranktrain.fluids.state import ChamberState, VolumeLimits
 from cranktrain.motion import Array, chosen
 
@@ -106,6 +106,18 @@ def compressor_pressure(state: ChamberState, compressor: Compressor) -> Array:
     expansion = np.maximum(suction, found.peak * (state.smallest / state.volume) ** found.expansion_exponent)
     compression = np.minimum(discharge, suction * (state.largest / state.volume) ** exponent)
     return chosen(state.sense > 0, expansion, compression)
+
+
+def compressor_slope(state: ChamberState, volume_slope: Array, compressor: Compressor) -> Array:
+    """Derivative of `compressor_pressure` by the crank angle, for that of the volume: 0 while a valve is open. [Pa/rad]
+
+    docs/theory/gas, eq. (14.24).
+    """
+    found = corners(compressor, VolumeLimits(state.smallest, state.largest))
+    pressure = compressor_pressure(state, compressor)
+    expands = chosen(pressure > compressor.suction_pressure, found.expansion_exponent, 0.0)
+    compresses = chosen(pressure < compressor.discharge_pressure, compressor.compression_exponent, 0.0)
+    return polytropic_slope(pressure, chosen(state.sense > 0, expands, compresses), state.volume, volume_slope)
 
 
 def compressor_work(compressor: Compressor, limits: VolumeLimits) -> Array:

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Literal
 
+import numpy as np
 from pydantic import Field
 
 from cranktrain.errors import Problem
@@ -11,6 +12,7 @@ from cranktrain.fluids.compressor.stages import chain_to
 from cranktrain.fluids.exchange import Exponent
 from cranktrain.fluids.fluid import FluidSpec, table_path
 from cranktrain.language import N_, _
+from cranktrain.motion import single
 from cranktrain.paths import quantity_path
 from cranktrain.quantities import Dimension, Given, PositivePressure, Quantity, Temperature
 from cranktrain.spec import missing
@@ -54,17 +56,17 @@ class CompressorSpec(FluidSpec, frozen=True):
 def compressor_numbers(spec: CompressorSpec) -> CompressorNumbers:
     """Give the numbers in SI; pressures that are to be found are NaN."""
     suction, discharge = (
-        float("nan") if given is None else given.si for given in (spec.suction_pressure, spec.discharge_pressure)
+        single(np.nan) if given is None else given.array for given in (spec.suction_pressure, spec.discharge_pressure)
     )
     expansion = spec.expansion_exponent or spec.compression_exponent
     return CompressorNumbers(
         suction,
         discharge,
-        spec.compression_exponent.si,
-        expansion.si,
-        spec.suction_loss.si,
-        spec.discharge_loss.si,
-        spec.suction_temperature.si,
+        spec.compression_exponent.array,
+        expansion.array,
+        spec.suction_loss.array,
+        spec.discharge_loss.array,
+        spec.suction_temperature.array,
         spec.takes_from,
     )
 

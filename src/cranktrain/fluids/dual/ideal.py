@@ -3,7 +3,7 @@
 from typing import TypeVar
 
 from cranktrain.fluids.dual.chamber import ideal_kinks, ideal_work, suitable
-from cranktrain.fluids.dual.pressure import IdealCycle, ideal_pressure
+from cranktrain.fluids.dual.pressure import IdealCycle, ideal_pressure, ideal_slope
 from cranktrain.fluids.dual.spec import IdealCycleSpec, cycle_flags, ideal_cycle
 from cranktrain.fluids.fluid import Fluid
 
@@ -20,6 +20,7 @@ def ideal_fluid(name: str, title: str, spec: type[_Table], example: str) -> Flui
         numbers=ideal_cycle,
         prepared=suitable,
         pressure=ideal_pressure,
+        slope=ideal_slope,
         work=ideal_work,
         flags=cycle_flags,
         kinks=ideal_kinks,

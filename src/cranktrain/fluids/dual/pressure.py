@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.fluids.polytrope import polytropic_work
+from cranktrain.fluids.polytrope import polytropic_slope, polytropic_work
 from cranktrain.fluids.state import ChamberState
 from cranktrain.fluids.work import MeanPressures
 from cranktrain.motion import Array, chosen
@@ -83,6 +83,17 @@ def ideal_pressure(state: ChamberState, cycle: IdealCycle) -> Array:
     expansion = chosen(cut_off > state.largest, np.nan, heated)
     exchange = chosen(state.sense > 0, cycle.inlet_pressure, cycle.exhaust_pressure)
     return chosen(state.turn > 0, chosen(state.sense > 0, expansion, compression), exchange)
+
+
+def ideal_slope(state: ChamberState, volume_slope: Array, cycle: IdealCycle) -> Array:
+    """Derivative of `ideal_pressure` by the crank angle, for that of the volume; of a jump it has nothing. [Pa/rad]
+
+    p′ = −n p V′/V. docs/theory/gas, eq. (14.24).
+    """
+    expands = chosen(state.volume > cycle.cut_off_ratio * state.smallest, cycle.expansion_exponent, 0.0)
+    exponent = chosen(state.sense > 0, expands, cycle.compression_exponent)
+    pressure = ideal_pressure(state, cycle)
+    return polytropic_slope(pressure, chosen(state.turn > 0, exponent, 0.0), state.volume, volume_slope)
 
 
 def ideal_mean_pressures(cycle: IdealCycle, compression_ratio: Array) -> MeanPressures:

@@ -7,7 +7,6 @@ from pydantic import Field
 from cranktrain.fluids.dual.pressure import IdealCycle
 from cranktrain.fluids.exchange import Exponent, GasExchangeSpec
 from cranktrain.language import N_, _
-from cranktrain.motion import single
 from cranktrain.quantities import Dimension, Given, Quantity, shown
 
 _LEAST_EXPONENT, _MOST_EXPONENT = 1.0, 5 / 3
@@ -41,8 +40,7 @@ def ideal_cycle(spec: IdealCycleSpec) -> IdealCycle:
     """Give the numbers of any of the three cycles in SI; the ratio that it has not is 1."""
     ratios: list[Given] = [getattr(spec, name, _ONE) for name in ("pressure_ratio", "cut_off_ratio")]
     given = (spec.compression_exponent, spec.expansion_exponent, *ratios)
-    pressures = (spec.start_pressure.si, *spec.exchange_pressures)
-    return IdealCycle(*map(single, (*pressures, *(one.si for one in given))))
+    return IdealCycle(spec.start_pressure.array, *spec.exchange_pressures, *(one.array for one in given))
 
 
 def cycle_flags(spec: IdealCycleSpec) -> tuple[str, ...]:

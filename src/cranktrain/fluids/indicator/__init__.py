@@ -1,7 +1,7 @@
 """Indicator diagram: a measured or computed trace of pressure over crank angle, volume or displacement."""
 
 from cranktrain.fluids.fluid import Fluid
-from cranktrain.fluids.indicator.cards import card_breaks, card_notes, card_pressure, card_work, diagrams_of
+from cranktrain.fluids.indicator.cards import card_breaks, card_notes, card_pressure, card_slope, card_work, diagrams_of
 from cranktrain.fluids.indicator.diagram import Diagram, diagram_work, pressure_at
 from cranktrain.fluids.indicator.model import indicator_diagram
 from cranktrain.fluids.indicator.spec import IndicatorSpec, card_of
@@ -16,6 +16,7 @@ KIND = Fluid(
     numbers=card_of,
     prepared=diagrams_of,
     pressure=card_pressure,
+    slope=card_slope,
     work=card_work,
     notes=card_notes,
     breaks=card_breaks,

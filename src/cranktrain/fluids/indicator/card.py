@@ -45,6 +45,6 @@ class Card(NamedTuple):
 
 
 class CardNumbers(NamedTuple):
-    """What a machine file's table holds: a card; of several designs an array of them, shape (design, 1, 1)."""
+    """What a machine file's table holds: the card of each design, shape (design,) or (design, 1, 1)."""
 
     card: Any

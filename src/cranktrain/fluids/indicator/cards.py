@@ -11,6 +11,7 @@ from cranktrain.errors import problems_as
 from cranktrain.fluids.fluid import Rooms
 from cranktrain.fluids.indicator.card import CardNumbers
 from cranktrain.fluids.indicator.chamber import Chamber
+from cranktrain.fluids.indicator.curve import slope_at
 from cranktrain.fluids.indicator.diagram import Diagram, diagram_work, pressure_at
 from cranktrain.fluids.indicator.model import indicator_diagram
 from cranktrain.fluids.state import ChamberState, VolumeLimits
@@ -59,6 +60,15 @@ def card_pressure(state: ChamberState, diagrams: Diagrams) -> Array:
     angle = np.broadcast_to(state.angle_from_firing, found.shape)
     for diagram, chosen in _alike(diagrams):
         found[chosen] = pressure_at(diagram, angle[chosen])
+    return found
+
+
+def card_slope(state: ChamberState, volume_slope: Array, diagrams: Diagrams) -> Array:
+    """Derivative of each chamber's diagram by the crank angle. [Pa/rad]"""
+    found = np.empty(np.broadcast_shapes(volume_slope.shape, state.angle_from_firing.shape))
+    angle = np.broadcast_to(state.angle_from_firing, found.shape)
+    for diagram, chosen in _alike(diagrams):
+        found[chosen] = slope_at(diagram.curve, angle[chosen])
     return found
 
 

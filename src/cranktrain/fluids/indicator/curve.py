@@ -94,12 +94,26 @@ def curve_at(curve: CubicCurve, at: Array) -> Array:
     Array, of the shape of `at`
         At a jump the value just after it.
     """
+    return along(curve, *_piece(curve, at))
+
+
+def slope_at(curve: CubicCurve, at: Array) -> Array:
+    """Derivative of a periodic curve, of the shape of `at`; where two cubics meet that of the second. [unit/rad]"""
+    index, share = _piece(curve, at)
+    step = curve.steps[index]
+    chord = curve.ends[index] - curve.starts[index]
+    first, last = (slopes[index] * step - chord for slopes in (curve.start_slopes, curve.end_slopes))
+    rest = 1 - share
+    return (chord + (rest - share) * (rest * first - share * last) - share * rest * (first + last)) / step
+
+
+def _piece(curve: CubicCurve, at: Array) -> tuple[NDArray[np.intp], Array]:
+    """Which cubic a place is on, and at what part of its length."""
     first = curve.places[0]
     turned: Array = np.mod(at - first, curve.period)
     since: Array = np.where(turned > curve.period - _AT_PLACE, turned - curve.period, turned)
     index = np.searchsorted(curve.places - first, since + _AT_PLACE, side="right") - 1
-    share = (since - (curve.places[index] - first)) / curve.steps[index]
-    return along(curve, index, share)
+    return index, (since - (curve.places[index] - first)) / curve.steps[index]
 
 
 def along(curve: CubicCurve, index: NDArray[np.intp], share: Array) -> Array:

@@ -5,8 +5,10 @@ from functools import lru_cache
 from math import pi
 from typing import Annotated, Literal
 
+import numpy as np
 from pydantic import Field
 
+from cranktrain.columns import n_rows, row_of
 from cranktrain.errors import Problem
 from cranktrain.fluids.fluid import FluidSpec
 from cranktrain.fluids.indicator.card import Card, CardNumbers, Peg
@@ -148,24 +150,30 @@ def trace_of(spec: IndicatorSpec) -> Trace:
 
 
 def card_of(spec: IndicatorSpec) -> CardNumbers:
-    """Give the card that the table names, in SI."""
+    """Give the card that the table names, in SI: of several designs together one for each."""
+    cards = np.empty(n_rows(spec), dtype=np.object_)
+    for design in range(cards.size):
+        cards[design] = _card(row_of(spec, design))
+    return CardNumbers(cards)
+
+
+def _card(spec: IndicatorSpec) -> Card:
+    """Give the card of one design."""
     peg = spec.peg
-    return CardNumbers(
-        Card(
-            trace=trace_of(spec),
-            firing_angle=None if spec.firing_angle is None else spec.firing_angle.si,
-            sense=spec.sense,
-            peg=None
-            if peg is None
-            else Peg(
-                pressure=None if peg.pressure is None else peg.pressure.si,
-                angle=peg.angle.si,
-                exponent=None if peg.exponent is None else peg.exponent.si,
-                start=peg.start.si,
-                end=peg.end.si,
-            ),
-            smoothing=None if spec.smoothing is None else spec.smoothing.si,
-            interpolation=spec.interpolation,
-            unrolling=spec.unrolling,
-        )
+    return Card(
+        trace=trace_of(spec),
+        firing_angle=None if spec.firing_angle is None else spec.firing_angle.si,
+        sense=spec.sense,
+        peg=None
+        if peg is None
+        else Peg(
+            pressure=None if peg.pressure is None else peg.pressure.si,
+            angle=peg.angle.si,
+            exponent=None if peg.exponent is None else peg.exponent.si,
+            start=peg.start.si,
+            end=peg.end.si,
+        ),
+        smoothing=None if spec.smoothing is None else spec.smoothing.si,
+        interpolation=spec.interpolation,
+        unrolling=spec.unrolling,
     )

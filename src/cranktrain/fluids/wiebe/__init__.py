@@ -1,7 +1,7 @@
 """Heat by Wiebe's law: one zone with constant γ, with or without loss to the walls."""
 
 from cranktrain.fluids.fluid import Fluid
-from cranktrain.fluids.wiebe.chamber import burning_chambers, chamber_pressure, chamber_work
+from cranktrain.fluids.wiebe.chamber import burning_chambers, chamber_pressure, chamber_slope, chamber_work
 from cranktrain.fluids.wiebe.spec import WiebeSpec, wiebe_numbers
 from cranktrain.language import N_
 
@@ -14,6 +14,7 @@ KIND = Fluid(
     numbers=wiebe_numbers,
     prepared=burning_chambers,
     pressure=chamber_pressure,
+    slope=chamber_slope,
     work=chamber_work,
     breaks=lambda chambers: chambers.burns,
     example="""\

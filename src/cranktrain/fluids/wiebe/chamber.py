@@ -1,5 +1,6 @@
 """Heat by Wiebe's law in the chambers of all designs: the working turn, and the gas exchange between two of them."""
 
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -7,9 +8,17 @@ import numpy as np
 from cranktrain.errors import InputError, Problem
 from cranktrain.fluids.fluid import Rooms
 from cranktrain.fluids.state import ChamberState
-from cranktrain.fluids.wiebe.curve import BurningCurve, Room, Wiebe, burning_curve, burning_edges, burning_pressure
+from cranktrain.fluids.wiebe.curve import (
+    BurningCurve,
+    Room,
+    Wiebe,
+    burning_curve,
+    burning_edges,
+    burning_pressure,
+    burning_slope,
+)
 from cranktrain.language import _
-from cranktrain.motion import Array, chosen
+from cranktrain.motion import Array, Coefficient, chosen
 from cranktrain.numerics import around_zero
 
 
@@ -33,17 +42,14 @@ class WiebeNumbers(NamedTuple):
 class BurningChambers(NamedTuple):
     """The curve of every chamber, and the pressures of its gas exchange, shape (design, chamber, …).
 
-    edges, values, heat_ratio: as `BurningCurve` has them; burns: edges while it burns, in [0, cycle) [rad];
-    work, loss: of the working turn [J]; heat: that comes in [J]; inlet, exhaust [Pa].
+    burns: edges while it burns, in [0, cycle) [rad]; heat: that comes in [J]; area: of one end of the chamber [m²];
+    inlet, exhaust [Pa].
     """
 
-    edges: Array
-    values: Array
-    heat_ratio: Array
+    curve: BurningCurve
     burns: Array
-    work: Array
-    loss: Array
     heat: Array
+    area: Array
     inlet: Array
     exhaust: Array
 
@@ -73,39 +79,47 @@ def burning_chambers(numbers: WiebeNumbers, rooms: Rooms) -> BurningChambers:
         transfer = numbers.transfer / rooms.speed
     shape = (*rooms.alike.shape, 1)
     wiebe = Wiebe(*(np.broadcast_to(part, shape) for part in numbers._replace(transfer=transfer)[: len(Wiebe._fields)]))
-    area = rooms.area[..., np.newaxis]
-
-    def walls(volume: Array) -> Array:
-        return 2 * area + 4 * volume / np.sqrt(4 * area / np.pi)
-
-    room = Room(rooms.bottoms[..., :1], rooms.bottoms[..., 1:], rooms.volume, walls)
-    curve = burning_curve(wiebe, room)
+    walls = partial(_walls, rooms.area[..., np.newaxis])
     return BurningChambers(
-        edges=curve.edges,
-        values=curve.values,
-        heat_ratio=np.asarray(curve.heat_ratio),
+        curve=burning_curve(wiebe, Room(rooms.bottoms[..., :1], rooms.bottoms[..., 1:], rooms.volume, walls)),
         burns=np.sort(np.mod(burning_edges(wiebe), rooms.cycle), axis=-1),
-        work=curve.work[..., np.newaxis],
-        loss=curve.loss[..., np.newaxis],
-        heat=wiebe.heat * -np.expm1(-wiebe.completeness),
+        area=rooms.area,
+        heat=(wiebe.heat * -np.expm1(-wiebe.completeness))[..., 0],
         inlet=np.broadcast_to(numbers.inlet_pressure, shape),
         exhaust=np.broadcast_to(numbers.exhaust_pressure, shape),
     )
 
 
+def _walls(area: Array, volume: Array) -> Array:
+    """Area of the walls about a volume in a cylinder that is closed at both ends. [m²]"""
+    return 2 * area + 4 * volume / np.sqrt(4 * area / np.pi)
+
+
 def chamber_pressure(state: ChamberState, chambers: BurningChambers) -> Array:
     """Absolute pressure: of the working turn, at its dead centres as just after, and of the gas exchange. [Pa]"""
-    # Beyond 90° from the firing the sense tells on which side of the bottom the crank is.
-    near = around_zero(state.angle_from_firing, 2 * np.pi)
-    side = np.sign(near) * state.sense
-    angle = np.where((np.abs(near) > np.pi / 2) & (side < 0), near + 2 * np.pi * state.sense, near)
-    curve = BurningCurve(chambers.edges, chambers.values, chambers.heat_ratio, chambers.work, chambers.loss)
-    working = burning_pressure(curve, angle, state.volume)
+    working = burning_pressure(chambers.curve, _angle(state), state.volume)
     exchange = chosen(state.sense > 0, chambers.inlet, chambers.exhaust)
     return chosen(state.turn > 0, working, exchange)
 
 
+def chamber_slope(state: ChamberState, volume_slope: Array, chambers: BurningChambers) -> Array:
+    """Derivative of `chamber_pressure` by the crank angle, for that of the volume. [Pa/rad]"""
+    volume = Coefficient(state.volume, volume_slope, np.zeros_like(volume_slope))
+    pressure, walls = chamber_pressure(state, chambers), _walls(chambers.area, state.volume)
+    return chosen(state.turn > 0, burning_slope(chambers.curve, _angle(state), volume, pressure, walls), 0.0)
+
+
+def _angle(state: ChamberState) -> Array:
+    """Angle from the firing of the same working turn. [rad]"""
+    # Beyond 90° from the firing the sense tells on which side of the bottom the crank is.
+    near = around_zero(state.angle_from_firing, 2 * np.pi)
+    side = np.sign(near) * state.sense
+    return np.where((np.abs(near) > np.pi / 2) & (side < 0), near + 2 * np.pi * state.sense, near)
+
+
 def chamber_work(chambers: BurningChambers, rooms: Rooms) -> Array:
     """∮ p dV over the cycle, shape (design, chamber). [J]"""
-    exchange = (chambers.inlet - chambers.exhaust) * rooms.swept_volume if rooms.n_turns > 1 else 0.0
-    return (chambers.work + exchange)[..., 0]
+    work = chambers.curve.work
+    if rooms.n_turns > 1:
+        work = work + ((chambers.inlet - chambers.exhaust) * rooms.swept_volume)[..., 0]
+    return work

@@ -7,7 +7,6 @@ import numpy as np
 
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics.subintervals import interpolation, leggauss, partial_integrals
-from cranktrain.record import record
 
 _N_NODES = 12
 _WIDEST = np.pi / 12
@@ -68,8 +67,7 @@ class Room(NamedTuple):
     wall: Callable[[Array], Array]
 
 
-@record
-class BurningCurve:
+class BurningCurve(NamedTuple):
     """pV^γ over a chamber's working turn, by its values at Gauss's points of panels.
 
     Attributes
@@ -78,14 +76,17 @@ class BurningCurve:
         Angles from nominal firing. [rad]
     values : Array, shape (design, chamber, panel, node)
         pV^γ.
-    heat_ratio : Array, shape (design, chamber, 1)
+    law : Wiebe
+    mass : Array, shape (design, chamber, 1)
+        mR of the gas. [J/K]
     work, loss : Array, shape (design, chamber)
         ∫ p dV over the turn; heat that the walls take. [J]
     """
 
     edges: Array
     values: Array
-    heat_ratio: Array
+    law: Wiebe
+    mass: Array
     work: Array
     loss: Array
 
@@ -120,12 +121,11 @@ def burning_curve(wiebe: Wiebe, room: Room) -> BurningCurve:
     shape = angle.shape
     volume = Coefficient(*(part.reshape(shape) for part in room.volume(angle.reshape(*shape[:2], -1))))
     at = Wiebe(*(np.asarray(part)[..., np.newaxis] for part in wiebe))
-    surplus, power = at.heat_ratio - 1, volume.value ** (at.heat_ratio - 1)
+    power = volume.value ** (at.heat_ratio - 1)
     largest = room.volume(room.begins).value[..., np.newaxis]
     mass = at.start_pressure * largest / at.start_temperature
     given = at.transfer * room.wall(volume.value)
-    source = surplus * power * (at.heat * _burning_rate(at, angle) + given * at.wall_temperature)
-    decay = surplus * given / mass
+    source, decay = _growth(at, mass, angle, volume.value, given)
     to_nodes = partial_integrals(node, _N_NODES).T
     grown, grown_to_end = np.exp(half * (decay @ to_nodes)), np.exp(half[..., 0] * (decay @ weight))
     added, added_to_end = half * ((grown * source) @ to_nodes), half[..., 0] * ((grown * source) @ weight)
@@ -138,7 +138,7 @@ def burning_curve(wiebe: Wiebe, room: Room) -> BurningCurve:
     pressure = values / (power * volume.value)
     lost = given * (pressure * volume.value / mass - at.wall_temperature)
     work, loss = (np.sum(half * part * weight, axis=(-2, -1)) for part in (pressure * volume.first, lost))
-    return BurningCurve(edges, values, wiebe.heat_ratio, work, loss)
+    return BurningCurve(edges, values, wiebe, mass[..., 0], work, loss)
 
 
 def burning_pressure(curve: BurningCurve, angle: Array, volume: Array) -> Array:
@@ -147,7 +147,39 @@ def burning_pressure(curve: BurningCurve, angle: Array, volume: Array) -> Array:
     start, end = (np.take_along_axis(part, panel, axis=-1) for part in (curve.edges[..., :-1], curve.edges[..., 1:]))
     own = np.take_along_axis(curve.values, panel[..., np.newaxis], axis=-2)
     way = 2 * (angle - start) / (end - start) - 1
-    return np.sum(own * interpolation(way, _N_NODES), axis=-1) / volume**curve.heat_ratio
+    return np.sum(own * interpolation(way, _N_NODES), axis=-1) / volume**curve.law.heat_ratio
+
+
+def burning_slope(curve: BurningCurve, angle: Array, volume: Coefficient, pressure: Array, wall: Array) -> Array:
+    """Derivative of the pressure at some angles of the working turn, from the energy balance itself.
+
+    Parameters
+    ----------
+    curve : BurningCurve
+    angle, pressure, wall : Array, shape (design, chamber, k)
+        From nominal firing [rad]; there [Pa]; area of the walls. [m²]
+    volume : Coefficient, fields of that shape
+        Its second derivative is not asked for.
+
+    Returns
+    -------
+    Array, shape (design, chamber, k). [Pa/rad]
+
+    Notes
+    -----
+    p′ = (pV^γ)′/V^γ − γpV′/V. docs/theory/gas, eqs. (14.22) and (14.24).
+    """
+    ratio = curve.law.heat_ratio
+    power = volume.value**ratio
+    source, decay = _growth(curve.law, curve.mass, angle, volume.value, curve.law.transfer * wall)
+    return source / power - decay * pressure - ratio * pressure * volume.first / volume.value
+
+
+def _growth(law: Wiebe, mass: Array, angle: Array, volume: Array, given: Array) -> tuple[Array, Array]:
+    """What brings pV^γ up, and the part of it that goes, by the crank angle; `given` to the walls. [1/rad; W·s/K]"""
+    surplus = law.heat_ratio - 1
+    heat = law.heat * _burning_rate(law, angle) + given * law.wall_temperature
+    return surplus * volume**surplus * heat, surplus * given / mass
 
 
 def _burning_rate(wiebe: Wiebe, angle: Array) -> Array:

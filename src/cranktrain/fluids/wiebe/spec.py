@@ -10,6 +10,7 @@ from cranktrain.errors import Problem
 from cranktrain.fluids.exchange import GasExchangeSpec
 from cranktrain.fluids.wiebe.chamber import WiebeNumbers
 from cranktrain.language import N_, _
+from cranktrain.motion import ONE, ZERO
 from cranktrain.quantities import (
     Dimension,
     Given,
@@ -65,16 +66,16 @@ def wiebe_numbers(spec: WiebeSpec) -> WiebeNumbers:
     inlet, exhaust = spec.exchange_pressures
     walls = (spec.start_temperature, spec.wall_temperature)
     return WiebeNumbers(
-        start_pressure=spec.start_pressure.si,
-        heat=spec.heat.si,
-        start=spec.heat_start.si,
-        duration=spec.heat_duration.si,
-        shape=spec.form_factor.si,
-        completeness=spec.efficiency_factor.si,
-        heat_ratio=spec.heat_capacity_ratio.si,
-        transfer=0.0 if spec.heat_transfer is None else spec.heat_transfer.si,
-        start_temperature=1.0 if walls[0] is None else walls[0].si,
-        wall_temperature=1.0 if walls[1] is None else walls[1].si,
+        start_pressure=spec.start_pressure.array,
+        heat=spec.heat.array,
+        start=spec.heat_start.array,
+        duration=spec.heat_duration.array,
+        shape=spec.form_factor.array,
+        completeness=spec.efficiency_factor.array,
+        heat_ratio=spec.heat_capacity_ratio.array,
+        transfer=ZERO if spec.heat_transfer is None else spec.heat_transfer.array,
+        start_temperature=ONE if walls[0] is None else walls[0].array,
+        wall_temperature=ONE if walls[1] is None else walls[1].array,
         inlet_pressure=inlet,
         exhaust_pressure=exhaust,
     )

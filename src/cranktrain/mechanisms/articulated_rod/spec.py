@@ -8,7 +8,6 @@ from pydantic import Field
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, articulated_rod
 from cranktrain.mechanisms.spec import Master, MechanismSpec
-from cranktrain.motion import single
 from cranktrain.numerics import largest
 from cranktrain.quantities import Angle, Given, Length, NonNegativeLength, PositiveLength
 from cranktrain.wording import precise
@@ -37,11 +36,11 @@ def articulated_rod_geometry(spec: ArticulatedRodSpec, master: Master | None) ->
     assert master is not None  # the layout finds the master or refuses the machine
     return ArticulatedRod(
         master.geometry,
-        single(spec.knuckle_radius.si),
-        single(spec.articulation_angle.si),
-        single(master.bank_angle),
-        single(spec.rod_length.si),
-        single(spec.offset.si),
+        spec.knuckle_radius.array,
+        spec.articulation_angle.array,
+        master.bank_angle,
+        spec.rod_length.array,
+        spec.offset.array,
     )
 
 

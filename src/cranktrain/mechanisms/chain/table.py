@@ -1,6 +1,7 @@
 """A chain's structure and numbers from its table."""
 
 from collections.abc import Iterator, Mapping
+from typing import TypeAlias
 
 import numpy as np
 
@@ -48,17 +49,26 @@ from cranktrain.mechanisms.chain.steps import (
     YokeStep,
 )
 from cranktrain.mechanisms.chain.triads import triad_at
+from cranktrain.mechanisms.geometry import over_designs
 from cranktrain.mechanisms.spec import Master
-from cranktrain.motion import Array, single
+from cranktrain.motion import ZERO, Array, single
+from cranktrain.quantities import Given
 from cranktrain.wording import precise
+
+_Near: TypeAlias = tuple[Coordinates, ...]
 
 _SIDES = {"left": 1.0, "right": -1.0, "ahead": 1.0, "behind": -1.0}
 
 
 def chain_geometry(spec: ChainTable, _master: Master | None) -> ChainSize:
     """All numbers in SI, in the order of the file."""
+    structure, size = _chain(spec)
     near = {part.link: _near(part) for part in spec.part if isinstance(part, TriadPartSpec)}
-    return assembled(*_chain(spec), near)
+
+    def put_together(own: tuple[ChainSize, *tuple[_Near, ...]]) -> ChainSize:
+        return assembled(structure, own[0], dict(zip(near, map(np.array, own[1:]), strict=True)))
+
+    return over_designs(put_together, (size, *near.values()))
 
 
 def structure_of(spec: ChainTable) -> Structure:
@@ -73,8 +83,8 @@ def _chain(spec: ChainTable) -> tuple[Structure, ChainSize]:
     return (
         Structure(tuple(spec.crank), tuple(spec.fixed), tuple(step for step, _size in groups), spec.output),
         ChainSize(
-            tuple(CrankSize(single(one.radius.si), single(one.angle.si)) for one in spec.crank.values()),
-            tuple(Coordinates(single(x.si), single(y.si)) for x, y in spec.fixed.values()),
+            tuple(CrankSize(one.radius.array, one.angle.array) for one in spec.crank.values()),
+            tuple(Coordinates(x.array, y.array) for x, y in spec.fixed.values()),
             tuple(size for _step, size in groups),
         ),
     )
@@ -88,17 +98,18 @@ def _guides(spec: ChainTable) -> dict[str, ChainGuideSpec]:
     return {part.slider: part.guide for part in parts} | of_legs
 
 
-def _near(part: TriadPartSpec) -> Array:
-    """Where about the joints of a triad's link are said to lie, shape (3, 2); NaN where nothing is said. [m]"""
-    return np.array([[at.si for at in leg.near] if leg.near is not None else [np.nan] * 2 for leg in part.leg])
+def _near(part: TriadPartSpec) -> _Near:
+    """Where about the joints of a triad's link are said to lie; NaN where nothing is said. [m]"""
+    unsaid = Coordinates(single(np.nan), single(np.nan))
+    return tuple(Coordinates(*(at.array for at in leg.near)) if leg.near is not None else unsaid for leg in part.leg)
 
 
 def _guide(guide: ChainGuideSpec) -> tuple[Array, Array]:
-    return single(guide.direction.si), single(guide.offset.si)
+    return guide.direction.array, guide.offset.array
 
 
-def _joint(along: float, across: float, turned: float = 0.0) -> LinkPoint:
-    return LinkPoint(single(float(np.hypot(along, across))), single(turned + float(np.arctan2(across, along))))
+def _joint(along: Given, across: Given, turned: Array = ZERO) -> LinkPoint:
+    return LinkPoint(np.hypot(along.array, across.array), turned + np.arctan2(across.array, along.array))
 
 
 def _group(part: PartSpec, guides: Mapping[str, ChainGuideSpec]) -> tuple[Step, StepSize]:
@@ -107,33 +118,33 @@ def _group(part: PartSpec, guides: Mapping[str, ChainGuideSpec]) -> tuple[Step, 
         case PinPartSpec(rod=rod, rocker=rocker):
             return (
                 PinStep(rod.start, rocker.start, rod.name, rocker.name, part.joint),
-                Pin(single(rod.length.si), single(rocker.length.si), single(_SIDES[part.side])),
+                Pin(rod.length.array, rocker.length.array, single(_SIDES[part.side])),
             )
         case SlidePartSpec(rod=rod, guide=guide):
             return (
                 SlideStep(rod.start, rod.name, part.slider, guide.through),
-                SlideSize(single(rod.length.si), single(_SIDES[part.side]), *_guide(guide)),
+                SlideSize(rod.length.array, single(_SIDES[part.side]), *_guide(guide)),
             )
         case SwivelPartSpec(guide=swinging):
             return (
                 SwivelStep(part.pin, swinging.start, swinging.name, part.slider),
-                SwivelSize(single(swinging.offset.si), single(_SIDES[part.side]), single(0.0)),
+                SwivelSize(swinging.offset.array, single(_SIDES[part.side]), single(0.0)),
             )
         case YokePartSpec(guide=guide):
             return (
                 YokeStep(part.pin, part.slider, guide.through),
-                YokeSize(single(part.slot_angle.si), *_guide(guide)),
+                YokeSize(part.slot_angle.array, *_guide(guide)),
             )
         case TrammelPartSpec(guide=guide):
             return (
                 TrammelStep(part.link, part.slider, guide.through),
-                TrammelSize(single(part.shift.si), *_guide(guide), single(1.0)),
+                TrammelSize(part.shift.array, *_guide(guide), single(1.0)),
             )
         case PointPartSpec() if part.link in guides:
-            turned = guides[part.link].direction.si
-            return MountStep(part.link, part.name), _joint(part.along.si, part.across.si, turned)
+            turned = guides[part.link].direction.array
+            return MountStep(part.link, part.name), _joint(part.along, part.across, turned)
         case PointPartSpec():
-            return PointStep(part.link, part.name), _joint(part.along.si, part.across.si)
+            return PointStep(part.link, part.name), _joint(part.along, part.across)
         case TriadPartSpec():
             legs = [_leg(leg) for leg in part.leg]
             return (
@@ -143,9 +154,9 @@ def _group(part: PartSpec, guides: Mapping[str, ChainGuideSpec]) -> tuple[Step, 
 
 
 def _leg(leg: TriadLegSpec) -> tuple[RodLegStep | GuideLegStep, RodLegSize | GuideLegSize]:
-    joint = _joint(leg.along.si, leg.across.si)
+    joint = _joint(leg.along, leg.across)
     if leg.rod is not None and leg.joint is not None:
-        return RodLegStep(leg.rod.start, leg.rod.name, leg.joint), RodLegSize(joint, single(leg.rod.length.si))
+        return RodLegStep(leg.rod.start, leg.rod.name, leg.joint), RodLegSize(joint, leg.rod.length.array)
     assert leg.guide is not None  # the spec asks for one of the two
     assert leg.slider is not None
     return GuideLegStep(leg.slider, leg.guide.through), GuideLegSize(joint, *_guide(leg.guide))

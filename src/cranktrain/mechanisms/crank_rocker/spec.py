@@ -43,10 +43,10 @@ class CrankRockerSpec(MechanismSpec, frozen=True):
 def crank_rocker_geometry(spec: CrankRockerSpec, _master: Master | None = None) -> CrankRocker:
     """Lengths in SI and the side as a sign."""
     return CrankRocker(
-        single(spec.crank_radius.si),
-        single(spec.rod_length.si),
-        single(spec.rocker_length.si),
-        single(spec.ground_length.si),
+        spec.crank_radius.array,
+        spec.rod_length.array,
+        spec.rocker_length.array,
+        spec.ground_length.array,
         single(_SIDES[spec.side]),
     )
 

@@ -10,7 +10,6 @@ from cranktrain.language import N_, _
 from cranktrain.mechanisms.eccentric.kinematics import Eccentric
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.mechanisms.valve_gear import Admission, set_ahead
-from cranktrain.motion import single
 from cranktrain.quantities import Angle, Given, Length, PositiveLength
 from cranktrain.wording import precise
 
@@ -50,11 +49,11 @@ class EccentricSpec(MechanismSpec, frozen=True):
 def eccentric_geometry(spec: EccentricSpec, _master: Master | None = None) -> Eccentric:
     """Geometry in SI, however the eccentric is set."""
     if spec.angle_ahead is not None:
-        ahead = spec.angle_ahead.si
+        ahead = spec.angle_ahead.array
     else:
         assert spec.angle_of_advance is not None  # the spec asks for one of the two
-        ahead = set_ahead(spec.angle_of_advance.si, spec.admission)
-    return Eccentric(single(spec.eccentricity.si), single(spec.rod_length.si), single(spec.offset.si), single(ahead))
+        ahead = set_ahead(spec.angle_of_advance.array, spec.admission)
+    return Eccentric(spec.eccentricity.array, spec.rod_length.array, spec.offset.array, ahead)
 
 
 def eccentric_advice(geometry: Eccentric) -> str:

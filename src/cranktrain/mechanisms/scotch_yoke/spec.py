@@ -10,7 +10,6 @@ from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.scotch_yoke.kinematics import ScotchYoke
 from cranktrain.mechanisms.spec import Master, MechanismSpec
-from cranktrain.motion import single
 from cranktrain.quantities import Angle, Given, Length, PositiveLength
 
 _LEAST_SINE = 1e-3
@@ -40,7 +39,7 @@ class ScotchYokeSpec(MechanismSpec, frozen=True):
 
 def scotch_yoke_geometry(spec: ScotchYokeSpec, _master: Master | None = None) -> ScotchYoke:
     """Lengths and angle in SI."""
-    return ScotchYoke(single(spec.crank_radius.si), single(spec.offset.si), single(spec.slot_angle.si))
+    return ScotchYoke(spec.crank_radius.array, spec.offset.array, spec.slot_angle.array)
 
 
 def scotch_yoke_advice(_geometry: ScotchYoke) -> str:

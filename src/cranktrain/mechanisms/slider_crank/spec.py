@@ -4,13 +4,14 @@ from collections.abc import Iterator
 from math import sqrt
 from typing import Literal
 
+import numpy as np
 from pydantic import Field
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
 from cranktrain.mechanisms.spec import Master, MechanismSpec
-from cranktrain.motion import single
+from cranktrain.motion import Array, chosen, single
 from cranktrain.quantities import Given, Length, PositiveLength, PositiveRatio
 from cranktrain.wording import precise
 
@@ -46,8 +47,9 @@ class SliderCrankSpec(MechanismSpec, frozen=True):
         """Find a crank or a rod that is given twice or not at all, and a stroke that no crank can make."""
         wrong = [problem for names in (_CRANKS, _RODS) for problem in _not_once(self, names)]
         yield from wrong
-        if not wrong and self.stroke is not None and _radius_from_stroke(self) is None:
-            yield Problem("stroke", None, _stroke_limit(self))
+        with np.errstate(all="ignore"):
+            if not wrong and self.stroke is not None and np.isnan(_radius_from_stroke(self)):
+                yield Problem("stroke", None, _stroke_limit(self))
 
 
 def slider_crank_rod_field(spec: SliderCrankSpec, _geometry: SliderCrank) -> str:
@@ -77,47 +79,35 @@ def _not_once(spec: SliderCrankSpec, names: tuple[str, ...]) -> Iterator[Problem
 
 def slider_crank_geometry(spec: SliderCrankSpec, _master: Master | None = None) -> SliderCrank:
     """Crank radius, rod length and offset in SI, whichever way they were given; docs/theory/slider-crank."""
-    radius = spec.crank_radius.si if spec.crank_radius is not None else _radius_from_stroke(spec)
-    assert radius is not None  # the spec refuses a stroke that no crank makes
-    return SliderCrank(single(radius), single(_rod_length(spec, radius)), single(spec.offset.si))
+    radius = _radius_from_stroke(spec) if spec.crank_radius is None else spec.crank_radius.array
+    return SliderCrank(radius, _rod_length(spec, radius), spec.offset.array)
 
 
-def _rod_length(spec: SliderCrankSpec, radius: float) -> float:
+def _rod_length(spec: SliderCrankSpec, radius: Array) -> Array:
     """Rod length from whichever of its three forms the file gives."""
     if spec.rod_length is not None:
-        return spec.rod_length.si
+        return spec.rod_length.array
     if spec.crank_to_rod_ratio is not None:
-        return radius / spec.crank_to_rod_ratio.si
+        return radius / spec.crank_to_rod_ratio.array
     assert spec.rod_to_crank_ratio is not None  # the spec asks for exactly one
-    return radius * spec.rod_to_crank_ratio.si
+    return radius * spec.rod_to_crank_ratio.array
 
 
-def _radius_from_stroke(spec: SliderCrankSpec) -> float | None:
-    """Crank radius that makes the true stroke S = √((L + R)² − e²) − √((L − R)² − e²); None where none does."""
+def _radius_from_stroke(spec: SliderCrankSpec) -> Array:
+    """Crank radius that makes the true stroke S = √((L + R)² − e²) − √((L − R)² − e²); NaN where none does."""
     assert spec.stroke is not None
-    stroke, offset = spec.stroke.si, spec.offset.si
-    if offset == 0.0:
-        return stroke / 2
+    stroke, offset = spec.stroke.array, spec.offset.array
     if spec.rod_length is not None:
-        rod = spec.rod_length.si
-        return _root(
-            stroke**2 * (4 * rod**2 - 4 * offset**2 - stroke**2) / (4 * (4 * rod**2 - stroke**2))
-            if stroke**2 <= 4 * rod * (rod - abs(offset))
-            else -1.0
-        )
-    ratio = spec.rod_to_crank_ratio.si if spec.rod_to_crank_ratio is not None else None
-    if ratio is None:
-        assert spec.crank_to_rod_ratio is not None
-        ratio = 1 / spec.crank_to_rod_ratio.si
-    # 16 ν² R⁴ − 4 S² (1 + ν²) R² + S² (4 e² + S²) = 0; the larger root in R², as L > R.
-    middle = stroke**2 * (1 + ratio**2)
-    inside = middle**2 - 4 * ratio**2 * stroke**2 * (4 * offset**2 + stroke**2)
-    return _root((middle + sqrt(inside)) / (8 * ratio**2)) if inside >= 0 else None
-
-
-def _root(square: float) -> float | None:
-    """Square root, or None where there is none."""
-    return sqrt(square) if square > 0 else None
+        rod = spec.rod_length.array
+        square = stroke**2 * (4 * rod**2 - 4 * offset**2 - stroke**2) / (4 * (4 * rod**2 - stroke**2))
+        square = chosen(stroke**2 <= 4 * rod * (rod - abs(offset)), square, np.nan)
+    else:
+        ratio = _rod_length(spec, single(1.0))
+        # 16 ν² R⁴ − 4 S² (1 + ν²) R² + S² (4 e² + S²) = 0; the larger root in R², as L > R.
+        middle = stroke**2 * (1 + ratio**2)
+        inside = middle**2 - 4 * ratio**2 * stroke**2 * (4 * offset**2 + stroke**2)
+        square = (middle + np.sqrt(inside)) / (8 * ratio**2)
+    return chosen(offset == 0.0, stroke / 2, np.sqrt(chosen(square > 0.0, square, np.nan)))
 
 
 def slider_crank_advice(geometry: SliderCrank) -> str:

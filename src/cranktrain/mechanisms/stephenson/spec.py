@@ -1,5 +1,6 @@
 """Stephenson's link motion in the machine file, and how its link is put together."""
 
+from functools import partial
 from typing import Literal
 
 import numpy as np
@@ -9,6 +10,7 @@ from cranktrain.language import N_, _
 from cranktrain.mechanisms.chain.assembly import assembled
 from cranktrain.mechanisms.chain.steps import NO_START, Coordinates, Structure
 from cranktrain.mechanisms.chain.triads import triad_at
+from cranktrain.mechanisms.geometry import over_designs
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.mechanisms.stephenson.kinematics import CURVED, STRAIGHT, Stephenson, stephenson_size
 from cranktrain.mechanisms.valve_gear import Admission, Notch, set_ahead
@@ -64,24 +66,27 @@ def structure_of(spec: StephensonSpec) -> Structure:
 
 def stephenson_geometry(spec: StephensonSpec, _master: Master | None = None) -> Stephenson:
     """Geometry in SI in the notch of the file, with the link put together upright between its rods and the arm."""
-    ahead = set_ahead(spec.angle_of_advance.si, spec.admission)
     geometry = Stephenson(
-        eccentricity=single(spec.eccentricity.si),
-        ahead=single(ahead),
-        rod_length=single(spec.eccentric_rod_length.si),
-        pin_spacing=single(spec.pin_spacing.si),
-        pin_setback=single(spec.pin_setback.si),
-        slot_arc=single(0.0 if spec.link_radius is None else spec.link_radius.si),
-        saddle_setback=single(spec.saddle_setback.si),
-        lifting_link_length=single(spec.lifting_link_length.si),
-        reverse_shaft=Coordinates(single(spec.reverse_shaft_x.si), single(spec.reverse_shaft_y.si)),
-        arm_length=single(spec.lifting_arm_length.si),
-        arm_direction=single(spec.lifting_arm_angle.si + spec.notch.si * spec.lifting_arm_swing.si),
-        offset=single(spec.offset.si),
+        eccentricity=spec.eccentricity.array,
+        ahead=set_ahead(spec.angle_of_advance.array, spec.admission),
+        rod_length=spec.eccentric_rod_length.array,
+        pin_spacing=spec.pin_spacing.array,
+        pin_setback=spec.pin_setback.array,
+        slot_arc=single(0.0) if spec.link_radius is None else spec.link_radius.array,
+        saddle_setback=spec.saddle_setback.array,
+        lifting_link_length=spec.lifting_link_length.array,
+        reverse_shaft=Coordinates(spec.reverse_shaft_x.array, spec.reverse_shaft_y.array),
+        arm_length=spec.lifting_arm_length.array,
+        arm_direction=spec.lifting_arm_angle.array + spec.notch.array * spec.lifting_arm_swing.array,
+        offset=spec.offset.array,
         side=single(1.0 if spec.rods == "open" else -1.0),
         start=NO_START,
     )
-    structure = structure_of(spec)
+    return over_designs(partial(_put_together, structure_of(spec)), geometry)
+
+
+def _put_together(structure: Structure, geometry: Stephenson) -> Stephenson:
+    """Start the link where it stands upright."""
     size = assembled(structure, stephenson_size(structure, geometry), {"link": _upright(geometry)})
     _step, link = triad_at(structure, 0, size)
     return geometry._replace(start=link.start)

@@ -9,10 +9,10 @@ from cranktrain.language import N_, _
 from cranktrain.mechanisms.chain.assembly import assembled
 from cranktrain.mechanisms.chain.steps import NO_START, Coordinates
 from cranktrain.mechanisms.chain.triads import triad_at
+from cranktrain.mechanisms.geometry import over_designs
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.mechanisms.valve_gear import Admission, Notch, set_ahead
 from cranktrain.mechanisms.walschaerts.kinematics import STRUCTURE, Walschaerts, upright, walschaerts_size
-from cranktrain.motion import single
 from cranktrain.quantities import Angle, Given, Length, PositiveLength
 
 
@@ -71,26 +71,31 @@ class WalschaertsSpec(MechanismSpec, frozen=True):
 def walschaerts_geometry(spec: WalschaertsSpec, master: Master | None) -> Walschaerts:
     """Geometry in SI in the notch of the file, with the combination lever put together across the valve's line."""
     assert master is not None  # the layout finds the crosshead or refuses the machine
-    valve_pin = spec.valve_pin_distance.si if spec.admission == "inside" else -spec.valve_pin_distance.si
+    valve_pin = spec.valve_pin_distance.array
     geometry = Walschaerts(
         master=master.geometry,
-        bank_angle=single(master.bank_angle),
-        eccentricity=single(spec.eccentricity.si),
-        ahead=single(set_ahead(spec.eccentric_advance.si, spec.admission)),
-        rod_length=single(spec.eccentric_rod_length.si),
-        trunnion=Coordinates(single(spec.trunnion_x.si), single(spec.trunnion_y.si)),
-        foot=single(spec.foot_distance.si),
-        foot_setback=single(spec.foot_setback.si),
-        die=single(spec.notch.si * spec.full_gear_die.si),
-        radius_rod_length=single(spec.radius_rod_length.si),
-        lever_length=single(spec.lever_length.si),
-        valve_pin=single(valve_pin),
-        union_link_length=single(spec.union_link_length.si),
-        drop=Coordinates(single(spec.drop_x.si), single(spec.drop_y.si)),
-        offset=single(spec.offset.si),
-        side=single(float(-np.copysign(1.0, spec.trunnion_y.si))),
+        bank_angle=master.bank_angle,
+        eccentricity=spec.eccentricity.array,
+        ahead=set_ahead(spec.eccentric_advance.array, spec.admission),
+        rod_length=spec.eccentric_rod_length.array,
+        trunnion=Coordinates(spec.trunnion_x.array, spec.trunnion_y.array),
+        foot=spec.foot_distance.array,
+        foot_setback=spec.foot_setback.array,
+        die=spec.notch.array * spec.full_gear_die.array,
+        radius_rod_length=spec.radius_rod_length.array,
+        lever_length=spec.lever_length.array,
+        valve_pin=valve_pin if spec.admission == "inside" else -valve_pin,
+        union_link_length=spec.union_link_length.array,
+        drop=Coordinates(spec.drop_x.array, spec.drop_y.array),
+        offset=spec.offset.array,
+        side=-np.copysign(1.0, spec.trunnion_y.array),
         start=NO_START,
     )
+    return over_designs(_put_together, geometry)
+
+
+def _put_together(geometry: Walschaerts) -> Walschaerts:
+    """Start the combination lever where it stands across the valve's line."""
     size = assembled(STRUCTURE, walschaerts_size(geometry), {"combination_lever": upright(geometry)})
     _step, lever = triad_at(STRUCTURE, -1, size)
     return geometry._replace(start=lever.start)

@@ -19,7 +19,7 @@ def _problems(design: Design) -> Iterable[Problem]:
 
 
 def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
-    yield weights.declared_balance(designs.tables(spec.BalanceSpec), [one.shafts for one in designs.each])
+    yield weights.declared_balance(designs)
 
 
 def _gravity(design: Design) -> Sequence[str]:

@@ -1,7 +1,7 @@
 """Counterweights and balance shafts: the table [balance] of the machine file."""
 
 from collections.abc import Iterator, Sequence
-from typing import Annotated, Literal
+from typing import Annotated, Literal, TypeAlias
 
 from pydantic import Field
 
@@ -14,6 +14,8 @@ from cranktrain.spec import Spec
 
 Share = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=1.0)]
 Spot = tuple[Length, Length]
+Against: TypeAlias = Literal["force", "couple", "both"]
+Counterweights: TypeAlias = Literal["rotating", "least_force"]
 _AT_CRANK = (Given(0.0, "0 mm"), Given(0.0, "0 mm"))
 
 
@@ -72,7 +74,7 @@ class BalanceShaftsSpec(Spec, frozen=True):
     """
 
     order: int = Field(ge=1, le=HIGHEST_ORDER, description=N_("How many times as fast as the crank both shafts turn."))
-    against: Literal["force", "couple", "both"] = Field(
+    against: Against = Field(
         default="force", description=N_("Whether they take away the force of that order, the couple, or both.")
     )
     planes: OneOrMany[Length] | None = Field(
@@ -111,7 +113,7 @@ class BalanceSpec(Spec, frozen=True):
     weight: tuple[WeightSpec, ...] = Field(
         default=(), description=N_("Weights that turn: on the crankshaft, or on shafts of their own.")
     )
-    counterweights: Literal["rotating", "least_force"] | None = Field(
+    counterweights: Counterweights | None = Field(
         default=None,
         description=N_(
             "Solved for: `rotating` takes all that rotates on each throw, `least_force` leaves the least largest force."

@@ -1,6 +1,6 @@
 """Counterweights and balance shafts of a machine: those of its file, and those solved for."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import field
 from functools import reduce
 from itertools import combinations
@@ -13,10 +13,11 @@ from cranktrain.checks import StageResult
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.axial import AxialPlaces, throw_positions
+from cranktrain.layout.design import Designs
 from cranktrain.layout.frames import Frames
 from cranktrain.layout.specs import MAIN, ShaftSpec
 from cranktrain.layout.throws import ShaftCentres, Throws
-from cranktrain.motion import Array
+from cranktrain.motion import Array, single
 from cranktrain.numerics.harmonics import ComplexArray, phasor
 from cranktrain.numerics.plane_vectors import PlaneVectors, reversed_vectors, running_axes
 from cranktrain.quantities import Given
@@ -24,7 +25,7 @@ from cranktrain.questions.balance.counterweights import middle_of, share_of, two
 from cranktrain.questions.balance.frame_forces import FrameForces
 from cranktrain.questions.balance.rotating_weights import RotatingWeights, joined, on_crank
 from cranktrain.questions.balance.shafts import couple_of, lanchester_shafts, two_plane_shafts
-from cranktrain.questions.balance.spec import BalanceShaftsSpec, BalanceSpec, Spot, WeightSpec
+from cranktrain.questions.balance.spec import Against, BalanceSpec, Counterweights, Spot, WeightSpec
 from cranktrain.questions.balance.unit_shaking import Shaking, gross, shaking, with_weights
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_BALANCE as _THEORY
@@ -34,37 +35,87 @@ _NOISE = 1e-12
 """Of what all parts could do together: less is rounding."""
 
 
+class GivenWeights(NamedTuple):
+    """Weights of the file, shape (design, weight).
+
+    ratio [1]; moment [kg·m]; angle ahead of throw 1 in the normal sense [rad]; position z along the shaft, NaN where
+    the file does not say [m]; place of their shafts, to the right and i up [m].
+    """
+
+    ratio: Array
+    moment: Array
+    angle: Array
+    position: Array
+    place: ComplexArray
+
+
+class ShaftsWanted(NamedTuple):
+    """A pair of balance shafts: its order, against what it is, its planes and places, shape (design, 1 or 2). [m]"""
+
+    order: int
+    against: Against
+    planes: Array | None
+    places: ComplexArray
+
+
 @record
 class DeclaredBalance:
-    """The table [balance] of each design, and where its weights stand.
+    """The table [balance].
 
     Attributes
     ----------
-    specs : tuple of BalanceSpec, one for each design
-    angle : Array, shape (design, weight)
-        Of the given weights, ahead of throw 1 in the normal sense. [rad]
-    position : Array, shape (design, weight)
-        z along the shaft; NaN where the file does not say. [m]
+    given : GivenWeights
+    counterweights : "rotating", "least_force" or None
+        Which are solved for.
+    share : Array, shape (design,)
+        Of what reciprocates that they take. [1]
+    planes : Array, shape (design, 2), or None
+        z of their planes; None where every throw has its own. [m]
+    shafts : tuple of ShaftsWanted
     """
 
     needs: ClassVar[str] = N_("[balance]")
 
-    specs: tuple[BalanceSpec, ...]
-    angle: Array
-    position: Array
+    given: GivenWeights
+    counterweights: Counterweights | None
+    share: Array
+    planes: Array | None
+    shafts: tuple[ShaftsWanted, ...]
 
 
-def declared_balance(
-    given: tuple[BalanceSpec, ...], shafts: Sequence[Mapping[str, ShaftSpec]]
-) -> DeclaredBalance | None:
-    """Put the tables to the throws; None where there is no table."""
-    if not given:
+def declared_balance(designs: Designs) -> DeclaredBalance | None:
+    """Put the table to the throws; None where there is none."""
+    spec, main = designs.together.table(BalanceSpec), designs.together.shafts[MAIN]
+    if spec is None:
         return None
-    each = [(spec.weight, design[MAIN]) for spec, design in zip(given, shafts, strict=True)]
+
+    def each(given: Sequence[Given]) -> Array:
+        return designs.by_design([one.array for one in given])
+
+    def places(spots: Sequence[Spot]) -> ComplexArray:
+        return each([x for x, _y in spots]) + 1j * each([y for _x, y in spots])
+
+    weights = spec.weight
     return DeclaredBalance(
-        given,
-        np.array([[_angle_on(weight, main) for weight in weights] for weights, main in each]),
-        np.array([[_position_on(weight, main) for weight in weights] for weights, main in each]),
+        given=GivenWeights(
+            ratio=designs.by_design([float(one.ratio) for one in weights]),
+            moment=each([one.mass for one in weights]) * each([one.radius for one in weights]),
+            angle=designs.by_design([_angle_on(one, main) for one in weights]),
+            position=designs.by_design([_position_on(one, main) for one in weights]),
+            place=places([one.place for one in weights]),
+        ),
+        counterweights=spec.counterweights,
+        share=np.zeros(designs.n_designs) if spec.share is None else each([spec.share])[:, 0],
+        planes=None if spec.planes is None else each(spec.planes),
+        shafts=tuple(
+            ShaftsWanted(
+                pair.order,
+                pair.against,
+                None if pair.planes is None else each(pair.planes),
+                places([pair.forward, pair.backward]),
+            )
+            for pair in spec.shafts
+        ),
     )
 
 
@@ -103,19 +154,19 @@ def _cancelled(spec: BalanceSpec, main: ShaftSpec) -> Iterator[Problem]:
             yield Problem(f"balance.weight[{j}]", None, allowed.format(i=i, throw=one.throw), repair)
 
 
-def _angle_on(weight: WeightSpec, main: ShaftSpec) -> float:
+def _angle_on(weight: WeightSpec, main: ShaftSpec) -> Array:
     """Where a weight stands ahead of throw 1: opposite its throw unless given. [rad]"""
     if weight.angle is not None:
-        return weight.angle.si
-    return main.throws[(weight.throw or 1) - 1].si - main.throws[0].si + np.pi
+        return weight.angle.array
+    return main.throws[(weight.throw or 1) - 1].array - main.throws[0].array + np.pi
 
 
-def _position_on(weight: WeightSpec, main: ShaftSpec) -> float:
+def _position_on(weight: WeightSpec, main: ShaftSpec) -> Array:
     """Where a weight stands along the shaft: at its throw unless given; NaN where nothing says where that is. [m]"""
     if weight.z is not None:
-        return weight.z.si
+        return weight.z.array
     positions = throw_positions(main)
-    return np.nan if positions is None else float(positions[(weight.throw or 1) - 1])
+    return single(np.nan) if positions is None else positions[(weight.throw or 1) - 1]
 
 
 @record
@@ -161,14 +212,14 @@ def balance_weights(
     position = np.full((n_designs, n_mechanisms), np.nan) if axial is None else axial.value
     middle = np.zeros(n_designs) if axial is None else axial.mid_plane
     before = shaking(frame.vectors, position, middle)
-    lots = [_given(declared, frames)]
-    if declared.specs[0].counterweights is not None:
+    lots = [_given(declared.given, frames)]
+    if declared.counterweights is not None:
         place = np.zeros((n_designs, n_mechanisms), dtype=complex) if centres is None else centres.value
         centre = running_axes(place, clockwise=frames.clockwise)
         lots += _counterweights(declared, frame, frames, throws, position=position, middle=middle, centre=centre)
-    for pair in range(len(declared.specs[0].shafts)):
+    for pair in declared.shafts:
         left = reduce(lambda one, lot: with_weights(one, lot.weights, middle), lots, before)
-        lots.append(_shafts([spec.shafts[pair] for spec in declared.specs], left, middle, frames))
+        lots.append(_shafts(pair, left, middle, frames))
     names = tuple(name for lot in lots for name in lot.names)
     weights = _without_noise(joined(*(lot.weights for lot in lots)), frame)
     ahead = frames.running * (weights.angle - frames.first[:, np.newaxis])
@@ -191,30 +242,18 @@ def _without_noise(weights: RotatingWeights, frame: FrameForces) -> RotatingWeig
     )
 
 
-def _si(values: Sequence[Sequence[Given]]) -> Array:
-    """SI values of designs, shape (design, n)."""
-    return np.array([[value.si for value in design] for design in values])
-
-
-def _given(declared: DeclaredBalance, frames: Frames) -> _Named:
+def _given(weights: GivenWeights, frames: Frames) -> _Named:
     """Weights of the file."""
-    each = [spec.weight for spec in declared.specs]
     return _Named(
-        tuple(_("given {n}").format(n=i + 1) for i in range(len(each[0]))),
+        tuple(_("given {n}").format(n=i + 1) for i in range(weights.ratio.shape[1])),
         RotatingWeights(
-            ratio=np.array([[float(one.ratio) for one in weights] for weights in each]),
-            moment=np.array([[one.mass.si * one.radius.si for one in weights] for weights in each]),
-            angle=frames.first[:, np.newaxis] + frames.running * declared.angle,
-            position=declared.position,
-            place=_places([[one.place for one in weights] for weights in each], frames),
+            ratio=weights.ratio,
+            moment=weights.moment,
+            angle=frames.first[:, np.newaxis] + frames.running * weights.angle,
+            position=weights.position,
+            place=running_axes(weights.place, clockwise=frames.clockwise),
         ),
     )
-
-
-def _places(spots: Sequence[Sequence[Spot]], frames: Frames) -> ComplexArray:
-    """Where something lies, in the common axes, shape (design, n). [m]"""
-    across = np.array([[complex(x.si, y.si) for x, y in design] for design in spots], dtype=np.complex128)
-    return running_axes(across, clockwise=frames.clockwise)
 
 
 def _counterweights(
@@ -231,8 +270,7 @@ def _counterweights(
 
     position, middle: z of the mechanisms, and the mid-plane [m]; centre: of their shafts, in the common axes [m].
     """
-    spec = declared.specs[0]
-    share = np.array([0.0 if one.share is None else one.share.si for one in declared.specs])
+    share, planes = declared.share, declared.planes
     z = position[:, throws.first]
     for shaft in dict.fromkeys(throws.shafts):
         own = [i for i, name in enumerate(throws.shafts) if name == shaft]
@@ -240,16 +278,17 @@ def _counterweights(
         all_of = PlaneVectors(frame.vectors.order, *(throws.gathered(part)[:, own] for part in frame.vectors[1:]))
         shaking_own = all_of if sense > 0 else reversed_vectors(all_of)
         rotating, swinging = (throws.gathered(part)[:, own, 0] for part in _divided(frame, frames))
-        if spec.planes is None:
-            part = _part(spec, rotating, swinging, shaking_own, share[:, np.newaxis])
+        if planes is None:
+            part = _part(declared, rotating, swinging, shaking_own, share[:, np.newaxis])
             lot = on_crank(-part, z[:, own])
             names = [_("throw {throw}").format(throw=throws.names[i]) for i in own]
         else:
             arm = z[:, own] - middle[:, np.newaxis]
             total = shaking(shaking_own, z[:, own], middle)
-            force = _part(spec, np.sum(rotating, axis=-1), np.sum(swinging, axis=-1), total.force, share)
-            couple = _part(spec, np.sum(arm * rotating, axis=-1), np.sum(arm * swinging, axis=-1), total.couple, share)
-            planes = _si([one.planes for one in declared.specs if one.planes is not None])
+            force = _part(declared, np.sum(rotating, axis=-1), np.sum(swinging, axis=-1), total.force, share)
+            couple = _part(
+                declared, np.sum(arm * rotating, axis=-1), np.sum(arm * swinging, axis=-1), total.couple, share
+            )
             lot = two_plane_counterweights(force, couple, planes, middle)
             named = _("plane {n}") if shaft == MAIN else _("{shaft}, plane {n}")
             names = [named.format(n=n, shaft=shaft) for n in (1, 2)]
@@ -273,20 +312,18 @@ def _divided(frame: FrameForces, frames: Frames) -> tuple[ComplexArray, ComplexA
 
 
 def _part(
-    spec: BalanceSpec, rotating: ComplexArray, swinging: ComplexArray, all_of: PlaneVectors, share: Array
+    declared: DeclaredBalance, rotating: ComplexArray, swinging: ComplexArray, all_of: PlaneVectors, share: Array
 ) -> ComplexArray:
     """What counterweights take away, of force or couple."""
-    if spec.counterweights == "least_force":
+    if declared.counterweights == "least_force":
         return middle_of(all_of)
     return share_of(rotating, swinging, share)
 
 
-def _shafts(pairs: Sequence[BalanceShaftsSpec], left: Shaking, middle: Array, frames: Frames) -> _Named:
+def _shafts(pair: ShaftsWanted, left: Shaking, middle: Array, frames: Frames) -> _Named:
     """One pair of balance shafts, against what is left of its order."""
-    pair, order = pairs[0], pairs[0].order
-    places = _places([(one.forward, one.backward) for one in pairs], frames)
-    given = [one.planes for one in pairs if one.planes is not None]
-    planes = _si(given) if given else middle[:, np.newaxis]
+    order, places = pair.order, running_axes(pair.places, clockwise=frames.clockwise)
+    planes = middle[:, np.newaxis] if pair.planes is None else pair.planes
     if pair.against == "force":
         return _Named((f"+{order}", f"−{order}"), lanchester_shafts(left.force, order, planes[:, 0], places))
     against = couple_of(left) if pair.against == "couple" else left

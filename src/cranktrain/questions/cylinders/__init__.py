@@ -29,7 +29,7 @@ QUESTION = Question(
     ),
     headline=("displacement", "compression_ratio", "combined_stroke", "firing_interval"),
     uses=(
-        Use(keys("cylinder", "compression_ratio"), (volumes.ChamberVolumes,)),
+        Use(keys("cylinder", "compression_ratio", "clearance"), (volumes.ChamberVolumes,)),
         Use(keys("cylinder", "chambers", "piston_rod"), (volumes.SweptVolumes,)),
         Use(keys("cylinder", "exhaust_port", "scavenge_port"), (ports.PortTiming,)),
         Use(keys("cylinder", "firing_order", "numbers"), (firing.Firing,)),

@@ -7,7 +7,7 @@ from cranktrain.errors import Problem
 from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
-from cranktrain.questions.cylinders.spec import CylinderSpec, CylindersSpec
+from cranktrain.questions.cylinders.spec import CylinderSpec, CylindersSpec, ratio_of
 from cranktrain.record import record
 
 
@@ -40,15 +40,13 @@ class Cylinder:
     @property
     def has_own_ratio(self) -> bool:
         """Whether a table of its own or of its bank gives the compression ratio."""
-        return self.paths.get("compression_ratio", _COMMON_RATIO) != _COMMON_RATIO
+        table = self.paths.get("compression_ratio", "cylinder.").rpartition(".")[0]
+        return table != "cylinder"
 
     @property
     def chambers(self) -> tuple[str, ...]:
         """Sides of the piston on which there is a chamber."""
         return self.spec.chambers or ("head",)
-
-
-_COMMON_RATIO = "cylinder.compression_ratio"
 
 
 def cylinders_of(common: CylindersSpec, pistons: Sequence[PlacedMechanism]) -> tuple[Cylinder, ...]:
@@ -63,19 +61,19 @@ def _cylinder(common: CylindersSpec, pistons: Sequence[PlacedMechanism], index: 
     name, bank = places[0].cylinder, places[0].bank
     own = [(f"cylinder.{key}", common.overrides[key]) for key in (bank, name) if key in common.overrides]
     # The nearer a table is, the later it comes: what it gives takes the place of what others gave.
-    given: dict[str, tuple[str, Any]] = {
-        field: (path, getattr(table, field))
-        for path, table in (("cylinder", common), *own)
-        for field in CylinderSpec.model_fields
-        if getattr(table, field) is not None
-    }
+    given: dict[str, tuple[str, Any]] = {}
+    for path, table in (("cylinder", common), *own):
+        fields = {name: (f"{path}.{name}", getattr(table, name)) for name in CylinderSpec.model_fields}
+        if (ratio := ratio_of(table)) is not None:
+            fields["compression_ratio"] = (f"{path}.{ratio[0]}", ratio[1])
+        given |= {name: found for name, found in fields.items() if found[1] is not None}
     return Cylinder(
         name=name,
         bank=bank,
         pistons=index,
         signs=tuple(-1.0 if place.is_far else 1.0 for place in places),
         spec=CylinderSpec.model_construct(**{field: value for field, (_path, value) in given.items()}),
-        paths={field: f"{path}.{field}" for field, (path, _value) in given.items()},
+        paths={field: path for field, (path, _value) in given.items()},
         is_master=all(place.kind.name == "slider_crank" for place in places),
     )
 

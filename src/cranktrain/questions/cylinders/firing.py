@@ -1,6 +1,6 @@
 """Firing: when each cylinder fires, at what intervals, and whether its true dead centre is there."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import ClassVar
 
@@ -59,21 +59,19 @@ class FiringOrder:
     angles: Array | None = None
 
 
-def common_order(orders: Sequence[FiringOrder | None]) -> FiringOrder | None:
-    """Put together the order that several designs of one machine have, and the angles of each.
+def common_order(found: FiringOrder | None, n_designs: int) -> FiringOrder | None:
+    """Give designs of one machine the order of the first, and each its angles.
 
     Raises
     ------
     InputError
         Where the angles of one design make another order than those of the first.
     """
-    found = [order for order in orders if order is not None]
-    angles = [order.angles for order in found if order.angles is not None]
-    if not angles:
-        return found[0] if found else None
-    if any(not np.array_equal(order.order, found[0].order) for order in found):
+    if found is None or found.angles is None:
+        return found
+    if np.any(np.argsort(found.angles, axis=-1, kind="stable") != found.order):
         raise InputError([Problem("cylinder.firing_angles", None, _("must make the same order in all designs"))])
-    return replace(found[0], angles=np.concatenate(angles))
+    return replace(found, angles=np.broadcast_to(found.angles, (n_designs, found.order.size)))
 
 
 @record

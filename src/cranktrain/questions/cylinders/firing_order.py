@@ -17,7 +17,7 @@ from cranktrain.wording import number
 
 
 def firing_order_of(
-    common: CylindersSpec, leading: Sequence[PlacedMechanism], *, zero: float, astern: bool
+    common: CylindersSpec, leading: Sequence[PlacedMechanism], *, zero: Array, astern: bool
 ) -> tuple[FiringOrder | None, tuple[Problem, ...]]:
     """Read the firing order of cylinders, each by its leading piston, or their firing angles; None without either.
 
@@ -39,7 +39,7 @@ def firing_order_of(
     if astern:
         order = [order[0], *order[:0:-1]]
     index = [names.index(name) for name in order]
-    problems = _throw_problems(common, order, within_turn(np.array([leading[i].nominal_top for i in index])))
+    problems = _throw_problems(common, order, _tops([leading[i] for i in index]))
     found = FiringOrder(np.array(index, dtype=np.intp), common.makers_numbers(order))
     return (None if problems else found), problems
 
@@ -48,8 +48,12 @@ def _own_order(common: CylindersSpec, leading: Sequence[PlacedMechanism]) -> Fir
     """Order in which cylinders fire that have no choice: one alone, and those of a two-stroke as their cranks come."""
     if not leading or (len(leading) > 1 and common.cycle != "two-stroke"):
         return None
-    tops = within_turn(np.array([place.nominal_top for place in leading]))
-    return FiringOrder(np.argsort(tops, kind="stable"))
+    return FiringOrder(np.argsort(_tops(leading), kind="stable"))
+
+
+def _tops(leading: Sequence[PlacedMechanism]) -> Array:
+    """Where in a turn each piston is nominally at its top, in the first design, shape (cylinder,). [rad]"""
+    return within_turn(np.array([np.ravel(place.nominal_top)[0] for place in leading]))
 
 
 def _number_problems(common: CylindersSpec, names: Sequence[str]) -> Iterator[Problem]:

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from cranktrain.errors import Problem
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
+from cranktrain.motion import Array
 from cranktrain.quantities import Given
 from cranktrain.questions.cylinders.firing import FiringOrder, within_turn
 from cranktrain.questions.cylinders.spec import CylindersSpec
@@ -19,7 +20,7 @@ _PATH = "cylinder.firing_angles"
 
 
 def given_firing(
-    common: CylindersSpec, leading: Sequence[PlacedMechanism], cycle: float, *, zero: float, astern: bool
+    common: CylindersSpec, leading: Sequence[PlacedMechanism], cycle: float, *, zero: Array, astern: bool
 ) -> tuple[FiringOrder | None, tuple[Problem, ...]]:
     """Read at which crank angles the cylinders fire.
 
@@ -31,7 +32,7 @@ def given_firing(
         Of each cylinder, the piston along whose axis the crank lies at nominal firing.
     cycle : float
         2π or 4π. [rad]
-    zero : float
+    zero : Array
         φ where the shown crank angle is 0. [rad]
     astern : bool
         The same metal at −φ: the angles count the other way.
@@ -46,15 +47,15 @@ def given_firing(
     if problems:
         return None, problems
     sense = -1.0 if astern else 1.0
-    asked = np.array([sense * angle.si + zero for _key, angle in given])
-    tops = np.array([place.nominal_top for place in leading])
+    asked = _side_by_side([sense * angle.array + zero for _key, angle in given])
+    tops = _side_by_side([place.nominal_top for place in leading])
     turns = np.rint((asked - tops) / (2 * np.pi))
     angles = within_turn(tops + 2 * np.pi * turns, cycle)
     off = np.abs(asked - tops - 2 * np.pi * turns) > _WRITTEN
     if np.any(off):
         possible = [
             np.sort(within_turn(sense * (top - zero) + 2 * np.pi * np.arange(round(cycle / (2 * np.pi))), cycle))
-            for top in tops
+            for top in tops[0]
         ]
         allowed = _("must be where the crank lies along the cylinder: {angles}")
         return None, tuple(
@@ -63,12 +64,17 @@ def given_firing(
                 angle.text,
                 allowed.format(angles=_(" or ").join(number(float(one), "deg") for one in where)),
             )
-            for (key, angle), where, is_off in zip(given, possible, off, strict=True)
+            for (key, angle), where, is_off in zip(given, possible, off[0], strict=True)
             if is_off
         )
-    order: NDArray[np.intp] = np.argsort(angles, kind="stable")
+    order: NDArray[np.intp] = np.argsort(angles[0], kind="stable")
     in_order: list[str] = [names[i] for i in order.tolist()]
-    return FiringOrder(order, common.makers_numbers(in_order), angles[np.newaxis]), ()
+    return FiringOrder(order, common.makers_numbers(in_order), angles), ()
+
+
+def _side_by_side(numbers: Sequence[Array]) -> Array:
+    """Angles of cylinders, shape (design, cylinder); of one design if all are one number."""
+    return np.atleast_2d(np.stack(np.broadcast_arrays(*numbers), axis=-1))
 
 
 def _by_cylinder(common: CylindersSpec, names: Sequence[str]) -> tuple[list[tuple[str, Given]], tuple[Problem, ...]]:

@@ -9,6 +9,7 @@ from cranktrain.errors import Problem
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts
 from cranktrain.motion import Array
+from cranktrain.numerics.nested import by_design
 from cranktrain.questions.cylinders.declared import Cylinder, cylinder_problems, cylinders_of
 from cranktrain.questions.cylinders.firing import Cycle, FiringOrder, common_order
 from cranktrain.questions.cylinders.firing_order import firing_order_of
@@ -44,14 +45,14 @@ def parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
     """Cylinders, chambers, ports, cycle and firing order."""
     if designs.pistons is None:
         return
-    each = [design.once(cylinders) for design in designs.each]
-    cycle = _table(designs.each[0]).cycle_length
-    yield cylinder_pistons_of(each[0])
-    yield chambers_of(each, len(designs.pistons.names))
-    yield compression_ratios_of(each)
-    yield ports_of(each)
+    own, n_designs = designs.together.once(cylinders), designs.n_designs
+    cycle = _table(designs.together).cycle_length
+    yield cylinder_pistons_of(own)
+    yield chambers_of(own, len(designs.pistons.names), n_designs)
+    yield compression_ratios_of(own, n_designs)
+    yield ports_of(own, n_designs)
     yield None if cycle is None else Cycle(cycle)
-    yield common_order([design.once(firing_order)[0] for design in designs.each])
+    yield common_order(designs.together.once(firing_order)[0], n_designs)
 
 
 def cylinder_pistons_of(cylinders: Sequence[Cylinder]) -> CylinderPistons | None:
@@ -78,23 +79,22 @@ def chamber_names(cylinders: Sequence[Cylinder]) -> list[str]:
     ]
 
 
-def chambers_of(designs: Sequence[Sequence[Cylinder]], n_pistons: int) -> Chambers | None:
+def chambers_of(cylinders: Sequence[Cylinder], n_pistons: int, n_designs: int) -> Chambers | None:
     """Signed area matrix of the working chambers; None where no bore is given."""
-    first = designs[0]
-    bore, rod = (_si(designs, field) for field in ("bore", "piston_rod"))
-    if not first or np.any(np.isnan(bore)):
+    bore, rod = (_si(cylinders, field, n_designs) for field in ("bore", "piston_rod"))
+    if not cylinders or np.any(np.isnan(bore)):
         return None
-    cylinder, sides = _sides(first)
+    cylinder, sides = _sides(cylinders)
     is_head = sides == "head"
     full, rods = np.pi / 4 * bore**2, np.pi / 4 * np.nan_to_num(rod) ** 2
     # A chamber grows as a near piston moves toward the shaft, on the crank's side it shrinks.
     signed = np.where(is_head, full[:, cylinder], -(full - rods)[:, cylinder])
-    areas = np.zeros((len(designs), n_pistons, len(cylinder)))
-    of: list[Cylinder] = [first[i] for i in cylinder.tolist()]
+    areas = np.zeros((n_designs, n_pistons, len(cylinder)))
+    of: list[Cylinder] = [cylinders[i] for i in cylinder.tolist()]
     for column, own in enumerate(of):
         areas[:, list(own.pistons), column] = signed[:, [column]] * np.array(own.signs)
     return Chambers(
-        names=tuple(chamber_names(first)),
+        names=tuple(chamber_names(cylinders)),
         banks=tuple(own.bank for own in of),
         cylinder=cylinder,
         is_head=is_head,
@@ -102,10 +102,10 @@ def chambers_of(designs: Sequence[Sequence[Cylinder]], n_pistons: int) -> Chambe
     )
 
 
-def _si(designs: Sequence[Sequence[Cylinder]], field: str) -> Array:
+def _si(cylinders: Sequence[Cylinder], field: str, n_designs: int) -> Array:
     """Give a field of all cylinders, shape (design, cylinder), NaN where one has none."""
-    given = [[getattr(cylinder.spec, field) for cylinder in design] for design in designs]
-    return np.array([[np.nan if value is None else value.si for value in design] for design in given])
+    given = [getattr(cylinder.spec, field) for cylinder in cylinders]
+    return by_design([np.nan if value is None else value.array for value in given], n_designs)
 
 
 def _sides(cylinders: Sequence[Cylinder]) -> tuple[NDArray[np.intp], NDArray[np.str_]]:
@@ -114,26 +114,26 @@ def _sides(cylinders: Sequence[Cylinder]) -> tuple[NDArray[np.intp], NDArray[np.
     return np.array([i for i, _side in sides], dtype=np.intp), np.array([side for _i, side in sides], dtype=np.str_)
 
 
-def compression_ratios_of(designs: Sequence[Sequence[Cylinder]]) -> CompressionRatios | None:
+def compression_ratios_of(cylinders: Sequence[Cylinder], n_designs: int) -> CompressionRatios | None:
     """Compression ratio of every chamber that has one of its own; None where the leading piston has none.
 
     The common ratio is the first master's; the heads of the other cylinders share its deck and chamber.
     """
-    first, ratio = designs[0], _si(designs, "compression_ratio")
-    cylinder, sides = _sides(first)
+    ratio = _si(cylinders, "compression_ratio", n_designs)
+    cylinder, sides = _sides(cylinders)
     is_head = sides == "head"
     heads = np.flatnonzero(is_head).tolist()
-    leader = next((k for k in heads if first[int(cylinder[k])].is_master), heads[0] if heads else 0)
-    if not first or np.any(np.isnan(ratio[:, cylinder[leader]])):
+    leader = next((k for k in heads if cylinders[int(cylinder[k])].is_master), heads[0] if heads else 0)
+    if not cylinders or np.any(np.isnan(ratio[:, cylinder[leader]])):
         return None
-    has_own = np.array([one.has_own_ratio for one in first])[cylinder]
+    has_own = np.array([one.has_own_ratio for one in cylinders])[cylinder]
     return CompressionRatios(
         value=np.where((cylinder == cylinder[leader]) | ~is_head | has_own, ratio[:, cylinder], np.nan),
         leader=np.where(is_head, leader, np.arange(len(cylinder))),
     )
 
 
-def ports_of(designs: Sequence[Sequence[Cylinder]]) -> Ports | None:
+def ports_of(cylinders: Sequence[Cylinder], n_designs: int) -> Ports | None:
     """Heights of the ports; None where any cylinder lacks one of the two."""
-    height = np.stack([_si(designs, "exhaust_port"), _si(designs, "scavenge_port")], axis=-1)
-    return None if not designs[0] or np.any(np.isnan(height)) else Ports(height)
+    height = np.stack([_si(cylinders, f"{kind}_port", n_designs) for kind in ("exhaust", "scavenge")], axis=-1)
+    return None if not cylinders or np.any(np.isnan(height)) else Ports(height)

@@ -1,6 +1,7 @@
 """Cylinders: their table of the machine file."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Annotated, Any, ClassVar, Literal, cast
 
 from pydantic import Field, model_validator
@@ -29,6 +30,10 @@ class CylinderSpec(Spec, frozen=True):
             "Largest volume over smallest, by the true stroke; a cylinder without its own has the first one's deck."
         ),
     )
+    clearance: Annotated[Given, Quantity(Dimension.RATIO, above=0.0, at_most=100.0)] | None = Field(
+        default=None,
+        description=N_("Smallest volume over the swept one, as compressors have it; instead of compression_ratio."),
+    )
     exhaust_port: PositiveLength | None = Field(
         default=None, description=N_("Height of the exhaust ports, open where the piston is at its outer dead centre.")
     )
@@ -48,9 +53,22 @@ class CylinderSpec(Spec, frozen=True):
     )
 
     def _problems(self) -> Iterator[Problem]:
-        """Find two chambers on one side of a piston."""
+        """Find two chambers on one side of a piston, and room that is given twice."""
+        if self.clearance is not None and self.compression_ratio is not None:
+            yield Problem("clearance", self.clearance.text, _("must not stand beside compression_ratio, which says it"))
         if self.chambers is not None and len(set(self.chambers)) < len(self.chambers):
             yield Problem("chambers", None, _("must name each side once"))
+
+
+def ratio_of(table: CylinderSpec) -> tuple[str, Given] | None:
+    """Compression ratio that a table gives, with the key by which; None where it gives none. ε = 1 + 1/c."""
+    if table.compression_ratio is not None:
+        return "compression_ratio", table.compression_ratio
+    room = table.clearance
+    if room is None:
+        return None
+    column = None if room.column is None else 1 + 1 / room.column
+    return "clearance", replace(room, si=1 + 1 / room.si, column=column)
 
 
 OVERRIDES = "NAME (a bank or cylinder)"

@@ -117,7 +117,7 @@ class CompressionRatios:
         The chamber whose clearance height a chamber without a ratio of its own shares; itself on the crank's side.
     """
 
-    needs: ClassVar[str] = N_("[cylinder] compression_ratio")
+    needs: ClassVar[str] = N_("[cylinder] compression_ratio or clearance")
 
     value: Array
     leader: NDArray[np.intp]

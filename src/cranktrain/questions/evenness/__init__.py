@@ -19,9 +19,9 @@ from cranktrain.questions.evenness import (
 
 
 def _parts(designs: Designs, _known: Parts) -> Iterator[object]:
-    specs = designs.tables(spec.EvennessSpec)
-    if specs:
-        yield from spec.evenness_parts(specs)
+    table = designs.together.table(spec.EvennessSpec)
+    if table is not None:
+        yield from spec.evenness_parts(table, designs)
 
 
 QUESTION = Question(

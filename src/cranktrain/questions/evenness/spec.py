@@ -1,14 +1,14 @@
 """Evenness of running: its table of the machine file, and the parts that it declares."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
-import numpy as np
 from pydantic import Field
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.cycle_table import given_curve
+from cranktrain.layout.design import Designs
 from cranktrain.motion import Array
 from cranktrain.numerics.polyline import Polyline
 from cranktrain.quantities import (
@@ -123,11 +123,11 @@ class EvennessSpec(Spec, frozen=True):
             yield Problem("rim", None, allowed)
 
     @property
-    def inertia(self) -> float | None:
+    def inertia(self) -> Array | None:
         """Moment of inertia of the flywheel, however it is given; None where it is not. [kg·m²]"""
         if self.flywheel is not None:
-            return self.flywheel.si
-        return None if self.flywheel_moment is None else self.flywheel_moment.si / 4
+            return self.flywheel.array
+        return None if self.flywheel_moment is None else self.flywheel_moment.array / 4
 
 
 @record
@@ -188,30 +188,26 @@ class DeclaredRim:
     largest_speed: Array
 
 
-def evenness_parts(specs: Sequence[EvennessSpec]) -> Iterator[object]:
-    """Give the parts that the tables of several designs declare, which differ in numbers alone."""
-    first = specs[0]
-    motors = [spec.motor for spec in specs if spec.motor is not None]
-    yield ShaftLoad(first.load == "quadratic", _motor(motors), first.mean)
-    curves = [spec.load_curve for spec in specs if spec.load_curve is not None]
+def evenness_parts(spec: EvennessSpec, designs: Designs) -> Iterator[object]:
+    """Give the parts that the table of all designs declares."""
+
+    def each(number: Array) -> Array:
+        return designs.by_design([number])[:, 0]
+
+    motor = None
+    if spec.motor is not None:
+        torque, speed, free = spec.motor.torque.array, spec.motor.speed.array, spec.motor.no_load_speed.array
+        motor = LinearMotor(each(free), each(torque / (free - speed)))
+    yield ShaftLoad(spec.load == "quadratic", motor, spec.mean)
+    tables = (design.table(EvennessSpec) for design in designs.each)
+    curves = [table.load_curve for table in tables if table is not None and table.load_curve is not None]
     if curves:
         different = curves if len(set(curves)) > 1 else curves[:1]
         yield LoadCurve(tuple(map(given_curve, different)), curves[0].scale == "balanced")
-    sizes = [spec.inertia for spec in specs if spec.inertia is not None]
-    if sizes:
-        yield GivenFlywheel(np.array(sizes))
-    wanted = [spec.coefficient.si for spec in specs if spec.coefficient is not None]
-    if wanted:
-        yield WantedCoefficient(np.array(wanted))
-    rims = [spec.rim for spec in specs if spec.rim is not None]
-    if rims:
-        demand = RimDemand(*(np.array([getattr(rim, name).si for rim in rims]) for name in RimDemand._fields))
-        yield DeclaredRim(demand, np.array([rim.largest_speed.si for rim in rims]))
-
-
-def _motor(specs: Sequence[MotorSpec]) -> LinearMotor | None:
-    """Straight lines through the two points of every design's motor."""
-    if not specs:
-        return None
-    torque, speed, free = np.array([(spec.torque.si, spec.speed.si, spec.no_load_speed.si) for spec in specs]).T
-    return LinearMotor(free, torque / (free - speed))
+    if spec.inertia is not None:
+        yield GivenFlywheel(each(spec.inertia))
+    if spec.coefficient is not None:
+        yield WantedCoefficient(each(spec.coefficient.array))
+    if spec.rim is not None:
+        demand = RimDemand(*(each(getattr(spec.rim, name).array) for name in RimDemand._fields))
+        yield DeclaredRim(demand, each(spec.rim.largest_speed.array))

@@ -35,10 +35,11 @@ def _problems(design: Design) -> Iterator[Problem]:
 
 
 def _parts(designs: Designs, known: Parts) -> Iterator[object | None]:
-    yield carriers.carriers_of(designs.places[0])
+    yield carriers.carriers_of(designs.places)
     # There are forces where gas presses, whether anything has a mass or not.
-    if designs.each[0].weighed.bodies or all(part in known for part in gas.PRESSING):
-        yield masses_of(designs.places, [design.weighed for design in designs.each])
+    weighed = designs.together.weighed
+    if weighed.bodies or all(part in known for part in gas.PRESSING):
+        yield masses_of(designs.places, weighed, designs.n_designs)
 
 
 def _bodies(design: Design) -> Sequence[str]:

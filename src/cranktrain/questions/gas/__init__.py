@@ -35,11 +35,11 @@ def _fires(spec: FluidSpec) -> bool:
 
 def _parts(designs: Designs, known: Parts) -> Iterator[object | None]:
     if designs.pistons is not None:
-        gas = declared.declared_gas(designs.each)
+        gas = declared.declared_gas(designs)
         yield gas
         if gas is not None and not gas.fires and Cycle not in known:
             yield Cycle(TURN, fires=False)
-        yield powers.losses_of(designs.tables(CylindersSpec))
+        yield powers.losses_of(designs)
 
 
 QUESTION = Question(

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array, Coefficient, single
+from cranktrain.numerics.nested import mapped
 from cranktrain.questions.cylinders.firing import Cycle, Firing, FiringOrder
 from cranktrain.questions.cylinders.travel import CylinderPistons, CylinderTravel
 from cranktrain.questions.cylinders.volumes import Chambers, ChamberVolumes, SweptVolumes
@@ -31,6 +32,9 @@ _DIGITS = 9
 """Of volumes that are one."""
 
 
+_Ready: TypeAlias = tuple[object, ...]
+
+
 class Filling(NamedTuple):
     """Chambers that one table fills: which, as its fluid asks for them, and what its pressure takes."""
 
@@ -42,7 +46,9 @@ class Filling(NamedTuple):
     def of_chamber(self, design: int, place: int) -> Any:
         """What the pressure takes of one chamber of one design."""
         own = int(np.searchsorted(self.places, place))
-        return type(self.ready)(*(part[min(design, len(part) - 1), min(own, part.shape[1] - 1)] for part in self.ready))
+        return mapped(
+            lambda _name, part: part[min(design, len(part) - 1), min(own, part.shape[1] - 1)], cast(_Ready, self.ready)
+        )
 
 
 @record
@@ -98,13 +104,24 @@ class GasInChambers(StageResult):
 
     def pressure(self, angle: Array, volume: Coefficient) -> Array:
         """Absolute pressure in every chamber at φ [rad], where its volume is known, shape (design, chamber, n). [Pa]"""
-        state = chamber_state(volume, self.limits, angle - self.firing, np.array(self.cycle))
-        shape = volume.value.shape
-        found = np.empty(shape)
-        for fluid, places, _rooms, ready in self.fillings:
-            own = ChamberState(*(np.broadcast_to(part, shape)[:, places] for part in state))
-            found[:, places] = fluid.pressure(own, ready)
+        found = np.empty(volume.value.shape)
+        for filling, state in self._states(angle, volume):
+            found[:, filling.places] = filling.fluid.pressure(state, filling.ready)
         return found
+
+    def pressure_slope(self, angle: Array, volume: Coefficient) -> Array:
+        """Derivative of `pressure` by the crank angle, (design, chamber, n); of its jumps it has nothing. [Pa/rad]"""
+        found = np.empty(volume.value.shape)
+        for filling, state in self._states(angle, volume):
+            found[:, filling.places] = filling.fluid.slope(state, volume.first[:, filling.places], filling.ready)
+        return found
+
+    def _states(self, angle: Array, volume: Coefficient) -> Iterator[tuple[Filling, ChamberState]]:
+        """State of the chambers of each table."""
+        state = chamber_state(volume, self.limits, angle - self.firing, np.array(self.cycle))
+        for filling in self.fillings:
+            parts = (np.broadcast_to(part, volume.value.shape)[:, filling.places] for part in state)
+            yield filling, ChamberState(*parts)
 
     def pressure_of(self, design: int, place: int, angle: Array, volume: Coefficient) -> Array:
         """Absolute pressure in one chamber of one design, angles since its nominal firing, shape (n,). [Pa]"""

@@ -1,6 +1,6 @@
 """The fluids of the machine file, as numbers: which table fills which chamber."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from typing import Any, ClassVar, NamedTuple, cast
 
 import numpy as np
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from cranktrain.errors import Problem
 from cranktrain.fluids import KINDS, AnyFluid, FluidSpec, fluid_of, of_designs, table_path
 from cranktrain.language import N_, _
-from cranktrain.layout.design import Design
+from cranktrain.layout.design import Design, Designs
 from cranktrain.paths import quantity_path
 from cranktrain.questions.cylinders.parts import chamber_names, chamber_sides, cylinders
 from cranktrain.record import record
@@ -74,19 +74,19 @@ def _names(design: Design) -> list[tuple[str, ...]]:
     ]
 
 
-def declared_gas(designs: Sequence[Design]) -> DeclaredGas | None:
+def declared_gas(designs: Designs) -> DeclaredGas | None:
     """Take the numbers of all designs; None where they have no gas."""
-    each = [gas_tables(design) for design in designs]
-    if not each[0]:
+    given = gas_tables(designs.together)
+    if not given:
         return None
+    each = [gas_tables(design) for design in designs.each]
     tables: list[GasTable] = []
-    for path in each[0]:
-        specs = [of_design[path] for of_design in each]
-        fluid = fluid_of(specs[0])
-        flags = dict.fromkeys(flag for spec in specs for flag in fluid.flags(spec))
-        tables.append(GasTable(path, fluid, of_designs([fluid.numbers(spec) for spec in specs]), tuple(flags)))
-    paths = list(each[0])
-    filled = [paths.index(path) for path in filled_by(designs[0]) if path is not None]
+    for path, spec in given.items():
+        fluid = fluid_of(spec)
+        flags = dict.fromkeys(flag for tables_of in each for flag in fluid.flags(tables_of[path]))
+        tables.append(GasTable(path, fluid, of_designs(fluid.numbers(spec), designs.n_designs), tuple(flags)))
+    paths = list(given)
+    filled = [paths.index(path) for path in filled_by(designs.together) if path is not None]
     return DeclaredGas(tuple(tables), np.array(filled, dtype=np.intp))
 
 

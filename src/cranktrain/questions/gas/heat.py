@@ -42,7 +42,6 @@ def has_heat(gas: DeclaredGas) -> bool:
 def heat_balance(gas: GasInChambers) -> HeatBalance:
     """Heat, loss and work of the working turn; docs/theory/gas, eq. (14.22)."""
     burning = gas.filled_with(BurningChambers)
-    heat, loss, work = (
-        gas.by_chamber((one, getattr(one.ready, name)[..., 0]) for one in burning) for name in ("heat", "loss", "work")
-    )
+    heat = gas.by_chamber((one, one.ready.heat) for one in burning)
+    loss, work = (gas.by_chamber((one, getattr(one.ready.curve, name)) for one in burning) for name in ("loss", "work"))
     return HeatBalance(released_heat=heat, wall_loss=loss, working_turn_efficiency=work / heat)

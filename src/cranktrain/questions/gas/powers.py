@@ -1,6 +1,5 @@
 """Powers: of the gas on the pistons, what friction takes of it, and what comes out at the shaft."""
 
-from collections.abc import Sequence
 from typing import ClassVar
 
 import numpy as np
@@ -8,6 +7,7 @@ import numpy as np
 from cranktrain.catalogue import quantity
 from cranktrain.fluids.work import friction_power, friction_power_by_efficiency, indicated_power
 from cranktrain.language import N_, _
+from cranktrain.layout.design import Designs
 from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.questions.cylinders.firing import Cycle
@@ -67,10 +67,11 @@ class Losses:
     pressure: Array
 
 
-def losses_of(cylinders: Sequence[CylindersSpec]) -> Losses | None:
+def losses_of(designs: Designs) -> Losses | None:
     """Take what the file says of friction; None where it says nothing."""
-    declared = [(spec.mechanical_efficiency, spec.friction_pressure) for spec in cylinders]
-    found = np.array([[np.nan if given is None else given.si for given in design] for design in declared])
+    spec = designs.together.table(CylindersSpec) or CylindersSpec()
+    declared = (spec.mechanical_efficiency, spec.friction_pressure)
+    found = designs.by_design([np.nan if given is None else given.array for given in declared])
     return None if np.all(np.isnan(found)) else Losses(*found.T)
 
 

@@ -1,6 +1,6 @@
 """Pressure of the gas over the cycle, its force on every piston, and, whatever the grid, its work and its peak."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,6 +44,9 @@ class GasPressures(StageResult):
     """Pressure of the gas, and what it does."""
 
     gas_pressure: Array = quantity("p", "Pa", _CURVE, N_("Absolute pressure in the chamber"), _THEORY)
+    gas_pressure_slope: Array = quantity(
+        "p′", "Pa/rad", _CURVE, N_("Derivative of the pressure by the crank angle, where it does not jump"), _THEORY
+    )
     gas_force: Array = quantity(
         "P_g", "N", ("piston", "crank_angle"), N_("Force of the gas less ambient pressure, toward the shaft"), _THEORY
     )
@@ -56,6 +59,14 @@ class GasPressures(StageResult):
     )
     peak_pressure_after: Array = quantity(
         "α(p_max)", "deg", _CHAMBER, N_("Largest pressure after the least volume"), _THEORY
+    )
+    steepest_pressure_rise: Extreme = extreme(
+        "p′_max",
+        "Pa/rad",
+        _CHAMBER,
+        N_("Largest rise of the pressure by the crank angle, where it does not jump"),
+        N_("Crank angle of the largest rise of the pressure"),
+        _THEORY,
     )
 
     def answer(self, names: Names, design: int) -> str:
@@ -84,15 +95,23 @@ def gas_pressures(
     # In closed form, or exactly over what was laid through samples.
     work = gas.by_chamber((one, one.fluid.work(one.ready, one.rooms)) for one in gas.fillings)
     firing, _opposite = gas.dead_centres(travel)
-    after, peak = _peaks(gas, events, firing, crank_angle, pressure)
+
+    def shown(after: Array) -> Array:
+        return crank_angle.counted((firing + after)[..., np.newaxis], gas.cycle)[..., 0]
+
+    slope = gas.pressure_slope(phi, volume)
+    crest = _largest(gas, events, firing, crank_angle, pressure, gas.pressure)
+    rise = _largest(gas, events, firing, crank_angle, slope, gas.pressure_slope)
     return GasPressures(
         gas_pressure=pressure,
+        gas_pressure_slope=slope,
         gas_force=gas.force(pressure),
         indicated_work=work,
         indicated_mean_pressure=work / swept.swept_volume,
-        peak_pressure=Extreme(crank_angle.counted((firing + after)[..., np.newaxis], gas.cycle)[..., 0], peak),
-        peak_pressure_after=after,
-        flags=tuple(_unlikely_pressures(gas, work > 0, peak)),
+        peak_pressure=Extreme(shown(crest.angle), crest.value),
+        peak_pressure_after=crest.angle,
+        steepest_pressure_rise=Extreme(shown(rise.angle), rise.value),
+        flags=tuple(_unlikely_pressures(gas, work > 0, crest.value)),
     )
 
 
@@ -104,22 +123,30 @@ def _unlikely_pressures(gas: GasInChambers, fires: NDArray[np.bool_], peak: Arra
     yield from flagged(_PEAK_PRESSURE, peak[fires])
 
 
-def _peaks(
-    gas: GasInChambers, events: GasEvents, firing: Array, crank_angle: CrankAngle, pressure: Array
-) -> tuple[Array, Array]:
-    """Angle of the largest pressure after the dead centre at firing, and the pressure, shape (design, chamber)."""
+def _largest(
+    gas: GasInChambers,
+    events: GasEvents,
+    firing: Array,
+    crank_angle: CrankAngle,
+    samples: Array,
+    find: Callable[[Array, Coefficient], Array],
+) -> Extreme:
+    """Largest of what is found in chambers by φ and their volumes, shape (design, chamber).
+
+    At an angle after the dead centre at firing.
+    """
     places = gas.distinct
     n_rows, zero = len(gas.firing) * len(places), crank_angle.zero
 
     def own(which: NDArray[np.intp], shown: Array) -> Array:
-        """Pressure in the distinct chambers at their own angles, shape (p, k)."""
+        """It in the distinct chambers at their own angles, shape (p, k)."""
         asked, slot = in_slots(which, shown, n_rows)
         phi = asked.reshape(len(gas.firing), len(places), -1) + zero
-        found = gas.at_own(phi, places, lambda angle: gas.pressure(angle, gas.volume(angle)))
+        found = gas.at_own(phi, places, lambda angle: find(angle, gas.volume(angle)))
         return found.reshape(asked.shape)[which, slot]
 
-    found = largest_between(own, crank_angle.shown, pressure[:, places], events.angle[:, places] - zero)
+    found = largest_between(own, crank_angle.shown, samples[:, places], events.angle[:, places] - zero)
     after = around_zero(found.angle + zero[..., 0] - firing[:, places])
     after = np.where(np.abs(after) <= ANGLE_ROUNDING, 0.0, after)
     design = np.arange(len(gas.firing))[:, np.newaxis]
-    return after[design, gas.among_distinct], found.value[design, gas.among_distinct]
+    return Extreme(after[design, gas.among_distinct], found.value[design, gas.among_distinct])

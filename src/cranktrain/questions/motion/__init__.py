@@ -20,10 +20,10 @@ from cranktrain.questions.motion import (
 
 
 def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
-    yield points.link_points_of(designs.places)
-    yield followed.followed_of(followed.FollowedLinks, designs.places[0])
-    yield followed.followed_of(followed.FollowedSliders, designs.places[0])
-    yield rocker_load.load_radius_of([design.driving("rocker") for design in designs.each])
+    yield points.link_points_of(designs)
+    yield followed.followed_of(followed.FollowedLinks, designs.places)
+    yield followed.followed_of(followed.FollowedSliders, designs.places)
+    yield rocker_load.load_radius_of(designs)
 
 
 QUESTION = Question(

@@ -1,6 +1,5 @@
 """Points on links: coupler curves, centres of mass, whatever a machine file asks to follow."""
 
-from collections.abc import Sequence
 from typing import ClassVar
 
 import numpy as np
@@ -9,11 +8,10 @@ from cranktrain.catalogue import coefficients
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.design import Design
+from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.mechanisms import Mechanisms
-from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage import LinkPoint, point
-from cranktrain.motion import Array, Coefficient, Link, Point
+from cranktrain.motion import ZERO, Array, Coefficient, Link, Point
 from cranktrain.questions.motion.followed import Followed, followed_parts
 from cranktrain.record import record
 
@@ -51,34 +49,29 @@ def point_problems(design: Design) -> tuple[Problem, ...]:
     )
 
 
-def link_points_of(designs: Sequence[Sequence[PlacedMechanism]]) -> LinkPoints | None:
+def link_points_of(designs: Designs) -> LinkPoints | None:
     """Collect the points of every mechanism, and its joints that have names; None where there are none."""
-    first = [
+    found = [
         (i, place, name, is_joint)
-        for i, place in enumerate(designs[0])
+        for i, place in enumerate(designs.places)
         for names, is_joint in ((place.spec.points, False), (place.kind.joints, True))
         for name in names
     ]
-    if not first:
+    if not found:
         return None
 
     def lengths(field: str) -> Array:
-        return np.array(
-            [
-                [
-                    [0.0 if is_joint else getattr(design[i].spec.points[name], field).si]
-                    for i, _p, name, is_joint in first
-                ]
-                for design in designs
-            ]
-        )
+        numbers = [
+            ZERO if is_joint else getattr(place.spec.points[name], field).array for _i, place, name, is_joint in found
+        ]
+        return designs.by_design(numbers)[..., np.newaxis]
 
     along, across = lengths("along"), lengths("across")
-    sense = np.array([[[design[i].sense] for i, *_rest in first] for design in designs])
+    sense = np.array([[place.sense] for _i, place, *_rest in found])
     return LinkPoints(
-        names=tuple(f"{place.name}.{name}" for _i, place, name, _j in first),
-        mechanism=np.array([i for i, _p, _n, _j in first], dtype=np.intp),
-        parts=tuple(name if is_joint else place.spec.points[name].link for _i, place, name, is_joint in first),
+        names=tuple(f"{place.name}.{name}" for _i, place, name, _j in found),
+        mechanism=np.array([i for i, _p, _n, _j in found], dtype=np.intp),
+        parts=tuple(name if is_joint else place.spec.points[name].link for _i, place, name, is_joint in found),
         geometry=LinkPoint(np.hypot(along, across), sense * np.arctan2(across, along)),
     )
 

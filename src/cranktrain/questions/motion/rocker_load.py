@@ -1,14 +1,13 @@
 """The load of a rocker, carried at a radius about its pivot: travel and torque factor."""
 
-from collections.abc import Sequence
 from typing import ClassVar
 
 import numpy as np
 
 from cranktrain.catalogue import coefficients, quantity
 from cranktrain.language import N_, _
+from cranktrain.layout.design import Designs
 from cranktrain.layout.mechanisms import Rockers
-from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.crank_rocker import CrankRockerSpec
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import extremes
@@ -34,18 +33,15 @@ class LoadRadius:
     value: Array
 
 
-def load_radius_of(designs: Sequence[Sequence[PlacedMechanism]]) -> LoadRadius | None:
+def load_radius_of(designs: Designs) -> LoadRadius | None:
     """Collect the load radius of every rocker, NaN for one that carries no load; None where there is none at all."""
     radii = [
-        [
-            place.sense * place.spec.load_radius.si * _DIRECTIONS[place.spec.load_direction]
-            if isinstance(place.spec, CrankRockerSpec) and place.spec.load_radius is not None
-            else np.nan
-            for place in design
-        ]
-        for design in designs
+        place.sense * place.spec.load_radius.array * _DIRECTIONS[place.spec.load_direction]
+        if isinstance(place.spec, CrankRockerSpec) and place.spec.load_radius is not None
+        else np.nan
+        for place in designs.together.driving("rocker")
     ]
-    value = np.array(radii)[..., np.newaxis]
+    value = designs.by_design(radii)[..., np.newaxis]
     return None if np.all(np.isnan(value)) else LoadRadius(value)
 
 

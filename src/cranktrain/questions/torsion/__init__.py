@@ -21,9 +21,9 @@ def _problems(design: Design) -> Iterator[Problem]:
 
 
 def _parts(designs: Designs, _known: Parts) -> Iterator[object]:
-    specs = designs.tables(TorsionSpec)
-    if specs:
-        yield declared_train(specs, len(designs.each[0].shafts[MAIN].throws))
+    table = designs.together.table(TorsionSpec)
+    if table is not None:
+        yield declared_train(table, len(designs.together.shafts[MAIN].throws), designs.n_designs)
 
 
 QUESTION = Question(

@@ -1,6 +1,6 @@
 """The declared train of several designs as SI arrays, in the order of Holzer's table; and what does not fit it."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from itertools import permutations
 from math import prod
 from typing import ClassVar
@@ -13,7 +13,8 @@ from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design
 from cranktrain.layout.specs import MAIN
-from cranktrain.motion import Array
+from cranktrain.motion import ONE, ZERO, Array
+from cranktrain.numerics.nested import by_design
 from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.record import record
 
@@ -54,23 +55,19 @@ class DeclaredTrain:
     ratio: Array
 
 
-def declared_train(specs: Sequence[TorsionSpec], n_throws: int) -> DeclaredTrain:
-    """Put the discs of several designs, which differ in numbers alone, into one order."""
-    order, following = _order(specs[0], n_throws)
+def declared_train(spec: TorsionSpec, n_throws: int, n_designs: int = 1) -> DeclaredTrain:
+    """Put the discs of all designs into one order."""
+    order, following = _order(spec, n_throws)
+    inertias, shafts = _inertias(spec, n_throws), _shafts(spec, n_throws)
     at = {node: place for place, node in enumerate(order)}
     return DeclaredTrain(
         names=tuple(map(str, order)),
         throws=np.array([at[throw] for throw in range(1, n_throws + 1)], dtype=np.intp),
         following=np.array([at[following[node]] for node in order[:-1]], dtype=np.intp),
-        free_end=at[specs[0].free_end or 1],
-        inertia=np.array([[of[node] for node in order] for of in (_inertias(spec, n_throws) for spec in specs)]),
-        stiffness=np.array(
-            [
-                [of[frozenset((node, following[node]))] for node in order[:-1]]
-                for of in (_shafts(spec, n_throws) for spec in specs)
-            ]
-        ),
-        ratio=np.array([[_ratio(spec, node) for node in order] for spec in specs]),
+        free_end=at[spec.free_end or 1],
+        inertia=by_design([inertias[node] for node in order], n_designs),
+        stiffness=by_design([shafts[frozenset((node, following[node]))] for node in order[:-1]], n_designs),
+        ratio=by_design([_ratio(spec, node) for node in order], n_designs),
     )
 
 
@@ -96,26 +93,26 @@ def _order(spec: TorsionSpec, n_throws: int) -> tuple[list[Node], dict[Node, Nod
     return backward[::-1], following
 
 
-def _shafts(spec: TorsionSpec, n_throws: int) -> dict[frozenset[Node], float]:
+def _shafts(spec: TorsionSpec, n_throws: int) -> dict[frozenset[Node], Array]:
     """Stiffness of every shaft by the two that it joins, referred to the crank, in the order of the file. [N·m/rad]"""
-    gaps = [gap.si for gap in spec.stiffness or ()]
+    gaps = [gap.array for gap in spec.stiffness or ()]
     gaps = gaps * (n_throws - 1) if len(gaps) == 1 else gaps
-    found: dict[frozenset[Node], float] = {frozenset((throw, throw + 1)): gap for throw, gap in enumerate(gaps, 1)}
+    found: dict[frozenset[Node], Array] = {frozenset((throw, throw + 1)): gap for throw, gap in enumerate(gaps, 1)}
     return found | {
-        frozenset((name, _node(spec, disc.beside))): disc.stiffness.si * _ratio(spec, name) ** 2
+        frozenset((name, _node(spec, disc.beside))): disc.stiffness.array * _ratio(spec, name) ** 2
         for name, disc in spec.disc.items()
         if disc.stiffness is not None
     }
 
 
-def _inertias(spec: TorsionSpec, n_throws: int) -> dict[Node, float]:
+def _inertias(spec: TorsionSpec, n_throws: int) -> dict[Node, Array]:
     """Declared inertia of everything that moves by itself, with what sits on it rigidly. [kg·m²]"""
-    throws = [inertia.si for inertia in spec.throw_inertia or ()] or [0.0]
+    throws = [inertia.array for inertia in spec.throw_inertia or ()] or [ZERO]
     throws = throws * n_throws if len(throws) == 1 else throws
-    found: dict[Node, float] = dict(enumerate(throws, 1))
+    found: dict[Node, Array] = dict(enumerate(throws, 1))
     for name, disc in spec.disc.items():
         node = _node(spec, name)
-        found[node] = found.get(node, 0.0) + disc.inertia.si * _ratio(spec, name) ** 2
+        found[node] = found.get(node, ZERO) + disc.inertia.array * _ratio(spec, name) ** 2
     return found
 
 
@@ -132,9 +129,9 @@ def _node(spec: TorsionSpec, name: Node) -> Node:
     return next(node for node in _inward(spec, name) if isinstance(node, int) or spec.disc[node].stiffness is not None)
 
 
-def _ratio(spec: TorsionSpec, name: Node) -> float:
+def _ratio(spec: TorsionSpec, name: Node) -> Array:
     """Turns of a throw or a disc for one of the crank."""
-    return prod((spec.disc[node].ratio.si for node in _inward(spec, name) if isinstance(node, str)), start=1.0)
+    return prod((spec.disc[node].ratio.array for node in _inward(spec, name) if isinstance(node, str)), start=ONE)
 
 
 def torsion_problems(spec: TorsionSpec, design: Design) -> Iterator[Problem]:

@@ -6,10 +6,12 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.machine import Machine
-from cranktrain.plans.constructions import Construction, Method, construction, largest_errors
+from cranktrain.plans.constructions import Construction, Method, construction
 from cranktrain.plans.placement import slider_crank_called
 from cranktrain.plans.positions import chosen_scale, scale_words
 from cranktrain.questions.cylinders.declared import cylinders_of
+from cranktrain.textbook.largest_errors import errors_by_ratio
+from cranktrain.textbook.percents import percent
 from cranktrain.viz.figures import figure, rounded
 from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings
 from cranktrain.viz.paper.style import MUTED
@@ -164,18 +166,25 @@ def _notes(found: Construction) -> Iterator[str]:
     if found.method.startswith("brix"):
         distance = f"OP = λR/2 = {figure(-1e3 * found.pole)} mm"
         yield _("{distance}, away from the cylinder").format(distance=distance)
-        drawn, formula = (100.0 * error for error in largest_errors(found.geometry))
-        yield _("Largest errors of S here: Brix {drawn:.2g} %, (333) {formula:.2g} %.").format(
-            drawn=drawn, formula=formula
-        )
-    limits = found.limits
-    if limits is not None:
-        is_outside = limits.outside(found.geometry.crank_radius / found.geometry.rod_length, found.geometry.offset)
-        verdict = _("outside, {ratio}") if is_outside else _("inside, {ratio}")
-        yield _("Range of the source: {condition}.").format(condition=_(limits.condition))
-        yield _("This mechanism: {verdict} [{source}].").format(
-            verdict=verdict.format(ratio=f"λ = {found.ratio:.4g}"), source=limits.source
-        )
+    yield from _range(found)
     yield _("φ from where the crank points along the cylinder, S from the top;")
     yield _("seen from the free end and turned, the cylinder at the right.")
     yield _("M: dead positions; letters of [{source}].").format(source=_SOURCE)
+
+
+def _range(found: Construction) -> Iterator[str]:
+    """The source's range, whether this mechanism is inside, and how exact Brix's construction is beside (333)."""
+    limits = found.limits
+    if limits is None:
+        return
+    reasons = list(limits.reasons(found.ratio, float(found.geometry.offset)))
+    yield _("Range of the source: {condition} [{source}].").format(condition=_(limits.condition), source=limits.source)
+    for reason in reasons:
+        yield _("This mechanism is outside: {reason}.").format(reason=reason)
+    if not reasons:
+        yield _("This mechanism is inside, λ = {ratio:.4g}.").format(ratio=found.ratio)
+    if found.method == "brix" and found.geometry.offset == 0:
+        errors = (errors_by_ratio(method, found.ratio).displacement.value for method in ("brix", "two_harmonics"))
+        said = [f"{percent(float(error))} %" for error in errors]
+        yield _("Less exact than (333): off by {brix} of the stroke,").format(brix=said[0])
+        yield _("not {harmonics}; arcs are exact.").format(harmonics=said[1])

@@ -7,6 +7,7 @@ import numpy as np
 from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
+from cranktrain.plans.positions import plan_angles
 from cranktrain.plans.schemes import MarkedAngle, Scheme, scheme
 from cranktrain.plans.vectors import angle_of, spoken_name
 from cranktrain.quantities import shown
@@ -15,7 +16,15 @@ from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels
 from cranktrain.viz.paper.page import Box, Figure, drawing_settings, mathematics
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
-from cranktrain.viz.plans.sheet import centre, few_angles, fitted_scale, plan_page, scale_of, write_beside, write_scales
+from cranktrain.viz.plans.sheet import (
+    centre,
+    fitted_scale,
+    plan_page,
+    refuse_more,
+    scale_of,
+    write_beside,
+    write_scales,
+)
 from cranktrain.viz.plans.sketches import frame_lines, sides_of
 
 _COLUMNS = (0.76, 1.0)
@@ -54,7 +63,8 @@ def plan_scheme(
     -------
     Figure
     """
-    chosen = few_angles(angles, _("a scheme"))
+    chosen = plan_angles(angles)
+    refuse_more(1, len(chosen), _("must be one for a scheme"))
     found = scheme(machine, float(chosen[0]), mechanism=mechanism, letters=letters)
     title = _("Scheme with the letters of fig. {figure} of [{source}]").format(figure=found.figure, source=found.source)
     page, box = plan_page(machine, [found.angle], size, title, mechanism, has_key=False)

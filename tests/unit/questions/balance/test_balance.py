@@ -7,7 +7,7 @@ import pytest
 from tests.machines import RADIUS, ROD, V12, banks, slave, slider, throws
 
 import cranktrain as ct
-from cranktrain.analysis.parts import designs_of, parts_of
+from cranktrain.analysis.parts import parts_of
 from cranktrain.layout.crank_angle import HIGHEST_ORDER, CrankAngle
 from cranktrain.layout.frames import Frames
 from cranktrain.layout.masses import Masses
@@ -329,7 +329,7 @@ def test_without_spacing_the_couple_is_missing():
 def check_of(**changes):
     """The momentum's check, with parts of the machine put wrong."""
     machine = ct.Machine(**V12, masses=PISTON | CRANK)
-    parts = parts_of(designs_of([machine]), machine.cycle, step=np.pi / 180)
+    parts = parts_of([machine], step=np.pi / 180)
     needs = {kind: parts[kind] for kind in (Mechanisms, Carriers, Masses, Frames, Throws, CrankAngle)}
     needs |= {type(part): part for part in changes.values()}
     return frame_forces(*needs.values()).checks[0], parts

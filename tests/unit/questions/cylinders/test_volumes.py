@@ -166,3 +166,25 @@ def test_pressures_push_their_own_pistons():
     )
     pressure = np.array([[[7.0, 4.0], [1.0, 6.0], [np.nan, 2.0]]])
     np.testing.assert_array_equal(chambers.pushed(pressure), [[[19.0, 0.0], [np.nan, 10.0], [np.nan, 10.0]]])
+
+
+def compressor_with(**cylinder):
+    mechanism = {"kind": "slider_crank", "stroke": "100 mm", "rod_length": "250 mm"}
+    return {"mechanism": mechanism, "cylinder": {"bore": "90 mm", **cylinder}}
+
+
+def test_clearance_is_the_ratio_said_by_compressors():
+    """c = 8 %: V₁/V_c = 1 + 1/0.08 = 13.5."""
+    result = ct.run(ct.Machine(**compressor_with(clearance="8 %")))
+    assert result.compression_ratio[0] == pytest.approx(13.5, rel=1e-15)
+    assert (result.clearance_volume / result.swept_volume)[0] == pytest.approx(0.08, rel=1e-14)
+
+
+def test_the_nearer_of_clearance_and_ratio_counts():
+    machine = ct.Machine(**compressor_with(compression_ratio=9, **{"1": {"clearance": 0.25}}))
+    assert ct.run(machine).compression_ratio.tolist() == [5.0]
+
+
+def test_clearance_beside_the_ratio_is_refused():
+    with pytest.raises(ct.InputError, match=r"cylinder.clearance = 8 %: must not stand beside compression_ratio"):
+        ct.Machine(**compressor_with(compression_ratio=9, clearance="8 %"))

@@ -189,7 +189,7 @@ class TestVectorSums:
     def test_on_a_rigid_shaft_they_are_the_phase_stars(self, name):
         """As the stage gives them for a mode in which all discs turn as one."""
         from cranktrain.analysis import STAGES
-        from cranktrain.analysis.parts import designs_of, parts_of
+        from cranktrain.analysis.parts import parts_of
         from cranktrain.analysis.stages import lacking, run_stages
 
         disc = {"rotor": {"inertia": "2 kg·m²", "beside": 1, "stiffness": "2 MN·m/rad"}}
@@ -198,7 +198,7 @@ class TestVectorSums:
         if len(machine.main_shaft.throws) > 1:
             table["stiffness"] = "1 MN·m/rad"
         machine = machine.with_({"torsion": table})
-        parts = parts_of(designs_of([machine]), machine.cycle, step=np.radians(90))
+        parts = parts_of([machine], step=np.radians(90))
         known = parts | run_stages(STAGES, parts, lacking(STAGES, parts))
         modes = known[TorsionalModes]
         rigid = dataclasses.replace(modes, mode_shape=np.ones_like(modes.mode_shape[:, :1]))

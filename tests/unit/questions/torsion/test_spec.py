@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from cranktrain.columns import in_columns
 from cranktrain.errors import InputError
 from cranktrain.questions.torsion.parts import declared_train
 from cranktrain.questions.torsion.spec import TorsionSpec
@@ -14,7 +15,7 @@ def disc(beside, stiffness=None, **more):
 
 
 def train(n_throws=2, **table):
-    return declared_train([validated(TorsionSpec, table)], n_throws)
+    return declared_train(validated(TorsionSpec, table), n_throws)
 
 
 SOFT, STIFF = "1 kN·m/rad", "1 MN·m/rad"
@@ -154,4 +155,4 @@ def test_designs_differ_in_numbers():
         validated(TorsionSpec, {"disc": {"flywheel": disc(1, stiffness)}, "throw_inertia": "1 kg·m²"})
         for stiffness in (SOFT, STIFF)
     ]
-    np.testing.assert_array_equal(declared_train(specs, 1).stiffness, [[1e3], [1e6]])
+    np.testing.assert_array_equal(declared_train(in_columns(specs), 1, 2).stiffness, [[1e3], [1e6]])

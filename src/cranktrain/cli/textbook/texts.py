@@ -1,0 +1,63 @@
+"""The texts on the screen: which there are, and what one of them holds, formula by formula."""
+
+from collections import Counter
+from collections.abc import Iterator
+
+from rich.text import Text
+
+from cranktrain.cli.screen.text import INDENT, page, section, table
+from cranktrain.language import _
+from cranktrain.references import REFERENCES
+from cranktrain.textbook.texts import TEXTS, Formula
+from cranktrain.textbook.texts import Text as Source
+
+
+def show_texts() -> None:
+    """Show which texts there are, with how many of their formulas are right."""
+    with page(_("The texts whose formulas stand beside the exact ones")) as console:
+        for text in TEXTS:
+            lines = [_(text.title), _counted(text), REFERENCES[text.name].text]
+            section(console, text.name, lines)
+        go_on = [
+            _("`cranktrain textbook --source NAME`: what one of them holds, formula by formula"),
+            _("`cranktrain textbook FILE`: how far their forms are off for a machine"),
+            _("`cranktrain textbook errata`: what is wrong in them"),
+        ]
+        section(console, _("To go on"), go_on)
+
+
+def _counted(text: Source) -> str:
+    """Say how many formulas and figures a text has, by verdict."""
+    by_verdict = Counter(one.said_verdict for one in text.formulas)
+    return _("{n} formulas and figures: {verdicts}").format(
+        n=len(text.formulas), verdicts="; ".join(f"{n} {verdict}" for verdict, n in by_verdict.items())
+    )
+
+
+def show_text(text: Source, *, has_forms: bool) -> None:
+    """Show every formula and figure of a text: what it is, whether it is right, and the command that shows it.
+
+    `has_forms` says whether it has any for machines.
+    """
+    with page(f"[{text.name}] {_(text.title)}") as console:
+        width = console.width - INDENT
+        section(console, _("Source"), [REFERENCES[text.name].text])
+        for one in text.formulas:
+            section(console, f"{one.number}  {_(one.subject)}", _lines(one, width))
+        section(console, _("To go on"), _go_on(text, has_forms=has_forms))
+
+
+def _lines(one: Formula, width: int) -> Iterator[Text]:
+    """What is said of a formula below its heading; the command is not folded, so that it can be copied."""
+    rows = [(_("it is"), one.said_verdict), (_("range"), _(one.valid)), (_("mind"), _(one.note)), (_("see"), "")]
+    lines = table(("", ""), [row for row in rows if row[1]], fold=width)
+    yield from lines
+    if one.command:
+        yield table(("", ""), [*rows, (_("see"), one.command)])[-1]
+
+
+def _go_on(text: Source, *, has_forms: bool) -> Iterator[str]:
+    """Say what else shows the text."""
+    if has_forms:
+        yield _("`cranktrain textbook FILE --source {name}`: its forms for a machine of yours").format(name=text.name)
+    yield _("`cranktrain textbook errata --source {name}`: its errors").format(name=text.name)

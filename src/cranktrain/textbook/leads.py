@@ -1,0 +1,94 @@
+"""The rule of [bolotin] for the lead of opposed pistons: its ranges, as data, and what is outside them, and why.
+
+Of the exhaust crank: 10–15° in engines that turn one way, 5–10° in those that reverse, because astern the lead Δ is
+−Δ, the scavenge ports open first, and gas blows back into the receiver.
+"""
+
+from collections.abc import Iterator, Sequence
+from math import isfinite
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.grouping import places_of_equal
+from cranktrain.language import N_, _
+from cranktrain.motion import Array
+from cranktrain.wording import number, ranged
+
+SOURCE = "bolotin"
+_ROUNDING = np.radians(1e-3)
+"""Leads are written in whole or tenths of a degree; those of throws at 51.43° have a little more. [rad]"""
+
+
+class LeadRange(NamedTuple):
+    """Leads that suit some engines [rad], and in words which and how much."""
+
+    least: float
+    most: float
+    engines: str
+    condition: str
+
+    def holds(self, lead: float) -> bool:
+        """Tell whether a lead is in the range."""
+        return self.least - _ROUNDING <= lead <= self.most + _ROUNDING
+
+
+ONE_WAY = LeadRange(np.radians(10.0), np.radians(15.0), N_("engines that turn one way"), "10–15°")
+REVERSING = LeadRange(np.radians(5.0), np.radians(10.0), N_("engines that reverse"), "5–10°")
+
+
+def verdict(lead: float) -> str:
+    """Say which engines a lead suits by the source's rule.
+
+    Parameters
+    ----------
+    lead : float
+        Δ of the exhaust crank, in the sense in which the engine runs; less than 0 it is behind, as of an engine that
+        reverses and runs astern. [rad]
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> print(verdict(np.radians(12.0)))
+    suits engines that turn one way (10–15°), too much for engines that reverse (5–10°)
+    """
+    said = ", ".join(_one_verdict(one, abs(lead)) for one in _ranges(lead))
+    return _("behind, as only astern: {verdict}").format(verdict=said) if lead < 0 else said
+
+
+def is_unsuited(lead: float) -> bool:
+    """Tell whether a lead [rad] is in none of the ranges that the engine may belong to; NaN is no lead."""
+    return isfinite(lead) and not any(one.holds(abs(lead)) for one in _ranges(lead))
+
+
+def _ranges(lead: float) -> tuple[LeadRange, ...]:
+    """Ranges that an engine may belong to: one that runs astern reverses."""
+    return (REVERSING,) if lead < 0 else (ONE_WAY, REVERSING)
+
+
+def _one_verdict(one: LeadRange, size: float) -> str:
+    """Say whether a range holds a lead, or what the lead is for it."""
+    words = (
+        _("suits {engines} ({range})")
+        if one.holds(size)
+        else _("too little for {engines} ({range})")
+        if size < one.least
+        else _("too much for {engines} ({range})")
+    )
+    return words.format(engines=_(one.engines), range=one.condition)
+
+
+def lead_flags(cylinders: Sequence[str], leads: Array) -> Iterator[str]:
+    """Flag leads [rad], shape (design, cylinder), that are outside the source's ranges; NaN is no lead."""
+    columns: list[list[float]] = leads.T.tolist()
+    firsts = [next(filter(is_unsuited, column), None) for column in columns]
+    for (lead, said), members in places_of_equal(
+        ("", "") if lead is None else (number(lead, "deg"), verdict(lead)) for lead in firsts
+    ).items():
+        if said:
+            yield _("the lead of {cylinders}, {lead}, is outside its source's range: {reason} [{source}]").format(
+                cylinders=ranged(cylinders, members), lead=lead, reason=said, source=SOURCE
+            )

@@ -1,0 +1,72 @@
+"""What a text holds: its formulas and figures, each with its range, its verdict and the command that shows it."""
+
+from typing import Literal
+
+from cranktrain.language import N_, _
+from cranktrain.record import record
+
+Verdict = Literal["right", "right in a range", "wrong"]
+
+_VERDICTS = {
+    ("right", True): N_("right"),
+    ("right", False): N_("right, not computed"),
+    ("right in a range", True): N_("right in a range"),
+    ("right in a range", False): N_("right in a range, not computed"),
+    ("wrong", True): N_("wrong, corrected"),
+    ("wrong", False): N_("wrong, not computed"),
+}
+
+
+@record
+class Formula:
+    """A formula or figure of a text, or what it says without a number.
+
+    Attributes
+    ----------
+    number : str
+        The text's own: `(333)`, `fig. 147`; of what has none the formula itself or the page.
+    subject : str
+        What it is, in a few words; translated where it is shown, like `valid` and `note`.
+    verdict : "right", "right in a range" or "wrong"
+        Wrong is what is printed; what is computed is right.
+    command : str
+        What shows it, on an example; empty where nothing computes it.
+    valid : str
+        Its range of validity; empty where it needs none.
+    note : str
+        How far it is off, what is wrong with it, and what is right.
+    """
+
+    number: str
+    subject: str
+    verdict: Verdict
+    command: str = ""
+    valid: str = ""
+    note: str = ""
+
+    @property
+    def said_verdict(self) -> str:
+        """The verdict in words, with whether anything computes it."""
+        return _(_VERDICTS[self.verdict, bool(self.command)])
+
+
+@record
+class Text:
+    """One of the texts.
+
+    Attributes
+    ----------
+    name : str
+        By which it is asked for: its citation key, see `cranktrain.references`.
+    title : str
+        What it is about; translated where it is shown, like `said_of`.
+    said_of : str
+        What it speaks of.
+    formulas : tuple of Formula
+        In its order.
+    """
+
+    name: str
+    title: str
+    said_of: str
+    formulas: tuple[Formula, ...]

@@ -1,0 +1,232 @@
+"""Every number of a machine file is a column of designs: varied by itself, three designs are laid out as each alone.
+
+Neither side is expected to be right here; what is laid out says all that the stages are given.
+"""
+
+import re
+import tomllib
+from collections.abc import Mapping
+from dataclasses import fields, is_dataclass, replace
+
+import numpy as np
+import pytest
+from pydantic import BaseModel
+from tests.gas_engines import csv
+from tests.machines import V12
+
+import cranktrain as ct
+from cranktrain import fluids
+from cranktrain.analysis.parts import parts_of
+from cranktrain.columns import in_columns, n_rows, row_of
+from cranktrain.machine import machine_problems
+from cranktrain.mechanisms import KINDS
+from cranktrain.mechanisms.kind import Kind
+from cranktrain.quantities import Given
+from cranktrain.spec import Spec
+
+STEP = np.radians(90)
+
+EXAMPLES = (
+    *("3d12_quoted_rods", "burning_cylinder", "deltic", "gas_compressor", "jumo_205e", "kamaz_740", "lms_class5"),
+    *("mud_pump_12p160", "pumping_unit_c57", "shaper", "toggle_press", "traction_engine", "vaz_21213"),
+)
+
+WORKED = {
+    "bank": {"A": {"mechanism": {"kind": "slider_crank", "stroke": "80 mm", "rod_length": "140 mm", "offset": "2 mm"}}},
+    "shaft": {"main": {"throws": ["0 deg", "180 deg"], "spacing": "100 mm", "speed": "900 rpm"}},
+    "cylinder": {
+        "bore": "90 mm",
+        "compression_ratio": 9.0,
+        "cycle": "four-stroke",
+        "firing_angles": ["0 deg", "540 deg"],
+    },
+    "masses": {
+        "crank": {"mass": "3 kg", "along": "12 mm", "across": "1 mm", "inertia": "0.01 kg*m^2"},
+        "rod": {"big_end": "0.9 kg", "small_end": "0.4 kg"},
+        "piston": {"mass": "0.7 kg"},
+    },
+    "friction": {"piston": 0.08},
+    "guide": {"piston": {"length": "60 mm", "middle": "-8 mm"}},
+    "gravity": {"acceleration": "9.8 m/s^2", "direction": "30 deg"},
+}
+"""An engine to which the tables of fluids, balance, evenness and torsion can be added."""
+
+TABLES = {
+    "balance, given": {
+        "balance": {
+            "weight": [
+                {"mass": "1 kg", "radius": "40 mm", "throw": 1, "angle": "170 deg"},
+                {"mass": "2 kg", "radius": "30 mm", "z": "20 mm", "angle": "10 deg", "place": ["50 mm", "60 mm"]},
+            ],
+            "shafts": [{"order": 2, "forward": ["90 mm", "10 mm"], "backward": ["-90 mm", "10 mm"]}],
+        }
+    },
+    "balance, solved for": {
+        "balance": {"counterweights": "rotating", "share": 0.4, "planes": ["-10 mm", "110 mm"]},
+        "cylinder": {**WORKED["cylinder"], "friction_pressure": "1 bar"},
+    },
+    "evenness": {
+        "evenness": {
+            "flywheel_moment": "8 kg*m^2",
+            "coefficient": 0.02,
+            "rim": {"mean_diameter": "500 mm", "width_ratio": 1.5, "other_share": 0.1},
+        },
+        "cylinder": {**WORKED["cylinder"], "mechanical_efficiency": 0.8},
+    },
+    "a motor": {
+        "evenness": {
+            "flywheel": "2 kg*m^2",
+            "motor": {"torque": "90 N*m", "speed": "950 rpm", "no_load_speed": "1000 rpm"},
+        }
+    },
+    "torsion": {
+        "torsion": {
+            "stiffness": "1 MN*m/rad",
+            "throw_inertia": "0.02 kg*m^2",
+            "disc": {
+                "flywheel": {"inertia": "1 kg*m^2", "beside": 2, "stiffness": "2 MN*m/rad"},
+                "rotor": {"inertia": "3 kg*m^2", "beside": "flywheel", "stiffness": "1 MN*m/rad", "ratio": 1.5},
+            },
+        }
+    },
+}
+
+
+def fluid_table(fluid):
+    """The table of a fluid's example with what it leaves out, and what its file would hold."""
+    table = tomllib.loads(re.sub(r"(?m)^# (\w+ = |\[)", r"\1", fluid.example))["gas"]
+    degrees = np.arange(0.0, 720.0, 5.0)
+    card = csv(degrees, 1e5 * (20 + 18 * np.cos(np.radians(degrees / 2) - 0.1)))
+    return table | ({"text": card} if "file" in table else {})
+
+
+def filled_by(fluid):
+    """The engine, or a compressor like it, with a fluid in it."""
+    cylinder = WORKED["cylinder"] if fluid.fires else {"bore": "90 mm", "compression_ratio": 9.0}
+    return WORKED | {"cylinder": cylinder, "gas": fluid_table(fluid)}
+
+
+def of_kind(kind):
+    """The kind's example, with a point on a link."""
+    data = tomllib.loads(kind.example)
+    table = data["mechanism"] if "mechanism" in data else next(reversed(data["bank"].values()))["mechanism"]
+    if links := next(place.kind.links for place in ct.Machine(**data).places if place.kind.name == kind.name):
+        table["points"] = {"p": {"link": links[0], "along": "30 mm", "across": "11 mm"}}
+    if "load_radius" in kind.spec.model_fields:
+        table["load_radius"] = "300 mm"
+    return data
+
+
+MACHINES = (
+    {name: lambda name=name: ct.load(name) for name in EXAMPLES}
+    | {kind.name: lambda kind=kind: ct.Machine(**of_kind(kind)) for kind in KINDS}
+    | {fluid.name: lambda fluid=fluid: ct.Machine(**filled_by(fluid)) for fluid in fluids.KINDS}
+    | {name: lambda tables=tables: ct.Machine(**WORKED | tables) for name, tables in TABLES.items()}
+    | {"a star": lambda: ct.Machine(**V12, crank_zero="15 deg")}
+)
+
+SAYS_NOTHING = (
+    re.compile(r"^angle$"),  # of a machine with banks
+    re.compile(r"^shaft\.\w+\.throws\.0$"),  # from which the others count
+    re.compile(r"stagger$|spacing\.\d+$"),  # along a shaft whose, or another's, spacing is not given
+    re.compile(r"firing_angles\.\d+$"),  # says the turn; the crank pins say where in it
+    re.compile(r"crank\.\w+\.ratio$"),  # of a chain's crank is 1
+    re.compile(r"leg\.\d+\.near\.\d$"),  # chooses a way of putting together, but does not move it
+    re.compile(r"^gas\.(ambient|peg\.(pressure|exponent|angle|start|end))$"),  # of a card that says otherwise
+)
+"""Numbers by which nothing that is laid out need change."""
+
+TIED = re.compile(r"^shaft\.\w+\.(throws\.\d+|phase)$|^bank\.\w+\.(lead|angle\.0)$")
+"""Numbers of opposed pistons that cannot change alone."""
+
+
+def numbers_of(value, path=()):
+    """Numbers of a spec with their paths."""
+    if isinstance(value, Given):
+        yield path, value.si
+    elif isinstance(value, Spec):
+        for name in type(value).model_fields:
+            yield from numbers_of(getattr(value, name), (*path, name))
+    elif isinstance(value, Mapping | tuple):
+        for key, item in value.items() if isinstance(value, Mapping) else enumerate(value):
+            yield from numbers_of(item, (*path, key))
+
+
+def with_number(value, path, si):
+    """The spec with another number at a path."""
+    if not path:
+        return replace(value, si=si, text=f"{si!r} in SI units")
+    key, *rest = path
+    if isinstance(value, Spec):
+        return BaseModel.model_copy(value, update={key: with_number(getattr(value, key), rest, si)})
+    if isinstance(value, Mapping):
+        return {**value, key: with_number(value[key], rest, si)}
+    return tuple(with_number(item, rest, si) if i == key else item for i, item in enumerate(value))
+
+
+def laid_out(machines):
+    """All that is laid out of some designs."""
+    return tuple(parts_of(machines, step=STEP).values())
+
+
+def numbers_in(part):
+    """Arrays and numbers in what is laid out, in order."""
+    if isinstance(part, np.ndarray) and part.dtype == object:
+        for item in np.ravel(part):
+            yield from numbers_in(item)
+    elif isinstance(part, np.ndarray | float):
+        yield part
+    elif isinstance(part, tuple):
+        for item in part:
+            yield from numbers_in(item)
+    elif is_dataclass(part) and not isinstance(part, type | Kind | fluids.Fluid):
+        for field in fields(part):
+            yield from numbers_in(getattr(part, field.name))
+
+
+def row(part, alone, design):
+    """What one design has of what is laid out of several, which alone is as `alone`."""
+    if isinstance(part, np.ndarray) and part.shape != alone.shape:
+        return part[design : design + 1]
+    if isinstance(part, tuple) and not hasattr(part, "_fields"):
+        return tuple(row(item, other, design) for item, other in zip(part, alone, strict=True))
+    if isinstance(part, tuple):
+        return type(part)(*(row(item, other, design) for item, other in zip(part, alone, strict=True)))
+    if is_dataclass(part) and not isinstance(part, type | Kind | fluids.Fluid):
+        own = {one.name: row(getattr(part, one.name), getattr(alone, one.name), design) for one in fields(part)}
+        return replace(part, **own)
+    return part
+
+
+def is_same(one, other):
+    return all(np.array_equal(a, b, equal_nan=True) for a, b in zip(one, other, strict=True))
+
+
+@pytest.mark.parametrize("name", MACHINES)
+def test_every_number_is_a_column(name):
+    machine = MACHINES[name]()
+    still = []
+    for path, si in numbers_of(machine):
+        said = ".".join(map(str, path))
+        machines = [machine, *(with_number(machine, path, si + more * (si or 1.0)) for more in (1e-5, -1.5e-5))]
+        if any(machine_problems(one, partial=True) for one in machines):
+            assert TIED.search(said), said
+            continue
+        alone, together = [laid_out([one]) for one in machines], laid_out(machines)
+        for design, own in enumerate(alone):
+            assert is_same(numbers_in(row(together, own, design)), numbers_in(own)), (said, design)
+        if all(is_same(numbers_in(own), numbers_in(alone[0])) for own in alone):
+            still.append(said)
+    assert [said for said in still if not any(known.search(said) for known in SAYS_NOTHING)] == []
+
+
+def test_rows_are_the_designs():
+    machines = [ct.Machine(**WORKED, gas=fluid_table(fluids.KINDS[1]), name=name) for name in ("one", "other")]
+    machines[1] = with_number(machines[1], ("cylinder", "bore"), 0.1)
+    together = in_columns(machines)
+    assert n_rows(together) == 2
+    assert n_rows(machines[0]) == 1
+    for i, machine in enumerate(machines):
+        assert list(numbers_of(row_of(together, i))) == list(numbers_of(machine))
+    # the first one says all that is no number
+    assert together.name == "one"

@@ -1,0 +1,92 @@
+"""`textbook --source`: the texts, their formulas with the commands that show them, and what a new user mistypes."""
+
+import re
+import shlex
+
+import pytest
+
+from cranktrain.textbook.texts import TEXTS
+
+COMMANDS = {one.command: text.name for text in TEXTS for one in text.formulas if one.command}
+
+
+@pytest.mark.parametrize("text", TEXTS, ids=lambda text: text.name)
+def test_every_formula_is_listed_with_what_it_is(typed, text):
+    answer = typed("textbook", "--source", text.name)
+    assert (answer.status, answer.errors) == (0, "")
+    assert all(len(line) <= 80 for line in answer.output.splitlines())
+    for one in text.formulas:
+        assert f"\n{one.number}  " in answer.output
+        assert not one.command or re.search(rf"^  see +{re.escape(one.command)}$", answer.output, re.MULTILINE)
+    assert answer.output.count("\n  it is  ") == len(text.formulas)
+
+
+def test_without_a_name_the_texts_are_listed(typed):
+    answer = typed("textbook", "--source")
+    assert (answer.status, answer.errors) == (0, "")
+    for text in TEXTS:
+        assert f"\n{text.name}\n" in answer.output
+        assert f"{len(text.formulas)} formulas and figures: " in answer.output
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_every_command_shows_its_formula(typed, command):
+    answer = typed(*shlex.split(command)[1:])
+    assert (answer.status, answer.errors) == (0, "")
+    if not command.startswith("cranktrain textbook"):
+        return
+    (text,) = (text for text in TEXTS if text.name == COMMANDS[command])
+    for one in text.formulas:
+        if one.command == command and one.number.startswith("("):
+            assert one.number in answer.output or one.number in ("(6)", "(8)", "(9)")  # (4) and (10) in other words
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--source", "bolotni"], '; write "bolotin"\n'),
+        (["--source", "3d12"], "; a machine stands before it: cranktrain textbook 3d12\n"),
+        (
+            ["bolotin"],
+            "bolotin  is a text, and no machine file is called so; such as: cranktrain textbook --source bol",
+        ),
+        (["--source", "bolotin", "--table"], "--table: is for a machine: name FILE\n"),
+        (["--source", "bolotin", "--set", "a=1"], "--set  a=1: is for a machine: name FILE\n"),
+        (["3d12", "--source", "bolotin", "--harmonics"], "--source  bolotin: is for the motion or its forces"),
+        (["3d12", "--source", "bolotin", "--forces", "N"], "--source  bolotin: is for the motion: ask for it without"),
+    ],
+)
+def test_mistakes(typed, arguments, said):
+    answer = typed("textbook", *arguments)
+    assert (answer.status, answer.output) == (2, "")
+    assert said in answer.errors.replace(" = ", "  ", 1)
+
+
+@pytest.mark.parametrize(
+    ("file", "source", "said"),
+    [
+        ("3d12", "gandzha", "[gandzha] speaks of crank-rockers; the mechanisms of this machine are"),
+        ("pumping_unit_c57", "bolotin", "[bolotin] speaks of opposed pistons, and slaves on articulated rods"),
+        ("shaper", "steam-engine", "[steam-engine] speaks of central slider-cranks"),
+        ("3d12", "synthesis", "[slider-crank-synthesis] speaks of dimensions that are sought, not a machine"),
+        ("3d12", "crankshaft", "[crankshaft-reactions] speaks of crankshafts with their supports"),
+    ],
+)
+def test_a_machine_of_which_a_text_does_not_speak(typed, file, source, said):
+    answer = typed("textbook", file, "--source", source)
+    assert (answer.status, answer.errors) == (0, "")
+    assert said in " ".join(answer.output.split())
+    assert f"`cranktrain textbook {file}`" in " ".join(answer.output.split())
+
+
+def test_one_text_alone_for_a_machine(typed):
+    output = typed("textbook", "3d12", "--source", "bolotin").output
+    assert "(I.13)" in output
+    assert "(333)" not in output
+    assert "[steam-engine]" not in output
+
+
+def test_errata_of_one_text(typed):
+    output = typed("textbook", "errata", "--source", "bolotin").output
+    assert "[bolotin]" in output
+    assert "[slider-crank-synthesis]" not in output
