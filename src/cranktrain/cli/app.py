@@ -222,11 +222,13 @@ def _plot(
     size: Annotated[str | None, typer.Option(metavar="A4|A3", help=_("Of the paper; A4 unless given."))] = None,
     scale: Annotated[
         str | None,
-        typer.Option(metavar="1:N", help=_("Of positions and constructions; the largest that fits unless given.")),
+        typer.Option(
+            metavar="1:N", help=_("Of a sheet, positions and constructions; the largest that fits unless given.")
+        ),
     ] = None,
     letters: Annotated[
         str | None,
-        typer.Option(metavar="SOURCE", help=_("Letters of a scheme or a construction as this source has them.")),
+        typer.Option(metavar="SOURCE", help=_("Of a scheme: letters as a source has them, such as bolotin.")),
     ] = None,
     running_speed: RunningSpeed = False,
     speed_curve: SpeedCurve = None,

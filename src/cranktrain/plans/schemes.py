@@ -313,7 +313,7 @@ def _crank_rocker(view: _View) -> _Marks:
     )
     thin = [np.stack([view.pins["C"], view.pins["C"] + length * _unit(limit)], axis=1) for limit in limits]
     level = 0.35 * length * _unit(along)
-    thin += [np.stack([view.pins[pin], view.pins[pin] + level], axis=1) for pin in ("A", "C")]
+    thin += [np.stack([view.pins[pin], view.pins[pin] + level], axis=1) for pin in "OAC"]
     centre = _crossing(view.pins["O"], view.pins["A"], view.pins["C"], view.pins["B"])
     points = {} if centre is None else {"C": centre}
     thin += [np.stack([view.pins[pin], centre], axis=1) for pin in ("A", "B") if centre is not None]

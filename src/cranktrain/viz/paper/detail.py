@@ -13,7 +13,7 @@ from cranktrain.viz.paper.sketch import Circle, Sketch
 _SMALLEST = 5.0
 """Radius on paper from which a crank is seen well enough. [mm]"""
 
-_RADIUS, _FIGURES = 27.0, 10.0
+RADIUS, _FIGURES = 27.0, 10.0
 """Radius of a detail, and what the figures about the shaft need of it. [mm]"""
 
 _STEP, _EVERY = 3.0, 6
@@ -46,25 +46,32 @@ def draw_detail(
     room : Box
         In which to find a place.
     """
-    scale = fitting_scale(size, size, (_RADIUS - _FIGURES, _RADIUS - _FIGURES))
-    place = _free_place(whole, origin, room)
-    page.draw(drawn(scale), place, within=_RADIUS)
-    reach = max(_RADIUS * scale / whole.scale, 2.5)
-    for radius, middle in ((_RADIUS, place), (reach, origin)):
+    scale = fitting_scale(size, size, (RADIUS - _FIGURES, RADIUS - _FIGURES))
+    place, _away = _free_place(whole, origin, room)
+    page.draw(drawn(scale), place, within=RADIUS)
+    reach = max(RADIUS * scale / whole.scale, 2.5)
+    for radius, middle in ((RADIUS, place), (reach, origin)):
         page.draw(Sketch(1.0, circles=[Circle(np.zeros(2), radius, "DIMENSIONS", "thin", 8)]), middle)
     side = -1.0 if place[0] > origin[0] else 1.0
     page.text(origin[0] + side * (reach + 1.2), origin[1] + reach, _NAME, ha="right" if side < 0 else "left")
-    page.text(place[0], place[1] + _RADIUS + 1.5, f"{_NAME} ({scale_words(scale)})", ha="center")
+    page.text(place[0], place[1] + RADIUS + 1.5, f"{_NAME} ({scale_words(scale)})", ha="center")
 
 
-def _free_place(whole: Sketch, origin: tuple[float, float], room: Box) -> tuple[float, float]:
-    """Find the middle of a detail that is farthest from all that is drawn. [mm of paper]"""
+def has_room(whole: Sketch, origin: tuple[float, float], room: Box) -> bool:
+    """Whether a detail can stand beside the whole; parameters as `draw_detail` takes them."""
+    if min(room.width - 2 * RADIUS - 1.0, room.height - 2 * RADIUS - 6.0) <= 0.0:
+        return False
+    return _free_place(whole, origin, room)[1] > RADIUS + 1.0
+
+
+def _free_place(whole: Sketch, origin: tuple[float, float], room: Box) -> tuple[tuple[float, float], float]:
+    """Find the middle of a detail that is farthest from all that is drawn, and how far that is. [mm of paper]"""
     taken: Array = np.array(origin)[:, np.newaxis] + np.concatenate(
         [dots(line.points / whole.scale)[:, ::_EVERY] for line in whole.lines if line.habit != "hatch"], axis=1
     )
-    x = np.arange(room.left + _RADIUS + 1.0, room.left + room.width - _RADIUS, _STEP)
-    y = np.arange(room.bottom + _RADIUS + 1.0, room.bottom + room.height - _RADIUS - 5.0, _STEP)
+    x = np.arange(room.left + RADIUS + 1.0, room.left + room.width - RADIUS, _STEP)
+    y = np.arange(room.bottom + RADIUS + 1.0, room.bottom + room.height - RADIUS - 5.0, _STEP)
     tried = np.stack([part.ravel() for part in np.meshgrid(x, y)])
     away = np.min(np.hypot(*(tried[:, :, np.newaxis] - taken[:, np.newaxis, :])), axis=1)
     best = int(np.argmax(away))
-    return float(tried[0, best]), float(tried[1, best])
+    return (float(tried[0, best]), float(tried[1, best])), float(away[best])

@@ -13,11 +13,11 @@ from cranktrain.plans.lettering import lettered, pin_letters
 from cranktrain.plans.positions import PositionPlan, chosen_scale, position_plan, rescaled, track
 from cranktrain.plans.together import placed_together, places_called
 from cranktrain.plans.vectors import spoken_name
-from cranktrain.viz.paper.detail import draw_detail, is_too_small
+from cranktrain.viz.paper.detail import RADIUS, draw_detail, has_room, is_too_small
 from cranktrain.viz.paper.page import Box, Figure, Page, drawing_settings
 from cranktrain.viz.paper.sketch import Sketch
 from cranktrain.viz.plans.position_rows import N_HEADS, every, point_tables, position_rows
-from cranktrain.viz.plans.sheet import LOWEST, centre, plan_page, row_height, scale_of, write_beside, write_scales
+from cranktrain.viz.plans.sheet import LOWEST, origin_in, plan_page, row_height, scale_of, write_beside, write_scales
 from cranktrain.viz.plans.sketches import positions_sketch
 
 _ONE, _BOTH = 0.62, 0.48
@@ -123,15 +123,22 @@ def draw_positions(page: Page, machine: Machine, plan: PositionPlan, mechanism: 
     crank = plan.drawing.links[0].pins
     pins = plan.drawing.positions
     radius = metal * float(np.hypot(*(pins[crank[1]] - pins[crank[0]])[:, 0]))
-    is_large = room.height > ROOM_FOR_WORDS
-    is_small = is_too_small(radius, metal) and len(plan.angles) > 1 and is_large
 
     def drawn(scale: float, hidden: Sequence[str] = ()) -> Sketch:
         paths = lettered(track(machine, 1e-3 * scale, mechanism=mechanism))
         return positions_sketch(rescaled(plan, 1e-3 * scale), paths, hidden=hidden, is_lettered=True)
 
-    whole = drawn(metal, crank if is_small else () if is_large else tuple(pins))
-    origin = centre(page, whole, room)
-    if is_small:
+    is_small = is_too_small(radius, metal) and len(plan.angles) > 1
+    whole = drawn(metal, crank if is_small else ())
+    aside = room._replace(left=room.left + 2 * RADIUS + 4.0, width=room.width - 2 * RADIUS - 4.0)
+    origins = [origin_in(whole, one) for one in (room, aside)]
+    origin = next((one for one in origins if is_small and has_room(whole, one, room)), origins[0])
+    n_cranks = len([link for link in plan.drawing.links if link.name == plan.drawing.links[0].name])
+    has_detail = is_small and n_cranks == 1 and has_room(whole, origin, room)
+    if room.height <= ROOM_FOR_WORDS or (is_small and not has_detail):
+        whole = drawn(metal, tuple(pins))
+        has_detail = False
+    page.draw(whole, origin)
+    if has_detail:
         others = [pin for pin in pins if pin not in crank]
         draw_detail(page, lambda scale: drawn(scale, others), 1.2 * radius, whole, origin, room)

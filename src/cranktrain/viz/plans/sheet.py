@@ -91,10 +91,15 @@ def cells_of(box: Box, n: int) -> list[Box]:
 
 def centre(page: Page, sketch: Sketch, box: Box) -> tuple[float, float]:
     """Draw a sketch in the middle of a room; give where its origin is. [mm]"""
-    low, high = (corner / sketch.scale for corner in bounds_of(sketch.outline()))
-    origin = pair(box.middle - (low + high) / 2)
+    origin = origin_in(sketch, box)
     page.draw(sketch, origin)
     return origin
+
+
+def origin_in(sketch: Sketch, box: Box) -> tuple[float, float]:
+    """Where a sketch's origin is if it stands in the middle of a room. [mm]"""
+    low, high = (corner / sketch.scale for corner in bounds_of(sketch.outline()))
+    return pair(box.middle - (low + high) / 2)
 
 
 def centre_at_angle(page: Page, angle: float, sketch: Sketch, box: Box, head: float = 5.0, before: str = "") -> None:
