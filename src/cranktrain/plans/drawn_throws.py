@@ -2,8 +2,6 @@
 
 from collections.abc import Sequence
 
-import numpy as np
-
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.numerics.nested import leaves
@@ -69,17 +67,14 @@ def _sort(machine: Machine, throw: Sequence[PlacedMechanism]) -> tuple[object, .
     """Say what tells a throw from others on paper."""
     pistons = [place for place in throw if place.kind.output == "slider"]
     cylinders = cylinders_of(machine.cylinder, pistons)
-    return (
-        tuple(
-            (
-                place.kind.name,
-                place.is_far,
-                round(place.axis, _DIGITS),
-                tuple(np.ravel(leaves(place.geometry)).round(_DIGITS)),
-            )
-            if place.kind.name != "chain"
-            else (place.kind.name, place.path)
-            for place in throw
-        ),
-        tuple(str(getattr(one.spec, field, None)) for one in cylinders for field in ("bore", "piston_rod", "chambers")),
+    return tuple(map(_of_place, throw)), tuple(
+        str(getattr(one.spec, field, None)) for one in cylinders for field in ("bore", "piston_rod", "chambers")
     )
+
+
+def _of_place(place: PlacedMechanism) -> tuple[object, ...]:
+    """What of a place tells it from others: of a chain, whose lengths are many, where it stands in the file."""
+    if place.kind.name == "chain":
+        return (place.kind.name, place.path)
+    lengths = [round(float(number), _DIGITS) for number in leaves(place.geometry)]
+    return (place.kind.name, place.is_far, round(float(place.axis), _DIGITS), *lengths)

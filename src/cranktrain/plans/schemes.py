@@ -165,7 +165,7 @@ def scheme(
     first, *others = places
     sort = "opposed" if others else first.kind.name
     source, figure, marked = _figure(sort, letters, together_name(places))
-    phi = float(np.deg2rad(angle)) + machine.zero
+    phi = float(np.deg2rad(angle) + machine.zero)
     drawing = placed_together(machine, places, np.array([phi]))
     pins = {name: pin[:, 0] for name, pin in drawing.positions.items()}
     marks = marked(_View(machine, places, pins, phi))

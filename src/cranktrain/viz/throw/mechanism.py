@@ -15,6 +15,9 @@ from cranktrain.viz.throw.followed import followed_points, point_names
 from cranktrain.viz.throw.names import bank_angle, piston_names
 from cranktrain.viz.throw.scene import BIG_EYE, SMALL_EYE, DrawnMechanism, Scene
 
+_COARSE = 5
+"""Of a point's curve so manyth a point says where there is no room for a figure of the ring. [deg]"""
+
 _FEW = 2
 """Up to so many mechanisms, the links are drawn in the dead positions too."""
 
@@ -227,4 +230,6 @@ def _lines_of_links(scene: Scene, angle: float, dead: Sequence[Sequence[float]])
     drawn = [(member, angle, 0.3 * scene.crank_radius) for member in scene.members]
     if len(scene.members) <= _FEW:
         drawn += [(member, one, 0.0) for member, angles in zip(scene.members, dead, strict=False) for one in angles]
-    return [(line, half) for member, at, half in drawn for line in _chains(member, scene.pins(member, at))]
+    lines = [(line, half) for member, at, half in drawn for line in _chains(member, scene.pins(member, at))]
+    curves = [member.turn_pins[name][:, ::_COARSE] for member in scene.members for name in member.turn.points]
+    return lines + [(curve[:, np.isfinite(curve[0])], 0.0) for curve in curves]
