@@ -94,7 +94,7 @@ def _polygon_sheet(
     cells = cells_of(right, n)
     cell = cells[0]
     width = 0.38 * cell.width if has_table else cell.width
-    room = (width - 22.0, cell.height - (18.0 if has_table else 16.0))
+    room = (width - (22.0 if has_table else 16.0), cell.height - (18.0 if has_table else 16.0))
     polygons = polygons_of(machine, angles, mechanism=mechanism, room=room, is_lettered=True, speed=curve or "constant")
     scales = [scale_of(polygons[0].quantity[0], polygons[0].scale, unit_words(polygons[0].unit))]
     if has_table:
