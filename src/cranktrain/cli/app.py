@@ -5,12 +5,13 @@ from typing import Annotated
 
 import typer
 
-from cranktrain import __version__
+from cranktrain.cli.comparing import add_compare
 from cranktrain.cli.naming_pictures import NamingPictures
 from cranktrain.cli.optional_source import OptionalSource
 from cranktrain.cli.options import File, Force, Output, Partial, RunningSpeed, Settings, SpeedCurve, degrees
 from cranktrain.cli.task import Task, put_off, task_of
 from cranktrain.language import _
+from cranktrain.version import VERSION
 
 # Typer's own handlers would swallow Ctrl-C and closed pipes, so that nothing runs before it has returned; its Rich help
 # costs as much time as a run.
@@ -29,7 +30,7 @@ def task(arguments: Sequence[str]) -> Task:
 
 def _version(asked: bool) -> None:
     if asked:
-        typer.echo(f"cranktrain {__version__}")
+        typer.echo(f"cranktrain {VERSION}")
         raise typer.Exit
 
 
@@ -162,6 +163,9 @@ def _run(
         force=force,
     )
     show_run(request, with_inputs=inputs)
+
+
+add_compare(_app)
 
 
 @_app.command(
