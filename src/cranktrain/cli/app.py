@@ -189,7 +189,7 @@ add_compare(_app)
         "Draw a machine: its sheet, a plan, a moving picture or a DXF; the file's name says which.\n\n"
         "\b\n"
         "  cranktrain plot 3d12 -o 3d12.png\n"
-        "  cranktrain plot 3d12 --plan positions --at 12 --mechanism 1L -o positions.svg\n"
+        "  cranktrain plot 3d12 --plan positions --count 12 --mechanism 1L -o positions.svg\n"
         "  cranktrain plot 3d12 --plan accelerations --at 30,60 -o accelerations.pdf\n"
         "  cranktrain plot 3d12 --plan forces --at 30,60 --mechanism 1L -o polygons.svg\n"
         "  cranktrain plot 3d12 --sheet forces -o forces.pdf\n"
@@ -226,16 +226,29 @@ def _plot(
         typer.Option(
             metavar="ANGLES",
             help=_(
-                "Crank angles in degrees, such as 30,60. Of a plan, one number alone is how many over a turn; "
-                "`source` the source's twelve."
+                "Crank angles in degrees, such as 30,60; `source` the source's twelve, "
+                "`source 30` at that permissible pressure angle."
             ),
         ),
+    ] = None,
+    count: Annotated[
+        str | None, typer.Option(metavar="N", help=_("Of a plan: at how many crank angles, evenly over a turn."))
     ] = None,
     mechanism: Annotated[
         str | None,
         typer.Option(metavar="NAME", help=_("Which one a plan, the sheet of forces or a .dxf is of, such as 1R.")),
     ] = None,
     size: Annotated[str | None, typer.Option(metavar="A4|A3", help=_("Of the paper; A4 unless given."))] = None,
+    scale: Annotated[
+        str | None,
+        typer.Option(
+            metavar="1:N", help=_("Of a sheet, positions and constructions; the largest that fits unless given.")
+        ),
+    ] = None,
+    letters: Annotated[
+        str | None,
+        typer.Option(metavar="SOURCE", help=_("Of a scheme: letters as a source has them, such as bolotin.")),
+    ] = None,
     running_speed: RunningSpeed = False,
     speed_curve: SpeedCurve = None,
     settings: Settings = None,
@@ -254,6 +267,9 @@ def _plot(
         at=at,
         mechanism=mechanism,
         size=size,
+        count=count,
+        scale=scale,
+        letters=letters,
         sheet=sheet,
         is_at_running_speed=running_speed,
         speed_curve=speed_curve,
