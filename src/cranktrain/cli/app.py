@@ -10,18 +10,25 @@ from cranktrain.cli.comparing import add_compare
 from cranktrain.cli.naming_pictures import NamingPictures
 from cranktrain.cli.optional_source import OptionalSource
 from cranktrain.cli.options import (
+    AllTables,
+    Checks,
     Decimal,
     Facts,
     File,
     Force,
+    Full,
+    Inputs,
+    Missing,
     Output,
     Partial,
+    ResultsOutput,
     RunningSpeed,
     Settings,
     SpeedCurve,
     degrees,
 )
 from cranktrain.cli.task import Task, put_off, task_of
+from cranktrain.cli.tools import add_tools
 from cranktrain.language import _
 from cranktrain.version import VERSION
 
@@ -102,9 +109,7 @@ def _list(
 @put_off
 def _new(
     kind: Annotated[str, typer.Argument(metavar="KIND", show_default=False)],
-    full: Annotated[
-        bool, typer.Option("--full", help=_("With every table that suits the kind, behind comment marks."))
-    ] = False,
+    full: AllTables = False,
     output: Output = None,
     force: Force = False,
 ) -> None:
@@ -132,9 +137,10 @@ def _check(file: File) -> None:
 @_app.command(
     "run",
     help=_(
-        "Compute all that a machine file allows: answers, facts, peaks, checks, and what is missing.\n\n"
+        "Compute all that a machine file allows, and show the answer on one screen.\n\n"
         "\b\n"
         "  cranktrain run 3d12\n"
+        "  cranktrain run 3d12 --full\n"
         '  cranktrain run 3d12 --set "shaft.main.speed=1800 rpm"\n'
         "  cranktrain run 3d12 --quantities stroke,piston_displacement\n"
         "  cranktrain run 3d12 -o 3d12.csv --step 0.5\n"
@@ -145,15 +151,7 @@ def _check(file: File) -> None:
 @put_off
 def _run(
     file: File,
-    output: Annotated[
-        str | None,
-        typer.Option(
-            "-o",
-            "--output",
-            metavar="FILE",
-            help=_("Write curves to .csv, or all results to .json or .xlsx; by each method only if named."),
-        ),
-    ] = None,
+    output: ResultsOutput = None,
     settings: Settings = None,
     quantities: Annotated[
         str | None,
@@ -167,12 +165,13 @@ def _run(
     partial_turn: Partial = False,
     decimal: Decimal = "point",
     facts: Facts = False,
-    inputs: Annotated[
-        bool, typer.Option("--inputs", help=_("Show every number of the file and where it is from."))
-    ] = False,
+    full: Full = False,
+    checks: Checks = False,
+    inputs: Inputs = False,
+    missing: Missing = False,
     force: Force = False,
 ) -> None:
-    from cranktrain.cli.run import RunRequest, show_run
+    from cranktrain.cli.run import RunRequest, Shown, show_run
 
     names = None if quantities is None else tuple(name.strip() for name in quantities.split(",") if name.strip())
     request = RunRequest(
@@ -188,7 +187,7 @@ def _run(
         decimal=decimal,
         facts=facts,
     )
-    show_run(request, with_inputs=inputs)
+    show_run(request, Shown(full=full, checks=checks, inputs=inputs, missing=missing))
 
 
 add_compare(_app)
@@ -200,7 +199,7 @@ add_compare(_app)
         "Draw a machine: its sheet, a plan, a moving picture or a DXF; the file's name says which.\n\n"
         "\b\n"
         "  cranktrain plot 3d12 -o 3d12.png\n"
-        "  cranktrain plot 3d12 --plan positions --at 12 --mechanism 1L -o positions.svg\n"
+        "  cranktrain plot 3d12 --plan positions --count 12 --mechanism 1L -o positions.svg\n"
         "  cranktrain plot 3d12 --plan accelerations --at 30,60 -o accelerations.pdf\n"
         "  cranktrain plot 3d12 --plan forces --at 30,60 --mechanism 1L -o polygons.svg\n"
         "  cranktrain plot 3d12 --sheet forces -o forces.pdf\n"
@@ -237,16 +236,29 @@ def _plot(
         typer.Option(
             metavar="ANGLES",
             help=_(
-                "Crank angles in degrees, such as 30,60. Of a plan, one number alone is how many over a turn; "
-                "`source` the source's twelve."
+                "Crank angles in degrees, such as 30,60; `source` the source's twelve, "
+                "`source 30` at that permissible pressure angle."
             ),
         ),
+    ] = None,
+    count: Annotated[
+        str | None, typer.Option(metavar="N", help=_("Of a plan: at how many crank angles, evenly over a turn."))
     ] = None,
     mechanism: Annotated[
         str | None,
         typer.Option(metavar="NAME", help=_("Which one a plan, the sheet of forces or a .dxf is of, such as 1R.")),
     ] = None,
     size: Annotated[str | None, typer.Option(metavar="A4|A3", help=_("Of the paper; A4 unless given."))] = None,
+    scale: Annotated[
+        str | None,
+        typer.Option(
+            metavar="1:N", help=_("Of a sheet, positions and constructions; the largest that fits unless given.")
+        ),
+    ] = None,
+    letters: Annotated[
+        str | None,
+        typer.Option(metavar="SOURCE", help=_("Of a scheme: letters as a source has them, such as bolotin.")),
+    ] = None,
     running_speed: RunningSpeed = False,
     speed_curve: SpeedCurve = None,
     settings: Settings = None,
@@ -265,6 +277,9 @@ def _plot(
         at=at,
         mechanism=mechanism,
         size=size,
+        count=count,
+        scale=scale,
+        letters=letters,
         sheet=sheet,
         is_at_running_speed=running_speed,
         speed_curve=speed_curve,
@@ -378,33 +393,4 @@ def _textbook(
     show_textbook(file, values, source=source, with_table=table, with_errata=errata)
 
 
-@_app.command(
-    "completion",
-    help=_(
-        "Give the script by which a shell completes commands, examples, kinds, results and paths.\n\n"
-        "\b\n"
-        '  eval "$(cranktrain completion bash)"          in ~/.bashrc; zsh likewise in ~/.zshrc\n'
-        "  cranktrain completion fish | source            in config.fish"
-    ),
-)
-@put_off
-def _completion(shell: Annotated[str, typer.Argument(metavar="[bash|zsh|fish]", show_default=False)]) -> None:
-    from cranktrain.cli.completing.shells import show_script
-
-    show_script(shell)
-
-
-@_app.command(
-    "schema",
-    help=_(
-        "Give the JSON schema of machine files, for editors that complete and check TOML.\n\n"
-        "A file whose first line is `#:schema ./cranktrain.schema.json` is checked as it is typed.\n\n"
-        "\b\n"
-        "  cranktrain schema -o cranktrain.schema.json"
-    ),
-)
-@put_off
-def _schema(output: Output = None, force: Force = False) -> None:
-    from cranktrain.cli.start import write_schema
-
-    write_schema(output, force=force)
+add_tools(_app)

@@ -17,10 +17,29 @@ Settings = Annotated[
 ]
 Partial = Annotated[bool, typer.Option("--partial", help=_("Accept links that do not close all round: NaN there."))]
 
+AllTables = Annotated[
+    bool, typer.Option("--full", help=_("With every table that suits the kind, behind comment marks."))
+]
+
+ResultsOutput = Annotated[
+    str | None,
+    typer.Option(
+        "-o",
+        "--output",
+        metavar="FILE",
+        help=_("Write curves to .csv, or all results to .json or .xlsx; by each method only if named."),
+    ),
+]
 Decimal = Annotated[
     str, typer.Option(metavar="point|comma", help=_("In a .csv; a comma as spreadsheets take it, with semicolons."))
 ]
 Facts = Annotated[bool, typer.Option("--facts", help=_("Into a .csv facts instead of curves."))]
+Full = Annotated[
+    bool, typer.Option("--full", help=_("Show all instead: answers, facts, peaks, checks, inputs, what is missing."))
+]
+Checks = Annotated[bool, typer.Option("--checks", help=_("Show how well each check holds."))]
+Inputs = Annotated[bool, typer.Option("--inputs", help=_("Show every number of the file and where it is from."))]
+Missing = Annotated[bool, typer.Option("--missing", help=_("Show what the file could say, and what that would give."))]
 
 RunningSpeed = Annotated[
     bool,

@@ -52,6 +52,8 @@ def test_examples_are_those_of_the_program():
         (["run", "3d12", "--decimal", ""], {"point", "comma"}),
         (["plot", "3d12", "--size", ""], {"A4", "A3"}),
         (["run", "3d12", "-o", "curves."], {"curves.csv", "curves.json", "curves.xlsx"}),
+        (["compare", "3d12", "vaz"], {"vaz_21213"}),
+        (["compare", "3d12", "-o", "both."], {"both.png"}),
         (["textbook", "err"], {"errata"}),
     ],
 )

@@ -7,7 +7,9 @@ from typing import Any
 from cranktrain.cli.completing.names import example_names, results, words
 from cranktrain.cli.completing.paths import setting_paths
 
-_ENDINGS = (".csv", ".json", ".xlsx")
+_PICTURES = (".png", ".svg", ".pdf")
+_ENDINGS = {"run": (".csv", ".json", ".xlsx"), "plot": (*_PICTURES, ".gif", ".dxf"), "compare": _PICTURES}
+"""What the name of an output ends in, by command."""
 
 
 def candidates(typed: Sequence[str], commands: Any) -> list[str]:
@@ -87,14 +89,14 @@ def _of_option(option: Any, before: Sequence[str], begun: str) -> Iterator[str]:
         yield from (f"{done}{comma}{name}" for name in results())
     elif "--output" in option.opts:
         stem = begun.partition(".")[0]
-        yield from (f"{stem}{ending}" for ending in _ENDINGS if stem and before[0] == "run")
+        yield from (f"{stem}{ending}" for ending in _ENDINGS.get(before[0], ()) if stem)
     else:
         yield from _of_words(option.metavar or "", begun)
 
 
 def _of_words(metavar: str, begun: str) -> Iterator[str]:
     """Give what an argument of that name may be: machine files and examples, kinds, or the words that it lists."""
-    if "FILE" in metavar.upper().strip("[]").split("|") or metavar in ("A", "B"):
+    if "FILE" in metavar.upper().strip("[]").split("|") or metavar == "OTHER":
         yield from example_names()
         folder, slash, name = begun.rpartition("/")
         found = Path(folder + slash or ".").glob("*.toml") if not name.startswith(".") else ()
