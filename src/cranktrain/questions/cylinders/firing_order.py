@@ -31,6 +31,9 @@ class _Asked:
         """Give the most even orders that the crank pins allow, as the file writes them; `order` is ahead."""
         length = self.common.cycle_length
         names = [place.cylinder for place in self.leading]
+        divided = self._divided(names)
+        if len(order) == 1 and divided is not None:
+            return _("write {orders}").format(orders=f'"{divided}"')
         if length is None or 2 * sum(name in names for name in order) < len(order):
             return None
         running = _backwards(order) if self.astern else order
@@ -39,6 +42,12 @@ class _Asked:
         ahead = list(map(_backwards, found)) if self.astern else found
         said = [f'"{"-".join(self.common.makers_numbers(one) or one)}"' for one in ahead]
         return _("write {orders}").format(orders=_(" or ").join(said)) if said else None
+
+    def _divided(self, names: Sequence[str]) -> str | None:
+        """Write with hyphens an order that has none, but dots or nothing between; None for another."""
+        text = self.common.firing_order or ""
+        ways = (re.findall(r"\w+", text), re.findall(r"\w", text))
+        return next(("-".join(words) for words in ways if sorted(words) == sorted(names)), None)
 
 
 def firing_order_of(

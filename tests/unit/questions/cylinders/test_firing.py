@@ -316,6 +316,8 @@ IN_LINE_FOUR = throws(0, 180, 180, 0), banks(A=0)
         ("4-2-1-2", 'write "4-2-1-3" or "4-3-1-2"'),
         ("", 'write "1-2-4-3" or "1-3-4-2"'),
         ("1-x-y-z", None),
+        ("1.3.4.2", 'write "1-3-4-2"'),
+        ("1342", 'write "1-3-4-2"'),
     ],
 )
 def test_wrong_orders_are_answered_with_the_two_that_a_flat_shaft_allows(order, possible, running):
