@@ -9,6 +9,7 @@ from cranktrain.errors import Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, GuideSpec
 from cranktrain.layout.ends import ENDS
+from cranktrain.layout.load_tables import LoadSpec
 from cranktrain.layout.speed_table import SpeedCurveSpec
 from cranktrain.mechanisms import AnyMechanism, MechanismSpec
 from cranktrain.mechanisms.spec import LISTS
@@ -135,6 +136,7 @@ class OpposedPistonSpec(Spec, frozen=True):
     guide: Mapping[str, GuideSpec] = Field(
         default={}, description=N_("Guides of this piston's mechanism, where they are not those of all.")
     )
+    load: Mapping[str, LoadSpec] = Field(default={}, description=N_("Loads on this piston's mechanism alone."))
 
 
 class BankSpec(Spec, frozen=True):
@@ -181,6 +183,7 @@ class BankSpec(Spec, frozen=True):
     guide: Mapping[str, GuideSpec] = Field(
         default={}, description=N_("Guides of this bank's mechanisms, where they are not those of all.")
     )
+    load: Mapping[str, LoadSpec] = Field(default={}, description=N_("Loads on this bank's mechanisms alone."))
 
     @property
     def opposed(self) -> "Mapping[str, OpposedPistonSpec]":

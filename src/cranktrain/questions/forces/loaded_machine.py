@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.layout.guide_tables import Edges
+from cranktrain.layout.loads import Loads, loaded
 from cranktrain.layout.masses import Masses
-from cranktrain.layout.mechanisms import Mechanisms
+from cranktrain.layout.mechanisms import Batch, Mechanisms
 from cranktrain.layout.speed import Speed
 from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench, added
 from cranktrain.mechanisms.kind import AnyMotion
@@ -45,6 +46,7 @@ class LoadedMachine:
     carriers : Carriers
     masses : Masses
     gas : GasInChambers or None
+    loads : Loads or None
     speed : Speed
     """
 
@@ -52,7 +54,13 @@ class LoadedMachine:
     carriers: Carriers
     masses: Masses
     gas: GasInChambers | None
+    loads: Loads | None
     speed: Speed
+
+    @property
+    def jumps(self) -> bool:
+        """Whether something makes its torque jump, or gives it kinks, besides the gas."""
+        return self.masses.has_friction or self.loads is not None
 
     def in_order(self, by_batch: Iterable[NDArray[Any]]) -> NDArray[Any]:
         """Values of every batch, broadcastable to (design, member, ...), in the machine's order of mechanisms."""
@@ -105,7 +113,8 @@ class LoadedMachine:
             dynamics, size = batch.kind.dynamics, batch.members.geometry
             motion = moving[place]
             made = self.masses.batches[place]
-            loads = borne = dynamics.load(motion, size, self._pressing(batch.index, toward))
+            drive = Drive(*(_own(part, batch.index) for part in drives))
+            loads = borne = self._loads(batch, motion, drive, toward)
             handed = _of_slaves(batch.index, on_rods) if batch.kind.name == MASTER else None
             if handed is not None:
                 on_crank, on_rod, on_piston = loads
@@ -114,7 +123,6 @@ class LoadedMachine:
                 _friction(batch.kind.named(motion, name), coefficient, edges)
                 for name, coefficient, edges in zip(dynamics.sliding, made.friction, made.edges, strict=True)
             )
-            drive = Drive(*(_own(part, batch.index) for part in drives))
             conditions = Conditions(drive, made.gravity, friction)
             forces = dynamics.forces(motion, size, made.bodies, borne, conditions)
             found[place] = SolvedBatch(motion, loads, conditions, forces)
@@ -186,6 +194,15 @@ class LoadedMachine:
                 put(slider, piston, motion.slider)
         by_chamber = _own(angle, driven[self.gas.chambers.leading])
         return self.gas.force(self.gas.pressure(by_chamber, self.gas.volume_by(Coefficient(*slider))))
+
+    def _loads(self, batch: Batch, motion: AnyMotion, drive: Drive, toward: Array | None) -> tuple[Wrench, ...]:
+        """What gas and the file's loads do to the links of one kind."""
+        dynamics, size = batch.kind.dynamics, batch.members.geometry
+        found = dynamics.load(motion, size, self._pressing(batch.index, toward))
+        if self.loads is None:
+            return found
+        more = loaded(self.loads, batch.index, dynamics.links(motion, size), drive.speed)
+        return tuple(added(own, more[link]) if link in more else own for link, own in enumerate(found))
 
     def _pressing(self, index: NDArray[np.intp], toward: Array | None) -> Array:
         """Force along the output of each of some mechanisms, away from the shaft, shape (design, member, n)."""

@@ -46,7 +46,7 @@ def work_balance(
     """
     works = pressures.indicated_work
     total = np.sum(works, axis=-1)
-    if loaded.masses.has_friction:
+    if loaded.jumps:
         return WorkBalance(total)
     # What inertia takes at a moment of acceleration, the shaft does not get.
     done = np.sum(sources.mean(crank_angle.cycle), axis=-1) * crank_angle.cycle + sources.spent

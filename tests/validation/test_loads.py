@@ -1,0 +1,67 @@
+"""Loads on links, from the machine file to joint forces and torque, against a 40-digit multibody solver."""
+
+import numpy as np
+import pytest
+from tests.reference_case import ReferenceCase
+
+import cranktrain as ct
+
+CASE = ReferenceCase.load("crank_rocker_loaded")
+LINKS = {"crank": "crank", "rod": "coupler", "rocker": "rocker"}
+
+
+def body(link):
+    along, across = CASE.machine[f"{link}_com_m"]
+    return {
+        "mass": f"{CASE.machine[f'{link}_mass_kg']} kg",
+        "along": f"{along} m",
+        "across": f"{across} m",
+        "inertia": f"{CASE.machine[f'{link}_inertia_about_com_kgm2']} kg*m^2",
+    }
+
+
+def machine(**tables):
+    lengths = {
+        name: f"{CASE.machine[f'{link}_length_m']} m"
+        for name, link in {
+            "crank_radius": "crank",
+            "rod_length": "coupler",
+            "rocker_length": "rocker",
+            "ground_length": "ground",
+        }.items()
+    }
+    return ct.Machine(
+        rotation="anticlockwise",
+        angle="-90 deg",
+        shaft={"main": {"speed": f"{CASE.machine['crank_speed_rad_s']} rad/s"}},
+        mechanism={"kind": "crank_rocker", **lengths},
+        masses={name: body(link) for name, link in LINKS.items()},
+        gravity={"acceleration": f"{-CASE.machine['gravity_m_s2'][1]} m/s^2"},
+        load={
+            "work": {"on": "rocker", "torque": f"{CASE.machine['rocker_load_torque_Nm']} N*m", "sense": "active"},
+            "damper": {
+                "on": "rocker",
+                "torque": f"{CASE.machine['rocker_viscous_Nms_per_rad']} N*m",
+                "at_turning": "1 rad/s",
+            },
+        },
+        **tables,
+    )
+
+
+def test_joint_forces_and_torque_of_a_loaded_crank_rocker():
+    result = ct.run(machine())
+    joints = {name: i for i, name in enumerate(result.labels["joint"])}
+    x, y = result.joint_force_x, result.joint_force_y
+    every = slice(None, None, 1)
+    found = {"T_drive_Nm": result.driving_torque[every], "J_red_kgm2": result.reduced_inertia[every]}
+    for joint, column, sign in (
+        ("main_bearing", "F_O2_on_crank", 1.0),
+        ("crank_pin", "F_A_on_coupler", 1.0),
+        ("joint", "F_B_on_rocker", 1.0),
+        ("pivot", "F_O4_on_rocker", 1.0),
+    ):
+        place = next(i for name, i in joints.items() if name.endswith(joint))
+        found[f"{column}_x_N"], found[f"{column}_y_N"] = sign * x[place], sign * y[place]
+    CASE.compare({name: np.append(values, values[..., :1]) for name, values in found.items()}, rel_to_peak=1e-9)
+    assert all(np.all(check.passed) for check in result.checks)
