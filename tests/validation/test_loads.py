@@ -1,7 +1,6 @@
 """Loads on links, from the machine file to joint forces and torque, against a 40-digit multibody solver."""
 
 import numpy as np
-import pytest
 from tests.reference_case import ReferenceCase
 
 import cranktrain as ct

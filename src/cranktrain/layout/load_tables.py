@@ -1,22 +1,26 @@
 """Loads: what a machine works against, or what drives it besides the gas; their tables of the machine file."""
 
 from collections.abc import Iterator, Mapping
+from itertools import pairwise
 from typing import Annotated, Literal, TypeAlias
 
 from pydantic import Field
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
+from cranktrain.layout.listed import OneOrMany
 from cranktrain.quantities import (
     Angle,
     Dimension,
     Force,
     Given,
     Length,
+    NonNegativeLength,
     PositiveLength,
     PositiveSpeed,
     PositiveVelocity,
     Quantity,
+    TurnedAngle,
 )
 from cranktrain.spec import Spec
 
@@ -24,6 +28,8 @@ Torque = Annotated[Given, Quantity(Dimension.TORQUE)]
 Exponent = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=10.0)]
 
 _AT = ("along", "across", "radius")
+_OVER = ("crank_angles", "travel", "swing")
+_OF_TORQUES = ("at_turning", "swing", "torque_back")
 
 
 class LoadSpec(Spec, frozen=True):
@@ -34,8 +40,29 @@ class LoadSpec(Spec, frozen=True):
     """
 
     on: str = Field(min_length=1, description=N_("What it acts on: a part of a mechanism, as [masses] names them."))
-    force: Force | None = Field(default=None, description=N_("Size of a force, or give a torque."))
-    torque: Torque | None = Field(default=None, description=N_("Size of a torque on a link, or give a force."))
+    force: OneOrMany[Force] | None = Field(
+        default=None, description=N_("Size of a force, or a list of sizes over angles or travel; or give a torque.")
+    )
+    torque: OneOrMany[Torque] | None = Field(
+        default=None, description=N_("Size of a torque on a link, or a list of sizes; or give a force.")
+    )
+    crank_angles: tuple[Angle, ...] | None = Field(
+        default=None, min_length=2, description=N_("Crank angles as they are shown, at which it has the sizes listed.")
+    )
+    travel: tuple[NonNegativeLength, ...] | None = Field(
+        default=None, min_length=2, description=N_("Travel of its point from where it is least, at which it has them.")
+    )
+    swing: tuple[TurnedAngle, ...] | None = Field(
+        default=None,
+        min_length=2,
+        description=N_("Turn of its link from its least angle, at which it has them."),
+    )
+    force_back: tuple[Force, ...] | None = Field(
+        default=None, description=N_("Sizes on the way back, where they are others than on the way out.")
+    )
+    torque_back: tuple[Torque, ...] | None = Field(
+        default=None, description=N_("Sizes on the way back, where they are others than on the way out.")
+    )
     sense: Literal["resisting", "active"] = Field(
         default="resisting", description=N_("Always against the motion, or in a direction of its own.")
     )
@@ -60,23 +87,66 @@ class LoadSpec(Spec, frozen=True):
         default=None, description=N_("Of the speed, with which the size goes; 1 unless given: viscous.")
     )
 
+    @property
+    def sizes(self) -> tuple[Given, ...]:
+        """Of force or torque."""
+        return self.force or self.torque or ()
+
+    @property
+    def back(self) -> tuple[Given, ...] | None:
+        """Sizes on the way back."""
+        return self.force_back or self.torque_back
+
+    @property
+    def over(self) -> tuple[str, tuple[Given, ...]] | None:
+        """Over what sizes are listed, and where."""
+        given = ((name, getattr(self, name)) for name in _OVER)
+        return next(((name, places) for name, places in given if places is not None), None)
+
     def _problems(self) -> Iterator[Problem]:
         """Find a load of no sort or of two, and what belongs to another."""
-        if (self.force is None) == (self.torque is None):
-            wrong = _("is missing; give force or torque") if self.force is None else _("must not stand beside torque")
-            yield Problem("force", None if self.force is None else self.force.text, wrong)
-        foreign = (*_AT, "direction", "at_speed") if self.force is None else ("at_turning",)
-        allowed = _("is for a force") if self.force is None else _("is for a torque")
+        sort, other = ("torque", "force") if self.force is None else ("force", "torque")
+        if self.force is None and self.torque is None:
+            yield Problem("force", None, _("is missing; give force or torque"))
+            return
+        if self.torque is not None and self.force is not None:
+            yield Problem("torque", None, _("must not stand beside force; make it another load"))
+        foreign = (*_AT, "direction", "at_speed", "travel", "force_back") if sort == "torque" else _OF_TORQUES
+        allowed = _("is for a {sort}").format(sort=_(other))
         yield from (Problem(name, None, allowed) for name in foreign if getattr(self, name) is not None)
         if self.radius is not None:
             beside = _("must not stand beside radius, which says where the force acts")
             yield from (Problem(name, None, beside) for name in _AT[:2] if getattr(self, name) is not None)
-        size = self.force or self.torque
-        if self.sense == "resisting" and size is not None and size.si < 0:
+        yield from self._size_problems(sort)
+
+    def _size_problems(self, sort: str) -> Iterator[Problem]:
+        """Find sizes that do not suit the sense, or what they are listed over."""
+        listed = {sort: self.sizes, f"{sort}_back": self.back or ()}
+        if self.sense == "resisting":
             allowed = _('must be at least 0 of a load that resists; sense = "active" gives it a direction')
-            yield Problem("force" if self.force else "torque", size.text, allowed)
+            yield from (
+                Problem(f"{name}[{i}]" if len(sizes) > 1 else name, size.text, allowed)
+                for name, sizes in listed.items()
+                for i, size in enumerate(sizes)
+                if size.si < 0
+            )
+        given = [name for name in (*_OVER, "at_speed", "at_turning") if getattr(self, name) is not None]
+        if len(given) > 1:
+            yield Problem(given[1], None, _("must not stand beside {other}: one law at a time").format(other=given[0]))
         if self.exponent is not None and self.at_speed is None and self.at_turning is None:
             yield Problem("exponent", self.exponent.text, _("needs at_speed, or of a torque at_turning"))
+        n_places = 1 if self.over is None else len(self.over[1])
+        allowed = _("must be as many as the places that they are for: {n}").format(n=n_places)
+        for name, sizes in listed.items():
+            if sizes and len(sizes) != n_places:
+                yield Problem(name, _("a list of {n}").format(n=len(sizes)), allowed)
+        if self.over is not None:
+            name, places = self.over
+            rises = all(one.si < other.si for one, other in pairwise(places))
+            if not rises:
+                yield Problem(name, None, _("must rise from one place to the next"))
+            if self.back is not None and name == "crank_angles":
+                yield Problem(f"{sort}_back", None, _("is for sizes over the travel, which has a way back"))
 
 
 LoadTables: TypeAlias = Mapping[str, Mapping[str, LoadSpec]]

@@ -4,16 +4,16 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cranktrain.errors import Problem
 from cranktrain.language import _
 from cranktrain.layout.design import Designs
+from cranktrain.layout.load_laws import ByAngle, BySpeed, ByTravel, Law, LoadState
 from cranktrain.layout.load_tables import LoadSpec, LoadTables
 from cranktrain.layout.part_tables import SLIDER, part_name, table_paths
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage.forces.load import Way, across_link, along_link, pushing, turning, with_motion
-from cranktrain.linkage.vectors import Vector, Wrench
+from cranktrain.linkage.vectors import Vector
 from cranktrain.motion import ONE, ZERO, Array, Link
 from cranktrain.numerics.nested import mapped
 from cranktrain.quantities import Given, nearest
@@ -32,12 +32,10 @@ class LinkLoad(NamedTuple):
     mechanism, link : int
         Whose it is, and which of what moves there.
     is_slider, is_torque, resists : bool
-    size : Array, shape (design, 1, 1)
-        At the speed `at`. [N or N·m]
-    at, exponent : Array, shape (design, 1, 1)
-        Speed at which it has its size [m/s or rad/s]; the power of the speed with which it goes: 0 of a constant one.
-    place : Vector of arrays of that shape, or None
-        On the link. [m]
+    law : Law
+        Of its size. [N or N·m]
+    arm : Vector of arrays of shape (design, 1, 1)
+        Of its point from the link's first pin. [m]
     radius, direction : Array of that shape, or None
         Arm about the link's first pin [m]; in the mechanism's axes [rad].
     """
@@ -48,10 +46,8 @@ class LinkLoad(NamedTuple):
     is_slider: bool
     is_torque: bool
     resists: bool
-    size: Array
-    at: Array
-    exponent: Array
-    place: Vector
+    law: Law
+    arm: Vector
     radius: Array | None
     direction: Array | None
 
@@ -62,21 +58,26 @@ class LinkLoad(NamedTuple):
         if self.radius is not None:
             return across_link(link, self.radius)
         if self.direction is not None:
-            return pushing(link, self.place, self.direction)
-        return along_link(link) if self.is_slider else with_motion(link, self.place)
+            return pushing(link, self.arm, self.direction)
+        return along_link(link) if self.is_slider else with_motion(link, self.arm)
 
-    def value(self, way: Way, speed: Array) -> Array:
-        """Its size along its way at a crank's speed; against the motion of what it resists. [N or N·m]"""
-        goes = way.rate * speed
-        size = self.size * (np.abs(goes) / self.at) ** self.exponent
-        return -np.sign(goes) * size if self.resists else size
+    def turns_back(self, link: Link, way: Way) -> Array:
+        """What changes its sign where the load turns round, if it resists."""
+        goes_anywhere = not (self.is_torque or self.is_slider) and self.radius is None and self.direction is None
+        return link.angle.first if goes_anywhere else way.rate
+
+    def value(self, state: LoadState) -> Array:
+        """Its size along its way, against the motion if it resists, shape (design, 1, n). [N or N·m]"""
+        size = self.law.value(state)
+        return -np.sign(state.speed) * size if self.resists else size
 
 
 @record
 class Loads:
-    """Loads of a machine, on whatever they act."""
+    """Loads of a machine, on whatever they act; zero, shape (design, 1, 1), is φ where the shown angle is 0. [rad]"""
 
     each: tuple[LinkLoad, ...]
+    zero: Array
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -100,7 +101,7 @@ def loads_of(designs: Designs) -> Loads | None:
         for i, place in enumerate(designs.places)
         if path in table_paths(place, _TABLE) and _link_of(place, spec.on) is not None
     ]
-    return Loads(tuple(found))
+    return Loads(tuple(found), designs.crank_angle.zero)
 
 
 def _link_of(place: PlacedMechanism, on: str) -> int | None:
@@ -120,26 +121,43 @@ def _link_load(designs: Designs, name: str, spec: LoadSpec, mechanism: int, plac
 
     link = _link_of(place, spec.on)
     assert link is not None  # only mechanisms that have it are asked
-    size, at = spec.force or spec.torque, spec.at_speed or spec.at_turning
-    assert size is not None  # the spec asks for one of the two
+    along, across = given(spec.along), given(spec.across, place.sense)
     # What counts in the sense of rotation changes its sign in the axes of a crank that runs against it.
     turned = place.sense if spec.torque is not None or spec.radius is not None else 1.0
-    exponent = ONE if spec.exponent is None else spec.exponent.array
-    along, across = given(spec.along), given(spec.across, place.sense)
     return LinkLoad(
         name=name if len(designs.places) == 1 else f"{place.name}.{name}",
         mechanism=mechanism,
         link=link,
-        is_slider=place.kind.dynamics.moving[link] in (SLIDER, *place.kind.sliders, *_output_slider(place)),
+        is_slider=_slides(place, place.kind.dynamics.moving[link]),
         is_torque=spec.torque is not None,
         resists=spec.sense == "resisting",
-        size=each((1.0 if spec.sense == "resisting" else turned) * size.array),
-        at=each(ONE if at is None else at.array),
-        exponent=each(ZERO if at is None else exponent),
-        place=Vector(each(ZERO) if along is None else along, each(ZERO) if across is None else across),
+        law=_law(designs, spec, 1.0 if spec.sense == "resisting" else turned),
+        arm=Vector(each(ZERO) if along is None else along, each(ZERO) if across is None else across),
         radius=given(spec.radius),
         direction=given(spec.direction, place.sense),
     )
+
+
+def _law(designs: Designs, spec: LoadSpec, sign: float) -> Law:
+    """How large it is, in the sense that counts in the mechanism's axes."""
+
+    def each(numbers: Sequence[Given]) -> Array:
+        return designs.by_design([number.array for number in numbers])
+
+    size = sign * each(spec.sizes)
+    if spec.crank_angles is not None:
+        return ByAngle(each(spec.crank_angles), size)
+    if (travel := spec.travel or spec.swing) is not None:
+        return ByTravel(each(travel), size, size if spec.back is None else sign * each(spec.back))
+    at = spec.at_speed or spec.at_turning
+    power = ZERO if at is None else ONE if spec.exponent is None else spec.exponent.array
+    speed = designs.by_design([ONE if at is None else at.array])
+    return BySpeed(*(part[..., np.newaxis] for part in (size, speed, designs.by_design([power]))))
+
+
+def _slides(place: PlacedMechanism, name: str) -> bool:
+    """Whether what moves is a slider in a guide."""
+    return name in (SLIDER, *place.kind.sliders, *_output_slider(place))
 
 
 def _output_slider(place: PlacedMechanism) -> tuple[str, ...]:
@@ -161,50 +179,27 @@ def load_problems(places: Sequence[PlacedMechanism], tables: LoadTables) -> Iter
                 repair = None if close is None else _("did you mean {name}?").format(name=close)
                 yield Problem(f"{where}.on", spec.on, allowed, repair)
                 continue
-            sliders = {
-                part_name(slider) for place in own for slider in (SLIDER, *place.kind.sliders, *_output_slider(place))
-            }
-            if spec.on in sliders and spec.torque is not None:
-                yield Problem(
-                    f"{where}.torque", spec.torque.text, _("is for what turns, and this slides: give a force")
-                )
-            if spec.on in sliders and spec.radius is not None:
-                yield Problem(f"{where}.radius", spec.radius.text, _("is for what turns, and this slides"))
-            lacks_way = spec.force is not None and spec.direction is None and spec.radius is None
-            if spec.on not in sliders and spec.sense == "active" and lacks_way:
-                yield Problem(f"{where}.direction", None, _("is missing; a force on a link needs it, or a radius"))
+            yield from _way_problems(where, spec, own)
 
 
-def loaded(loads: Loads, index: NDArray[np.intp], links: Sequence[Link], speed: Array) -> dict[int, Wrench]:
-    """What loads do to the links of some mechanisms.
-
-    Parameters
-    ----------
-    loads : Loads
-    index : array of int, shape (member,)
-        Which mechanisms.
-    links : sequence of Link, coefficients of shape (design, member, n)
-    speed : Array, shape (design, 1, 1) or (design, member, n)
-        Of their cranks. [rad/s]
-
-    Returns
-    -------
-    dict
-        By the place of the link: Wrench of shape (design, member, n), about the link's first pin.
-    """
-    found: dict[int, Wrench] = {}
-    for member, mechanism in enumerate(index.tolist()):
-        for load in loads.of(mechanism):
-            way = load.way(_of_member(links[load.link], member))
-            value = load.value(way, speed[:, member : member + 1] if speed.shape[1] > 1 else speed)
-            parts = np.broadcast_arrays(*(value * part for part in way.unit))
-            n_designs, _one, n_angles = parts[0].shape
-            nothing = Wrench(*np.zeros((3, n_designs, len(index), n_angles)))
-            for whole, part in zip(found.setdefault(load.link, nothing), parts, strict=True):
-                whole[:, member : member + 1] += part
-    return found
+def _way_problems(where: str, spec: LoadSpec, places: Sequence[PlacedMechanism]) -> Iterator[Problem]:
+    """Find what does not suit a slider, or what turns, and a travel that is not covered."""
+    place = next(place for place in places if _link_of(place, spec.on) is not None)
+    index = _link_of(place, spec.on) or 0
+    if _slides(place, place.kind.dynamics.moving[index]):
+        slides = _("is for what turns, and this slides")
+        yield from (
+            Problem(f"{where}.{name}", None, slides)
+            for name in ("torque", "radius", "swing")
+            if getattr(spec, name) is not None
+        )
+    elif spec.force is not None and spec.direction is None and spec.radius is None:
+        if spec.sense == "active":
+            yield Problem(f"{where}.direction", None, _("is missing; a force on a link needs it, or a radius"))
+        if spec.travel is not None:
+            yield Problem(f"{where}.travel", None, _("needs a direction or a radius, along which it is counted"))
 
 
-def _of_member(link: Link, member: int) -> Link:
-    """One member's link."""
+def of_member(link: Link, member: int) -> Link:
+    """One member's link among those of its kind, shape (design, member, n)."""
     return mapped(lambda _name, part: part[:, member : member + 1] if np.ndim(part) == 3 else part, link)

@@ -1,71 +1,80 @@
-"""Loads on links: the wrench of a force at a point, against its motion or in a direction of its own."""
+"""Loads on links: along what they go, and for each unit of their size what they do to the link."""
 
 from typing import NamedTuple
 
 import numpy as np
 
-from cranktrain.linkage.vectors import Vector, at_arm, direction, dot, rotated, swept
-from cranktrain.linkage.vectors import Wrench as _Wrench
-from cranktrain.motion import ZERO, Array, Link, chosen
+from cranktrain.linkage.vectors import Vector, Wrench, at_arm, dot, rotated, swept
+from cranktrain.motion import ONE, ZERO, Array, Link, chosen
 
 
 class Way(NamedTuple):
-    """What a load goes along: for each unit of its size a wrench on the link, and how fast it goes by the crank angle.
+    """What a load goes along.
 
-    unit: [1] of a force, or a moment alone; rate: of the force's point along it [m/rad], or of the link [1].
+    Attributes
+    ----------
+    unit : Wrench
+        Of a load of 1 N or 1 N·m on the link, about its first pin.
+    place : Array
+        How far it is along: its point [m], or its link [rad].
+    rate : Array
+        Derivative of that by the crank angle.
     """
 
-    unit: _Wrench
+    unit: Wrench
+    place: Array
     rate: Array
 
 
 def turning(link: Link) -> Way:
     """Way of a torque on a link: in the sense of rotation."""
-    return Way(_Wrench(ZERO, ZERO, ZERO + 1.0), link.angle.first)
+    return Way(Wrench(ZERO, ZERO, ONE), link.angle.value, link.angle.first)
 
 
-def pushing(link: Link, place: Vector, angle: Array) -> Way:
-    """Way of a force at a place of a link, in a fixed direction.
+def pushing(link: Link, arm: Vector, direction: Array) -> Way:
+    """Way of a force at a point of a link, in a direction that does not change.
 
     Parameters
     ----------
     link : Link, shape (..., n)
-    place : Vector, broadcastable to (..., 1)
-        From the link's first pin, along and across it. [m]
-    angle : Array, broadcastable
+    arm : Vector, broadcastable to (..., 1)
+        Of the point from the link's first pin, along and across it. [m]
+    direction : Array, broadcastable
         Of the force from x, in the mechanism's axes. [rad]
 
     Returns
     -------
     Way, shape (..., n)
     """
-    arm = rotated(place, link.cos, link.sin)
-    unit = Vector(np.cos(angle) + 0.0 * arm.x, np.sin(angle) + 0.0 * arm.x)
-    velocity, _ = swept(link.origin, arm, link.angle)
-    return Way(at_arm(arm, unit), dot(velocity, unit))
+    own = rotated(arm, link.cos, link.sin)
+    unit = Vector(np.cos(direction) + 0.0 * own.x, np.sin(direction) + 0.0 * own.x)
+    return _at(link, own, unit)
 
 
 def along_link(link: Link) -> Way:
-    """Way of a force on a slider, along its guide."""
-    unit = direction(link)
-    still = 0.0 * link.origin.x.first
-    rate = link.origin.x.first * unit.x + link.origin.y.first * unit.y
-    return Way(_Wrench(unit.x + still, unit.y + still, still), rate)
+    """Way of a force on a slider: at its pin, along its guide."""
+    still = 0.0 * link.origin.x.value
+    return _at(link, Vector(still, still), Vector(link.cos + still, link.sin + still))
 
 
 def across_link(link: Link, radius: Array) -> Way:
-    """Way of a force across a link, at an arm about its first pin: to its left."""
-    place = Vector(radius, ZERO)
-    arm = rotated(place, link.cos, link.sin)
-    unit = Vector(-link.sin, link.cos)
-    velocity, _ = swept(link.origin, arm, link.angle)
-    return Way(at_arm(arm, unit), dot(velocity, unit))
+    """Way of a force across a link that turns, at an arm about its first pin: to its left. [m]"""
+    own = rotated(Vector(radius, ZERO), link.cos, link.sin)
+    found = _at(link, own, Vector(-link.sin, link.cos))
+    return Way(found.unit, radius * link.angle.value, found.rate)
 
 
-def with_motion(link: Link, place: Vector) -> Way:
-    """Way of a force that goes with its point, wherever that goes; where it stands there is none."""
-    arm = rotated(place, link.cos, link.sin)
-    velocity, _ = swept(link.origin, arm, link.angle)
+def with_motion(link: Link, arm: Vector) -> Way:
+    """Way of a force that goes wherever its point goes; where that stands it has none, and no place. [m]"""
+    own = rotated(arm, link.cos, link.sin)
+    velocity, _ = swept(link.origin, own, link.angle)
     rate = np.hypot(velocity.x, velocity.y)
     moves = chosen(rate > 0.0, rate, 1.0)
-    return Way(at_arm(arm, Vector(velocity.x / moves, velocity.y / moves)), rate)
+    return Way(at_arm(own, Vector(velocity.x / moves, velocity.y / moves)), 0.0 * rate, rate)
+
+
+def _at(link: Link, arm: Vector, unit: Vector) -> Way:
+    """Way of a force at an arm in the mechanism's axes, along a unit vector."""
+    velocity, _ = swept(link.origin, arm, link.angle)
+    point = Vector(link.origin.x.value + arm.x, link.origin.y.value + arm.y)
+    return Way(at_arm(arm, unit), dot(point, unit), dot(velocity, unit))

@@ -6,8 +6,6 @@ from cranktrain.errors import Problem
 from cranktrain.language import N_
 from cranktrain.layout.bodies import BodySpec, GravitySpec, GuideSpec
 from cranktrain.layout.design import Design, Designs
-from cranktrain.layout.load_tables import LoadSpec
-from cranktrain.layout.loads import load_problems, loads_of
 from cranktrain.layout.masses import mass_problems, masses_of
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
 from cranktrain.layout.uses import table
@@ -34,16 +32,13 @@ from cranktrain.questions.motion.rods import on_rods
 
 def _problems(design: Design) -> Iterator[Problem]:
     yield from mass_problems(design.places, design.weighed)
-    yield from load_problems(design.places, design.loads)
 
 
 def _parts(designs: Designs, known: Parts) -> Iterator[object | None]:
     yield carriers.carriers_of(designs.places)
     # There are forces where gas presses, whether anything has a mass or not.
     weighed = designs.together.weighed
-    loads = loads_of(designs)
-    yield loads
-    if loads is not None or weighed.bodies or all(part in known for part in gas.PRESSING):
+    if designs.together.loads or weighed.bodies or all(part in known for part in gas.PRESSING):
         yield masses_of(designs.places, weighed, designs.n_designs)
 
 
@@ -57,7 +52,7 @@ def _guides(design: Design) -> Sequence[str]:
 
 QUESTION = Question(
     "forces",
-    tables={"load": LoadSpec, "masses": BodySpec, "friction": Given, "guide": GuideSpec, "gravity": GravitySpec},
+    tables={"masses": BodySpec, "friction": Given, "guide": GuideSpec, "gravity": GravitySpec},
     problems=_problems,
     parts=_parts,
     stages=(
