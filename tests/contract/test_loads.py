@@ -47,14 +47,12 @@ def loaded(kind, running="ahead"):
     places = [place for place in ct.Machine(**table).places if place.kind.name == kind.name]
     load = {}
     for place in places[:1]:
-        sliders = {place.kind.sliders, "slider", getattr(place.spec, "output", "")} - {()}
         for part in map(part_name, place.kind.dynamics.moving):
             slides = part in {"piston", *place.kind.sliders} or part == (
                 getattr(place.spec, "output", "") if place.kind.output == "slider" else ""
             )
             for n, (name, sort) in enumerate((ON_SLIDERS if slides else SORTS).items()):
                 load[f"{name} {n} on {part}".replace(" ", "_")] = {"on": part, **sort}
-        del sliders
     machine = WEIGHED[kind.name]
     return ct.Machine(**{**machine.declared, "load": load, "running": running})
 
@@ -67,7 +65,9 @@ def test_reactions_and_work_agree(kind, running):
     assert {"torque", "load_work"} <= found.keys()
     for check in result.checks:
         assert np.all(check.passed), (check.name, check.residual, check.limit)
-    resisting = [i for i, load in enumerate(result.machines[0].load.values()) if load.sense == "resisting"]
+    senses = {name: load.sense for name, load in result.machines[0].load.items()}
+    named = [name.rpartition(".")[2] for name in result.labels["load"]]
+    resisting = [i for i, name in enumerate(named) if senses[name] == "resisting"]
     # a load that resists never gives work to the machine over a turn
     assert np.all(result.load_work[resisting] <= 0)
     assert np.min(result.load_work) < 0

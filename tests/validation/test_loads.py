@@ -1,6 +1,7 @@
 """Loads on links, from the machine file to joint forces and torque, against a 40-digit multibody solver."""
 
 import numpy as np
+import pytest
 from tests.reference_case import ReferenceCase
 
 import cranktrain as ct
@@ -64,3 +65,34 @@ def test_joint_forces_and_torque_of_a_loaded_crank_rocker():
         found[f"{column}_x_N"], found[f"{column}_y_N"] = sign * x[place], sign * y[place]
     CASE.compare({name: np.append(values, values[..., :1]) for name, values in found.items()}, rel_to_peak=1e-9)
     assert all(np.all(check.passed) for check in result.checks)
+
+
+def test_a_brake_takes_its_torque_times_the_swing_there_and_back():
+    """A constant torque against the motion: −2 M γ a turn; with the viscous one −c ω ∮ α₁′² dφ."""
+    result = ct.run(machine().with_({"load.brake": {"on": "rocker", "torque": "50 N*m"}}))
+    names = result.labels["load"]
+    works = dict(zip(names, result.load_work.tolist(), strict=True))
+    assert works["brake"] == pytest.approx(-2 * 50 * float(result.swing[0]), rel=1e-12)
+    assert works["work"] == pytest.approx(0.0, abs=1e-10)
+    rate = result.rocker_velocity_coefficient[0]
+    taken = 6.0 * CASE.machine["crank_speed_rad_s"] * np.mean(rate**2) * 2 * np.pi
+    assert works["damper"] == pytest.approx(-taken, rel=1e-12)
+
+
+def test_a_press_does_the_work_under_its_curve():
+    """Force over the last 12 mm before the outer dead centre: the trapezium's area, and nothing on the way back."""
+    press = ct.Machine(
+        mechanism={"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "300 mm"},
+        shaft={"main": {"speed": "60 rpm"}},
+        load={
+            "blank": {
+                "on": "piston",
+                "force": ["0 kN", "0 kN", "200 kN", "300 kN"],
+                "force_back": ["0 kN", "0 kN", "0 kN", "0 kN"],
+                "travel": ["0 mm", "88 mm", "90 mm", "100 mm"],
+            }
+        },
+    )
+    result = ct.run(press)
+    assert result.load_work[0] == pytest.approx(-(0.002 * 100e3 + 0.010 * 250e3), rel=1e-12)
+    assert float(result.mean_torque) * 2 * np.pi == pytest.approx(result.load_work[0], rel=1e-12)
