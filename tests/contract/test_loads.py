@@ -1,4 +1,4 @@
-"""A load of every sort on every part of every kind: reactions against virtual work, work of the load against the torque.
+"""A load of every sort on every part of every kind: reactions against virtual work, work of loads against the torque.
 
 The checks of a result are identities between ways of computing that share little; they are proved to be able to fail
 where they are made.

@@ -96,3 +96,54 @@ def test_a_press_does_the_work_under_its_curve():
     result = ct.run(press)
     assert result.load_work[0] == pytest.approx(-(0.002 * 100e3 + 0.010 * 250e3), rel=1e-12)
     assert float(result.mean_torque) * 2 * np.pi == pytest.approx(result.load_work[0], rel=1e-12)
+
+
+INCH, POUND_FORCE = 0.0254, 4.4482216152605
+STROKE = 49.52420986543403
+"""Of the unit C-57D-109-48. [in]"""
+
+
+def pumping_unit(**more):
+    """The unit with the invented card of its test case: 5000 lbf down and 8500 lbf up, each reached in 0.15 stroke."""
+    card = {
+        "on": "rocker",
+        "sense": "active",
+        "radius": "64 in",
+        "direction": "140.52754015165617 deg",  # straight down, from the mechanism's x, 39.47° clockwise from up
+        "counts": "against",
+        "travel": ["0 in", f"{0.15 * STROKE!r} in", f"{0.85 * STROKE!r} in", f"{STROKE!r} in"],
+        "force": ["5000 lbf", "8500 lbf", "8500 lbf", "8500 lbf"],
+        "force_back": ["5000 lbf", "5000 lbf", "5000 lbf", "8500 lbf"],
+    }
+    return ct.load("pumping_unit_c57").with_({"load": {"card": card, **more}})
+
+
+def test_torque_of_a_pumping_unit_under_its_card():
+    unbalance = {
+        "on": "rocker",
+        "sense": "active",
+        "radius": "64 in",
+        "direction": "140.52754015165617 deg",
+        "force": "-320 lbf",
+    }
+    result = ct.run(pumping_unit(unbalance=unbalance))
+    inch_pound = INCH * POUND_FORCE
+    # area of the card, by trapezia, and its mean torque
+    assert result.load_work[0] / inch_pound == pytest.approx(-147334.52434966623, rel=1e-12)
+    assert -float(result.mean_torque) / inch_pound == pytest.approx(23449.0178383426, rel=1e-11)
+    # largest and smallest torque without counterbalance, read off a fine grid there
+    assert -float(result.smallest_torque) / inch_pound == pytest.approx(207823.24684163224, rel=2e-7)
+    assert -float(result.largest_torque) / inch_pound == pytest.approx(-118526.30174259713, rel=2e-7)
+
+
+def test_the_saddle_of_a_pumping_unit_carries_what_hangs_on_the_rope():
+    """Of a massless unit all forces on the beam add up: pitman, rope, saddle bearing."""
+    result = ct.run(pumping_unit())
+    joints = result.labels["joint"]
+    pivot, joint = (next(i for i, name in enumerate(joints) if name.endswith(end)) for end in ("pivot", "joint"))
+    sums = [getattr(result, f"joint_force_{axis}")[[pivot, joint]].sum(axis=0) for axis in "xy"]
+    pull = np.hypot(*sums) / POUND_FORCE
+    assert pull.min() == pytest.approx(5000, rel=1e-9)
+    assert pull.max() == pytest.approx(8500, rel=1e-9)
+    # along one line, straight up
+    assert np.ptp(np.arctan2(sums[1], sums[0])) < 1e-12

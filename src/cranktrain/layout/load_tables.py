@@ -16,7 +16,6 @@ from cranktrain.quantities import (
     Given,
     Length,
     NonNegativeLength,
-    PositiveLength,
     PositiveSpeed,
     PositiveVelocity,
     Quantity,
@@ -57,6 +56,9 @@ class LoadSpec(Spec, frozen=True):
         min_length=2,
         description=N_("Turn of its link from its least angle, at which it has them."),
     )
+    counts: Literal["with", "against"] = Field(
+        default="with", description=N_("Whether the travel grows in the direction of the force, or against it.")
+    )
     force_back: tuple[Force, ...] | None = Field(
         default=None, description=N_("Sizes on the way back, where they are others than on the way out.")
     )
@@ -74,8 +76,12 @@ class LoadSpec(Spec, frozen=True):
         default=None, description=N_("Where a force acts: from the link's first pin toward its second.")
     )
     across: Length | None = Field(default=None, description=N_("Where a force acts: to the left of the line of pins."))
-    radius: PositiveLength | None = Field(
-        default=None, description=N_("Of a force across a link that turns: its arm about the link's first pin.")
+    radius: Length | None = Field(
+        default=None,
+        description=N_(
+            "Arm of the force about the link's first pin; less than 0 where it turns the link against the sense of"
+            " rotation. Across the link, or with a direction as a rope off an arc."
+        ),
     )
     at_speed: PositiveVelocity | None = Field(
         default=None, description=N_("Speed of its point at which the force has its size.")
@@ -117,6 +123,8 @@ class LoadSpec(Spec, frozen=True):
         if self.radius is not None:
             beside = _("must not stand beside radius, which says where the force acts")
             yield from (Problem(name, None, beside) for name in _AT[:2] if getattr(self, name) is not None)
+            if self.radius.si == 0:
+                yield Problem("radius", self.radius.text, _("must not be 0: such a force turns nothing"))
         yield from self._size_problems(sort)
 
     def _size_problems(self, sort: str) -> Iterator[Problem]:

@@ -1,7 +1,8 @@
 """Loads of a machine file, put to the links of its mechanisms as SI arrays; and what is wrong with them."""
 
-from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -12,14 +13,21 @@ from cranktrain.layout.load_laws import ByAngle, BySpeed, ByTravel, Law, LoadSta
 from cranktrain.layout.load_tables import LoadSpec, LoadTables
 from cranktrain.layout.part_tables import SLIDER, part_name, table_paths
 from cranktrain.layout.places import PlacedMechanism
-from cranktrain.linkage.forces.load import Way, across_link, along_link, pushing, turning, with_motion
+from cranktrain.linkage.forces.load import LoadWay, across_link, along_link, off_arc, pushing, turning, with_motion
 from cranktrain.linkage.vectors import Vector
 from cranktrain.motion import ONE, ZERO, Array, Link
-from cranktrain.numerics.nested import mapped
+from cranktrain.numerics import extremes
+from cranktrain.numerics.nested import by_design, mapped
 from cranktrain.quantities import Given, nearest
 from cranktrain.record import record
+from cranktrain.wording import precise
 
 _TABLE = "load"
+_COVERED = 1e-6
+"""Travels are written to some digits: what is missing of so small a part is covered."""
+
+Laid: TypeAlias = Callable[[Sequence[Array]], Array]
+"""Puts numbers of all designs into an array of shape (design, number)."""
 
 
 class LinkLoad(NamedTuple):
@@ -34,6 +42,8 @@ class LinkLoad(NamedTuple):
     is_slider, is_torque, resists : bool
     law : Law
         Of its size. [N or N·m]
+    counts : float
+        −1 where its travel counts against its way.
     arm : Vector of arrays of shape (design, 1, 1)
         Of its point from the link's first pin. [m]
     radius, direction : Array of that shape, or None
@@ -47,21 +57,24 @@ class LinkLoad(NamedTuple):
     is_torque: bool
     resists: bool
     law: Law
+    counts: float
     arm: Vector
     radius: Array | None
     direction: Array | None
 
-    def way(self, link: Link) -> Way:
+    def way(self, link: Link) -> LoadWay:
         """What it goes along."""
         if self.is_torque:
             return turning(link)
+        if self.radius is not None and self.direction is not None:
+            return off_arc(link, self.radius, self.direction)
         if self.radius is not None:
             return across_link(link, self.radius)
         if self.direction is not None:
             return pushing(link, self.arm, self.direction)
         return along_link(link) if self.is_slider else with_motion(link, self.arm)
 
-    def turns_back(self, link: Link, way: Way) -> Array:
+    def turns_back(self, link: Link, way: LoadWay) -> Array:
         """What changes its sign where the load turns round, if it resists."""
         goes_anywhere = not (self.is_torque or self.is_slider) and self.radius is None and self.direction is None
         return link.angle.first if goes_anywhere else way.rate
@@ -69,7 +82,7 @@ class LinkLoad(NamedTuple):
     def value(self, state: LoadState) -> Array:
         """Its size along its way, against the motion if it resists, shape (design, 1, n). [N or N·m]"""
         size = self.law.value(state)
-        return -np.sign(state.speed) * size if self.resists else size
+        return -self.counts * np.sign(state.speed) * size if self.resists else size
 
 
 @record
@@ -95,7 +108,7 @@ def loads_of(designs: Designs) -> Loads | None:
     if not tables:
         return None
     found = [
-        _link_load(designs, name, spec, i, place)
+        _link_load(designs.by_design, name if len(designs.places) == 1 else f"{place.name}.{name}", spec, i, place)
         for path, named in tables.items()
         for name, spec in named.items()
         for i, place in enumerate(designs.places)
@@ -110,11 +123,11 @@ def _link_of(place: PlacedMechanism, on: str) -> int | None:
     return names.index(on) if on in names else None
 
 
-def _link_load(designs: Designs, name: str, spec: LoadSpec, mechanism: int, place: PlacedMechanism) -> LinkLoad:
+def _link_load(laid: Laid, name: str, spec: LoadSpec, mechanism: int, place: PlacedMechanism) -> LinkLoad:
     """One load on one mechanism."""
 
     def each(number: Array) -> Array:
-        return designs.by_design([number])[..., np.newaxis]
+        return laid([number])[..., np.newaxis]
 
     def given(number: Given | None, sign: float = 1.0) -> Array | None:
         return None if number is None else sign * each(number.array)
@@ -123,26 +136,27 @@ def _link_load(designs: Designs, name: str, spec: LoadSpec, mechanism: int, plac
     assert link is not None  # only mechanisms that have it are asked
     along, across = given(spec.along), given(spec.across, place.sense)
     # What counts in the sense of rotation changes its sign in the axes of a crank that runs against it.
-    turned = place.sense if spec.torque is not None or spec.radius is not None else 1.0
+    turned = place.sense if spec.torque is not None else 1.0
     return LinkLoad(
-        name=name if len(designs.places) == 1 else f"{place.name}.{name}",
+        name=name,
         mechanism=mechanism,
         link=link,
         is_slider=_slides(place, place.kind.dynamics.moving[link]),
         is_torque=spec.torque is not None,
         resists=spec.sense == "resisting",
-        law=_law(designs, spec, 1.0 if spec.sense == "resisting" else turned),
+        law=_law(laid, spec, 1.0 if spec.sense == "resisting" else turned),
         arm=Vector(each(ZERO) if along is None else along, each(ZERO) if across is None else across),
-        radius=given(spec.radius),
+        counts=1.0 if spec.counts == "with" else -1.0,
+        radius=given(spec.radius, place.sense),
         direction=given(spec.direction, place.sense),
     )
 
 
-def _law(designs: Designs, spec: LoadSpec, sign: float) -> Law:
+def _law(laid: Laid, spec: LoadSpec, sign: float) -> Law:
     """How large it is, in the sense that counts in the mechanism's axes."""
 
     def each(numbers: Sequence[Given]) -> Array:
-        return designs.by_design([number.array for number in numbers])
+        return laid([number.array for number in numbers])
 
     size = sign * each(spec.sizes)
     if spec.crank_angles is not None:
@@ -151,8 +165,8 @@ def _law(designs: Designs, spec: LoadSpec, sign: float) -> Law:
         return ByTravel(each(travel), size, size if spec.back is None else sign * each(spec.back))
     at = spec.at_speed or spec.at_turning
     power = ZERO if at is None else ONE if spec.exponent is None else spec.exponent.array
-    speed = designs.by_design([ONE if at is None else at.array])
-    return BySpeed(*(part[..., np.newaxis] for part in (size, speed, designs.by_design([power]))))
+    speed = laid([ONE if at is None else at.array])
+    return BySpeed(*(part[..., np.newaxis] for part in (size, speed, laid([power]))))
 
 
 def _slides(place: PlacedMechanism, name: str) -> bool:
@@ -198,6 +212,29 @@ def _way_problems(where: str, spec: LoadSpec, places: Sequence[PlacedMechanism])
             yield Problem(f"{where}.direction", None, _("is missing; a force on a link needs it, or a radius"))
         if spec.travel is not None:
             yield Problem(f"{where}.travel", None, _("needs a direction or a radius, along which it is counted"))
+            return
+    if (spec.travel or spec.swing) is not None:
+        for own in places:
+            if _link_of(own, spec.on) is not None:
+                yield from _travel_problems(where, spec, own)
+
+
+def _travel_problems(where: str, spec: LoadSpec, place: PlacedMechanism) -> Iterator[Problem]:
+    """Find sizes that are not for the whole travel."""
+    name, given, unit = ("travel", spec.travel, "mm") if spec.swing is None else ("swing", spec.swing, "deg")
+    load = _link_load(partial(by_design, n_designs=1), "", spec, 0, place)
+
+    def way(phi: Array) -> LoadWay:
+        motion = place.kind.motion(phi + place.phase, place.geometry)
+        return load.way(place.kind.dynamics.links(motion, place.geometry)[load.link])
+
+    least, most = extremes(lambda phi: np.ravel(way(phi).place), lambda phi: np.ravel(way(phi).rate))
+    whole = float(most.value[0] - least.value[0])
+    if given and given[0].si != 0.0:
+        yield Problem(f"{where}.{name}[0]", given[0].text, _("must be 0, where the travel begins"))
+    if given and given[-1].si < whole * (1 - _COVERED):
+        allowed = _("must go as far as the part goes, {whole}").format(whole=precise(whole, unit))
+        yield Problem(f"{where}.{name}", given[-1].text, allowed)
 
 
 def of_member(link: Link, member: int) -> Link:

@@ -8,7 +8,7 @@ from cranktrain.linkage.vectors import Vector, Wrench, at_arm, dot, rotated, swe
 from cranktrain.motion import ONE, ZERO, Array, Link, chosen
 
 
-class Way(NamedTuple):
+class LoadWay(NamedTuple):
     """What a load goes along.
 
     Attributes
@@ -26,12 +26,12 @@ class Way(NamedTuple):
     rate: Array
 
 
-def turning(link: Link) -> Way:
+def turning(link: Link) -> LoadWay:
     """Way of a torque on a link: in the sense of rotation."""
-    return Way(Wrench(ZERO, ZERO, ONE), link.angle.value, link.angle.first)
+    return LoadWay(Wrench(ZERO, ZERO, ONE), link.angle.value, link.angle.first)
 
 
-def pushing(link: Link, arm: Vector, direction: Array) -> Way:
+def pushing(link: Link, arm: Vector, direction: Array) -> LoadWay:
     """Way of a force at a point of a link, in a direction that does not change.
 
     Parameters
@@ -44,37 +44,49 @@ def pushing(link: Link, arm: Vector, direction: Array) -> Way:
 
     Returns
     -------
-    Way, shape (..., n)
+    LoadWay, shape (..., n)
     """
     own = rotated(arm, link.cos, link.sin)
     unit = Vector(np.cos(direction) + 0.0 * own.x, np.sin(direction) + 0.0 * own.x)
     return _at(link, own, unit)
 
 
-def along_link(link: Link) -> Way:
+def along_link(link: Link) -> LoadWay:
     """Way of a force on a slider: at its pin, along its guide."""
     still = 0.0 * link.origin.x.value
     return _at(link, Vector(still, still), Vector(link.cos + still, link.sin + still))
 
 
-def across_link(link: Link, radius: Array) -> Way:
+def across_link(link: Link, radius: Array) -> LoadWay:
     """Way of a force across a link that turns, at an arm about its first pin: to its left. [m]"""
     own = rotated(Vector(radius, ZERO), link.cos, link.sin)
     found = _at(link, own, Vector(-link.sin, link.cos))
-    return Way(found.unit, radius * link.angle.value, found.rate)
+    return LoadWay(found.unit, radius * link.angle.value, found.rate)
 
 
-def with_motion(link: Link, arm: Vector) -> Way:
+def off_arc(link: Link, radius: Array, direction: Array) -> LoadWay:
+    """Way of a rope off an arc about a link's first pin: a direction that does not change, at an arm that does not.
+
+    direction from x, in the mechanism's axes [rad]; radius is less than 0 where it turns the link backward [m].
+    """
+    still = 0.0 * link.angle.first
+    unit = Wrench(np.cos(direction) + still, np.sin(direction) + still, radius + still)
+    rate = radius * link.angle.first + link.origin.x.first * unit.x + link.origin.y.first * unit.y
+    place = radius * link.angle.value + link.origin.x.value * unit.x + link.origin.y.value * unit.y
+    return LoadWay(unit, place, rate)
+
+
+def with_motion(link: Link, arm: Vector) -> LoadWay:
     """Way of a force that goes wherever its point goes; where that stands it has none, and no place. [m]"""
     own = rotated(arm, link.cos, link.sin)
     velocity, _ = swept(link.origin, own, link.angle)
     rate = np.hypot(velocity.x, velocity.y)
     moves = chosen(rate > 0.0, rate, 1.0)
-    return Way(at_arm(own, Vector(velocity.x / moves, velocity.y / moves)), 0.0 * rate, rate)
+    return LoadWay(at_arm(own, Vector(velocity.x / moves, velocity.y / moves)), 0.0 * rate, rate)
 
 
-def _at(link: Link, arm: Vector, unit: Vector) -> Way:
+def _at(link: Link, arm: Vector, unit: Vector) -> LoadWay:
     """Way of a force at an arm in the mechanism's axes, along a unit vector."""
     velocity, _ = swept(link.origin, arm, link.angle)
     point = Vector(link.origin.x.value + arm.x, link.origin.y.value + arm.y)
-    return Way(at_arm(arm, unit), dot(point, unit), dot(velocity, unit))
+    return LoadWay(at_arm(arm, unit), dot(point, unit), dot(velocity, unit))

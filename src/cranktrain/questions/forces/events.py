@@ -108,7 +108,7 @@ def _along(loaded: LoadedMachine, load: LinkLoad, solved: Sequence[SolvedBatch])
             rate = np.broadcast_to(turns, one.forces.driving_torque[:, :1].shape)
             if not isinstance(load.law, ByTravel):
                 return rate
-            travel = way.place - loaded.travel_starts[load.name]
+            travel = load.counts * way.place - loaded.travel_starts[load.name]
             return np.concatenate([rate, travel - load.law.places[..., np.newaxis]], axis=1)
     raise IndexError(load.mechanism)
 

@@ -14,7 +14,7 @@ from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Batch, Mechanisms
 from cranktrain.layout.speed import Speed
 from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench, added
-from cranktrain.linkage.forces.load import Way
+from cranktrain.linkage.forces.load import LoadWay
 from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.mechanisms.solved import Forces
 from cranktrain.motion import ZERO, Array, Coefficient
@@ -197,7 +197,7 @@ class LoadedMachine:
         by_chamber = _own(angle, driven[self.gas.chambers.leading])
         return self.gas.force(self.gas.pressure(by_chamber, self.gas.volume_by(Coefficient(*slider))))
 
-    def load_way(self, load: LinkLoad, angle: Array) -> Way:
+    def load_way(self, load: LinkLoad, angle: Array) -> LoadWay:
         """Along what a load goes, at φ [rad], shape (n,) or (design, 1, n); arrays of shape (design, 1, n)."""
         for batch in self.mechanisms.batches:
             member = np.flatnonzero(batch.index == load.mechanism)
@@ -212,18 +212,18 @@ class LoadedMachine:
         """Where the travel of each load begins by which its size goes, shape (design, 1, 1). [m or rad]"""
         return {
             load.name: extremes(
-                lambda phi, load=load: self.load_way(load, phi).place,
-                lambda phi, load=load: self.load_way(load, phi).rate,
+                lambda phi, load=load: load.counts * self.load_way(load, phi).place,
+                lambda phi, load=load: load.counts * self.load_way(load, phi).rate,
             ).smallest.value
             for load in (() if self.loads is None else self.loads.each)
             if isinstance(load.law, ByTravel)
         }
 
-    def load_value(self, load: LinkLoad, way: Way, angle: Array, speed: Array) -> Array:
+    def load_value(self, load: LinkLoad, way: LoadWay, angle: Array, speed: Array) -> Array:
         """Size of a load along its way, at φ and the speed of the crank [rad, rad/s], shape (design, 1, n)."""
         assert self.loads is not None
-        travel = way.place - self.travel_starts.get(load.name, ZERO)
-        parts = np.broadcast_arrays(angle - self.loads.zero, travel, way.rate * speed)
+        travel = load.counts * way.place - self.travel_starts.get(load.name, ZERO)
+        parts = np.broadcast_arrays(angle - self.loads.zero, travel, load.counts * way.rate * speed)
         return load.value(LoadState(*parts))
 
     def _loads(

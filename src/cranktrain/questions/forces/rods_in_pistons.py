@@ -33,8 +33,8 @@ class ForcesOfRods(NamedTuple):
 class RodsInPistons(NamedTuple):
     """Rods of one kind of mechanism: their batch, which pistons they drive; motion and joints; bodies and conditions.
 
-    pressed: force of gas and loads toward the shaft [N]; borne: what loads do to the rod; shares: the rod's at its ends, and reciprocating that with the
-    piston's mass [kg].
+    pressed: force of gas and loads toward the shaft [N]; borne: what loads do to the rod; shares: the rod's at its
+    ends, and reciprocating that with the piston's mass [kg].
     """
 
     batch: Batch
