@@ -2,12 +2,12 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from typing import NamedTuple, TypeAlias
+from typing import ClassVar, NamedTuple, TypeAlias
 
 import numpy as np
 
 from cranktrain.errors import Problem
-from cranktrain.language import _
+from cranktrain.language import N_, _
 from cranktrain.layout.design import Designs
 from cranktrain.layout.load_laws import ByAngle, BySpeed, ByTravel, Law, LoadState
 from cranktrain.layout.load_tables import LoadSpec, LoadTables
@@ -88,6 +88,8 @@ class LinkLoad(NamedTuple):
 @record
 class Loads:
     """Loads of a machine, on whatever they act; zero, shape (design, 1, 1), is φ where the shown angle is 0. [rad]"""
+
+    needs: ClassVar[str] = N_("[load.NAME]")
 
     each: tuple[LinkLoad, ...]
     zero: Array

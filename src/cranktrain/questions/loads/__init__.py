@@ -8,7 +8,7 @@ from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.load_tables import LoadSpec
 from cranktrain.layout.loads import load_problems, loads_of
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
-from cranktrain.questions.loads import load_work
+from cranktrain.questions.loads import load_work, rows
 
 
 def _problems(design: Design) -> Iterator[Problem]:
@@ -28,8 +28,11 @@ QUESTION = Question(
     tables={"load": LoadSpec},
     problems=_problems,
     parts=_parts,
-    stages=(Stage(load_work.load_work),),
+    stages=(Stage(load_work.load_work, applies=load_work.are_asked_for),),
     dimensions=(ResultDimension("load", N_("load")),),
     headline=("load_work", "largest_load_power"),
+    title=N_("Loads"),
+    rows=(rows.load_rows,),
+    offers={"load_work": N_("what it works against")},
     uses=(Use(_tables, (load_work.LoadWork,)),),
 )

@@ -14,6 +14,7 @@ from cranktrain.numerics import Peak, subintervals
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.peaks import largest_of_machine, one_sided
+from cranktrain.questions.gas.declared import DeclaredGas
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.wording import Names, shared
@@ -42,6 +43,11 @@ class LoadWork(StageResult):
         works = shared(names["load"], self.load_work[design], "J")
         most = shared(names["load"], self.largest_load_power.value[design], "kW")
         return _("Work of the loads in a cycle {works}; largest power {most}.").format(works=works, most=most)
+
+
+def are_asked_for(loads: Loads | None, gas: DeclaredGas | None) -> bool:
+    """Whether there are loads, or may be missed: an engine or compressor works against its gas."""
+    return loads is not None or gas is None
 
 
 def load_work(loaded: LoadedMachine, loads: Loads, events: ForceEvents, crank_angle: CrankAngle) -> LoadWork:
