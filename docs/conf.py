@@ -39,6 +39,7 @@ math_eqref_format = "({number})"
 html_math_renderer = "mathml"
 
 autodoc_typehints = "none"
+autodoc_preserve_defaults = True
 autodoc_member_order = "bysource"
 numpydoc_show_class_members = False
 

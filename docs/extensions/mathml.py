@@ -1,6 +1,8 @@
 """Formulas as MathML, which browsers show by themselves: no script, nothing fetched."""
 
+import html
 import re
+import unicodedata
 
 from docutils import nodes
 from latex2mathml.converter import convert
@@ -17,6 +19,10 @@ _WRITTEN_OTHERWISE = (
 """What the converter does not know, and what it knows."""
 _LARGE_BRACE = re.compile(r">\\([{}])<")
 """As it leaves a brace behind a word for its size."""
+_PRIME = re.compile(r"<mi>(&#x0203[234];)</mi>")
+"""An operator, by which browsers know how high it stands."""
+_ALPHABET = re.compile(r'<mi mathvariant="(bold-italic|bold|script|sans-serif)">(.*?)</mi>')
+"""Letters of another alphabet, which browsers know by the letters alone."""
 
 
 def mathml(latex: str, display: str) -> str:
@@ -24,9 +30,25 @@ def mathml(latex: str, display: str) -> str:
     for unknown, known in _WRITTEN_OTHERWISE:
         latex = unknown.sub(known, latex)
     made = _LARGE_BRACE.sub(r">\1<", convert(latex, display=display))
+    made = _ALPHABET.sub(_of_alphabet, _PRIME.sub(r"<mo>\1</mo>", made))
     if "\\" in made:
         _LOG.warning("not understood in a formula: %s", latex)
     return made
+
+
+def _of_alphabet(found: re.Match[str]) -> str:
+    """Write letters with the signs of their alphabet: 𝐫 for a bold r."""
+    alphabet = found[1].upper().replace("-I", " I")
+    return f"<mi>{''.join(_lettered(letter, alphabet) for letter in html.unescape(found[2]))}</mi>"
+
+
+def _lettered(letter: str, alphabet: str) -> str:
+    """Give a letter of an alphabet; the oldest ones of Unicode are not among the mathematical."""
+    name = re.sub("LATIN |GREEK |LETTER ", "", unicodedata.name(letter))
+    try:
+        return unicodedata.lookup(f"MATHEMATICAL {alphabet} {name}")
+    except KeyError:
+        return unicodedata.lookup(f"{alphabet} {name}")
 
 
 def _inline(self: HTML5Translator, node: nodes.math) -> None:
