@@ -1,7 +1,7 @@
 """What the program says and draws, made while the pages are built.
 
-`{terminal}` types commands and shows what they say; `:lines: 12` shows so many lines of each, `:lines: 0` none. `{drawn}`
-shows the picture of `cranktrain plot` with its arguments. All of one page happens in one empty folder.
+`{terminal}` types commands and shows what they say; `:lines: 12` shows so many lines of each, `:lines: 0` none;
+`:status: 2` is for mistakes. `{drawn}` shows the picture of `cranktrain plot` with its arguments. All of one page happens in one empty folder.
 """
 
 import contextlib
@@ -31,8 +31,8 @@ class drawn_picture(nodes.General, nodes.Inline, nodes.Element):  # noqa: N801 -
 class _Typing(SphinxDirective):
     """What both directives do: type a command in the folder of the page."""
 
-    def said(self, command: str) -> str:
-        """Type a command and give what it says; a mistake is the page's."""
+    def said(self, command: str, wanted: int = 0) -> str:
+        """Type a command and give what it says; a status that is not wanted is a mistake of the page."""
         self.env.note_reread()
         program, *arguments = shlex.split(command)
         if program != "cranktrain":
@@ -41,7 +41,7 @@ class _Typing(SphinxDirective):
         with contextlib.chdir(self.folder), contextlib.redirect_stdout(out), contextlib.redirect_stderr(out):
             status = main(arguments)
         text = "\n".join(line.rstrip() for line in out.buffer.getvalue().decode().splitlines())
-        if status:
+        if status != wanted:
             raise self.error(f"$ {command}\nended with status {status}:\n{text}")
         return text.rstrip("\n")
 
@@ -57,7 +57,7 @@ class Terminal(_Typing):
     """Commands, each with what it says."""
 
     has_content = True
-    option_spec: ClassVar = {"lines": directives.nonnegative_int}
+    option_spec: ClassVar = {"lines": directives.nonnegative_int, "status": directives.nonnegative_int}
 
     def run(self) -> list[nodes.Node]:
         """Give the terminal as text."""
@@ -67,7 +67,7 @@ class Terminal(_Typing):
 
     def _shown(self, command: str) -> list[str]:
         """Give the command and as much of its answer as is wanted."""
-        lines = self.said(command).splitlines()
+        lines = self.said(command, self.options.get("status", 0)).splitlines()
         most = self.options.get("lines", len(lines))
         return [f"$ {command}", *lines[:most], *(["..."] if 0 < most < len(lines) else [])]
 
