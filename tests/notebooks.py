@@ -34,7 +34,7 @@ def do(cell: str, known: dict[str, Any]) -> None:
         with Path(file["name"]).open("a" if file["more"] else "w", encoding="utf-8") as written:
             written.write(cell[file.end() :])
     else:
-        python = _COMMAND.sub(lambda command: f"typed({command['arguments']!r})", cell)
+        python = _COMMAND.sub(lambda command: f"typed(f{command['arguments']!r})", cell)
         exec(compile(python, "cell", "exec"), known)
 
 

@@ -1,7 +1,8 @@
 """What the program says and draws, made while the pages are built.
 
 `{terminal}` types commands and shows what they say; `:lines: 12` shows so many lines of each, `:lines: 0` none;
-`:status: 2` is for mistakes. `{drawn}` shows the picture of `cranktrain plot` with its arguments. All of one page happens in one empty folder.
+`:status: 2` is for mistakes. `{drawn}` shows the picture of `cranktrain plot` with its arguments. All of one page happens
+in one empty folder.
 """
 
 import contextlib
@@ -61,9 +62,9 @@ class Terminal(_Typing):
 
     def run(self) -> list[nodes.Node]:
         """Give the terminal as text."""
-        shown = [line for typed in self.content for line in self._shown(typed.removeprefix("$ "))]
-        block = nodes.literal_block("", "\n".join(shown), language="text", classes=["terminal"])
-        return [block]
+        shown = [self._shown(typed.removeprefix("$ ")) for typed in self.content]
+        text = "\n\n".join("\n".join(lines) for lines in shown)
+        return [nodes.literal_block("", text, language="text", classes=["terminal"])]
 
     def _shown(self, command: str) -> list[str]:
         """Give the command and as much of its answer as is wanted."""

@@ -1,4 +1,4 @@
-"""Tasks done from an empty folder as the documents teach them; what comes out is held against closed forms and other ways."""
+"""Tasks done from an empty folder as the documents teach; what comes out is held against closed forms and other ways."""
 
 import math
 from pathlib import Path
@@ -35,10 +35,9 @@ def test_can_be_followed(after, page: Path):
 
 
 def rising(phi):
-    """Piston's distance from the shaft, and its derivative by the angle, both by complex numbers."""
+    """Derivative, by the angle, of the piston's distance from the shaft."""
     pin = R * np.exp(1j * phi)
-    place = pin.real + np.sqrt(L**2 - pin.imag**2)
-    return place, -pin.imag - pin.imag * pin.real / np.sqrt(L**2 - pin.imag**2)
+    return -pin.imag - pin.imag * pin.real / np.sqrt(L**2 - pin.imag**2)
 
 
 class TestInLineFour:
@@ -62,7 +61,7 @@ class TestInLineFour:
         phi, gas, inertia = np.radians(np.arange(720.0)), np.zeros(720), np.zeros(720)
         for fires in (0, 540, 180, 360):
             local = phi - math.radians(fires)
-            place, slope = rising(local)
+            slope = rising(local)
             gauge = np.roll(known["pressure"], fires) * 1e5 - 101325
             gas += gauge * math.pi / 4 * 0.082**2 * -slope
             tilt = np.arcsin(R * np.sin(local) / L)
