@@ -5,8 +5,6 @@ import sys
 import tomllib
 from pathlib import Path
 
-from jupyter_client.connect import ConnectionFileMixin
-
 _here = Path(__file__).parent
 _metadata = tomllib.loads((_here.parent / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 sys.path.insert(0, str(_here / "extensions"))
@@ -14,9 +12,6 @@ sys.path.insert(0, str(_here / "extensions"))
 # What the pages type is the program of this Python, in English and as on paper: 80 columns without colour.
 os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])
 os.environ |= {"LANGUAGE": "en", "NO_COLOR": "1", "COLUMNS": "80"}
-
-# Notebooks are run over files, not over ports, which others on the machine could read.
-ConnectionFileMixin.transport.default_value = "ipc"
 
 project = _metadata["name"]
 author = copyright = _metadata["authors"][0]["name"]

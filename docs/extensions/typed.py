@@ -1,8 +1,8 @@
 """What the program says and draws, made while the pages are built.
 
 `{terminal}` types commands and shows what they say; `:lines: 12` shows so many lines of each, `:lines: 0` none;
-`:status: 2` is for mistakes. `{drawn}` shows the picture of `cranktrain plot` with its arguments. All of one page happens
-in one empty folder.
+`:status: 2` is for mistakes. `{drawn}` shows the picture of `cranktrain plot` with its arguments. All of one page
+happens in one empty folder.
 """
 
 import contextlib

@@ -1,4 +1,4 @@
-"""Tasks done from an empty folder as the documents teach; what comes out is held against closed forms and other ways."""
+"""Tasks done from an empty folder as the documents teach; and held against closed forms and other ways."""
 
 import math
 from pathlib import Path
