@@ -10,7 +10,7 @@ from cranktrain.viz import save, sheet
 
 EXAMPLE = "3d12"
 PICTURE = Path(__file__).parent / "static" / f"{EXAMPLE}.png"
-WIDTH, COLOURS = 1200, 24
+WIDTH, COLOURS = 1200, 64
 
 
 def drawn() -> Image.Image:

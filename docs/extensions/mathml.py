@@ -3,6 +3,7 @@
 import html
 import re
 import unicodedata
+from xml.etree import ElementTree
 
 from docutils import nodes
 from latex2mathml.converter import convert
@@ -24,6 +25,11 @@ _PRIME = re.compile(r"<mi>(&#x0203[234];)</mi>")
 _ALPHABET = re.compile(r'<mi mathvariant="(bold-italic|bold|script|sans-serif)">(.*?)</mi>')
 """Letters of another alphabet, which browsers know by the letters alone."""
 
+_MATHML = "http://www.w3.org/1998/Math/MathML"
+_NAMESPACE = f"{{{_MATHML}}}"
+_THIN = "0.17em"
+_SCRIPTS = ("msup", "msub", "msubsup", "munder")
+
 
 def mathml(latex: str, display: str) -> str:
     """Give a formula as MathML; what was not understood is a warning, and so no page."""
@@ -33,7 +39,34 @@ def mathml(latex: str, display: str) -> str:
     made = _ALPHABET.sub(_of_alphabet, _PRIME.sub(r"<mo>\1</mo>", made))
     if "\\" in made:
         _LOG.warning("not understood in a formula: %s", latex)
-    return made
+    return _spaced(made)
+
+
+def _spaced(formula: str) -> str:
+    """Set names of functions off from what stands beside them: R sin φ."""
+    ElementTree.register_namespace("", _MATHML)
+    tree = ElementTree.fromstring(formula)
+    for parent in tree.iter(f"{_NAMESPACE}mrow"):
+        before: list[ElementTree.Element] = []
+        for child in list(parent):
+            if before and _apart(before[-1], child):
+                before.append(ElementTree.Element(f"{_NAMESPACE}mspace", width=_THIN))
+            before.append(child)
+        parent[:] = before
+    return ElementTree.tostring(tree, encoding="unicode")
+
+
+def _apart(left: ElementTree.Element, right: ElementTree.Element) -> bool:
+    """Whether one is the name of a function, and the other neither an operator nor a space."""
+    beside = {f"{_NAMESPACE}{tag}" for tag in ("mo", "mspace")}
+    return (_is_function(left) and right.tag not in beside) or (_is_function(right) and left.tag not in beside)
+
+
+def _is_function(element: ElementTree.Element) -> bool:
+    """Whether an element is a name of several letters, or that with a power or an index."""
+    if element.tag in {f"{_NAMESPACE}{tag}" for tag in _SCRIPTS}:
+        return _is_function(element[0])
+    return element.tag == f"{_NAMESPACE}mi" and len(element.text or "") > 1
 
 
 def _of_alphabet(found: re.Match[str]) -> str:
