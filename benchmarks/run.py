@@ -20,7 +20,7 @@ import steps
 from comparison import SAME, Comparison, filled, is_kept
 
 from cranktrain.analysis import run
-from cranktrain.io.machine_file import load
+from cranktrain.io.any_machine import load
 from cranktrain.linkage import Pin, in_blocks
 from cranktrain.linkage.forces import NO_FRICTION, Body, Conditions, Drive, Gravity
 from cranktrain.mechanisms.chain.groups import made_names

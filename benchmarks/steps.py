@@ -7,7 +7,7 @@ from comparison import Comparison
 from cranktrain.analysis import STAGES
 from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.stages import lacking, run_stages
-from cranktrain.io.machine_file import load
+from cranktrain.io.any_machine import load
 
 STEPS = {
     "gas": ("gas_in_chambers", "gas_pressures"),

@@ -14,12 +14,16 @@ from sphinx.writers.html5 import HTML5Translator
 
 _LOG = logging.getLogger(__name__)
 _WRITTEN_OTHERWISE = (
+    (re.compile(r"\\(begin|end)\{aligned\}"), r"\\\1{align*}"),
+    (re.compile(r"\\\\\[[\d.]+(?:ex|em|pt)\]"), r"\\\\"),
     (re.compile(r"(?<!\\)\\\n"), r"\\ "),
     (re.compile(r"\\arg(?![a-z])"), r"\\operatorname{arg}"),
 )
 """What the converter does not know, and what it knows."""
 _LARGE_BRACE = re.compile(r">\\([{}])<")
 """As it leaves a brace behind a word for its size."""
+_NOT_UNDERSTOOD = ("\\", "<mi>&</mi>", 'linebreak="newline"')
+"""What it leaves of commands, of columns and of lines that it does not know."""
 _PRIME = re.compile(r"<mi>(&#x0203[234];)</mi>")
 """An operator, by which browsers know how high it stands."""
 _ALPHABET = re.compile(r'<mi mathvariant="(bold-italic|bold|script|sans-serif)">(.*?)</mi>')
@@ -37,8 +41,9 @@ def mathml(latex: str, display: str) -> str:
         latex = unknown.sub(known, latex)
     made = _LARGE_BRACE.sub(r">\1<", convert(latex, display=display))
     made = _ALPHABET.sub(_of_alphabet, _PRIME.sub(r"<mo>\1</mo>", made))
-    if "\\" in made:
+    if any(sign in made for sign in _NOT_UNDERSTOOD):
         _LOG.warning("not understood in a formula: %s", latex)
+        return made
     return _spaced(made)
 
 

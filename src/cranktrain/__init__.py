@@ -1,43 +1,138 @@
-"""cranktrain: exact mechanics of any machine with a crank in it.
+"""Exact mechanics of any machine with a crank in it: how it moves, which forces act, how evenly it runs.
 
->>> import cranktrain as ct
->>> machine = ct.Machine(
-...     name="a pump", mechanism={"kind": "slider_crank", "stroke": "12 in", "rod_length": "30 in"}
-... )
->>> result = ct.run(machine)
->>> print(round(float(result.top_dead_centre[0]), 9), round(float(result.stroke[0]), 4))
-0.0 0.3048
+Machines
+    An example by its name, a machine file, or its tables as a dict; quantities are texts with units.
+
+    >>> import cranktrain as ct
+    >>> ct.example_names()[:3]
+    ('10d100', '38d8', '3d12')
+    >>> ct.load("3d12")
+    <Machine 3D12 marine diesel, 60° V12 with articulated rods: 12 pistons, 6 throws, banks L, R; 1500 rpm>
+    >>> faster = ct.load("3d12", set={"shaft.main.speed": "1800 rpm"})
+    >>> pump = ct.Machine(
+    ...     name="a pump",
+    ...     mechanism={"kind": "slider_crank", "stroke": "12 in", "rod_length": "30 in"},
+    ...     shaft={"main": {"speed": "120 rpm"}},
+    ... )
+    >>> longer = pump.with_({"mechanism.rod_length": "36 in"})
+    >>> longer.mechanism.rod_length, longer.mechanism.rod_length.si
+    (<36 in>, 0.9144)
+
+Results
+    `run` takes a name, a file, a dict, a machine, or a list of these. A quantity is an attribute, a read-only array in
+    the unit of its entry in the catalogue; `dir(result)` has them all.
+
+    >>> result = ct.run(pump)
+    >>> result
+    <Result of a pump: ... quantities, 1 check holds, ...>
+    >>> round(float(result.stroke[0]), 4)
+    0.3048
+    >>> result.catalogue["stroke"]
+    <stroke S [m]: Stroke, between the true dead centres>
+    >>> result.piston_velocity.shape, result.crank_angle.shape
+    ((1, 360), (360,))
+    >>> result.facts["mean_piston_speed"]
+    <mean_piston_speed c_m = <1> m/s>
+    >>> print(result.summary().splitlines()[0])
+    Strokes: 304.80 mm. ...
+    >>> [check.verdict() for check in result.checks]
+    ['holds']
+    >>> len(result.flags) > 0
+    True
+    >>> result.needs_of("gas_pressure")
+    ('[cylinder] bore', ... '[gas]')
+    >>> round(result.dataset["piston_displacement"].sel(piston="1", crank_angle=180).item(), 4)
+    0.3048
+
+Part of it, and many designs
+    >>> list(ct.run(pump, quantities="stroke").dataset)
+    ['stroke']
+    >>> print(ct.run([pump, longer], quantities="largest_piston_speed").summary())
+    2 designs of a pump
+    largest piston speed: 1.942 m/s (design 2) to 1.953 m/s (design 1)
+
+Pictures
+    They are figures of matplotlib, which a notebook shows; `ct.viz` has plans and constructions too.
+
+    >>> figure = result.plot("piston_velocity", "piston_acceleration")
+    >>> sheet = result.sheet()
+    >>> plan = ct.viz.plan_positions(pump, 12)
+    >>> ct.viz.save(plan, "positions.svg")  # doctest: +SKIP
+
+Two machines
+    >>> compared = ct.compare(pump, longer, quantities="largest_piston_speed")
+    >>> print(f"{compared.rows[0].percent:.2f} %")
+    -0.59 %
+    >>> overlaid = compared.plot("piston_velocity")
+
+Mistakes
+    >>> try:
+    ...     pump.with_({"mechanism.rod_length": "30 kg"})
+    ... except ct.InputError as error:
+    ...     print(error.problems[0].path, error.problems[0].given)
+    mechanism.rod_length 30 kg
 """
 
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from cranktrain.version import VERSION
+
 if TYPE_CHECKING:
-    from cranktrain.analysis import Result, run
+    from cranktrain import viz
+    from cranktrain.analysis import Result
+    from cranktrain.analysis.comparison import Comparison
     from cranktrain.errors import InputError, Problem
-    from cranktrain.io.machine_file import load
+    from cranktrain.io.any_machine import load
+    from cranktrain.io.examples import example_names
     from cranktrain.machine import Machine
+    from cranktrain.public import compare, run
 
-__all__ = ["InputError", "Machine", "Problem", "Result", "__version__", "load", "run"]
+__all__ = [
+    "Comparison",
+    "InputError",
+    "Machine",
+    "Problem",
+    "Result",
+    "__version__",
+    "compare",
+    "example_names",
+    "load",
+    "run",
+    "viz",
+]
 
-__version__ = "0.1.0"
+__version__ = VERSION
 
 # Imported when first asked for: the terminal's help and lists do without NumPy and pydantic.
 _HOMES = {
-    "InputError": "cranktrain.errors",
-    "Machine": "cranktrain.machine",
-    "Problem": "cranktrain.errors",
-    "Result": "cranktrain.analysis",
-    "load": "cranktrain.io.machine_file",
-    "run": "cranktrain.analysis",
+    "Comparison": "analysis.comparison",
+    "InputError": "errors",
+    "Machine": "machine",
+    "Problem": "errors",
+    "Result": "analysis",
+    "compare": "public",
+    "example_names": "io.examples",
+    "load": "io.any_machine",
+    "run": "public",
+    "viz": "viz",
 }
 
 
 def __getattr__(name: str) -> object:
-    if name not in _HOMES:
+    if name in _HOMES:
+        home = import_module(f"{__name__}.{_HOMES[name]}")
+        return home if name == _HOMES[name] else getattr(home, name)
+    if name.startswith("_"):
         raise AttributeError(f"cranktrain has no {name}")
-    return getattr(import_module(_HOMES[name]), name)
+    from cranktrain.quantities import nearest  # only after a mistake
+
+    meant = nearest(name, __all__)
+    raise AttributeError(f"cranktrain has no {name}" + (f"; did you mean {meant}?" if meant else ""))
 
 
 def __dir__() -> list[str]:
-    return [*globals(), *_HOMES]
+    return [
+        *(name for name in globals() if name.startswith("__")),
+        *(name for name in __all__ if name != "__version__"),
+    ]

@@ -41,6 +41,10 @@ class Entry:
     source: str
     path: str
 
+    def __repr__(self) -> str:
+        """Show name, symbol, unit and sentence."""
+        return f"<{self.name} {self.symbol} [{self.unit}]: {self.sentence}>"
+
     @property
     def is_fact(self) -> bool:
         """Whether it stands for the whole cycle, not for each crank angle."""

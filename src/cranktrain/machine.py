@@ -1,16 +1,17 @@
 """The declared machine: the domains' tables together, and what only they together can check."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
-from typing import Any, Literal, Self
+from typing import Any, Literal, Self, TypeAlias
 
 import numpy as np
 from pydantic import Field, ValidationError
 
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.faces import face
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, Friction, GravitySpec, GuideSpec
 from cranktrain.layout.closing import closing_problems
@@ -25,7 +26,7 @@ from cranktrain.mechanisms import AnyMechanism
 from cranktrain.mechanisms.spec import LISTS
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
-from cranktrain.paths import PathParts, path_text, quantity_path, replaced, value_at
+from cranktrain.paths import path_text, value_at, with_values
 from cranktrain.quantities import Angle, Given
 from cranktrain.questions.balance.spec import BalanceSpec
 from cranktrain.questions.cylinders.spec import OVERRIDES, CylindersSpec
@@ -33,6 +34,14 @@ from cranktrain.questions.evenness.spec import EvennessSpec
 from cranktrain.questions.gas.spec import GasTables
 from cranktrain.questions.torsion.spec import TorsionSpec
 from cranktrain.spec import Spec, problems, with_tuples
+
+FileReader: TypeAlias = Callable[[Mapping[str, object]], tuple[dict[str, Any], tuple[Problem, ...]]]
+"""Gives tables with what the files hold that they name, and what is wrong with these."""
+
+
+def _unread(data: Mapping[str, object]) -> tuple[dict[str, Any], tuple[Problem, ...]]:
+    """Leave tables as they are."""
+    return dict(data), ()
 
 
 class Machine(Spec, frozen=True):
@@ -138,6 +147,16 @@ class Machine(Spec, frozen=True):
         """Its tables as they were given; of a machine that was never checked there are none."""
         return {}
 
+    @cached_property
+    def files_read(self) -> FileReader:
+        """What puts into tables what the files hold that they name; of a machine made in Python it leaves them."""
+        return _unread
+
+    def reading(self, files_read: FileReader) -> Self:
+        """Let the machine, which nobody has seen yet, read the files that it is later given by name; give itself."""
+        vars(self)["files_read"] = files_read
+        return self
+
     def with_(self, values: Mapping[str, object]) -> Self:
         """Give a machine like this one with other values at some paths, checked as a new one is.
 
@@ -146,7 +165,7 @@ class Machine(Spec, frozen=True):
         values : mapping of str
             By path, as `--set` takes it: `mechanism.rod_length`, `shaft.main.throws[2]`, `balance`; quantities as texts
             with their units, tables as mappings, lists as lists. What was said of where an old value is from does not
-            hold of the new one, and goes with it.
+            hold of the new one, and goes with it. A file that is named is read relative to the machine file.
 
         Returns
         -------
@@ -164,22 +183,10 @@ class Machine(Spec, frozen=True):
         >>> longer.mechanism.rod_length.text, machine.mechanism.rod_length.text
         ('140 mm', '136 mm')
         """
-        data: Any = self.declared
-        found: list[Problem] = []
-        done: list[PathParts] = []
-        for path, value in values.items():
-            try:
-                parts = quantity_path(path)
-                if any(parts[: len(other)] == other[: len(parts)] for other in done):
-                    found.append(Problem(path, None, _("is set twice; keep one of the two")))
-                done.append(parts)
-                data = replaced(data, parts, value)
-                if parts[-1] == "file":  # what was read from the old one
-                    data = replaced(data, (*parts[:-1], "text"), None)
-            except InputError as error:
-                found += error.problems
+        data, _paths = with_values(self.declared, values)
+        data, found = self.files_read(data)
         refuse(found)
-        return type(self)(**data)
+        return type(self)(**data).reading(self.files_read)
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
         """Copy it; refuse other values, which nothing would check."""
@@ -315,6 +322,18 @@ class Machine(Spec, frozen=True):
     def closing_problems(self) -> tuple[Problem, ...]:
         """Over which crank angles a mechanism cannot close, once for each geometry."""
         return closing_problems(self.places, self.zero)
+
+    def __repr__(self) -> str:
+        """Say in one line what it is."""
+        line: str = face("machine_line")(self)
+        return line
+
+    __str__ = __repr__
+
+    def _repr_html_(self) -> str:
+        """Say what it is, for a notebook."""
+        words: str = face("machine_html")(self)
+        return words
 
     def __copy__(self) -> Self:
         """Copy what was declared alone: what was found may not hold of the copy, which may be given other fields."""

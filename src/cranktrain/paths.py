@@ -4,9 +4,9 @@ import json
 import re
 import tomllib
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TypeAlias, cast
+from typing import Any, TypeAlias, cast
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import _
 
 PathParts: TypeAlias = tuple[str | int, ...]
@@ -154,6 +154,44 @@ def replaced(data: object, parts: PathParts, value: object, *, above: PathParts 
             return (*items[:part], inner(items[part]), *items[part + 1 :])
     said = _no_way(cast("object", data), path_text(above))
     raise InputError([Problem(path_text((*above, *parts)), None, said)])
+
+
+def with_values(data: object, values: Mapping[str, object]) -> tuple[Any, tuple[PathParts, ...]]:
+    """Give data with other values at some paths.
+
+    Parameters
+    ----------
+    data : mapping
+        The tables of a machine; unchanged.
+    values : mapping of str
+        By path, as `quantity_path` reads it. Where it is a `file`, the `text` that was read from the old one goes.
+
+    Returns
+    -------
+    data : dict
+    paths : tuple of tuple of str and int
+        Where the values stand.
+
+    Raises
+    ------
+    InputError
+        With every path that leads nowhere, and what is set twice.
+    """
+    found: list[Problem] = []
+    done: list[PathParts] = []
+    for path, value in values.items():
+        try:
+            parts = quantity_path(path)
+            if any(parts[: len(other)] == other[: len(parts)] for other in done):
+                found.append(Problem(path, None, _("is set twice; keep one of the two")))
+            done.append(parts)
+            data = replaced(data, parts, value)
+            if parts[-1] == "file":
+                data = replaced(data, (*parts[:-1], "text"), None)
+        except InputError as error:
+            found += error.problems
+    refuse(found)
+    return data, tuple(done)
 
 
 def _no_way(data: object, here: str) -> str:

@@ -3,6 +3,8 @@
 from dataclasses import FrozenInstanceError, dataclass, field, fields
 from typing import Any, TypeVar, dataclass_transform
 
+from cranktrain.brief import brief_fields
+
 __all__ = ["record"]
 
 Data = TypeVar("Data")
@@ -24,7 +26,9 @@ def record(data: type[Data]) -> type[Data]:
     Rod(length=0.136)
     """
     frozen: Any = dataclass(eq=False, repr=False)(data)
-    frozen.__setattr__, frozen.__delattr__, frozen.__repr__ = _set_once, _refuse, _shown
+    frozen.__setattr__, frozen.__delattr__ = _set_once, _refuse
+    if "__repr__" not in data.__dict__:
+        frozen.__repr__ = _shown
     return frozen
 
 
@@ -42,6 +46,5 @@ def _refuse(self: object, name: str) -> None:
 
 
 def _shown(self: Any) -> str:
-    """Show class and fields."""
-    shown = (f"{each.name}={getattr(self, each.name)!r}" for each in fields(self))
-    return f"{type(self).__qualname__}({', '.join(shown)})"
+    """Show class and fields in one line."""
+    return brief_fields(type(self).__qualname__, ((each.name, getattr(self, each.name)) for each in fields(self)))

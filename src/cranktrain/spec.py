@@ -10,6 +10,7 @@ from pydantic import BaseModel, ConfigDict, Discriminator, Tag, ValidationError,
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails, core_schema
 
+from cranktrain.brief import BriefSignature, brief_fields
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
@@ -27,6 +28,23 @@ class Spec(BaseModel, frozen=True):
 
     others: ClassVar[str | None] = None
     """Field that holds, by name, the tables that stand in the file under keys of the user's own."""
+
+    def __repr__(self) -> str:
+        """Show what was given, in one line."""
+        given = ((name, getattr(self, name)) for name in type(self).model_fields if name in self.model_fields_set)
+        return brief_fields(type(self).__name__, given)
+
+    __str__ = __repr__
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **_options: object) -> None:
+        """Give the class its signature."""
+        type.__setattr__(cls, "__signature__", BriefSignature())
+
+    @classmethod
+    def __pydantic_on_complete__(cls) -> None:
+        """Give it once more, over the one that pydantic makes with what it reads by."""
+        type.__setattr__(cls, "__signature__", BriefSignature())
 
     @model_validator(mode="before")
     @classmethod

@@ -20,7 +20,7 @@ from cranktrain.viz import sheets
 
 PACKAGE = Path(viz.__file__).parents[1]
 FOLDERS = sorted(module.name for module in iter_modules(sheets.__path__))
-ABOVE = ("viz", "cli")
+ABOVE = ("viz", "cli", "__init__.py", "faces.py")
 """Folders whose modules may speak of pictures."""
 
 DATA = [name for folder in FOLDERS if find_spec(name := f"{sheets.__name__}.{folder}.panels") is not None]

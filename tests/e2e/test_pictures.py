@@ -65,7 +65,7 @@ def test_dxf_is_in_true_millimetres(typed, tmp_path):
     (tmp_path / "pump.toml").write_text(
         '[mechanism]\nkind = "slider_crank"\nstroke = "80 mm"\nrod_length = "136 mm"\n', encoding="utf-8"
     )
-    done = typed("plot", "pump.toml", "-o", "pump.dxf", "--at", "0")
+    done = typed("plot", "pump.toml", "-o", "pump.dxf", "--count", "0")
     assert (done.returncode, done.stdout) == (2, "")
     done = typed("plot", "pump.toml", "-o", "pump.dxf", "--at", "0 deg,90")
     assert (done.returncode, done.stdout, done.stderr) == (0, "written: pump.dxf\n", "")

@@ -39,7 +39,13 @@ def test_run_leaves_heavy_packages_alone(modules):
     assert modules("run", "3d12").isdisjoint((*HEAVY, "scipy"))
 
 
-@pytest.mark.parametrize("arguments", [[], ["run", "--help"], ["list"], ["--version"]], ids=" ".join)
+def test_compare_leaves_heavy_packages_alone(modules):
+    assert modules("compare", "3d12", "kamaz_740").isdisjoint((*HEAVY, "scipy"))
+
+
+@pytest.mark.parametrize(
+    "arguments", [[], ["run", "--help"], ["compare", "--help"], ["list"], ["--version"]], ids=" ".join
+)
 def test_help_and_list_are_light(modules, arguments):
     assert modules(*arguments).isdisjoint((*HEAVY, "numpy"))
 

@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 import numpy as np
 
 from cranktrain.all_questions import QUESTIONS
-from cranktrain.analysis.dimensions import DIMENSIONS
-from cranktrain.analysis.stages import Missing
+from cranktrain.analysis.stages import STAGES, Missing
 from cranktrain.analysis.unused import Unused, sentences
+from cranktrain.brief import brief
 from cranktrain.catalogue import Entry, entries, values
 from cranktrain.checks import Check
+from cranktrain.faces import face
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
@@ -29,6 +30,11 @@ class Fact(NamedTuple):
 
     entry: Entry
     value: Array
+
+    def __repr__(self) -> str:
+        """Show name, symbol and unit, and one value, or how many there are."""
+        value = f"{self.value:.6g}" if np.ndim(self.value) == 0 else brief(self.value)
+        return f"<{self.entry.name} {self.entry.symbol} = {value} {self.entry.unit}>"
 
 
 @record
@@ -54,6 +60,8 @@ class Result:
         What is to be said of curves for which the steps asked for are too wide.
     unused : tuple of Unused
         Tables that the file has and no result could rest on, with what is missing for them.
+    asked : tuple of str, or None
+        The quantities that were asked for, which the dataset has; None for all.
     """
 
     machines: tuple[Machine, ...]
@@ -64,6 +72,7 @@ class Result:
     missing: tuple[Missing, ...]
     coarse: tuple[str, ...] = ()
     unused: tuple[Unused, ...] = ()
+    asked: tuple[str, ...] | None = None
 
     @cached_property
     def _homes(self) -> dict[str, tuple[Entry, object]]:
@@ -87,7 +96,7 @@ class Result:
         if name.startswith("_"):
             raise AttributeError(name)
         if name not in self._homes:
-            raise AttributeError(self._absence(name, self.needs_of(name), self._homes))
+            raise AttributeError(self._unknown(name))
         entry, outcome = self._homes[name]
         inside: Array = values(outcome, entry)
         given = _read_only(shown(inside, "deg")) if entry.unit == "deg" else inside
@@ -114,6 +123,18 @@ class Result:
         if needs:
             return f"this result has no {wanted}, which needs {', '.join(needs)}"
         return f"this result has no {wanted}; it has {', '.join(there)}"
+
+    def _unknown(self, wanted: str) -> str:
+        """Say why there is no such attribute, and which was probably meant."""
+        from cranktrain.quantities import nearest  # only after a mistake
+
+        if needs := self.needs_of(wanted):
+            return self._absence(wanted, needs, ())
+        if any(wanted == entry.name for stage in STAGES for entry in entries(stage.gives)):
+            return f"this result has no {wanted}, which other machines have, or other `quantities` would give"
+        others = (name for name in object.__dir__(self) if not name.startswith("_"))
+        meant = nearest(wanted, (*self._homes, *others))
+        return f"this result has no {wanted}; " + (f"did you mean {meant}?" if meant else "its `catalogue` names all")
 
     def __dir__(self) -> list[str]:
         """List the quantities too, for completion in a notebook."""
@@ -148,9 +169,21 @@ class Result:
             if sentence:
                 yield sentence
 
-    def summary(self, design: int = 0) -> str:
-        """Say in sentences what is not used of the file, and what was found."""
-        return "\n".join([*sentences(self.unused), *self.answers(design)])
+    def summary(self, design: int | None = None) -> str:
+        """Say in sentences what is not used of the file, and what was found.
+
+        Parameters
+        ----------
+        design : int, optional
+            Which of several, from 0; between which values they all are unless given.
+
+        Returns
+        -------
+        str
+        """
+        is_of_all = self.has_designs and design is None
+        found = face("summary_of_designs")(self) if is_of_all else self.answers(design or 0)
+        return "\n".join([*sentences(self.unused), *found])
 
     def labels_of(self, entry: Entry) -> dict[str, tuple[str, ...]]:
         """Names along each dimension of a quantity, but for the crank angle."""
@@ -158,32 +191,63 @@ class Result:
 
     @cached_property
     def dataset(self) -> "xarray.Dataset":
-        """All quantities as an xarray dataset, with units, symbols, sentences and sources as attributes."""
-        import xarray
+        """Give the quantities that were asked for, or all, as an xarray dataset with units, symbols and sources."""
+        return face("dataset_of")(self)
 
-        design = ("design",) if self.has_designs else ()
-        variables: dict[str, Any] = {
-            name: (
-                (*design, *entry.dimensions),
-                getattr(self, name),
-                {
-                    "units": entry.unit,
-                    "symbol": entry.symbol,
-                    "long_name": entry.sentence,
-                    "source": entry.source,
-                },
-            )
-            for name, entry in self.catalogue.items()
-        }
-        used = {dimension for dimensions, *_rest in variables.values() for dimension in dimensions}
-        coordinates: dict[str, Any] = {
-            name: list(map(float, words)) if DIMENSIONS[name].is_number else list(words)
-            for name, words in self.labels.items()
-            if name in used
-        }
-        coordinates["crank_angle"] = ("crank_angle", self.crank_angle, {"units": "deg", "symbol": "φ"})
-        about = {"name": self.machines[0].name, "unused": sentences(self.unused)}
-        return xarray.Dataset(variables, coordinates, about)
+    def plot(self, *quantities: str, design: int = 0, **members: "str | Sequence[str]") -> Any:
+        """Draw curves over the crank angle.
+
+        Parameters
+        ----------
+        *quantities : str
+            Names of curves; the main ones of the machine unless given.
+        design : int
+            Which of the result's machines.
+        **members : str or sequence of str
+            Whose, by dimension: `piston="1R"`, `joint=["1L.guide", "1R.guide"]`; the first few unless given.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+
+        Raises
+        ------
+        InputError
+            Where there is no such curve, or member.
+        """
+        return face("plot_result")(self, *quantities, design=design, **members)
+
+    def sheet(self, name: str = "machine", *, size: str = "A4", design: int = 0) -> Any:
+        """Draw a sheet of paper.
+
+        Parameters
+        ----------
+        name : str
+            `machine`, `forces` or `torsion`.
+        size : "A4" or "A3"
+        design : int
+            Which of the result's machines.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+
+        Raises
+        ------
+        InputError
+            Where there is no such sheet, or the result lacks what it needs.
+        """
+        return face("sheet_called")(self, name, size=size, design=design)
+
+    def __repr__(self) -> str:
+        """Say in one line whose result it is."""
+        line: str = face("result_line")(self)
+        return line
+
+    def _repr_html_(self) -> str:
+        """Give the answer for a notebook."""
+        words: str = face("result_html")(self)
+        return words
 
 
 def _read_only(values: Array) -> Array:

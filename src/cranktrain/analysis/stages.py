@@ -10,6 +10,7 @@ import numpy as np
 
 from cranktrain import textbook
 from cranktrain.all_questions import QUESTIONS
+from cranktrain.brief import brief_fields
 from cranktrain.catalogue import entries
 from cranktrain.grouping import grouped
 from cranktrain.language import _
@@ -26,6 +27,10 @@ class Missing:
 
     results: tuple[str, ...]
     needs: tuple[str, ...]
+
+    def __repr__(self) -> str:
+        """Show both in a line."""
+        return brief_fields("Missing", vars(self).items())
 
 
 @cache

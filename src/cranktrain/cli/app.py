@@ -5,12 +5,13 @@ from typing import Annotated
 
 import typer
 
-from cranktrain import __version__
+from cranktrain.cli.comparing import add_compare
 from cranktrain.cli.naming_pictures import NamingPictures
 from cranktrain.cli.optional_source import OptionalSource
 from cranktrain.cli.options import File, Force, Output, Partial, RunningSpeed, Settings, SpeedCurve, degrees
 from cranktrain.cli.task import Task, put_off, task_of
 from cranktrain.language import _
+from cranktrain.version import VERSION
 
 # Typer's own handlers would swallow Ctrl-C and closed pipes, so that nothing runs before it has returned; its Rich help
 # costs as much time as a run.
@@ -29,7 +30,7 @@ def task(arguments: Sequence[str]) -> Task:
 
 def _version(asked: bool) -> None:
     if asked:
-        typer.echo(f"cranktrain {__version__}")
+        typer.echo(f"cranktrain {VERSION}")
         raise typer.Exit
 
 
@@ -164,13 +165,16 @@ def _run(
     show_run(request, with_inputs=inputs)
 
 
+add_compare(_app)
+
+
 @_app.command(
     "plot",
     help=_(
         "Draw a machine: its sheet, a plan, a moving picture or a DXF; the file's name says which.\n\n"
         "\b\n"
         "  cranktrain plot 3d12 -o 3d12.png\n"
-        "  cranktrain plot 3d12 --plan positions --at 12 --mechanism 1L -o positions.svg\n"
+        "  cranktrain plot 3d12 --plan positions --count 12 --mechanism 1L -o positions.svg\n"
         "  cranktrain plot 3d12 --plan accelerations --at 30,60 -o accelerations.pdf\n"
         "  cranktrain plot 3d12 --plan forces --at 30,60 --mechanism 1L -o polygons.svg\n"
         "  cranktrain plot 3d12 --sheet forces -o forces.pdf\n"
@@ -207,16 +211,29 @@ def _plot(
         typer.Option(
             metavar="ANGLES",
             help=_(
-                "Crank angles in degrees, such as 30,60. Of a plan, one number alone is how many over a turn; "
-                "`source` the source's twelve."
+                "Crank angles in degrees, such as 30,60; `source` the source's twelve, "
+                "`source 30` at that permissible pressure angle."
             ),
         ),
+    ] = None,
+    count: Annotated[
+        str | None, typer.Option(metavar="N", help=_("Of a plan: at how many crank angles, evenly over a turn."))
     ] = None,
     mechanism: Annotated[
         str | None,
         typer.Option(metavar="NAME", help=_("Which one a plan, the sheet of forces or a .dxf is of, such as 1R.")),
     ] = None,
     size: Annotated[str | None, typer.Option(metavar="A4|A3", help=_("Of the paper; A4 unless given."))] = None,
+    scale: Annotated[
+        str | None,
+        typer.Option(
+            metavar="1:N", help=_("Of a sheet, positions and constructions; the largest that fits unless given.")
+        ),
+    ] = None,
+    letters: Annotated[
+        str | None,
+        typer.Option(metavar="SOURCE", help=_("Of a scheme: letters as a source has them, such as bolotin.")),
+    ] = None,
     running_speed: RunningSpeed = False,
     speed_curve: SpeedCurve = None,
     settings: Settings = None,
@@ -235,6 +252,9 @@ def _plot(
         at=at,
         mechanism=mechanism,
         size=size,
+        count=count,
+        scale=scale,
+        letters=letters,
         sheet=sheet,
         is_at_running_speed=running_speed,
         speed_curve=speed_curve,

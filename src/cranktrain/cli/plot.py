@@ -4,6 +4,7 @@ import logging
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
+from math import inf
 from pathlib import PurePath
 from typing import Any, Literal, NamedTuple, TypeAlias
 
@@ -21,6 +22,8 @@ from cranktrain.viz.picture import Picture
 Angles: TypeAlias = int | list[float] | Literal["source"]
 """How many crank angles over a turn, which [deg], or the twelve positions of [slider-crank-synthesis]."""
 
+_SOURCE = "source"
+
 NAMED = {kind: {one.name: one for one in PICTURES if one.kind == kind} for kind in ("plan", "sheet", "file")}
 """Pictures by their kind and name."""
 
@@ -30,6 +33,8 @@ _SIZES = ("A4", "A3")
 _SHEET = "machine"
 _POSITIONS = 12
 """Of a DXF, unless said otherwise."""
+
+_RIGHT = 90.0
 
 _DIGITS = 9
 """Of a crank angle in degrees, so that 30 deg stay 30."""
@@ -44,14 +49,23 @@ class PlotRequest(Asked):
     mechanism: str | None = None
     size: str | None = None
     sheet: str | None = None
+    count: str | None = None
+    scale: str | None = None
+    letters: str | None = None
 
 
 class Choice(NamedTuple):
-    """A request as it was understood: which picture, at which angles if any were said, on which paper."""
+    """A request as it was understood: which picture, at which angles if any were said, on which paper, to which scale.
+
+    permissible is the pressure angle of the source's twelve positions [deg]; scale is metal in one of paper.
+    """
 
     picture: Picture
     angles: Angles | None
     size: str
+    permissible: float | None = None
+    scale: float | None = None
+    letters: str | None = None
 
 
 def write_picture(request: PlotRequest) -> None:
@@ -106,14 +120,36 @@ def understood(request: PlotRequest) -> Choice:
     size = (request.size or _SIZES[0]).strip().upper()
     if size not in _SIZES:
         problems.append(unlisted("--size", request.size, _SIZES))
-    angles = None
+    angles, permissible, scale = None, None, None
     try:
-        angles = _angles(request.at, picture)
+        angles, permissible = _angles(request, picture)
+    except InputError as error:
+        problems += error.problems
+    try:
+        scale = None if request.scale is None else read_scale(request.scale)
     except InputError as error:
         problems += error.problems
     if problems or picture is None:
         raise InputError(problems)
-    return Choice(picture, angles, size)
+    return Choice(picture, angles, size, permissible, scale, request.letters)
+
+
+def read_scale(text: str) -> float:
+    """Read a scale as drawings have it: 1:4 is 4 of metal in one of paper, 2:1 a half.
+
+    Examples
+    --------
+    >>> read_scale("1:4"), read_scale("2 : 1")
+    (4.0, 0.5)
+    """
+    paper, _colon, metal = text.partition(":")
+    try:
+        found = float(metal) / float(paper)
+    except (ValueError, ZeroDivisionError):
+        found = 0.0
+    if not 0.0 < found < inf:
+        raise InputError([Problem("--scale", text, _("must be a scale, such as 1:4"))])
+    return found
 
 
 def _output_problems(request: PlotRequest, suffix: str) -> Iterator[Problem]:
@@ -134,6 +170,7 @@ def _refused(request: PlotRequest, picture: Picture) -> Iterator[Problem]:
     for option, about, is_typed, given in (
         ("--plan", "plan", request.plan is not None, request.plan),
         ("--at", "at", request.at is not None, request.at),
+        ("--count", "at", request.count is not None, request.count),
         ("--mechanism", "mechanism", request.mechanism is not None, request.mechanism),
         ("--size", "size", request.size is not None, request.size),
         ("--sheet", "sheet", request.sheet is not None, request.sheet),
@@ -142,27 +179,56 @@ def _refused(request: PlotRequest, picture: Picture) -> Iterator[Problem]:
     ):
         if is_typed and about in picture.refused:
             yield Problem(option, given, _(picture.refused[about]))
+    for option, about, given in (("--scale", "scale", request.scale), ("--letters", "letters", request.letters)):
+        if given is not None and about not in picture.takes:
+            others = ", ".join(f"{one.kind} {one.name}" for one in PICTURES if about in one.takes)
+            yield Problem(option, given, _("must be left out: only for {pictures}").format(pictures=others))
 
 
-def _angles(text: str | None, picture: Picture | None) -> Angles | None:
-    """Read crank angles: of a plan a count too, of some the source's."""
-    if text is None or (picture is not None and "at" in picture.refused):
-        return None
-    if picture is not None and picture.source_angles and text.strip().casefold() == "source":
-        return "source"
-    is_count_meant = picture is None or picture.over == "angles"
-    if is_count_meant and text.strip().isdecimal():
-        return int(text)
+def _angles(request: PlotRequest, picture: Picture | None) -> tuple[Angles | None, float | None]:
+    """Read crank angles, or how many; of the source's the permissible pressure angle, if that is said. [deg]"""
+    text = request.at
+    if picture is not None and "at" in picture.refused:
+        return None, None
+    is_plan = picture is None or picture.over == "angles"
+    if request.count is not None:
+        return _count(request, is_plan=is_plan), None
+    if text is None:
+        return None, None
+    word, _space, rest = text.strip().casefold().partition(" ")
+    if picture is not None and picture.source_angles and word == _SOURCE:
+        found = _degrees(rest, "--at", text) if rest else []
+        if len(found) > 1 or any(not 0.0 < angle < _RIGHT for angle in found):
+            raise InputError([Problem("--at", text, _("must be `source` with one angle from 0 to 90°: source 30"))])
+        return _SOURCE, next(iter(found), None)
+    angles = _degrees(text, "--at", text)
+    if not is_plan and len(angles) > 1:
+        raise InputError([Problem("--at", text, _("must be one crank angle; for several, ask for a --plan"))])
+    return angles, None
+
+
+def _count(request: PlotRequest, *, is_plan: bool) -> int:
+    """Read at how many crank angles."""
+    text = (request.count or "").strip()
+    if request.at is not None:
+        raise InputError([Problem("--count", text, _("must be left out beside --at"))])
+    if not is_plan:
+        raise InputError([Problem("--count", text, _("must be left out: only a plan or a .dxf is at several"))])
+    if not text.isdecimal() or int(text) < 1:
+        raise InputError([Problem("--count", text, _("must be a whole number, such as 12"))])
+    return int(text)
+
+
+def _degrees(words: str, option: str, text: str) -> list[float]:
+    """Read angles with commas between. [deg]"""
     angles: list[float] = []
-    for part in map(str.strip, text.split(",")):
+    for part in map(str.strip, words.split(",")):
         quantity = part if part[-1:].isalpha() or part.endswith("°") else f"{part} deg"
         try:
             angles.append(round(shown(read(quantity, Dimension.ANGLE), "deg"), _DIGITS))
         except QuantityError:
             allowed = _("must be crank angles in degrees with commas between, such as 30,60")
-            raise InputError([Problem("--at", text, allowed)]) from None
-    if not is_count_meant and len(angles) > 1:
-        raise InputError([Problem("--at", text, _("must be one crank angle; for several, ask for a --plan"))])
+            raise InputError([Problem(option, text, allowed)]) from None
     return angles
 
 
@@ -170,7 +236,8 @@ def _draw(file: MachineFile, choice: Choice, request: PlotRequest) -> None:
     """Draw once the file is known to be possible, and write it."""
     picture, name, force = choice.picture, request.output or "", request.force
     if picture.name == ".gif":
-        save_animation(request.result(file, quantities=picture.quantities), name, force=force)
+        result = request.result(file, quantities=picture.quantities)
+        save_animation(result, name, force=force, piston=request.mechanism)
     elif picture.name == ".dxf":
         options = {"angles": _POSITIONS} | _of_machine(file, choice, request)
         picture.function(file.machine, path=name, **options, force=force)
@@ -180,7 +247,7 @@ def _draw(file: MachineFile, choice: Choice, request: PlotRequest) -> None:
     else:
         angle = {"at": choice.angles[0]} if isinstance(choice.angles, list) else {}
         whose = {"piston": request.mechanism} if request.mechanism is not None else {}
-        options = angle | whose | {"size": choice.size}
+        options = angle | whose | {"size": choice.size} | _chosen(choice)
         save(
             lambda: picture.function(request.result(file, quantities=picture.quantities), **options), name, force=force
         )
@@ -193,21 +260,25 @@ def _of_machine(file: MachineFile, choice: Choice, request: PlotRequest) -> dict
     angles, mechanism = choice.angles, request.mechanism
     if angles == "source":
         is_shown = choice.picture.source_angles == "shown"
-        angles = source_angles(file.machine, mechanism=mechanism, is_shown=is_shown)
+        angles = source_angles(file.machine, mechanism=mechanism, is_shown=is_shown, permissible=choice.permissible)
     options: dict[str, Any] = {"mechanism": mechanism} | ({} if angles is None else {"angles": angles})
     if "speed" not in choice.picture.refused:
         options["speed"] = request.speed
-    return options
+    return options | _chosen(choice)
+
+
+def _chosen(choice: Choice) -> dict[str, Any]:
+    """Scale and letters, where they are said."""
+    return {name: value for name, value in (("scale", choice.scale), ("letters", choice.letters)) if value is not None}
 
 
 def _placed(file: MachineFile, request: PlotRequest, problem: Problem) -> Problem:
     """Place what cannot be drawn: in the machine file, or at the option that asks for it."""
+    if problem.path in ("scale", "letters"):
+        return replace(problem, path=f"--{problem.path}")
     if problem.position is not None or problem.path.startswith("-"):
         return problem
     if problem.path:
         return file.document.located(problem)
-    repair = problem.repair
-    if request.at is not None and request.at.strip().isdecimal():
-        repair = _('for one crank angle, write "{angle} deg"').format(angle=request.at.strip())
-    place = Position(file.document.name if request.at is None else "--at")
-    return replace(problem, repair=repair, position=place)
+    said = next((name for name, one in (("--at", request.at), ("--count", request.count)) if one is not None), None)
+    return replace(problem, position=Position(said or file.document.name))

@@ -110,7 +110,7 @@ def _filled(data: dict[str, object], parts: tuple[str, ...], curve: TableFile, f
     found = value_at(data, path)
     table = cast("Mapping[str, object]", found if isinstance(found, Mapping) else {})
     file = table.get("file")
-    if not isinstance(file, str) or table.get("kind") != curve.kind or "text" in table:
+    if not isinstance(file, str) or table.get("kind") != curve.kind or table.get("text") is not None:
         return data
     with problems_as(lambda problem: replace(problem, path=f"{path}.file", given=file, position=None)):
         text = curve_text(folder / file, file, curve.noun)

@@ -34,6 +34,10 @@ class Document:
     text: str
     name: str
 
+    def __repr__(self) -> str:
+        """Show its name, and how much it is."""
+        return f"<Document {self.name}, {len(self.text.splitlines())} lines>"
+
     @classmethod
     def read(cls, path: "str | os.PathLike[str]") -> "Document":
         """Read a file.

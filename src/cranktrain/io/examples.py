@@ -10,7 +10,17 @@ EXAMPLES_FOLDER = Path(__file__).parents[1] / "examples"
 
 
 def example_names() -> tuple[str, ...]:
-    """Name the examples, in alphabetical order."""
+    """Name the examples that come with the program, in alphabetical order.
+
+    Returns
+    -------
+    tuple of str
+
+    Examples
+    --------
+    >>> "3d12" in example_names()
+    True
+    """
     return tuple(sorted(path.stem for path in EXAMPLES_FOLDER.glob("*.toml")))
 
 

@@ -3,6 +3,7 @@
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial as with_arguments
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
@@ -13,7 +14,7 @@ from cranktrain.io.examples import EXAMPLES_FOLDER, example_called, example_docu
 from cranktrain.language import _
 from cranktrain.machine import Machine, machine_problems
 from cranktrain.mechanisms.spec import LISTS
-from cranktrain.paths import PathParts, parts_of, path_text, quantity_path
+from cranktrain.paths import PathParts, parts_of, path_text, quantity_path, with_values
 from cranktrain.quantities import Given
 from cranktrain.record import record
 from cranktrain.spec import Spec
@@ -44,29 +45,26 @@ class Input(NamedTuple):
     given: Given
 
 
-def load(source: "str | os.PathLike[str]") -> Machine:
-    """Load a machine.
+class Origin(NamedTuple):
+    """Where values are from: the text of a file; of those that were set the paths, where that was, and in words."""
 
-    Parameters
-    ----------
-    source : str or path-like
-        A machine file, or the name of an example; capitals do not matter there, nor `-` for `_`.
+    typed: Document
+    paths: tuple[PathParts, ...]
+    position: Position
+    words: str
 
-    Returns
-    -------
-    Machine
+    def found(self, problem: Problem) -> Problem:
+        """Place a problem that the computation found, if it is one of the file."""
+        parts = parts_of(problem.path)
+        declared = {*self.typed.data, *(path[0] for path in self.paths)}
+        return self.placed(problem) if parts and parts[0] in declared else problem
 
-    Raises
-    ------
-    InputError
-        With everything that is wrong, each with file, line and column.
-
-    Examples
-    --------
-    >>> load("3d12").name
-    '3D12 marine diesel, 60° V12 with articulated rods'
-    """
-    return read_machine(source).machine
+    def placed(self, problem: Problem) -> Problem:
+        """Place a problem at the setting that it comes from, or in the file."""
+        parts = parts_of(problem.path)
+        if any(parts[: len(setting)] == setting for setting in self.paths):
+            return replace(problem, position=self.position)
+        return self.typed.located(problem)
 
 
 def read_machine(
@@ -77,7 +75,7 @@ def read_machine(
     Parameters
     ----------
     source : str or path-like
-        As `load` takes it.
+        A machine file, or the name of an example; capitals do not matter there, nor `-` for `_`.
     settings : sequence of str
         `PATH=VALUE`, as `Document.with_value` reads them.
     partial : bool
@@ -94,27 +92,68 @@ def read_machine(
     """
     typed = document_of(source)
     document, paths = _with_settings(typed, settings)
+    origin = Origin(typed, paths, _SETTING, ", ".join(settings))
+    return MachineFile(document, _checked(document.data, _folder_of(source), origin, partial=partial))
+
+
+def load_with(
+    source: "str | os.PathLike[str]", values: Mapping[str, object], *, partial: bool = False
+) -> tuple[MachineFile, Origin]:
+    """Read a machine with other values at some paths, as `Machine.with_` takes them.
+
+    Parameters
+    ----------
+    source : str or path-like
+        A machine file, or the name of an example.
+    values : mapping of str
+    partial : bool
+        Accept links that cannot close over the whole turn.
+
+    Returns
+    -------
+    file : MachineFile
+        Its document is as typed, without the values.
+    origin : Origin
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong; one of the values stands at `set`, all else at its line of the file.
+    """
+    typed = document_of(source)
+    with problems_as(lambda problem: replace(problem, position=SET)):
+        data, paths = with_values(typed.data, values)
+    origin = Origin(typed, paths, SET, ", ".join(values))
+    return MachineFile(typed, _checked(data, _folder_of(source), origin, partial=partial)), origin
+
+
+def _checked(data: Mapping[str, object], folder: Path, origin: Origin, *, partial: bool) -> Machine:
+    """Make a machine of its tables, with all that is wrong at its place."""
     # A curve that cannot be read is one problem among the others.
-    data, found = with_curves(document.data, _folder_of(source))
+    read = with_arguments(with_curves, folder=folder)
+    filled, found = read(data)
     try:
-        machine = Machine(**cast("dict[str, Any]", data))
+        machine = Machine(**cast("dict[str, Any]", filled)).reading(read)
         found = (*found, *machine_problems(machine, partial=partial))
         if not found:
-            return MachineFile(document, machine)
+            return machine
     except InputError as error:
         found = (*found, *error.problems)
-    problems = tuple(_placed(problem, typed, paths) for problem in found)
-    if settings and not any(problem.position == _SETTING for problem in problems):
+    problems = tuple(map(origin.placed, found))
+    if origin.paths and not any(problem.position == origin.position for problem in problems):
         allowed = _("was set for this run; the file alone may be right")
-        meant = next((near for path in paths if (near := _deeper(typed.data, path)) is not None), None)
+        meant = next((near for path in origin.paths if (near := _deeper(origin.typed.data, path)) is not None), None)
         repair = None if meant is None else _("did you mean {path}?").format(path=meant)
-        problems = (*problems, Problem("", ", ".join(settings), allowed, repair, _SETTING))
+        problems = (*problems, Problem("", origin.words, allowed, repair, origin.position))
     raise InputError(problems)
 
 
 def document_of(source: "str | os.PathLike[str]") -> Document:
     """Read a file if it is there, else the example of that name."""
     name = os.fspath(source)
+    if "\n" in name and "=" in name:
+        allowed = _("is the text of a machine file, not its name")
+        raise InputError([Problem("machine", name, allowed, _("write ct.Machine(**tomllib.loads(text))"))])
     if not name.strip():
         allowed = _("must be the name of a machine file, or of an example; `cranktrain list` names all")
         raise InputError([Problem("FILE", '""', allowed)])
@@ -185,7 +224,8 @@ def _folder_of(source: "str | os.PathLike[str]") -> Path:
     return Path(name).parent if _example_meant(name) is None else EXAMPLES_FOLDER
 
 
-_SETTING = Position("--set")
+_SETTING, SET = Position("--set"), Position("set")
+"""Where a setting stands that is wrong: in the terminal, and in Python."""
 
 MOST_SETTINGS = 100
 """Of one run: the file is read anew for each."""
@@ -231,14 +271,6 @@ def _deeper(table: Mapping[str, Any], path: PathParts, above: PathParts = ()) ->
             if deeper is not None:
                 return deeper
     return None
-
-
-def _placed(problem: Problem, document: Document, settings: Sequence[PathParts]) -> Problem:
-    """Place a problem at the setting that it comes from, or in the file."""
-    parts = parts_of(problem.path)
-    if any(parts[: len(setting)] == setting for setting in settings):
-        return replace(problem, position=_SETTING)
-    return document.located(problem)
 
 
 def _inputs(data: object, declared: object) -> Iterator[tuple[PathParts, Given]]:

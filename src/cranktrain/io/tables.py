@@ -8,11 +8,11 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 
 import numpy as np
 
-from cranktrain import __version__
 from cranktrain.analysis import Result
 from cranktrain.catalogue import Entry
 from cranktrain.io.conventions import conventions
 from cranktrain.motion import Array
+from cranktrain.version import VERSION
 
 Writer = Callable[[Result, Mapping[str, object], Collection[str]], Iterator[str]]
 """Writes a result, the data of its machine file, and those of its quantities that are named, as pieces of text."""
@@ -36,7 +36,7 @@ def csv_text(result: Result, machine: Mapping[str, object], names: Collection[st
         Lines: `#` lines with the conventions, a head `name(index) [unit]`, then the numbers; NaN is written `nan`.
     """
     del machine
-    about = {"cranktrain": __version__, "machine": result.machines[0].name, **conventions(result)}
+    about = {"cranktrain": VERSION, "machine": result.machines[0].name, **conventions(result)}
     left_out = [name for name, entry in result.catalogue.items() if name not in names and not entry.is_fact]
     if left_out:
         about["left out"] = ", ".join(left_out)
@@ -75,7 +75,7 @@ def json_text(result: Result, machine: Mapping[str, object], names: Collection[s
     """
     chosen = {name: entry for name, entry in result.catalogue.items() if name in names}
     parts = {
-        "cranktrain": __version__,
+        "cranktrain": VERSION,
         "machine": machine,
         "conventions": conventions(result),
         "crank_angle": {"unit": "deg", "symbol": "φ", "values": _nested(result.crank_angle)},

@@ -51,6 +51,8 @@ class Drawing:
     blocks : sequence of Block
     ends : sequence of str
         Pins that only show how far a link reaches, where no length of the geometry says it: no plan speaks of them.
+    points : sequence of str
+        Pins that are no joints: points on links that the machine file asks to follow.
     """
 
     pins: Mapping[str, Point]
@@ -60,6 +62,7 @@ class Drawing:
     paths: Sequence[str]
     blocks: Sequence[Block] = ()
     ends: Sequence[str] = ()
+    points: Sequence[str] = ()
 
     @property
     def positions(self) -> dict[str, Array]:

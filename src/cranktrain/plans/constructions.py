@@ -16,7 +16,7 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.slider_crank import SliderCrank, slider_crank
 from cranktrain.motion import Array
-from cranktrain.plans.placement import slider_crank_called
+from cranktrain.plans.placement import frame, slider_crank_called
 from cranktrain.plans.positions import plan_angles
 from cranktrain.textbook.ranges import RANGES, Range
 from cranktrain.textbook.steam_engine import brix, infinite_rod, largest_difference
@@ -63,6 +63,8 @@ class Construction(Readings):
         x of Brix's pole. [m]
     limits : Range or None
         The source's range; None where it needs none.
+    sense : float
+        +1 where the crank turns clockwise as seen from the free end, −1 where it turns anticlockwise.
     """
 
     mechanism: str
@@ -70,6 +72,30 @@ class Construction(Readings):
     geometry: SliderCrank
     pole: float
     limits: Range | None
+    sense: float
+
+    def seen(self, points: Array) -> Array:
+        """Give points as seen from the free end, the line of stroke lying, its end away from the shaft at the right.
+
+        Shapes (2, ...).
+        """
+        return np.stack([points[0], -self.sense * points[1]])
+
+    @property
+    def start(self) -> Array:
+        """Where readings of the displacement begin on paper: where the top dead centre is read, shape (2,). [m]"""
+        if self.method != "arc":
+            return np.array([self.geometry.crank_radius, 0.0])
+        return np.array([_end(self.geometry) - self.geometry.rod_length, self.geometry.offset])
+
+    @property
+    def dead_pins(self) -> tuple[Array, Array]:
+        """Crank pin and piston's pin at the top and at the bottom, shape (2, 2) each: point, top and bottom. [m]"""
+        radius, rod, offset = self.geometry[:3]
+        ends = np.array([_end(self.geometry), _end(self.geometry, -1.0)])
+        pistons = np.stack([ends, np.full(2, offset)])
+        share = np.array([radius / (rod + radius), -radius / (rod - radius)])
+        return share * pistons, pistons
 
     @property
     def stroke(self) -> float:
@@ -135,6 +161,7 @@ def construction(
         geometry=geometry,
         pole=-float(largest_difference(geometry.crank_radius, ratio)),
         limits=next((one for one in RANGES if one.method == _RANGES.get(method)), None),
+        sense=frame(machine, place).sense,
     )
 
 

@@ -47,6 +47,7 @@ def renamed(drawing: Drawing, letters: Mapping[str, str]) -> Drawing:
         paths=of(drawing.paths),
         blocks=[block._replace(pin=of((block.pin,))[0], link=of(block.link)) for block in drawing.blocks],
         ends=of(drawing.ends),
+        points=of(drawing.points),
     )
 
 

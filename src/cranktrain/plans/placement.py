@@ -17,6 +17,7 @@ from cranktrain.machine import Machine
 from cranktrain.mechanisms.drawing import Drawing, Guide
 from cranktrain.motion import Array, Coefficient, Point, single
 from cranktrain.numerics import turn_grid
+from cranktrain.plans.link_points import with_points
 from cranktrain.questions.cylinders.declared import cylinders_of
 
 
@@ -28,8 +29,19 @@ def first_throw(machine: Machine) -> tuple[PlacedMechanism, ...]:
     """
     places = [place for place in machine.places if place.shaft == MAIN] or machine.places
     first = min((place.throw for place in places), default=0)
+    return _with_shared(machine, {place.name for place in places if place.throw == first})
+
+
+def throw_of(machine: Machine, place: PlacedMechanism) -> tuple[PlacedMechanism, ...]:
+    """Give the places on a place's throw, and all that share cylinders with these, as `first_throw` does."""
+    return _with_shared(
+        machine, {one.name for one in machine.places if (one.shaft, one.throw) == (place.shaft, place.throw)}
+    )
+
+
+def _with_shared(machine: Machine, found: set[str]) -> tuple[PlacedMechanism, ...]:
+    """Add to places, by their names, all that share throws and cylinders with them."""
     centres = shaft_places(machine).centres
-    found = {place.name for place in places if place.throw == first}
     n_found = 0
     while n_found < len(found):
         n_found = len(found)
@@ -159,7 +171,8 @@ def placed(machine: Machine, place: PlacedMechanism, angle: Array) -> Drawing:
     """
     axes = frame(machine, place)
     with np.errstate(all="ignore"):  # what cannot close is NaN, and where it just closes velocities have no bound
-        own = place.kind.drawing(angle + place.phase, place.geometry)
+        turned = angle + place.phase
+        own = with_points(place.kind.drawing(turned, place.geometry), place, turned)
         pins = {name: _in_machine_axes(pin, axes, np.zeros(np.shape(angle))) for name, pin in own.pins.items()}
     guides = [
         Guide(guide.pin, np.arctan2(*in_machine_axes(np.cos(guide.direction), np.sin(guide.direction), axes)[::-1]))

@@ -143,11 +143,13 @@ def plan_angles(angles: int | Sequence[float]) -> Array:
     )
 
 
-def source_angles(machine: Machine, *, mechanism: str | None = None, is_shown: bool = True) -> tuple[float, ...]:
+def source_angles(
+    machine: Machine, *, mechanism: str | None = None, is_shown: bool = True, permissible: float | None = None
+) -> tuple[float, ...]:
     """Twelve crank angles at which [slider-crank-synthesis] draws a slider-crank.
 
-    The crank along the line of stroke and across it, at the largest pressure angle and half a turn after it, and six
-    between: one after the pressure angle and two after the right angle, and half a turn after these.
+    The crank along the line of stroke and across it, at the permissible pressure angle and half a turn after it, and
+    six between: one after the pressure angle and two after the right angle, and half a turn after these.
 
     Parameters
     ----------
@@ -156,6 +158,8 @@ def source_angles(machine: Machine, *, mechanism: str | None = None, is_shown: b
         A slider-crank's name; the first one unless given.
     is_shown : bool
         Count as the machine shows crank angles; else from where the crank points along the cylinder.
+    permissible : float, optional
+        The pressure angle that was permitted; the largest that the mechanism has, unless given. [deg]
 
     Returns
     -------
@@ -172,7 +176,8 @@ def source_angles(machine: Machine, *, mechanism: str | None = None, is_shown: b
     """
     place = slider_crank_called(machine, mechanism)
     geometry = place.geometry
-    pressure = np.rad2deg(np.arcsin((geometry.crank_radius + abs(geometry.offset)) / geometry.rod_length))
+    largest = np.rad2deg(np.arcsin((geometry.crank_radius + abs(geometry.offset)) / geometry.rod_length))
+    pressure = largest if permissible is None else permissible
     half = np.array([0.0, pressure, (pressure + 90.0) / 2, 90.0, 120.0, 150.0])
     start = np.rad2deg(-place.phase - machine.zero) if is_shown else 0.0
     turn = (np.concatenate([half, half + 180.0]) + start) % 360.0
@@ -183,6 +188,27 @@ def fitting(outlines: Sequence[Array], room: tuple[float, float], steps: Sequenc
     """Choose the round scale factor at which each of several outlines, shape (2, n), fits a room. [unit for 1 mm]"""
     spans = [np.nanmax(outline, axis=1) - np.nanmin(outline, axis=1) for outline in outlines]
     return rounded_scale(float(np.max(np.stack(spans) / np.asarray(room))), steps)
+
+
+def chosen_scale(least: float, asked: float | None) -> float:
+    """Give the scale factor that is asked for, as millimetres of metal in one of paper, if that fits; else the least.
+
+    Raises
+    ------
+    InputError
+        If it is smaller than the least, for which there is room. [m for 1 mm]
+    """
+    if asked is None:
+        return least
+    if 1e-3 * asked < least * (1 - 1e-9):
+        allowed = _("is too large for the paper: at most {scale}").format(scale=scale_words(1e3 * least))
+        raise InputError([Problem("scale", scale_words(asked), allowed)])
+    return 1e-3 * asked
+
+
+def scale_words(scale: float) -> str:
+    """Write a scale as drawings do: 1:2.5, or 2:1; of millimetres of metal in one of paper."""
+    return f"1:{scale:g}" if scale >= 1 else f"{1 / scale:g}:1"
 
 
 def rounded_scale(least: float, steps: Sequence[float] = DRAWING_STEPS) -> float:

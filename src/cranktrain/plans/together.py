@@ -77,7 +77,7 @@ def placed_together(machine: Machine, places: Sequence[PlacedMechanism], angle: 
         pins={name: pin for part in parts for name, pin in part.pins.items()},
         **{
             field: tuple(one for part in parts for one in getattr(part, field))
-            for field in ("links", "guides", "fixed", "paths", "blocks", "ends")
+            for field in ("links", "guides", "fixed", "paths", "blocks", "ends", "points")
         },
     )
 

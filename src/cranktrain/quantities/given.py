@@ -12,6 +12,7 @@ from pydantic_core import CoreSchema, core_schema
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.motion import Array, single
+from cranktrain.one_line import short
 from cranktrain.quantities.conversion import shown
 from cranktrain.quantities.dimensions import Dimension, expected
 from cranktrain.quantities.pattern import pattern
@@ -53,6 +54,10 @@ class Given:
     def array(self) -> Array:
         """Its value as the layout takes it: one number, or that of each design laid out together, shape (design,)."""
         return single(self.si) if self.column is None else self.column
+
+    def __repr__(self) -> str:
+        """Show the text, and its status."""
+        return f"<{short(self.text)}{f', {self.status}' if self.status else ''}>"
 
 
 @dataclass(frozen=True)

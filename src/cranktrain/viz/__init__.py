@@ -17,8 +17,14 @@ def __getattr__(name: str) -> Callable[..., Any]:
     for picture in PICTURES:
         if picture.home.endswith(f":{name}"):
             return picture.function
-    raise AttributeError(f"cranktrain.viz has no {name}")
+    if name.startswith("_"):
+        raise AttributeError(f"cranktrain.viz has no {name}")
+    from cranktrain.quantities import nearest  # only after a mistake
+
+    meant = nearest(name, __dir__())
+    raise AttributeError(f"cranktrain.viz has no {name}" + (f"; did you mean {meant}?" if meant else ""))
 
 
 def __dir__() -> list[str]:
-    return [*globals(), *(picture.home.partition(":")[2] for picture in PICTURES)]
+    drawing = (picture.home.partition(":")[2] for picture in PICTURES)
+    return sorted({*(name for name in globals() if name.startswith("__")), *__all__, *drawing})

@@ -51,7 +51,9 @@ def save(figure: "Figure | Callable[[], Figure]", path: "str | os.PathLike[str]"
     write_whole(path, _pieces(figure, suffix), force=force)
 
 
-def save_animation(result: "Result", path: "str | os.PathLike[str]", *, force: bool = False, design: int = 0) -> None:
+def save_animation(
+    result: "Result", path: "str | os.PathLike[str]", *, force: bool = False, design: int = 0, piston: str | None = None
+) -> None:
     """Save the moving picture of a result as a GIF.
 
     Parameters
@@ -62,6 +64,8 @@ def save_animation(result: "Result", path: "str | os.PathLike[str]", *, force: b
         Replace a file that is there.
     design : int
         Which of the result's machines.
+    piston : str, optional
+        Whose throw alone moves; unless given, one of each sort.
 
     Raises
     ------
@@ -70,7 +74,7 @@ def save_animation(result: "Result", path: "str | os.PathLike[str]", *, force: b
     """
     from cranktrain.viz.throw.gif import animation
 
-    write_whole(path, (animation(result, design=design) for _once in range(1)), force=force)
+    write_whole(path, (animation(result, design=design, piston=piston) for _once in range(1)), force=force)
 
 
 def _pieces(figure: "Figure | Callable[[], Figure]", suffix: str) -> Iterator[bytes]:

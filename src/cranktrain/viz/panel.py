@@ -69,10 +69,11 @@ class Panel:
 
 
 class OneDesign(NamedTuple):
-    """A result and which of its designs."""
+    """A result, which of its designs, and whose throw alone is meant, if any."""
 
     result: Result
     design: int
+    mechanism: str | None = None
 
     def __call__(self, name: str) -> Array:
         """Give a quantity of the design."""

@@ -37,6 +37,8 @@ class Picture:
     source_angles : "shown", "cylinder" or None
         Whether it has the source's twelve positions, and from where their crank angles count: as the machine shows
         them, or from where the crank points along the cylinder.
+    takes : tuple of "scale" and "letters"
+        What else can be chosen for it.
     """
 
     kind: Literal["plan", "sheet", "file"]
@@ -47,6 +49,7 @@ class Picture:
     quantities: tuple[str, ...] | None = None
     refused: Mapping[str, str] = field(default_factory=dict[str, str])
     source_angles: Literal["shown", "cylinder"] | None = None
+    takes: tuple[Literal["scale", "letters"], ...] = ()
 
     @property
     def function(self) -> Callable[..., Any]:

@@ -40,8 +40,14 @@ def test_facts_are_the_quantities_without_crank_angle(v12):
 
 
 def test_unknown_names(v12):
-    with pytest.raises(AttributeError, match="no strok; it has stroke"):
+    with pytest.raises(AttributeError, match=r"no strok; did you mean stroke\?"):
         _ = v12.strok
+    with pytest.raises(AttributeError, match=r"no sumary; did you mean summary\?"):
+        _ = v12.sumary
+    with pytest.raises(AttributeError, match="no swing, which other machines have"):
+        _ = v12.swing
+    with pytest.raises(AttributeError, match="no quux; its `catalogue` names all"):
+        _ = v12.quux
     assert "stroke" in dir(v12)
 
 
@@ -89,6 +95,21 @@ def test_dataset(v12):
     }
     assert data["crank_angle"].attrs["units"] == "deg"
     assert "design" not in data.dims
+
+
+def test_numbers_are_numbers_in_the_dataset(v12):
+    data = v12.dataset
+    assert float(data["phase_star_sum"].sel(order=6)) == v12.phase_star_sum[11]  # in halves: 0.5, 1, …, 6
+    assert data["piston"].dtype.kind == "U"
+    journals = ct.run("vaz_21213", quantities="largest_journal_torque").dataset["journal"]
+    assert journals.dtype.kind == "i"
+    assert journals.values.tolist() == [1, 2, 3, 4, 5]
+
+
+def test_dataset_has_what_was_asked_for():
+    result = ct.run(ct.Machine(mechanism=slider()), quantities=("stroke", "piston_displacement"))
+    assert list(result.dataset) == ["stroke", "piston_displacement"]
+    assert list(ct.run(ct.Machine(mechanism=slider()), quantities="stroke").dataset) == ["stroke"]
 
 
 def test_dataset_of_designs():

@@ -8,7 +8,7 @@ import pytest
 import cranktrain
 from cranktrain.cli import main
 
-COMMANDS = ("list", "new", "check", "run", "plot", "synthesise", "textbook", "schema")
+COMMANDS = ("list", "new", "check", "run", "compare", "plot", "synthesise", "textbook", "schema")
 PROJECT = tomllib.loads((Path(__file__).parents[3] / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 
 

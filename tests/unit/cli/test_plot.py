@@ -19,7 +19,9 @@ from tests.sentences import (
     WITHOUT_ROD,
 )
 
+import cranktrain as ct
 from cranktrain.cli.plot import PlotRequest, understood
+from cranktrain.plans.positions import source_angles
 from cranktrain.viz.sheets import PICTURES
 
 NAMES = {kind: ", ".join(one.name for one in PICTURES if one.kind == kind) for kind in ("plan", "sheet")}
@@ -28,13 +30,13 @@ NAMES = {kind: ", ".join(one.name for one in PICTURES if one.kind == kind) for k
 @pytest.mark.parametrize(
     ("plan", "at", "output", "angles"),
     [
-        ("positions", "12", "a.svg", 12),
+        ("positions", "12", "a.svg", [12.0]),
         ("positions", "30,60", "a.svg", [30.0, 60.0]),
         ("positions", " 30 , 0.5 rad, -1°", "a.svg", [30.0, 28.647889757, -1.0]),  # 0.5 · 180/π
         ("klein", "60 deg", "a.PDF", [60.0]),
         ("velocities", None, "a.png", None),
         ("positions", "source", "a.png", "source"),
-        (None, "8", "a.dxf", 8),
+        (None, "8", "a.dxf", [8.0]),
         (None, "7.5,90", "a.dxf", [7.5, 90.0]),
         (None, "137", "a.png", [137.0]),
     ],
@@ -70,8 +72,6 @@ def test_crank_angles_as_typed(plan, at, output, angles):
         (
             ["3d12", "-o", "a.png", "--mechanism", "1R", "--at", "30,60"],
             [
-                "--mechanism = 1R: must be left out: a sheet shows the first throw; "
-                "only a plan or a .dxf is of one mechanism",
                 "--at = 30,60: must be one crank angle; for several, ask for a --plan",
             ],
         ),
@@ -110,8 +110,40 @@ def test_crank_angles_as_typed(plan, at, output, angles):
             [f"--mechanism = 9R: {NOT_ITS_MECHANISM}: 1, 2, 3, 4"],
         ),
         (
-            ["3d12", "-o", "a.svg", "--plan", "positions", "--at", "60"],
-            [f'--at  60 crank angles: must be {AT_MOST_TO_A_SHEET}; for one crank angle, write "60 deg"'],
+            ["3d12", "-o", "a.svg", "--plan", "positions", "--count", "60"],
+            [f"--count  60 crank angles: must be {AT_MOST_TO_A_SHEET}"],
+        ),
+        (
+            ["3d12", "-o", "a.svg", "--plan", "positions", "--count", "12", "--at", "30", "--scale", "4"],
+            ["--count = 12: must be left out beside --at", "--scale = 4: must be a scale, such as 1:4"],
+        ),
+        (
+            ["3d12", "-o", "a.svg", "--count", "12"],
+            ["--count = 12: must be left out: only a plan or a .dxf is at several"],
+        ),
+        (
+            ["3d12", "-o", "a.svg", "--plan", "klein", "--scale", "1:4", "--at", "source"],
+            [
+                "--scale = 1:4: must be left out: only for sheet machine, plan positions, plan arc, plan projection, "
+                "plan brix, plan brix-backward",
+                f"--at = source: {BETWEEN_COMMAS}, such as 30,60",
+            ],
+        ),
+        (
+            ["vaz_21213", "-o", "a.svg", "--plan", "positions", "--scale", "1:1"],
+            ["--scale = 1:1: is too large for the paper: at most 1:2"],
+        ),
+        (
+            ["3d12", "-o", "a.svg", "--plan", "scheme", "--letters", "gandzha"],
+            ["--letters = gandzha: has no figure of such a mechanism as 1R"],
+        ),
+        (
+            ["3d12", "-o", "a.svg", "--plan", "scheme", "--letters", "bolotin", "--at", "30,60"],
+            ["--at  2 crank angles: must be one for a scheme"],
+        ),
+        (
+            ["textbook_78x78", "-o", "a.svg", "--plan", "positions", "--at", "source 95"],
+            ["--at = source 95: must be `source` with one angle from 0 to 90°: source 30"],
         ),
         (["3d12", "-o", "a.svg", "--at", ""], [f"--at = : {BETWEEN_COMMAS}, "
                                                "such as 30,60"]),
@@ -218,3 +250,14 @@ mean = "extremes"
     assert f"{MISSING_FOR_DIAGRAM}[evenness] coefficient" in answer.errors
     assert typed(*arguments, "--set", "evenness.coefficient=0.001").status == 0
     assert (tmp_path / "a.svg").read_text(encoding="utf-8").startswith("<?xml")
+
+
+def test_how_many_angles_a_scale_and_the_permissible_angle_as_typed():
+    """Of 160 mm stroke and a rod of 160 mm at the permissible 30°: steps of 30°, as the source draws them."""
+    found = understood(PlotRequest("3d12", plan="positions", count="12", scale="2:1", output="a.svg"))
+    assert (found.angles, found.scale) == (12, 0.5)
+    found = understood(PlotRequest("3d12", plan="brix", at="source 30", output="a.svg"))
+    assert (found.angles, found.permissible) == ("source", 30.0)
+    press = {"kind": "slider_crank", "stroke": "160 mm", "rod_length": "270 mm"}
+    angles = source_angles(ct.Machine(mechanism=press), permissible=30.0)
+    assert angles == (0, 30, 60, 90, 120, 150, 180, 210, 240, 270, 300, 330)

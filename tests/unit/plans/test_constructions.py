@@ -97,3 +97,35 @@ def test_source_angles_are_the_pressure_angle_and_its_opposite():
     turned = source_angles(crank(crank_zero="70 deg"))
     np.testing.assert_allclose(np.mod(np.add(turned, 70.0), 360.0), found, rtol=0, atol=1e-8)
     assert source_angles(crank(crank_zero="70 deg"), is_shown=False) == found
+
+
+@pytest.mark.parametrize("offset", [0.0, E, -E])
+@pytest.mark.parametrize(("turns", "sense"), [({}, -1.0), ({"rotation": "anticlockwise"}, 1.0)])
+def test_constructions_turn_as_the_machine_does(offset, turns, sense):
+    """Seen from the free end with the line of stroke to the right: clockwise the pin at 30° is below, else above."""
+    for method in ("arc", "projection", "brix"):
+        found = construction(crank(offset, **turns), method, [30.0])
+        x, y = found.seen(found.on_circle)[:, 0]
+        assert x > 0 and np.sign(y) == sense
+        line = found.seen(found.piston)[1, 0]
+        assert line == pytest.approx(sense * offset, abs=1e-15)
+    astern = construction(crank(offset, running="astern", **turns), "arc", [30.0])
+    assert np.sign(astern.seen(astern.on_circle)[1, 0]) == -sense
+
+
+@pytest.mark.parametrize("offset", [0.0, E, -E])
+def test_dead_positions_are_the_results(offset):
+    result = ct.run(crank(offset))
+    pins, pistons = construction(crank(offset), "arc", [30.0]).dead_pins
+    angles = np.degrees(np.arctan2(pins[1], pins[0])) % 360.0
+    np.testing.assert_allclose(angles, [result.top_dead_centre[0] % 360.0, result.bottom_dead_centre[0]], atol=1e-9)
+    np.testing.assert_allclose(pistons[0, 0], result.top_position[0], rtol=1e-12)
+    np.testing.assert_allclose(pistons[0, 0] - pistons[0, 1], result.stroke[0], rtol=1e-12)
+    np.testing.assert_allclose(np.hypot(*(pistons - pins)), L, rtol=1e-12)
+
+
+@pytest.mark.parametrize("offset", [0.0, E, -E])
+def test_readings_of_arcs_begin_where_the_top_is_read(offset):
+    """The displacement on paper is the distance from there to the foot, in every position."""
+    found = construction(crank(offset), "arc", ANGLES)
+    np.testing.assert_allclose(found.start[0] - found.foot[0], found.exact_displacement, rtol=0, atol=1e-15)

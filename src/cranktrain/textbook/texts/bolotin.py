@@ -22,7 +22,7 @@ TEXT = Text(
             "fig. 1.3",
             N_("scheme of an engine with two shafts, which turn alike or against each other"),
             "right",
-            "cranktrain plot 10d100 -o 10d100.svg",
+            "cranktrain plot 10d100 --plan scheme -o scheme.svg",
         ),
         Formula(
             "p. 15",
@@ -52,7 +52,7 @@ TEXT = Text(
             "fig. 1.4",
             N_("scheme of a master and its slave on an articulated rod"),
             "right",
-            "cranktrain plot 3d12 -o 3d12.svg",
+            "cranktrain plot 3d12 --plan scheme -o scheme.svg",
         ),
         Formula(
             "(I.13)",

@@ -16,7 +16,7 @@ TEXT = Text(
             "fig. 1",
             N_("scheme: motor, gearbox, crank OB, rod AB, rocker O₁A that swings through γ"),
             "right",
-            "cranktrain plot pumping_unit_c57 -o unit.svg",
+            "cranktrain plot pumping_unit_c57 --plan scheme -o scheme.svg",
             note=N_("of motor and gearbox nothing is drawn"),
         ),
         Formula("(1)", N_("useful torque on the rocker by the rod's force, Q r₁ = Q′ r₁ sin(α₁ − β)"), "right"),

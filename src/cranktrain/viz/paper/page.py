@@ -12,7 +12,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.one_line import visible
-from cranktrain.plans.positions import rounded_scale
+from cranktrain.plans.positions import rounded_scale, scale_words
 from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch
 from cranktrain.viz.paper.style import FILLS, HEADING, INK, MUTED, RULE, SETTINGS, SYMBOL, TEXT, pen_of
 
@@ -207,11 +207,6 @@ def fitting_scale(width: float, height: float, room: tuple[float, float]) -> flo
     """Choose the round scale at which metal of a width and height fits a room on paper; metal mm in one of paper."""
     least = max(width / room[0], height / room[1])
     return 1.0 / rounded_down(1.0 / least) if least < 0.8 else rounded_scale(least, _SCALES)
-
-
-def scale_words(scale: float) -> str:
-    """Write a scale as drawings do: 1:2.5, or 2:1."""
-    return f"1:{scale:g}" if scale >= 1 else f"{1 / scale:g}:1"
 
 
 def rounded_down(size: float) -> float:

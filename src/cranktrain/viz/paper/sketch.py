@@ -13,7 +13,19 @@ from cranktrain.motion import Array
 
 Layer = Literal["LINKS", "GUIDES", "PATHS", "PLAN_V", "PLAN_A", "TEXT", "DIMENSIONS"]
 Habit = Literal[
-    "outline", "rod", "thin", "hatch", "dotted", "axis", "arrow", "vector", "part", "chord", "construction", "none"
+    "outline",
+    "rod",
+    "thin",
+    "hatch",
+    "dotted",
+    "curve",
+    "axis",
+    "arrow",
+    "vector",
+    "part",
+    "chord",
+    "construction",
+    "none",
 ]
 Fill = Literal["none", "paper", "light", "dark", "ink"]
 Manner = Literal["symbol", "number", "name", "words"]

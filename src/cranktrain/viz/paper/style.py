@@ -42,6 +42,7 @@ PENS: Mapping[Habit, Pen] = {
     "thin": Pen(0.45, MUTED),
     "hatch": Pen(0.4, MUTED),
     "dotted": Pen(0.7, MUTED, (1.0, 2.2)),
+    "curve": Pen(0.8, INK),
     "axis": Pen(0.45, MUTED, (14.0, 4.0, 2.0, 4.0)),
     "arrow": Pen(0.3, INK),
     "vector": Pen(1.0, INK),

@@ -15,8 +15,9 @@ def write_table(
     place: tuple[float, float, float],
     shares: tuple[float, ...] = (),
     line: float = ROW,
+    n_heads: int = 1,
 ) -> float:
-    """Write a table: a head, rows, all but the first column to the right; give where it ends. [mm]
+    """Write a table: a head of so many rows, rows, all but the first column to the right; give where it ends. [mm]
 
     `shares` are where the other columns end, in parts of the width; evenly, unless given. `line` is a row's height.
     """
@@ -27,7 +28,9 @@ def write_table(
     y = top - 4.0
     for number, row in enumerate(rows):
         write_row(page, row, places, y, is_bold=number == 0)
-        if number == 0:
+        if number < n_heads - 1:
+            y += line - LEAST_ROW
+        elif number == n_heads - 1:
             page.rule(y - 1.6, left, left + width)
             y -= 1.2
         y -= line

@@ -6,29 +6,35 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.machine import Machine
-from cranktrain.motion import Array
 from cranktrain.plans.constructions import Construction, Method, construction
-from cranktrain.plans.positions import fitting
-from cranktrain.plans.vectors import angle_of
+from cranktrain.plans.placement import slider_crank_called
+from cranktrain.plans.positions import chosen_scale, scale_words
+from cranktrain.questions.cylinders.declared import cylinders_of
 from cranktrain.textbook.largest_errors import errors_by_ratio
 from cranktrain.textbook.percents import percent
 from cranktrain.viz.figures import figure, rounded
-from cranktrain.viz.paper import shapes
-from cranktrain.viz.paper.labels import Wish, placed_labels
-from cranktrain.viz.paper.page import Box, Figure, drawing_settings
-from cranktrain.viz.paper.sketch import Circle, Line, Sketch, bounds_of
-from cranktrain.viz.plans.sheet import centre, plan_page, scale_of, write_beside, write_scales
-from cranktrain.viz.plans.sketches import alike
+from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings
+from cranktrain.viz.paper.style import MUTED
+from cranktrain.viz.paper.tables import ROW
+from cranktrain.viz.plans.construction_sketches import construction_sketch, scheme_sketch
+from cranktrain.viz.plans.sheet import centre, fitted_scale, plan_page, scale_of, write_beside, write_scales
 
 _PARTS = 10
 """Into which the stroke is divided where a construction is read backwards."""
+
+_SOURCE = "steam-engine"
 
 _COLUMNS = (0.20, 0.40, 0.60, 0.82, 1.0)
 """Where the columns of a table of readings end, in parts of its width."""
 
 
 def plan_arc(
-    machine: Machine, angles: int | Sequence[float] = 12, *, mechanism: str | None = None, size: str = "A4"
+    machine: Machine,
+    angles: int | Sequence[float] = 12,
+    *,
+    mechanism: str | None = None,
+    size: str = "A4",
+    scale: float | None = None,
 ) -> Figure:
     """Draw a piston's positions by arcs of the rod's length; exact.
 
@@ -41,128 +47,93 @@ def plan_arc(
     mechanism : str, optional
         A slider-crank's name; the first one unless given.
     size : "A4" or "A3"
+    scale : float, optional
+        Of the construction, millimetres of metal in one of paper; the largest round one that fits, unless given.
 
     Returns
     -------
     Figure
-        In the mechanism's own axes: the line of stroke lies, the shaft at its left.
+        As seen from the free end, turned so that the line of stroke lies, the shaft at its left.
     """
-    return _sheet(machine, "arc", angles, mechanism, size, _("Positions by arcs of the rod's length"))
+    return _sheet(machine, "arc", angles, mechanism, size, _("Positions by arcs of the rod's length"), scale)
 
 
 def plan_projection(
-    machine: Machine, angles: int | Sequence[float] = 12, *, mechanism: str | None = None, size: str = "A4"
+    machine: Machine,
+    angles: int | Sequence[float] = 12,
+    *,
+    mechanism: str | None = None,
+    size: str = "A4",
+    scale: float | None = None,
 ) -> Figure:
     """Draw a piston's positions by orthogonal projection of the crank pin (334); parameters as of `plan_arc`."""
-    return _sheet(machine, "projection", angles, mechanism, size, _("Positions by orthogonal projection, (334)"))
+    return _sheet(machine, "projection", angles, mechanism, size, _("Positions by orthogonal projection, (334)"), scale)
 
 
 def plan_brix(
-    machine: Machine, angles: int | Sequence[float] = 12, *, mechanism: str | None = None, size: str = "A4"
+    machine: Machine,
+    angles: int | Sequence[float] = 12,
+    *,
+    mechanism: str | None = None,
+    size: str = "A4",
+    scale: float | None = None,
 ) -> Figure:
     """Draw a piston's positions by Brix's rays; parameters as of `plan_arc`."""
-    return _sheet(machine, "brix", angles, mechanism, size, _("Positions by Brix's construction"))
+    return _sheet(machine, "brix", angles, mechanism, size, _("Positions by Brix's construction"), scale)
 
 
 def plan_brix_backward(
-    machine: Machine, angles: int | Sequence[float] = _PARTS, *, mechanism: str | None = None, size: str = "A4"
+    machine: Machine,
+    angles: int | Sequence[float] = _PARTS,
+    *,
+    mechanism: str | None = None,
+    size: str = "A4",
+    scale: float | None = None,
 ) -> Figure:
     """Draw crank angles by Brix's rays from displacements, as an indicator diagram is unrolled.
 
     Parameters as of `plan_arc`, but a number of angles is into how many parts the stroke is divided.
     """
-    return _sheet(machine, "brix_backward", angles, mechanism, size, _("Crank angles by Brix's construction"))
+    return _sheet(machine, "brix_backward", angles, mechanism, size, _("Crank angles by Brix's construction"), scale)
 
 
 @drawing_settings()
 def _sheet(
-    machine: Machine, method: Method, angles: int | Sequence[float], mechanism: str | None, size: str, title: str
+    machine: Machine,
+    method: Method,
+    angles: int | Sequence[float],
+    mechanism: str | None,
+    size: str,
+    title: str,
+    scale: float | None,
 ) -> Figure:
-    """The construction to scale, beside its readings and the exact ones."""
+    """The mechanism, and below it the construction on the crank circle to scale, beside its readings and exact ones."""
     found = construction(machine, method, angles, mechanism=mechanism)
     page, box = plan_page(machine, angles, size, title, found.mechanism)
-    wide = 0.62 * box.width
-    left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
-    bounds = np.stack(bounds_of(_sketch(found, 1e-9).outline()), axis=1)
-    scale = fitting([1e-3 * bounds], (left.width - 26.0, left.height - 26.0))
-    sketch = _sketch(found, 1e3 * scale)
-    sketch.add(placed_labels(list(_wishes(found, 1e3 * scale)), [line.points for line in sketch.lines], 1e3 * scale))
-    centre(page, sketch, left)
-    write_scales(page, box, [scale_of("l", scale, "m")], 1e3 * scale)
-    rows = (_backward_table if method == "brix_backward" else _forward_table)(found, scale)
-    write_beside(page, box, box.left + wide + 6.0, rows, _notes(found), shares=_COLUMNS, gap=1.0)
+    wide = 0.60 * box.width
+    lower = Box(box.left, box.bottom + 7.0, wide, 0.68 * (box.height - 7.0))
+    upper = Box(box.left, lower.bottom + lower.height, wide, box.height - 7.0 - lower.height)
+    bore = _bore(machine, found)
+    small = fitted_scale(lambda one: scheme_sketch(found, one, bore), (upper.width - 4.0, upper.height - 12.0))
+    centre(page, scheme_sketch(found, small, bore), upper._replace(height=upper.height - 4.0))
+    words = _("The mechanism, scale {scale}").format(scale=scale_words(small))
+    page.text(upper.left, upper.bottom + upper.height - 4.0, words, color=MUTED)
+    least = fitted_scale(lambda one: construction_sketch(found, one), (lower.width - 8.0, lower.height - 8.0))
+    metal = 1e3 * chosen_scale(1e-3 * least, scale)
+    centre(page, construction_sketch(found, metal), lower)
+    write_scales(page, box, [scale_of("l", 1e-3 * metal, "m")], metal)
+    rows = list((_backward_table if method == "brix_backward" else _forward_table)(found, 1e-3 * metal))
+    notes = list(_notes(found))
+    line = min(ROW, (box.height - LINE * len(notes) - 9.0) / len(rows))
+    write_beside(page, box, box.left + wide + 8.0, rows, notes, shares=_COLUMNS, gap=1.0, line=line)
     return page.figure
 
 
-def _sketch(found: Construction, scale: float) -> Sketch:
-    """Crank circle, line of stroke, what is constructed, dots at both its ends, bars at readings; in mm of metal."""
-    is_arc = found.method == "arc"
-    foot = found.piston if is_arc else found.foot
-    right = float(np.max(found.piston[0]) if is_arc else found.geometry.crank_radius)
-    radius, height = 1e3 * float(found.geometry.crank_radius), 1e3 * float(found.geometry.offset)
-    ends = np.array([[-radius - 4.0 * scale, 1e3 * right + 4.0 * scale], [height, height]])
-    axes = [ends, ends * np.array([[1.0], [0.0]])] if height else [ends]
-    sketch = Sketch(scale)
-    sketch.add(Line(axis, "GUIDES", "axis", 1) for axis in axes)
-    shaft = np.zeros(2)
-    sketch.add([Circle(shaft, radius, "PATHS", "rod", 2), Circle(shaft, 0.7 * scale, "LINKS", "outline", 6, "paper")])
-    sketch.add(_arcs(found) if is_arc else _projections(found, scale))
-    points = 1e3 * np.concatenate([found.on_circle, foot], axis=1)
-    sketch.add(Circle(point, 0.6 * scale, "LINKS", "thin", 6, "paper") for point in points.T)
-    if found.method != "brix_backward":
-        sketch.add(_bars(found, scale))
-    return sketch
-
-
-def _arcs(found: Construction) -> Iterator[Line]:
-    """Arcs about the piston's pin from the crank pin to the line of stroke; one position as a line drawing."""
-    for pin, piston in zip(found.on_circle.T, found.piston.T, strict=True):
-        start = angle_of(pin - piston) % (2 * np.pi)
-        points = shapes.arc(1e3 * piston, 1e3 * float(found.geometry.rod_length), start, np.pi)
-        yield Line(points, "LINKS", "construction", 3)
-    first = min(1, found.piston.shape[1] - 1)
-    linkage = np.stack([np.zeros(2), found.on_circle[:, first], found.piston[:, first]], axis=1)
-    yield Line(1e3 * linkage, "LINKS", "outline", 4)
-
-
-def _projections(found: Construction, scale: float) -> Iterator[Line | Circle]:
-    """Perpendiculars from the crank circle to the line of stroke; from Brix's pole the rays, too."""
-    if found.method != "projection":
-        pole = 1e3 * np.array([found.pole, 0.0])
-        for point in 1e3 * found.on_circle.T:
-            yield Line(np.stack([pole, point], axis=1), "LINKS", "rod", 3)
-        yield Circle(pole, 0.7 * scale, "LINKS", "outline", 6, "ink")
-    for point, foot in zip(found.on_circle.T, found.foot.T, strict=True):
-        yield Line(1e3 * np.stack([point, foot], axis=1), "LINKS", "construction", 3)
-
-
-def _bars(found: Construction, scale: float) -> Iterator[Line]:
-    """Short bars across the line of stroke: at the readings of arcs, else where these should be."""
-    exact = found.geometry.crank_radius - found.exact_displacement
-    points = found.foot if found.method == "arc" else np.stack([exact, np.zeros_like(exact)])
-    for point in 1e3 * points.T:
-        ends = point[:, np.newaxis] + 1.6 * scale * np.array([[0.0, 0.0], [-1.0, 1.0]])
-        yield Line(ends, "PLAN_V", "outline", 5)
-
-
-def _wishes(found: Construction, scale: float) -> Iterator[Wish]:
-    """Shaft, pole, and numbers of the positions."""
-    yield Wish(np.zeros(2), "O", -np.pi / 4)
-    if found.method.startswith("brix"):
-        yield Wish(1e3 * np.array([found.pole, 0.0]), "P", -3 * np.pi / 4)
-    yield from _numbers(1e3 * found.on_circle, scale, None)
-    is_apart = np.hypot(*(found.foot - found.on_circle)) > 1e-3 * scale
-    yield from _numbers(1e3 * np.where(is_apart, found.foot, np.nan), scale, -np.pi / 2)
-    if found.method == "arc":
-        yield from _numbers(1e3 * found.piston, scale, np.pi / 2)
-
-
-def _numbers(points: Array, scale: float, towards: float | None) -> Iterator[Wish]:
-    """Numbers beside points, one direction for all or away from the shaft; those that fall together share a place."""
-    for together in alike(points, scale):
-        point = points[:, together[0]]
-        outward = angle_of(point) if towards is None else towards
-        yield Wish(point, ",".join(map(str, together)), outward, "number")
+def _bore(machine: Machine, found: Construction) -> float | None:
+    """Bore of the mechanism's cylinder, where the file has one. [mm]"""
+    place = slider_crank_called(machine, found.mechanism)
+    bore = cylinders_of(machine.cylinder, [place])[0].spec.bore if place.kind.has_chambers else None
+    return None if bore is None else 1e3 * bore.si
 
 
 def _forward_table(found: Construction, scale: float) -> Iterator[tuple[str, ...]]:
@@ -186,18 +157,19 @@ def _backward_table(found: Construction, scale: float) -> Iterator[tuple[str, ..
 
 def _notes(found: Construction) -> Iterator[str]:
     """What is drawn, the source's range, and how the construction is read."""
-    arcs = _("Arcs about the piston's pin lead the crank pin to bars on the line")
+    arcs = _("Arcs about the piston's pin, AB about B, lead the crank pin A to C")
     how = {
-        "arc": (arcs, _("of stroke: exact, with an offset too.")),
+        "arc": (arcs, _("on the line of stroke: exact, with an offset too.")),
         "brix_backward": (_("On the way to the shaft; on the way back 360° − φ."),),
     }
-    yield from how.get(found.method, (_("Bars across the line of stroke: where the exact readings are."),))
+    yield from how.get(found.method, (_("Bars on the ruler: where the exact readings are."),))
     if found.method.startswith("brix"):
         distance = f"OP = λR/2 = {figure(-1e3 * found.pole)} mm"
         yield _("{distance}, away from the cylinder").format(distance=distance)
     yield from _range(found)
     yield _("φ from where the crank points along the cylinder, S from the top;")
-    yield _("drawn in the mechanism's own axes, the shaft at the left.")
+    yield _("seen from the free end and turned, the cylinder at the right.")
+    yield _("M: dead positions; letters of [{source}].").format(source=_SOURCE)
 
 
 def _range(found: Construction) -> Iterator[str]:

@@ -1,37 +1,30 @@
-"""Sheets of plans: positions, polygons of velocities and accelerations, Klein's construction, each with its numbers."""
+"""Sheets of plans: polygons of velocities and accelerations, Klein's construction, each with its numbers."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
 from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.language import _
-from cranktrain.layout.places import PlacedMechanism
-from cranktrain.layout.speed import rates
 from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
-from cranktrain.motion import Array
 from cranktrain.plans.klein import Klein, klein
-from cranktrain.plans.lettering import lettered
-from cranktrain.plans.placement import output_motion
 from cranktrain.plans.polygons import Polygon, acceleration_polygons, velocity_polygons
+from cranktrain.plans.position_table import PositionColumn, output_columns
 from cranktrain.plans.positions import (
-    PositionPlan,
     closed_angles,
     fitting,
-    plan_angles,
     position_plan,
     rescaled,
     single_plans,
-    track,
 )
 from cranktrain.plans.together import places_called
-from cranktrain.plans.turning import turning
 from cranktrain.plans.vectors import PolygonVector
-from cranktrain.quantities import shown
 from cranktrain.viz.figures import figure
-from cranktrain.viz.paper.page import INDICES, Box, Figure, Page, drawing_settings, mathematics
+from cranktrain.viz.paper.page import LINE, Box, Figure, Page, drawing_settings, mathematics
 from cranktrain.viz.paper.tables import LEAST_ROW, ROW
+from cranktrain.viz.plans.position_rows import N_HEADS, position_rows
+from cranktrain.viz.plans.positions import draw_positions, output_notes
 from cranktrain.viz.plans.sheet import (
     VECTOR_COLUMNS,
     WITH_TABLE,
@@ -40,6 +33,7 @@ from cranktrain.viz.plans.sheet import (
     centre_at_angle,
     few_angles,
     plan_page,
+    row_height,
     scale_of,
     unit_words,
     write_beside,
@@ -47,60 +41,14 @@ from cranktrain.viz.plans.sheet import (
 )
 from cranktrain.viz.plans.sketches import klein_sketch, polygon_sketch, positions_sketch
 
-_OUTPUT: Mapping[tuple[bool, bool], Mapping[str, float]] = {
-    (True, True): {"x, mm": 1e3, "v, m/s": 1.0, "a, m/s²": 1.0},
-    (True, False): {"x, mm": 1e3, "x′, mm/rad": 1e3, "x″, mm/rad²": 1e3},
-    (False, True): {"θ, °": shown(1.0, "deg"), "ω₃, rad/s": 1.0, "ε₃, rad/s²": 1.0},
-    (False, False): {"θ, °": shown(1.0, "deg"), "θ′": 1.0, "θ″": 1.0},
-}
-"""Columns of the motion of an output, with factors from SI: whether it is a slider, and whether a speed is known."""
+_STRIP = 104.0
+"""Width of the mechanism and its table beside many polygons. [mm]"""
 
+_NAMED = 12
+"""Of more polygons the corners between parts of a vector have no names."""
 
-@drawing_settings()
-def plan_positions(
-    machine: Machine,
-    angles: int | Sequence[float] = 12,
-    *,
-    mechanism: str | None = None,
-    size: str = "A4",
-    speed: SpeedWanted = "constant",
-) -> Figure:
-    """Draw a mechanism in several positions, to scale, beside a table of its output.
-
-    Parameters
-    ----------
-    machine : Machine
-    angles : int or sequence of float
-        How many, evenly over a turn, or which crank angles; 24 at most. [deg]
-    mechanism : str, optional
-        Its name; the first slave of throw 1, or the first mechanism, unless given.
-    size : "A4" or "A3"
-    speed : SpeedWanted
-        As `cranktrain.run` takes it.
-
-    Returns
-    -------
-    Figure
-    """
-    curve = speed_over_cycle(machine, speed)
-    is_single = len(plan_angles(angles)) == 1  # pins of several positions have numbers instead of letters
-    page, box = plan_page(machine, angles, size, _("Plan of positions"), mechanism, has_key=is_single, curve=curve)
-    places = places_called(machine, mechanism)
-    wide = (0.62 if len(places) == 1 else 0.42) * box.width
-    left = Box(box.left, box.bottom + 8.0, wide, box.height - 8.0)
-    room = (left.width - 22.0, left.height - 22.0)
-    scale = position_plan(machine, 180, mechanism=mechanism, room=room).scale
-    plan = rescaled(position_plan(machine, angles, mechanism=mechanism, room=room, is_lettered=True), scale)
-    centre(page, positions_sketch(plan, lettered(track(machine, scale, mechanism=mechanism))), left)
-    write_scales(page, box, [scale_of("l", scale, "m")], 1e3 * scale)
-    counted = (
-        _("from the shaft along the line of stroke, positive away from it")
-        if plan.drawing.guides
-        else _("in the cylinder, positive toward its head")
-    )
-    notes = [counted] if places[0].kind.output == "slider" else []
-    write_beside(page, box, box.left + wide + 8.0, _positions_table(machine, plan, curve), notes)
-    return page.figure
+_COLUMNS = 5
+"""Beside number and angle in a table of that width."""
 
 
 def plan_velocities(
@@ -141,18 +89,21 @@ def _polygon_sheet(
     curve = speed_over_cycle(machine, speed)
     page, box = plan_page(machine, angles, size, title, mechanism, curve=curve)
     n = len(closed_angles(machine, places_called(machine, mechanism), angles))
-    cells = cells_of(box, n)
     has_table = n <= WITH_TABLE
+    right = box if has_table else box._replace(left=box.left + _STRIP + 4.0, width=box.width - _STRIP - 4.0)
+    cells = cells_of(right, n)
     cell = cells[0]
     width = 0.38 * cell.width if has_table else cell.width
-    room = (width - 22.0, cell.height - (18.0 if has_table else 16.0))
+    room = (width - (22.0 if has_table else 16.0), cell.height - (18.0 if has_table else 16.0))
     polygons = polygons_of(machine, angles, mechanism=mechanism, room=room, is_lettered=True, speed=curve or "constant")
     scales = [scale_of(polygons[0].quantity[0], polygons[0].scale, unit_words(polygons[0].unit))]
     if has_table:
         scales.append(_beside(page, machine, polygons, cells, mechanism))
     else:
-        for polygon, place in zip(polygons, cells, strict=True):
-            centre_at_angle(page, polygon.angle, polygon_sketch(polygon, with_symbols=False), place, 6.0)
+        for number, (polygon, place) in enumerate(zip(polygons, cells, strict=True)):
+            sketch = polygon_sketch(polygon, with_symbols=False, with_corners=n <= _NAMED)
+            centre_at_angle(page, polygon.angle, sketch, place, 6.0, f"{number}:  ")
+        scales.append(_strip(page, machine, polygons, box, mechanism, curve))
     write_scales(page, box, scales, None)
     return page.figure
 
@@ -174,6 +125,48 @@ def _beside(
         start = middle.left + middle.width + 4.0
         write_beside(page, cell, start, rows, notes, shares=VECTOR_COLUMNS, line=line, gap=0.0)
     return scale_of("l", plans[0].scale, "m")
+
+
+def _strip(
+    page: Page,
+    machine: Machine,
+    polygons: Sequence[Polygon],
+    box: Box,
+    mechanism: str | None,
+    curve: SpeedCurve | None,
+) -> str:
+    """Draw the mechanism in all positions above a table of its motion, left of many polygons; say its scale."""
+    angles = np.array([polygon.angle for polygon in polygons])
+    places = places_called(machine, mechanism)
+    first, *others = places
+    n_more = 0 if others else _COLUMNS - len(output_columns(machine, first, angles))
+    more = list(_link_columns(polygons))[:n_more]
+    rows = list(position_rows(machine, places, angles, curve, more))
+    line = row_height([len(rows)], 0.66 * box.height)
+    high = line * len(rows) + 8.0 + LINE * 3
+    upper = Box(box.left, box.bottom + high, _STRIP, box.height - high)
+    room = (upper.width - 18.0, upper.height - 18.0)
+    whole = position_plan(machine, 180, mechanism=mechanism, room=room).scale
+    plan = rescaled(position_plan(machine, angles.tolist(), mechanism=mechanism, room=room, is_lettered=True), whole)
+    draw_positions(page, machine, plan, mechanism, upper)
+    notes = output_notes(machine, plan, places)
+    lower = Box(box.left, box.bottom, _STRIP, high)
+    write_beside(page, lower, box.left, rows, notes, line=line, n_heads=N_HEADS)
+    return scale_of("l", whole, "m")
+
+
+def _link_columns(polygons: Sequence[Polygon]) -> Iterator[PositionColumn]:
+    """Sizes of the vectors between pins that every polygon has; of accelerations their parts."""
+    parts = ("relative",) if polygons[0].quantity == "velocity" else ("normal", "tangential", "coriolis")
+    for number, vector in enumerate(polygons[0].vectors):
+        if vector.part in parts and all(_symbol_at(polygon, number) == vector.symbol for polygon in polygons):
+            sizes = np.array([polygon.vectors[number].size for polygon in polygons])
+            yield PositionColumn(mathematics(vector.symbol), polygons[0].unit, sizes)
+
+
+def _symbol_at(polygon: Polygon, number: int) -> str:
+    """Symbol of a polygon's vector by its number."""
+    return polygon.vectors[number].symbol if number < len(polygon.vectors) else ""
 
 
 @drawing_settings()
@@ -198,38 +191,6 @@ def plan_klein(
     scales = [scale_of("l", metre, "m"), *(scale_of(letter, rate * metre, unit) for letter, (rate, unit) in rates)]
     write_scales(page, box, scales, scale)
     return page.figure
-
-
-def _positions_table(machine: Machine, plan: PositionPlan, curve: SpeedCurve | None) -> Iterator[tuple[str, ...]]:
-    """Number, crank angle and motion of the output in each position; of opposed pistons both."""
-    places = places_called(machine, plan.mechanism)
-    columns = [
-        (_indexed(name, i) if len(places) > 1 else name, values)
-        for i, place in enumerate(places)
-        for name, values in _output_columns(machine, place, plan, curve)
-    ]
-    yield (_("no."), "φ, °", *(name for name, _values in columns))
-    for i, angle in enumerate(plan.angles):
-        yield (f"{i}", f"{angle:g}", *(figure(float(values[i])) for _name, values in columns))
-
-
-def _indexed(head: str, i: int) -> str:
-    """Head of a column of one of several mechanisms: x₂, mm."""
-    symbol, comma, unit = head.partition(",")
-    return f"{symbol}{str(i + 1).translate(INDICES)}{comma}{unit}"
-
-
-def _output_columns(
-    machine: Machine, place: PlacedMechanism, plan: PositionPlan, curve: SpeedCurve | None
-) -> Iterator[tuple[str, Array]]:
-    """Heads and values of the motion of a place's output."""
-    has_speed = machine.main_shaft.speed is not None or curve is not None
-    angle = np.deg2rad(plan.angles)
-    drive = turning(machine, curve, angle + machine.zero)
-    moving = output_motion(machine, place, angle)
-    motion = (moving.value, *rates(moving, drive))
-    columns = _OUTPUT[place.kind.output == "slider", has_speed]
-    yield from ((head, factor * part) for (head, factor), part in zip(columns.items(), motion, strict=True))
 
 
 def _fitting_rows(polygon: Polygon, height: float) -> tuple[list[tuple[str, ...]], float]:

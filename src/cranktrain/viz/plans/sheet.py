@@ -1,6 +1,6 @@
 """What sheets of plans have in common: their head, rooms for pictures, tables, scale factors at the foot."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 import numpy as np
 
@@ -10,11 +10,12 @@ from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.plans.lettering import pin_letters
-from cranktrain.plans.positions import plan_angles
+from cranktrain.plans.positions import plan_angles, scale_words
 from cranktrain.plans.together import placed_together, places_called, together_name
 from cranktrain.plans.vectors import pair, spoken_name
 from cranktrain.viz.paper.head import title_block
-from cranktrain.viz.paper.page import MARGIN, Box, Page, formula, paper, scale_words
+from cranktrain.viz.paper.labels import labelled_bounds
+from cranktrain.viz.paper.page import LINE, MARGIN, Box, Page, fitting_scale, formula, paper
 from cranktrain.viz.paper.sketch import Sketch, bounds_of
 from cranktrain.viz.paper.style import MUTED
 from cranktrain.viz.paper.tables import ROW, write_table
@@ -25,6 +26,12 @@ MOST = 24
 
 WITH_TABLE = 2
 """Up to so many polygons stand beside the mechanism and a table of their vectors."""
+
+LOWEST = 4.0
+"""How low rows of positions may be made. [mm]"""
+
+_PASSES = 3
+"""How often a scale is corrected."""
 
 VECTOR_COLUMNS = (0.53, 0.74, 1.0)
 """Where the columns of a table of vectors end: names of a chain's pins are words."""
@@ -82,15 +89,22 @@ def cells_of(box: Box, n: int) -> list[Box]:
     return [Box(float(left), float(bottom), width, height) for bottom in bottoms for left in lefts][:n]
 
 
-def centre(page: Page, sketch: Sketch, box: Box) -> None:
-    """Draw a sketch in the middle of a room."""
+def centre(page: Page, sketch: Sketch, box: Box) -> tuple[float, float]:
+    """Draw a sketch in the middle of a room; give where its origin is. [mm]"""
+    origin = origin_in(sketch, box)
+    page.draw(sketch, origin)
+    return origin
+
+
+def origin_in(sketch: Sketch, box: Box) -> tuple[float, float]:
+    """Where a sketch's origin is if it stands in the middle of a room. [mm]"""
     low, high = (corner / sketch.scale for corner in bounds_of(sketch.outline()))
-    page.draw(sketch, pair(box.middle - (low + high) / 2))
+    return pair(box.middle - (low + high) / 2)
 
 
-def centre_at_angle(page: Page, angle: float, sketch: Sketch, box: Box, head: float = 5.0) -> None:
+def centre_at_angle(page: Page, angle: float, sketch: Sketch, box: Box, head: float = 5.0, before: str = "") -> None:
     """Draw a sketch in the middle of a room, below a heading with the crank angle [deg] so high. [mm]"""
-    page.heading(box.left, box.bottom + box.height - 4.0, f"φ = {angle:g}°")
+    page.heading(box.left, box.bottom + box.height - 4.0, f"{before}φ = {angle:g}°")
     centre(page, sketch, box._replace(height=box.height - head))
 
 
@@ -104,10 +118,32 @@ def write_beside(
     shares: tuple[float, ...] = (),
     line: float = ROW,
     gap: float = 2.0,
-) -> None:
-    """Write a table in what a room has from `left` on, as `write_table` does, and notes a gap below it. [mm]"""
+    n_heads: int = 1,
+) -> float:
+    """Write a table in what a room has from `left` on, as `write_table` does, and notes a gap below it; give where.
+
+    All in mm of paper.
+    """
     place = (left, box.bottom + box.height, box.left + box.width - left)
-    page.notes(left, write_table(page, list(rows), place, shares, line) - gap, notes)
+    sentences = list(notes)
+    below = write_table(page, list(rows), place, shares, line, n_heads) - gap
+    page.notes(left, below, sentences)
+    return below - LINE * len(sentences)
+
+
+def row_height(n_rows: Sequence[int], height: float) -> float:
+    """How high the rows of tables below each other may be, each with a head and a note, in a room so high. [mm]"""
+    free = height - len(n_rows) * (2 * LINE + 3.0)
+    return max(LOWEST, min(ROW, free / sum(n_rows)))
+
+
+def fitted_scale(drawn: Callable[[float], Sketch], room: tuple[float, float]) -> float:
+    """Choose a round scale at which a sketch with its words fits a room: what has a size on paper keeps it."""
+    scale = 1.0
+    for _pass in range(_PASSES):
+        low, high = labelled_bounds(drawn(scale))
+        scale = fitting_scale(*pair(high - low), room)
+    return scale
 
 
 def scale_of(letter: str, scale: float, unit: str) -> str:

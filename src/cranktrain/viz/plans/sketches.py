@@ -1,11 +1,11 @@
 """Sketches of plans: a mechanism in positions, polygons of velocities and accelerations, Klein's construction."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from cranktrain.grouping import grouped
-from cranktrain.mechanisms.drawing import Drawing
+from cranktrain.mechanisms.drawing import Drawing, DrawnLink
 from cranktrain.motion import Array
 from cranktrain.plans.klein import Klein
 from cranktrain.plans.polygons import Polygon
@@ -13,6 +13,7 @@ from cranktrain.plans.positions import PositionPlan
 from cranktrain.plans.vectors import POLE, Part, angle_of, spoken_name
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.labels import Wish, placed_labels, together
+from cranktrain.viz.paper.page import INDICES
 from cranktrain.viz.paper.sketch import Circle, Habit, Layer, Line, Sketch
 
 _ONE_PLACE = 0.4
@@ -34,7 +35,9 @@ _MANY = 8
 """Of more vectors only those from the pole have their symbols beside them: the table names the others by their ends."""
 
 
-def positions_sketch(plan: PositionPlan, track: Drawing | None = None) -> Sketch:
+def positions_sketch(
+    plan: PositionPlan, track: Drawing | None = None, *, hidden: Sequence[str] = (), is_lettered: bool = False
+) -> Sketch:
     """Mechanism in positions as line drawings, numbered from 0; in mm of metal.
 
     Parameters
@@ -42,15 +45,26 @@ def positions_sketch(plan: PositionPlan, track: Drawing | None = None) -> Sketch
     plan : PositionPlan
     track : Drawing, optional
         The same mechanism over a turn, for the paths of its pins. [drawing mm]
+    hidden : sequence of str
+        Pins that have no words: a detail has them.
+    is_lettered : bool
+        Of several positions name the pins in the first one, and those that stand still.
     """
     sketch, pins = line_drawing(plan, track)
     scale = sketch.scale
     if len(plan.angles) == 1:
         wishes = pin_wishes(plan.drawing, pins)
     else:
+        numbered = _numbered(plan.drawing, pins, scale)
         wishes = [
-            wish for name in _numbered(plan.drawing, pins, scale) for wish in _numbers(name, pins, plan.drawing, scale)
+            wish
+            for name in numbered
+            if name not in hidden
+            for wish in _numbers(name, pins, plan.drawing, scale, spoken_name(name) if is_lettered else "")
         ]
+        if is_lettered:
+            rest = [one for one in pins if one not in (*numbered, *hidden, *plan.drawing.ends)]
+            wishes += _still_names(plan.drawing, pins, rest)
     lines = [line.points for line in sketch.lines if line.habit != "dotted"]
     sketch.add(placed_labels(wishes, lines, scale))
     return sketch
@@ -63,7 +77,17 @@ def _numbered(drawing: Drawing, pins: dict[str, Array], scale: float) -> list[st
         return moving
     sliding = [guide.pin for guide in drawing.guides]
     far = [name for name in sliding if np.max(np.ptp(pins[name], axis=1)) > _NUMBER * pins[name].shape[1] * scale]
-    return [drawing.links[0].pins[1], *far]
+    return [drawing.links[0].pins[1], *far, *drawing.points]
+
+
+def _still_names(drawing: Drawing, pins: dict[str, Array], names: Sequence[str]) -> Iterator[Wish]:
+    """Names of pins that stand still, and in their first position of moving ones that have no numbers."""
+    middle = np.mean(np.concatenate(list(pins.values()), axis=1), axis=1)
+    for name in names:
+        is_still = name in drawing.fixed
+        point, words = pins[name][:, 0], spoken_name(name)
+        towards = -np.pi / 4 if is_still else angle_of(point - middle)
+        yield Wish(point, words if is_still else f"{words}{'0'.translate(INDICES)}", towards, "number")
 
 
 def line_drawing(plan: PositionPlan, track: Drawing | None = None) -> tuple[Sketch, dict[str, Array]]:
@@ -71,19 +95,29 @@ def line_drawing(plan: PositionPlan, track: Drawing | None = None) -> tuple[Sket
     scale = 1e3 * plan.scale
     sketch = Sketch(scale)
     pins = {name: scale * pin for name, pin in plan.drawing.positions.items()}
-    sketch.add(_frame(plan.drawing, pins, scale))
+    sketch.add(frame_lines(plan.drawing, pins, scale))
     sketch.add(_blocks(plan.drawing, pins, scale))
     if track is not None:
         paths = track.positions
-        sketch.add(Line(scale * paths[name], "PATHS", "dotted", 1) for name in track.paths)
+        sketch.add(
+            Line(scale * paths[name], "PATHS", "curve" if name in track.points else "dotted", 1) for name in track.paths
+        )
     for i in range(len(plan.angles)):
         habit = "outline" if i == 0 else "thin"
         for link in plan.drawing.links:
-            for name in link.pins[1:]:
-                ends = np.stack([pins[link.pins[0]][:, i], pins[name][:, i]], axis=1)
+            for names in sides_of(link, plan.drawing.points):
+                ends = np.stack([pins[name][:, i] for name in names], axis=1)
                 sketch.add([Line(ends, "LINKS", habit, 4 if i == 0 else 3)])
         sketch.add(Circle(pin[:, i], 0.6 * scale, "LINKS", habit, 5, "paper") for pin in pins.values())
     return sketch, pins
+
+
+def sides_of(link: DrawnLink, points: Sequence[str]) -> Iterator[tuple[str, str]]:
+    """Pins two by two between which a link is drawn: from its first to each; to a point on it from its second too."""
+    for name in link.pins[1:]:
+        yield link.pins[0], name
+        if name in points:
+            yield link.pins[1], name
 
 
 def pin_wishes(drawing: Drawing, pins: dict[str, Array]) -> list[Wish]:
@@ -96,8 +130,8 @@ def pin_wishes(drawing: Drawing, pins: dict[str, Array]) -> list[Wish]:
     ]
 
 
-def _numbers(name: str, pins: dict[str, Array], drawing: Drawing, scale: float) -> Iterator[Wish]:
-    """Numbers of a pin's positions; where it passes a place twice, both stand together."""
+def _numbers(name: str, pins: dict[str, Array], drawing: Drawing, scale: float, letter: str = "") -> Iterator[Wish]:
+    """Numbers of a pin's positions; where it passes a place twice, both stand together; the first with its letter."""
     pin = pins[name]
     bases = [link.pins[0] for link in drawing.links if name in link.pins[1:] and link.pins[0] in drawing.fixed]
     across = [float(np.squeeze(guide.direction)) - np.pi / 2 for guide in drawing.guides if guide.pin == name]
@@ -108,7 +142,9 @@ def _numbers(name: str, pins: dict[str, Array], drawing: Drawing, scale: float) 
             point = point + 2.6 * scale * np.array([np.cos(outward), np.sin(outward)])
         else:
             outward = angle_of(point - pins[bases[0] if bases else "O"][:, 0])
-        yield Wish(point, ",".join(map(str, few)), outward, "number")
+        words = ",".join(map(str, few))
+        is_named = 0 in few and letter
+        yield Wish(point, f"{letter}{words.translate(INDICES)}" if is_named else words, outward, "number")
 
 
 def alike(points: Array, scale: float) -> list[list[int]]:
@@ -117,7 +153,7 @@ def alike(points: Array, scale: float) -> list[list[int]]:
     return list(grouped((tuple(np.round(points[:, i] / (0.5 * scale))), i) for i in drawn).values())
 
 
-def _frame(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[Line | Circle]:
+def frame_lines(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[Line | Circle]:
     """Guides and fixed pivots."""
     for guide in drawing.guides:
         line = shapes.guide_line(guide.direction, pins[guide.pin][:, 0])
@@ -147,8 +183,11 @@ def _blocks(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[
             yield Line(points, "LINKS", "outline", 2, is_closed=True, fill="light")
 
 
-def polygon_sketch(polygon: Polygon, *, with_symbols: bool = True) -> Sketch:
-    """Polygon in drawing millimetres: vectors from the pole full, about another pin thin, parts dashed."""
+def polygon_sketch(polygon: Polygon, *, with_symbols: bool = True, with_corners: bool = True) -> Sketch:
+    """Polygon in drawing millimetres: vectors from the pole full, about another pin thin, parts dashed.
+
+    Without room for them, vectors have no symbols, or corners between the parts of a vector no names.
+    """
     layer: Layer = "PLAN_V" if polygon.quantity == "velocity" else "PLAN_A"
     habits: dict[Part, Habit] = {
         "absolute": "vector",
@@ -166,7 +205,7 @@ def polygon_sketch(polygon: Polygon, *, with_symbols: bool = True) -> Sketch:
         *(vector.end for vector in short if vector.part == "normal"),
         *(vector.start for vector in short if vector.part == "tangential"),
     }
-    named = {name: point for name, point in points.items() if name not in corners}
+    named = {name: point for name, point in points.items() if name not in corners and (with_corners or "_" not in name)}
     wishes = [Wish(point, name, angle_of(point - middle)) for name, point in _separate(named)]
     is_crowded = len(polygon.vectors) > _MANY
     for vector in polygon.vectors:

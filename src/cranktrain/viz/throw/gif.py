@@ -1,6 +1,6 @@
-"""A moving picture of a machine's first throw: a small GIF of one turn."""
+"""A moving picture of a machine's throws, one of each sort: a small GIF of one turn."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from io import BytesIO
 from operator import methodcaller
 from typing import Any
@@ -8,9 +8,12 @@ from typing import Any
 import numpy as np
 
 from cranktrain.analysis import Result
+from cranktrain.motion import Array
+from cranktrain.plans.drawn_throws import drawn_throws
 from cranktrain.plans.vectors import pair
 from cranktrain.viz.paper.page import Page, drawing_settings, fitting_scale
 from cranktrain.viz.paper.sketch import Sketch, bounds_of
+from cranktrain.viz.throw.beside import Bounds, arranged, together
 from cranktrain.viz.throw.mechanism import mechanism_sketch
 from cranktrain.viz.throw.scene import Scene, scene_of
 
@@ -26,7 +29,7 @@ _SECONDS = 3.0
 """Time that a turn takes in the picture."""
 
 
-def animation(result: Result, *, n_frames: int = 36, design: int = 0) -> bytes:
+def animation(result: Result, *, n_frames: int = 36, design: int = 0, piston: str | None = None) -> bytes:
     """Draw the moving mechanism.
 
     Parameters
@@ -36,6 +39,8 @@ def animation(result: Result, *, n_frames: int = 36, design: int = 0) -> bytes:
         Over one turn.
     design : int
         Which of the result's machines.
+    piston : str, optional
+        Whose throw alone moves, by the mechanism's name or its cylinder's; unless given, one of each sort.
 
     Returns
     -------
@@ -45,14 +50,24 @@ def animation(result: Result, *, n_frames: int = 36, design: int = 0) -> bytes:
     from PIL import Image
 
     machine = result.machines[design]
-    scene = scene_of(machine)
-    angles = [a for a in np.arange(n_frames) * (360.0 / n_frames) if scene.closing_angle(float(a)) == a]
-    some = [mechanism_sketch(scene, angle, 1.0, is_plain=True) for angle in angles[::3]]
-    low, high = bounds_of(points for sketch in some for points in sketch.outline())
-    scale = fitting_scale(*pair(high - low), (_SIDE - 8.0, _SIDE - 8.0))
+    throws = drawn_throws(machine, piston)
+    scenes = [scene_of(machine, throw, is_alone=len(throws) == 1) for throw in throws]
+    tried = np.arange(n_frames) * (360.0 / n_frames)
+    angles = [float(a) for a in tried if all(scene.closing_angle(float(a)) == a for scene in scenes)]
+    bounds = [_bounds(scene, angles[::3]) for scene in scenes]
+    gap = 0.15 * float(np.max([one.high - one.low for one in bounds]))
+    fits: list[tuple[float, tuple[Array, ...], Bounds]] = []
+    for is_row in (True, False):
+        places, (low, high) = arranged(bounds, gap, is_row=is_row)
+        fits.append((fitting_scale(*pair(high - low), (_SIDE - 8.0, _SIDE - 8.0)), places, Bounds(low, high)))
+    scale, places, (low, high) = min(fits, key=lambda fit: fit[0])
     size = pair((high - low) / scale + np.array([8.0, 8.0 + _HEAD]))
     origin = pair(4.0 - low / scale)
-    frames = [Image.fromarray(pixels).convert("RGB") for pixels in _frames(scene, angles, scale, (size, origin))]
+
+    def drawn(angle: float) -> Sketch:
+        return together([mechanism_sketch(scene, angle, scale, is_plain=True) for scene in scenes], places)
+
+    frames = [Image.fromarray(pixels).convert("RGB") for pixels in _frames(drawn, angles, (size, origin))]
     palette = frames[0].quantize(_COLOURS)
     reduced = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
     content = BytesIO()
@@ -63,15 +78,23 @@ def animation(result: Result, *, n_frames: int = 36, design: int = 0) -> bytes:
     return content.getvalue()
 
 
+def _bounds(scene: Scene, angles: Sequence[float]) -> Bounds:
+    """Between what corners a throw moves. [mm]"""
+    some = [mechanism_sketch(scene, angle, 1.0, is_plain=True) for angle in angles]
+    return Bounds(*bounds_of(points for sketch in some for points in sketch.outline()))
+
+
 def _frames(
-    scene: Scene, angles: Sequence[float], scale: float, paper: tuple[tuple[float, float], tuple[float, float]]
+    drawn: Callable[[float], Sketch],
+    angles: Sequence[float],
+    paper: tuple[tuple[float, float], tuple[float, float]],
 ) -> "Iterator[np.ndarray[tuple[int, ...], np.dtype[np.uint8]]]":
     """Draw frames as pixels: what stands still once, what moves with the same artists every time."""
     size, origin = paper
     with drawing_settings():
         page = Page(*size)
         page.figure.set_dpi(_DOTS_PER_INCH)
-        still, moving = _parted(mechanism_sketch(scene, float(angles[0]), scale, is_plain=True))
+        still, moving = _parted(drawn(angles[0]))
         page.draw(still, origin)
         canvas: Any = page.figure.canvas
         canvas.draw()
@@ -80,7 +103,7 @@ def _frames(
         words = page.text(4.0, size[1] - 6.0, "")
         for angle in angles:
             canvas.restore_region(background)
-            page.move(artists, _parted(mechanism_sketch(scene, float(angle), scale, is_plain=True))[1], origin)
+            page.move(artists, _parted(drawn(angle))[1], origin)
             words.set_text(f"φ = {angle:g}°")
             for artist in (*sorted(artists, key=methodcaller("get_zorder")), words):
                 page.paper.draw_artist(artist)

@@ -5,13 +5,18 @@ from itertools import pairwise
 
 import numpy as np
 
+from cranktrain.mechanisms.drawing import DrawnLink
 from cranktrain.motion import Array
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch
 from cranktrain.viz.throw.angle_marks import degree_ring, rotations
 from cranktrain.viz.throw.cylinders import common_cylinder, cylinder, skirt
+from cranktrain.viz.throw.followed import followed_points, point_names
 from cranktrain.viz.throw.names import bank_angle, piston_names
 from cranktrain.viz.throw.scene import BIG_EYE, SMALL_EYE, DrawnMechanism, Scene
+
+_COARSE = 5
+"""Of a point's curve so manyth a point says where there is no room for a figure of the ring. [deg]"""
 
 _FEW = 2
 """Up to so many mechanisms, the links are drawn in the dead positions too."""
@@ -60,12 +65,14 @@ def mechanism_sketch(
     for member in scene.cranks:
         sketch.add(_crank(scene, member, angle))
     for member in scene.members:
+        sketch.add(followed_points(scene, member, angle, scale))
         sketch.add(_links(scene, member, angle, scale))
     if not is_plain:
         if has_ring:
             sketch.add(degree_ring(scene, _lines_of_links(scene, angle, dead), angle, scale))
             sketch.add(rotations(scene, scale))
         sketch.add(piston_names(scene, angle, sketch))
+        sketch.add(point_names(scene, angle, sketch))
         sketch.add(bank_angle(scene, scale))
     return sketch
 
@@ -73,7 +80,9 @@ def mechanism_sketch(
 def _path(scene: Scene, member: DrawnMechanism) -> Iterator[Line]:
     """Paths of pins over a turn."""
     for name in member.turn.paths:
-        if name != member.crank_pin or member in scene.cranks:
+        if name in member.turn.points:
+            yield Line(member.turn_pins[name], "PATHS", "curve", 2)
+        elif name != member.crank_pin or member in scene.cranks:
             yield Line(member.turn_pins[name], "PATHS", "dotted", 1)
 
 
@@ -94,9 +103,14 @@ def _dead_positions(scene: Scene, member: DrawnMechanism, angles: Sequence[float
 
 def _chains(member: DrawnMechanism, pins: dict[str, Array]) -> list[Array]:
     """Lines from pin to pin: one through all of them, or of a mechanism drawn link by link one for each link."""
-    through = ("O", "A", "C", "D") if member.place.kind.name == "articulated_rod" else tuple(member.turn.pins)
-    names = [link.pins for link in member.turn.links] if member.is_plain else [through]
+    through = ("O", "A", "C", "D") if member.place.kind.name == "articulated_rod" else member.metal
+    names = [_metal(member, link) for link in member.turn.links] if member.is_plain else [through]
     return [np.stack([pins[name] for name in line], axis=1) for line in names]
+
+
+def _metal(member: DrawnMechanism, link: DrawnLink) -> tuple[str, ...]:
+    """Pins of a link without the points that are only followed."""
+    return tuple(name for name in link.pins if name not in member.turn.points)
 
 
 def _crank(scene: Scene, member: DrawnMechanism, angle: float) -> Iterator[Line | Circle]:
@@ -141,13 +155,13 @@ def _plain_links(scene: Scene, member: DrawnMechanism, pins: dict[str, Array], s
     """Every link but the crank as a bar through its pins, pins as eyes, fixed ones on their bearings."""
     radius = scene.crank_radius
     for link in member.turn.links[1:]:
-        for start, end in pairwise(link.pins):
+        for start, end in pairwise(_metal(member, link)):
             yield shapes.bar(pins[start], pins[end], (0.24 * radius, 0.22 * radius), "paper", 5)
     if member.cut and member.output is not None:
         yield from _break(pins[member.crank_pin], pins[member.output], radius, scale)
     yield from _other_sliders(scene, member, pins, scale)
     fixed = [name for name in member.turn.fixed if name != "O"]
-    moving = [name for link in member.turn.links for name in link.pins[1:]]
+    moving = [name for link in member.turn.links for name in _metal(member, link)[1:]]
     output = [] if member.output is None else [member.output]
     for name in dict.fromkeys(fixed + moving + output):
         yield from shapes.eye(pins[name], SMALL_EYE * radius, _SMALL_PIN * radius, "paper", 7)
@@ -216,4 +230,6 @@ def _lines_of_links(scene: Scene, angle: float, dead: Sequence[Sequence[float]])
     drawn = [(member, angle, 0.3 * scene.crank_radius) for member in scene.members]
     if len(scene.members) <= _FEW:
         drawn += [(member, one, 0.0) for member, angles in zip(scene.members, dead, strict=False) for one in angles]
-    return [(line, half) for member, at, half in drawn for line in _chains(member, scene.pins(member, at))]
+    lines = [(line, half) for member, at, half in drawn for line in _chains(member, scene.pins(member, at))]
+    curves = [member.turn_pins[name][:, ::_COARSE] for member in scene.members for name in member.turn.points]
+    return lines + [(curve[:, np.isfinite(curve[0])], 0.0) for curve in curves]

@@ -20,7 +20,7 @@ _PAIR = 2
 
 def piston_names(scene: Scene, angle: float, sketch: Sketch) -> Iterator[Label | Line]:
     """Names of the pistons: over the heads, of two in one cylinder beside them."""
-    if len(scene.members) == 1 and scene.members[0].place.name == "1":
+    if scene.is_alone and len(scene.members) == 1 and scene.members[0].place.name == "1":
         return
     scale = sketch.scale
     places = [

@@ -82,6 +82,11 @@ class DrawnMechanism:
         return self.turn.links[0].pins[1]
 
     @property
+    def metal(self) -> tuple[str, ...]:
+        """Names of its pins without the points that are only followed."""
+        return tuple(name for name in self.turn.pins if name not in self.turn.points)
+
+    @property
     def is_plain(self) -> bool:
         """Whether it is drawn link by link: a mechanism that is not one of the engine's."""
         return self.place.kind.name not in _OUTLINED
@@ -121,12 +126,15 @@ class Scene:
         Heights of ports. [mm]
     assumed : tuple of str
         Shafts whose place the file does not give.
+    is_alone : bool
+        Whether no other throw is drawn beside it.
     """
 
     machine: Machine
     members: tuple[DrawnMechanism, ...]
     ports: Mapping[str, Mapping[str, float]]
     assumed: tuple[str, ...]
+    is_alone: bool = True
 
     @cached_property
     def leading(self) -> DrawnMechanism:
@@ -231,9 +239,9 @@ class Scene:
         return max(found)
 
 
-def scene_of(machine: Machine) -> Scene:
-    """Collect what there is to draw of a machine's first throw, and of all that shares its cylinders."""
-    places = first_throw(machine)
+def scene_of(machine: Machine, throw: tuple[PlacedMechanism, ...] | None = None, *, is_alone: bool = True) -> Scene:
+    """Collect what there is to draw of a throw, the first unless given, and of all that shares its cylinders."""
+    places = first_throw(machine) if throw is None else throw
     pistons = [place for place in places if place.kind.output == "slider"]
     cylinders = cylinders_of(machine.cylinder, pistons)
     bored = ((pistons[i].name, one.spec.bore) for one in cylinders for i in one.pistons)
@@ -252,7 +260,7 @@ def scene_of(machine: Machine) -> Scene:
         }
         for cylinder in cylinders
     }
-    return Scene(machine, _broken(tuple(members)), ports, shafts.assumed)
+    return Scene(machine, _broken(tuple(members)), ports, shafts.assumed, is_alone)
 
 
 def _standing(drawing: Drawing, centre: Array, cut: float) -> Drawing:
@@ -276,7 +284,7 @@ def _broken(members: tuple[DrawnMechanism, ...]) -> tuple[DrawnMechanism, ...]:
     least = min(reaches.values())
     found: list[DrawnMechanism] = []
     for member in members:
-        is_long = reaches.get(member.place.name, 0.0) > _BREAK * least and len(member.turn.pins) == _PINS_OF_A_ROD
+        is_long = reaches.get(member.place.name, 0.0) > _BREAK * least and len(member.metal) == _PINS_OF_A_ROD
         cut = member.travel[0] - _BROKEN * least if is_long else 0.0
         found.append(replace(member, cut=cut, turn=_standing(member.turn, np.zeros(2), cut)))
     return tuple(found)

@@ -6,7 +6,7 @@ from tests.sentences import EDGES_ONLY, NOT_POSITIVE
 from tests.unit.questions.forces.test_friction import CHAIN
 
 import cranktrain as ct
-from cranktrain.io.machine_file import load
+from cranktrain.io.any_machine import load
 
 SPEED = 900 * 2 * np.pi / 60
 YOKE = {

@@ -13,10 +13,9 @@ SHEET_QUANTITIES = (
 )
 """All that a sheet shows of a result: `run(machine, quantities=SHEET_QUANTITIES)` suffices for it."""
 
-_ONE_THROW = N_("must be left out: a sheet shows the first throw; only a plan or a .dxf is of one mechanism")
 _EVENLY = N_("must be left out: Klein's construction is for a crank that turns evenly; ask for accelerations")
 _ALIKE = {"speed": N_("must be left out: this plan is the same at every speed")}
-_ONE_TURN = N_("must be left out: a .gif shows one turn of the first throw")
+_ONE_TURN = N_("must be left out: a .gif shows one turn")
 _STEPS = N_("must be left out: a .gif shows positions in even steps of the crank angle")
 _ALL_PLANS = N_("must be left out: a .dxf holds all plans, in true millimetres")
 
@@ -30,25 +29,43 @@ PICTURES = (
         "cranktrain.viz.sheets.motion.sheet:sheet",
         "cycle",
         quantities=SHEET_QUANTITIES,
-        refused={"mechanism": _ONE_THROW},
+        takes=("scale",),
     ),
-    Picture("plan", "positions", f"{_MOTION}:plan_positions", "angles", source_angles="shown"),
+    Picture(
+        "plan",
+        "positions",
+        "cranktrain.viz.plans.positions:plan_positions",
+        "angles",
+        source_angles="shown",
+        takes=("scale",),
+    ),
+    Picture("plan", "scheme", "cranktrain.viz.plans.scheme:plan_scheme", "angles", refused=_ALIKE, takes=("letters",)),
     Picture("plan", "velocities", f"{_MOTION}:plan_velocities", "angles"),
     Picture("plan", "accelerations", f"{_MOTION}:plan_accelerations", "angles"),
     Picture("plan", "klein", f"{_MOTION}:plan_klein", "angles", refused={"speed": _EVENLY}),
     Picture("plan", "centres", "cranktrain.viz.plans.centres:plan_centres", "angles", refused=_ALIKE),
     *(
-        Picture("plan", name, f"{_CONSTRUCTIONS}:plan_{name}", "angles", refused=_ALIKE, source_angles="cylinder")
+        Picture(
+            "plan",
+            name,
+            f"{_CONSTRUCTIONS}:plan_{name}",
+            "angles",
+            refused=_ALIKE,
+            source_angles="cylinder",
+            takes=("scale",),
+        )
         for name in ("arc", "projection", "brix")
     ),
-    Picture("plan", "brix-backward", f"{_CONSTRUCTIONS}:plan_brix_backward", "angles", refused=_ALIKE),
+    Picture(
+        "plan", "brix-backward", f"{_CONSTRUCTIONS}:plan_brix_backward", "angles", refused=_ALIKE, takes=("scale",)
+    ),
     Picture(
         "file",
         ".gif",
         "cranktrain.viz.throw.gif:animation",
         "cycle",
         quantities=SHEET_QUANTITIES,
-        refused=dict.fromkeys(("plan", "at", "mechanism", "size", "sheet"), _ONE_TURN) | {"speed": _STEPS},
+        refused=dict.fromkeys(("plan", "at", "size", "sheet"), _ONE_TURN) | {"speed": _STEPS},
     ),
     Picture(
         "file",

@@ -7,7 +7,7 @@ import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.language import _
-from cranktrain.plans.placement import first_throw
+from cranktrain.plans.drawn_throws import drawn_places
 from cranktrain.record import record
 from cranktrain.viz.panel import OneDesign
 from cranktrain.viz.paper.words import first_that_holds
@@ -75,33 +75,37 @@ class Ruler:
         return self.is_of_cylinders or not self.is_few or any(len(name) > SHORT for name in self.pistons)
 
 
-def ruler_of(result: Result, design: int = 0) -> Ruler:
+def ruler_of(result: Result, design: int = 0, mechanism: str | None = None) -> Ruler:
     """Collect what the ruler shows: dead centres of pistons, volumetric ones of cylinders, or those of a rocker.
 
     Parameters
     ----------
     result : Result
     design : int
+    mechanism : str, optional
+        Whose throw alone is meant; unless given, one of each sort.
 
     Returns
     -------
     Ruler
     """
-    shown = OneDesign(result, design)
+    shown = OneDesign(result, design, mechanism)
     machine = result.machines[design]
-    pair = opposed_names(machine)
+    pair = opposed_names(machine, mechanism)
     if pair:
-        cylinders = [place.cylinder for place in first_throw(machine) if place.cylinder in result.labels["cylinder"]]
+        cylinders = [
+            place.cylinder for place in drawn_places(machine, mechanism) if place.cylinder in result.labels["cylinder"]
+        ]
         found = tuple(_marks(shown, "cylinder", dict.fromkeys(cylinders, (_("inner"), _("outer")))))
         return Ruler(_("Volumetric dead centres"), found, pair, is_of_cylinders=True)
     if "piston" not in result.labels:
         words = _("largest at"), _("smallest at")
-        found = tuple(_marks(shown, "rocker", dict.fromkeys(drawn_names(result, "rocker"), words)))
+        found = tuple(_marks(shown, "rocker", dict.fromkeys(drawn_names(shown, "rocker"), words)))
         heading = _("Dead positions of the rocker") if found else _("The rocker turns with the crank")
         return Ruler(heading, found)
     valves = {place.name for place in machine.places if not place.kind.has_chambers}
     of_valve, of_piston = (_("farthest"), _("nearest")), (_("TDC"), _("BDC"))
-    words = {name: of_valve if name in valves else of_piston for name in drawn_names(result, "piston")}
+    words = {name: of_valve if name in valves else of_piston for name in drawn_names(shown, "piston")}
     found = tuple(_marks(shown, "piston", words))
     names = tuple(dict.fromkeys(mark.name for mark in found))
     heading = first_that_holds(
@@ -127,4 +131,4 @@ def _textbook_words(shown: OneDesign) -> str:
     words = {"two_harmonics": _("two harmonics (333)–(337)"), "reconstructed": _("(I.13) reconstructed")}
     drawn = drawn_forms(shown)
     forms = [words[shown.result.labels["method"][form]] for form in dict.fromkeys(drawn.values())]
-    return ", ".join([*forms, *(drawn if len(drawn_names(shown.result, "piston")) > FEW else ())])
+    return ", ".join([*forms, *(drawn if len(drawn_names(shown, "piston")) > FEW else ())])

@@ -14,7 +14,7 @@ from cranktrain.layout.speed_curve import SpeedCurve
 from cranktrain.linkage.forces import Drive
 from cranktrain.machine import Machine
 from cranktrain.motion import Array, Coefficient
-from cranktrain.plans.placement import first_throw
+from cranktrain.plans.drawn_throws import drawn_places
 from cranktrain.plans.turning import turning
 from cranktrain.quantities import shown
 from cranktrain.viz.panel import Curve, OneDesign, Panel, Role
@@ -63,7 +63,7 @@ class _Turn(NamedTuple):
     @property
     def drive(self) -> Drive:
         """How the crank turns at each angle; by 1 rad/s where the machine has no speed."""
-        result, design = self.shown
+        result, design, _mechanism = self.shown
         phi = np.deg2rad(self.angle) + result.grid.zero[design, 0, 0]
         return turning(result.machines[design], result.get(SpeedCurve), phi, design)
 
@@ -73,45 +73,47 @@ class _Turn(NamedTuple):
         return np.stack([motion.value, *rates(motion, self.drive)])
 
 
-def panels(result: Result, design: int = 0) -> tuple[Panel, ...]:
+def panels(result: Result, design: int = 0, mechanism: str | None = None) -> tuple[Panel, ...]:
     """Collect the curves that a sheet shows.
 
     Parameters
     ----------
     result : Result
     design : int
+    mechanism : str, optional
+        Whose throw alone is meant; unless given, one of each sort.
 
     Returns
     -------
     tuple of Panel
-        Travel, velocity, acceleration of the first throw's pistons and the textbook's error; of opposed pistons those
+        Travel, velocity, acceleration of the drawn throws' pistons and the textbook's error; of opposed pistons those
         of the first cylinder, with what both do together; or angle and derivatives of the rocker.
     """
     within = np.flatnonzero(result.crank_angle < 360.0)
     index = np.append(within, within.size % result.crank_angle.size)
-    turn = _Turn(OneDesign(result, design), index, np.append(result.crank_angle[within], 360.0))
-    pair = opposed_names(result.machines[design])
+    turn = _Turn(OneDesign(result, design, mechanism), index, np.append(result.crank_angle[within], 360.0))
+    pair = opposed_names(result.machines[design], mechanism)
     if pair:
         return tuple(_opposed_panels(turn, pair))
     return tuple(_panels_of(turn, "piston" if "piston" in result.labels else "rocker"))
 
 
-def drawn_names(result: Result, dimension: str) -> tuple[str, ...]:
-    """Name the pistons or rockers of the first throw."""
-    names = [place.name for place in first_throw(result.machines[0])]
-    return tuple(name for name in result.labels.get(dimension, ()) if name in names)
+def drawn_names(shown: OneDesign, dimension: str) -> tuple[str, ...]:
+    """Name the pistons or rockers of the drawn throws."""
+    names = [place.name for place in drawn_places(shown.result.machines[shown.design], shown.mechanism)]
+    return tuple(name for name in shown.result.labels.get(dimension, ()) if name in names)
 
 
-def opposed_names(machine: Machine) -> tuple[str, ...]:
+def opposed_names(machine: Machine, mechanism: str | None = None) -> tuple[str, ...]:
     """Name the two pistons of the first drawn cylinder that has two; none where none has."""
-    cylinders = grouped((place.cylinder, place.name) for place in first_throw(machine))
+    cylinders = grouped((place.cylinder, place.name) for place in drawn_places(machine, mechanism))
     return next((tuple(names) for names in cylinders.values() if len(names) == _PAIR), ())
 
 
 def drawn_forms(shown: OneDesign) -> dict[str, int]:
     """Pistons beside which the textbook's curve stands, with its form: of many only the one that it misses most."""
     forms = _forms(shown)
-    chosen = forms if len(drawn_names(shown.result, "piston")) <= _FEW else [_worst(shown, forms)]
+    chosen = forms if len(drawn_names(shown, "piston")) <= _FEW else [_worst(shown, forms)]
     return {name: form for name, form in forms.items() if name in chosen}
 
 
@@ -122,7 +124,7 @@ def _forms(shown: OneDesign) -> dict[str, int]:
     kinds = {place.name: place.kind.name for place in shown.result.machines[shown.design].places}
     forms = {
         name: shown.member("method", _FORMS[kinds[name]])
-        for name in drawn_names(shown.result, "piston")
+        for name in drawn_names(shown, "piston")
         if kinds[name] in _FORMS
     }
     errors = shown("displacement_error")
@@ -152,7 +154,7 @@ def _motion_panels(
     motions = [turn.motion(dimension, turn.shown.member(dimension, name)) for name in names]
     motions += [turn.motion("textbook", form, turn.shown.member("piston", name)) for name, form in forms.items()]
     roles: list[Role] = [*_roles(names), *("textbook" for _form in forms)]
-    result, design = turn.shown
+    result, design, _mechanism = turn.shown
     has_speed = result.machines[design].main_shaft.speed is not None or result.get(SpeedCurve) is not None
     titles = _titles(turn.shown, dimension)
     for order, (symbol, unit, factor) in enumerate(_SCALES[dimension, has_speed]):
@@ -167,8 +169,8 @@ def _titles(shown: OneDesign, dimension: str) -> tuple[str, str, str]:
     """Titles of travel, velocity and acceleration: of rockers, of pistons, of valves, or of pistons and valves."""
     if dimension == "rocker":
         return _("Rocker angle"), _("Rocker angular velocity"), _("Rocker angular acceleration")
-    result, design = shown
-    names = drawn_names(result, "piston")
+    result, design, _mechanism = shown
+    names = drawn_names(shown, "piston")
     both = _("Travel of piston and valve"), _("Velocity of piston and valve"), _("Acceleration of piston and valve")
     titles: dict[tuple[bool, ...], tuple[str, str, str]] = {
         (True,): (_("Piston travel"), _("Piston velocity"), _("Piston acceleration")),
@@ -181,7 +183,7 @@ def _titles(shown: OneDesign, dimension: str) -> tuple[str, str, str]:
 
 def _opposed_panels(turn: _Turn, names: Sequence[str]) -> Iterator[Panel]:
     """Travel of both pistons of a cylinder and of both together, its volume, both velocities and accelerations."""
-    result, design = turn.shown
+    result, design, _mechanism = turn.shown
     travel, *rates = _motion_panels(turn, "piston", names)
     yield travel
     cylinder = next(p.cylinder for p in result.machines[design].places if p.name == names[0])
@@ -196,7 +198,7 @@ def _opposed_panels(turn: _Turn, names: Sequence[str]) -> Iterator[Panel]:
 
 def _panels_of(turn: _Turn, dimension: str) -> Iterator[Panel]:
     """Travel, velocity and acceleration, with what the textbook says; the torque factor of rockers under a load."""
-    names = drawn_names(turn.shown.result, dimension)
+    names = drawn_names(turn.shown, dimension)
     forms = drawn_forms(turn.shown)
     yield from _motion_panels(turn, dimension, names, forms)
     worst = _worst(turn.shown, forms)

@@ -1,36 +1,68 @@
 """The sheet of a machine: its throw to scale, its curves, and what both rest on."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.language import _
 from cranktrain.machine import Machine
+from cranktrain.plans.drawn_throws import drawn_throws
+from cranktrain.plans.positions import chosen_scale
 from cranktrain.plans.vectors import pair
+from cranktrain.record import record
 from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.labels import labelled_bounds
-from cranktrain.viz.paper.page import Box, Figure, Page, drawing_settings, fitting_scale
+from cranktrain.viz.paper.page import Box, Figure, Page, drawing_settings
 from cranktrain.viz.paper.panels import MOTION, draw_panels
+from cranktrain.viz.paper.sketch import Sketch
 from cranktrain.viz.paper.style import MUTED
 from cranktrain.viz.paper.words import first_that_holds
 from cranktrain.viz.sheets.motion.dead_centres import Mark, ruler_of
 from cranktrain.viz.sheets.motion.panels import panels
 from cranktrain.viz.sheets.motion.ruler import draw_ruler
-from cranktrain.viz.throw.detail import draw_detail, needs_detail
+from cranktrain.viz.throw.beside import Beside, at_scale, fitted
+from cranktrain.viz.throw.detail import draw_throw_detail, needs_detail
 from cranktrain.viz.throw.mechanism import mechanism_sketch
 from cranktrain.viz.throw.scene import Scene, scene_of
 
 _NOTE = 4.0
 """Height of a line of notes at the foot. [mm]"""
 
-_ROUGH, _PASSES = 20.0, 3
-"""Crank radius on paper to begin with, and how often the scale is corrected: hatches keep their size on paper."""
+_ROUGH = 20.0
+"""Crank radius on paper to begin with. [mm]"""
+
+_BETWEEN, _AXIS = 6.0, 14.0
+"""Between two columns of curves, and what each needs left of its axes for their figures and names. [mm]"""
 
 _ANGLE = 50.0
 """Crank angle at which the throw is drawn, unless given. [deg]"""
 
 
+_WIDE, _LARGER = 2.0, 1.2
+"""How wide throws are for their height that take the page's whole width, and by how much larger they come out then."""
+
+_LINE_FOOT = 10.0
+"""Below such throws for scale and notes. [mm]"""
+
+_NARROW = MOTION._replace(reach=11.5, sample=(8.5, 3.0))
+"""Look of curves in two columns."""
+
+_UPPER = 0.5
+"""Height of such throws, in parts of the room."""
+
+
 @drawing_settings()
-def sheet(result: Result, *, size: str = "A4", at: float = _ANGLE, design: int = 0) -> Figure:
+def sheet(
+    result: Result,
+    *,
+    size: str = "A4",
+    at: float = _ANGLE,
+    design: int = 0,
+    piston: str | None = None,
+    scale: float | None = None,
+) -> Figure:
     """Draw the sheet of a machine.
 
     Parameters
@@ -42,69 +74,125 @@ def sheet(result: Result, *, size: str = "A4", at: float = _ANGLE, design: int =
         Crank angle at which the throw is drawn. [deg]
     design : int
         Which of the result's machines.
+    piston : str, optional
+        Whose throw alone is drawn, by the mechanism's name or its cylinder's; one of each sort unless given.
+    scale : float, optional
+        Millimetres of metal in one of paper, 4 for 1:4; the largest round one that fits, unless given.
 
     Returns
     -------
     Figure
         In millimetres of paper: the throw is to the scale that the sheet says.
     """
+    machine = result.machines[design]
     page, box = result_page(result, design, size)
-    ruler = ruler_of(result, design)
+    ruler = ruler_of(result, design, piston)
+    throws = _throws(machine, ruler.marks, at, piston)
+    foot = 6.0 + _NOTE * len(throws.notes)
     middle = 0.48 * box.width
-    _draw_mechanism(page, result.machines[design], ruler.marks, at, box._replace(width=middle - 4.0))
+    lower = box.bottom + (1.0 - _UPPER) * box.height
+    beside = box._replace(width=middle - 4.0, bottom=box.bottom + foot, height=box.height - foot)
+    above = box._replace(bottom=lower + _LINE_FOOT, height=_UPPER * box.height - _LINE_FOOT)
+    narrow, wide = (
+        fitted(throws.drawn, throws.rough, (room.width - 1.0, room.height - 6.0)) for room in (beside, above)
+    )
+    width, height = pair(np.subtract(*reversed(labelled_bounds(narrow.sketch))))
+    is_wide = narrow.scale >= _LARGER * wide.scale and width >= _WIDE * height
+    notes = ("; ".join(throws.notes),) if is_wide else throws.notes
+    _draw_throws(page, replace(throws, notes=notes), wide if is_wide else narrow, above if is_wide else beside, scale)
+    curves = panels(result, design, piston)
+    if is_wide:
+        half = 0.5 * (box.width - _BETWEEN)
+        below = draw_ruler(page, ruler, box.left + _AXIS, box.left + half, lower - 4.0)
+        n = -(-len(curves) // 2)
+        for number, some in enumerate((curves[:n], curves[n:])):
+            left = box.left + number * (half + _BETWEEN) + _AXIS
+            if some:
+                draw_panels(page, some, Box(left, box.bottom, half - _AXIS, below - box.bottom), _NARROW)
+        return page.figure
     left, right = box.left + middle + 12.0, box.left + box.width
     below = draw_ruler(page, ruler, left, right, box.bottom + box.height)
-    draw_panels(page, panels(result, design), Box(left, box.bottom, right - left, below - box.bottom), MOTION)
+    draw_panels(page, curves, Box(left, box.bottom, right - left, below - box.bottom), MOTION)
     return page.figure
 
 
-def _draw_mechanism(page: Page, machine: Machine, found: Sequence[Mark], at: float, box: Box) -> None:
-    """Draw the throw as large as a round scale allows."""
-    scene = scene_of(machine)
-    at = scene.closing_angle(at)
-    notes = list(_notes(scene, at))
-    foot = 6.0 + _NOTE * len(notes)
-    room = box._replace(bottom=box.bottom + foot, height=box.height - foot)
-    names = [(member.place.name, member.place.cylinder) for member in scene.members]
-    dead = [[mark.angle for mark in found if mark.name in own] for own in names]
-    sketch = mechanism_sketch(scene, at, scene.crank_radius / _ROUGH, dead)
-    for _pass in range(_PASSES):
-        low, high = labelled_bounds(sketch)
-        scale = fitting_scale(*pair(high - low), (room.width - 1.0, room.height - 6.0))
-        sketch = mechanism_sketch(scene, at, scale, dead, has_ring=not needs_detail(scene, scale))
+@record
+class _Throws:
+    """The throws that a sheet shows: their scenes, the crank angle [deg], dead positions of each, notes."""
+
+    scenes: tuple[Scene, ...]
+    at: float
+    dead: tuple[tuple[list[float], ...], ...]
+    notes: tuple[str, ...]
+
+    @property
+    def rough(self) -> float:
+        """Scale to begin with."""
+        return max(scene.crank_radius for scene in self.scenes) / _ROUGH
+
+    def drawn(self, scale: float) -> list[Sketch]:
+        """A sketch of each throw."""
+        return [
+            mechanism_sketch(scene, self.at, scale, dead, has_ring=not needs_detail(scene, scale))
+            for scene, dead in zip(self.scenes, self.dead, strict=True)
+        ]
+
+
+def _throws(machine: Machine, found: Sequence[Mark], at: float, piston: str | None) -> _Throws:
+    """Collect the throws that are drawn."""
+    throws = drawn_throws(machine, piston)
+    scenes = tuple(scene_of(machine, throw, is_alone=len(throws) == 1) for throw in throws)
+    for scene in scenes:
+        at = scene.closing_angle(at)
+    names = [[(member.place.name, member.place.cylinder) for member in scene.members] for scene in scenes]
+    dead = tuple(tuple([mark.angle for mark in found if mark.name in own] for own in of_scene) for of_scene in names)
+    return _Throws(scenes, at, dead, tuple(_notes(scenes, at)))
+
+
+def _draw_throws(page: Page, throws: _Throws, found: Beside, room: Box, asked: float | None) -> None:
+    """Draw the throws as large as a round scale allows, or to the one that is asked for."""
+    if asked is not None:
+        scale = 1e3 * chosen_scale(1e-3 * found.scale, asked)
+        found = at_scale(throws.drawn, scale, (room.width - 1.0, room.height - 6.0))
+    sketch = found.sketch
     low, high = (corner / sketch.scale for corner in labelled_bounds(sketch))
     origin = pair(room.middle - (low + high) / 2)
     page.draw(sketch, origin)
-    if needs_detail(scene, sketch.scale):
-        draw_detail(page, scene, (at, dead), sketch, origin, room)
+    if len(throws.scenes) == 1 and needs_detail(throws.scenes[0], sketch.scale):
+        draw_throw_detail(page, throws.scenes[0], (throws.at, throws.dead[0]), sketch, origin, room)
     page.scale_bar(room.left, room.bottom - 5.0, sketch.scale)
-    for number, note in enumerate(reversed(notes)):
-        page.text(box.left, box.bottom - 0.4 + _NOTE * number, note, color=MUTED)
+    below = room.bottom - 6.0 - _NOTE * len(throws.notes)
+    for number, note in enumerate(reversed(throws.notes)):
+        page.text(room.left, below - 0.4 + _NOTE * number, note, color=MUTED)
 
 
-def _notes(scene: Scene, angle: float) -> Iterator[str]:
+def _notes(scenes: Sequence[Scene], angle: float) -> Iterator[str]:
     """Say what is drawn, at which crank angle, and what of it is to scale."""
-    yield _drawn_words(scene, angle)
-    if scene.assumed:
+    members = [member for scene in scenes for member in scene.members]
+    sliders = [slider for scene in scenes for slider in scene.sliders]
+    yield _drawn_words(scenes, angle)
+    if any(member.turn.points for member in members):
+        yield _("marks on a point's curve at every 30° of the crank, filled at φ = 0")
+    if scenes[0].assumed:
         yield _("distance of the shafts assumed for the drawing: the file does not give it")
-    if any(member.place.is_far for member in scene.members):
+    if any(member.place.is_far for member in members):
         yield _("dashed: side rods, which pass outside the cylinder")
-    broken = [member.place.name for member in scene.members if member.cut]
+    broken = [member.place.name for member in members if member.cut]
     if broken:
         yield _("rod of {names} broken, its slider drawn nearer to the shaft").format(names=", ".join(broken))
     shapes = _("pins to scale, shapes schematic")
-    pistons = [member for member in scene.sliders if member.place.kind.has_chambers]
+    pistons = [member for member in sliders if member.place.kind.has_chambers]
     if pistons and all(member.bore is not None for member in pistons):
         shapes = _("pins and bores to scale, other shapes schematic")
-    thin = _("thin: volumetric dead centres") if scene.pairs else _("thin: dead positions")
+    thin = _("thin: volumetric dead centres") if any(scene.pairs for scene in scenes) else _("thin: dead positions")
     yield f"{shapes}; {thin}"
 
 
-def _drawn_words(scene: Scene, angle: float) -> str:
+def _drawn_words(scenes: Sequence[Scene], angle: float) -> str:
     """Say which throws are drawn, of which shafts, and at which crank angle."""
-    machine = scene.machine
+    machine = scenes[0].machine
     n = len(machine.main_shaft.throws)
-    places = [member.place for member in scene.cranks]
+    places = [member.place for scene in scenes for member in scene.cranks]
     shafts = [shaft for shaft in machine.shafts if shaft in {place.shaft for place in places}]
     throws = sorted({place.throw + 1 for place in places})
     said = [f"{place.shaft} {place.throw + 1}" for place in places] if len(shafts) > 1 else map(str, throws)

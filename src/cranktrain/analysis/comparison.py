@@ -1,0 +1,238 @@
+"""Two machines side by side: their answers, and by how much they differ."""
+
+from collections.abc import Iterator
+from functools import cached_property
+from html import escape
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from cranktrain.analysis.figures import difference, percent, shown_in, significant
+from cranktrain.analysis.result import Result
+from cranktrain.analysis.rows import AnswerRow, OneMachine, answer_rows, headline_names
+from cranktrain.errors import Problem, refuse
+from cranktrain.faces import face
+from cranktrain.grouping import grouped
+from cranktrain.language import _
+from cranktrain.one_line import one_line, short
+from cranktrain.record import record
+
+_LONGEST_HEAD = 10
+"""Characters of a column's head; the machines' whole names stand above."""
+
+_LEAST_WORDS = 12
+"""Columns of the screen for the names of rows."""
+
+_GAP = "  "
+_UNIT = 2
+"""Which of a row's texts is its unit."""
+
+_POSITIONS = ("_at", "dead_centre", "angle")
+"""Ends of names of crank angles that are places, of which a part in percent would say nothing."""
+
+
+class ComparedRow(NamedTuple):
+    """A fact of two machines.
+
+    question, quantity: whose it is and its name in the catalogue; of: which of its members; unit: the catalogue's, in
+    which first, second and difference are; NaN where a machine has none. percent: of the first.
+    """
+
+    question: str
+    quantity: str
+    of: str
+    unit: str
+    first: float
+    second: float
+    difference: float
+    percent: float
+
+
+def compared(
+    results: tuple[Result, Result], names: tuple[str, str], asked: tuple[str, ...] | None = None
+) -> "Comparison":
+    """Compare two results.
+
+    Parameters
+    ----------
+    results : tuple of two Result
+        Each of one machine.
+    names : tuple of two str
+        Of the machines.
+    asked : tuple of str, optional
+        Names of quantities; the headlines of all questions unless given.
+
+    Returns
+    -------
+    Comparison
+
+    Raises
+    ------
+    InputError
+        With every quantity that neither has, and what it needs.
+    """
+    refuse(_absence(name, results) for name in asked or () if not any(name in result.catalogue for result in results))
+    return Comparison(results, names, asked)
+
+
+@record
+class Comparison:
+    """Two machines side by side.
+
+    Attributes
+    ----------
+    results : tuple of two Result
+        Each of one machine.
+    names : tuple of two str
+        As they were named.
+    asked : tuple of str, or None
+        Quantities; the headlines of all questions unless given.
+    """
+
+    results: tuple[Result, Result]
+    names: tuple[str, str]
+    asked: tuple[str, ...] | None = None
+
+    @cached_property
+    def _rows(self) -> tuple[AnswerRow, ...]:
+        names = headline_names(self.results) if self.asked is None else self.asked
+        return tuple(answer_rows([OneMachine(result) for result in self.results], names))
+
+    @property
+    def rows(self) -> tuple[ComparedRow, ...]:
+        """Every fact that at least one of them has, in the order of the questions."""
+        return tuple(_compared(row) for row in self._rows)
+
+    def plot(self, *quantities: str) -> Any:
+        """Lay the curves of both over each other.
+
+        Parameters
+        ----------
+        *quantities : str
+            Names of curves; the main ones of the machines unless given.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+
+        Raises
+        ------
+        InputError
+            Where neither machine has such a curve.
+        """
+        return face("plot_comparison")(self, *quantities)
+
+    def lines(self, width: int = 80) -> Iterator[str]:
+        """Write it as a table.
+
+        Parameters
+        ----------
+        width : int
+            Columns of the screen.
+
+        Yields
+        ------
+        str
+        """
+        cells = [(row, _texts(row)) for row in self._rows]
+        if not cells:
+            yield _("Neither machine has a result that could be compared.")
+            return
+        first, second = self._heads()
+        widths = [max(map(len, column)) for column in zip(*(texts for _row, texts in cells), strict=True)]
+        widths[:2] = max(widths[0], len(first)), max(widths[1], len(second))
+        said = _("difference")
+        widths[3] = max(widths[3], len(said) - widths[2] - 1)  # it stands over the unit, too
+        room = width - sum(widths) - len(_GAP) * (len(widths) - 1) - 1
+        room = max(_LEAST_WORDS, min(max(len(row.name) + 2 for row, _texts in cells), room))
+        difference_head = said.rjust(widths[2] + widths[3] + 1)
+        heads = (first.rjust(widths[0]), second.rjust(widths[1]), difference_head, "%".rjust(widths[4]))
+        yield _GAP.join(("".ljust(room), *heads)).rstrip()
+        for question, rows in grouped((row.question, (row, texts)) for row, texts in cells).items():
+            yield question.capitalize() or _("More")
+            for row, texts in rows:
+                name = f"  {row.name}"
+                if len(name) > room:
+                    yield name
+                    name = ""
+                yield _line(name.ljust(room), texts, widths)
+
+    def _heads(self) -> tuple[str, str]:
+        """Names short enough for a column: of a machine with other values, these are named above."""
+        first, second = (one_line(name) for name in self.names)
+        if second.startswith(f"{first} ") and first:
+            return _brief_name(first), _("changed")
+        one, other = _brief_name(first), _brief_name(second)
+        return (one, other) if one and other and one != other else (_("first"), _("second"))
+
+    def __repr__(self) -> str:
+        """Say in one line what it is."""
+        first, second = (short(name) for name in self.names)
+        n_rows = len(self._rows)
+        rows = _("1 row") if n_rows == 1 else _("{n} rows").format(n=n_rows)
+        return _("<Comparison of {first} and {second}: {rows}>").format(first=first, second=second, rows=rows)
+
+    def __str__(self) -> str:
+        """Write it as a table."""
+        return "\n".join(self.lines())
+
+    def _repr_html_(self) -> str:
+        """Write it as a table of a notebook."""
+        heads = "".join(f"<th>{escape(text)}</th>" for text in ("", *self._heads(), "", _("difference"), "%"))
+        parts = [f"<p>{escape(' — '.join(self.names))}</p><table><thead><tr>{heads}</tr></thead><tbody>"]
+        for question, rows in grouped((row.question, row) for row in self._rows).items():
+            title = question.capitalize() or _("More")
+            parts.append(f'<tr><th colspan="6" style="text-align:left">{escape(title)}</th></tr>')
+            for row in rows:
+                texts = "".join(f"<td>{escape(text)}</td>" for text in _texts(row))
+                parts.append(f'<tr><td style="text-align:left">{escape(row.name)}</td>{texts}</tr>')
+        return "".join([*parts, "</tbody></table>"])
+
+
+def _brief_name(name: str) -> str:
+    """Name a machine in the head of a column: of a file without its folder."""
+    return short(name.removesuffix(".toml").rpartition("/")[2], _LONGEST_HEAD)
+
+
+def _absence(name: str, results: tuple[Result, Result]) -> Problem:
+    """Say what a quantity needs that neither machine gives."""
+    needs = next((needs for result in results if (needs := result.needs_of(name))), ())
+    allowed = _("is a result of neither machine")
+    if needs:
+        allowed = _("is a result of neither machine; it needs {needs}").format(needs=", ".join(needs))
+    return Problem("quantities", name, allowed)
+
+
+def _compared(row: AnswerRow) -> ComparedRow:
+    first, second = row.values
+    return ComparedRow(
+        row.question, row.entry.name, row.of, row.entry.unit, first, second, second - first, _percent(row)
+    )
+
+
+def _percent(row: AnswerRow) -> float:
+    """By how much the second is more, in percent of the first; none of places, nor of 0."""
+    first, second = row.values
+    is_place = row.entry.unit == "deg" and row.entry.name.endswith(_POSITIONS)
+    if first == second and np.isfinite(first) and not is_place:
+        return 0.0
+    if is_place or first == 0.0 or not np.isfinite(second - first):
+        return np.nan
+    return 100.0 * (second - first) / abs(first)
+
+
+def _texts(row: AnswerRow) -> tuple[str, ...]:
+    """Both values, their unit, their difference in it, and in percent."""
+    shown = shown_in(row.entry.unit, np.array(row.values))
+    first, second = (float(shown.converted(np.array(value))) for value in row.values)
+    share = _percent(row)
+    return significant(first), significant(second), shown.unit, difference(first, second), percent(share)
+
+
+def _line(name: str, texts: tuple[str, ...], widths: list[int]) -> str:
+    """Put a row in a line: units close behind their values, numbers to the right."""
+    first, second, unit, *rest = (
+        text.ljust(width) if number == _UNIT else text.rjust(width)
+        for number, (text, width) in enumerate(zip(texts, widths, strict=True))
+    )
+    return _GAP.join((name, first, f"{second} {unit}", *rest)).rstrip()

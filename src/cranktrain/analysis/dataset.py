@@ -1,0 +1,55 @@
+"""A result as an xarray dataset, with units, symbols, sentences and sources as attributes."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from cranktrain.analysis.dimensions import DIMENSIONS
+from cranktrain.analysis.result import Result
+from cranktrain.analysis.unused import sentences
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def dataset_of(result: Result) -> "xarray.Dataset":
+    """Give a result as a dataset.
+
+    Parameters
+    ----------
+    result : Result
+
+    Returns
+    -------
+    xarray.Dataset
+        Of the quantities that were asked for, or of all. Members that are numbers are numbers there.
+    """
+    import xarray
+
+    design = ("design",) if result.has_designs else ()
+    chosen = result.catalogue if result.asked is None else dict.fromkeys(result.asked)
+    variables: dict[str, Any] = {
+        name: (
+            (*design, *entry.dimensions),
+            getattr(result, name),
+            {"units": entry.unit, "symbol": entry.symbol, "long_name": entry.sentence, "source": entry.source},
+        )
+        for name, entry in result.catalogue.items()
+        if name in chosen
+    }
+    used = {dimension for dimensions, *_rest in variables.values() for dimension in dimensions}
+    coordinates: dict[str, Any] = {
+        name: _coordinate(name, words) for name, words in result.labels.items() if name in used
+    }
+    coordinates["crank_angle"] = ("crank_angle", result.crank_angle, {"units": "deg", "symbol": "φ"})
+    about = {"name": result.machines[0].name, "unused": sentences(result.unused)}
+    return xarray.Dataset(variables, coordinates, about)
+
+
+def _coordinate(dimension: str, labels: Sequence[str]) -> list[str] | list[int] | list[float]:
+    """Give labels as numbers where they are numbers that count; a machine's mechanisms, often `1`, have names."""
+    about = DIMENSIONS[dimension]
+    counts = about.title and not about.family and all(label.isdecimal() for label in labels)
+    if not (about.is_number or counts):
+        return list(labels)
+    numbers = [float(label) for label in labels]
+    return [int(number) for number in numbers] if all(map(float.is_integer, numbers)) else numbers

@@ -1,0 +1,97 @@
+"""Many designs in sentences: of each fact that says most from where to where it goes, and which designs these are."""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.analysis.figures import ShownUnit, shown_in
+from cranktrain.analysis.members import SMALLEST, side_of, whose_of
+from cranktrain.analysis.result import Result
+from cranktrain.catalogue import Entry
+from cranktrain.language import _
+from cranktrain.motion import Array
+from cranktrain.one_line import one_line
+from cranktrain.wording import ranged
+
+_ALIKE = 1e-9
+"""Values that differ by less are one."""
+
+_EXACT = "exact"
+
+
+def summary_of_designs(result: Result) -> Iterator[str]:
+    """Say what designs have in common, and between which values they are.
+
+    Parameters
+    ----------
+    result : Result
+        Of several designs.
+
+    Yields
+    ------
+    str
+        A line of each fact: one value of all, or the smallest and the largest with who has them.
+    """
+    machine = one_line(result.machines[0].name)
+    n_designs = len(result.machines)
+    yield (
+        _("{n} designs of {name}").format(n=n_designs, name=machine)
+        if machine
+        else _("{n} designs").format(n=n_designs)
+    )
+    asked = {name: fact for name, fact in result.facts.items() if name in (result.asked or ())}
+    for name, fact in (asked or result.headline).items():
+        values = np.asarray(fact.value, dtype=np.float64)
+        labels = list(result.labels_of(fact.entry).values())
+        if labels and labels[0][0] == _EXACT:
+            values, labels = values[:, 0], labels[1:]
+        members = labels[0] if len(labels) == 1 else ()
+        values = values.reshape(n_designs, -1)
+        if (side := side_of(name)) is not None and np.all(np.any(np.isfinite(values), axis=1)):
+            values = (np.nanmin if side == SMALLEST else np.nanmax)(values, axis=1, keepdims=True)
+            members = ()
+        yield f"{name.replace('_', ' ')}: {_between(values, fact.entry, members)}"
+
+
+def _between(values: Array, entry: Entry, members: Sequence[str]) -> str:
+    """Say between which values the designs are, shape (design, member), and who has them."""
+    finite = np.isfinite(values)
+    if not np.any(finite):
+        return _("none")
+    shown = shown_in(entry.unit, values)
+    least, most = float(values[finite].min()), float(values[finite].max())
+    without = np.flatnonzero(~np.any(finite, axis=1))
+    but = _("; none in {designs}").format(designs=_named(without, len(values))) if without.size else ""
+    if _number(least, shown) == _number(most, shown):
+        return _number(most, shown) + but
+    spread = np.ptp(np.where(finite, values, 0.0), axis=0)
+    if not without.size and np.all(spread <= _ALIKE * max(abs(least), abs(most))):
+        return _("{least} to {most} in each").format(least=_number(least, shown), most=_number(most, shown))
+    said = _("{least} ({least_of}) to {most} ({most_of})").format(
+        least=_number(least, shown),
+        least_of=_who(values, least, members),
+        most=_number(most, shown),
+        most_of=_who(values, most, members),
+    )
+    return said + but
+
+
+def _who(values: Array, value: float, members: Sequence[str]) -> str:
+    """Name the designs that have a value, and where that is not of all members, whose it is."""
+    near = np.abs(np.where(np.isfinite(values), values, np.inf) - value) <= _ALIKE * max(abs(value), 1e-300)
+    designs = _named(np.flatnonzero(np.any(near, axis=1)), len(values))
+    of = np.flatnonzero(np.any(near, axis=0))
+    if not members or len(of) == len(members):
+        return designs
+    return f"{designs}, {whose_of(members, of.tolist())}"
+
+
+def _named(places: NDArray[np.intp], n_designs: int) -> str:
+    names = [str(i + 1) for i in range(n_designs)]
+    words = _("design {designs}") if len(places) == 1 else _("designs {designs}")
+    return words.format(designs=ranged(names, places.tolist()))
+
+
+def _number(value: float, shown: ShownUnit) -> str:
+    return f"{shown.text(value)} {shown.unit}".rstrip()

@@ -1,0 +1,106 @@
+"""The answer as rows: of each fact the values of one machine or of several, for what stands alike in all of them."""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.all_questions import QUESTIONS
+from cranktrain.analysis.figures import shown_in
+from cranktrain.analysis.members import Labelled, rows_of
+from cranktrain.analysis.result import Result
+from cranktrain.catalogue import Entry, entries
+from cranktrain.grouping import grouped
+from cranktrain.record import record
+
+
+@record
+class AnswerRow:
+    """A fact of one machine or several.
+
+    Attributes
+    ----------
+    question : str
+        Whose fact it is.
+    entry : Entry
+    of : str
+        Whose of the machine's parts, or which of them: `L`, `mode 1`, `largest`; empty where there is one alone.
+    values : tuple of float
+        Of each machine, in the entry's unit; NaN where it has none.
+    """
+
+    question: str
+    entry: Entry
+    of: str
+    values: tuple[float, ...]
+
+    @property
+    def name(self) -> str:
+        """The fact in words, with whose it is."""
+        words = f"{self.entry.name}, {self.of}" if self.of else self.entry.name
+        return words.replace("_", " ")
+
+    @property
+    def texts(self) -> tuple[tuple[str, ...], str]:
+        """The values as they are shown, and their unit."""
+        shown = shown_in(self.entry.unit, np.array(self.values))
+        return tuple(map(shown.text, self.values)), shown.unit
+
+
+class OneMachine(NamedTuple):
+    """A result and which of its designs."""
+
+    result: Result
+    design: int = 0
+
+    def fact(self, name: str) -> Labelled | None:
+        """Give a fact with the labels of its dimensions, or None where it has none; of a curve its values."""
+        entry = self.result.catalogue.get(name)
+        if entry is None:
+            return None
+        values = np.asarray(getattr(self.result, name), dtype=np.float64)
+        return Labelled(values[self.design] if self.result.has_designs else values, self.result.labels_of(entry))
+
+
+def headline_names(results: Sequence[Result]) -> tuple[str, ...]:
+    """Name the facts that say most, question by question, which at least one of some results has."""
+    named = (name for question in QUESTIONS for name in question.headline)
+    return tuple(name for name in named if any(name in result.catalogue for result in results))
+
+
+def question_of(name: str) -> str:
+    """Question whose stage gives a quantity; empty for what a kind of mechanism or a textbook gives."""
+    return next(
+        (one.name for one in QUESTIONS if any(name in _given_by(stage.gives) for stage in one.stages)),
+        "",
+    )
+
+
+def answer_rows(machines: Sequence[OneMachine], names: Sequence[str]) -> Iterator[AnswerRow]:
+    """Give the rows of some quantities.
+
+    Parameters
+    ----------
+    machines : sequence of OneMachine
+    names : sequence of str
+        Of facts, or of curves: of these the smallest and the largest value.
+
+    Yields
+    ------
+    AnswerRow
+        In the order of the questions. Where machines have the same members, those that are equal in all of them share a
+        row; where they have others, or many that differ, the smallest and the largest stand beside each other.
+    """
+    place = {question.name: i for i, question in enumerate(QUESTIONS)}
+    by_question = grouped((question_of(name), name) for name in names)
+    for question in sorted(by_question, key=lambda one: place.get(one, len(place))):
+        for name in by_question[question]:
+            found = [one.fact(name) for one in machines]
+            entry = next((one.result.catalogue[name] for one in machines if name in one.result.catalogue), None)
+            if entry is not None:
+                rows = (AnswerRow(question, entry, of, values) for of, values in rows_of(entry, found))
+                yield from (row for row in rows if np.any(np.isfinite(row.values)))
+
+
+def _given_by(outcome: type) -> set[str]:
+    return {entry.name for entry in entries(outcome)}

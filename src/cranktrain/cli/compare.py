@@ -1,0 +1,135 @@
+"""`compare`: two machines side by side, or one with itself where some values are others."""
+
+from collections.abc import Iterator
+from pathlib import Path, PurePath
+
+from rich.text import Text
+
+from cranktrain.analysis import Result, sentences
+from cranktrain.analysis.comparison import Comparison, compared
+from cranktrain.cli.screen.report import title
+from cranktrain.cli.screen.text import page
+from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.io.examples import example_called
+from cranktrain.io.machine_file import MachineFile, computed, read_machine
+from cranktrain.language import _
+from cranktrain.one_line import one_line
+from cranktrain.record import record
+
+
+@record
+class CompareRequest:
+    """What is asked of `compare`, as typed; `quantities` is None for the headlines."""
+
+    first: str
+    second: str | None = None
+    settings: tuple[str, ...] = ()
+    quantities: tuple[str, ...] | None = None
+    is_partial: bool = False
+    output: str | None = None
+    force: bool = False
+
+
+def show_comparison(request: CompareRequest) -> None:
+    """Compute both, compare, draw where asked, and show.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong with the request, else with both machines.
+    """
+    _check(request)
+    files = _read(request)
+    results = _computed(files, request)
+    comparison = compared(results, _names(request), request.quantities)
+    if request.output is not None:
+        from cranktrain.viz import save
+
+        save(comparison.plot, request.output, force=request.force)
+        print(_("written: {name}").format(name=one_line(request.output)))
+        return
+    heads = [f"{one_line(name)}: {title(file.machine)}" for name, file in zip(comparison.names, files, strict=True)]
+    if request.second is None:
+        heads[1] = _("changed: {values}").format(values=one_line(", ".join(request.settings)))
+    with page(heads[0]) as console:
+        console.print(Text(heads[1], style="bold"))
+        console.print()
+        for line in (*comparison.lines(console.width), "", *_minded(comparison)):
+            console.print(Text(line), soft_wrap=len(line) <= console.width)
+
+
+def _minded(comparison: Comparison) -> Iterator[str]:
+    """Say what of a machine's tables is not used, and where to read what else is to be minded."""
+    for name, result in zip(comparison.names, comparison.results, strict=True):
+        said = sentences(result.unused)
+        yield from (f"! {one_line(name)}: {sentence}" for sentence in said)
+        n_failed = sum(bool((check.judged & ~check.passed).any()) for check in result.checks)
+        if n_failed:
+            yield _("! {name}: checks that do not hold: {n}").format(name=one_line(name), n=n_failed)
+    flagged = [len(result.flags) for result in comparison.results]
+    if any(flagged):
+        first, second = (one_line(name) for name in comparison.names)
+        yield _("Flags: {n_first} of {first}, {n_second} of {second}; `cranktrain run` says them.").format(
+            n_first=flagged[0], first=first, n_second=flagged[1], second=second
+        )
+
+
+def _check(request: CompareRequest) -> None:
+    """Refuse what cannot be compared, and a picture that cannot be written."""
+    if request.output is not None:
+        from cranktrain.viz.output import FORMATS
+
+        if PurePath(request.output).suffix.lower() not in FORMATS:
+            allowed = _("must end in one of: {suffixes}").format(suffixes=", ".join(FORMATS))
+            raise InputError([Problem("-o", request.output, allowed)])
+    if request.quantities == ():
+        allowed = _("must be names of results, with commas between; `cranktrain list results` names them")
+        raise InputError([Problem("--quantities", '""', allowed)])
+    if request.second is None and not request.settings:
+        allowed = _("must be compared with something: another machine, or itself with --set PATH=VALUE")
+        repair = _("write cranktrain compare {first} kamaz_740, or --set shaft.main.speed=1500rpm").format(
+            first=request.first
+        )
+        raise InputError([Problem("compare", request.first, allowed, repair)])
+    if request.second is not None and _is_same(request.first, request.second):
+        allowed = _("is named twice, and differs in nothing from itself")
+        repair = _("name another, or name it once and set a value: --set PATH=VALUE")
+        raise InputError([Problem("compare", request.second, allowed, repair)])
+
+
+def _is_same(first: str, second: str) -> bool:
+    """Whether two names mean one file, or one example."""
+    if Path(first).is_file() or Path(second).is_file():
+        return Path(first).exists() and Path(second).exists() and Path(first).samefile(second)
+    return first == second or (example_called(first) is not None and example_called(first) == example_called(second))
+
+
+def _read(request: CompareRequest) -> tuple[MachineFile, MachineFile]:
+    """Read both machines; what is wrong with either is told."""
+    asked = (
+        (request.first, () if request.second is None else request.settings),
+        (request.first if request.second is None else request.second, request.settings),
+    )
+    found: list[MachineFile] = []
+    problems: list[Problem] = []
+    for source, settings in asked:
+        try:
+            found.append(read_machine(source, settings, partial=request.is_partial))
+        except InputError as error:
+            problems += [problem for problem in error.problems if problem not in problems]
+    refuse(problems)
+    return found[0], found[1]
+
+
+def _computed(files: tuple[MachineFile, MachineFile], request: CompareRequest) -> tuple[Result, Result]:
+    """Compute both."""
+    one, other = (computed(file, partial=request.is_partial, quantities=request.quantities) for file in files)
+    return one, other
+
+
+def _names(request: CompareRequest) -> tuple[str, str]:
+    """Name both machines as they were typed; of one with other values, these."""
+    if request.second is None:
+        values = ", ".join(setting.replace("=", " = ", 1) for setting in request.settings)
+        return request.first, _("{name} with {values}").format(name=request.first, values=values)
+    return request.first, request.second

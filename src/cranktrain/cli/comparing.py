@@ -1,0 +1,62 @@
+"""What may be typed after `compare`."""
+
+from typing import Annotated
+
+import typer
+
+from cranktrain.cli.options import File, Force, Partial, Settings
+from cranktrain.cli.task import put_off
+from cranktrain.language import _
+
+
+def add_compare(app: typer.Typer) -> None:
+    """Add the command to the others."""
+
+    @app.command(
+        "compare",
+        help=_(
+            "Put two machines side by side, or one and itself with other values: rows with their difference.\n\n"
+            "With two machines --set goes for both; with one the second is that one with the values set.\n\n"
+            "\b\n"
+            "  cranktrain compare 3d12 kamaz_740\n"
+            "  cranktrain compare 3d12 kamaz_740 -o both.png\n"
+            '  cranktrain compare vaz_21213 --set "shaft.main.speed=3000 rpm"\n'
+            "  cranktrain compare jumo_205 jumo_205e --quantities combined_stroke,displacement"
+        ),
+    )
+    @put_off
+    def _compare(
+        file: File,
+        other: Annotated[
+            str | None, typer.Argument(metavar="OTHER", help=_("The second machine."), show_default=False)
+        ] = None,
+        settings: Settings = None,
+        quantities: Annotated[
+            str | None,
+            typer.Option(metavar="A,B,…", help=_("Only these results; `cranktrain list results` names all.")),
+        ] = None,
+        output: Annotated[
+            str | None,
+            typer.Option(
+                "-o",
+                "--output",
+                metavar="FILE",
+                help=_("Draw the curves of both over each other instead: .png, .svg or .pdf."),
+            ),
+        ] = None,
+        partial_turn: Partial = False,
+        force: Force = False,
+    ) -> None:
+        from cranktrain.cli.compare import CompareRequest, show_comparison
+
+        names = None if quantities is None else tuple(name.strip() for name in quantities.split(",") if name.strip())
+        request = CompareRequest(
+            first=file,
+            second=other,
+            settings=tuple(settings or ()),
+            quantities=names,
+            is_partial=partial_turn,
+            output=output,
+            force=force,
+        )
+        show_comparison(request)

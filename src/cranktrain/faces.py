@@ -1,0 +1,38 @@
+"""What shows a thing stands above the thing: here it is found by name, and loaded when it is first asked for."""
+
+from collections.abc import Callable
+from importlib import import_module
+from typing import Any
+
+_HOMES = {
+    "dataset_of": "analysis.dataset",
+    "layout_words": "io.description",
+    "machine_html": "analysis.representations",
+    "machine_line": "analysis.representations",
+    "plot_comparison": "viz.curves",
+    "plot_result": "viz.curves",
+    "result_html": "analysis.representations",
+    "result_line": "analysis.representations",
+    "sheet_called": "viz.curves",
+    "summary_of_designs": "analysis.designs_summary",
+}
+
+
+def face(name: str) -> Callable[..., Any]:
+    """Give a function that stands above its caller.
+
+    Parameters
+    ----------
+    name : str
+
+    Returns
+    -------
+    callable
+
+    Examples
+    --------
+    >>> face("machine_line").__module__
+    'cranktrain.analysis.representations'
+    """
+    function: Callable[..., Any] = getattr(import_module(f"cranktrain.{_HOMES[name]}"), name)
+    return function

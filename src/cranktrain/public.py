@@ -1,0 +1,147 @@
+"""What Python users call: run and compare whatever one has of a machine."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from functools import partial as with_arguments
+from typing import TYPE_CHECKING
+
+from cranktrain import analysis
+from cranktrain.analysis import Result
+from cranktrain.analysis.comparison import Comparison, compared
+from cranktrain.errors import InputError, Problem, problems_as
+from cranktrain.io.any_machine import sources_of, values_of
+from cranktrain.language import _
+
+if TYPE_CHECKING:
+    from cranktrain.analysis import SpeedWanted
+    from cranktrain.io.any_machine import MachineLike
+
+
+def run(
+    machine: "MachineLike | Iterable[MachineLike]",
+    *,
+    set: "Mapping[str, object] | None" = None,  # noqa: A002 - as the terminal's --set
+    quantities: "str | Iterable[str] | None" = None,
+    speed: "SpeedWanted" = "constant",
+    step_degrees: float = 1.0,
+    partial: bool = False,
+) -> Result:
+    """Compute all that a machine's tables allow.
+
+    Parameters
+    ----------
+    machine : str, path-like, dict or Machine, or an iterable of these
+        A machine file, the name of an example, the tables of a file, or a machine. Several designs of one machine give
+        a leading dimension `design`.
+    set : mapping of str, optional
+        Other values by path, as `Machine.with_` takes them; for all of several.
+    quantities : str or iterable of str, optional
+        Names from the catalogue; only what these need is computed, and the dataset holds them alone. All unless given.
+    speed : "constant", "running", array-like of shape (crank_angle,) or (design, crank_angle), or SpeedCurve
+        At which everything is computed: the declared one all round; that of steady running; or one's own at the crank
+        angles of the result. [rad/s]
+    step_degrees : float
+        Of the crank angles at which curves stand; a turn must be a whole number of steps. [deg]
+    partial : bool
+        Compute where the links close and give NaN where they do not, instead of refusing the machine.
+
+    Returns
+    -------
+    Result
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong: in a file at its line, of a `set` value at `set`.
+
+    Examples
+    --------
+    >>> result = run("3d12", quantities="stroke")
+    >>> round(float(result.stroke[0]), 6)
+    0.18
+    >>> round(float(run("3d12", set={"bank.L.mechanism.stroke": "190 mm"}).stroke[0]), 6)
+    0.19
+    """
+    sources, has_designs = sources_of(machine, set, partial=partial)
+    names = (quantities,) if isinstance(quantities, str) else quantities
+    asked = None if names is None else tuple(names)
+    if asked == ():
+        raise InputError([Problem("quantities", "[]", _("must be names of results; result.catalogue has them"))])
+    machines = tuple(source.machine for source in sources)
+    found = with_arguments(analysis.run, speed=speed, step_degrees=step_degrees, partial=partial, quantities=asked)
+    if has_designs:
+        return replace(found(machines), asked=asked)
+    with problems_as(sources[0].placed):
+        return replace(found(machines[0]), asked=asked)
+
+
+def compare(
+    first: "MachineLike | Result",
+    second: "MachineLike | Result | None" = None,
+    *,
+    set: "Mapping[str, object] | None" = None,  # noqa: A002 - as the terminal's --set
+    quantities: "str | Iterable[str] | None" = None,
+) -> Comparison:
+    """Compare two machines, or one with itself where some values are others.
+
+    Parameters
+    ----------
+    first, second : str, path-like, dict, Machine or Result
+        As `run` takes them; or what it gave of one machine. Without a second one it is the first with other values.
+    set : mapping of str, optional
+        Other values by path: of the second machine where only one is named, else of both.
+    quantities : str or iterable of str, optional
+        Names from the catalogue; the headlines of all questions unless given.
+
+    Returns
+    -------
+    Comparison
+        Its `rows` have both values, their difference and percent; `plot()` lays the curves over each other.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong; where nothing is there to be compared.
+
+    Examples
+    --------
+    >>> for row in compare("3d12", "kamaz_740", quantities="displacement").rows:
+    ...     print(row.quantity, round(row.first, 4), round(row.second, 4), round(row.percent, 1))
+    displacement 0.0389 0.0109 -72.1
+    >>> compare("vaz_21213", set={"shaft.main.speed": "3000 rpm"})
+    <Comparison of vaz_21213 and vaz_21213 with shaft.main.speed = 3000 rpm: ... rows>
+    """
+    values = values_of(set)
+    if second is None and not values:
+        allowed = _("is missing: name a second machine, or what is to be another value")
+        raise InputError([Problem("second", None, allowed, _("write set={example}").format(example=_EXAMPLE))])
+    said = ", ".join(f"{path} = {value}" for path, value in values.items())
+    named = first if second is None else second
+    names = [_name_of(first), _name_of(named)]
+    if second is None:
+        names[1] = _("{name} with {values}").format(name=names[0], values=said)
+    asked = (quantities,) if isinstance(quantities, str) else None if quantities is None else tuple(quantities)
+    one = _result(first, {} if second is None else values, asked)
+    return compared((one, _result(named, values, asked)), (names[0], names[1]), asked)
+
+
+_EXAMPLE = '{"mechanism.rod_length": "140 mm"}'
+
+
+def _result(given: "MachineLike | Result", values: "Mapping[str, object]", asked: tuple[str, ...] | None) -> Result:
+    """Compute a machine; a result is there already."""
+    if not isinstance(given, Result):
+        return run(given, set=values, quantities=asked)
+    if given.has_designs:
+        allowed = _("has several designs; compare two machines")
+        raise InputError([Problem("compare", None, allowed, _("name one: result.machines[0]"))])
+    return run(given.machines[0], set=values, quantities=asked) if values else given
+
+
+def _name_of(given: "MachineLike | Result") -> str:
+    """Name a machine as it was named, or by its own name."""
+    if isinstance(given, Result):
+        return given.machines[0].name
+    if isinstance(given, Mapping):
+        return str(given.get("name", "")) or _("a dict")
+    return getattr(given, "name", "") or str(given)

@@ -1,0 +1,270 @@
+"""Curves of results by name over the crank angle, of one machine or of two, and sheets by name."""
+
+from collections.abc import Collection, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.analysis import Result
+from cranktrain.analysis.comparison import Comparison
+from cranktrain.analysis.figures import shown_in
+from cranktrain.catalogue import Entry
+from cranktrain.errors import InputError, Problem
+from cranktrain.language import _
+from cranktrain.machine import Machine
+from cranktrain.motion import Array
+from cranktrain.one_line import short
+from cranktrain.plans.placement import first_throw
+from cranktrain.quantities import nearest
+from cranktrain.viz.drawn_curves import LOOKS, CurveLine, CurvePanel, drawn_panels, in_notebook
+from cranktrain.viz.paper.page import Figure
+from cranktrain.viz.paper.style import COLOURS, INK, MUTED
+from cranktrain.viz.sheets import PICTURES
+
+_MAIN = (
+    ("piston_displacement", "rocker_angle"),
+    ("piston_velocity", "piston_velocity_coefficient", "rocker_angular_velocity", "rocker_velocity_coefficient"),
+    (
+        *("piston_acceleration", "piston_acceleration_coefficient"),
+        *("rocker_angular_acceleration", "rocker_acceleration_coefficient"),
+    ),
+    ("gas_pressure",),
+    ("machine_torque",),
+)
+"""Curves that say most: of each line the first that there is."""
+
+_LETTERS = {"m": "s", "m/s": "v", "m/s^2": "j", "Pa": "p", "N*m": "T", "N": "F"}
+"""By whose letter a curve's colour is chosen, from the unit of its quantity."""
+
+_MOST_CURVES = 4
+"""Of one quantity, unless members are named."""
+
+_LONGEST_KEY = 60
+"""Characters of a machine's name in the key."""
+
+_OF_FIRST, _OF_SECOND = (2.2, ()), (1.1, (5.0, 2.0))
+"""Width [pt] and dashes of the first and the second machine's curves: told apart in grey."""
+
+_EXACT = "exact"
+
+
+def plot_result(result: Result, *quantities: str, design: int = 0, **members: "str | Sequence[str]") -> Figure:
+    """Draw curves of a result.
+
+    Parameters
+    ----------
+    result : Result
+    *quantities : str
+        Names of curves; the main ones of the machine unless given.
+    design : int
+    **members : str or sequence of str
+        Whose, by dimension; the first few unless given.
+
+    Returns
+    -------
+    Figure
+
+    Raises
+    ------
+    InputError
+        Where there is no such curve, or member.
+    """
+    names = quantities or _main_names([result])
+    entries = [_curve_called(name, [result]) for name in names]
+    _refuse_members(members, [dimension for entry in entries for dimension in entry.dimensions])
+    panels = [_panel_of(result, entry, design, members) for entry in entries]
+    machine = result.machines[design]
+    title = short(machine.name, 100) or _("Machine without a name")
+    if result.has_designs:
+        title = _("{name}, design {design}").format(name=title, design=design + 1)
+    return drawn_panels(panels, title)
+
+
+def plot_comparison(comparison: Comparison, *quantities: str) -> Figure:
+    """Draw curves of two machines over each other: the first thick, the second thin, dashed and black.
+
+    Parameters
+    ----------
+    comparison : Comparison
+    *quantities : str
+        Names of curves; those that were asked for, or the main ones, unless given.
+
+    Returns
+    -------
+    Figure
+
+    Raises
+    ------
+    InputError
+        Where neither machine has such a curve.
+    """
+    results = comparison.results
+    asked = [
+        name
+        for name in comparison.asked or ()
+        if any(name in one.catalogue and not one.catalogue[name].is_fact for one in results)
+    ]
+    names = quantities or asked or _main_names(results)
+    panels = [_panel_of_both(comparison, _curve_called(name, results)) for name in names]
+    keys = (
+        CurveLine(np.zeros(1), np.zeros(1), short(name, _LONGEST_KEY), look, colour)
+        for name, look, colour in zip(comparison.names, (_OF_FIRST, _OF_SECOND), (MUTED, INK), strict=True)
+    )
+    return drawn_panels(panels, keys=tuple(keys))
+
+
+def sheet_called(result: Result, name: str = "machine", *, size: str = "A4", design: int = 0) -> Figure:
+    """Draw a sheet of a result by its name.
+
+    Parameters
+    ----------
+    result : Result
+    name : str
+    size : "A4" or "A3"
+    design : int
+
+    Returns
+    -------
+    Figure
+
+    Raises
+    ------
+    InputError
+        Where there is no such sheet, or the result lacks what it needs.
+    """
+    sheets = {one.name: one for one in PICTURES if one.kind == "sheet"}
+    if name not in sheets:
+        raise InputError([_unknown("sheet", name, sheets)])
+    if result.asked is not None and not set(sheets[name].quantities or ("",)) <= set(result.asked):
+        allowed = _("needs more than the quantities that were asked for: run the machine without `quantities`")
+        raise InputError([Problem("sheet", name, allowed)])
+    return in_notebook(sheets[name].function(result, size=size, design=design))
+
+
+def _main_names(results: Sequence[Result]) -> tuple[str, ...]:
+    """Curves that say most and that one of the machines has."""
+    found = [name for one in results for name in one.asked or () if not one.catalogue[name].is_fact]
+    if found:
+        return tuple(dict.fromkeys(found))
+    for alternatives in _MAIN:
+        for result in results:
+            first = next((name for name in alternatives if name in result.catalogue), None)
+            if first is not None and first not in found:
+                found.append(first)
+    if not found:
+        found += [name for name, entry in results[0].catalogue.items() if not entry.is_fact][:_MOST_CURVES]
+    if not found:
+        raise InputError([Problem("plot", None, _("needs a result with curves; this one has only facts"))])
+    return tuple(found)
+
+
+def _curve_called(name: str, results: Sequence[Result]) -> Entry:
+    """Find a curve; say of a fact that it is none, of what is missing what it needs."""
+    entry = next((one.catalogue[name] for one in results if name in one.catalogue), None)
+    if entry is None:
+        needs = next((needs for one in results if (needs := one.needs_of(name))), ())
+        if needs:
+            raise InputError([Problem("plot", name, _("needs {needs}").format(needs=", ".join(needs)))])
+        curves = [curve for one in results for curve, held in one.catalogue.items() if not held.is_fact]
+        raise InputError([_unknown("plot", name, curves)])
+    if entry.is_fact:
+        raise InputError([Problem("plot", name, _("has one value for the whole cycle, and no curve"))])
+    return entry
+
+
+def _unknown(path: str, name: str, known: "Sequence[str] | Mapping[str, object]") -> Problem:
+    allowed = _("must be one of: {names}").format(names=", ".join(known))
+    if len(known) > 16:
+        allowed = _("is no curve of this result")
+    meant = nearest(name, known)
+    return Problem(path, name, allowed, _("did you mean {name}?").format(name=meant) if meant else None)
+
+
+def _refuse_members(members: Mapping[str, object], dimensions: Sequence[str]) -> None:
+    """Refuse members of a dimension that none of the curves has."""
+    there = [one for one in dict.fromkeys(dimensions) if one != "crank_angle"]
+    wrong = [name for name in members if name not in there]
+    if wrong:
+        raise InputError(_unknown("plot", name, there) for name in wrong)
+
+
+def _panel_of(result: Result, entry: Entry, design: int, members: Mapping[str, "str | Sequence[str]"]) -> CurvePanel:
+    """Curves of some members of one machine."""
+    curves = _curves(result, entry, design, members)
+    shown = shown_in(entry.unit, np.concatenate([values for _name, values in curves]))
+    colour = COLOURS[_LETTERS.get(entry.unit, "F")]
+    lines = (
+        CurveLine(_closed_angle(result), shown.converted(_closed(values)), name, LOOKS[i % len(LOOKS)], colour)
+        for i, (name, values) in enumerate(curves)
+    )
+    return CurvePanel(entry.sentence, shown.unit, tuple(lines))
+
+
+def _panel_of_both(comparison: Comparison, entry: Entry) -> CurvePanel:
+    """The first member's curve of both machines, the shorter cycle repeated."""
+    found = [
+        (_curves(result, entry, 0, {})[0] if entry.name in result.catalogue else None) for result in comparison.results
+    ]
+    shown = shown_in(entry.unit, np.concatenate([one[1] for one in found if one is not None]))
+    end = max(_closed_angle(result)[-1] for result in comparison.results)
+    colours = (COLOURS[_LETTERS.get(entry.unit, "F")], INK)
+    lines: list[CurveLine] = []
+    for result, one, look, colour in zip(comparison.results, found, (_OF_FIRST, _OF_SECOND), colours, strict=True):
+        if one is None:
+            continue
+        _member, values = one
+        times = round(end / _closed_angle(result)[-1])
+        angle = np.concatenate([result.crank_angle + k * _closed_angle(result)[-1] for k in range(times)])
+        lines.append(
+            CurveLine(np.append(angle, end), shown.converted(_closed(np.tile(values, times))), "", look, colour)
+        )
+    of = " / ".join(one[0] for one in found if one is not None and one[0])
+    return CurvePanel(f"{entry.sentence} ({of})" if of else entry.sentence, shown.unit, tuple(lines))
+
+
+def _curves(
+    result: Result, entry: Entry, design: int, members: Mapping[str, "str | Sequence[str]"]
+) -> list[tuple[str, Array]]:
+    """Names and values of the curves of some members; of methods the exact one, of many the first few."""
+    values: Array = np.asarray(getattr(result, entry.name))
+    values = np.moveaxis(values[design] if result.has_designs else values, entry.dimensions.index("crank_angle"), -1)
+    labels = result.labels_of(entry)
+    usual = _usual(result.machines[design])
+    chosen = [_chosen(dimension, names, members.get(dimension), usual) for dimension, names in labels.items()]
+    found = values[np.ix_(*chosen)] if chosen else values[np.newaxis]
+    words: list[str] = [""]
+    for (dimension, names), places in zip(labels.items(), chosen, strict=True):
+        is_said = len(names) > 1 and (dimension in members or names[0] != _EXACT)
+        each = [names[int(place)] if is_said else "" for place in places]
+        words = [", ".join(filter(None, (before, word))) for before in words for word in each]
+    curves = list(zip(words, found.reshape(-1, values.shape[-1]), strict=True))
+    return curves if members else curves[:_MOST_CURVES]
+
+
+def _usual(machine: Machine) -> set[str]:
+    """Names of the first throw's mechanisms and cylinders, of which curves are unless others are wanted."""
+    return {name for place in first_throw(machine) for name in (place.name, place.cylinder)}
+
+
+def _chosen(
+    dimension: str, names: Sequence[str], wanted: "str | Sequence[str] | None", usual: Collection[str]
+) -> NDArray[np.intp]:
+    """Places of the members that are wanted."""
+    if wanted is None:
+        first = [place for place, name in enumerate(names) if name.partition(".")[0] in usual or name in usual]
+        return np.array(first[:_MOST_CURVES] or range(1 if names[0] == _EXACT else len(names)), dtype=np.intp)
+    each = [wanted] if isinstance(wanted, str) else [str(one) for one in np.atleast_1d(np.array(wanted))]
+    unknown = [name for name in each if name not in names]
+    if unknown:
+        raise InputError(_unknown(dimension, name, names) for name in unknown)
+    return np.array([list(names).index(name) for name in each], dtype=np.intp)
+
+
+def _closed_angle(result: Result) -> Array:
+    """Crank angles of the cycle, its end included. [deg]"""
+    angle = result.crank_angle
+    return np.append(angle, len(angle) * (angle[1] - angle[0]))
+
+
+def _closed(values: Array) -> Array:
+    return np.append(values, values[0])

@@ -1,0 +1,67 @@
+"""Tables of positions as a sheet writes them: number, crank angle, motion of the output, of followed points."""
+
+from collections.abc import Iterator, Sequence
+
+from cranktrain.language import _
+from cranktrain.layout.places import PlacedMechanism
+from cranktrain.layout.speed_curve import SpeedCurve
+from cranktrain.machine import Machine
+from cranktrain.motion import Array
+from cranktrain.plans.position_table import PositionColumn, output_columns, point_columns
+from cranktrain.quantities import shown
+from cranktrain.viz.figures import aligned
+from cranktrain.viz.paper.page import INDICES
+from cranktrain.viz.plans.sheet import unit_words
+
+N_HEADS = 2
+"""Rows of the head of these tables: symbols, units."""
+
+_UNITS = {"m": ("mm", "mm"), "m/rad": ("mm/rad", "mm"), "m/rad^2": ("mm/rad²", "mm"), "rad": ("°", "deg")}
+"""How a column's unit is written, and what it is shown in; others are as they are."""
+
+
+def position_rows(
+    machine: Machine,
+    places: Sequence[PlacedMechanism],
+    angles: Array,
+    curve: SpeedCurve | None,
+    more: Sequence[PositionColumn] = (),
+) -> Iterator[tuple[str, ...]]:
+    """Head and rows of a table: number, crank angle and motion of the output; of opposed pistons both, without x."""
+    columns = [
+        column._replace(symbol=f"{column.symbol}{_index(i) if len(places) > 1 else ''}")
+        for i, place in enumerate(places)
+        for column in output_columns(machine, place, angles, curve)
+        if len(places) == 1 or column.symbol != "x"
+    ]
+    return rows_of(angles, [*columns, *more])
+
+
+def point_tables(
+    machine: Machine, place: PlacedMechanism, angles: Array, curve: SpeedCurve | None
+) -> Iterator[tuple[str, list[tuple[str, ...]]]]:
+    """Table of each point that is followed, by its name."""
+    for name, columns in point_columns(machine, place, angles, curve):
+        yield name, list(rows_of(angles, columns))
+
+
+def every(table: Sequence[tuple[str, ...]], step: int) -> list[tuple[str, ...]]:
+    """Give the head of a table and every so manyth of its rows."""
+    return [*table[:N_HEADS], *table[N_HEADS::step]]
+
+
+def rows_of(angles: Array, columns: Sequence[PositionColumn]) -> Iterator[tuple[str, ...]]:
+    """Two rows of a head, symbols and units, and rows: number, crank angle, columns in the units of drawings."""
+    yield (_("no."), "φ", *(one.symbol for one in columns))
+    yield ("", "°", *(_UNITS.get(one.unit, (unit_words(one.unit),))[0] for one in columns))
+    factors = [shown(1.0, _UNITS[one.unit][1]) if one.unit in _UNITS else 1.0 for one in columns]
+    cells = [aligned(factor * one.values) for factor, one in zip(factors, columns, strict=True)]
+    yield from (
+        (f"{i}", f"{angle:g}", *row)
+        for i, (angle, row) in enumerate(zip(angles, zip(*cells, strict=True), strict=True))
+    )
+
+
+def _index(i: int) -> str:
+    """Number of one of several mechanisms as an index."""
+    return str(i + 1).translate(INDICES)
