@@ -95,11 +95,11 @@ def shared_known(names: Sequence[str], values: Array, unit: str) -> str:
 
 
 def by_sort(
-    words: tuple[str, str], names: Sequence[str], is_valve: NDArray[np.bool_], values: Sequence[Array]
+    words: Sequence[str], names: Sequence[str], sort: NDArray[np.intp], values: Sequence[Array]
 ) -> Iterator[tuple[str, list[str], list[Array]]]:
-    """Part sliders into pistons and valves: of each sort that there is, its words, names and values, shape (n,)."""
-    for said, chosen in zip(words, (~is_valve, is_valve), strict=True):
-        if np.any(chosen):
+    """Part sliders by their sort, 0, 1, …: of each that there is, its words, names and values, shape (n,)."""
+    for number_of, said in enumerate(words):
+        if np.any(chosen := sort == number_of):
             yield said, [names[i] for i in np.flatnonzero(chosen).tolist()], [part[chosen] for part in values]
 
 

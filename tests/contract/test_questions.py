@@ -16,6 +16,7 @@ from cranktrain.analysis import STAGES
 from cranktrain.analysis.dimensions import DIMENSIONS
 from cranktrain.catalogue import entries
 from cranktrain.layout import parts as layout
+from cranktrain.layout.question import needs_of
 from cranktrain.machine import Machine
 from cranktrain.spec import Spec
 
@@ -141,6 +142,17 @@ def test_headline_is_of_its_own_facts(question):
     facts = {entry.name for stage in question.stages for entry in entries(stage.gives) if entry.is_fact}
     assert len(set(question.headline)) == len(question.headline) > 0
     assert set(question.headline) <= facts
+
+
+@every_question
+def test_rows_and_offers_are_of_its_own_results(question):
+    """What a row asks for may be of a question asked before; what is offered, and the rows themselves, are its own."""
+    asked_before = {stage.gives for one in QUESTIONS[: QUESTIONS.index(question) + 1] for stage in one.stages}
+    assert question.title and question.rows
+    for function in question.rows:
+        assert function.__module__ == f"cranktrain.questions.{question.name}.rows"
+        assert set(needs_of(function).types.values()) <= asked_before
+    assert set(question.offers) <= set(quantities(question))
 
 
 @every_question

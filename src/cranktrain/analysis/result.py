@@ -1,6 +1,6 @@
 """The result: every quantity by name, its facts, checks, what is missing, and sentences that answer."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
@@ -13,11 +13,15 @@ from cranktrain.brief import brief
 from cranktrain.catalogue import Entry, entries, values
 from cranktrain.checks import Check
 from cranktrain.faces import face
+from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.question import needs_of
 from cranktrain.machine import Machine
+from cranktrain.mechanisms import KINDS
 from cranktrain.motion import Array
 from cranktrain.quantities import shown
 from cranktrain.record import record
+from cranktrain.rows import AnswerLine
 
 if TYPE_CHECKING:
     import xarray
@@ -160,6 +164,26 @@ class Result:
     def flags(self) -> tuple[str, ...]:
         """Warnings of the stages: a textbook form outside its source's range, and the like."""
         return (*self.coarse, *(flag for outcome in self.outcomes for flag in getattr(outcome, "flags", ())))
+
+    def rows(self, design: int = 0) -> Iterator[tuple[str, list[AnswerLine]]]:
+        """Give the lines of the answer for one design: question by question its title and rows, if it has any.
+
+        What kinds of mechanisms have of their own stands with the first question.
+        """
+        own = tuple(rows for kind in KINDS for rows in kind.rows)
+        for question in QUESTIONS:
+            functions = (*question.rows, *(own if question is QUESTIONS[0] else ()))
+            rows = [row for function in functions for row in self._rows(function, design) if row.says]
+            if rows:
+                yield _(question.title), rows
+
+    def _rows(self, function: Callable[..., Iterable[AnswerLine]], design: int) -> Iterable[AnswerLine]:
+        """Rows of one function; none where a result that it asks for is not there."""
+        needs = needs_of(function)
+        found: dict[str, object] = {name: self.get(kind) for name, kind in needs.types.items()}
+        if any(outcome is None and name not in needs.optional for name, outcome in found.items()):
+            return ()
+        return function(self.labels, design, **found)
 
     def answers(self, design: int = 0) -> Iterator[str]:
         """Give the stages' answer sentences for one design."""

@@ -8,7 +8,20 @@ import typer
 from cranktrain.cli.comparing import add_compare
 from cranktrain.cli.naming_pictures import NamingPictures
 from cranktrain.cli.optional_source import OptionalSource
-from cranktrain.cli.options import File, Force, Output, Partial, RunningSpeed, Settings, SpeedCurve, degrees
+from cranktrain.cli.options import (
+    Checks,
+    File,
+    Force,
+    Full,
+    Inputs,
+    Missing,
+    Output,
+    Partial,
+    RunningSpeed,
+    Settings,
+    SpeedCurve,
+    degrees,
+)
 from cranktrain.cli.task import Task, put_off, task_of
 from cranktrain.language import _
 from cranktrain.version import VERSION
@@ -111,9 +124,10 @@ def _check(file: File) -> None:
 @_app.command(
     "run",
     help=_(
-        "Compute all that a machine file allows: answers, facts, peaks, checks, and what is missing.\n\n"
+        "Compute all that a machine file allows, and show the answer on one screen.\n\n"
         "\b\n"
         "  cranktrain run 3d12\n"
+        "  cranktrain run 3d12 --full\n"
         '  cranktrain run 3d12 --set "shaft.main.speed=1800 rpm"\n'
         "  cranktrain run 3d12 --quantities stroke,piston_displacement\n"
         "  cranktrain run 3d12 -o 3d12.csv --step 0.5\n"
@@ -143,12 +157,13 @@ def _run(
     running_speed: RunningSpeed = False,
     speed_curve: SpeedCurve = None,
     partial_turn: Partial = False,
-    inputs: Annotated[
-        bool, typer.Option("--inputs", help=_("Show every number of the file and where it is from."))
-    ] = False,
+    full: Full = False,
+    checks: Checks = False,
+    inputs: Inputs = False,
+    missing: Missing = False,
     force: Force = False,
 ) -> None:
-    from cranktrain.cli.run import RunRequest, show_run
+    from cranktrain.cli.run import RunRequest, Shown, show_run
 
     names = None if quantities is None else tuple(name.strip() for name in quantities.split(",") if name.strip())
     request = RunRequest(
@@ -162,7 +177,7 @@ def _run(
         output=output,
         force=force,
     )
-    show_run(request, with_inputs=inputs)
+    show_run(request, Shown(full=full, checks=checks, inputs=inputs, missing=missing))
 
 
 add_compare(_app)

@@ -7,8 +7,8 @@ from rich.text import Text
 
 from cranktrain.analysis import Result, sentences
 from cranktrain.analysis.comparison import Comparison, compared
-from cranktrain.cli.screen.report import title
 from cranktrain.cli.screen.text import page
+from cranktrain.cli.screen.title import title
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.io.examples import example_called
 from cranktrain.io.machine_file import MachineFile, computed, read_machine

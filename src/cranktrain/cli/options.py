@@ -17,6 +17,13 @@ Settings = Annotated[
 ]
 Partial = Annotated[bool, typer.Option("--partial", help=_("Accept links that do not close all round: NaN there."))]
 
+Full = Annotated[
+    bool, typer.Option("--full", help=_("Show all instead: answers, facts, peaks, checks, inputs, what is missing."))
+]
+Checks = Annotated[bool, typer.Option("--checks", help=_("Show how well each check holds."))]
+Inputs = Annotated[bool, typer.Option("--inputs", help=_("Show every number of the file and where it is from."))]
+Missing = Annotated[bool, typer.Option("--missing", help=_("Show what the file could say, and what that would give."))]
+
 RunningSpeed = Annotated[
     bool,
     typer.Option(

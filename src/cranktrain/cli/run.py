@@ -3,9 +3,11 @@
 from collections.abc import Iterator
 from pathlib import PurePath
 
+from rich.text import Text
+
 from cranktrain.analysis import Result
 from cranktrain.cli.asked import Asked, at_running_speed
-from cranktrain.cli.screen.text import page
+from cranktrain.cli.screen.text import page, show_lines
 from cranktrain.errors import InputError, Problem, problems_as, refuse
 from cranktrain.io.machine_file import MachineFile
 from cranktrain.io.output import write_whole
@@ -22,10 +24,22 @@ class RunRequest(Asked):
     step_degrees: float = 1.0
 
 
-def show_run(request: RunRequest, *, with_inputs: bool = False) -> None:
-    """Compute, write and show."""
-    from cranktrain.cli.screen.report import show_result, title
+@record
+class Shown:
+    """What is shown instead of the answer."""
 
+    full: bool = False
+    checks: bool = False
+    inputs: bool = False
+    missing: bool = False
+
+    def __bool__(self) -> bool:
+        """Whether any of them is."""
+        return self.full or self.checks or self.inputs or self.missing
+
+
+def show_run(request: RunRequest, shown: Shown | None = None) -> None:
+    """Compute, write and show."""
     suffix = None if request.output is None else _suffix(request.output)
     if request.quantities == ():
         allowed = _("must be names of results, with commas between; `cranktrain list results` names them")
@@ -35,12 +49,57 @@ def show_run(request: RunRequest, *, with_inputs: bool = False) -> None:
         result = _computed(file, request)
     else:
         result = _written(file, request, request.output, suffix)
+    if shown:
+        _show_parts(file, result, request, shown)
+    elif request.output is not None:
+        _show_minded(result)
+    elif request.quantities is not None:
+        _show_numbers(result, request)
+    else:
+        _show_answer(file, result, request)
+    if request.output is not None:
+        print(_("written: {name}").format(name=one_line(request.output)))
+
+
+def _show_parts(file: MachineFile, result: Result, request: RunRequest, shown: Shown) -> None:
+    """Show what was asked for by options."""
+    from cranktrain.cli.screen.report import show_checks, show_full, show_inputs, show_missing
+    from cranktrain.cli.screen.title import title
+
     with page(title(file.machine)) as console:
-        names = _chosen(result, request)
-        show_result(console, file, result, names, is_all=request.quantities is None, with_inputs=with_inputs)
-        if request.output is not None:
-            console.print()
-            console.print(_("written: {name}").format(name=one_line(request.output)), soft_wrap=True)
+        if shown.full:
+            show_full(console, file, result, _chosen(result, request), is_all=request.quantities is None)
+        if shown.checks and not shown.full:
+            show_checks(console, result)
+        if shown.inputs:
+            show_inputs(console, file)
+        if shown.missing and not shown.full:
+            show_missing(console, result)
+
+
+def _show_numbers(result: Result, request: RunRequest) -> None:
+    """Show the quantities that were asked for, and what is to be minded before them."""
+    from cranktrain.cli.screen.report import show_numbers
+
+    _show_minded(result)
+    with page() as console:
+        show_numbers(console, result, _chosen(result, request), is_all=False)
+
+
+def _show_minded(result: Result) -> None:
+    """Show what is to be minded."""
+    from cranktrain.cli.screen.minded import minded_lines
+
+    with page() as console:
+        show_lines(console, (Text(line) for line in minded_lines(result, console.width)))
+
+
+def _show_answer(file: MachineFile, result: Result, request: RunRequest) -> None:
+    """Show the answer on one screen."""
+    from cranktrain.cli.screen.answer import answer_lines
+
+    with page() as console:
+        show_lines(console, answer_lines(file, result, request.file, console.width))
 
 
 def _suffix(output: str) -> str:

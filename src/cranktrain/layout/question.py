@@ -9,6 +9,7 @@ from typing import Any, NamedTuple, TypeAlias, get_args, get_type_hints
 from cranktrain.errors import Problem
 from cranktrain.layout.design import Design, Designs
 from cranktrain.record import record
+from cranktrain.rows import AnswerLine
 
 Parts: TypeAlias = dict[type, object]
 """What machines declare, as SI arrays with a leading design axis: one object of each type."""
@@ -17,6 +18,10 @@ Parts: TypeAlias = dict[type, object]
 def _nothing(_of: Any, _known: object = None) -> tuple[()]:
     """Of a question that asks for nothing of its kind."""
     return ()
+
+
+_NO_NEEDS = ("return", "labels", "design")
+"""What is returned, and which of a result is asked for."""
 
 
 class Needs(NamedTuple):
@@ -28,9 +33,9 @@ class Needs(NamedTuple):
 
 @cache
 def needs_of(function: Callable[..., Any]) -> Needs:
-    """Read needs from annotations; one that is `X | None` may be absent."""
+    """Read needs from annotations, but for `labels` and `design`; one that is `X | None` may be absent."""
     hints = get_type_hints(function)
-    hints.pop("return", None)
+    hints = {name: hint for name, hint in hints.items() if name not in _NO_NEEDS}
     choices = {name: [one for one in get_args(hint) if one is not NoneType] for name, hint in hints.items()}
     optional = frozenset(name for name, hint in hints.items() if NoneType in get_args(hint))
     return Needs({name: choices[name][0] if name in optional else hint for name, hint in hints.items()}, optional)
@@ -148,6 +153,13 @@ class Question:
         That its results bring.
     headline : tuple of str
         Its facts that say most, the first first.
+    title : str
+        Of its rows.
+    rows : tuple of callable (labels, design, …) → rows
+        Its lines of the answer: names along dimensions, which design, and by their types the results that they say,
+        as stages ask for them.
+    offers : mapping of str to str
+        Of quantities that people ask for next what they are, in words.
     uses : tuple of Use
         What may stand in a file without being used.
     files : tuple of TableFile
@@ -161,5 +173,8 @@ class Question:
     stages: tuple[Stage, ...] = ()
     dimensions: tuple[ResultDimension, ...] = ()
     headline: tuple[str, ...] = ()
+    title: str = ""
+    rows: tuple[Callable[..., Iterable[AnswerLine]], ...] = ()
+    offers: Mapping[str, str] = field(default_factory=dict[str, str])
     uses: tuple[Use, ...] = ()
     files: tuple[TableFile, ...] = ()

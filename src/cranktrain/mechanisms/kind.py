@@ -1,6 +1,6 @@
 """What every kind of mechanism gives: its spec, geometry, kernel, drawing, and the lengths that let it close."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, Generic, Literal, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
@@ -13,6 +13,7 @@ from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme
 from cranktrain.record import record
+from cranktrain.rows import AnswerLine
 
 Motion = TypeVar("Motion", bound=tuple[object, ...])
 
@@ -101,6 +102,8 @@ class Kind(Generic[Motion, Geometry]):
         Finds what `closing_margin` looks for; for a kind whose gap has to be walked for.
     has_chambers : bool
         Whether its slider is a piston, which can have a cylinder, and not a valve.
+    rows : tuple of callable (labels, design, …) → rows
+        What its own results say in the answer; see `Question`.
     """
 
     name: str
@@ -128,6 +131,7 @@ class Kind(Generic[Motion, Geometry]):
     least_gap: Callable[[Geometry], Extreme] | None = None
     openings: Callable[[Geometry], Openings] | None = None
     has_chambers: bool = True
+    rows: tuple[Callable[..., Iterable[AnswerLine]], ...] = ()
 
     @property
     def followed_links(self) -> tuple[str, ...]:

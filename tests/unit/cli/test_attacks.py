@@ -121,7 +121,7 @@ def test_names_and_notes_of_a_file_reach_no_terminal_raw(typed, written):
     text = HEAD.replace('"136 mm"', rod)
     text += 'points."p\\u001b[31m\\nq" = { link = "rod", along = "9 mm", across = "0 mm" }\n'
     path = written('name = "n\\u001b]0;title\\u0007"\n' + text)
-    for options in ((), ("--inputs",), ("--quantities", "point_x,stroke")):
+    for options in ((), ("--full",), ("--inputs",), ("--quantities", "point_x,stroke")):
         answer = typed("run", str(path), *options)
         assert answer.status == 0
         assert answer.output.replace("\n", "").isprintable()
@@ -142,7 +142,9 @@ def test_sizes_that_cannot_be_are_refused_without_a_warning(typed):
 
 
 def test_errors_of_curves_that_are_zero_are_not_infinite(typed):
-    answer = typed("run", "traction_engine", "--set", "bank.cylinder.mechanism.stroke=1e-20 in", "--step", "10")
+    answer = typed(
+        "run", "traction_engine", "--set", "bank.cylinder.mechanism.stroke=1e-20 in", "--step", "10", "--full"
+    )
     assert (answer.status, answer.errors) == (0, "")
     assert "inf" not in answer.output.replace("infinite", "").split()
     assert "off by up to inf" not in answer.output
@@ -151,6 +153,6 @@ def test_errors_of_curves_that_are_zero_are_not_infinite(typed):
 def test_a_rod_beside_its_line_is_said_to_be_no_two_masses(typed, written):
     rod = '[masses.rod]\nmass = "0.7 kg"\nalong = "36 mm"\nacross = "5 mm"\ninertia = "0.002 kg·m²"\n'
     path = written(f'{HEAD}{rod}[shaft.main]\nspeed = "1500 rpm"\n')
-    answer = typed("run", str(path), "--step", "10")
+    answer = typed("run", str(path), "--step", "10", "--full")
     assert answer.status == 0
     assert "The centroid of the rod of 1 lies beside its line" in answer.output

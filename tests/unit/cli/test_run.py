@@ -20,7 +20,8 @@ from tests.sentences import (
 
 import cranktrain as ct
 from cranktrain.checks import Check
-from cranktrain.cli.screen.report import show_result
+from cranktrain.cli.screen.answer import answer_lines
+from cranktrain.cli.screen.report import show_full
 from cranktrain.cli.screen.text import page
 from cranktrain.io.machine_file import read_machine
 
@@ -46,8 +47,8 @@ def sections(output: str) -> dict[str, str]:
     return {part.partition("\n")[0]: part.partition("\n")[2] for part in heads}
 
 
-def test_answer_first_then_the_numbers(typed):
-    output = typed("run", "3d12").output
+def test_all_of_it_answers_first_then_the_numbers(typed):
+    output = typed("run", "3d12", "--full").output
     lines = output.splitlines()
     assert lines[0].startswith("3D12 marine diesel")
     assert "12 pistons, 6 throws, banks L, R; 1500 rpm; clockwise, ahead" in " ".join(lines[:2])
@@ -70,7 +71,7 @@ def test_answer_first_then_the_numbers(typed):
 
 
 def test_facts_of_a_radial_have_a_row_for_each_cylinder(typed):
-    output = typed("run", "r-1340").output
+    output = typed("run", "r-1340", "--full").output
     results = sections(output)["Results"]
     for name in ("1M", *(f"{i}S" for i in range(1, 9))):
         assert sum(line.split()[0] == name for line in results.splitlines() if line) >= 3
@@ -79,7 +80,7 @@ def test_facts_of_a_radial_have_a_row_for_each_cylinder(typed):
 
 def test_numbers_of_orders_and_journals_are_no_pistons(typed):
     """Piston 2, order 2 and journal 2 have tables of their own, of which two say what they are of."""
-    results = sections(typed("run", "vaz_21213").output)["Results"]
+    results = sections(typed("run", "vaz_21213", "--full").output)["Results"]
     assert re.search(r"^ +1, 4 +2, 3$", results, re.MULTILINE)
     assert re.search(r"^  order +T_k +ψ_k +S_k$", results, re.MULTILINE)
     assert re.search(r"^  journal +T_J,max +φ\(T_J,max\)$", results, re.MULTILINE)
@@ -88,7 +89,7 @@ def test_numbers_of_orders_and_journals_are_no_pistons(typed):
 
 
 def test_numbers_are_aligned(typed):
-    results = sections(typed("run", "3d12").output)["Results"]
+    results = sections(typed("run", "3d12", "--full").output)["Results"]
     first = results.partition("\n\n")[0].splitlines()
     assert len({len(line) for line in first}) == 1
 
@@ -120,7 +121,7 @@ def test_quantities_that_there_are_not(typed, written, names, said):
 def test_peaks_say_whose_and_where(typed, written):
     """x has its largest value, the stroke, at 180°; j of a central slider-crank at its top: R ω² (1 + λ)."""
     written(CENTRAL)
-    table = rows(typed("run", "machine.toml").output)
+    table = rows(typed("run", "machine.toml", "--full").output)
     assert table["piston_displacement"] == ["x", "80.00", "mm", "180"]
     acceleration = 0.04 * (1500 * np.pi / 30) ** 2 * (1 + 40 / 136)
     assert table["piston_acceleration"] == ["j", f"{acceleration:.0f}", "m/s^2", "0.0"]
@@ -128,7 +129,7 @@ def test_peaks_say_whose_and_where(typed, written):
 
 def test_provenance(typed, written):
     written(CENTRAL)
-    rests = sections(typed("run", "machine.toml").output)["What this rests on"]
+    rests = sections(typed("run", "machine.toml", "--full").output)["What this rests on"]
     assert rests.startswith("  3 numbers of the file: 1 published, 1 assumed, 1 without a status\n")
     assert "shaft.main.speed  1500 rpm  assumed  as usual" in rests
     assert "stroke" not in rests
@@ -138,7 +139,7 @@ def test_provenance(typed, written):
 
 def test_what_is_missing_and_what_it_would_give(typed, written):
     written(CENTRAL.replace("speed", "# speed"))
-    more = " ".join(sections(typed("run", "machine.toml").output)["To learn more"].split())
+    more = " ".join(sections(typed("run", "machine.toml", "--missing").output)["To learn more"].split())
     assert "[shaft.main] speed: gives piston_velocity, piston_acceleration" in more
     assert "[cylinder] bore: gives swept_volume, bank_swept_volume, displacement" in more
     assert "rocker" not in more
@@ -165,22 +166,28 @@ def test_failed_check_is_shown(typed, capsys):
     result = ct.run(file.machine, step_degrees=10)
     result = dataclasses.replace(result, outcomes=(*result.outcomes, Doubtful()))
     with page("") as console:
-        show_result(console, file, result, ["stroke"], is_all=False, with_inputs=False)
+        show_full(console, file, result, ["stroke"], is_all=False)
     output = " ".join(capsys.readouterr().out.split())
     assert "✗ does not hold (residual 5.0e-01, limit 1e-09): something against something else" in output
     assert "– needs a full turn: something at every angle" in output
     assert "Mind" in output and "outside its range" in output
+    answer = [line.plain for line in answer_lines(file, result, "vaz-21213", 80)]
+    assert "! A check does not hold: something against something else" in answer
+    assert "! outside its range" in answer
+    assert any(line.startswith("✗ 1 of 8 checks do not hold, 1 not judged · ") for line in answer)
 
 
 def test_step(typed, written):
     written(CENTRAL)
-    assert "in steps of 0.5°" in typed("run", "machine.toml", "--step", "0.5").output
+    assert "in steps of 0.5°" in typed("run", "machine.toml", "--full", "--step", "0.5").output
     assert typed("run", "machine.toml", "--step", "0.7").errors.startswith(f"step = 0.7 deg: {STEP_FROM_TO}")
     assert typed("run", "machine.toml", "--step", "nan").errors.startswith("step = nan deg: must be")
 
 
 def test_set_for_one_run(typed):
-    output = typed("run", "3D12", "--set", "shaft.main.speed=3000 rpm", "--set", "cylinder.bore = 160 mm").output
+    output = typed(
+        "run", "3D12", "--set", "shaft.main.speed=3000 rpm", "--set", "cylinder.bore = 160 mm", "--full"
+    ).output
     assert "3000 rpm" in " ".join(output.partition("\n\n")[0].split())
     assert "Mean piston speed 18.00 m/s" in output
     assert rows(output)["swept_volume"][2] == f"{np.pi / 4 * 1.6**2 * 1.8:.3f}"
@@ -236,7 +243,7 @@ def test_links_that_cannot_close(typed, written):
 
 def test_partial_turn(typed, written):
     written(SHORT_ROD)
-    answer = typed("run", "machine.toml", "--partial", "-o", "out.csv")
+    answer = typed("run", "machine.toml", "--partial", "--full", "-o", "out.csv")
     assert (answer.status, answer.errors) == (0, "")
     assert rows(answer.output)["stroke"] == ["S", "mm", "–"]
     assert "– needs a full turn: " in answer.output
@@ -281,7 +288,7 @@ def test_a_table_holds_no_facts(typed, tmp_path):
 def test_names_cannot_upset_the_terminal(typed, written):
     written(CENTRAL.replace('"small"', r'"a\u001b[31mred\nline [bold]"'))
     output = typed("run", "machine.toml").output
-    assert output.startswith(r"a\x1b[31mred line [bold]: slider-crank")
+    assert output.startswith(r"a\x1b[31mred line [bold]" + "\nslider-crank")
 
 
 def test_bug_is_reported_in_a_sentence(typed, monkeypatch):
@@ -305,9 +312,11 @@ def test_a_notch_from_the_terminal(typed):
 
 def test_at_the_running_speed(typed, tmp_path):
     """The answer and the file's head say so; what is missing for it is told."""
-    output = typed("run", "3d12", "--running-speed", "-o", str(tmp_path / "a.csv"), "--quantities", "piston_velocity")
     said = f"All of this is {STEADY_RUNNING}, 1497.5 rpm to 1502.8 rpm over the cycle, 1500.0 rpm over time."
-    assert said in " ".join(output.output.split())
+    for full in ((), ("--full",)):
+        assert said in " ".join(typed("run", "3d12", "--running-speed", *full).output.split())
+    output = typed("run", "3d12", "--running-speed", "-o", str(tmp_path / "a.csv"), "--quantities", "piston_velocity")
+    assert output.status == 0
     assert f"# crank_speed: {said}" in (tmp_path / "a.csv").read_text(encoding="utf-8")
     (tmp_path / "small.toml").write_text(CENTRAL, encoding="utf-8")
     refused = typed("run", str(tmp_path / "small.toml"), "--running-speed")
@@ -332,16 +341,39 @@ cut_off_ratio = 1.3
 """
 
 
-def test_a_table_that_is_not_used_stands_after_the_title(typed, written):
+def test_a_table_that_is_not_used_stands_before_all_numbers(typed, written):
     written(CENTRAL + UNUSED)
     said = [
         "! [gas] is not used: [cylinder] compression_ratio or clearance is missing;",
         f"  {OF_INERTIA_ALONE}",
     ]
     lines = typed("run", "machine.toml").output.splitlines()
-    assert lines[0] == "small: slider-crank, central or offset; 1500 rpm; clockwise, ahead"
-    assert lines[1:4] == [*said, ""]
-    assert typed("run", "machine.toml", "--quantities", "stroke").output.splitlines()[1:3] == said
+    assert lines[0] == "small"
+    assert lines[1:5] == ["slider-crank, central or offset · four-stroke · 1500 rpm, clockwise", "", *said]
+    assert typed("run", "machine.toml", "--full").output.splitlines()[1:4] == [*said, ""]
+    assert typed("run", "machine.toml", "--quantities", "stroke").output.splitlines()[:2] == said
+    minded = [*said, "! Without mass: 1.rod."]
+    assert typed("run", "machine.toml", "-o", "out.csv").output.splitlines() == [*minded, "written: out.csv"]
     lines = typed("check", "machine.toml").output.splitlines()
     assert lines[:2] == ["machine.toml: nothing wrong", " ".join([said[0], said[1].strip()])]
-    assert "!" not in typed("run", "machine.toml", "--set", "cylinder.compression_ratio=9").output.splitlines()[1]
+    assert "is not used" not in typed("run", "machine.toml", "--set", "cylinder.compression_ratio=9").output
+
+
+def test_a_quantity_alone(typed, written):
+    written(CENTRAL)
+    assert typed("run", "machine.toml", "--quantities", "stroke").output == "Results\n  stroke  S  mm  80.00\n"
+
+
+def test_what_is_written_is_said_and_little_else(typed, written):
+    written(CENTRAL)
+    assert typed("run", "machine.toml", "-o", "out.json").output == "written: out.json\n"
+
+
+def test_parts_are_shown_by_their_options(typed):
+    """Each alone, and together in the order of all of it."""
+    heads = {"--checks": "Checks", "--inputs": "What this rests on", "--missing": "To learn more"}
+    for option, head in heads.items():
+        first, *others = sections(typed("run", "vaz_21213", option).output)
+        assert first.startswith("VAZ-21213")
+        assert others == [head]
+    assert list(sections(typed("run", "vaz_21213", *heads).output))[1:] == [*heads.values()]

@@ -91,8 +91,13 @@ def by_swing(value):
     return alone({"kind": "crank_rocker", "crank_radius": f"{140 / value!r} mm", **lengths})
 
 
-def alone(mechanism):
-    return ct.Machine(mechanism=mechanism, shaft={"main": {"speed": "1 rpm"}})
+def by_slider_speed(value):
+    """As `by_speed`, without a cylinder."""
+    return alone({"kind": "slider_crank", "stroke": "100 mm", "rod_length": "180 mm"}, f"{value / 0.2 * 60!r} rpm")
+
+
+def alone(mechanism, speed="1 rpm"):
+    return ct.Machine(mechanism=mechanism, shaft={"main": {"speed": speed}})
 
 
 MACHINES = {
@@ -100,6 +105,7 @@ MACHINES = {
     "distance": by_distance,
     "swing": by_swing,
     "mean_speed": by_speed,
+    "slider_speed": by_slider_speed,
     "ratio": by_ratio,
     "engine_ratio": by_ratio_of_engine,
     "peak_pressure": by_pressure,

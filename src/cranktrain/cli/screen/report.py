@@ -1,4 +1,4 @@
-"""A result on the screen: answers first, then the numbers, what they rest on, and what is missing."""
+"""All of a result on the screen: answers, numbers, checks, what they rest on, and what is missing."""
 
 import itertools
 from collections.abc import Iterator, Sequence
@@ -13,13 +13,10 @@ from cranktrain.cli.screen.facts import fact_tables
 from cranktrain.cli.screen.figures import figures
 from cranktrain.cli.screen.inputs import input_table, provenance
 from cranktrain.cli.screen.text import INDENT, paragraph, section, table
-from cranktrain.grouping import places_of_equal
-from cranktrain.io.description import layout_words
 from cranktrain.io.machine_file import MachineFile, inputs_of
 from cranktrain.language import _
-from cranktrain.machine import Machine
-from cranktrain.one_line import one_line, visible
-from cranktrain.wording import ABSENT, ranged
+from cranktrain.one_line import visible
+from cranktrain.wording import ABSENT
 
 _NAMED = 4
 """How many of the results that something would give are named."""
@@ -28,10 +25,8 @@ _EQUAL = 1e-9
 """Peaks closer than this are one: which of them rounding makes the largest says nothing."""
 
 
-def show_result(
-    console: Console, file: MachineFile, result: Result, names: Sequence[str], *, is_all: bool, with_inputs: bool
-) -> None:
-    """Show a result.
+def show_full(console: Console, file: MachineFile, result: Result, names: Sequence[str], *, is_all: bool) -> None:
+    """Show all that there is: answers, numbers, checks, what to mind, what this rests on, what is missing.
 
     Parameters
     ----------
@@ -43,8 +38,6 @@ def show_result(
         Which of its quantities.
     is_all : bool
         Whether these are all there are: then what is given by several methods is named, and its sentence has to do.
-    with_inputs : bool
-        Whether to show every number of the file, and not only a word on where they are from.
     """
     for sentence in sentences(result.unused):
         first, *more = paragraph(console, sentence)
@@ -52,6 +45,15 @@ def show_result(
     console.print()
     for sentence in result.answers():
         console.print(visible(sentence))
+    show_numbers(console, result, names, is_all=is_all)
+    show_checks(console, result)
+    section(console, _("Mind"), result.flags)
+    section(console, _("What this rests on"), provenance(file, console.width - INDENT))
+    show_missing(console, result)
+
+
+def show_numbers(console: Console, result: Result, names: Sequence[str], *, is_all: bool) -> None:
+    """Show facts, and the peaks of curves; parameters as of `show_full`."""
     width = console.width - INDENT
     deep = [name for name in names if is_all and len(result.labels_of(result.catalogue[name])) > 1]
     names = [name for name in names if name not in deep]
@@ -65,37 +67,21 @@ def show_result(
         section(console, heading, table(heads, peaks, right=(2, 4), fold=width))
     if deep:
         section(console, _("By each method, with --quantities"), [", ".join(deep)])
+
+
+def show_checks(console: Console, result: Result) -> None:
+    """Show every check with its residual and limit."""
     section(console, _("Checks"), _checks(console, result))
-    section(console, _("Mind"), result.flags)
-    about = input_table(inputs_of(file), width) if with_inputs else provenance(file, width)
-    section(console, _("What this rests on"), about)
+
+
+def show_inputs(console: Console, file: MachineFile) -> None:
+    """Show every number of the file and where it is from."""
+    section(console, _("What this rests on"), input_table(inputs_of(file), console.width - INDENT))
+
+
+def show_missing(console: Console, result: Result) -> None:
+    """Show what the file could say, and what that would give."""
     section(console, _("To learn more"), map(_missing, result.missing))
-
-
-def title(machine: Machine) -> str:
-    """Say in one line which machine this is."""
-    parts = [layout_words(machine)]
-    if len(machine.shafts) > 1:
-        parts.append(_shafts(machine))
-    shaft = machine.main_shaft
-    parts += [given.text for given in (shaft.speed, shaft.acceleration) if given is not None]
-    senses = {
-        "clockwise": _("clockwise"),
-        "anticlockwise": _("anticlockwise"),
-        "ahead": _("ahead"),
-        "astern": _("astern"),
-    }
-    parts.append(f"{senses[machine.rotation]}, {senses[machine.running]}")
-    return one_line(": ".join(filter(None, (machine.name.strip(), "; ".join(parts)))))
-
-
-def _shafts(machine: Machine) -> str:
-    """Say which mechanisms work on which shaft."""
-    places = machine.places
-    names = [place.name for place in places]
-    on = places_of_equal([place.shaft for place in places])
-    said = (_("{shaft} ({mechanisms})").format(shaft=shaft, mechanisms=ranged(names, few)) for shaft, few in on.items())
-    return _("shafts {shafts}").format(shafts=", ".join(said))
 
 
 def _peaks(result: Result, names: Sequence[str]) -> Iterator[tuple[str, ...]]:

@@ -5,12 +5,14 @@ import sys
 import textwrap
 from collections.abc import Container, Generator, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from itertools import dropwhile
 from typing import Any
 
 from rich.cells import cell_len
 from rich.console import Console
 from rich.text import Text
 
+from cranktrain.language import _
 from cranktrain.one_line import visible
 
 INDENT = 2
@@ -22,18 +24,32 @@ GAP = 2
 _WIDTH = 80
 """Where there is no terminal."""
 
+KEPT = "\N{NO-BREAK SPACE}"
+"""Stands where a line is not to be folded, as between a value and its unit, until it is."""
+
 _LEAST_FOLDED = 9
 """A cell is not folded narrower than this, however narrow the screen."""
 
 
 @contextmanager
-def page(head: str) -> Generator[Console]:
-    """Collect a page for the standard output below its head, and show it without blanks at line ends."""
+def page(head: str = "") -> Generator[Console]:
+    """Collect a page for the standard output below its head, if any, and show it without blanks at line ends.
+
+    Without a head it begins with its first line that is not empty.
+    """
     console = _screen()
     with console.capture() as shown:
-        console.print(Text(head, style="bold"))
+        if head:
+            console.print(Text(head, style="bold"))
         yield console
-    sys.stdout.writelines(f"{line.rstrip()}\n" for line in shown.get().splitlines())
+    lines = shown.get().splitlines()
+    sys.stdout.writelines(f"{line.rstrip()}\n" for line in (lines if head else dropwhile(lambda line: not line, lines)))
+
+
+def show_lines(console: Console, lines: Iterable[Text]) -> None:
+    """Show lines that are laid out."""
+    for line in lines:
+        console.print(line, soft_wrap=True)
 
 
 def _screen() -> Console:
@@ -57,6 +73,44 @@ def paragraph(console: Console, text: str, style: str = "") -> list[Text]:
     """Fold a text to the width of the screen less the indent; an empty one is an empty line."""
     lines = textwrap.wrap(visible(text), console.width - INDENT, break_on_hyphens=False)
     return [Text(line, style) for line in lines] or [Text()]
+
+
+def folded(
+    text: str, width: int, begin: str = "", indent: str = "", *, at_hyphens: bool = False, at_most: int | None = None
+) -> list[str]:
+    """Fold a text to a width between its words.
+
+    Parameters
+    ----------
+    text : str
+    width : int
+    begin, indent : str
+        What stands before the first line, and before the others.
+    at_hyphens : bool
+        Whether it may be folded after hyphens, too.
+    at_most : int, optional
+        So many lines, the last of which says that there is more; all unless given.
+
+    Returns
+    -------
+    list of str
+    """
+    lines = _Wrapper(
+        width,
+        initial_indent=begin,
+        subsequent_indent=indent,
+        break_on_hyphens=at_hyphens,
+        break_long_words=False,
+        max_lines=at_most,
+        placeholder=_(" … (--full)"),
+    ).wrap(text)
+    return [line.replace(KEPT, " ") for line in lines]
+
+
+class _Wrapper(textwrap.TextWrapper):
+    """Folds after any hyphen, where it may: Python's own has letters on both sides, and a firing order has not."""
+
+    wordsep_re = re.compile(r"([ \t\n]+|[^ \t\n-]+-(?=[^ \t\n]))")
 
 
 def table(

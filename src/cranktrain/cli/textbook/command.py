@@ -8,8 +8,8 @@ from rich.console import Console
 from rich.text import Text as Line
 
 from cranktrain.analysis import Result, run
-from cranktrain.cli.screen.report import title
 from cranktrain.cli.screen.text import INDENT, page, section, table
+from cranktrain.cli.screen.title import title
 from cranktrain.cli.textbook.constructions import show_constructions
 from cranktrain.cli.textbook.crank_rockers import show_crank_rockers
 from cranktrain.cli.textbook.crank_side import show_from_crank_side

@@ -6,8 +6,8 @@ import numpy as np
 from rich.console import Console
 
 from cranktrain.cli.screen.columns import Column, section_of_columns
-from cranktrain.cli.screen.report import title
 from cranktrain.cli.screen.text import page, section
+from cranktrain.cli.screen.title import title
 from cranktrain.cli.textbook.source import machine_file
 from cranktrain.errors import Problem, problems_as, refuse
 from cranktrain.language import _

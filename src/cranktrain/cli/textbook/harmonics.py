@@ -6,8 +6,8 @@ import numpy as np
 from rich.console import Console
 
 from cranktrain.cli.screen.columns import Column, section_of_columns
-from cranktrain.cli.screen.report import title
 from cranktrain.cli.screen.text import page, section
+from cranktrain.cli.screen.title import title
 from cranktrain.cli.textbook.source import file_missing, machine_file
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.grouping import places_of_equal

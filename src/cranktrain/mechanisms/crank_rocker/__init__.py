@@ -2,7 +2,7 @@
 
 from cranktrain.language import N_
 from cranktrain.mechanisms.crank_rocker.drawing import crank_rocker_drawing
-from cranktrain.mechanisms.crank_rocker.facts import CrankRockers, transmission
+from cranktrain.mechanisms.crank_rocker.facts import CrankRockers, transmission, transmission_rows
 from cranktrain.mechanisms.crank_rocker.forces import DYNAMICS
 from cranktrain.mechanisms.crank_rocker.kinematics import (
     CrankRocker,
@@ -32,6 +32,7 @@ KIND = Kind(
     closing_advice=crank_rocker_advice,
     members=CrankRockers,
     stages=(transmission,),
+    rows=(transmission_rows,),
     dynamics=DYNAMICS,
     example="""\
 [mechanism]

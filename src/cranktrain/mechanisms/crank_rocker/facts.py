@@ -1,5 +1,7 @@
 """What is asked of a crank-rocker alone: its Grashof class and its transmission angle."""
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from cranktrain.catalogue import quantity
@@ -11,6 +13,7 @@ from cranktrain.motion import Array
 from cranktrain.numerics import extremes
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANK_ROCKERS as _THEORY
+from cranktrain.rows import Amount, AnswerLine, valued, worded
 from cranktrain.wording import Names, shared
 
 _LINKAGE = ("crank_rocker",)
@@ -77,6 +80,22 @@ def transmission(linkages: CrankRockers) -> Transmission:
         largest_transmission_angle=most.value[..., 0],
         checks=(_cosine_rule_check(geometry, least.value, most.value),),
     )
+
+
+def transmission_rows(labels: Names, design: int, found: Transmission) -> Iterator[AnswerLine]:
+    """Say the least transmission angle, and the class where it is none with a crank and a rocker."""
+    least = found.smallest_transmission_angle[design]
+    yield valued(
+        _("transmission angle"),
+        least,
+        "rad",
+        labels["crank_rocker"],
+        _("at least, {most} at most"),
+        most=Amount(float(np.nanmax(found.largest_transmission_angle[design])), "rad"),
+    )
+    kinds = sorted({int(value) for value in found.grashof_class[design]} - {0})
+    if kinds:
+        yield worded(_("linkage"), "; ".join(_(CLASSES[kind]) for kind in kinds))
 
 
 def grashof_class(geometry: CrankRocker) -> Array:

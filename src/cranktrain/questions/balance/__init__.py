@@ -9,7 +9,7 @@ from cranktrain.layout.masses import bodies_given
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
 from cranktrain.layout.specs import MAIN
 from cranktrain.layout.uses import table
-from cranktrain.questions.balance import frame_forces, running_frame, shaking, spec, weights
+from cranktrain.questions.balance import frame_forces, rows, running_frame, shaking, spec, weights
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 
 
@@ -41,6 +41,15 @@ QUESTION = Question(
     ),
     dimensions=(ResultDimension("balance", N_("balance")), ResultDimension("weight", N_("weight"))),
     headline=("shaking_force_largest", "shaking_couple_largest"),
+    title=N_("Balance"),
+    rows=(
+        rows.force_rows,
+        rows.couple_rows,
+    ),
+    offers={
+        "balance_weight_moment": N_("counterweights"),
+        "shaking_couple_largest": N_("couples"),
+    },
     uses=(
         Use(table("balance"), (weights.BalanceWeights,)),
         # Weights are felt in the torque, where anything has one.

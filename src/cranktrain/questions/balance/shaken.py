@@ -52,6 +52,15 @@ class Shaken(StageResult):
         """Say its orders, without balance weights and, where there are any, with them."""
         return [orders_in_words(names["order"], one, float(self.gross[design]), unit) for one in largest[design]]
 
+    def left(self, largest: Array, design: int) -> list[list[tuple[int, float]] | None]:
+        """Places and sizes of the largest orders, without and with balance weights; None where nothing is known."""
+        return [
+            [(i, float(one[i])) for i in _largest_first(one, float(self.gross[design]))[:_NAMED]]
+            if np.all(np.isfinite(one))
+            else None
+            for one in largest[design]
+        ]
+
 
 ShakenLike = TypeVar("ShakenLike", bound=Shaken)
 
@@ -196,6 +205,12 @@ def _summed(vectors: PlaneVectors, arm: Array) -> PlaneVectors:
     return PlaneVectors(vectors.order, *(np.sum(arm * part, axis=1) for part in vectors[1:]))
 
 
+def _largest_first(largest: Array, gross: float) -> list[int]:
+    """Places of orders that there are, the largest first; what is nothing beside `gross` is none."""
+    places: list[int] = np.argsort(-largest, kind="stable").tolist()
+    return [i for i in places if largest[i] > _GONE * gross]
+
+
 def _size(value: float, unit: str) -> str:
     """Write a force or couple with four figures."""
     return f"{value / 1e3:.4g} k{unit}" if value >= 1e4 else f"{value:.4g} {unit}"
@@ -217,7 +232,7 @@ def orders_in_words(names: Sequence[str], largest: Array, gross: float, unit: st
     """
     if not np.all(np.isfinite(largest)):
         return _("not known, as the links do not close all round")
-    left = [i for i in np.argsort(-largest, kind="stable").tolist() if largest[i] > _GONE * gross]
+    left = _largest_first(largest, gross)
     if not left:
         return _("none")
     said = [

@@ -88,8 +88,8 @@ class PortTiming(StageResult):
 
 
 def have_ports(ports: Ports | None, cycle: Cycle | None) -> bool:
-    """Whether the cylinders have ports, or should: those of a two-stroke."""
-    return ports is not None or (cycle is not None and cycle.length == TURN)
+    """Whether the cylinders have ports, or should: those of a two-stroke that fires."""
+    return ports is not None or (cycle is not None and cycle.fires and cycle.length == TURN)
 
 
 def port_timing(

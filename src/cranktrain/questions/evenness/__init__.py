@@ -12,6 +12,7 @@ from cranktrain.questions.evenness import (
     flywheel,
     flywheel_moment,
     load_curve,
+    rows,
     running_speed,
     shaft_work,
     spec,
@@ -40,6 +41,18 @@ QUESTION = Question(
     ),
     dimensions=(ResultDimension("flywheel_method", N_("method")),),
     headline=("coefficient_of_fluctuation", "largest_excess_work", "wanted_flywheel_moment"),
+    title=N_("Evenness"),
+    rows=(
+        rows.running_rows,
+        rows.load_rows,
+        rows.flywheel_rows,
+    ),
+    offers={
+        "excess_work": N_("excess work"),
+        "crank_speed": N_("the speed over the cycle"),
+        "flywheel_inertia": N_("the flywheel"),
+        "rim_height": N_("its rim"),
+    },
     uses=(
         Use(table("evenness"), (shaft_work.ShaftWork,)),
         Use(keys("evenness", "load", "flywheel", "flywheel_moment"), (running_speed.RunningSpeed,)),

@@ -22,6 +22,7 @@ from cranktrain.questions.forces import (
     mechanism_torques,
     piston_forces,
     rod_methods,
+    rows,
     solved_cycle,
     unlikely,
 )
@@ -75,6 +76,12 @@ QUESTION = Question(
         ResultDimension("rod_method", N_("method")),
     ),
     headline=("largest_crankpin_load", "largest_joint_force"),
+    title=N_("Largest forces"),
+    rows=(rows.force_rows,),
+    offers={
+        "joint_force_x": N_("forces and torque"),
+        "guide_pressing": N_("edge forces"),
+    },
     uses=(
         # Gas that presses on nothing is missed by the forces.
         Use(

@@ -23,6 +23,8 @@ from cranktrain.references import THEORY_OF_FORCES as _THEORY
 from cranktrain.wording import ranged
 
 _JOINT = ("joint", "crank_angle")
+_FEW = 3
+"""So many rods are named one by one."""
 _NO_ARM = 1e-9
 """Moment over force of which a guide is said to bear none. [m]"""
 
@@ -108,9 +110,13 @@ def _flags(masses: Masses) -> Iterator[str]:
             " is it in kg·m², about the centroid?"
         ).format(parts=", ".join(masses.doubtful))
     if masses.assumed:
-        yield _(
-            "Inertia of two masses at its ends is taken for {parts}; of measured rods it is from 3 % less to 22 % more."
-        ).format(parts=", ".join(masses.assumed))
+        rods = masses.assumed
+        said = (
+            _("{rods} has the inertia of two masses at its ends")
+            if len(rods) == 1
+            else _("{rods} have the inertia of two masses at their ends")
+        ).format(rods=", ".join(rods) if len(rods) <= _FEW else _("{n} rods").format(n=len(rods)))
+        yield _("{said}: of measured rods that is from 3 % too little to 22 % too much.").format(said=said)
 
 
 def _moments_without_length(loaded: LoadedMachine, solved: SolvedCycle) -> Iterator[str]:

@@ -83,7 +83,7 @@ class LargestForces(StageResult):
         if not all(np.any(size > 0) for size in sizes):
             return None
         piston, side, rod = (_largest_of(names["piston"], size) for size in sizes)
-        said = _("Largest forces: {piston} along the cylinder, {side} on its wall, {rod} in the rod.").format(
+        said = _("Largest forces: {piston} along the line of stroke, {side} across it, {rod} in the rod.").format(
             piston=piston, side=side, rod=rod
         )
         masters = np.flatnonzero(self.is_master)

@@ -12,7 +12,7 @@ from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.cylinders.firing import Cycle, FiringOrder
 from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.questions.cylinders.volumes import Chambers, CompressionRatios
-from cranktrain.questions.gas import chambers, declared, events, flows, heat, powers, pressures
+from cranktrain.questions.gas import chambers, declared, events, flows, heat, powers, pressures, rows
 
 PRESSING = (declared.DeclaredGas, Chambers, CompressionRatios, Cycle, FiringOrder)
 """Parts that it takes for gas to press on pistons."""
@@ -58,6 +58,17 @@ QUESTION = Question(
         Stage(powers.brake_powers),
     ),
     headline=("brake_power", "indicated_power", "indicated_mean_pressure", "peak_pressure"),
+    title=N_("Gas"),
+    rows=(
+        rows.compressor_rows,
+        rows.pressure_rows,
+        rows.power_rows,
+        rows.heat_rows,
+    ),
+    offers={
+        "gas_pressure": N_("pressures and power"),
+        "brake_power": N_("friction"),
+    },
     uses=(Use(keys("cylinder", "mechanical_efficiency", "friction_pressure"), (powers.BrakePowers,)),),
     files=(TableFile(("gas",), "indicator", N_("an indicator diagram")),),
 )

@@ -30,14 +30,18 @@ class IndicatedPowers:
     )
 
     def answer(self, names: Names, design: int) -> str:
-        """Say the indicated power, in all and by bank."""
-        total = number(float(self.indicated_power[design]), "kW")
-        mean = number(float(self.mean_indicated_pressure[design]), "bar")
+        """Say the indicated power, in all and by bank; of a driven machine what it takes."""
+        power = float(self.indicated_power[design])
+        is_driven = power < 0
+        sense = -1.0 if is_driven else 1.0
+        name = _("Indicated power taken") if is_driven else _("Indicated power")
+        total = number(sense * power, "kW")
+        mean = number(sense * float(self.mean_indicated_pressure[design]), "bar")
         if len(names["bank"]) == 1:
-            return _("Indicated power {total}, mean pressure {mean}.").format(total=total, mean=mean)
-        banks = shared(names["bank"], self.bank_indicated_power[design], "kW")
-        return _("Indicated power {total}, by bank {banks}; mean pressure {mean}.").format(
-            total=total, banks=banks, mean=mean
+            return _("{name} {total}, mean pressure {mean}.").format(name=name, total=total, mean=mean)
+        banks = shared(names["bank"], sense * self.bank_indicated_power[design], "kW")
+        return _("{name} {total}, by bank {banks}; mean pressure {mean}.").format(
+            name=name, total=total, banks=banks, mean=mean
         )
 
 

@@ -70,10 +70,17 @@ class GasPressures(StageResult):
     )
 
     def answer(self, names: Names, design: int) -> str:
-        """Say mean and largest pressures."""
+        """Say mean and largest pressures; of a driven machine the mean one of the work that it takes."""
         chambers = names["chamber"]
-        return _("Indicated mean pressure {mean}; largest {peak}, {after} after the dead centre.").format(
-            mean=shared(chambers, self.indicated_mean_pressure[design], "bar"),
+        mean = self.indicated_mean_pressure[design]
+        is_driven = np.sum(self.indicated_work[design]) < 0
+        said = (
+            _("Indicated mean pressure {mean}, of work taken; largest {peak}, {after} after the dead centre.")
+            if is_driven
+            else _("Indicated mean pressure {mean}; largest {peak}, {after} after the dead centre.")
+        )
+        return said.format(
+            mean=shared(chambers, -mean if is_driven else mean, "bar"),
             peak=shared(chambers, self.peak_pressure.value[design], "bar"),
             after=shared(chambers, self.peak_pressure_after[design], "deg"),
         )

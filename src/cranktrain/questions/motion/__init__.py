@@ -16,6 +16,7 @@ from cranktrain.questions.motion import (
     rocker_load,
     rockers,
     rods,
+    rows,
 )
 
 
@@ -57,4 +58,10 @@ QUESTION = Question(
         ResultDimension("slider", N_("slider")),
     ),
     headline=("stroke", "mean_piston_speed", "largest_piston_speed", "swing", "time_ratio", "closing_margin"),
+    title=N_("Motion"),
+    rows=(rows.slider_rows, rows.rocker_rows, rows.closing_rows),
+    offers={
+        "piston_velocity": N_("speeds and accelerations"),
+        "point_x": N_("curves of points"),
+    },
 )

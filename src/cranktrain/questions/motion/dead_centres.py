@@ -15,6 +15,7 @@ from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.motion import Array, Coefficient, Link
 from cranktrain.numerics import Extreme, Extremes, around_zero, extremes, turn_grid
 from cranktrain.numerics.nested import mapped
+from cranktrain.questions.motion.sorts import InCylinders, sorts_of
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_SLIDER_CRANKS as _THEORY
 from cranktrain.wording import Names, by_sort, shared
@@ -122,9 +123,9 @@ _DISTANCE = Limit(
 
 @record
 class DeadCentres(StageResult):
-    """Where each piston truly turns back, and how far it travels; is_valve: which are valves, shape (piston,)."""
+    """Where each piston truly turns back, and how far it travels; sort, shape (piston,): as in `sorts`."""
 
-    is_valve: NDArray[np.bool_]
+    sort: NDArray[np.intp]
     stroke: Array = quantity("S", "m", _PISTON, N_("Stroke, between the true dead centres"), _THEORY)
     top_dead_centre: Array = quantity("φ_T", "deg", _PISTON, N_("Crank angle of the true top dead centre"), _THEORY)
     bottom_dead_centre: Array = quantity(
@@ -144,26 +145,29 @@ class DeadCentres(StageResult):
     )
 
     def answer(self, names: Names, design: int) -> str:
-        """Say strokes and true dead centres of pistons, travels of valves and where they are farthest."""
+        """Say strokes and true dead centres of pistons, travels of what has no cylinder and where it is farthest."""
         words = (
             _("Strokes: {strokes}. True top dead centres: {tops} after the crank points along the cylinder."),
+            _("Strokes: {strokes}. Farthest from the shaft: {tops} after the crank points along its line."),
             _("Valve travel: {strokes}. Farthest from the shaft: {tops} after the crank points along its line."),
         )
         return " ".join(
             said.format(strokes=shared(own, strokes, "mm"), tops=shared(own, tops, "deg"))
             for said, own, (strokes, tops) in by_sort(
-                words, names["piston"], self.is_valve, [self.stroke[design], self.top_shift[design]]
+                words, names["piston"], self.sort, [self.stroke[design], self.top_shift[design]]
             )
         )
 
 
-def dead_centres(pistons: Pistons, turn: PistonTurn, crank_angle: CrankAngle) -> DeadCentres:
+def dead_centres(
+    pistons: Pistons, turn: PistonTurn, crank_angle: CrankAngle, cylinders: InCylinders | None
+) -> DeadCentres:
     """True dead centres of every piston."""
     different = turn.distinct
     bottom, top = (Extreme(one.angle[0], one.value[0]) for one in turn.peaks)
     stroke, position = (different.spread(one)[..., 0] for one in (top.value - bottom.value, top.value))
     return DeadCentres(
-        is_valve=pistons.is_valve,
+        sort=sorts_of(pistons, cylinders),
         stroke=stroke,
         top_dead_centre=crank_angle.counted(different.angle(top.angle))[..., 0],
         bottom_dead_centre=crank_angle.counted(different.angle(bottom.angle))[..., 0],

@@ -13,6 +13,7 @@ from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import DERIVATIVES_LIMIT, Extreme, Extremes, derivatives_residual, extremes
 from cranktrain.numerics.tops import chosen
 from cranktrain.questions.motion.dead_centres import DeadCentres, PistonGrid, PistonTurn, slider_motion
+from cranktrain.questions.motion.sorts import PISTON, SLIDER
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_SLIDER_CRANKS as _THEORY
 from cranktrain.wording import Names, by_sort, shared
@@ -62,13 +63,16 @@ def _derivatives_check(turn: PistonTurn) -> Check:
 _MEAN_SPEED = Limit(
     30.0, "m/s", N_("A mean piston speed of {value} is more than any piston bears: are speed and stroke right?")
 )
+_SLIDER_SPEED = Limit(
+    _MEAN_SPEED.most, "m/s", N_("A mean speed of {value} is more than sliders bear: are speed and stroke right?")
+)
 
 
 @record
 class PistonSpeeds(StageResult):
-    """Velocities and accelerations of pistons; is_valve: which are valves, shape (piston,)."""
+    """Velocities and accelerations of pistons; sort: as of `DeadCentres`."""
 
-    is_valve: NDArray[np.bool_]
+    sort: NDArray[np.intp]
     piston_velocity: Array = quantity("v", "m/s", _CURVE, N_("Piston velocity toward the shaft"), _THEORY)
     piston_acceleration: Array = quantity("j", "m/s^2", _CURVE, N_("Piston acceleration toward the shaft"), _THEORY)
     mean_piston_speed: Array = quantity("c_m", "m/s", _PISTON, N_("Mean piston speed, 2 S n"), _THEORY)
@@ -114,9 +118,10 @@ class PistonSpeeds(StageResult):
     )
 
     def answer(self, names: Names, design: int) -> str:
-        """Say mean and largest speeds of pistons, and of valves."""
+        """Say mean and largest speeds of pistons, of other sliders and of valves."""
         words = (
             _("Mean piston speed {mean}, largest {largest}; largest acceleration {acceleration}."),
+            _("Mean speed {mean}, largest {largest}; largest acceleration {acceleration}."),
             _("Mean valve speed {mean}, largest {largest}; largest acceleration {acceleration}."),
         )
         of_either_sense = np.fmax(self.largest_piston_acceleration.value, -self.smallest_piston_acceleration.value)
@@ -128,7 +133,7 @@ class PistonSpeeds(StageResult):
                 acceleration=shared(own, acceleration, "m/s^2"),
             )
             for said, own, (mean, largest, acceleration) in by_sort(
-                words, names["piston"], self.is_valve, [curve[design] for curve in curves]
+                words, names["piston"], self.sort, [curve[design] for curve in curves]
             )
         )
 
@@ -156,7 +161,7 @@ def piston_speeds(
     is_away = -slowest.value > fastest.value * (1 + _ALIKE)
     mean_speed = dead_centres.stroke * (speed.mean / np.pi)[..., 0]
     return PistonSpeeds(
-        is_valve=pistons.is_valve,
+        sort=dead_centres.sort,
         piston_velocity=velocity,
         piston_acceleration=acceleration,
         mean_piston_speed=mean_speed,
@@ -165,7 +170,10 @@ def piston_speeds(
         smallest_piston_velocity=slowest,
         largest_piston_acceleration=most,
         smallest_piston_acceleration=least,
-        flags=tuple(flagged(_MEAN_SPEED, mean_speed[:, ~pistons.is_valve])),
+        flags=(
+            *flagged(_MEAN_SPEED, mean_speed[:, dead_centres.sort == PISTON]),
+            *flagged(_SLIDER_SPEED, mean_speed[:, dead_centres.sort == SLIDER]),
+        ),
     )
 
 

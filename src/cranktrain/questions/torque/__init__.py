@@ -1,8 +1,9 @@
 """Torque: on the shafts, along them and through the gears between them; its orders, and the stars of their phases."""
 
+from cranktrain.language import N_
 from cranktrain.layout.question import Question, Stage
 from cranktrain.questions.forces.piston_forces import have_direct_rods
-from cranktrain.questions.torque import orders, rod_orders, sources, torques, work_check
+from cranktrain.questions.torque import orders, rod_orders, rows, sources, torques, work_check
 
 QUESTION = Question(
     "torque",
@@ -17,4 +18,10 @@ QUESTION = Question(
         Stage(rod_orders.rod_orders, applies=have_direct_rods),
     ),
     headline=("mean_torque", "largest_torque", "smallest_torque"),
+    title=N_("Torque"),
+    rows=(
+        rows.torque_rows,
+        rows.star_rows,
+        rows.gear_rows,
+    ),
 )

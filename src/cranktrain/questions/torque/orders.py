@@ -46,16 +46,20 @@ class TorqueOrders(StageResult):
 
     def answer(self, names: Names, design: int) -> str | None:
         """Name the largest orders."""
-        amplitude = np.nan_to_num(self.torque_order_amplitude[design])
-        least = max(_ROUNDING * float(np.max(amplitude)), _GONE * float(self.gross[design]))
-        largest = [
-            place for place in np.argsort(-amplitude, kind="stable")[:_NAMED].tolist() if amplitude[place] > least
-        ]
+        largest = self.largest(design)
         if not largest:
             return None
+        amplitude = self.torque_order_amplitude[design]
         return _("Largest orders of the torque: {orders}.").format(
             orders=", ".join(f"{names['order'][place]} ({number(float(amplitude[place]), 'N*m')})" for place in largest)
         )
+
+    def largest(self, design: int) -> list[int]:
+        """Places of the largest orders, the largest first; none of what is rounding."""
+        amplitude = np.nan_to_num(self.torque_order_amplitude[design])
+        least = max(_ROUNDING * float(np.max(amplitude)), _GONE * float(self.gross[design]))
+        places: list[int] = np.argsort(-amplitude, kind="stable")[:_NAMED].tolist()
+        return [place for place in places if amplitude[place] > least]
 
 
 def torque_orders(sources: TorqueSources, torques: ShaftTorques, crank_angle: CrankAngle) -> TorqueOrders:

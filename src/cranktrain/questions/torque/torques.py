@@ -57,10 +57,16 @@ class ShaftTorques(StageResult):
     gross: Array = field(kw_only=True)
     in_journals: Peak = field(kw_only=True)
 
+    @property
+    def is_none(self) -> NDArray[np.bool_]:
+        """Whether it is nothing beside what the forces could do, shape (design,)."""
+        size = np.maximum(np.abs(self.largest_torque.value), np.abs(self.smallest_torque.value))
+        return np.asarray(size <= _NOTHING * self.gross)
+
     def answer(self, _names: Names, design: int) -> str:
         """Say mean, largest and smallest torque; none where it is nothing beside what the forces could do."""
         most, least = self.largest_torque, self.smallest_torque
-        if max(abs(most.value[design]), abs(least.value[design])) <= _NOTHING * self.gross[design]:
+        if self.is_none[design]:
             return _("Torque on the shaft: none.")
         return _("Torque on the shaft: mean {mean}, from {least} at {low} to {most} at {high}.").format(
             mean=number(float(self.mean_torque[design]), "N*m"),

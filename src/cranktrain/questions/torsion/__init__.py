@@ -8,6 +8,7 @@ from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
 from cranktrain.layout.specs import MAIN
 from cranktrain.layout.uses import table
+from cranktrain.questions.torsion import rows
 from cranktrain.questions.torsion.critical import critical_speeds, mode_vector_sums
 from cranktrain.questions.torsion.modes import TorsionalModes, of_one_crankshaft, torsional_modes, torsional_train
 from cranktrain.questions.torsion.parts import declared_train, torsion_problems
@@ -39,5 +40,13 @@ QUESTION = Question(
     ),
     dimensions=(ResultDimension("disc", N_("disc")), ResultDimension("mode", N_("mode"), is_number=True)),
     headline=("natural_frequency",),
+    title=N_("Torsion"),
+    rows=(
+        rows.frequency_rows,
+        rows.critical_rows,
+    ),
+    offers={
+        "natural_frequency": N_("natural frequencies"),
+    },
     uses=(Use(table("torsion"), (TorsionalModes,)),),
 )

@@ -40,19 +40,25 @@ class CriticalSpeeds(StageResult):
 
     def answer(self, names: Names, design: int) -> str | None:
         """Say between which critical speeds of the first mode the machine runs."""
-        of_mode = self.critical_speed[design, 0]
-        if self.speed is None or not np.all(np.isfinite(of_mode)):
+        places = self.beside(design)
+        if self.speed is None or not places:
             return None
-        running = float(self.speed[design])
-        above = int(np.count_nonzero(of_mode > running))
+        of_mode = self.critical_speed[design, 0]
         said = [
             _("{speed} (order {order})").format(speed=number(float(of_mode[place]), "rpm"), order=names["order"][place])
-            for place in (above, above - 1)
-            if 0 <= place < of_mode.size
+            for place in places
         ]
         return _("The critical speeds of mode 1 next to {running}: {speeds}.").format(
-            running=number(running, "rpm"), speeds=", ".join(said)
+            running=number(float(self.speed[design]), "rpm"), speeds=", ".join(said)
         )
+
+    def beside(self, design: int) -> list[int]:
+        """Orders whose critical speeds of the first mode are next to the machine's speed, the slower one first."""
+        of_mode = self.critical_speed[design, 0]
+        if self.speed is None or not np.all(np.isfinite(of_mode)):
+            return []
+        above = int(np.count_nonzero(of_mode > float(self.speed[design])))
+        return [place for place in (above, above - 1) if 0 <= place < of_mode.size]
 
 
 def critical_speeds(modes: TorsionalModes, crank_angle: CrankAngle, speed: Speed | None) -> CriticalSpeeds:

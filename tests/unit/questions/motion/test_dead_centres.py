@@ -110,5 +110,10 @@ def test_zero_shift_theorem(gamma, fact, shift):
 
 
 def test_answer_names_like_pistons_together():
-    result = ct.run(ct.Machine(shaft=throws(0, 180), bank=banks(A=0)))
-    assert "Strokes: 100.00 mm. True top dead centres: 0.00 deg" in result.summary()
+    """What has no cylinder, as a ram, has no top either, but turns back."""
+    parts = {"shaft": throws(0, 180), "bank": banks(A=0)}
+    engine = ct.run(ct.Machine(**parts, cylinder={"bore": "80 mm"})).summary()
+    assert "Strokes: 100.00 mm. True top dead centres: 0.00 deg" in engine
+    ram = ct.run(ct.Machine(**parts)).summary()
+    assert "Strokes: 100.00 mm. Farthest from the shaft: 0.00 deg after the crank points along its line." in ram
+    assert "dead centre" not in ram

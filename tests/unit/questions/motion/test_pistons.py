@@ -158,5 +158,7 @@ def test_check_finds_a_wrong_derivative(monkeypatch):
 
 
 def test_answer():
-    assert "Mean piston speed 6.67 m/s, largest 10.87 m/s" in run().summary()
+    assert "Mean speed 6.67 m/s, largest 10.87 m/s" in run().summary()
+    piston = ct.Machine(mechanism=slider(), shaft=throws(0, speed="2000 rpm"), cylinder={"bore": "80 mm"})
+    assert "Mean piston speed 6.67 m/s, largest 10.87 m/s" in ct.run(piston).summary()
     assert of(run(), "1", run().stroke) == pytest.approx(0.1)

@@ -1,0 +1,177 @@
+"""Values on the one screen: which unit a quantity is shown in, with how many digits. Here alone a unit is chosen."""
+
+import re
+from collections.abc import Mapping, Sequence
+from math import floor, log10
+from typing import NamedTuple
+
+import numpy as np
+
+from cranktrain.cli.screen.text import KEPT
+from cranktrain.language import _
+from cranktrain.motion import Array
+from cranktrain.quantities import shown
+from cranktrain.rows import Amount, Extent, Piece
+from cranktrain.wording import ABSENT, signless
+
+_FIGURES = 4
+_MOST_DECIMALS = 8
+_ROUNDING = 1e-9
+"""Of the largest value; what is less is nothing beside it."""
+
+
+class _Scale(NamedTuple):
+    """A unit: what is written behind a value, and from which size on, in SI, it is taken."""
+
+    label: str
+    least: float = 0.0
+
+
+_SCALES: Mapping[str, tuple[_Scale, ...]] = {
+    "m": (_Scale("mm"),),
+    "m/s": (_Scale("m/s"),),
+    "m/s^2": (_Scale("m/s²"),),
+    "m^3": (_Scale("L", 1e-4), _Scale("cm³")),
+    "m^3/s": (_Scale("m³/h"),),
+    "rad": (_Scale("°"),),
+    "position": (_Scale("°"),),
+    "rpm": (_Scale("rpm"),),
+    "Hz": (_Scale("Hz"),),
+    "N": (_Scale("kN", 1e3), _Scale("N")),
+    "N*m": (_Scale("kN·m", 1e4), _Scale("N·m")),
+    "Pa": (_Scale("bar"),),
+    "W": (_Scale("kW", 1e2), _Scale("W")),
+    "J": (_Scale("kJ", 1e5), _Scale("J")),
+    "kg": (_Scale("kg"),),
+    "kg*m^2": (_Scale("kg·m²"),),
+    "%": (_Scale("%"),),
+    "error": (_Scale("%"),),
+    "off": (_Scale("%"),),
+    "1": (_Scale(""),),
+}
+"""Units by what is to be shown, as `AnswerLine` names it, the largest first."""
+
+_FACTORS = {"": 1.0, "%": 100.0, "Hz": 1 / (2 * np.pi), "m³/h": 3600.0, "kW": 1e-3, "W": 1.0, "kN·m": 1e-3}
+"""Units that no machine file has, and how many of them one in SI is."""
+
+_DECIMALS = {"rad": 2, "position": 1, "off": 0}
+"""Of these, whatever their size."""
+
+_FEW_FIGURES = {"error": 2}
+"""Of errors, that say how far off something is."""
+
+
+class Written(NamedTuple):
+    """Values as text, and the label of their unit."""
+
+    texts: tuple[str, ...]
+    label: str
+
+    def whole(self, text: str) -> str:
+        """One of the texts with its unit."""
+        return f"{text}{'' if self.label in ('', '°') else KEPT}{self.label}"
+
+
+def written(values: Array, unit: str, *, apart: bool = False, beside: float = 0.0) -> Written:
+    """Write values of one quantity with four figures each, but hardly more decimals than the largest has.
+
+    Parameters
+    ----------
+    values : Array, shape (n,)
+        In SI. What is not finite is absent.
+    unit : str
+        As `AnswerLine` has it.
+    apart : bool
+        Whether there are to be digits enough to tell them apart.
+    beside : float
+        Size of the largest value beside which these stand, and whose unit they have.
+    """
+    sizes = np.abs(values[np.isfinite(values)])
+    most = float(np.max(sizes, initial=0.0))
+    label = next((one.label for one in _SCALES[unit] if max(most, beside) >= one.least), _SCALES[unit][-1].label)
+    sized = [_in(label, float(value)) for value in values]
+    decimals = _decimals_of(sized, abs(_in(label, most)), unit, apart=apart)
+    sign = "+" if unit == "off" else ""
+    return Written(tuple(_text(*one, sign) for one in zip(sized, decimals, strict=True)), label)
+
+
+def _decimals_of(sized: Sequence[float], most: float, unit: str, *, apart: bool) -> list[int]:
+    """How many decimals each of some values has, the largest of which is `most`; what is rounding beside it has its."""
+    figures = _FEW_FIGURES.get(unit, _FIGURES)
+    usual = _DECIMALS.get(unit, _decimals(most, figures))
+    differs = float(np.ptp(sized)) if apart else 0.0
+    needed = max(usual, 1 - floor(log10(differs))) if differs > 0 else usual
+    if unit in _DECIMALS:
+        return [needed] * len(sized)
+    own = [_decimals(abs(one), figures) if abs(one) > _ROUNDING * most else usual for one in sized]
+    return [min(max(needed, min(one, usual + 1)), _MOST_DECIMALS) for one in own]
+
+
+def filled(words: str, pieces: Mapping[str, Piece]) -> str:
+    """Put values into words; those of one quantity have one unit."""
+    beside: dict[str, float] = {}
+    for one in pieces.values():
+        if not isinstance(one, str):
+            beside[one.unit] = max(beside.get(one.unit, 0.0), *np.abs(np.nan_to_num(_values(one))).tolist())
+    return words.format(**{name: _piece(one, beside) for name, one in pieces.items()})
+
+
+def _values(piece: Amount | Extent) -> Array:
+    return np.array([piece.value] if isinstance(piece, Amount) else [piece.least, piece.most])
+
+
+def _piece(piece: Piece, beside: Mapping[str, float]) -> str:
+    """Write what stands in words."""
+    if isinstance(piece, str):
+        return piece
+    is_span = isinstance(piece, Extent)
+    found = written(_values(piece), piece.unit, apart=is_span and piece.positions is None, beside=beside[piece.unit])
+    last = found.whole(found.texts[-1])
+    if not is_span or (found.texts[0] == found.texts[-1] and piece.positions is None):
+        return last
+    if piece.positions is None:
+        return _("{least} to {most}").format(least=found.texts[0], most=last)
+    at = written(np.array(piece.positions), "position")
+    low, high = map(at.whole, at.texts)
+    return _("{least} at {low} to {most} at {high}").format(least=found.texts[0], low=low, most=last, high=high)
+
+
+def _in(label: str, si: float) -> float:
+    """Express an SI value in a unit."""
+    return si * _FACTORS[label] if label in _FACTORS else float(shown(si, label))
+
+
+def _decimals(size: float, figures: int) -> int:
+    """How many decimals so many figures take; less than none where there are more before the point."""
+    return figures - 1 - floor(log10(float(f"{size:.{figures - 1}e}"))) if 0 < size < np.inf else 0
+
+
+def _text(value: float, decimals: int, sign: str) -> str:
+    """Write a number, with a minus sign that is one."""
+    if not np.isfinite(value):
+        return ABSENT
+    return signless(f"{round(value, decimals):{sign}.{max(decimals, 0)}f}").replace("-", "−")
+
+
+def typeset(sentence: str) -> str:
+    """Write the units and signs of a stage's sentence as they stand in rows.
+
+    Examples
+    --------
+    >>> typeset("at -4.50 deg, 3 N*m").replace(KEPT, " ")
+    'at −4.50°, 3 N·m'
+    """
+    for pattern, instead in _TYPESET:
+        sentence = re.sub(pattern, instead, sentence)
+    return sentence
+
+
+_TYPESET = (
+    (r"(?<=\d) deg\b", "°"),
+    (r"(?<![\w.)-])-(?=\d)", "−"),
+    (r"\bN\*m\b", "N·m"),
+    (r"\bkg\*m\^2\b", "kg·m²"),
+    (r"/s\^2\b", "/s²"),
+    (r"(?<=\d) (?=%|[a-zA-Z]+[/·²³]|[kM]?[NWJ]\b|bar\b|mm\b|m\b|L\b|rpm\b)", KEPT),
+)
+"""Patterns of how sentences write units and signs, and what they are here."""

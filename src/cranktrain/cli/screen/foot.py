@@ -1,0 +1,137 @@
+"""Below the answer: how far it can be trusted, and what to ask next."""
+
+import shlex
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from rich.cells import cell_len
+
+from cranktrain.all_questions import QUESTIONS
+from cranktrain.analysis import Missing, Result
+from cranktrain.cli.screen.amounts import filled
+from cranktrain.cli.screen.text import KEPT, folded
+from cranktrain.io.description import counted_by_status
+from cranktrain.io.machine_file import MachineFile, inputs_of
+from cranktrain.language import N_, _
+from cranktrain.rows import Amount
+from cranktrain.textbook.comparison import TextbookMotion
+
+_MOST_NEEDS, _MOST_OFFERS = 2, 3
+_GAP, _BETWEEN = "   ", " · "
+_ALL = {
+    "published": N_("{n} inputs, all published"),
+    "derived": N_("{n} inputs, all derived"),
+    "assumed": N_("{n} inputs, all assumed"),
+    "fitted": N_("{n} inputs, all fitted"),
+    None: N_("{n} inputs without a status"),
+}
+
+
+def foot_lines(file: MachineFile, result: Result, name: str, width: int) -> Iterator[str]:
+    """Lay out textbook forms, checks, inputs and what to ask next.
+
+    Parameters
+    ----------
+    file : MachineFile
+    result : Result
+    name : str
+        Of the file, as typed.
+    width : int
+        Columns of the screen.
+    """
+    typed = shlex.quote(name)
+    book = _textbook(result)
+    if book:
+        yield from _with_end(book, f"cranktrain textbook {typed}", width)
+    yield from _with_end(f"{_checks(result)} · {_inputs(file)}", "--checks --inputs", width)
+    label = _("Next: ")
+    offers = ""
+    for offer in _offers(file, result.missing):
+        longer = f"{offers}{_BETWEEN if offers else ''}{offer}"
+        offers = longer if cell_len(label + longer) <= width else offers
+    surfaces = _BETWEEN.join(
+        one.replace(" ", KEPT) for one in (_("--full everything"), f"plot {typed} -o sheet.pdf", "-o curves.csv")
+    )
+    for i, line in enumerate([offers, surfaces] if offers else [surfaces]):
+        yield from folded(line, width, label if i == 0 else " " * len(label), " " * len(label))
+
+
+def _with_end(text: str, end: str, width: int) -> Iterator[str]:
+    """Put what to type for more behind a text, or below where there is no room."""
+    if cell_len(text) + len(_GAP) + cell_len(end) <= width:
+        yield f"{text}{_GAP}{end}".replace(KEPT, " ")
+    else:
+        yield from folded(text, width)
+        yield f"  {end}"
+
+
+def _textbook(result: Result) -> str:
+    """Say how far the forms that textbooks use most are off in acceleration, of masters and of slaves."""
+    found = result.get(TextbookMotion)
+    if found is None:
+        return ""
+    errors = found.acceleration_error.value[0]
+    said: list[str] = []
+    for method, words in (("two_harmonics", _("up to {off} off")), ("reconstructed", _("of slaves {off}"))):
+        own = errors[result.labels["method"].index(method)]
+        if np.any(np.isfinite(own)):
+            said.append(filled(words, {"off": Amount(float(np.nanmax(own)), "error")}))
+    return _("Textbook forms: {forms}").format(forms=", ".join(said)) if said else ""
+
+
+def _checks(result: Result) -> str:
+    """Count the checks that hold, that do not, and that cannot be judged."""
+    judged = [check for check in result.checks if check.judged[0]]
+    failed = sum(not check.passed[0] for check in judged)
+    left = len(result.checks) - len(judged)
+    if failed:
+        said = _("✗ {failed} of {n} checks do not hold").format(failed=failed, n=len(judged))
+    elif len(judged) == 1:
+        said = _("✓ 1 check holds")
+    else:
+        said = _("✓ {n} checks hold").format(n=len(judged)) if judged else _("– no check")
+    return _("{said}, {left} not judged").format(said=said, left=left) if left else said
+
+
+def _inputs(file: MachineFile) -> str:
+    """Count the numbers of the file, and those that nobody measured."""
+    inputs = inputs_of(file)
+    soft = [one.given for one in inputs if one.given.status in ("assumed", "fitted")]
+    if len({one.given.status for one in inputs}) == 1:
+        return _(_ALL[inputs[0].given.status]).format(n=len(inputs))
+    if soft:
+        return _("{n} inputs, of which {counted}").format(n=len(inputs), counted=counted_by_status(soft))
+    return _("{n} inputs: {counted}").format(n=len(inputs), counted=counted_by_status(one.given for one in inputs))
+
+
+def _offers(file: MachineFile, missing: Sequence[Missing]) -> Iterator[str]:
+    """Say what the file could say next and what that gives: what needs least first, then what a question offers first.
+
+    Where several keys are missing, only of a table that the file has: a press is not asked for a compression ratio.
+    """
+    ranked = sorted(
+        (len(one.needs), rank, -place if rank else place, one.needs, words)
+        for place, question in enumerate(QUESTIONS)
+        for rank, (name, words) in enumerate(question.offers.items())
+        for one in missing
+        if name in one.results and len(one.needs) <= _MOST_NEEDS
+    )
+    first: dict[tuple[str, ...], str] = {}
+    for n_needs, _rank, _place, needs, words in ranked:
+        is_more = any(set(needs) > set(fewer) for fewer in first)
+        if n_needs == 1 or (not is_more and all(_has_table(file, need) for need in needs)):
+            first.setdefault(needs, words)
+    for needs, words in list(first.items())[:_MOST_OFFERS]:
+        yield f"{_(' and ').join(map(_shortly, needs))} {_(words)}".replace(" ", KEPT)
+
+
+def _has_table(file: MachineFile, need: str) -> bool:
+    """Whether the table of a key is in the file; one that is missing as a whole has no key."""
+    table, _bracket, key = need.removeprefix("[").partition("]")
+    return not key or table.partition(".")[0] in file.document.data
+
+
+def _shortly(need: str) -> str:
+    """Give a table with its one key; of several keys the table, of alternatives the first."""
+    table, key = need.partition("] ")[::2]
+    return f"{table.removesuffix(']')}]" if not key or "," in key else f"{table}] {key.partition(' ')[0]}"

@@ -1,0 +1,83 @@
+"""Which machine this is: in one line, or in two with what it is made of."""
+
+from cranktrain.analysis import Result
+from cranktrain.cli.screen.text import folded
+from cranktrain.grouping import places_of_equal
+from cranktrain.io.description import counted_parts, kind_words, layout_words
+from cranktrain.language import _
+from cranktrain.machine import Machine
+from cranktrain.one_line import one_line
+from cranktrain.questions.cylinders.firing import Firing
+from cranktrain.wording import ranged
+
+_BETWEEN = " · "
+
+
+def title(machine: Machine) -> str:
+    """Say in one line which machine this is."""
+    parts = [layout_words(machine)]
+    if len(machine.shafts) > 1:
+        parts.append(_shafts(machine))
+    shaft = machine.main_shaft
+    parts += [given.text for given in (shaft.speed, shaft.acceleration) if given is not None]
+    senses = {
+        "clockwise": _("clockwise"),
+        "anticlockwise": _("anticlockwise"),
+        "ahead": _("ahead"),
+        "astern": _("astern"),
+    }
+    parts.append(f"{senses[machine.rotation]}, {senses[machine.running]}")
+    return one_line(": ".join(filter(None, (machine.name.strip(), "; ".join(parts)))))
+
+
+def _shafts(machine: Machine) -> str:
+    """Say which mechanisms work on which shaft."""
+    places = machine.places
+    names = [place.name for place in places]
+    on = places_of_equal([place.shaft for place in places])
+    said = (_("{shaft} ({mechanisms})").format(shaft=shaft, mechanisms=ranged(names, few)) for shaft, few in on.items())
+    return _("shafts {shafts}").format(shafts=", ".join(said))
+
+
+def title_lines(result: Result, width: int) -> list[str]:
+    """Say which machine this is: its name; what it is made of, its cycle, speed and sense. In a width of columns."""
+    machine = result.machines[0]
+    name = one_line(machine.name.strip())
+    said = one_line(_BETWEEN.join(filter(None, (_made_of(machine), _cycle(result), _turning(machine)))))
+    return [line for part in (name, said) if part for line in folded(part, width)]
+
+
+def _made_of(machine: Machine) -> str:
+    """Say what it is: its mechanism, or its parts with the names of banks and shafts where there are several."""
+    if words := kind_words(machine):
+        return words
+    said = counted_parts(machine)
+    if len(machine.bank) > 1:
+        said.append(_("banks {banks}").format(banks=_listed([*machine.bank])))
+    if len(machine.shafts) > 1:
+        said.append(_("shafts {shafts}").format(shafts=_listed([*dict.fromkeys(one.shaft for one in machine.places)])))
+    return ", ".join(said)
+
+
+def _listed(names: list[str]) -> str:
+    """Give names as a list in words: `a, b and c`."""
+    *first, last = names
+    return _("{first} and {last}").format(first=", ".join(first), last=last) if first else last
+
+
+def _cycle(result: Result) -> str:
+    """Say how many strokes a cycle has, where anything fires."""
+    words = {"two-stroke": _("two-stroke"), "four-stroke": _("four-stroke")}
+    given = result.machines[0].cylinder.cycle
+    return "" if given is None or result.get(Firing) is None else words[given]
+
+
+def _turning(machine: Machine) -> str:
+    """Say how fast and in which sense it turns."""
+    shaft = machine.main_shaft
+    senses = {"clockwise": _("clockwise"), "anticlockwise": _("anticlockwise")}
+    said = [given.text for given in (shaft.speed, shaft.acceleration) if given is not None]
+    said.append(senses[machine.rotation])
+    if machine.running == "astern":
+        said.append(_("running astern"))
+    return ", ".join(said)

@@ -1,0 +1,70 @@
+"""What evenness says in the answer: excess work, the speed over the cycle, the flywheel and its rim, the load."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from cranktrain.language import _
+from cranktrain.questions.evenness.flywheel import FlywheelSize, RimSize
+from cranktrain.questions.evenness.load_curve import LoadTorque
+from cranktrain.questions.evenness.running_speed import RunningSpeed
+from cranktrain.questions.evenness.shaft_work import ShaftWork
+from cranktrain.rows import Amount, AnswerLine, Extent, valued, worded
+from cranktrain.wording import Names
+
+
+def running_rows(labels: Names, design: int, work: ShaftWork, running: RunningSpeed | None) -> Iterator[AnswerLine]:
+    """Work that the flywheel takes up and gives back, and the speed that comes of it."""
+    yield valued(_("excess work"), work.largest_excess_work[design], "J", (), _("within a cycle"))
+    if running is not None:
+        least, most = running.smallest_crank_speed.value[design], running.largest_crank_speed.value[design]
+        fluctuation = Amount(float(running.coefficient_of_fluctuation[design]), "1")
+        yield worded(
+            _("speed"),
+            _("{speed}, δ = {fluctuation}"),
+            speed=Extent(float(least), float(most), "rpm"),
+            fluctuation=fluctuation,
+        )
+
+
+def load_rows(labels: Names, design: int, load: LoadTorque) -> Iterator[AnswerLine]:
+    """The given load, with its factor where it was fitted to the machine."""
+    factor = float(load.load_factor[design])
+    if not np.isfinite(factor):
+        return
+    pieces = {"most": Amount(float(load.largest_load_torque[design]), "N*m")}
+    if load.balance == "factor":
+        said = _(", at most {most}: the given one times {factor}")
+        pieces["factor"] = Amount(factor, "1")
+    else:
+        said = _(", at most {most}")
+    yield valued(_("load, on the mean"), load.mean[design], "N*m", words=said, **pieces)
+
+
+def flywheel_rows(labels: Names, design: int, found: FlywheelSize, rim: RimSize | None) -> Iterator[AnswerLine]:
+    """The flywheel for the evenness that is wanted, exact and as others reckon it, and its rim."""
+    size = float(found.flywheel_inertia[design, 0])
+    name = _("flywheel for δ {wanted}").format(wanted=f"{float(found.wanted[design]):.4g}")
+    if size <= 0:
+        yield worded(name, _("none: the moving parts alone suffice"))
+    else:
+        _exact, mertsalov, textbook = (Amount(float(one), "off") for one in found.flywheel_inertia_error[design])
+        yield valued(
+            name,
+            size,
+            "kg*m^2",
+            (),
+            _(", Mertsalov {mertsalov}, textbooks {textbook}"),
+            mertsalov=mertsalov,
+            textbook=textbook,
+        )
+    if rim is not None:
+        yield worded(
+            _("its rim"),
+            _("{height} high, {width} wide, {diameter} outside, {mass}, {speed}"),
+            height=Amount(float(rim.rim_height[design]), "m"),
+            width=Amount(float(rim.rim_width[design]), "m"),
+            diameter=Amount(float(rim.rim_outer_diameter[design]), "m"),
+            mass=Amount(float(rim.rim_mass[design]), "kg"),
+            speed=Amount(float(rim.rim_speed[design]), "m/s"),
+        )

@@ -1,0 +1,37 @@
+"""What torsion says in the answer: natural frequencies, critical speeds beside the machine's, the worst orders."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from cranktrain.language import _
+from cranktrain.questions.torsion.critical import CriticalSpeeds
+from cranktrain.questions.torsion.modes import TorsionalModes
+from cranktrain.rows import Amount, AnswerLine, worded
+from cranktrain.wording import Names
+
+_NAMED = 3
+
+
+def frequency_rows(labels: Names, design: int, modes: TorsionalModes) -> Iterator[AnswerLine]:
+    """The lowest natural frequencies."""
+    lowest = modes.natural_frequency[design, :_NAMED]
+    more = modes.natural_frequency.shape[1] - lowest.size
+    if not np.all(np.isfinite(lowest)):
+        return
+    words = ", ".join(f"{{mode{i}}}" for i in range(lowest.size))
+    yield worded(
+        _("natural frequencies"),
+        _("{first} and {n} more").format(first=words, n=more) if more else words,
+        **{f"mode{i}": Amount(float(one), "Hz") for i, one in enumerate(lowest)},
+    )
+
+
+def critical_rows(labels: Names, design: int, found: CriticalSpeeds) -> Iterator[AnswerLine]:
+    """The critical speeds of the first mode on both sides of the machine's."""
+    beside = found.beside(design)
+    words = ", ".join(
+        _("{speed} (order {order})").format(speed=f"{{speed{place}}}", order=labels["order"][place]) for place in beside
+    )
+    speeds = {f"speed{place}": Amount(float(found.critical_speed[design, 0, place]), "rpm") for place in beside}
+    yield worded(_("next critical speeds"), words, **speeds)
