@@ -1,13 +1,14 @@
 """Every question that can be asked of a machine, in the order in which people ask them."""
 
 from cranktrain.layout.question import Question
-from cranktrain.questions import balance, cylinders, evenness, forces, gas, motion, torque, torsion
+from cranktrain.questions import balance, cylinders, evenness, forces, gas, loads, motion, torque, torsion
 
 QUESTIONS: tuple[Question, ...] = (
     motion.QUESTION,
     cylinders.QUESTION,
     gas.QUESTION,
     forces.QUESTION,
+    loads.QUESTION,
     torque.QUESTION,
     balance.QUESTION,
     evenness.QUESTION,

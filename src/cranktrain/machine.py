@@ -18,6 +18,7 @@ from cranktrain.layout.closing import closing_problems
 from cranktrain.layout.design import Design
 from cranktrain.layout.frames import Orientation
 from cranktrain.layout.gearing import first_axis
+from cranktrain.layout.load_tables import LoadSpec, LoadTables
 from cranktrain.layout.masses import Weighed
 from cranktrain.layout.places import PlacedMechanism, places_of
 from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPistonSpec, ShaftSpec
@@ -112,6 +113,10 @@ class Machine(Spec, frozen=True):
         description=N_(
             "Guides of what slides, by the names of [friction]: how long they are; a bank may have its own."
         ),
+    )
+    load: Mapping[str, LoadSpec] = Field(
+        default={},
+        description=N_("What the machine works against besides gas and weight, by name; a bank may have its own."),
     )
     gravity: bool | GravitySpec = Field(
         default=False, description=N_("Whether weights count, downward; or a table, for another strength or direction.")
@@ -268,10 +273,7 @@ class Machine(Spec, frozen=True):
     @property
     def weighed(self) -> Weighed:
         """What the file says of masses, by the paths of its tables."""
-        homes: dict[str, Machine | BankSpec | OpposedPistonSpec] = {"": self}
-        for name, bank in self.bank.items():
-            homes[f"bank.{name}."] = bank
-            homes |= {f"bank.{name}.{end}.": piston for end, piston in bank.opposed.items()}
+        homes = self._homes
         return Weighed(
             {f"{home}masses": table.masses for home, table in homes.items() if table.masses},
             self.friction,
@@ -279,6 +281,20 @@ class Machine(Spec, frozen=True):
             GravitySpec() if self.gravity is True else self.gravity or None,
             self.orientation,
         )
+
+    @property
+    def loads(self) -> LoadTables:
+        """What it works against, by the paths of its tables."""
+        return {f"{home}load": table.load for home, table in self._homes.items() if table.load}
+
+    @property
+    def _homes(self) -> "Mapping[str, Machine | BankSpec | OpposedPistonSpec]":
+        """Tables that speak of all mechanisms, of a bank's, or of one piston's, by what their paths begin with."""
+        homes: dict[str, Machine | BankSpec | OpposedPistonSpec] = {"": self}
+        for name, bank in self.bank.items():
+            homes[f"bank.{name}."] = bank
+            homes |= {f"bank.{name}.{end}.": piston for end, piston in bank.opposed.items()}
+        return homes
 
     @property
     def orientation(self) -> Orientation:
@@ -302,7 +318,7 @@ class Machine(Spec, frozen=True):
     def design(self) -> Design:
         """What questions see of it."""
         tables = {key: table for key in type(self).model_fields if (table := getattr(self, key)) is not None}
-        return Design(self.places, self.shafts, self.orientation, self.zero, self.weighed, tables)
+        return Design(self.places, self.shafts, self.orientation, self.zero, self.weighed, self.loads, tables)
 
     @property
     def cycle(self) -> float:

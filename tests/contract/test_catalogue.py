@@ -58,6 +58,7 @@ EVERYTHING = {
     },
     "masses": {"piston": {"mass": "0.4 kg"}},
     "guide": {"piston": {"length": "60 mm"}},
+    "load": {"work": {"on": "rocker", "torque": "20 N*m"}},
     "gas": {
         "kind": "otto",
         "start_pressure": "95 kPa",

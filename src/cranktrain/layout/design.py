@@ -6,6 +6,7 @@ from typing import Any, TypeVar
 
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.frames import Orientation
+from cranktrain.layout.load_tables import LoadTables
 from cranktrain.layout.masses import Weighed
 from cranktrain.layout.mechanisms import Mechanisms, Pistons, Rockers
 from cranktrain.layout.places import PlacedMechanism
@@ -32,6 +33,8 @@ class Design:
         φ where the shown crank angle is 0. [rad]
     weighed : Weighed
         What it says of masses.
+    loads : mapping of str
+        What it works against, by the path of the tables and by name.
     tables : mapping of str to table
         Those of its file, by key.
     """
@@ -41,6 +44,7 @@ class Design:
     orientation: Orientation
     zero: Array
     weighed: Weighed
+    loads: LoadTables
     tables: Mapping[str, Any]
 
     def table(self, kind: type[Table]) -> Table | None:

@@ -1,14 +1,16 @@
 """Shaft, banks and cylinders: their tables of the machine file."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Annotated, Any, Literal, TypeVar, cast
+from typing import Any, Literal, cast
 
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import Field, model_validator
 
 from cranktrain.errors import Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.layout.bodies import BodySpec, GuideSpec
 from cranktrain.layout.ends import ENDS
+from cranktrain.layout.listed import OneOrMany
+from cranktrain.layout.load_tables import LoadSpec
 from cranktrain.layout.speed_table import SpeedCurveSpec
 from cranktrain.mechanisms import AnyMechanism, MechanismSpec
 from cranktrain.mechanisms.spec import LISTS
@@ -21,18 +23,6 @@ from cranktrain.quantities import (
     PositiveSpeed,
 )
 from cranktrain.spec import Refused, Spec
-
-Item = TypeVar("Item")
-
-
-def _listed(data: object) -> object:
-    """Take one value for a list of one."""
-    return cast(object, data) if isinstance(data, list | tuple) else (data,)
-
-
-OneOrMany = Annotated[tuple[Item, ...], BeforeValidator(_listed), Field(min_length=1)]
-"""One value, or a list of them."""
-
 
 MOST_MECHANISMS = 1000
 """Throws of a shaft, and mechanisms of a machine: more than anybody has built, and as many as memory holds."""
@@ -135,6 +125,7 @@ class OpposedPistonSpec(Spec, frozen=True):
     guide: Mapping[str, GuideSpec] = Field(
         default={}, description=N_("Guides of this piston's mechanism, where they are not those of all.")
     )
+    load: Mapping[str, LoadSpec] = Field(default={}, description=N_("Loads on this piston's mechanism alone."))
 
 
 class BankSpec(Spec, frozen=True):
@@ -181,6 +172,7 @@ class BankSpec(Spec, frozen=True):
     guide: Mapping[str, GuideSpec] = Field(
         default={}, description=N_("Guides of this bank's mechanisms, where they are not those of all.")
     )
+    load: Mapping[str, LoadSpec] = Field(default={}, description=N_("Loads on this bank's mechanisms alone."))
 
     @property
     def opposed(self) -> "Mapping[str, OpposedPistonSpec]":

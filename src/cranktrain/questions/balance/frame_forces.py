@@ -82,7 +82,7 @@ def frame_forces(
     # Inertia repeats with the turn, as all shafts turn as fast as `main`.
     n_turn = round(crank_angle.shown.size * 2 * np.pi / crank_angle.cycle)
     step = -(-_FEWEST // n_turn)
-    machine = LoadedMachine(mechanisms, carriers, without_loads(masses), None, Speed(np.ones((1, 1, 1))))
+    machine = LoadedMachine(mechanisms, carriers, without_loads(masses), None, None, Speed(np.ones((1, 1, 1))))
     while True:
         angle = turn_grid(n_turn * step) + crank_angle.zero
         motions = machine.motions(angle)

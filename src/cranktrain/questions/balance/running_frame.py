@@ -73,7 +73,7 @@ def running_frame(
     """
     n_points = crank_angle.shown.size * frame.step
     angle = cycle_grid(n_points, crank_angle.cycle) + crank_angle.zero
-    bare = LoadedMachine(mechanisms, carriers, without_loads(masses), None, Speed(curve.mean, curve))
+    bare = LoadedMachine(mechanisms, carriers, without_loads(masses), None, None, Speed(curve.mean, curve))
     shape = (len(angle), len(mechanisms.names), n_points)
     solved = bare.solved(angle)
     force = force_on_frame(bare, solved, frames, shape)

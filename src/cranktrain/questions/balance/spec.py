@@ -8,7 +8,7 @@ from pydantic import Field
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import HIGHEST_ORDER
-from cranktrain.layout.specs import OneOrMany
+from cranktrain.layout.listed import OneOrMany
 from cranktrain.quantities import Angle, Dimension, Given, Length, PositiveLength, PositiveMass, Quantity
 from cranktrain.spec import Spec
 

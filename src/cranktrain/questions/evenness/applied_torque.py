@@ -78,7 +78,7 @@ def applied_torque(torques: MechanismTorques, loaded: LoadedMachine, crank_angle
     applied = torque_by_work(equation, Drive(drive.speed[:, 0], drive.acceleration[:, 0]))
     by = (
         Interpolations(fourier_curve, fourier_integral, _smooth_work)
-        if loaded.gas is None and not loaded.masses.has_friction
+        if loaded.gas is None and not loaded.jumps
         else Interpolations(spline_curve, spline_integral, hermite_curve)
     )
     return AppliedTorque(by, applied)

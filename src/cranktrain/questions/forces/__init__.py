@@ -32,14 +32,14 @@ from cranktrain.questions.motion.rods import on_rods
 
 
 def _problems(design: Design) -> Iterator[Problem]:
-    return mass_problems(design.places, design.weighed)
+    yield from mass_problems(design.places, design.weighed)
 
 
 def _parts(designs: Designs, known: Parts) -> Iterator[object | None]:
     yield carriers.carriers_of(designs.places)
     # There are forces where gas presses, whether anything has a mass or not.
     weighed = designs.together.weighed
-    if weighed.bodies or all(part in known for part in gas.PRESSING):
+    if designs.together.loads or weighed.bodies or all(part in known for part in gas.PRESSING):
         yield masses_of(designs.places, weighed, designs.n_designs)
 
 

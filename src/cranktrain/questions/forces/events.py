@@ -1,12 +1,15 @@
 """Events of the forces: angles at which gas or friction make them jump or give them kinks; between, all is smooth."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.load_laws import ByAngle, ByTravel
+from cranktrain.layout.loads import LinkLoad, of_member
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots, in_slots
 from cranktrain.questions.forces.edges import edges_of
@@ -36,12 +39,21 @@ class ForceEvents:
     whole: Array
 
 
-class _Rubbing(NamedTuple):
-    """One thing that slides and rubs: its batch, its place among what slides in the kind, its mechanisms."""
+class _Signals(NamedTuple):
+    """What tells of kinks or jumps by its sign.
 
-    batch: int
-    place: int
+    Attributes
+    ----------
+    mechanisms : array of int, shape (member,)
+        Whose they are.
+    each : int
+        How many each has.
+    of : callable (solved) → Array, shape (design, member · each, n)
+    """
+
     mechanisms: NDArray[np.intp]
+    each: int
+    of: Callable[[Sequence[SolvedBatch]], Array]
 
 
 def force_events(
@@ -53,10 +65,13 @@ def force_events(
     if gas is not None and loaded.gas is not None:
         for chamber, mechanism in enumerate(loaded.carriers.driven[loaded.gas.chambers.leading].tolist()):
             own[mechanism].append(gas.angle[:, chamber])
-    for rubbing in _rubbing(loaded):
-        turns = _turns(loaded, solved, rubbing, crank_angle)
-        for member, mechanism in enumerate(rubbing.mechanisms.tolist()):
+    for signals in (*_rubbing(loaded), *_loading(loaded)):
+        turns = _turns(loaded, solved, signals, crank_angle)
+        for member, mechanism in enumerate(signals.mechanisms.tolist()):
             own[mechanism].append(turns[:, member])
+    for load in () if loaded.loads is None else loaded.loads.each:
+        if isinstance(load.law, ByAngle):
+            own[load.mechanism].append(load.law.angles + crank_angle.zero[..., 0])
     each = [np.concatenate(parts, axis=-1) for parts in own.values()]
     shared = [
         np.concatenate([each[i] for i in np.flatnonzero(loaded.sharing == label)], axis=-1) for label in loaded.sharing
@@ -66,24 +81,48 @@ def force_events(
     return ForceEvents(np.stack(filled, axis=1), np.concatenate(each, axis=-1))
 
 
-def _rubbing(loaded: LoadedMachine) -> Iterator[_Rubbing]:
+def _rubbing(loaded: LoadedMachine) -> Iterator[_Signals]:
     """Find what rubs."""
     for place, (batch, made) in enumerate(zip(loaded.mechanisms.batches, loaded.masses.batches, strict=True)):
         for sliding, coefficient in enumerate(made.friction):
             if np.any(coefficient != 0.0):
-                yield _Rubbing(place, sliding, batch.index)
+                yield _Signals(batch.index, 3, partial(_pressing, loaded, place, sliding))
 
 
-def _signals(loaded: LoadedMachine, solved: Sequence[SolvedBatch], rubbing: _Rubbing) -> Array:
+def _loading(loaded: LoadedMachine) -> Iterator[_Signals]:
+    """Find loads that jump where their point turns back, or have kinks along its travel."""
+    for load in () if loaded.loads is None else loaded.loads.each:
+        if load.resists or isinstance(load.law, ByTravel):
+            kinks = load.law.places.shape[1] if isinstance(load.law, ByTravel) else 0
+            yield _Signals(np.array([load.mechanism]), 1 + kinks, partial(_along, loaded, load))
+
+
+def _along(loaded: LoadedMachine, load: LinkLoad, solved: Sequence[SolvedBatch]) -> Array:
+    """Speed along a load's way, and its travel less each place at which its size has a kink: (design, 1 + kink, n)."""
+    for batch, one in zip(loaded.mechanisms.batches, solved, strict=True):
+        member = np.flatnonzero(batch.index == load.mechanism)
+        if member.size:
+            link = batch.kind.dynamics.links(one.motion, batch.members.geometry)[load.link]
+            way = load.way(of_member(link, int(member[0])))
+            turns = load.turns_back(of_member(link, int(member[0])), way)
+            rate = np.broadcast_to(turns, one.forces.driving_torque[:, :1].shape)
+            if not isinstance(load.law, ByTravel):
+                return rate
+            travel = load.counts * way.place - loaded.travel_starts[load.name]
+            return np.concatenate([rate, travel - load.law.places[..., np.newaxis]], axis=1)
+    raise IndexError(load.mechanism)
+
+
+def _pressing(loaded: LoadedMachine, place: int, sliding: int, solved: Sequence[SolvedBatch]) -> Array:
     """Speed of what slides, and what presses it: friction has kinks where one of these changes its sign.
 
     Shape (design, member · 3, n). A guide presses by both its edges; of a slot both parts of the force are 0 at once.
     """
-    batch, one = loaded.mechanisms.batches[rubbing.batch], solved[rubbing.batch]
+    batch, one = loaded.mechanisms.batches[place], solved[place]
     dynamics = batch.kind.dynamics
-    name, contact = dynamics.sliding[rubbing.place], dynamics.contacts[rubbing.place]
+    name, contact = dynamics.sliding[sliding], dynamics.contacts[sliding]
     if name in dynamics.moving:
-        pressing = edges_of(batch, one, rubbing.place)
+        pressing = edges_of(batch, one, sliding)
     else:
         joint = next(i for i, reaction in enumerate(dynamics.reactions) if reaction.name == contact.joint)
         pressing = one.forces.joints[joint][:2]
@@ -92,26 +131,26 @@ def _signals(loaded: LoadedMachine, solved: Sequence[SolvedBatch], rubbing: _Rub
     return np.stack(parts, axis=2).reshape(shape[0], -1, shape[-1])
 
 
-def _turns(loaded: LoadedMachine, solved: SolvedCycle, rubbing: _Rubbing, crank_angle: CrankAngle) -> Array:
+def _turns(loaded: LoadedMachine, solved: SolvedCycle, signals: _Signals, crank_angle: CrankAngle) -> Array:
     """φ at which one of the signals changes its sign, shape (design, member, event)."""
-    samples = _signals(loaded, solved.batches, rubbing)
+    samples = signals.of(solved.batches)
     is_clear = np.abs(samples) > _ROUNDING * np.max(np.abs(samples), axis=-1, keepdims=True)
     sign = np.where(is_clear, np.sign(samples), 0.0)
     changes = sign != np.roll(sign, -1, axis=-1)
     which, place = np.nonzero(changes.reshape(-1, changes.shape[-1]))
-    n_designs, rows = len(samples), np.repeat(rubbing.mechanisms, 3)
+    n_designs, rows = len(samples), np.repeat(signals.mechanisms, signals.each)
     if which.size == 0:
-        return np.empty((n_designs, len(rubbing.mechanisms), 0))
+        return np.empty((n_designs, len(signals.mechanisms), 0))
 
     def signal(angle: Array) -> Array:
-        return loaded.of_each(rows, which, angle, lambda found: _signals(loaded, found, rubbing))
+        return loaded.of_each(rows, which, angle, signals.of)
 
     step = crank_angle.cycle / crank_angle.shown.size
     low = (crank_angle.shown[place] + crank_angle.zero[which // rows.size, 0, 0])[:, np.newaxis]
     # What is 0 at a point of the grid has changed its sign within the steps before and after.
     aside = _ASIDE * step
     found = bracketed_roots(signal, low - aside, low + step + aside)
-    laid, slot = in_slots(which // 3, found, n_designs * len(rubbing.mechanisms))
+    laid, slot = in_slots(which // signals.each, found, n_designs * len(signals.mechanisms))
     is_one = np.zeros(laid.shape, dtype=np.bool_)
-    is_one[which // 3, slot] = True
-    return np.where(is_one, laid, np.nan).reshape(n_designs, len(rubbing.mechanisms), -1)
+    is_one[which // signals.each, slot] = True
+    return np.where(is_one, laid, np.nan).reshape(n_designs, len(signals.mechanisms), -1)

@@ -8,14 +8,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.layout.guide_tables import Edges
+from cranktrain.layout.load_laws import ByTravel, LoadState
+from cranktrain.layout.loads import LinkLoad, Loads, of_member
 from cranktrain.layout.masses import Masses
-from cranktrain.layout.mechanisms import Mechanisms
+from cranktrain.layout.mechanisms import Batch, Mechanisms
 from cranktrain.layout.speed import Speed
 from cranktrain.linkage.forces import Conditions, Drive, Friction, Wrench, added
+from cranktrain.linkage.forces.load import LoadWay
 from cranktrain.mechanisms.kind import AnyMotion
 from cranktrain.mechanisms.solved import Forces
-from cranktrain.motion import Array, Coefficient
-from cranktrain.numerics import in_slots
+from cranktrain.motion import ZERO, Array, Coefficient
+from cranktrain.numerics import extremes, in_slots
 from cranktrain.numerics.gathering import put
 from cranktrain.questions.forces.carriers import MASTER, Carriers
 from cranktrain.questions.gas.chambers import GasInChambers
@@ -45,6 +48,7 @@ class LoadedMachine:
     carriers : Carriers
     masses : Masses
     gas : GasInChambers or None
+    loads : Loads or None
     speed : Speed
     """
 
@@ -52,7 +56,13 @@ class LoadedMachine:
     carriers: Carriers
     masses: Masses
     gas: GasInChambers | None
+    loads: Loads | None
     speed: Speed
+
+    @property
+    def jumps(self) -> bool:
+        """Whether something makes its torque jump, or gives it kinks, besides the gas."""
+        return self.masses.has_friction or self.loads is not None
 
     def in_order(self, by_batch: Iterable[NDArray[Any]]) -> NDArray[Any]:
         """Values of every batch, broadcastable to (design, member, ...), in the machine's order of mechanisms."""
@@ -105,7 +115,8 @@ class LoadedMachine:
             dynamics, size = batch.kind.dynamics, batch.members.geometry
             motion = moving[place]
             made = self.masses.batches[place]
-            loads = borne = dynamics.load(motion, size, self._pressing(batch.index, toward))
+            drive = Drive(*(_own(part, batch.index) for part in drives))
+            loads = borne = self._loads(batch, motion, _own(angle, batch.index), drive.speed, toward)
             handed = _of_slaves(batch.index, on_rods) if batch.kind.name == MASTER else None
             if handed is not None:
                 on_crank, on_rod, on_piston = loads
@@ -114,7 +125,6 @@ class LoadedMachine:
                 _friction(batch.kind.named(motion, name), coefficient, edges)
                 for name, coefficient, edges in zip(dynamics.sliding, made.friction, made.edges, strict=True)
             )
-            drive = Drive(*(_own(part, batch.index) for part in drives))
             conditions = Conditions(drive, made.gravity, friction)
             forces = dynamics.forces(motion, size, made.bodies, borne, conditions)
             found[place] = SolvedBatch(motion, loads, conditions, forces)
@@ -187,6 +197,52 @@ class LoadedMachine:
         by_chamber = _own(angle, driven[self.gas.chambers.leading])
         return self.gas.force(self.gas.pressure(by_chamber, self.gas.volume_by(Coefficient(*slider))))
 
+    def load_way(self, load: LinkLoad, angle: Array) -> LoadWay:
+        """Along what a load goes, at φ [rad], shape (n,) or (design, 1, n); arrays of shape (design, 1, n)."""
+        for batch in self.mechanisms.batches:
+            member = np.flatnonzero(batch.index == load.mechanism)
+            if member.size:
+                motion = batch.kind.motion(angle + batch.members.phase, batch.members.geometry)
+                link = batch.kind.dynamics.links(motion, batch.members.geometry)[load.link]
+                return load.way(of_member(link, int(member[0])))
+        raise IndexError(load.mechanism)
+
+    @cached_property
+    def travel_starts(self) -> dict[str, Array]:
+        """Where the travel of each load begins by which its size goes, shape (design, 1, 1). [m or rad]"""
+        return {
+            load.name: extremes(
+                lambda phi, load=load: load.counts * self.load_way(load, phi).place,
+                lambda phi, load=load: load.counts * self.load_way(load, phi).rate,
+            ).smallest.value
+            for load in (() if self.loads is None else self.loads.each)
+            if isinstance(load.law, ByTravel)
+        }
+
+    def load_value(self, load: LinkLoad, way: LoadWay, angle: Array, speed: Array) -> Array:
+        """Size of a load along its way, at φ and the speed of the crank [rad, rad/s], shape (design, 1, n)."""
+        assert self.loads is not None
+        travel = load.counts * way.place - self.travel_starts.get(load.name, ZERO)
+        parts = np.broadcast_arrays(angle - self.loads.zero, travel, load.counts * way.rate * speed)
+        return load.value(LoadState(*parts))
+
+    def _loads(
+        self, batch: Batch, motion: AnyMotion, angle: Array, speed: Array, toward: Array | None
+    ) -> tuple[Wrench, ...]:
+        """What gas and the file's loads do to the links of one kind."""
+        dynamics, size = batch.kind.dynamics, batch.members.geometry
+        found = list(dynamics.load(motion, size, self._pressing(batch.index, toward)))
+        if self.loads is None:
+            return tuple(found)
+        links = dynamics.links(motion, size)
+        for member, mechanism in enumerate(batch.index.tolist()):
+            for load in self.loads.of(mechanism):
+                way = load.way(of_member(links[load.link], member))
+                value = self.load_value(load, way, _of_member(angle, member), _of_member(speed, member))
+                wrench = Wrench(*(_at_member(value * part, member, len(batch.index)) for part in way.unit))
+                found[load.link] = added(found[load.link], wrench)
+        return tuple(found)
+
     def _pressing(self, index: NDArray[np.intp], toward: Array | None) -> Array:
         """Force along the output of each of some mechanisms, away from the shaft, shape (design, member, n)."""
         piston = self.carriers.piston[index]
@@ -196,6 +252,18 @@ class LoadedMachine:
 def _own(values: Array, index: NDArray[np.intp]) -> Array:
     """What some mechanisms have of values (n,), (design, 1, n) for all, or (design, mechanism, n) for each."""
     return values[:, index] if values.ndim == 3 and values.shape[1] > 1 else values
+
+
+def _of_member(values: Array, member: int) -> Array:
+    """What one member has of values for all or for each."""
+    return values[:, member : member + 1] if values.ndim == 3 and values.shape[1] > 1 else values
+
+
+def _at_member(values: Array, member: int, n_members: int) -> Array:
+    """Values of one member, shape (design, 1, n), among others that have none."""
+    found = np.zeros((values.shape[0], n_members, values.shape[2]))
+    found[:, member : member + 1] = values
+    return found
 
 
 def _friction(slider: Coefficient, coefficient: Array, edges: Edges) -> Friction:

@@ -33,8 +33,8 @@ class ForcesOfRods(NamedTuple):
 class RodsInPistons(NamedTuple):
     """Rods of one kind of mechanism: their batch, which pistons they drive; motion and joints; bodies and conditions.
 
-    pressed: force of the gas toward the shaft [N]; shares: the rod's at its ends, and reciprocating that with the
-    piston's mass [kg].
+    pressed: force of gas and loads toward the shaft [N]; borne: what loads do to the rod; shares: the rod's at its
+    ends, and reciprocating that with the piston's mass [kg].
     """
 
     batch: Batch
@@ -45,6 +45,7 @@ class RodsInPistons(NamedTuple):
     shares: TwoMasses
     reciprocating: Array
     pressed: Array
+    borne: Wrench
     drive: Drive
     gravity: Gravity
 
@@ -72,6 +73,7 @@ def rods_in_pistons(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Ite
         if batch.kind.has_rod and batch.kind.output == "slider":
             bodies = batch.kind.dynamics.by_link(made.bodies)
             shares = weighed_ends(bodies["rod"], batch.members.geometry.rod_length)
+            loads = batch.kind.dynamics.by_link(one.loads)
             yield RodsInPistons(
                 batch,
                 loaded.carriers.piston[batch.index],
@@ -80,7 +82,8 @@ def rods_in_pistons(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Ite
                 bodies["rod"],
                 shares,
                 bodies["slider"].mass + shares.second,
-                -batch.kind.dynamics.by_link(one.loads)["slider"].x,
+                -loads["slider"].x,
+                loads["rod"],
                 one.conditions.drive,
                 made.gravity,
             )
@@ -89,7 +92,7 @@ def rods_in_pistons(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Ite
 def end_residual(loaded: LoadedMachine, rods: Sequence[tuple[RodsInPistons, ForcesOfRods]]) -> Array:
     """Largest difference of the forces along a rod at its ends, but for what acts between, over what its pins bear.
 
-    Between act its weight, what of its inertia no masses at its ends have, and its slaves: of these by their own
+    Between act its weight, loads, what of its inertia no masses at its ends have, and its slaves: of these by their own
     knuckle pins. Shape (design,); docs/theory/forces, eq. (13.51).
     """
     handed = _handed_over(loaded, [one for one, _forces in rods])
@@ -97,8 +100,8 @@ def end_residual(loaded: LoadedMachine, rods: Sequence[tuple[RodsInPistons, Forc
     for one, forces in rods:
         link, body, index = one.motion.rod, one.rod, one.batch.index
         turning = link.angle.second * (one.drive.speed * one.drive.speed) + link.angle.first * one.drive.acceleration
-        between = (body.mass * one.gravity.x + handed.x[:, index]) * link.cos
-        between = between + (body.mass * one.gravity.y + handed.y[:, index]) * link.sin
+        between = (body.mass * one.gravity.x + one.borne.x + handed.x[:, index]) * link.cos
+        between = between + (body.mass * one.gravity.y + one.borne.y + handed.y[:, index]) * link.sin
         off = forces.at_crank - forces.at_piston + between + body.mass * body.across * turning
         peak = np.max([np.max(np.hypot(pin.x, pin.y), axis=-1) for pin in one.pins], axis=0)
         share = np.max(np.abs(off), axis=-1) / np.where(peak > 0, peak, 1.0)

@@ -12,6 +12,7 @@ QUESTION = Question(
         Stage(torques.shaft_torques),
         Stage(torques.gear_torques, applies=torques.are_geared),
         Stage(work_check.work_balance),
+        Stage(work_check.load_balance),
         Stage(orders.torque_orders),
         Stage(orders.phase_star_sums),
         Stage(torques.journal_torques),

@@ -164,7 +164,7 @@ def torque_sources(
     if loaded.speed.curve is not None and loaded.speed.curve.moment is not None:
         each = torques.reduced_inertia * loaded.speed.curve.moment[:, 0]
         spent = np.mean(each, axis=-1) * crank_angle.cycle
-    if loaded.masses.has_friction:
+    if loaded.jumps:
         energy = torques.reduced_inertia * drive.speed**2 / 2
         whole = tuple(_of_machines(loaded, shafts, crank_angle, events))
         return TorqueSources(whole, np.zeros_like(by_shaft), nothing, energy - energy[..., :1], spent)

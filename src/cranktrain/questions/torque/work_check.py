@@ -11,6 +11,7 @@ from cranktrain.questions.forces.forces_times_arms import forces_times_arms
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.gas.pressures import GasPressures
+from cranktrain.questions.loads.load_work import LoadWork
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
@@ -27,6 +28,33 @@ class WorkBalance(StageResult):
     gas_work: Array = quantity(
         "W", "J", (), N_("Work of the gas in all chambers over a cycle, in closed form or by exact quadrature"), _THEORY
     )
+
+
+@record
+class LoadBalance(StageResult):
+    """Whether the torque does the work of gas and loads."""
+
+
+def load_balance(
+    loaded: LoadedMachine,
+    solved: SolvedCycle,
+    loads: LoadWork,
+    pressures: GasPressures | None,
+    sources: TorqueSources,
+    crank_angle: CrankAngle,
+) -> LoadBalance:
+    """Work of the torque by the reactions against that of loads and gas; with friction there is no check."""
+    if loaded.masses.has_friction:
+        return LoadBalance()
+    works = loads.load_work
+    if pressures is not None:
+        works = np.concatenate([works, pressures.indicated_work], axis=-1)
+    done = np.sum(sources.mean(crank_angle.cycle), axis=-1) * crank_angle.cycle + sources.spent
+    on_the_way = np.sum(forces_times_arms(loaded, solved.batches), axis=1)
+    scale = np.maximum(np.sum(np.abs(works), axis=-1), _SHARE * on_the_way)
+    residual = np.abs(done - np.sum(works, axis=-1)) / scale
+    sentence = _("Work of the torque by the reactions, by quadrature, against that of loads and gas")
+    return LoadBalance(checks=(Check("load_work", sentence, residual, _EXACT_LIMIT),))
 
 
 def work_balance(
@@ -46,7 +74,7 @@ def work_balance(
     """
     works = pressures.indicated_work
     total = np.sum(works, axis=-1)
-    if loaded.masses.has_friction:
+    if loaded.jumps:
         return WorkBalance(total)
     # What inertia takes at a moment of acceleration, the shaft does not get.
     done = np.sum(sources.mean(crank_angle.cycle), axis=-1) * crank_angle.cycle + sources.spent

@@ -8,7 +8,7 @@ from pydantic import Field
 
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
-from cranktrain.layout.specs import OneOrMany
+from cranktrain.layout.listed import OneOrMany
 from cranktrain.paths import path_text
 from cranktrain.quantities import (
     Given,

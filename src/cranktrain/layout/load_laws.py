@@ -1,0 +1,86 @@
+"""Laws of loads: how large one is by the speed, the crank angle or the travel of its point, of all designs."""
+
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+
+from cranktrain.motion import Array
+from cranktrain.numerics.harmonics import TURN
+
+
+class LoadState(NamedTuple):
+    """What a law may ask for, arrays of shape (design, 1, n).
+
+    Attributes
+    ----------
+    shown : Array
+        Crank angle as it is shown. [rad]
+    travel : Array
+        Of the load's point or link from where it is least. [m or rad]
+    speed : Array
+        Of that, less than 0 on the way back. [m/s or rad/s]
+    """
+
+    shown: Array
+    travel: Array
+    speed: Array
+
+
+class BySpeed(NamedTuple):
+    """A size at a speed, which goes with a power of it; the power 0 is a constant. Shape (design, 1, 1)."""
+
+    size: Array
+    at: Array
+    exponent: Array
+
+    def value(self, state: LoadState) -> Array:
+        """Size, shape (design, 1, n)."""
+        return self.size * (np.abs(state.speed) / self.at) ** self.exponent
+
+
+class ByAngle(NamedTuple):
+    """Straight lines from crank angle to crank angle as it is shown, round a turn. Shape (design, point)."""
+
+    angles: Array
+    values: Array
+
+    def value(self, state: LoadState) -> Array:
+        """Size, shape (design, 1, n)."""
+        rows = zip(np.broadcast_to(state.shown, state.speed.shape), self.angles, self.values, strict=True)
+        found = [_between(np.mod(shown, TURN), *_round(angles, values)) for shown, angles, values in rows]
+        return np.stack(found)
+
+
+class ByTravel(NamedTuple):
+    """Straight lines over the travel from where it is least, on the way out and on the way back.
+
+    Shape (design, point).
+    """
+
+    places: Array
+    out: Array
+    back: Array
+
+    def value(self, state: LoadState) -> Array:
+        """Size, shape (design, 1, n)."""
+        rows = zip(state.travel, self.places, self.out, self.back, strict=True)
+        ways = [(_between(s, places, out), _between(s, places, back)) for s, places, out, back in rows]
+        return np.where(state.speed >= 0, np.stack([out for out, _ in ways]), np.stack([back for _, back in ways]))
+
+
+def _between(at: Array, places: Array, values: Array) -> Array:
+    """Straight lines from place to place; beyond the ends the last value."""
+    return np.asarray(np.interp(at, places, values), dtype=np.float64)
+
+
+def _round(angles: Array, values: Array) -> tuple[Array, Array]:
+    """Angles within a turn, with those beside it, so that the last leads on to the first."""
+    order = np.argsort(np.mod(angles, TURN))
+    turned, own = np.mod(angles, TURN)[order], values[order]
+    return (
+        np.concatenate([turned[-1:] - TURN, turned, turned[:1] + TURN]),
+        np.concatenate([own[-1:], own, own[:1]]),
+    )
+
+
+Law: TypeAlias = BySpeed | ByAngle | ByTravel

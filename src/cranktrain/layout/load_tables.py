@@ -1,0 +1,161 @@
+"""Loads: what a machine works against, or what drives it besides the gas; their tables of the machine file."""
+
+from collections.abc import Iterator, Mapping
+from itertools import pairwise
+from typing import Annotated, Literal, TypeAlias
+
+from pydantic import Field
+
+from cranktrain.errors import Problem
+from cranktrain.language import N_, _
+from cranktrain.layout.listed import OneOrMany
+from cranktrain.quantities import (
+    Angle,
+    Dimension,
+    Force,
+    Given,
+    Length,
+    NonNegativeLength,
+    PositiveSpeed,
+    PositiveVelocity,
+    Quantity,
+    TurnedAngle,
+)
+from cranktrain.spec import Spec
+
+Torque = Annotated[Given, Quantity(Dimension.TORQUE)]
+Exponent = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=10.0)]
+
+_AT = ("along", "across", "radius")
+_OVER = ("crank_angles", "travel", "swing")
+_OF_TORQUES = ("at_turning", "swing", "torque_back")
+
+
+class LoadSpec(Spec, frozen=True):
+    """A force on a link or a slider, or a torque on a link.
+
+    A resisting load is always against the motion of its point, as friction or a cut; an active one has a direction of
+    its own, as a weight or a spring. Beside `at_speed` the size goes with a power of the speed: exponent 1 is viscous.
+    """
+
+    on: str = Field(min_length=1, description=N_("What it acts on: a part of a mechanism, as [masses] names them."))
+    force: OneOrMany[Force] | None = Field(
+        default=None, description=N_("Size of a force, or a list of sizes over angles or travel; or give a torque.")
+    )
+    torque: OneOrMany[Torque] | None = Field(
+        default=None, description=N_("Size of a torque on a link, or a list of sizes; or give a force.")
+    )
+    crank_angles: tuple[Angle, ...] | None = Field(
+        default=None, min_length=2, description=N_("Crank angles as they are shown, at which it has the sizes listed.")
+    )
+    travel: tuple[NonNegativeLength, ...] | None = Field(
+        default=None, min_length=2, description=N_("Travel of its point from where it is least, at which it has them.")
+    )
+    swing: tuple[TurnedAngle, ...] | None = Field(
+        default=None,
+        min_length=2,
+        description=N_("Turn of its link from its least angle, at which it has them."),
+    )
+    counts: Literal["with", "against"] = Field(
+        default="with", description=N_("Whether the travel grows in the direction of the force, or against it.")
+    )
+    force_back: tuple[Force, ...] | None = Field(
+        default=None, description=N_("Sizes on the way back, where they are others than on the way out.")
+    )
+    torque_back: tuple[Torque, ...] | None = Field(
+        default=None, description=N_("Sizes on the way back, where they are others than on the way out.")
+    )
+    sense: Literal["resisting", "active"] = Field(
+        default="resisting", description=N_("Always against the motion, or in a direction of its own.")
+    )
+    direction: Angle | None = Field(
+        default=None,
+        description=N_("Of a force, from the mechanism's x in the sense of rotation; of a slider's along its guide."),
+    )
+    along: Length | None = Field(
+        default=None, description=N_("Where a force acts: from the link's first pin toward its second.")
+    )
+    across: Length | None = Field(default=None, description=N_("Where a force acts: to the left of the line of pins."))
+    radius: Length | None = Field(
+        default=None,
+        description=N_(
+            "Arm of the force about the link's first pin; less than 0 where it turns the link against the sense of"
+            " rotation. Across the link, or with a direction as a rope off an arc."
+        ),
+    )
+    at_speed: PositiveVelocity | None = Field(
+        default=None, description=N_("Speed of its point at which the force has its size.")
+    )
+    at_turning: PositiveSpeed | None = Field(
+        default=None, description=N_("Speed of its link at which the torque has its size.")
+    )
+    exponent: Exponent | None = Field(
+        default=None, description=N_("Of the speed, with which the size goes; 1 unless given: viscous.")
+    )
+
+    @property
+    def sizes(self) -> tuple[Given, ...]:
+        """Of force or torque."""
+        return self.force or self.torque or ()
+
+    @property
+    def back(self) -> tuple[Given, ...] | None:
+        """Sizes on the way back."""
+        return self.force_back or self.torque_back
+
+    @property
+    def over(self) -> tuple[str, tuple[Given, ...]] | None:
+        """Over what sizes are listed, and where."""
+        given = ((name, getattr(self, name)) for name in _OVER)
+        return next(((name, places) for name, places in given if places is not None), None)
+
+    def _problems(self) -> Iterator[Problem]:
+        """Find a load of no sort or of two, and what belongs to another."""
+        sort, other = ("torque", "force") if self.force is None else ("force", "torque")
+        if self.force is None and self.torque is None:
+            yield Problem("force", None, _("is missing; give force or torque"))
+            return
+        if self.torque is not None and self.force is not None:
+            yield Problem("torque", None, _("must not stand beside force; make it another load"))
+        foreign = (*_AT, "direction", "at_speed", "travel", "force_back") if sort == "torque" else _OF_TORQUES
+        allowed = _("is for a {sort}").format(sort=_(other))
+        yield from (Problem(name, None, allowed) for name in foreign if getattr(self, name) is not None)
+        if self.radius is not None:
+            beside = _("must not stand beside radius, which says where the force acts")
+            yield from (Problem(name, None, beside) for name in _AT[:2] if getattr(self, name) is not None)
+            if self.radius.si == 0:
+                yield Problem("radius", self.radius.text, _("must not be 0: such a force turns nothing"))
+        yield from self._size_problems(sort)
+
+    def _size_problems(self, sort: str) -> Iterator[Problem]:
+        """Find sizes that do not suit the sense, or what they are listed over."""
+        listed = {sort: self.sizes, f"{sort}_back": self.back or ()}
+        if self.sense == "resisting":
+            allowed = _('must be at least 0 of a load that resists; sense = "active" gives it a direction')
+            yield from (
+                Problem(f"{name}[{i}]" if len(sizes) > 1 else name, size.text, allowed)
+                for name, sizes in listed.items()
+                for i, size in enumerate(sizes)
+                if size.si < 0
+            )
+        given = [name for name in (*_OVER, "at_speed", "at_turning") if getattr(self, name) is not None]
+        if len(given) > 1:
+            yield Problem(given[1], None, _("must not stand beside {other}: one law at a time").format(other=given[0]))
+        if self.exponent is not None and self.at_speed is None and self.at_turning is None:
+            yield Problem("exponent", self.exponent.text, _("needs at_speed, or of a torque at_turning"))
+        n_places = 1 if self.over is None else len(self.over[1])
+        allowed = _("must be as many as the places that they are for: {n}").format(n=n_places)
+        for name, sizes in listed.items():
+            if sizes and len(sizes) != n_places:
+                yield Problem(name, _("a list of {n}").format(n=len(sizes)), allowed)
+        if self.over is not None:
+            name, places = self.over
+            rises = all(one.si < other.si for one, other in pairwise(places))
+            if not rises:
+                yield Problem(name, None, _("must rise from one place to the next"))
+            if self.back is not None and name == "crank_angles":
+                yield Problem(f"{sort}_back", None, _("is for sizes over the travel, which has a way back"))
+
+
+LoadTables: TypeAlias = Mapping[str, Mapping[str, LoadSpec]]
+"""Loads by the path of their tables, `load` or `bank.B.load`, and by name."""

@@ -1,0 +1,244 @@
+"""Loads of a machine file, put to the links of its mechanisms as SI arrays; and what is wrong with them."""
+
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from typing import ClassVar, NamedTuple, TypeAlias
+
+import numpy as np
+
+from cranktrain.errors import Problem
+from cranktrain.language import N_, _
+from cranktrain.layout.design import Designs
+from cranktrain.layout.load_laws import ByAngle, BySpeed, ByTravel, Law, LoadState
+from cranktrain.layout.load_tables import LoadSpec, LoadTables
+from cranktrain.layout.part_tables import SLIDER, part_name, table_paths
+from cranktrain.layout.places import PlacedMechanism
+from cranktrain.linkage.forces.load import LoadWay, across_link, along_link, off_arc, pushing, turning, with_motion
+from cranktrain.linkage.vectors import Vector
+from cranktrain.motion import ONE, ZERO, Array, Link
+from cranktrain.numerics import extremes
+from cranktrain.numerics.nested import by_design, mapped
+from cranktrain.quantities import Given, nearest
+from cranktrain.record import record
+from cranktrain.wording import precise
+
+_TABLE = "load"
+_COVERED = 1e-6
+"""Travels are written to some digits: what is missing of so small a part is covered."""
+
+Laid: TypeAlias = Callable[[Sequence[Array]], Array]
+"""Puts numbers of all designs into an array of shape (design, number)."""
+
+
+class LinkLoad(NamedTuple):
+    """One load on one link of one mechanism.
+
+    Attributes
+    ----------
+    name : str
+        Of the load; with several mechanisms `1L.cut`.
+    mechanism, link : int
+        Whose it is, and which of what moves there.
+    is_slider, is_torque, resists : bool
+    law : Law
+        Of its size. [N or N·m]
+    counts : float
+        −1 where its travel counts against its way.
+    arm : Vector of arrays of shape (design, 1, 1)
+        Of its point from the link's first pin. [m]
+    radius, direction : Array of that shape, or None
+        Arm about the link's first pin [m]; in the mechanism's axes [rad].
+    """
+
+    name: str
+    mechanism: int
+    link: int
+    is_slider: bool
+    is_torque: bool
+    resists: bool
+    law: Law
+    counts: float
+    arm: Vector
+    radius: Array | None
+    direction: Array | None
+
+    def way(self, link: Link) -> LoadWay:
+        """What it goes along."""
+        if self.is_torque:
+            return turning(link)
+        if self.radius is not None and self.direction is not None:
+            return off_arc(link, self.radius, self.direction)
+        if self.radius is not None:
+            return across_link(link, self.radius)
+        if self.direction is not None:
+            return pushing(link, self.arm, self.direction)
+        return along_link(link) if self.is_slider else with_motion(link, self.arm)
+
+    def turns_back(self, link: Link, way: LoadWay) -> Array:
+        """What changes its sign where the load turns round, if it resists."""
+        goes_anywhere = not (self.is_torque or self.is_slider) and self.radius is None and self.direction is None
+        return link.angle.first if goes_anywhere else way.rate
+
+    def value(self, state: LoadState) -> Array:
+        """Its size along its way, against the motion if it resists, shape (design, 1, n). [N or N·m]"""
+        size = self.law.value(state)
+        return -self.counts * np.sign(state.speed) * size if self.resists else size
+
+
+@record
+class Loads:
+    """Loads of a machine, on whatever they act; zero, shape (design, 1, 1), is φ where the shown angle is 0. [rad]"""
+
+    needs: ClassVar[str] = N_("[load.NAME]")
+
+    each: tuple[LinkLoad, ...]
+    zero: Array
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What they are called."""
+        return tuple(load.name for load in self.each)
+
+    def of(self, mechanism: int) -> list[LinkLoad]:
+        """Those on one mechanism."""
+        return [load for load in self.each if load.mechanism == mechanism]
+
+
+def loads_of(designs: Designs) -> Loads | None:
+    """Put the loads of the file to the mechanisms; None where it has none."""
+    tables = designs.together.loads
+    if not tables:
+        return None
+    found = [
+        _link_load(designs.by_design, name if len(designs.places) == 1 else f"{place.name}.{name}", spec, i, place)
+        for path, named in tables.items()
+        for name, spec in named.items()
+        for i, place in enumerate(designs.places)
+        if path in table_paths(place, _TABLE) and _link_of(place, spec.on) is not None
+    ]
+    return Loads(tuple(found), designs.crank_angle.zero)
+
+
+def _link_of(place: PlacedMechanism, on: str) -> int | None:
+    """Which of what moves in a mechanism is called so; None where nothing is."""
+    names = [part_name(name) for name in place.kind.dynamics.moving]
+    return names.index(on) if on in names else None
+
+
+def _link_load(laid: Laid, name: str, spec: LoadSpec, mechanism: int, place: PlacedMechanism) -> LinkLoad:
+    """One load on one mechanism."""
+
+    def each(number: Array) -> Array:
+        return laid([number])[..., np.newaxis]
+
+    def given(number: Given | None, sign: float = 1.0) -> Array | None:
+        return None if number is None else sign * each(number.array)
+
+    link = _link_of(place, spec.on)
+    assert link is not None  # only mechanisms that have it are asked
+    along, across = given(spec.along), given(spec.across, place.sense)
+    # What counts in the sense of rotation changes its sign in the axes of a crank that runs against it.
+    turned = place.sense if spec.torque is not None else 1.0
+    return LinkLoad(
+        name=name,
+        mechanism=mechanism,
+        link=link,
+        is_slider=_slides(place, place.kind.dynamics.moving[link]),
+        is_torque=spec.torque is not None,
+        resists=spec.sense == "resisting",
+        law=_law(laid, spec, 1.0 if spec.sense == "resisting" else turned),
+        arm=Vector(each(ZERO) if along is None else along, each(ZERO) if across is None else across),
+        counts=1.0 if spec.counts == "with" else -1.0,
+        radius=given(spec.radius, place.sense),
+        direction=given(spec.direction, place.sense),
+    )
+
+
+def _law(laid: Laid, spec: LoadSpec, sign: float) -> Law:
+    """How large it is, in the sense that counts in the mechanism's axes."""
+
+    def each(numbers: Sequence[Given]) -> Array:
+        return laid([number.array for number in numbers])
+
+    size = sign * each(spec.sizes)
+    if spec.crank_angles is not None:
+        return ByAngle(each(spec.crank_angles), size)
+    if (travel := spec.travel or spec.swing) is not None:
+        return ByTravel(each(travel), size, size if spec.back is None else sign * each(spec.back))
+    at = spec.at_speed or spec.at_turning
+    power = ZERO if at is None else ONE if spec.exponent is None else spec.exponent.array
+    speed = laid([ONE if at is None else at.array])
+    return BySpeed(*(part[..., np.newaxis] for part in (size, speed, laid([power]))))
+
+
+def _slides(place: PlacedMechanism, name: str) -> bool:
+    """Whether what moves is a slider in a guide."""
+    return name in (SLIDER, *place.kind.sliders, *_output_slider(place))
+
+
+def _output_slider(place: PlacedMechanism) -> tuple[str, ...]:
+    """The output, where it is a slider of a name of its own."""
+    output = getattr(place.spec, "output", SLIDER)
+    return (output,) if place.kind.output == "slider" else ()
+
+
+def load_problems(places: Sequence[PlacedMechanism], tables: LoadTables) -> Iterator[Problem]:
+    """Find loads on what is not there, torques on what does not turn, and forces of no direction."""
+    for path, named in tables.items():
+        own = [place for place in places if path in table_paths(place, _TABLE)]
+        parts = dict.fromkeys(part_name(name) for place in own for name in place.kind.dynamics.moving)
+        for name, spec in named.items():
+            where = f"{path}.{name}"
+            if spec.on not in parts:
+                close = nearest(spec.on, parts)
+                allowed = _("must be a part that moves: {parts}").format(parts=", ".join(parts))
+                repair = None if close is None else _("did you mean {name}?").format(name=close)
+                yield Problem(f"{where}.on", spec.on, allowed, repair)
+                continue
+            yield from _way_problems(where, spec, own)
+
+
+def _way_problems(where: str, spec: LoadSpec, places: Sequence[PlacedMechanism]) -> Iterator[Problem]:
+    """Find what does not suit a slider, or what turns, and a travel that is not covered."""
+    place = next(place for place in places if _link_of(place, spec.on) is not None)
+    index = _link_of(place, spec.on) or 0
+    if _slides(place, place.kind.dynamics.moving[index]):
+        slides = _("is for what turns, and this slides")
+        yield from (
+            Problem(f"{where}.{name}", None, slides)
+            for name in ("torque", "radius", "swing")
+            if getattr(spec, name) is not None
+        )
+    elif spec.force is not None and spec.direction is None and spec.radius is None:
+        if spec.sense == "active":
+            yield Problem(f"{where}.direction", None, _("is missing; a force on a link needs it, or a radius"))
+        if spec.travel is not None:
+            yield Problem(f"{where}.travel", None, _("needs a direction or a radius, along which it is counted"))
+            return
+    if (spec.travel or spec.swing) is not None:
+        for own in places:
+            if _link_of(own, spec.on) is not None:
+                yield from _travel_problems(where, spec, own)
+
+
+def _travel_problems(where: str, spec: LoadSpec, place: PlacedMechanism) -> Iterator[Problem]:
+    """Find sizes that are not for the whole travel."""
+    name, given, unit = ("travel", spec.travel, "mm") if spec.swing is None else ("swing", spec.swing, "deg")
+    load = _link_load(partial(by_design, n_designs=1), "", spec, 0, place)
+
+    def way(phi: Array) -> LoadWay:
+        motion = place.kind.motion(phi + place.phase, place.geometry)
+        return load.way(place.kind.dynamics.links(motion, place.geometry)[load.link])
+
+    least, most = extremes(lambda phi: np.ravel(way(phi).place), lambda phi: np.ravel(way(phi).rate))
+    whole = float(most.value[0] - least.value[0])
+    if given and given[0].si != 0.0:
+        yield Problem(f"{where}.{name}[0]", given[0].text, _("must be 0, where the travel begins"))
+    if given and given[-1].si < whole * (1 - _COVERED):
+        allowed = _("must go as far as the part goes, {whole}").format(whole=precise(whole, unit))
+        yield Problem(f"{where}.{name}", given[-1].text, allowed)
+
+
+def of_member(link: Link, member: int) -> Link:
+    """One member's link among those of its kind, shape (design, member, n)."""
+    return mapped(lambda _name, part: part[:, member : member + 1] if np.ndim(part) == 3 else part, link)

@@ -1,0 +1,38 @@
+"""Loads: what a machine works against, or what drives it, besides gas and weight."""
+
+from collections.abc import Iterator, Sequence
+
+from cranktrain.errors import Problem
+from cranktrain.language import N_
+from cranktrain.layout.design import Design, Designs
+from cranktrain.layout.load_tables import LoadSpec
+from cranktrain.layout.loads import load_problems, loads_of
+from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
+from cranktrain.questions.loads import load_work, rows
+
+
+def _problems(design: Design) -> Iterator[Problem]:
+    return load_problems(design.places, design.loads)
+
+
+def _parts(designs: Designs, _known: Parts) -> Iterator[object | None]:
+    yield loads_of(designs)
+
+
+def _tables(design: Design) -> Sequence[str]:
+    return [f"[{path}.{name}]" for path, named in design.loads.items() for name in named]
+
+
+QUESTION = Question(
+    "loads",
+    tables={"load": LoadSpec},
+    problems=_problems,
+    parts=_parts,
+    stages=(Stage(load_work.load_work, applies=load_work.are_asked_for),),
+    dimensions=(ResultDimension("load", N_("load")),),
+    headline=("load_work", "largest_load_power"),
+    title=N_("Loads"),
+    rows=(rows.load_rows,),
+    offers={"load_work": N_("what it works against")},
+    uses=(Use(_tables, (load_work.LoadWork,)),),
+)

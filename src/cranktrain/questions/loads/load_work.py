@@ -1,0 +1,96 @@
+"""Work and power of the loads of a machine file."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from cranktrain.catalogue import extreme, quantity
+from cranktrain.checks import StageResult
+from cranktrain.language import N_, _
+from cranktrain.layout.crank_angle import CrankAngle
+from cranktrain.layout.loads import LinkLoad, Loads
+from cranktrain.motion import Array
+from cranktrain.numerics import Peak, subintervals
+from cranktrain.questions.forces.events import ForceEvents
+from cranktrain.questions.forces.loaded_machine import LoadedMachine
+from cranktrain.questions.forces.peaks import largest_of_machine, one_sided
+from cranktrain.questions.gas.declared import DeclaredGas
+from cranktrain.record import record
+from cranktrain.references import THEORY_OF_FORCES as _THEORY
+from cranktrain.wording import Names, shared
+
+_LOAD = ("load",)
+_CURVE = ("load", "crank_angle")
+_WIDEST = np.pi / 9
+"""Of a piece of the quadrature. [rad]"""
+
+
+@record
+class LoadWork(StageResult):
+    """What the loads do: less than 0 where the machine works against them."""
+
+    load_torque_on_crank: Array = quantity(
+        "Q_l", "N*m", _CURVE, N_("Torque of the load on the crank, by virtual work"), _THEORY
+    )
+    load_power: Array = quantity("P_l", "W", _CURVE, N_("Power of the load; less than 0 where it takes it"), _THEORY)
+    load_work: Array = quantity("W_l", "J", _LOAD, N_("Work of the load over a cycle, by exact quadrature"), _THEORY)
+    largest_load_power: Peak = extreme(
+        "P_l,max", "W", _LOAD, N_("Largest power of the load, of either sign"), N_("Crank angle of that power"), _THEORY
+    )
+
+    def answer(self, names: Names, design: int) -> str:
+        """Say the work of a cycle and the largest power."""
+        works = shared(names["load"], self.load_work[design], "J")
+        most = shared(names["load"], self.largest_load_power.value[design], "kW")
+        return _("Work of the loads in a cycle {works}; largest power {most}.").format(works=works, most=most)
+
+
+def are_asked_for(loads: Loads | None, gas: DeclaredGas | None) -> bool:
+    """Whether there are loads, or may be missed: an engine or compressor works against its gas."""
+    return loads is not None or gas is None
+
+
+def load_work(loaded: LoadedMachine, loads: Loads, events: ForceEvents, crank_angle: CrankAngle) -> LoadWork:
+    """Power over the cycle, and work by quadrature between the events of the loads.
+
+    Notes
+    -----
+    Q = F u′ of a force along its way u, or of a torque along its link's angle. docs/theory/forces, eq. (13.6).
+    """
+
+    def on_crank(angle: Array) -> Array:
+        return np.concatenate([_on_crank(loaded, load, angle) for load in loads.each], axis=1)
+
+    def size_of_power(angle: Array) -> Array:
+        return np.abs(on_crank(angle) * loaded.speed.drive(angle).speed)
+
+    grid = crank_angle.angle
+    torque = on_crank(grid)
+    power = torque * loaded.speed.drive(grid).speed
+    most = largest_of_machine(size_of_power, np.abs(power), events, crank_angle)
+    return LoadWork(
+        load_torque_on_crank=torque,
+        load_power=power,
+        load_work=_works(on_crank, events, crank_angle),
+        largest_load_power=most,
+        labels={"load": loads.names},
+        flags=tuple(one_sided([(_("largest power"), most)], loads.names)),
+    )
+
+
+def _on_crank(loaded: LoadedMachine, load: LinkLoad, angle: Array) -> Array:
+    """Torque of one load on the crank at φ, shape (design, 1, n). [N·m]"""
+    own = angle if angle.ndim == 3 else angle[np.newaxis, np.newaxis]
+    way = loaded.load_way(load, own)
+    return loaded.load_value(load, way, own, loaded.speed.drive(own).speed) * way.rate
+
+
+def _works(on_crank: Callable[[Array], Array], events: ForceEvents, crank_angle: CrankAngle) -> Array:
+    """Work of every load over a cycle, shape (design, load). [J]"""
+    breaks = events.whole - crank_angle.zero[:, 0]
+    cuts = [subintervals(own, _WIDEST, crank_angle.cycle) for own in breaks]
+    longest = max(cut.angle.size for cut in cuts)
+    angle, weight = np.zeros((2, len(cuts), 1, longest))
+    for design, cut in enumerate(cuts):
+        angle[design, 0, : cut.angle.size], weight[design, 0, : cut.angle.size] = cut.angle, cut.weight
+    return np.sum(on_crank(angle + crank_angle.zero) * weight, axis=-1)

@@ -1,0 +1,93 @@
+"""What is wrong with loads of a machine file, each said at its path."""
+
+import pytest
+
+import cranktrain as ct
+
+CRANK = {"kind": "slider_crank", "stroke": "80 mm", "rod_length": "140 mm"}
+ROCKER = {
+    "kind": "crank_rocker",
+    "crank_radius": "100 mm",
+    "rod_length": "360 mm",
+    "rocker_length": "280 mm",
+    "ground_length": "400 mm",
+}
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "load", "said"),
+    [
+        (CRANK, {"on": "pistn", "force": "1 N"}, "load.x.on = pistn: must be a part that moves: crank, rod, piston"),
+        (CRANK, {"on": "rod"}, "load.x.force: is missing; give force or torque"),
+        (CRANK, {"on": "rod", "force": "1 N", "torque": "1 N*m"}, "load.x.torque = 1 N*m: must not stand beside force"),
+        (CRANK, {"on": "piston", "torque": "1 N*m"}, "load.x.torque: is for what turns, and this slides"),
+        (CRANK, {"on": "piston", "force": "1 N", "radius": "10 mm"}, "load.x.radius: is for what turns"),
+        (CRANK, {"on": "piston", "force": "-5 N"}, "load.x.force = -5 N: must be at least 0 of a load that resists"),
+        (CRANK, {"on": "rod", "force": "5 N", "sense": "active"}, "load.x.direction: is missing; a force on a link"),
+        (CRANK, {"on": "rod", "force": "5 N", "exponent": 2}, "load.x.exponent = 2: needs at_speed"),
+        (CRANK, {"on": "rod", "torque": "5 N*m", "at_speed": "1 m/s"}, "load.x.at_speed = 1 m/s: is for a force"),
+        (CRANK, {"on": "rod", "force": "5 N", "at_turning": "1 rpm"}, "load.x.at_turning = 1 rpm: is for a torque"),
+        (
+            CRANK,
+            {"on": "piston", "force": ["1 N", "2 N"], "travel": ["0 mm", "20 mm"]},
+            "load.x.travel = 20 mm: must go as far as the part goes, 80 mm",
+        ),
+        (
+            CRANK,
+            {"on": "piston", "force": ["1 N", "2 N"], "travel": ["5 mm", "80 mm"]},
+            "load.x.travel[0] = 5 mm: must be 0, where the travel begins",
+        ),
+        (
+            CRANK,
+            {"on": "piston", "force": ["1 N"], "travel": ["0 mm", "80 mm"]},
+            "load.x.force = a list of 1: must be as many as the places that they are for: 2",
+        ),
+        (
+            CRANK,
+            {"on": "piston", "force": ["1 N", "2 N"], "travel": ["80 mm", "0 mm"]},
+            "load.x.travel: must rise from one place to the next",
+        ),
+        (
+            CRANK,
+            {"on": "rod", "force": ["1 N", "2 N"], "travel": ["0 mm", "80 mm"]},
+            "load.x.travel: needs a direction or a radius",
+        ),
+        (
+            ROCKER,
+            {"on": "rocker", "torque": ["1 N*m", "2 N*m"], "swing": ["0 deg", "30 deg"]},
+            "load.x.swing = 30 deg: must go as far as the part goes, 42.8136",
+        ),
+        (ROCKER, {"on": "rocker", "force": "1 N", "radius": "0 mm"}, "load.x.radius = 0 mm: must not be 0"),
+        (
+            ROCKER,
+            {"on": "rocker", "force": "1 N", "radius": "9 mm", "along": "2 mm"},
+            "load.x.along = 2 mm: must not stand beside radius",
+        ),
+    ],
+)
+def test_refused(mechanism, load, said):
+    with pytest.raises(ct.InputError) as caught:
+        ct.run(ct.Machine(mechanism=mechanism, shaft={"main": {"speed": "100 rpm"}}, load={"x": load}))
+    assert said in str(caught.value)
+
+
+def test_all_at_once():
+    load = {"a": {"on": "nothing", "force": "1 N"}, "b": {"on": "piston", "torque": "1 N*m"}}
+    with pytest.raises(ct.InputError) as caught:
+        ct.run(ct.Machine(mechanism=CRANK, load=load))
+    assert [problem.path for problem in caught.value.problems] == ["load.a.on", "load.b.torque"]
+
+
+def test_loads_without_a_speed_are_not_used():
+    result = ct.run(ct.Machine(mechanism=CRANK, load={"x": {"on": "piston", "force": "1 N"}}))
+    assert any("[load.x] is not used" in said for said in map(str, result.summary().splitlines()))
+
+
+def test_loads_on_one_part_add_up():
+    def torque(**load):
+        machine = ct.Machine(mechanism=CRANK, shaft={"main": {"speed": "100 rpm"}}, load=load)
+        return ct.run(machine).machine_torque
+
+    one, other = {"on": "piston", "force": "30 N"}, {"on": "piston", "force": "-20 N", "sense": "active"}
+    both = torque(one=one, other=other)
+    assert abs(both - torque(one=one) - torque(other=other)).max() < 1e-12
