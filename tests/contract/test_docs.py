@@ -6,9 +6,14 @@ import shutil
 import subprocess
 import sys
 from collections import Counter
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+
+import cranktrain as ct
+from cranktrain.analysis import STAGES
+from cranktrain.catalogue import entries
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
@@ -64,7 +69,8 @@ START = "import sys\nfrom cranktrain.cli import main\nsys.exit(main(sys.argv[1:]
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory):
-    """The documentation as HTML."""
+    """The documentation as HTML, where what it takes is installed."""
+    pytest.importorskip("myst_nb", reason="the documentation is built with the extra `docs`")
     folder = tmp_path_factory.mktemp("site")
     done = subprocess.run(
         [sys.executable, "-m", "sphinx", "-nW", "--keep-going", "-q", "-d", folder / "doctrees", DOCS, folder / "html"],
@@ -81,6 +87,54 @@ def site(tmp_path_factory):
 def test_equations_are_numbered_as_labelled(site, page):
     html = (site / "theory" / f"{page}.html").read_text(encoding="utf-8")
     assert re.findall(r'class="eqno">\((.+?)\)', html) == LABELS[page]
+
+
+def test_readers_need_no_network(site):
+    """Links may lead elsewhere; what a page shows comes with it."""
+    fetched = re.compile(r"""<(?:script|img|link|iframe|source)\b[^>]*?(?:src|href)=["'](?:https?:)?//""")
+    pages = {path.relative_to(site).as_posix(): path.read_text(encoding="utf-8") for path in site.rglob("*.html")}
+    assert [name for name, html in pages.items() if fetched.search(html)] == []
+    styles = "".join(path.read_text(encoding="utf-8") for path in site.rglob("*.css"))
+    assert re.findall(r"url\([\"']?https?:[^)]*\)|@import[^;]*", styles) == []
+
+
+def test_formulas_are_for_browsers(site):
+    html = (site / "theory/forces.html").read_text(encoding="utf-8")
+    source = (DOCS / "theory/forces.md").read_text(encoding="utf-8")
+    assert html.count('<math xmlns="http://www.w3.org/1998/Math/MathML" display="block">') == len(LABELS["forces"])
+    assert r"\mathbf r" in source
+    assert "<mi>\N{MATHEMATICAL BOLD SMALL R}</mi>" in html
+    assert r"\math" not in html
+
+
+def test_all_results_stand_in_the_table(site):
+    html = (site / "results.html").read_text(encoding="utf-8")
+    names = [entry.name for stage in STAGES for entry in entries(stage.gives)]
+    assert len(names) > 200
+    assert [name for name in names if f">{name}</span>" not in html] == []
+
+
+def test_all_public_names_stand_in_the_reference(site):
+    html = (site / "api.html").read_text(encoding="utf-8")
+    names = [name for name in ct.__all__ if isinstance(getattr(ct, name), Callable)]
+    assert "run" in names
+    assert [name for name in names if f'id="cranktrain.{name}"' not in html] == []
+
+
+def test_pictures_are_there(site):
+    """Each has words for those who do not see it."""
+    shown = [
+        (path, tag)
+        for path in site.rglob("*.html")
+        for tag in re.findall(r"<img\b[^>]*>", path.read_text(encoding="utf-8"))
+    ]
+    drawn = [(path, tag) for path, tag in shown if "_images" in tag]
+    assert len(drawn) > 15
+    for path, tag in drawn:
+        where, words = re.search(r'src="([^"]+)"', tag), re.search(r'alt="([^"]+)"', tag)
+        assert where is not None
+        assert (path.parent / where[1]).stat().st_size > 1000, tag
+        assert words is not None, tag
 
 
 def test_every_equation_has_a_label_of_its_own():

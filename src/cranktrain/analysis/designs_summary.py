@@ -5,13 +5,14 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from cranktrain.analysis.figures import ShownUnit, shown_in
+from cranktrain.analysis.figures import shown_in, text_in
 from cranktrain.analysis.members import SMALLEST, side_of, whose_of
 from cranktrain.analysis.result import Result
 from cranktrain.catalogue import Entry
 from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.one_line import one_line
+from cranktrain.scales import Scale
 from cranktrain.wording import ranged
 
 _ALIKE = 1e-9
@@ -93,5 +94,5 @@ def _named(places: NDArray[np.intp], n_designs: int) -> str:
     return words.format(designs=ranged(names, places.tolist()))
 
 
-def _number(value: float, shown: ShownUnit) -> str:
-    return f"{shown.text(value)} {shown.unit}".rstrip()
+def _number(value: float, shown: Scale) -> str:
+    return f"{text_in(shown, value)} {shown.label}".rstrip()

@@ -1,12 +1,11 @@
 """Numbers of results as tables in Python and comparisons write them: in units of the drawing office, four digits."""
 
 from math import floor, log10
-from typing import NamedTuple
 
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.quantities import shown
+from cranktrain.scales import Scale, scale_for
 from cranktrain.wording import signless
 
 ABSENT = "—"
@@ -19,72 +18,23 @@ _ROUNDING = 1e-9
 _NOTHING = 1e-9
 """What is smaller in a unit of the drawing office is 0."""
 
-_SMALL_VOLUME = 1e-4
-"""Volumes that are all smaller are given in cm³. [m³]"""
 
-_UNITS = {
-    "m": "mm",
-    "m^2": "cm²",
-    "rad": "°",
-    "deg": "°",
-    "Pa": "bar",
-    "W": "kW",
-    "N": "kN",
-    "N*m": "N·m",
-    "kg*m^2": "kg·m²",
-    "m/s^2": "m/s²",
-    "rad/s^2": "rad/s²",
-    "m/rad": "mm/rad",
-    "m/rad^2": "mm/rad²",
-    "m^3": "L",
-}
-_FACTORS = {"deg": 1.0, "m/rad": 1e3, "m/rad^2": 1e3}
-"""Of what is no unit of an input."""
-
-
-class ShownUnit(NamedTuple):
-    """The unit in which values are shown, and the factor to it; None where the list of units has that."""
-
-    unit: str
-    factor: float | None
-
-    def converted(self, values: Array) -> Array:
-        """Give values of the catalogue in the unit."""
-        return shown(values, self.unit) if self.factor is None else self.factor * values
-
-    def text(self, value: float) -> str:
-        """Write one value."""
-        return significant(float(self.converted(np.array(value))))
-
-
-def shown_in(unit: str, values: Array) -> ShownUnit:
-    """Choose the unit for values.
-
-    Parameters
-    ----------
-    unit : str
-        Of the catalogue.
-    values : Array
-        In it: parts of less than one are shown in %, small volumes in cm³.
-
-    Returns
-    -------
-    ShownUnit
+def shown_in(unit: str, values: Array) -> Scale:
+    """Choose the unit for values, in the catalogue's unit; parts of less than one are shown in %.
 
     Examples
     --------
-    >>> shown_in("Pa", np.array([5e6])).unit
+    >>> shown_in("Pa", np.array([5e6])).label
     'bar'
     """
     sizes = np.abs(values[np.isfinite(values)])
-    if unit == "1":
-        is_part = np.all(sizes < 1) and np.any(sizes > 0)
-        return ShownUnit("%", 100.0) if is_part else ShownUnit("", 1.0)
-    if unit == "m^3" and np.all(sizes < _SMALL_VOLUME):
-        return ShownUnit("cm³", None)
-    if unit in _UNITS:
-        return ShownUnit(_UNITS[unit], _FACTORS.get(unit))
-    return ShownUnit(_plain(unit), 1.0)
+    is_part = unit == "1" and np.all(sizes < 1) and np.any(sizes > 0)
+    return scale_for("%" if is_part else unit, float(np.max(sizes, initial=0.0)))
+
+
+def text_in(scale: Scale, value: float) -> str:
+    """Write one value of the catalogue in a unit, without that."""
+    return significant(float(scale.of(value)))
 
 
 def significant(value: float, digits: int = _DIGITS) -> str:
@@ -125,11 +75,6 @@ def percent(value: float) -> str:
         return "< 0.01 %"
     decimals = 2 if abs(value) < 9.995 else 1 if abs(value) < 999.5 else 0
     return _signed(value, f"{value:.{decimals}f}".replace("-", "−") + " %")
-
-
-def _plain(unit: str) -> str:
-    """Write a unit as print does."""
-    return unit.replace("^2", "²").replace("^3", "³").replace("*", "·")
 
 
 def _signed(value: float, text: str) -> str:

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from cranktrain.analysis.dimensions import DIMENSIONS
-from cranktrain.analysis.figures import ABSENT, shown_in
+from cranktrain.analysis.figures import ABSENT, shown_in, text_in
 from cranktrain.catalogue import Entry
 from cranktrain.grouping import grouped
 from cranktrain.language import N_, _
@@ -159,7 +159,7 @@ def whose_of(members: Sequence[str], places: Sequence[int]) -> str:
 def _texts(entry: Entry, values: Array) -> tuple[str, ...]:
     """Values as they are shown, by which they are one or differ."""
     shown = shown_in(entry.unit, values)
-    return tuple(shown.text(float(value)) for value in np.ravel(values))
+    return tuple(text_in(shown, float(value)) for value in np.ravel(values))
 
 
 def _first(one: Labelled | None) -> float:

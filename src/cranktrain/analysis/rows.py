@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.all_questions import QUESTIONS
-from cranktrain.analysis.figures import shown_in
+from cranktrain.analysis.figures import shown_in, text_in
 from cranktrain.analysis.members import Labelled, rows_of
 from cranktrain.analysis.result import Result
 from cranktrain.catalogue import Entry, entries
@@ -44,7 +44,7 @@ class AnswerRow:
     def texts(self) -> tuple[tuple[str, ...], str]:
         """The values as they are shown, and their unit."""
         shown = shown_in(self.entry.unit, np.array(self.values))
-        return tuple(map(shown.text, self.values)), shown.unit
+        return tuple(text_in(shown, value) for value in self.values), shown.label
 
 
 class OneMachine(NamedTuple):

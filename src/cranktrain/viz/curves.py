@@ -194,10 +194,10 @@ def _panel_of(result: Result, entry: Entry, design: int, members: Mapping[str, "
     shown = shown_in(entry.unit, np.concatenate([values for _name, values in curves]))
     colour = COLOURS[_LETTERS.get(entry.unit, "F")]
     lines = (
-        CurveLine(_closed_angle(result), shown.converted(_closed(values)), name, LOOKS[i % len(LOOKS)], colour)
+        CurveLine(_closed_angle(result), shown.of(_closed(values)), name, LOOKS[i % len(LOOKS)], colour)
         for i, (name, values) in enumerate(curves)
     )
-    return CurvePanel(entry.sentence, shown.unit, tuple(lines))
+    return CurvePanel(entry.sentence, shown.label, tuple(lines))
 
 
 def _panel_of_both(comparison: Comparison, entry: Entry) -> CurvePanel:
@@ -215,11 +215,9 @@ def _panel_of_both(comparison: Comparison, entry: Entry) -> CurvePanel:
         _member, values = one
         times = round(end / _closed_angle(result)[-1])
         angle = np.concatenate([result.crank_angle + k * _closed_angle(result)[-1] for k in range(times)])
-        lines.append(
-            CurveLine(np.append(angle, end), shown.converted(_closed(np.tile(values, times))), "", look, colour)
-        )
+        lines.append(CurveLine(np.append(angle, end), shown.of(_closed(np.tile(values, times))), "", look, colour))
     of = " / ".join(one[0] for one in found if one is not None and one[0])
-    return CurvePanel(f"{entry.sentence} ({of})" if of else entry.sentence, shown.unit, tuple(lines))
+    return CurvePanel(f"{entry.sentence} ({of})" if of else entry.sentence, shown.label, tuple(lines))
 
 
 def _curves(

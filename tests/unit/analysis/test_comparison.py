@@ -5,7 +5,7 @@ import pytest
 from tests.machines import ROCKER, V12, slider
 
 import cranktrain as ct
-from cranktrain.analysis.figures import difference, percent, shown_in, significant
+from cranktrain.analysis.figures import difference, percent, shown_in, significant, text_in
 
 SMALL = ct.Machine(name="small", mechanism=slider(), shaft={"main": {"speed": "1500 rpm"}})
 LARGE = SMALL.with_({"name": "large", "mechanism.crank_radius": "60 mm", "mechanism.rod_length": "216 mm"})
@@ -159,8 +159,8 @@ def test_differences_are_signed():
 
 
 def test_units_of_the_drawing_office():
-    assert shown_in("N*m", np.array([1.0])).unit == "N·m"
-    assert shown_in("m^3", np.array([1e-5])).text(1e-5) == "10.00"  # cm³
-    assert shown_in("1", np.array([0.25])).text(0.25) == "25.00"  # %
-    assert shown_in("deg", np.array([90.0])).text(90.0) == "90.00"
-    assert shown_in("rad", np.array([np.pi])).text(np.pi) == "180.0"
+    assert shown_in("N*m", np.array([1.0])).label == "N·m"
+    assert text_in(shown_in("m^3", np.array([1e-5])), 1e-5) == "10.00"  # cm³
+    assert text_in(shown_in("1", np.array([0.25])), 0.25) == "25.00"  # %
+    assert text_in(shown_in("deg", np.array([90.0])), 90.0) == "90.00"
+    assert text_in(shown_in("rad", np.array([np.pi])), np.pi) == "180.0"

@@ -1,4 +1,4 @@
-"""Values on the one screen: which unit a quantity is shown in, with how many digits. Here alone a unit is chosen."""
+"""Values on the one screen: with how many digits each is written, in the unit that is chosen for it."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -10,8 +10,8 @@ import numpy as np
 from cranktrain.cli.screen.text import KEPT
 from cranktrain.language import _
 from cranktrain.motion import Array
-from cranktrain.quantities import shown
 from cranktrain.rows import Amount, Extent, Piece
+from cranktrain.scales import scale_for
 from cranktrain.wording import ABSENT, signless
 
 _FIGURES = 4
@@ -19,40 +19,6 @@ _MOST_DECIMALS = 8
 _ROUNDING = 1e-9
 """Of the largest value; what is less is nothing beside it."""
 
-
-class _Scale(NamedTuple):
-    """A unit: what is written behind a value, and from which size on, in SI, it is taken."""
-
-    label: str
-    least: float = 0.0
-
-
-_SCALES: Mapping[str, tuple[_Scale, ...]] = {
-    "m": (_Scale("mm"),),
-    "m/s": (_Scale("m/s"),),
-    "m/s^2": (_Scale("m/s²"),),
-    "m^3": (_Scale("L", 1e-4), _Scale("cm³")),
-    "m^3/s": (_Scale("m³/h"),),
-    "rad": (_Scale("°"),),
-    "position": (_Scale("°"),),
-    "rpm": (_Scale("rpm"),),
-    "Hz": (_Scale("Hz"),),
-    "N": (_Scale("kN", 1e3), _Scale("N")),
-    "N*m": (_Scale("kN·m", 1e4), _Scale("N·m")),
-    "Pa": (_Scale("bar"),),
-    "W": (_Scale("kW", 1e2), _Scale("W")),
-    "J": (_Scale("kJ", 1e5), _Scale("J")),
-    "kg": (_Scale("kg"),),
-    "kg*m^2": (_Scale("kg·m²"),),
-    "%": (_Scale("%"),),
-    "error": (_Scale("%"),),
-    "off": (_Scale("%"),),
-    "1": (_Scale(""),),
-}
-"""Units by what is to be shown, as `AnswerLine` names it, the largest first."""
-
-_FACTORS = {"": 1.0, "%": 100.0, "Hz": 1 / (2 * np.pi), "m³/h": 3600.0, "kW": 1e-3, "W": 1.0, "kN·m": 1e-3}
-"""Units that no machine file has, and how many of them one in SI is."""
 
 _DECIMALS = {"rad": 2, "position": 1, "off": 0}
 """Of these, whatever their size."""
@@ -88,11 +54,11 @@ def written(values: Array, unit: str, *, apart: bool = False, beside: float = 0.
     """
     sizes = np.abs(values[np.isfinite(values)])
     most = float(np.max(sizes, initial=0.0))
-    label = next((one.label for one in _SCALES[unit] if max(most, beside) >= one.least), _SCALES[unit][-1].label)
-    sized = [_in(label, float(value)) for value in values]
-    decimals = _decimals_of(sized, abs(_in(label, most)), unit, apart=apart)
+    scale = scale_for(unit, max(most, beside))
+    sized = [float(scale.of(float(value))) for value in values]
+    decimals = _decimals_of(sized, abs(float(scale.of(most))), unit, apart=apart)
     sign = "+" if unit == "off" else ""
-    return Written(tuple(_text(*one, sign) for one in zip(sized, decimals, strict=True)), label)
+    return Written(tuple(_text(*one, sign) for one in zip(sized, decimals, strict=True)), scale.label)
 
 
 def _decimals_of(sized: Sequence[float], most: float, unit: str, *, apart: bool) -> list[int]:
@@ -134,11 +100,6 @@ def _piece(piece: Piece, beside: Mapping[str, float]) -> str:
     at = written(np.array(piece.positions), "position")
     low, high = map(at.whole, at.texts)
     return _("{least} at {low} to {most} at {high}").format(least=found.texts[0], low=low, most=last, high=high)
-
-
-def _in(label: str, si: float) -> float:
-    """Express an SI value in a unit."""
-    return si * _FACTORS[label] if label in _FACTORS else float(shown(si, label))
 
 
 def _decimals(size: float, figures: int) -> int:
