@@ -23,6 +23,7 @@ from cranktrain.layout.masses import Weighed
 from cranktrain.layout.places import PlacedMechanism, places_of
 from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPistonSpec, ShaftSpec
 from cranktrain.layout.standing import standing_problems
+from cranktrain.layout.unit_tables import unit_problems
 from cranktrain.mechanisms import AnyMechanism
 from cranktrain.mechanisms.spec import LISTS
 from cranktrain.motion import Array
@@ -127,6 +128,9 @@ class Machine(Spec, frozen=True):
             "What the chambers hold: a fluid by its kind, or several by the names of chambers, cylinders or banks."
         ),
     )
+    units: Mapping[str, str] = Field(
+        default={}, description=N_('Units in which numbers are shown, by what they measure: pressure = "bar".')
+    )
     balance: BalanceSpec | None = Field(
         default=None, description=N_("Counterweights and balance shafts, given or solved for.")
     )
@@ -225,6 +229,7 @@ class Machine(Spec, frozen=True):
             allowed = _("gives {n} mechanisms; a machine may have at most {limit}")
             yield Problem("bank", None, allowed.format(n=n_mechanisms, limit=MOST_MECHANISMS))
         yield from self._shaft_problems()
+        yield from unit_problems(self.units)
 
     def _shaft_problems(self) -> Iterator[Problem]:
         """Find what only the main shaft has, or only another, and shafts that carry nothing."""

@@ -1,4 +1,4 @@
-"""In which unit a quantity is shown: one choice for the screen, for tables and representations, for curves."""
+"""In which unit a quantity is shown on the screen, in tables, comparisons and curves: the usual one, or a reader's."""
 
 from collections.abc import Mapping
 from typing import NamedTuple, TypeVar
@@ -6,7 +6,7 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.quantities import shown
+from cranktrain.quantities import chosen_unit, shown
 
 Size = TypeVar("Size", float, Array)
 
@@ -80,6 +80,7 @@ def scale_for(unit: str, size: float) -> Scale:
     Returns
     -------
     Scale
+        What a reader chose with `shown_by`, whatever the size.
 
     Examples
     --------
@@ -87,6 +88,9 @@ def scale_for(unit: str, size: float) -> Scale:
     ('bar', 'N', 'kN')
     """
     scales = SCALES.get(unit)
+    chosen = None if scales is None else chosen_unit(scales[-1].label)
+    if chosen is not None:
+        return Scale(chosen)
     if scales is None:
         return Scale(unit.replace("^2", "²").replace("^3", "³").replace("*", "·"), factor=1.0)
     return next((scale for scale in scales if size >= scale.least), scales[-1])

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from cranktrain.grouping import places_of_equal
 from cranktrain.motion import Array
-from cranktrain.quantities import shown
+from cranktrain.quantities import chosen_unit, shown
 
 Names = Mapping[str, Sequence[str]]
 """Labels of each dimension: the pistons', the chambers', …"""
@@ -41,19 +41,29 @@ _PLAIN = {"1": 1.0, "%": 100.0, "m/s^2": 1.0, "J": 1.0, "Hz": 1 / (2 * np.pi), "
 
 
 def number(value: float, unit: str) -> str:
-    """Write an SI value in a unit, as `figure` does, with its unit."""
-    return f"{figure(value, unit)} {unit}" if unit != "1" and np.isfinite(value) else figure(value, unit)
+    """Write an SI value in a unit, as `figure` does, with its unit, or with the one that a reader chose."""
+    if unit == "1" or not np.isfinite(value):
+        return figure(value, unit)
+    return f"{figure(value, unit)} {chosen_unit(unit) or unit}"
 
 
 def figure(value: float, unit: str) -> str:
     """Write an SI value in a unit, not written here, with decimals that suit it; one that is not finite is absent."""
     if not np.isfinite(value):
         return ABSENT
+    if (chosen := chosen_unit(unit)) is not None:
+        return _four_figures(shown(value, chosen))
     size = value * _PLAIN[unit] if unit in _PLAIN else shown(value, unit)
     decimals = _DECIMALS.get(unit, 3)
     if unit in _SLOW_TOO and 1e-6 < abs(size) < 100:
         decimals = max(decimals, 2 - floor(log10(abs(size))))
     return signless(f"{size:.{decimals}f}")
+
+
+def _four_figures(size: float) -> str:
+    """Write a number with four figures, and no exponent."""
+    decimals = 3 - floor(log10(float(f"{abs(size):.3e}"))) if size else 0
+    return signless(f"{size:.{max(decimals, 0)}f}")
 
 
 def signless(text: str) -> str:

@@ -22,7 +22,7 @@ from cranktrain.spec import Spec
 
 ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "src/cranktrain/questions"
-OF_LAYOUT = {"name", "rotation", "running", "crank_zero", "angle", "shaft", "mechanism", "bank"}
+OF_LAYOUT = {"units", "name", "rotation", "running", "crank_zero", "angle", "shaft", "mechanism", "bank"}
 HEADS = ["Tables", "Parts", "Results", "Rests on", "Theory", "What it does not do"]
 
 every_question = pytest.mark.parametrize("question", QUESTIONS, ids=lambda question: question.name)

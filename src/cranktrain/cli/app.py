@@ -25,6 +25,7 @@ from cranktrain.cli.options import (
     RunningSpeed,
     Settings,
     SpeedCurve,
+    Units,
     degrees,
 )
 from cranktrain.cli.task import Task, put_off, task_of
@@ -169,6 +170,7 @@ def _run(
     checks: Checks = False,
     inputs: Inputs = False,
     missing: Missing = False,
+    units: Units = None,
     force: Force = False,
 ) -> None:
     from cranktrain.cli.run import RunRequest, Shown, show_run
@@ -184,6 +186,7 @@ def _run(
         speed_curve=speed_curve,
         output=output,
         force=force,
+        units=units,
         decimal=decimal,
         facts=facts,
     )

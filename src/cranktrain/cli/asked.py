@@ -11,6 +11,7 @@ from cranktrain.record import record
 
 if TYPE_CHECKING:
     from cranktrain.analysis import Result
+    from cranktrain.quantities import UnitChoice
 
 RUNNING_SPEED, SPEED_CURVE = "--running-speed", "--speed-curve"
 _TABLE = "shaft.main.speed_curve"
@@ -27,6 +28,7 @@ class Asked:
     speed_curve: str | None = None
     output: str | None = None
     force: bool = False
+    units: str | None = None
 
     @property
     def speed(self) -> str:
@@ -57,3 +59,10 @@ class Asked:
 def at_running_speed(problem: Problem) -> Problem:
     """Put what is wrong with the running speed to the option that asks for it."""
     return replace(problem, path=RUNNING_SPEED, given=None) if problem.path == "speed" else problem
+
+
+def units_asked_for(typed: str | None) -> "UnitChoice":
+    """Read the units in which numbers are to be shown, `bar,kW`; refuse words that are none."""
+    from cranktrain.quantities import units_by_dimension
+
+    return {} if typed is None else units_by_dimension([name.strip() for name in typed.split(",")])

@@ -7,13 +7,15 @@ from rich.text import Text
 
 from cranktrain.analysis import Result, sentences
 from cranktrain.analysis.comparison import Comparison, compared
+from cranktrain.cli.asked import units_asked_for
 from cranktrain.cli.screen.text import page
 from cranktrain.cli.screen.title import title
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.io.examples import example_called
-from cranktrain.io.machine_file import MachineFile, computed, read_machine
+from cranktrain.io.machine_file import MachineFile, computed, read_machine, shown_units
 from cranktrain.language import _
 from cranktrain.one_line import one_line
+from cranktrain.quantities import shown_by
 from cranktrain.record import record
 
 
@@ -28,6 +30,7 @@ class CompareRequest:
     is_partial: bool = False
     output: str | None = None
     force: bool = False
+    units: str | None = None
 
 
 def show_comparison(request: CompareRequest) -> None:
@@ -39,7 +42,14 @@ def show_comparison(request: CompareRequest) -> None:
         With everything that is wrong with the request, else with both machines.
     """
     _check(request)
+    asked = units_asked_for(request.units)
     files = _read(request)
+    with shown_by(shown_units(files[0])), shown_by(asked):
+        _show(files, request)
+
+
+def _show(files: tuple[MachineFile, MachineFile], request: CompareRequest) -> None:
+    """Compute both, compare, draw where asked, and show."""
     results = _computed(files, request)
     comparison = compared(results, _names(request), request.quantities)
     if request.output is not None:

@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from cranktrain.cli.options import File, Force, Partial, Settings
+from cranktrain.cli.options import File, Force, Partial, Settings, Units
 from cranktrain.cli.task import put_off
 from cranktrain.language import _
 
@@ -45,6 +45,7 @@ def add_compare(app: typer.Typer) -> None:
             ),
         ] = None,
         partial_turn: Partial = False,
+        units: Units = None,
         force: Force = False,
     ) -> None:
         from cranktrain.cli.compare import CompareRequest, show_comparison
@@ -58,5 +59,6 @@ def add_compare(app: typer.Typer) -> None:
             is_partial=partial_turn,
             output=output,
             force=force,
+            units=units,
         )
         show_comparison(request)

@@ -41,6 +41,11 @@ Checks = Annotated[bool, typer.Option("--checks", help=_("Show how well each che
 Inputs = Annotated[bool, typer.Option("--inputs", help=_("Show every number of the file and where it is from."))]
 Missing = Annotated[bool, typer.Option("--missing", help=_("Show what the file could say, and what that would give."))]
 
+Units = Annotated[
+    str | None,
+    typer.Option("--units", metavar="UNIT,…", help=_("Show numbers in these units: bar,kW,in; the rest as usual.")),
+]
+
 RunningSpeed = Annotated[
     bool,
     typer.Option(

@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING
 from rich.text import Text
 
 from cranktrain.analysis import Result
-from cranktrain.cli.asked import Asked, at_running_speed
+from cranktrain.cli.asked import Asked, at_running_speed, units_asked_for
 from cranktrain.cli.screen.text import page, show_lines
 from cranktrain.errors import InputError, Problem, problems_as, refuse
-from cranktrain.io.machine_file import MachineFile
+from cranktrain.io.machine_file import MachineFile, shown_units
 from cranktrain.io.output import write_whole
 from cranktrain.language import _
 from cranktrain.one_line import one_line
+from cranktrain.quantities import shown_by
 from cranktrain.record import record
 
 if TYPE_CHECKING:
@@ -50,7 +51,14 @@ def show_run(request: RunRequest, shown: Shown | None = None) -> None:
     if request.quantities == ():
         allowed = _("must be names of results, with commas between; `cranktrain list results` names them")
         raise InputError([Problem("--quantities", '""', allowed)])
+    asked = units_asked_for(request.units)
     file = request.read()
+    with shown_by(shown_units(file)), shown_by(asked):
+        _show(file, request, shown, form)
+
+
+def _show(file: MachineFile, request: RunRequest, shown: Shown | None, form: "Form | None") -> None:
+    """Compute, write and show what was read."""
     if request.output is None or form is None:
         result = _computed(file, request)
     else:

@@ -1,5 +1,6 @@
 """Units at the edge: "180 mm" is read, checked and rounded once where it enters; inside, all is SI and radians."""
 
+from cranktrain.quantities.choice import UnitChoice, chosen_unit, own_units, shown_by, units_by_dimension
 from cranktrain.quantities.conversion import shown
 from cranktrain.quantities.dimensions import Dimension, expected, is_unit, unit_names
 from cranktrain.quantities.fields import (
@@ -63,14 +64,19 @@ __all__ = [
     "Status",
     "Temperature",
     "TurnedAngle",
+    "UnitChoice",
     "Velocity",
+    "chosen_unit",
     "expected",
     "is_unit",
     "nearest",
     "one_of",
+    "own_units",
     "read",
     "shown",
+    "shown_by",
     "unit_names",
+    "units_by_dimension",
     "unknown_key",
     "unlisted",
     "written",

@@ -303,8 +303,8 @@ def test_bug_is_reported_in_a_sentence(typed, monkeypatch):
 
 
 def test_a_notch_from_the_terminal(typed):
-    """Another notch for one run."""
-    for notch, travel in (("1", "164.77"), ("0", "88.95")):
+    """Another notch for one run: 164.77 and 88.95 mm, in inches as its file is."""
+    for notch, travel in (("1", "6.487"), ("0", "3.502")):
         answer = typed("run", "lms_class5", "--set", f"bank.valve.mechanism.notch={notch}", "--quantities", "stroke")
         assert answer.status == 0, answer.errors
         assert travel in answer.output

@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
+from cranktrain.quantities import chosen_unit
 from cranktrain.wording import ABSENT, figure
 
 _SHOWN = {"m": "mm", "rad": "deg", "deg": "deg", "m/s": "m/s", "m/s^2": "m/s^2", "1": "1"}
@@ -45,7 +46,12 @@ def figures(values: Array, unit: str) -> Figures:
     shown = _SHOWN.get(unit)
     if unit == "m^3":
         shown = "cm^3" if whole.size and np.max(np.abs(whole)) < _SMALL_VOLUME else "L"
-    if unit == "1" and np.all(whole == np.rint(whole)):
+    si = np.deg2rad(values) if unit == "deg" else values
+    chosen = chosen_unit(shown or unit)
+    if chosen is not None:
+        texts = [figure(float(value), chosen) for value in si]
+        shown = chosen
+    elif unit == "1" and np.all(whole == np.rint(whole)):
         texts = [f"{value:.0f}" for value in values]
     elif unit == "1" and np.all(np.abs(whole) < 1):
         shown = "%"
@@ -53,7 +59,6 @@ def figures(values: Array, unit: str) -> Figures:
     elif shown is None:
         texts = [f"{value:#.4g}".removesuffix(".") for value in values]
     else:
-        si = np.deg2rad(values) if unit == "deg" else values
         texts = [figure(float(value), shown) for value in si]
     absent = (~np.isfinite(values)).tolist()
     kept = tuple(ABSENT if is_absent else text for text, is_absent in zip(texts, absent, strict=True))
