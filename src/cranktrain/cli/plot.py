@@ -10,10 +10,10 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 
 from cranktrain.cli.asked import RUNNING_SPEED, SPEED_CURVE, Asked, at_running_speed
 from cranktrain.errors import InputError, Position, Problem, problems_as
-from cranktrain.io.machine_file import MachineFile
+from cranktrain.io.machine_file import MachineFile, shown_units
 from cranktrain.language import _
 from cranktrain.one_line import one_line
-from cranktrain.quantities import Dimension, QuantityError, read, shown, unlisted
+from cranktrain.quantities import Dimension, QuantityError, read, shown, shown_by, unlisted
 from cranktrain.record import record
 from cranktrain.viz import PICTURES, save, save_animation
 from cranktrain.viz.output import FORMATS
@@ -82,7 +82,7 @@ def write_picture(request: PlotRequest) -> None:
     # What the plotting library says of its fonts and its folder is nothing that a user asked for.
     logging.getLogger("matplotlib").setLevel(logging.ERROR)
     file = request.read()
-    with problems_as(partial(_placed, file, request)), problems_as(at_running_speed):
+    with shown_by(shown_units(file)), problems_as(partial(_placed, file, request)), problems_as(at_running_speed):
         if request.mechanism is not None:
             with problems_as(lambda problem: replace(problem, path="--mechanism")):
                 place_called(file.machine, request.mechanism)

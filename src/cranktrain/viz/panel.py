@@ -1,11 +1,13 @@
 """Panels as data: curves over the crank angle, or over anything else, that any face can draw."""
 
+from dataclasses import replace
 from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.motion import Array
+from cranktrain.quantities import chosen_unit, shown
 from cranktrain.record import record
 
 # fmt: off
@@ -66,6 +68,16 @@ class Panel:
     def values(self) -> Array:
         """Values of all curves, shape (n_curves, n)."""
         return np.stack([curve.values for curve in self.curves])
+
+
+def in_chosen_unit(panel: Panel) -> Panel:
+    """Give a panel in the unit that a reader chose for what it shows; as it is where none was."""
+    chosen = chosen_unit(panel.unit)
+    if chosen is None:
+        return panel
+    one = shown(1.0, panel.unit)
+    curves = tuple(replace(curve, values=shown(curve.values / one, chosen)) for curve in panel.curves)
+    return replace(panel, unit=chosen, curves=curves)
 
 
 class OneDesign(NamedTuple):

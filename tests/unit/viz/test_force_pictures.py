@@ -16,6 +16,7 @@ from cranktrain.plans.force_polygons import force_polygons
 from cranktrain.plans.pin_loads import pin_loads
 from cranktrain.plans.polygons import velocity_polygons
 from cranktrain.plans.zhukovsky import zhukovsky_lever
+from cranktrain.quantities import shown_by, units_by_dimension
 from cranktrain.viz import (
     plan_accelerations,
     plan_forces,
@@ -27,6 +28,7 @@ from cranktrain.viz import (
     sheet,
     sheet_forces,
 )
+from cranktrain.viz.panel import Curve, Panel, in_chosen_unit
 from cranktrain.viz.paper.labels import label_outline
 from cranktrain.viz.plans.force_sketches import force_polygon_sketch
 from cranktrain.viz.plans.pin_polar import polar_sketch
@@ -113,11 +115,11 @@ def test_sheet_says_what_it_shows(results):
     words = " | ".join(text for text, _box in words_of(sheet_forces(results["3d12"], piston="2L")))
     for part in (
         "Forces. φ = 0 where crank 1 is on the axis of bank L",
-        "Gas pressure at piston 2L, absolute, MPa",
+        "Gas pressure at piston 2L, absolute, bar",
         "Forces at piston 2L, kN",
         "Forces at its crank pin, kN",
         f"Torque on the shaft, mean {results['3d12'].mean_torque:.1f}, N·m",
-        "Indicator diagram, pressure in MPa over volume in litres",
+        "Indicator diagram, pressure in bar over volume in L",
         "6: sum 12.00 of 12",
         "Crank angle φ, °",
     ):
@@ -141,7 +143,7 @@ def test_curves_are_the_results(results):
     result = results["3d12"]
     pressure, at_piston, at_pin, torque = force_panels(result, "2L")
     row, place = (result.labels[name].index("2L") for name in ("piston", "mechanism"))
-    assert pressure.values[0, :-1] * 1e6 == pytest.approx(result.gas_pressure[row])
+    assert pressure.values[0, :-1] * 1e5 == pytest.approx(result.gas_pressure[row])
     assert [curve.symbol for curve in at_piston.curves] == ["P", "S", "N", "N_f"]
     assert at_piston.values[2, :-1] * 1e3 == pytest.approx(result.side_force[0, row])
     assert at_piston.values[3, :-1] * 1e3 == pytest.approx(result.side_force[1, row])
@@ -306,3 +308,15 @@ def test_a_table_that_is_not_used_is_told_in_the_head(draw):
     said = f"[gas] is not used: [cylinder] compression_ratio or clearance is missing; {OF_INERTIA_ALONE}"
     assert said in [text for text, _box in words_of(figure)]
     assert_words_are_readable(figure)
+
+
+def test_a_panel_in_the_units_that_a_reader_chose():
+    """1 psi = 6894.757293168 Pa; a gauge pressure counts from 101325 Pa."""
+    panel = Panel("Pressure", "bar", np.array([0.0, 1.0]), (Curve(np.array([1.0, 2.0]), "main", "p"),))
+    assert in_chosen_unit(panel) is panel
+    with shown_by(units_by_dimension(["psi"])):
+        found = in_chosen_unit(panel)
+    assert found.unit == "psi"
+    assert found.values[0] == pytest.approx([14.503773773, 29.007547546], rel=1e-9)
+    with shown_by(units_by_dimension(["barg"])):
+        assert in_chosen_unit(panel).values[0] == pytest.approx([-0.01325, 0.98675], rel=1e-12)

@@ -7,7 +7,7 @@ import numpy as np
 
 from cranktrain.language import _
 from cranktrain.motion import Array
-from cranktrain.viz.panel import Curve, Panel, Role
+from cranktrain.viz.panel import Curve, Panel, Role, in_chosen_unit
 from cranktrain.viz.paper.page import Axes, Box, Page, formula
 from cranktrain.viz.paper.style import COLOURS, GRID, HEADING, INK, MUTED, SYMBOL, TEXT
 
@@ -93,11 +93,11 @@ def draw_panels(page: Page, panels: Sequence[Panel], box: Box, look: Look) -> No
     """Stack panels over one crank angle in a room."""
     each = min((box.height - _FOOT - look.head - look.gap * (len(panels) - 1)) / len(panels), look.tallest)
     low = box.bottom + box.height - look.head + look.gap
-    for panel in panels:
+    for place, panel in enumerate(map(in_chosen_unit, panels), start=1):
         low -= each + look.gap
         axes = axes_in(page, Box(box.left, low, box.width, each), look.beside)
         _draw_panel(axes, panel, look)
-        axes.tick_params(labelbottom=panel is panels[-1])
+        axes.tick_params(labelbottom=place == len(panels))
         _write_head(page, panel, (box.left, box.left + box.width, low + each + look.lift), look)
     page.text(box.left + box.width / 2, low - _FOOT, _("Crank angle φ, °"), ha="center")
 

@@ -11,7 +11,7 @@ from cranktrain.motion import Array
 from cranktrain.plans.evenness_diagrams import mertsalov_diagram, wittenbauer_diagram
 from cranktrain.quantities import shown
 from cranktrain.textbook.flywheel_diagrams import Tangent
-from cranktrain.viz.panel import Curve, OneDesign, Panel
+from cranktrain.viz.panel import Curve, OneDesign, Panel, in_chosen_unit
 from cranktrain.viz.paper.head import result_page
 from cranktrain.viz.paper.labels import Wish, placed_labels, together
 from cranktrain.viz.paper.page import Axes, Box, Figure, Page, drawing_settings, formula, set_words
@@ -96,7 +96,7 @@ def _page(result: Result, size: str, design: int, title: str) -> tuple[Page, Box
 
 def _over_cycle(page: Page, panel: Panel, box: Box, beside: float) -> Axes:
     """Draw a panel over the crank angle with its legend."""
-    cycle = float(panel.across[-1])
+    panel, cycle = in_chosen_unit(panel), float(panel.across[-1])
     axes = _axes(page, box, "", f"{panel.title}, {panel.unit}", every=cycle / 12)
     axes.set(xlim=(0.0, cycle), ylim=_wide(panel.values, beside))
     draw_curves(axes, panel)

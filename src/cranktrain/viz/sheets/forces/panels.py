@@ -29,7 +29,7 @@ def force_panels(result: Result, piston: str | None, design: int = 0) -> Iterato
     Yields
     ------
     Panel
-        Pressure in MPa; P, S and N; K and T, of a master with S at the crank pin, of a slave its share; beside them the
+        Pressure; P, S and N; K and T, of a master with S at the crank pin, of a slave its share; beside them the
         formula's N and T where it is seen to be off; torque of every mechanism, of all together and its mean.
     """
     shown = OneDesign(result, design)

@@ -93,8 +93,8 @@ def _draw_indicator(page: Page, shown: OneDesign, piston: str | None, place: tup
     draw_curves(axes, panel)
     page.heading(left, top - 3.0, panel.title)
     if shown.has("indicated_mean_pressure"):
-        mean = float(shown("indicated_mean_pressure")[chambers_of(shown.result, piston)[0]]) / 1e6
-        words = _("mean {mean:.3f} MPa").format(mean=mean)
+        mean = float(shown("indicated_mean_pressure")[chambers_of(shown.result, piston)[0]])
+        words = _("mean {mean}").format(mean=number(mean, "bar").replace("-", "−"))
         axes.text(0.98, 0.9, words, ha="right", va="top", transform=axes.transAxes, fontsize=TEXT)
     return top - 5.0 - height - 7.0
 

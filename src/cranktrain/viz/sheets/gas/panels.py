@@ -4,27 +4,32 @@ import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.language import _
+from cranktrain.scales import scale_for
 from cranktrain.viz.panel import Curve, OneDesign, Panel, closed
 
 
 def pressure_panel(shown: OneDesign, piston: str) -> Panel:
-    """Absolute pressure in the chambers of a piston over the cycle, in MPa."""
+    """Absolute pressure in the chambers of a piston over the cycle."""
     curves = tuple(
-        Curve(closed(shown("gas_pressure")[chamber]) / 1e6, "chamber" if later else "main", "p", "p")
+        Curve(closed(shown("gas_pressure")[chamber]) / 1e5, "chamber" if later else "main", "p", "p")
         for later, chamber in enumerate(chambers_of(shown.result, piston))
     )
-    return Panel(_("Gas pressure at piston {piston}, absolute").format(piston=piston), "MPa", shown.cycle, curves)
+    return Panel(_("Gas pressure at piston {piston}, absolute").format(piston=piston), "bar", shown.cycle, curves)
 
 
 def indicator_panel(shown: OneDesign, piston: str) -> Panel:
-    """Pressure over the volume of each of a piston's chambers, in MPa and litres."""
+    """Pressure over the volume of each of a piston's chambers."""
     chambers = chambers_of(shown.result, piston)
+    pressure = scale_for("Pa", 0.0)
     curves = tuple(
-        Curve(closed(shown("gas_pressure")[chamber]) / 1e6, "later_card" if later else "card", "p")
+        Curve(pressure.of(closed(shown("gas_pressure")[chamber])), "later_card" if later else "card", "p")
         for later, chamber in enumerate(chambers)
     )
-    volumes = np.stack([closed(shown("chamber_volume")[chamber]) * 1e3 for chamber in chambers])
-    return Panel(_("Indicator diagram, pressure in MPa over volume in litres"), "MPa", volumes, curves)
+    volumes = np.stack([closed(shown("chamber_volume")[chamber]) for chamber in chambers])
+    volume = scale_for("m^3", float(np.max(volumes)))
+    title = _("Indicator diagram, pressure in {pressure} over volume in {volume}")
+    said = title.format(pressure=pressure.label, volume=volume.label)
+    return Panel(said, pressure.label, volume.of(volumes), curves)
 
 
 def chambers_of(result: Result, piston: str) -> list[int]:
