@@ -94,7 +94,7 @@ def drawn_panels(panels: Sequence[CurvePanel], title: str = "", keys: Sequence[C
 
 
 def _plain(legend: Any) -> None:
-    """Write what stands in a key as it is: a $ in a name begins no formula."""
+    """Write what stands in a key as it is: a dollar sign in a name begins no formula."""
     for text in legend.get_texts():
         text.set_parse_math(False)
 
