@@ -79,6 +79,27 @@ TABLES = {
             "motor": {"torque": "90 N*m", "speed": "950 rpm", "no_load_speed": "1000 rpm"},
         }
     },
+    "loads": {
+        "load": {
+            "cut": {
+                "on": "piston",
+                "force": ["1 kN", "3 kN", "2 kN"],
+                "force_back": ["0.1 kN", "0.3 kN", "0.2 kN"],
+                "travel": ["0 mm", "30 mm", "81 mm"],
+            },
+            "weight": {
+                "on": "rod",
+                "force": "200 N",
+                "sense": "active",
+                "direction": "40 deg",
+                "along": "50 mm",
+                "across": "5 mm",
+            },
+            "rope": {"on": "crank", "force": "90 N", "sense": "active", "radius": "30 mm", "direction": "70 deg"},
+            "fan": {"on": "crank", "torque": "2 N*m", "at_turning": "90 rad/s", "exponent": 2},
+            "cam": {"on": "crank", "torque": ["1 N*m", "3 N*m"], "crank_angles": ["20 deg", "200 deg"]},
+        }
+    },
     "torsion": {
         "torsion": {
             "stiffness": "1 MN*m/rad",
@@ -136,8 +157,8 @@ SAYS_NOTHING = (
 )
 """Numbers by which nothing that is laid out need change."""
 
-TIED = re.compile(r"^shaft\.\w+\.(throws\.\d+|phase)$|^bank\.\w+\.(lead|angle\.0)$")
-"""Numbers of opposed pistons that cannot change alone."""
+TIED = re.compile(r"^shaft\.\w+\.(throws\.\d+|phase)$|^bank\.\w+\.(lead|angle\.0)$|^load\.\w+\.travel\.0$")
+"""Numbers of opposed pistons that cannot change alone, and where a travel begins."""
 
 
 def numbers_of(value, path=()):
