@@ -67,6 +67,19 @@ def test_joint_forces_and_torque_of_a_loaded_crank_rocker():
     assert all(np.all(check.passed) for check in result.checks)
 
 
+def test_static_torque_of_load_and_weights():
+    """So slowly that inertia is nothing: what holds load and weights at the crank, and the inertia reduced to it."""
+    case = ReferenceCase.load("reduction_gd2")
+    slow = machine().with_({"shaft.main.speed": "1e-6 rad/s", "load": {"work": machine().declared["load"]["work"]}})
+    result = ct.run(slow)
+    found = {
+        "T_static_crank_Nm": result.driving_torque,
+        "J_crank_kgm2": result.reduced_inertia,
+        "dJ_crank_dphi_kgm2_per_rad": result.reduced_inertia_slope,
+    }
+    case.compare({name: np.append(values, values[..., :1]) for name, values in found.items()}, rel_to_peak=1e-9)
+
+
 def test_a_brake_takes_its_torque_times_the_swing_there_and_back():
     """A constant torque against the motion: −2 M γ a turn; with the viscous one −c ω ∮ α₁′² dφ."""
     result = ct.run(machine().with_({"load.brake": {"on": "rocker", "torque": "50 N*m"}}))
