@@ -52,7 +52,8 @@ def figure(value: float, unit: str) -> str:
     if not np.isfinite(value):
         return ABSENT
     if (chosen := chosen_unit(unit)) is not None:
-        return _four_figures(shown(value, chosen))
+        size = shown(value, chosen)
+        return signless(f"{size:.{max(decimals_for(abs(size), 4), 0)}f}")
     size = value * _PLAIN[unit] if unit in _PLAIN else shown(value, unit)
     decimals = _DECIMALS.get(unit, 3)
     if unit in _SLOW_TOO and 1e-6 < abs(size) < 100:
@@ -60,10 +61,15 @@ def figure(value: float, unit: str) -> str:
     return signless(f"{size:.{decimals}f}")
 
 
-def _four_figures(size: float) -> str:
-    """Write a number with four figures, and no exponent."""
-    decimals = 3 - floor(log10(float(f"{abs(size):.3e}"))) if size else 0
-    return signless(f"{size:.{max(decimals, 0)}f}")
+def decimals_for(size: float, figures: int) -> int:
+    """How many decimals so many figures take; less than none where there are more before the point.
+
+    Examples
+    --------
+    >>> decimals_for(180.0, 4), decimals_for(9.9996, 4), decimals_for(123456.0, 4)
+    (1, 2, -2)
+    """
+    return figures - 1 - floor(log10(float(f"{size:.{figures - 1}e}"))) if 0 < size < np.inf else 0
 
 
 def signless(text: str) -> str:

@@ -1,12 +1,10 @@
 """Numbers of results as tables in Python and comparisons write them: in units of the drawing office, four digits."""
 
-from math import floor, log10
-
 import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.scales import Scale, scale_for
-from cranktrain.wording import signless
+from cranktrain.wording import decimals_for, signless
 
 ABSENT = "—"
 """Stands for a number that one of several machines has not."""
@@ -50,10 +48,7 @@ def significant(value: float, digits: int = _DIGITS) -> str:
     size = abs(value)
     if size < _NOTHING:
         return "0"
-    decimals = digits - 1 - floor(log10(size))
-    if float(f"{size:.{max(0, decimals)}f}") >= 10.0 ** (floor(log10(size)) + 1):
-        decimals -= 1  # 9.9996 is 10.00
-    return signless(f"{value:.{max(0, decimals)}f}").replace("-", "−")
+    return signless(f"{value:.{max(0, decimals_for(size, digits))}f}").replace("-", "−")
 
 
 def difference(first: float, second: float) -> str:

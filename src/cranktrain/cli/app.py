@@ -21,12 +21,14 @@ from cranktrain.cli.options import (
     Missing,
     Output,
     Partial,
+    Quantities,
     ResultsOutput,
     RunningSpeed,
     Settings,
     SpeedCurve,
     Units,
     degrees,
+    listed,
 )
 from cranktrain.cli.task import Task, put_off, task_of
 from cranktrain.cli.tools import add_tools
@@ -154,10 +156,7 @@ def _run(
     file: File,
     output: ResultsOutput = None,
     settings: Settings = None,
-    quantities: Annotated[
-        str | None,
-        typer.Option(metavar="A,B,…", help=_("Only these results; `cranktrain list results` names all.")),
-    ] = None,
+    quantities: Quantities = None,
     step: Annotated[
         float, typer.Option(metavar="DEGREES", parser=degrees, help=_("Of the crank angle, in curves."))
     ] = 1.0,
@@ -175,7 +174,7 @@ def _run(
 ) -> None:
     from cranktrain.cli.run import RunRequest, Shown, show_run
 
-    names = None if quantities is None else tuple(name.strip() for name in quantities.split(",") if name.strip())
+    names = None if quantities is None else listed(quantities)
     request = RunRequest(
         file=file,
         settings=tuple(settings or ()),

@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from cranktrain.cli.options import File, Force, Partial, Settings, Units
+from cranktrain.cli.options import File, Force, Partial, Quantities, Settings, Units, listed
 from cranktrain.cli.task import put_off
 from cranktrain.language import _
 
@@ -31,10 +31,7 @@ def add_compare(app: typer.Typer) -> None:
             str | None, typer.Argument(metavar="OTHER", help=_("The second machine."), show_default=False)
         ] = None,
         settings: Settings = None,
-        quantities: Annotated[
-            str | None,
-            typer.Option(metavar="A,B,…", help=_("Only these results; `cranktrain list results` names all.")),
-        ] = None,
+        quantities: Quantities = None,
         output: Annotated[
             str | None,
             typer.Option(
@@ -50,7 +47,7 @@ def add_compare(app: typer.Typer) -> None:
     ) -> None:
         from cranktrain.cli.compare import CompareRequest, show_comparison
 
-        names = None if quantities is None else tuple(name.strip() for name in quantities.split(",") if name.strip())
+        names = None if quantities is None else listed(quantities)
         request = CompareRequest(
             first=file,
             second=other,

@@ -41,6 +41,11 @@ Checks = Annotated[bool, typer.Option("--checks", help=_("Show how well each che
 Inputs = Annotated[bool, typer.Option("--inputs", help=_("Show every number of the file and where it is from."))]
 Missing = Annotated[bool, typer.Option("--missing", help=_("Show what the file could say, and what that would give."))]
 
+Quantities = Annotated[
+    str | None,
+    typer.Option(metavar="A,B,…", help=_("Only these results; `cranktrain list results` names all.")),
+]
+
 Units = Annotated[
     str | None,
     typer.Option("--units", metavar="UNIT,…", help=_("Show numbers in these units: bar,kW,in; the rest as usual.")),
@@ -61,6 +66,11 @@ SpeedCurve = Annotated[
         help=_("All at the speed over the crank angle that this file of two columns has."),
     ),
 ]
+
+
+def listed(text: str) -> tuple[str, ...]:
+    """Take words with commas between apart."""
+    return tuple(word.strip() for word in text.split(",") if word.strip())
 
 
 def degrees(text: str | float) -> float:

@@ -12,13 +12,12 @@ from cranktrain.language import _
 from cranktrain.motion import Array
 from cranktrain.rows import Amount, Extent, Piece
 from cranktrain.scales import scale_for
-from cranktrain.wording import ABSENT, signless
+from cranktrain.wording import ABSENT, decimals_for, signless
 
 _FIGURES = 4
 _MOST_DECIMALS = 8
 _ROUNDING = 1e-9
 """Of the largest value; what is less is nothing beside it."""
-
 
 _DECIMALS = {"rad": 2, "position": 1, "off": 0}
 """Of these, whatever their size."""
@@ -64,12 +63,12 @@ def written(values: Array, unit: str, *, apart: bool = False, beside: float = 0.
 def _decimals_of(sized: Sequence[float], most: float, unit: str, *, apart: bool) -> list[int]:
     """How many decimals each of some values has, the largest of which is `most`; what is rounding beside it has its."""
     figures = _FEW_FIGURES.get(unit, _FIGURES)
-    usual = _DECIMALS.get(unit, _decimals(most, figures))
+    usual = _DECIMALS.get(unit, decimals_for(most, figures))
     differs = float(np.ptp(sized)) if apart else 0.0
     needed = max(usual, 1 - floor(log10(differs))) if differs > 0 else usual
     if unit in _DECIMALS:
         return [needed] * len(sized)
-    own = [_decimals(abs(one), figures) if abs(one) > _ROUNDING * most else usual for one in sized]
+    own = [decimals_for(abs(one), figures) if abs(one) > _ROUNDING * most else usual for one in sized]
     return [min(max(needed, min(one, usual + 1)), _MOST_DECIMALS) for one in own]
 
 
@@ -100,11 +99,6 @@ def _piece(piece: Piece, beside: Mapping[str, float]) -> str:
     at = written(np.array(piece.positions), "position")
     low, high = map(at.whole, at.texts)
     return _("{least} at {low} to {most} at {high}").format(least=found.texts[0], low=low, most=last, high=high)
-
-
-def _decimals(size: float, figures: int) -> int:
-    """How many decimals so many figures take; less than none where there are more before the point."""
-    return figures - 1 - floor(log10(float(f"{size:.{figures - 1}e}"))) if 0 < size < np.inf else 0
 
 
 def _text(value: float, decimals: int, sign: str) -> str:
