@@ -9,6 +9,7 @@ import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.catalogue import Entry
+from cranktrain.io.tables import in_chosen_unit
 
 HEADS = ("quantity", "of", "value", "unit", "meaning")
 
@@ -30,9 +31,9 @@ def fact_rows(result: Result, names: Collection[str]) -> Iterator[tuple[str, str
     """
     for name, entry in result.catalogue.items():
         if name in names and entry.is_fact:
-            values = np.asarray(getattr(result, name))
+            unit, values = in_chosen_unit(entry.unit, np.asarray(getattr(result, name)))
             for place, of in _places(result, entry):
-                yield name, of, float(values[place]), entry.unit, entry.sentence
+                yield name, of, float(values[place]), unit, entry.sentence
 
 
 def _places(result: Result, entry: Entry) -> Iterator[tuple[tuple[int, ...], str]]:

@@ -26,8 +26,10 @@ from cranktrain.spec import Spec
 Torque = Annotated[Given, Quantity(Dimension.TORQUE)]
 Exponent = Annotated[Given, Quantity(Dimension.RATIO, at_least=0.0, at_most=10.0)]
 
-_AT = ("along", "across", "radius")
+AT_POINT = ("along", "across")
+"""Keys of where on a link a force acts."""
 _OVER = ("crank_angles", "travel", "swing")
+_OF_FORCES = (*AT_POINT, "radius", "direction", "at_speed", "travel", "force_back")
 _OF_TORQUES = ("at_turning", "swing", "torque_back")
 
 
@@ -117,12 +119,12 @@ class LoadSpec(Spec, frozen=True):
             return
         if self.torque is not None and self.force is not None:
             yield Problem("torque", None, _("must not stand beside force; make it another load"))
-        foreign = (*_AT, "direction", "at_speed", "travel", "force_back") if sort == "torque" else _OF_TORQUES
+        foreign = _OF_FORCES if sort == "torque" else _OF_TORQUES
         allowed = _("is for a {sort}").format(sort=_(other))
         yield from (Problem(name, None, allowed) for name in foreign if getattr(self, name) is not None)
         if self.radius is not None:
             beside = _("must not stand beside radius, which says where the force acts")
-            yield from (Problem(name, None, beside) for name in _AT[:2] if getattr(self, name) is not None)
+            yield from (Problem(name, None, beside) for name in AT_POINT if getattr(self, name) is not None)
             if self.radius.si == 0:
                 yield Problem("radius", self.radius.text, _("must not be 0: such a force turns nothing"))
         yield from self._size_problems(sort)
@@ -143,6 +145,11 @@ class LoadSpec(Spec, frozen=True):
             yield Problem(given[1], None, _("must not stand beside {other}: one law at a time").format(other=given[0]))
         if self.exponent is not None and self.at_speed is None and self.at_turning is None:
             yield Problem("exponent", self.exponent.text, _("needs at_speed, or of a torque at_turning"))
+        if self.travel is None and self.swing is None:
+            if self.back is not None:
+                yield Problem(f"{sort}_back", None, _("is for sizes over the travel, which has a way back"))
+            if self.counts != "with":
+                yield Problem("counts", self.counts, _("is for sizes over the travel"))
         n_places = 1 if self.over is None else len(self.over[1])
         allowed = _("must be as many as the places that they are for: {n}").format(n=n_places)
         for name, sizes in listed.items():
@@ -153,8 +160,6 @@ class LoadSpec(Spec, frozen=True):
             rises = all(one.si < other.si for one, other in pairwise(places))
             if not rises:
                 yield Problem(name, None, _("must rise from one place to the next"))
-            if self.back is not None and name == "crank_angles":
-                yield Problem(f"{sort}_back", None, _("is for sizes over the travel, which has a way back"))
 
 
 LoadTables: TypeAlias = Mapping[str, Mapping[str, LoadSpec]]

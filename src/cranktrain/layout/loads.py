@@ -10,7 +10,7 @@ from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Designs
 from cranktrain.layout.load_laws import ByAngle, BySpeed, ByTravel, Law, LoadState
-from cranktrain.layout.load_tables import LoadSpec, LoadTables
+from cranktrain.layout.load_tables import AT_POINT, LoadSpec, LoadTables
 from cranktrain.layout.part_tables import SLIDER, part_name, table_paths
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage.forces.load import LoadWay, across_link, along_link, off_arc, pushing, turning, with_motion
@@ -111,12 +111,19 @@ def loads_of(designs: Designs) -> Loads | None:
         return None
     found = [
         _link_load(designs.by_design, name if len(designs.places) == 1 else f"{place.name}.{name}", spec, i, place)
-        for path, named in tables.items()
-        for name, spec in named.items()
         for i, place in enumerate(designs.places)
-        if path in table_paths(place, _TABLE) and _link_of(place, spec.on) is not None
+        for name, spec in _named_loads(place, tables).items()
+        if _link_of(place, spec.on) is not None
     ]
     return Loads(tuple(found), designs.crank_angle.zero)
+
+
+def _named_loads(place: PlacedMechanism, tables: LoadTables) -> dict[str, LoadSpec]:
+    """Loads that speak of a mechanism: of two of one name the nearer table's."""
+    found: dict[str, LoadSpec] = {}
+    for path in reversed(table_paths(place, _TABLE)):
+        found |= tables.get(path, {})
+    return found
 
 
 def _link_of(place: PlacedMechanism, on: str) -> int | None:
@@ -209,6 +216,10 @@ def _way_problems(where: str, spec: LoadSpec, places: Sequence[PlacedMechanism])
             for name in ("torque", "radius", "swing")
             if getattr(spec, name) is not None
         )
+        if spec.direction is None:
+            at_pin = _("is for a link; without a direction a force on a slider goes through its pin")
+            given = ((name, getattr(spec, name)) for name in AT_POINT)
+            yield from (Problem(f"{where}.{name}", one.text, at_pin) for name, one in given if one is not None)
     elif spec.force is not None and spec.direction is None and spec.radius is None:
         if spec.sense == "active":
             yield Problem(f"{where}.direction", None, _("is missing; a force on a link needs it, or a radius"))
@@ -230,6 +241,11 @@ def _travel_problems(where: str, spec: LoadSpec, place: PlacedMechanism) -> Iter
         motion = place.kind.motion(phi + place.phase, place.geometry)
         return load.way(place.kind.dynamics.links(motion, place.geometry)[load.link])
 
+    turn = np.ravel(way(np.array([0.0, 2 * np.pi])).place)
+    if not abs(turn[-1] - turn[0]) < 1.0:
+        allowed = _("is for what goes to and fro, and this turns all round; list the sizes over crank_angles")
+        yield Problem(f"{where}.{name}", None, allowed)
+        return
     least, most = extremes(lambda phi: np.ravel(way(phi).place), lambda phi: np.ravel(way(phi).rate))
     whole = float(most.value[0] - least.value[0])
     if given and given[0].si != 0.0:

@@ -1,6 +1,6 @@
 """Units at the edge: "180 mm" is read, checked and rounded once where it enters; inside, all is SI and radians."""
 
-from cranktrain.quantities.choice import UnitChoice, chosen_unit, own_units, shown_by, units_by_dimension
+from cranktrain.quantities.choice import SHOWN, UnitChoice, chosen_unit, own_units, shown_by, units_by_dimension
 from cranktrain.quantities.conversion import shown
 from cranktrain.quantities.dimensions import Dimension, expected, is_unit, unit_names
 from cranktrain.quantities.fields import (
@@ -35,6 +35,7 @@ from cranktrain.quantities.reading import read
 from cranktrain.quantities.refusal import QuantityError, nearest, one_of, unknown_key, unlisted, written
 
 __all__ = [
+    "SHOWN",
     "Angle",
     "AngularAcceleration",
     "Dimension",

@@ -6,6 +6,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 
 from cranktrain.errors import Problem, refuse
+from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.quantities.dimensions import Dimension, plain, spellings, unit_names
 from cranktrain.quantities.number import measured
@@ -13,6 +14,9 @@ from cranktrain.quantities.refusal import nearest
 
 UnitChoice = Mapping[Dimension, str]
 """Names of units by what they measure."""
+
+SHOWN = tuple(dimension for dimension in Dimension if dimension is not Dimension.FLYWHEEL_MOMENT)
+"""What may be shown in a chosen unit: GD² may not, as its kg·m² are told by nothing from those of an inertia."""
 
 _OF_OTHER_SYSTEMS = frozenset(
     {
@@ -52,15 +56,8 @@ def chosen_unit(usual: str) -> str | None:
     return next((unit for dimension, unit in choice.items() if key in spellings(dimension)), None)
 
 
-def units_by_dimension(names: Sequence[str], path: str = "--units") -> UnitChoice:
-    """Give the units of some names by what they measure; one that measures two things stands for both.
-
-    Parameters
-    ----------
-    names : sequence of str
-        In any spelling of the closed list.
-    path : str
-        Of what was typed, for what is wrong with it.
+def units_by_dimension(names: Sequence[str]) -> UnitChoice:
+    """Give the units of some names, as typed after --units, by what they measure; one of two things stands for both.
 
     Raises
     ------
@@ -69,22 +66,16 @@ def units_by_dimension(names: Sequence[str], path: str = "--units") -> UnitChoic
     """
     found: dict[Dimension, str] = {}
     problems: list[Problem] = []
-    every = dict.fromkeys(name for dimension in Dimension for name in unit_names(dimension))
     for name in names:
-        own = {
-            dimension: spellings(dimension)[plain(name)][0].name
-            for dimension in Dimension
-            if plain(name) in spellings(dimension)
-        }
+        own = _measured_in(name)
         twice = next((found[dimension] for dimension in own if dimension in found), None)
         if not own:
-            close = nearest(name, every)
-            allowed = _("must be units with commas between, such as bar,kW,in")
-            problems.append(
-                Problem(path, name, allowed, _("did you mean {name}?").format(name=close) if close else None)
-            )
+            close = nearest(name, [unit for dimension in SHOWN for unit in unit_names(dimension)])
+            repair = _("did you mean {name}?").format(name=close) if close else None
+            problems.append(Problem("--units", name, _("must be units with commas between, such as bar,kW,in"), repair))
         elif twice is not None:
-            problems.append(Problem(path, name, _("must not stand beside {other}, of the same").format(other=twice)))
+            allowed = _("must not stand beside {other}, of the same").format(other=twice)
+            problems.append(Problem("--units", name, allowed))
         found |= own
     refuse(problems)
     return found
@@ -98,12 +89,13 @@ def own_units(texts: Iterable[str]) -> UnitChoice:
     >>> list(own_units(["4 in", "7 1/2 in", "20 mm", "60 psig", "2 bar", "0.9 bar"]).values())
     ['in']
     """
-    counts: dict[Dimension, Counter[str]] = {}
-    for text in texts:
-        parts = measured(text)
-        for dimension in Dimension if parts is not None and parts.unit else ():
-            known = spellings(dimension).get(plain(parts.unit)) if parts is not None else None
-            if known is not None:
-                counts.setdefault(dimension, Counter())[known[0].name] += 1
-    most = {dimension: of.most_common(1)[0][0] for dimension, of in counts.items()}
+    units = [parts.unit for text in texts if (parts := measured(text)) is not None and parts.unit]
+    written = grouped(one for unit in units for one in _measured_in(unit).items())
+    most = {dimension: Counter(names).most_common(1)[0][0] for dimension, names in written.items()}
     return {dimension: _COUNTED_FROM.get(unit, unit) for dimension, unit in most.items() if unit in _OF_OTHER_SYSTEMS}
+
+
+def _measured_in(unit: str) -> UnitChoice:
+    """What a unit measures, with its name in the list for each."""
+    key = plain(unit)
+    return {dimension: spellings(dimension)[key][0].name for dimension in SHOWN if key in spellings(dimension)}

@@ -27,3 +27,10 @@ def test_screen_and_tables(typed, tmp_path):
 )
 def test_wrong_tables_of_units(typed, setting, said):
     assert said in typed("run", "3d12", "--set", setting).errors
+
+
+def test_facts_of_a_table_are_in_the_units_of_its_curves(typed, tmp_path):
+    typed("run", "3d12", "--units", "psi", "--quantities", "peak_pressure,stroke", "--facts", "-o", "facts.csv")
+    rows = (tmp_path / "facts.csv").read_text(encoding="utf-8").splitlines()
+    assert {row.split(",")[3] for row in rows if row.startswith("peak_pressure,")} == {"psi"}
+    assert {row.split(",")[3] for row in rows if row.startswith("stroke,")} == {"m"}

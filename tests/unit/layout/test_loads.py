@@ -57,6 +57,14 @@ ROCKER = {
             {"on": "rocker", "torque": ["1 N*m", "2 N*m"], "swing": ["0 deg", "30 deg"]},
             "load.x.swing = 30 deg: must go as far as the part goes, 42.8136",
         ),
+        (CRANK, {"on": "piston", "force": "1 N", "along": "5 mm"}, "load.x.along = 5 mm: is for a link; without a"),
+        (CRANK, {"on": "piston", "force": "1 N", "counts": "against"}, "load.x.counts = against: is for sizes over"),
+        (CRANK, {"on": "piston", "force": "1 N", "force_back": ["2 N"]}, "load.x.force_back: is for sizes over the"),
+        (
+            CRANK,
+            {"on": "crank", "torque": ["1 N*m", "2 N*m"], "swing": ["0 deg", "90 deg"]},
+            "load.x.swing: is for what goes to and fro, and this turns all round",
+        ),
         (ROCKER, {"on": "rocker", "force": "1 N", "radius": "0 mm"}, "load.x.radius = 0 mm: must not be 0"),
         (
             ROCKER,
@@ -76,6 +84,21 @@ def test_all_at_once():
     with pytest.raises(ct.InputError) as caught:
         ct.run(ct.Machine(mechanism=CRANK, load=load))
     assert [problem.path for problem in caught.value.problems] == ["load.a.on", "load.b.torque"]
+
+
+def test_a_bank_has_a_load_of_its_own_in_place_of_the_common_one():
+    """Over the travel from either end: −(0.5 · 100 N · 80 mm) on the way out, or the same of 300 N."""
+
+    def work(common, own):
+        rising = {"on": "piston", "travel": ["0 mm", "80 mm"], "force_back": ["0 N", "0 N"]}
+        bank = {"A": {"mechanism": CRANK}}
+        if own is not None:
+            bank["A"]["load"] = {"x": {**rising, "force": ["0 N", own]}}
+        tables = {"load": {"x": {**rising, "force": ["0 N", common]}}}
+        return ct.run(ct.Machine(bank=bank, shaft={"main": {"speed": "100 rpm"}}, **tables)).load_work.tolist()
+
+    assert work("100 N", None) == pytest.approx([-4.0], rel=1e-12)
+    assert work("100 N", "300 N") == pytest.approx([-12.0], rel=1e-12)
 
 
 def test_loads_without_a_speed_are_not_used():

@@ -52,3 +52,10 @@ def test_a_file_in_inches_is_shown_in_inches():
     """A maker's unit of 49.524 in of stroke; gauge pressures are shown absolute, in the same unit."""
     assert own_units(["60 psig", "1 bar", "75 psig"]) == {Dimension.PRESSURE: "psi"}
     assert own_units(["180 mm", "4 in", "320 mm", "1500 rpm", "105 kPa"]) == {}
+
+
+def test_no_inertia_is_shown_as_a_flywheel_moment():
+    """J in kg·m² and GD² in kgf·m² are the same number of two things: a choice of the one must not name the other."""
+    assert units_by_dimension(["kg·m²"]) == {Dimension.INERTIA: "kg·m²"}
+    with pytest.raises(InputError, match=r"--units = kgf·m²: must be units"):
+        units_by_dimension(["kgf·m²"])
