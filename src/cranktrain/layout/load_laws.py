@@ -6,6 +6,10 @@ import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
+from cranktrain.numerics.polyline import Polyline, polyline_value
+
+_SAME = 1e-9
+"""Angles closer than this are one. [rad]"""
 
 
 class LoadState(NamedTuple):
@@ -39,16 +43,25 @@ class BySpeed(NamedTuple):
 
 
 class ByAngle(NamedTuple):
-    """Straight lines from crank angle to crank angle as it is shown, round a turn. Shape (design, point)."""
+    """Straight lines from crank angle to crank angle as it is shown, round one turn or two. Shape (design, point)."""
 
     angles: Array
     values: Array
 
+    @property
+    def polylines(self) -> tuple[Polyline, ...]:
+        """The lines of each design."""
+        return tuple(_round(*rows) for rows in zip(self.angles, self.values, strict=True))
+
+    def corners(self, cycle: float) -> Array:
+        """Where they have corners, as they are shown, over a cycle; shape (design, corner). [rad]"""
+        turns = np.arange(round(cycle / TURN)) * TURN
+        return np.mod(self.angles[..., np.newaxis] + turns, cycle).reshape(len(self.angles), -1)
+
     def value(self, state: LoadState) -> Array:
         """Size, shape (design, 1, n)."""
-        rows = zip(np.broadcast_to(state.shown, state.speed.shape), self.angles, self.values, strict=True)
-        found = [_between(np.mod(shown, TURN), *_round(angles, values)) for shown, angles, values in rows]
-        return np.stack(found)
+        shown = np.broadcast_to(state.shown, state.speed.shape)
+        return np.stack([polyline_value(*rows) for rows in zip(self.polylines, shown, strict=True)])
 
 
 class ByTravel(NamedTuple):
@@ -73,14 +86,11 @@ def _between(at: Array, places: Array, values: Array) -> Array:
     return np.asarray(np.interp(at, places, values), dtype=np.float64)
 
 
-def _round(angles: Array, values: Array) -> tuple[Array, Array]:
-    """Angles within a turn, with those beside it, so that the last leads on to the first."""
-    order = np.argsort(np.mod(angles, TURN))
-    turned, own = np.mod(angles, TURN)[order], values[order]
-    return (
-        np.concatenate([turned[-1:] - TURN, turned, turned[:1] + TURN]),
-        np.concatenate([own[-1:], own, own[:1]]),
-    )
+def _round(angles: Array, values: Array) -> Polyline:
+    """Lines round the turn, or round two where the angles go on beyond one; an end that is the start stands once."""
+    period = TURN if angles[-1] - angles[0] < TURN + _SAME else 2 * TURN
+    kept = slice(None, -1) if angles[-1] - angles[0] > period - _SAME else slice(None)
+    return Polyline(angles[kept], values[kept], period)
 
 
 Law: TypeAlias = BySpeed | ByAngle | ByTravel

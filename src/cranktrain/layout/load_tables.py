@@ -34,13 +34,16 @@ _OF_TORQUES = ("at_turning", "swing", "torque_back")
 
 
 class LoadSpec(Spec, frozen=True):
-    """A force on a link or a slider, or a torque on a link.
+    """A force on a link or a slider, or a torque on a link or a shaft.
 
     A resisting load is always against the motion of its point, as friction or a cut; an active one has a direction of
     its own, as a weight or a spring. Beside `at_speed` the size goes with a power of the speed: exponent 1 is viscous.
     """
 
-    on: str = Field(min_length=1, description=N_("What it acts on: a part of a mechanism, as [masses] names them."))
+    on: str = Field(
+        min_length=1,
+        description=N_("What it acts on: a part of a mechanism, as [masses] names them; or of a torque a shaft, main."),
+    )
     force: OneOrMany[Force] | None = Field(
         default=None, description=N_("Size of a force, or a list of sizes over angles or travel; or give a torque.")
     )
@@ -69,6 +72,13 @@ class LoadSpec(Spec, frozen=True):
     )
     sense: Literal["resisting", "active"] = Field(
         default="resisting", description=N_("Always against the motion, or in a direction of its own.")
+    )
+    scale: Literal["given", "balanced"] = Field(
+        default="given",
+        description=N_(
+            "Of a torque on a shaft: whether its sizes count as given, or times one factor, so that they balance the"
+            " mean of the machine's torque."
+        ),
     )
     direction: Angle | None = Field(
         default=None,
@@ -111,8 +121,16 @@ class LoadSpec(Spec, frozen=True):
         given = ((name, getattr(self, name)) for name in _OVER)
         return next(((name, places) for name, places in given if places is not None), None)
 
+    @property
+    def is_balanced(self) -> bool:
+        """Whether its size is found, so that it balances the machine."""
+        return self.scale == "balanced"
+
     def _problems(self) -> Iterator[Problem]:
         """Find a load of no sort or of two, and what belongs to another."""
+        if self.is_balanced:
+            yield from self._balanced_problems()
+            return
         sort, other = ("torque", "force") if self.force is None else ("force", "torque")
         if self.force is None and self.torque is None:
             yield Problem("force", None, _("is missing; give force or torque"))
@@ -129,6 +147,21 @@ class LoadSpec(Spec, frozen=True):
                 yield Problem("radius", self.radius.text, _("must not be 0: such a force turns nothing"))
         yield from self._size_problems(sort)
 
+    def _balanced_problems(self) -> Iterator[Problem]:
+        """Find what says how large a load is whose size is found, and one that does not resist."""
+        is_listed = self.crank_angles is not None
+        found = _("must not stand beside scale = {given}, by which the size is found").format(given='"balanced"')
+        foreign = ("force", *_OF_FORCES, "swing", "torque_back", "at_turning", *(() if is_listed else ("torque",)))
+        yield from (Problem(name, None, found) for name in foreign if getattr(self, name) is not None)
+        if self.sense != "resisting":
+            yield Problem("sense", self.sense, _("must be resisting: it balances what the machine gives"))
+        if is_listed:
+            if self.exponent is not None:
+                yield Problem("exponent", self.exponent.text, _("must not stand beside crank_angles"))
+            yield from self._size_problems("torque")
+            if self.torque is None:
+                yield Problem("torque", None, _("is missing: sizes at the crank_angles, which count by one factor"))
+
     def _size_problems(self, sort: str) -> Iterator[Problem]:
         """Find sizes that do not suit the sense, or what they are listed over."""
         listed = {sort: self.sizes, f"{sort}_back": self.back or ()}
@@ -143,7 +176,7 @@ class LoadSpec(Spec, frozen=True):
         given = [name for name in (*_OVER, "at_speed", "at_turning") if getattr(self, name) is not None]
         if len(given) > 1:
             yield Problem(given[1], None, _("must not stand beside {other}: one law at a time").format(other=given[0]))
-        if self.exponent is not None and self.at_speed is None and self.at_turning is None:
+        if self.exponent is not None and not self.is_balanced and self.at_speed is None and self.at_turning is None:
             yield Problem("exponent", self.exponent.text, _("needs at_speed, or of a torque at_turning"))
         if self.travel is None and self.swing is None:
             if self.back is not None:
