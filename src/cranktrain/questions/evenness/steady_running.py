@@ -20,11 +20,19 @@ from cranktrain.questions.evenness.speed_over_cycle import SpeedOverCycle, chose
 
 
 class SteadyRunning(NamedTuple):
-    """Speed; torque of all that is besides machine and even loads, and work of all torques [N·m, J]; what is left of a
-    departure.
+    """Steady running of a machine.
 
-    A load that does not depend on the speed lets a small departure stay after a cycle: 1. is_free: whether a load was
-    to fix the speed and does not, shape (design,).
+    Attributes
+    ----------
+    speed : SpeedOverCycle
+    besides : Array, broadcastable to (design, n)
+        Torque of all but the machine and the loads that do not depend on the speed. [N·m]
+    work : PeriodicCurve
+        Of all torques. [J]
+    multiplier : Array, shape (design,)
+        What is left of a small departure after a cycle: 1 where no torque depends on the speed.
+    is_free : array of bool, shape (design,)
+        Whether a load was to fix the speed and does not.
     """
 
     speed: SpeedOverCycle
