@@ -16,7 +16,7 @@ from cranktrain.language import N_, _
 from cranktrain.layout.cycle_table import CycleFileSpec, Words, given_curve
 from cranktrain.motion import Array
 from cranktrain.one_line import short
-from cranktrain.quantities import Dimension, Given, read, unit_names
+from cranktrain.quantities import Dimension, Given, read
 
 Over: TypeAlias = Literal["crank_angles", "travel", "swing"]
 Sort: TypeAlias = Literal["force", "torque"]

@@ -39,16 +39,23 @@ class BySpeed(NamedTuple):
 
 
 class ByAngle(NamedTuple):
-    """Straight lines from crank angle to crank angle as it is shown, round a turn. Shape (design, point)."""
+    """Straight lines from crank angle to crank angle as it is shown, round a turn or two. Shape (design, point)."""
 
     angles: Array
     values: Array
+    period: float = TURN
 
     def value(self, state: LoadState) -> Array:
         """Size, shape (design, 1, n)."""
         rows = zip(np.broadcast_to(state.shown, state.speed.shape), self.angles, self.values, strict=True)
-        found = [_between(np.mod(shown, TURN), *_round(angles, values)) for shown, angles, values in rows]
+        period = self.period
+        found = [_between(np.mod(shown, period), *_round(angles, values, period)) for shown, angles, values in rows]
         return np.stack(found)
+
+    def kinks(self, cycle: float) -> Array:
+        """Crank angles as they are shown at which it has kinks within a cycle, shape (design, kink). [rad]"""
+        turns = np.arange(0.0, cycle - self.period / 2, self.period)
+        return (self.angles[:, np.newaxis] + turns[:, np.newaxis]).reshape(len(self.angles), -1)
 
 
 class ByTravel(NamedTuple):
@@ -73,12 +80,12 @@ def _between(at: Array, places: Array, values: Array) -> Array:
     return np.asarray(np.interp(at, places, values), dtype=np.float64)
 
 
-def _round(angles: Array, values: Array) -> tuple[Array, Array]:
-    """Angles within a turn, with those beside it, so that the last leads on to the first."""
-    order = np.argsort(np.mod(angles, TURN))
-    turned, own = np.mod(angles, TURN)[order], values[order]
+def _round(angles: Array, values: Array, period: float) -> tuple[Array, Array]:
+    """Angles within a period, with those beside it, so that the last leads on to the first."""
+    order = np.argsort(np.mod(angles, period))
+    turned, own = np.mod(angles, period)[order], values[order]
     return (
-        np.concatenate([turned[-1:] - TURN, turned, turned[:1] + TURN]),
+        np.concatenate([turned[-1:] - period, turned, turned[:1] + period]),
         np.concatenate([own[-1:], own, own[:1]]),
     )
 

@@ -9,6 +9,7 @@ import numpy as np
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Designs
+from cranktrain.layout.load_designs import tables_together
 from cranktrain.layout.load_laws import ByAngle, BySpeed, ByTravel, Law, LoadState
 from cranktrain.layout.load_tables import AT_POINT, LoadSpec, LoadTables
 from cranktrain.layout.part_tables import SLIDER, part_name, table_paths
@@ -17,6 +18,7 @@ from cranktrain.linkage.forces.load import LoadWay, across_link, along_link, off
 from cranktrain.linkage.vectors import Vector
 from cranktrain.motion import ONE, ZERO, Array, Link
 from cranktrain.numerics import extremes
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.nested import by_design, mapped
 from cranktrain.quantities import Given, nearest
 from cranktrain.record import record
@@ -106,7 +108,7 @@ class Loads:
 
 def loads_of(designs: Designs) -> Loads | None:
     """Put the loads of the file to the mechanisms; None where it has none."""
-    tables = designs.together.loads
+    tables = tables_together(designs)
     if not tables:
         return None
     found = [
@@ -169,7 +171,8 @@ def _law(laid: Laid, spec: LoadSpec, sign: float) -> Law:
 
     size = sign * each(spec.sizes)
     if spec.crank_angles is not None:
-        return ByAngle(each(spec.crank_angles), size)
+        angles = each(spec.crank_angles)
+        return ByAngle(angles, size, 2 * TURN if float(np.ptp(angles[0])) > TURN else TURN)
     if (travel := spec.travel or spec.swing) is not None:
         return ByTravel(each(travel), size, size if spec.back is None else sign * each(spec.back))
     at = spec.at_speed or spec.at_turning
@@ -202,7 +205,7 @@ def load_problems(places: Sequence[PlacedMechanism], tables: LoadTables) -> Iter
                 repair = None if close is None else _("did you mean {name}?").format(name=close)
                 yield Problem(f"{where}.on", spec.on, allowed, repair)
                 continue
-            yield from _way_problems(where, spec, own)
+            yield from (spec.in_file(problem, where) for problem in _way_problems(where, spec, own))
 
 
 def _way_problems(where: str, spec: LoadSpec, places: Sequence[PlacedMechanism]) -> Iterator[Problem]:
