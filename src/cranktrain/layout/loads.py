@@ -172,7 +172,8 @@ def _law(laid: Laid, spec: LoadSpec, sign: float) -> Law:
     size = sign * each(spec.sizes)
     if spec.crank_angles is not None:
         angles = each(spec.crank_angles)
-        return ByAngle(angles, size, 2 * TURN if float(np.ptp(angles[0])) > TURN else TURN)
+        is_longer = spec.file is not None and float(np.ptp(angles[0])) > TURN
+        return ByAngle(angles, size, 2 * TURN if is_longer else TURN)
     if (travel := spec.travel or spec.swing) is not None:
         return ByTravel(each(travel), size, size if spec.back is None else sign * each(spec.back))
     at = spec.at_speed or spec.at_turning
