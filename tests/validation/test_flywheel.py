@@ -130,7 +130,7 @@ def whole_machine(torque, speed, load: dict[str, Any] | None = None, **evenness:
     sources = TorqueSources((), rest, *np.zeros((2, *rest[:, 0].shape)), np.zeros(1))
     given = None
     if ShaftLoads in known:
-        given = load_torque(known[ShaftLoads], applied, sources, torques, known[Speed], angle)
+        given = load_torque(known[ShaftLoads], balancing, applied, sources, torques, known[Speed], angle)
     work = shaft_work(applied, sources, given, torques, angle)
     if WantedCoefficient in known:
         known[FlywheelSize] = flywheel_size(balancing, known[WantedCoefficient], None, work, known[Speed])

@@ -1,6 +1,7 @@
 """Loads of a machine file, put to the links of its mechanisms as SI arrays; and what is wrong with them."""
 
 from collections.abc import Callable, Collection, Container, Iterator, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import ClassVar, NamedTuple, TypeAlias
 
@@ -9,6 +10,7 @@ import numpy as np
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
+from cranktrain.layout.load_designs import tables_together
 from cranktrain.layout.load_laws import ByAngle, BySpeed, ByTravel, Law, LoadState
 from cranktrain.layout.load_tables import AT_POINT, LoadSpec, LoadTables
 from cranktrain.layout.part_tables import SLIDER, part_name, table_paths
@@ -17,6 +19,7 @@ from cranktrain.linkage.forces.load import LoadWay, across_link, along_link, off
 from cranktrain.linkage.vectors import Vector
 from cranktrain.motion import ONE, ZERO, Array, Link
 from cranktrain.numerics import extremes
+from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.nested import by_design, mapped
 from cranktrain.quantities import Given, nearest
 from cranktrain.record import record
@@ -110,7 +113,7 @@ def loads_of(designs: Designs) -> Loads | None:
     shafts = designs.together.shafts
     tables = {
         path: {name: spec for name, spec in named.items() if not is_on_shaft(path, spec, shafts)}
-        for path, named in designs.together.loads.items()
+        for path, named in tables_together(designs).items()
     }
     found = [
         _link_load(designs.by_design, name if len(designs.places) == 1 else f"{place.name}.{name}", spec, i, place)
@@ -173,7 +176,7 @@ def _link_load(laid: Laid, name: str, spec: LoadSpec, mechanism: int, place: Pla
 
 def refuse_more_turns(designs: Designs, where: str, law: Law) -> None:
     """Refuse sizes over two turns of a machine whose cycle is one."""
-    if isinstance(law, ByAngle) and any(lines.period > designs.crank_angle.cycle * 1.5 for lines in law.polylines):
+    if isinstance(law, ByAngle) and law.period > designs.crank_angle.cycle * 1.5:
         allowed = _("goes on over two turns, and the cycle of this machine is one")
         raise InputError([Problem(f"{where}.crank_angles", None, allowed)])
 
@@ -186,7 +189,8 @@ def law_of(laid: Laid, spec: LoadSpec, sign: float = 1.0) -> Law:
 
     size = sign * (each(spec.sizes) if spec.sizes else laid([ONE]))
     if spec.crank_angles is not None:
-        return ByAngle(each(spec.crank_angles), size)
+        angles = each(spec.crank_angles)
+        return ByAngle(angles, size, 2 * TURN if float(np.ptp(angles[0])) > TURN * (1 + _COVERED) else TURN)
     if (travel := spec.travel or spec.swing) is not None:
         return ByTravel(each(travel), size, size if spec.back is None else sign * each(spec.back))
     at = spec.at_speed or spec.at_turning
@@ -223,7 +227,8 @@ def load_problems(design: Design) -> Iterator[Problem]:
             if spec.is_balanced:
                 yield Problem(f"{where}.scale", spec.scale, _("is for a torque on a shaft, such as main"))
                 continue
-            yield from _way_problems(where, spec, own)
+            yield from (replace(one, path=f"{where}.{one.path}".rstrip(".")) for one in spec.resisting_problems())
+            yield from (spec.in_file(problem, where) for problem in _way_problems(where, spec, own))
 
 
 def _no_part(where: str, spec: LoadSpec, parts: Collection[str], shafts: Collection[str]) -> Problem:

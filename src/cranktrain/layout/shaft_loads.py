@@ -9,6 +9,7 @@ import numpy as np
 from cranktrain.errors import Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
+from cranktrain.layout.load_designs import tables_together
 from cranktrain.layout.load_laws import ByAngle, Law, LoadState
 from cranktrain.layout.load_tables import LoadSpec
 from cranktrain.layout.loads import LOAD, is_on_shaft, law_of, refuse_more_turns
@@ -71,7 +72,8 @@ def shaft_loads_of(designs: Designs) -> ShaftLoads | None:
             law_of(designs.by_design, spec),
             spec.is_balanced,
         )
-        for name, spec in on_shafts(together).items()
+        for name, spec in tables_together(designs).get(LOAD, {}).items()
+        if is_on_shaft(LOAD, spec, together.shafts)
     ]
     for load in found:
         refuse_more_turns(designs, f"{LOAD}.{load.name}", load.law)
@@ -97,8 +99,8 @@ def shaft_load_problems(design: Design) -> Iterator[Problem]:
     for name, spec in on_shafts(design).items():
         where = f"{LOAD}.{name}"
         allowed = _("is for what goes to and fro, and a shaft turns all round; list the sizes over crank_angles")
-        given = (key for key in ("swing", "counts", "torque_back") if key in spec.model_fields_set)
-        yield from (Problem(f"{where}.{key}", None, allowed) for key in given)
+        given = {"swing": spec.swing, "torque_back": spec.torque_back, "counts": spec.counts == "against" or None}
+        yield from (Problem(f"{where}.{key}", None, allowed) for key, one in given.items() if one is not None)
         if spec.is_balanced and balanced:
             allowed = _("must not stand beside [load.{other}], which balances the machine").format(other=balanced)
             yield Problem(f"{where}.scale", spec.scale, allowed)

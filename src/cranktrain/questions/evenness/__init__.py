@@ -2,7 +2,8 @@
 
 from collections.abc import Iterator, Sequence
 
-from cranktrain.language import N_
+from cranktrain.errors import Problem
+from cranktrain.language import N_, _
 from cranktrain.layout.design import Design, Designs
 from cranktrain.layout.masses import bodies_given
 from cranktrain.layout.question import Parts, Question, ResultDimension, Stage, Use
@@ -26,6 +27,14 @@ def _parts(designs: Designs, _known: Parts) -> Iterator[object]:
         yield from spec.evenness_parts(table, designs)
 
 
+def _problems(design: Design) -> Iterator[Problem]:
+    table = design.table(spec.EvennessSpec)
+    if table is not None and table.motor is not None:
+        allowed = _("must not stand beside [evenness.motor], which balances the machine")
+        balanced = (name for name, load in on_shafts(design).items() if load.is_balanced)
+        yield from (Problem(f"load.{name}.scale", "balanced", allowed) for name in balanced)
+
+
 def _balanced_loads(design: Design) -> Sequence[str]:
     return [f"[load.{name}]" for name, spec in on_shafts(design).items() if spec.is_balanced]
 
@@ -33,6 +42,7 @@ def _balanced_loads(design: Design) -> Sequence[str]:
 QUESTION = Question(
     "evenness",
     tables={"evenness": spec.EvennessSpec},
+    problems=_problems,
     parts=_parts,
     stages=(
         Stage(flywheel_moment.flywheel_moment, applies=bodies_given),

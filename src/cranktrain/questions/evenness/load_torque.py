@@ -18,6 +18,7 @@ from cranktrain.numerics import in_slots, largest_between
 from cranktrain.numerics.periodic import PeriodicCurve, combined, side_by_side, times
 from cranktrain.numerics.polyline import polyline_integral, polyline_mean
 from cranktrain.questions.evenness.applied_torque import AppliedTorque
+from cranktrain.questions.evenness.spec import Balancing
 from cranktrain.questions.evenness.speed_law import Power
 from cranktrain.questions.forces.mechanism_torques import MechanismTorques
 from cranktrain.questions.torque.sources import TorqueSources
@@ -47,6 +48,8 @@ class LoadTorque(StageResult):
         Of a load that balances the machine and goes with a power of the speed.
     is_scaled : bool
         Whether a load over the crank angle is scaled to balance the machine.
+    has_motor : bool
+        Whether a motor takes what is left.
     """
 
     even: Array
@@ -55,6 +58,7 @@ class LoadTorque(StageResult):
     powers: tuple[Power, ...]
     shape: Power | None
     is_scaled: bool
+    has_motor: bool
     mean_torque: Array
     load_torque: Array = quantity(
         "M_r", "N*m", ("crank_angle",), N_("Torque of the loads on the shaft, positive where it resists"), _THEORY
@@ -88,7 +92,7 @@ class LoadTorque(StageResult):
             )
         said = _("The load on the shaft takes {mean} on the mean, at most {peak}.").format(mean=mean, peak=peak)
         rest = float(self.remaining_torque[design])
-        if self.shape is not None or abs(rest) <= _NOTHING * abs(largest):
+        if self.has_motor or self.shape is not None or abs(rest) <= _NOTHING * abs(largest):
             return said
         left = (
             _("A constant torque of {rest} drives the shaft besides.")
@@ -105,6 +109,7 @@ def are_on_shafts(loads: ShaftLoads | None) -> bool:
 
 def load_torque(
     loads: ShaftLoads,
+    balancing: Balancing,
     applied: AppliedTorque,
     sources: TorqueSources,
     torques: MechanismTorques,
@@ -154,6 +159,7 @@ def load_torque(
         powers=powers,
         shape=shape,
         is_scaled=balanced is not None and shape is None,
+        has_motor=balancing.motor is not None,
         load_torque=whole(grid),
         load_factor=factor if shape is None else np.where(np.isnan(factor), factor, 1.0),
         largest_load_torque=_largest(whole, scaled, crank_angle),
@@ -203,7 +209,7 @@ def _largest(
 ) -> Array:
     """Largest torque, between the corners of what is listed, shape (design,). [N·m]"""
     samples = whole(np.broadcast_to(crank_angle.shown, (len(crank_angle.zero), crank_angle.shown.size)))
-    breaks = [load.law.corners(crank_angle.cycle) for load, _factor in scaled if isinstance(load.law, ByAngle)]
+    breaks = [load.law.kinks(crank_angle.cycle) for load, _factor in scaled if isinstance(load.law, ByAngle)]
 
     def curves(which: NDArray[np.intp], shown: Array) -> Array:
         asked, slot = in_slots(which, shown, len(samples))

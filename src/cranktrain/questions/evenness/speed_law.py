@@ -134,8 +134,10 @@ def energy_under_law(law: TorqueLaw, inertia: Array, cycle: float = TURN) -> Arr
             better = linear_periodic(-slope, law.torque(speed) - slope * energy, cycle)
             # A step that would stop the shaft goes part of the way.
             better = np.maximum(better, energy / 4)
-            move = np.abs(better - energy) / energy
-            energy = better
+            # What has settled stays, however long others take.
+            goes_on = ~(np.max(move, axis=-1, keepdims=True) <= _SETTLED)
+            move = np.where(goes_on, np.abs(better - energy) / energy, move)
+            energy = np.where(goes_on, better, energy)
             if not np.any(move > _SETTLED):
                 break
         return np.where(np.max(move, axis=-1, keepdims=True) <= _SETTLED, energy, np.nan)
@@ -185,19 +187,23 @@ def _even_speed(law: TorqueLaw) -> Array:
     By the logarithm of the speed the mean torque falls ever faster, so that Newton's steps from beyond do not pass by.
     """
     free = np.mean(law.free, axis=-1, keepdims=True)
-    powers = [
-        Power(*(np.mean(part, axis=-1, keepdims=True) if np.ndim(part) else part for part in one)) for one in law.powers
-    ]
-    alone = [np.where(c < 0, (free / -c) ** (1 / p), np.inf) for c, p in powers]
-    speed = (
-        np.min([np.full_like(free, np.inf), *np.broadcast_arrays(*alone)], axis=0)
-        if alone
-        else np.full_like(free, np.inf)
-    )
+    speed = np.full_like(free, np.inf)
+    powers = [Power(*map(_grid_mean, one)) for one in law.powers]
+    for coefficient, exponent in powers:
+        alone = np.where(coefficient < 0, (free / -coefficient) ** (1 / exponent), np.inf)
+        speed = np.minimum(speed, alone)
+    goes_on = np.full(speed.shape, fill_value=True)
     for _ in range(_MOST_STEPS):
-        terms = [c * speed**p for c, p in powers]
-        step = (free + sum(terms)) / sum(p * term for term, (_c, p) in zip(terms, powers, strict=True))
+        terms = [one.torque(speed) for one in powers]
+        slopes = [one.exponent * term for one, term in zip(powers, terms, strict=True)]
+        step = np.where(goes_on, sum(terms, free) / sum(slopes, ZERO), 0.0)
         speed = speed * np.exp(-step)
-        if np.all(np.abs(step) < _CLOSE):
+        goes_on &= ~(np.abs(step) < _CLOSE)
+        if not np.any(goes_on):
             break
     return speed
+
+
+def _grid_mean(part: Array) -> Array:
+    """Mean over the grid, shape (..., 1), of what may be one number."""
+    return np.mean(part, axis=-1, keepdims=True) if np.ndim(part) else part

@@ -82,7 +82,7 @@ def load_work(
     grid = crank_angle.angle
     torque = on_crank(grid)
     power = torque * loaded.speed.drive(grid).speed
-    corners = (load.law.corners(crank_angle.cycle) for load in shafts if isinstance(load.law, ByAngle))
+    corners = (load.law.kinks(crank_angle.cycle) for load in shafts if isinstance(load.law, ByAngle))
     at_shafts = [own + crank_angle.zero[:, 0] for own in corners]
     whole = ForceEvents(events.angle, np.concatenate([events.whole, *at_shafts], axis=-1))
     most = largest_of_machine(size_of_power, np.abs(power), whole, crank_angle)
