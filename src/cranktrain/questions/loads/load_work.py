@@ -3,12 +3,14 @@
 from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.catalogue import extreme, quantity
 from cranktrain.checks import StageResult
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.loads import LinkLoad, Loads
+from cranktrain.linkage.forces.load import LoadWay
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak, subintervals
 from cranktrain.questions.forces.events import ForceEvents
@@ -23,6 +25,8 @@ _LOAD = ("load",)
 _CURVE = ("load", "crank_angle")
 _WIDEST = np.pi / 9
 """Of a piece of the quadrature. [rad]"""
+_ROUNDING = 1e-12
+"""Of what a load does there and back; a work of less is none."""
 
 
 @record
@@ -34,8 +38,20 @@ class LoadWork(StageResult):
     )
     load_power: Array = quantity("P_l", "W", _CURVE, N_("Power of the load; less than 0 where it takes it"), _THEORY)
     load_work: Array = quantity("W_l", "J", _LOAD, N_("Work of the load over a cycle, by exact quadrature"), _THEORY)
+    mean_load_power: Array = quantity("P_l,m", "W", _LOAD, N_("Mean power of the load over the cycle"), _THEORY)
     largest_load_power: Peak = extreme(
         "P_l,max", "W", _LOAD, N_("Largest power of the load, of either sign"), N_("Crank angle of that power"), _THEORY
+    )
+    largest_load_force: Peak = extreme(
+        "F_l,max", "N", _LOAD, N_("Largest size of a load that is a force"), N_("Crank angle of that force"), _THEORY
+    )
+    largest_load_moment: Peak = extreme(
+        "C_l,max",
+        "N*m",
+        _LOAD,
+        N_("Largest size of a load that is a torque"),
+        N_("Crank angle of that torque"),
+        _THEORY,
     )
 
     def answer(self, names: Names, design: int) -> str:
@@ -64,15 +80,24 @@ def load_work(loaded: LoadedMachine, loads: Loads, events: ForceEvents, crank_an
     def size_of_power(angle: Array) -> Array:
         return np.abs(on_crank(angle) * loaded.speed.drive(angle).speed)
 
+    def size(angle: Array) -> Array:
+        return np.concatenate([np.abs(_size(loaded, load, angle)) for load in loads.each], axis=1)
+
     grid = crank_angle.angle
     torque = on_crank(grid)
     power = torque * loaded.speed.drive(grid).speed
+    work = _works(on_crank, events, crank_angle)
     most = largest_of_machine(size_of_power, np.abs(power), events, crank_angle)
+    largest = largest_of_machine(size, size(grid), events, crank_angle)
+    is_torque = np.array([load.is_torque for load in loads.each])
     return LoadWork(
         load_torque_on_crank=torque,
         load_power=power,
-        load_work=_works(on_crank, events, crank_angle),
+        load_work=work,
+        mean_load_power=work * loaded.speed.mean[..., 0] / crank_angle.cycle,
         largest_load_power=most,
+        largest_load_force=_known(largest, ~is_torque),
+        largest_load_moment=_known(largest, is_torque),
         labels={"load": loads.names},
         flags=tuple(one_sided([(_("largest power"), most)], loads.names)),
     )
@@ -80,9 +105,26 @@ def load_work(loaded: LoadedMachine, loads: Loads, events: ForceEvents, crank_an
 
 def _on_crank(loaded: LoadedMachine, load: LinkLoad, angle: Array) -> Array:
     """Torque of one load on the crank at φ, shape (design, 1, n). [N·m]"""
+    way, value = _acting(loaded, load, angle)
+    return value * way.rate
+
+
+def _size(loaded: LoadedMachine, load: LinkLoad, angle: Array) -> Array:
+    """Size of one load at φ, shape (design, 1, n). [N or N·m]"""
+    return _acting(loaded, load, angle)[1]
+
+
+def _acting(loaded: LoadedMachine, load: LinkLoad, angle: Array) -> tuple[LoadWay, Array]:
+    """Along what one load goes at φ, and its size, shape (design, 1, n). [N or N·m]"""
     own = angle if angle.ndim == 3 else angle[np.newaxis, np.newaxis]
     way = loaded.load_way(load, own)
-    return loaded.load_value(load, way, own, loaded.speed.drive(own).speed) * way.rate
+    return way, loaded.load_value(load, way, own, loaded.speed.drive(own).speed)
+
+
+def _known(peak: Peak, is_one: NDArray[np.bool_]) -> Peak:
+    """Peaks of those that are of a sort; of the others there is none."""
+    value, angle = (np.where(is_one, part, np.nan) for part in (peak.value, peak.angle))
+    return Peak(angle, value, np.where(is_one, peak.side, 0.0))
 
 
 def _works(on_crank: Callable[[Array], Array], events: ForceEvents, crank_angle: CrankAngle) -> Array:
@@ -93,4 +135,6 @@ def _works(on_crank: Callable[[Array], Array], events: ForceEvents, crank_angle:
     angle, weight = np.zeros((2, len(cuts), 1, longest))
     for design, cut in enumerate(cuts):
         angle[design, 0, : cut.angle.size], weight[design, 0, : cut.angle.size] = cut.angle, cut.weight
-    return np.sum(on_crank(angle + crank_angle.zero) * weight, axis=-1)
+    done = on_crank(angle + crank_angle.zero) * weight
+    work, gross = np.sum(done, axis=-1), np.sum(np.abs(done), axis=-1)
+    return np.where(np.abs(work) > _ROUNDING * gross, work, 0.0)
