@@ -10,7 +10,8 @@ from pydantic import BaseModel, Field
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.listed import OneOrMany
-from cranktrain.layout.load_files import LoadCard, Sort, load_card
+from cranktrain.layout.load_card import LoadCard, load_card
+from cranktrain.layout.load_heads import Sort
 from cranktrain.quantities import (
     Angle,
     Dimension,

@@ -215,11 +215,10 @@ def _way_problems(where: str, spec: LoadSpec, places: Sequence[PlacedMechanism])
     index = _link_of(place, spec.on) or 0
     if _slides(place, place.kind.dynamics.moving[index]):
         slides = _("is for what turns, and this slides")
-        yield from (
-            Problem(f"{where}.{name}", None, slides)
-            for name in ("torque", "radius", "swing")
-            if getattr(spec, name) is not None
-        )
+        foreign = [name for name in ("torque", "radius", "swing") if getattr(spec, name) is not None]
+        yield from (Problem(f"{where}.{name}", None, slides) for name in foreign)
+        if foreign:
+            return
         if spec.direction is None:
             at_pin = _("is for a link; without a direction a force on a slider goes through its pin")
             given = ((name, getattr(spec, name)) for name in AT_POINT)
