@@ -230,7 +230,7 @@ def test_refused(text, said):
         ({"columns": [1, 3]}, "load.x.columns: must be columns of the file, 1 to 2, each once"),
         ({"columns": [1, 1]}, "load.x.columns: must be columns of the file, 1 to 2, each once"),
         ({"on": "rod"}, "load.x.file = card.csv: needs a direction or a radius, along which it is counted"),
-        ({"on": "piston", "radius": "3 mm"}, "load.x.radius = 3 mm: is for what turns, and this slides"),
+        ({"on": "piston", "radius": "3 mm"}, "load.x.radius: is for what turns, and this slides"),
     ],
 )
 def test_what_does_not_stand_beside_a_file(more, said):
