@@ -18,7 +18,6 @@ from cranktrain.linkage.forces.load import LoadWay, across_link, along_link, off
 from cranktrain.linkage.vectors import Vector
 from cranktrain.motion import ONE, ZERO, Array, Link
 from cranktrain.numerics import extremes
-from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.nested import by_design, mapped
 from cranktrain.quantities import Given, nearest
 from cranktrain.record import record
@@ -171,9 +170,7 @@ def _law(laid: Laid, spec: LoadSpec, sign: float) -> Law:
 
     size = sign * each(spec.sizes)
     if spec.crank_angles is not None:
-        angles = each(spec.crank_angles)
-        is_longer = spec.file is not None and float(np.ptp(angles[0])) > TURN
-        return ByAngle(angles, size, 2 * TURN if is_longer else TURN)
+        return ByAngle(each(spec.crank_angles), size)
     if (travel := spec.travel or spec.swing) is not None:
         return ByTravel(each(travel), size, size if spec.back is None else sign * each(spec.back))
     at = spec.at_speed or spec.at_turning
