@@ -3,9 +3,9 @@
 * Eccentric press: F (L sin β + …)′ of a slider-crank, F R sin(α + β)/cos β, where it is 6 mm before the bottom.
 * Toggle press, jaw crusher: links by crossing circles in complex numbers, their extremes by a search.
 * Shaper: area of the cut.
-* Pumping unit: work a turn and the peaks of the torque under the invented card, from the theory of
-  drives, in 50 digits: area, peaks with and without counterbalance.
-* Tilting table: κ and the reduced inertia of the theory of drives, by closed forms in 50 digits.
+* Pumping unit: area of the invented card, peaks of the torque with and without counterbalance, by the API's angles on a
+  fine grid.
+* Tilting table: κ and the reduced inertia, by virtual work in 50 digits.
 """
 
 import numpy as np
