@@ -103,7 +103,8 @@ def load_card(file: str, text: str | None, columns: tuple[int, ...] | None) -> L
     places = np.union1d(*(travel[branch] for branch in rows))
     levels = (heads.levels[0], heads.levels[-1])
     out, back = (
-        np.interp(places, travel[branch], table.rows[branch, level]) for branch, level in zip(rows, levels, strict=True)
+        np.asarray(np.interp(places, travel[branch], table.rows[branch, level]), dtype=np.float64)
+        for branch, level in zip(rows, levels, strict=True)
     )
     dimension = Dimension.LENGTH if heads.over == "travel" else Dimension.ANGLE
     return LoadCard(

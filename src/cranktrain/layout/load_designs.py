@@ -3,14 +3,13 @@
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from pydantic import BaseModel
 
 from cranktrain.columns import in_columns
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.fluids.indicator.table import held_text
 from cranktrain.language import _
 from cranktrain.layout.design import Designs
-from cranktrain.layout.load_tables import LoadSpec, LoadTables
+from cranktrain.layout.load_tables import LoadSpec, LoadTables, with_lists
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.quantities import Given
@@ -98,4 +97,4 @@ def _over_places(spec: LoadSpec, places: Array, period: float | None) -> LoadSpe
 
     sort = "torque" if spec.force is None else "force"
     lists = {over: tuple(given), sort: at(spec.sizes), f"{sort}_back": at(spec.back)}
-    return BaseModel.model_copy(spec, update=lists)
+    return with_lists(spec, lists)

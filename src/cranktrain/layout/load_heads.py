@@ -53,10 +53,7 @@ def load_heads(table: NumberTable, columns: Sequence[int] | None) -> LoadHeads:
     where, *levels = _columns(table, columns)
     labels = table.labels or ("",) * table.rows.shape[1]
     over, place_unit = _axis(labels[where])
-    found = [
-        next(((sort, unit) for sort, of in SORTS.items() if (unit := unit_in(labels[level], of))), None)
-        for level in levels
-    ]
+    found = [_size(labels[level]) for level in levels]
     problems = [_without_unit(table, _("travel or angle"), labels[where], "travel [mm]")] if place_unit is None else []
     problems += [
         _without_unit(table, _("force or torque"), labels[level], "force [kN]")
@@ -95,6 +92,14 @@ def _axis(head: str) -> tuple[Over, str | None]:
     if unit is not None or axis_of(head) == "angle":
         return "crank_angles", unit or "deg"
     return "travel", unit_in(head, Dimension.LENGTH)
+
+
+def _size(head: str) -> tuple[Sort, str] | None:
+    """Tell from its unit what a column's head says that sizes are; None where it names none."""
+    for sort, dimension in SORTS.items():
+        if unit := unit_in(head, dimension):
+            return sort, unit
+    return None
 
 
 def _without_unit(table: NumberTable, noun: str, head: str, example: str) -> Problem:

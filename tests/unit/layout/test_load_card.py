@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from tests.sentences import AS_AT_THE_START, GOES_ON, NO_FILE, NO_NUMBERS
+from tests.sentences import AS_AT_THE_START, GOES_ON, NO_FILE, NO_NUMBERS, NO_UNIT
 
 import cranktrain as ct
 from cranktrain.cli import main
@@ -172,11 +172,11 @@ HEAD = "travel [mm];force [N]\n"
             "card.csv:1  load.x = 0,5,1,5: commas may stand here for decimal points or between columns",
         ),
         ("travel [mm]\n0\n80", "card.csv:2  load.x: has one column; a load needs two"),
-        ("0;1\n80;2\n0;1", "load.x.file = card.csv: names no unit of travel or angle; write it in the head"),
-        ("0;1\n80;2\n0;1", "load.x.file = card.csv: names no unit of force or torque; write it in the head"),
+        ("0;1\n80;2\n0;1", f"load.x.file = card.csv: {NO_UNIT} travel or angle; write it in the head"),
+        ("0;1\n80;2\n0;1", f"load.x.file = card.csv: {NO_UNIT} force or torque; write it in the head"),
         (
             "travel [mm];force [bar]\n0;1\n80;2\n0;1",
-            "load.x.file = card.csv: names no unit of force or torque, in the head “force [bar]”;",
+            f"load.x.file = card.csv: {NO_UNIT} force or torque, in the head “force [bar]”;",
         ),
         (
             "travel [mm];a [N];b [N*m]\n0;1;1\n80;2;2",
