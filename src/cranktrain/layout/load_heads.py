@@ -54,9 +54,13 @@ def load_heads(table: NumberTable, columns: Sequence[int] | None) -> LoadHeads:
     labels = table.labels or ("",) * table.rows.shape[1]
     over, place_unit = _axis(labels[where])
     found = [_size(labels[level]) for level in levels]
-    problems = [_without_unit(table, _("travel or angle"), labels[where], "travel [mm]")] if place_unit is None else []
+    problems = (
+        [_without_unit(table, _("travel or angle"), labels[where], "travel [mm], crank angle [deg]")]
+        if place_unit is None
+        else []
+    )
     problems += [
-        _without_unit(table, _("force or torque"), labels[level], "force [kN]")
+        _without_unit(table, _("force or torque"), labels[level], "force [kN], torque [N·m]")
         for level, one in zip(levels, found, strict=True)
         if one is None
     ]

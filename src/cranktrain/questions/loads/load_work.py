@@ -99,7 +99,7 @@ def load_work(loaded: LoadedMachine, loads: Loads, events: ForceEvents, crank_an
         largest_load_force=_known(largest, ~is_torque),
         largest_load_moment=_known(largest, is_torque),
         labels={"load": loads.names},
-        flags=tuple(one_sided([(_("largest power"), most)], loads.names)),
+        flags=tuple(one_sided([(_("largest power"), most), (_("largest size"), largest)], loads.names)),
     )
 
 
