@@ -137,11 +137,13 @@ def _over_angle(table: NumberTable, heads: LoadHeads, text: str | None) -> LoadC
     columns = (heads.where + 1, heads.levels[0] + 1)
     curve = given_curve(kind.model_construct(file=table.name, text=text, columns=columns))
     unit = "N" if heads.sort == "force" else "N*m"
+    # With the first point at the end again, it is plain whether they go on over one turn or two.
+    angles, values = np.append(curve.angles, curve.angles[0] + curve.period), np.append(curve.values, curve.values[0])
     return LoadCard(
         sort=heads.sort,
         over=heads.over,
-        places=_given(np.degrees(curve.angles), "deg", Dimension.ANGLE),
-        out=_given(curve.values, unit, SORTS[heads.sort]),
+        places=_given(np.degrees(angles), "deg", Dimension.ANGLE),
+        out=_given(values, unit, SORTS[heads.sort]),
         back=None,
         first=table.position(0, heads.where),
         last=table.position(len(table.lines) - 1, heads.where),

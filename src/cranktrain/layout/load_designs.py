@@ -63,7 +63,7 @@ def _problems(each: Sequence[LoadSpec], path: str, cycle: float) -> Iterator[Pro
 
 def _period(angles: Sequence[Given]) -> float:
     """A turn, or two where angles reach farther. [rad]"""
-    return 2 * TURN if angles[-1].si - angles[0].si > TURN else TURN
+    return 2 * TURN if angles[-1].si - angles[0].si > 1.5 * TURN else TURN
 
 
 def _over_the_same(each: Sequence[LoadSpec]) -> list[LoadSpec]:
@@ -76,6 +76,7 @@ def _over_the_same(each: Sequence[LoadSpec]) -> list[LoadSpec]:
     places = np.unique([place.si for spec in each for place in _places(spec)])
     if period is not None:
         places = np.unique(np.mod(places, period))
+        places = np.append(places, places[0] + period)
     return [_over_places(spec, places, period) for spec in each]
 
 

@@ -65,8 +65,8 @@ class TestReading:
     def test_a_torque_over_the_crank_angle(self, head, unit):
         card = load_card("card.csv", f"crank angle [deg];torque [{head}]\n0;1\n90;3\n360;1", None)
         assert (card.sort, card.over, card.back) == ("torque", "crank_angles", None)
-        np.testing.assert_allclose(lists(card)[0], [0, math.pi / 2], rtol=1e-15)
-        np.testing.assert_allclose(lists(card)[1], [unit, 3 * unit], rtol=1e-15)
+        np.testing.assert_allclose(lists(card)[0], [0, math.pi / 2, 2 * math.pi], rtol=1e-15)
+        np.testing.assert_allclose(lists(card)[1], [unit, 3 * unit, unit], rtol=1e-15)
 
 
 class TestMachine:
@@ -111,6 +111,15 @@ class TestMachine:
             scale = np.max(np.abs(own.driving_torque))
             assert np.max(np.abs(together.driving_torque[design] - own.driving_torque)) < 1e-12 * scale
             assert together.load_work[design] == pytest.approx(own.load_work, rel=1e-12)
+
+    def test_designs_whose_files_go_over_different_angles_of_two_turns(self):
+        texts = [f"angle [deg];torque [N*m]\n{at};0\n{at + 40};9\n{at + 720};0" for at in (10, -75)]
+        table = {"cylinder": {"bore": "80 mm", "cycle": "four-stroke"}}
+        machines = [machine(text, on="crank", table=table) for text in texts]
+        together = ct.run(machines)
+        for design, own in enumerate(map(ct.run, machines)):
+            assert np.max(np.abs(together.driving_torque[design] - own.driving_torque)) < 1e-12 * 9
+            assert own.load_work[0] == pytest.approx(-0.5 * 9 * 4 * math.pi, rel=1e-12)
 
     def test_designs_whose_files_go_over_different_angles(self):
         texts = [f"angle [deg];torque [N*m]\n{at};0\n{at + 40};9\n{at + 360};0" for at in (10, -75)]
