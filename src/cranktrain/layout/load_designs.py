@@ -3,14 +3,13 @@
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from pydantic import BaseModel
 
 from cranktrain.columns import in_columns
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.fluids.indicator.table import held_text
 from cranktrain.language import _
 from cranktrain.layout.design import Designs
-from cranktrain.layout.load_tables import LoadSpec, LoadTables
+from cranktrain.layout.load_tables import LoadSpec, LoadTables, with_lists
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.quantities import Given
@@ -64,7 +63,7 @@ def _problems(each: Sequence[LoadSpec], path: str, cycle: float) -> Iterator[Pro
 
 def _period(angles: Sequence[Given]) -> float:
     """A turn, or two where angles reach farther. [rad]"""
-    return 2 * TURN if angles[-1].si - angles[0].si > TURN else TURN
+    return 2 * TURN if angles[-1].si - angles[0].si > 1.5 * TURN else TURN
 
 
 def _over_the_same(each: Sequence[LoadSpec]) -> list[LoadSpec]:
@@ -77,6 +76,7 @@ def _over_the_same(each: Sequence[LoadSpec]) -> list[LoadSpec]:
     places = np.unique([place.si for spec in each for place in _places(spec)])
     if period is not None:
         places = np.unique(np.mod(places, period))
+        places = np.append(places, places[0] + period)
     return [_over_places(spec, places, period) for spec in each]
 
 
@@ -98,4 +98,4 @@ def _over_places(spec: LoadSpec, places: Array, period: float | None) -> LoadSpe
 
     sort = "torque" if spec.force is None else "force"
     lists = {over: tuple(given), sort: at(spec.sizes), f"{sort}_back": at(spec.back)}
-    return BaseModel.model_copy(spec, update=lists)
+    return with_lists(spec, lists)

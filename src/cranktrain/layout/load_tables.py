@@ -3,14 +3,15 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import pairwise
-from typing import Annotated, ClassVar, Literal, Self, TypeAlias
+from typing import Annotated, ClassVar, Literal, TypeAlias, cast
 
 from pydantic import BaseModel, Field
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import N_, _
 from cranktrain.layout.listed import OneOrMany
-from cranktrain.layout.load_files import LoadCard, Sort, load_card
+from cranktrain.layout.load_card import LoadCard, load_card
+from cranktrain.layout.load_heads import Sort
 from cranktrain.quantities import (
     Angle,
     Dimension,
@@ -138,13 +139,13 @@ class LoadSpec(Spec, frozen=True):
         return None if self.file is None or self.text is None else load_card(self.file, self.text, self.columns)
 
     @property
-    def listed(self) -> Self:
+    def listed(self) -> "LoadSpec":
         """The load itself, or one with the lists that its file holds."""
         card = self.card
         if card is None:
             return self
         lists = {card.sort: card.out, f"{card.sort}_back": card.back, card.over: card.places}
-        return BaseModel.model_copy(self, update=lists)
+        return with_lists(self, lists)
 
     def in_file(self, problem: Problem, where: str) -> Problem:
         """Say what is wrong with lists of a file, at paths below `where`, of that file and at its line."""
@@ -279,6 +280,11 @@ class LoadSpec(Spec, frozen=True):
             rises = all(one.si < other.si for one, other in pairwise(places))
             if not rises:
                 yield Problem(name, None, _("must rise from one place to the next"))
+
+
+def with_lists(spec: LoadSpec, lists: Mapping[str, object]) -> LoadSpec:
+    """Give a load whose file holds some lists these as its own, unchecked: the file was."""
+    return cast("LoadSpec", BaseModel.model_copy(spec, update=lists))
 
 
 LoadTables: TypeAlias = Mapping[str, Mapping[str, LoadSpec]]

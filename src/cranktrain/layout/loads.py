@@ -19,7 +19,6 @@ from cranktrain.linkage.forces.load import LoadWay, across_link, along_link, off
 from cranktrain.linkage.vectors import Vector
 from cranktrain.motion import ONE, ZERO, Array, Link
 from cranktrain.numerics import extremes
-from cranktrain.numerics.harmonics import TURN
 from cranktrain.numerics.nested import by_design, mapped
 from cranktrain.quantities import Given, nearest
 from cranktrain.record import record
@@ -176,7 +175,8 @@ def _link_load(laid: Laid, name: str, spec: LoadSpec, mechanism: int, place: Pla
 
 def refuse_more_turns(designs: Designs, where: str, law: Law) -> None:
     """Refuse sizes over two turns of a machine whose cycle is one."""
-    if isinstance(law, ByAngle) and law.period > designs.crank_angle.cycle * 1.5:
+    longest = max(lines.period for lines in law.polylines) if isinstance(law, ByAngle) else 0.0
+    if longest > designs.crank_angle.cycle * 1.5:
         allowed = _("goes on over two turns, and the cycle of this machine is one")
         raise InputError([Problem(f"{where}.crank_angles", None, allowed)])
 
@@ -189,8 +189,7 @@ def law_of(laid: Laid, spec: LoadSpec, sign: float = 1.0) -> Law:
 
     size = sign * (each(spec.sizes) if spec.sizes else laid([ONE]))
     if spec.crank_angles is not None:
-        angles = each(spec.crank_angles)
-        return ByAngle(angles, size, 2 * TURN if float(np.ptp(angles[0])) > TURN * (1 + _COVERED) else TURN)
+        return ByAngle(each(spec.crank_angles), size)
     if (travel := spec.travel or spec.swing) is not None:
         return ByTravel(each(travel), size, size if spec.back is None else sign * each(spec.back))
     at = spec.at_speed or spec.at_turning
@@ -250,11 +249,10 @@ def _way_problems(where: str, spec: LoadSpec, places: Sequence[PlacedMechanism])
     index = _link_of(place, spec.on) or 0
     if _slides(place, place.kind.dynamics.moving[index]):
         slides = _("is for what turns, and this slides")
-        yield from (
-            Problem(f"{where}.{name}", None, slides)
-            for name in ("torque", "radius", "swing")
-            if getattr(spec, name) is not None
-        )
+        foreign = [name for name in ("torque", "radius", "swing") if getattr(spec, name) is not None]
+        yield from (Problem(f"{where}.{name}", None, slides) for name in foreign)
+        if foreign:
+            return
         if spec.direction is None:
             at_pin = _("is for a link; without a direction a force on a slider goes through its pin")
             given = ((name, getattr(spec, name)) for name in AT_POINT)

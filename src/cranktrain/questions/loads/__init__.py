@@ -42,6 +42,6 @@ QUESTION = Question(
     title=N_("Loads"),
     rows=(rows.load_rows,),
     offers={"load_work": N_("what it works against")},
-    files=tuple(TableFile((*home, "load", ANY_NAME), None, N_("a load")) for home in _HOMES),
+    files=tuple(TableFile((*home, "load", ANY_NAME), None, N_("the file of a load")) for home in _HOMES),
     uses=(Use(_tables, (load_work.LoadWork,)),),
 )

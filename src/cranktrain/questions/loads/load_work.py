@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.catalogue import extreme, quantity
 from cranktrain.checks import StageResult
@@ -11,6 +12,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.load_laws import ByAngle
 from cranktrain.layout.loads import LinkLoad, Loads
 from cranktrain.layout.shaft_loads import ShaftLoads
+from cranktrain.linkage.forces.load import LoadWay
 from cranktrain.motion import Array
 from cranktrain.numerics import Peak, subintervals
 from cranktrain.questions.forces.events import ForceEvents
@@ -25,6 +27,8 @@ _LOAD = ("load",)
 _CURVE = ("load", "crank_angle")
 _WIDEST = np.pi / 9
 """Of a piece of the quadrature. [rad]"""
+_ROUNDING = 1e-12
+"""Of what a load does there and back; a work of less is none."""
 
 
 @record
@@ -37,8 +41,20 @@ class LoadWork(StageResult):
     )
     load_power: Array = quantity("P_l", "W", _CURVE, N_("Power of the load; less than 0 where it takes it"), _THEORY)
     load_work: Array = quantity("W_l", "J", _LOAD, N_("Work of the load over a cycle, by exact quadrature"), _THEORY)
+    mean_load_power: Array = quantity("P_l,m", "W", _LOAD, N_("Mean power of the load over the cycle"), _THEORY)
     largest_load_power: Peak = extreme(
         "P_l,max", "W", _LOAD, N_("Largest power of the load, of either sign"), N_("Crank angle of that power"), _THEORY
+    )
+    largest_load_force: Peak = extreme(
+        "F_l,max", "N", _LOAD, N_("Largest size of a load that is a force"), N_("Crank angle of that force"), _THEORY
+    )
+    largest_load_moment: Peak = extreme(
+        "C_l,max",
+        "N*m",
+        _LOAD,
+        N_("Largest size of a load that is a torque"),
+        N_("Crank angle of that torque"),
+        _THEORY,
     )
 
     def answer(self, names: Names, design: int) -> str:
@@ -70,38 +86,61 @@ def load_work(
     """
     links, shafts = () if loads is None else loads.each, () if on_shafts is None else on_shafts.given
 
+    def at_shafts(angle: Array) -> list[Array]:
+        own = _of_designs(angle)
+        return [load.value(own - crank_angle.zero, loaded.speed.drive(own).speed) for load in shafts]
+
     def on_crank(angle: Array) -> Array:
-        own = angle if angle.ndim == 3 else angle[np.newaxis, np.newaxis]
-        speed = loaded.speed.drive(own).speed
-        at_shafts = (load.value(own - crank_angle.zero, speed) for load in shafts)
-        return np.concatenate([*(_on_crank(loaded, load, own, speed) for load in links), *at_shafts], axis=1)
+        acting = (_acting(loaded, load, angle) for load in links)
+        return np.concatenate([*(value * way.rate for way, value in acting), *at_shafts(angle)], axis=1)
 
     def size_of_power(angle: Array) -> Array:
         return np.abs(on_crank(angle) * loaded.speed.drive(angle).speed)
 
+    def size(angle: Array) -> Array:
+        return np.abs(np.concatenate([*(_acting(loaded, load, angle)[1] for load in links), *at_shafts(angle)], axis=1))
+
     grid = crank_angle.angle
     torque = on_crank(grid)
     power = torque * loaded.speed.drive(grid).speed
-    corners = (load.law.kinks(crank_angle.cycle) for load in shafts if isinstance(load.law, ByAngle))
-    at_shafts = [own + crank_angle.zero[:, 0] for own in corners]
-    whole = ForceEvents(events.angle, np.concatenate([events.whole, *at_shafts], axis=-1))
+    corners = (load.law.corners(crank_angle.cycle) for load in shafts if isinstance(load.law, ByAngle))
+    breaks = (own + crank_angle.zero[:, 0] for own in corners)
+    whole = ForceEvents(events.angle, np.concatenate([events.whole, *breaks], axis=-1))
+    work = _works(on_crank, whole, crank_angle)
     most = largest_of_machine(size_of_power, np.abs(power), whole, crank_angle)
+    largest = largest_of_machine(size, size(grid), whole, crank_angle)
+    is_torque = np.array([*(load.is_torque for load in links), *(True for _load in shafts)])
     names = (*(load.name for load in links), *(load.name for load in shafts))
     return LoadWork(
         n_on_links=len(links),
         load_torque_on_crank=torque,
         load_power=power,
-        load_work=_works(on_crank, whole, crank_angle),
+        load_work=work,
+        mean_load_power=work * loaded.speed.mean[..., 0] / crank_angle.cycle,
         largest_load_power=most,
+        largest_load_force=_known(largest, ~is_torque),
+        largest_load_moment=_known(largest, is_torque),
         labels={"load": names},
-        flags=tuple(one_sided([(_("largest power"), most)], names)),
+        flags=tuple(one_sided([(_("largest power"), most), (_("largest size"), largest)], names)),
     )
 
 
-def _on_crank(loaded: LoadedMachine, load: LinkLoad, angle: Array, speed: Array) -> Array:
-    """Torque of one load on the crank at φ and its speed, shape (design, 1, n). [N·m]"""
-    way = loaded.load_way(load, angle)
-    return loaded.load_value(load, way, angle, speed) * way.rate
+def _of_designs(angle: Array) -> Array:
+    """Angles (n,) or (design, 1, n) as (design or 1, 1, n)."""
+    return angle if angle.ndim == 3 else angle[np.newaxis, np.newaxis]
+
+
+def _acting(loaded: LoadedMachine, load: LinkLoad, angle: Array) -> tuple[LoadWay, Array]:
+    """Along what one load goes at φ, and its size, shape (design, 1, n). [N or N·m]"""
+    own = _of_designs(angle)
+    way = loaded.load_way(load, own)
+    return way, loaded.load_value(load, way, own, loaded.speed.drive(own).speed)
+
+
+def _known(peak: Peak, is_one: NDArray[np.bool_]) -> Peak:
+    """Peaks of those that are of a sort; of the others there is none."""
+    value, angle = (np.where(is_one, part, np.nan) for part in (peak.value, peak.angle))
+    return Peak(angle, value, np.where(is_one, peak.side, 0.0))
 
 
 def _works(on_crank: Callable[[Array], Array], events: ForceEvents, crank_angle: CrankAngle) -> Array:
@@ -112,4 +151,6 @@ def _works(on_crank: Callable[[Array], Array], events: ForceEvents, crank_angle:
     angle, weight = np.zeros((2, len(cuts), 1, longest))
     for design, cut in enumerate(cuts):
         angle[design, 0, : cut.angle.size], weight[design, 0, : cut.angle.size] = cut.angle, cut.weight
-    return np.sum(on_crank(angle + crank_angle.zero) * weight, axis=-1)
+    done = on_crank(angle + crank_angle.zero) * weight
+    work, gross = np.sum(done, axis=-1), np.sum(np.abs(done), axis=-1)
+    return np.where(np.abs(work) > _ROUNDING * gross, work, 0.0)
